@@ -1,3 +1,5 @@
+#include "generator/cli/doctor.hpp"
+
 #include <fmt/core.h>
 
 #include <functional>
@@ -80,7 +82,7 @@ std::vector<Tool> tools() {
   };
 }
 
-std::string fault(const Tool& tool, const Error& error) {
+std::string fault(const FoundTool& tool, const Error& error) {
   if (error.kind == ErrorKind::missing_tool) {
     return fmt::format("missing: apt-get install {}; disables {}", tool.package, tool.disables);
   }
@@ -91,18 +93,17 @@ void run(bool json) {
   nlohmann::ordered_json report = nlohmann::ordered_json::array();
   std::string text;
   bool complete = true;
-  for (const Tool& tool : tools()) {
-    const auto version = tool.version();
-    const bool required = tool.need == Need::required;
+  for (const FoundTool& tool : find_tools()) {
+    const Result<std::string>& version = tool.version;
     report.push_back({{"tool", tool.name},
                       {"found", version.ok()},
-                      {"required", required},
+                      {"required", tool.required},
                       {"version", version.ok() ? *version : ""},
                       {"package", tool.package},
                       {"disables", tool.disables}});
     text += fmt::format("{:<13} {}\n", tool.name,
                         printable_line(version.ok() ? *version : fault(tool, version.error())));
-    complete = complete && (version.ok() || !required);
+    complete = complete && (version.ok() || !tool.required);
   }
   print(json ? report::json_text(report) : text);
   if (complete) return;
@@ -111,6 +112,18 @@ void run(bool json) {
 }
 
 }  // namespace
+
+std::vector<FoundTool> find_tools() {
+  std::vector<FoundTool> found;
+  for (const Tool& tool : tools()) {
+    found.push_back({.name = tool.name,
+                     .version = tool.version(),
+                     .package = tool.package,
+                     .disables = tool.disables,
+                     .required = tool.need == Need::required});
+  }
+  return found;
+}
 
 void add_doctor(CLI::App& app) {
   const Verb verb(app, "doctor", "which tools are there, what each missing disables");

@@ -13,6 +13,7 @@
 #include "generator/cli/exit.hpp"
 #include "generator/cli/usage.hpp"
 #include "generator/cli/verbs.hpp"
+#include "generator/cli/version.hpp"
 #include "generator/emit/version.hpp"
 #include "model/common/quote.hpp"
 
@@ -33,6 +34,23 @@ void occupy_standard_streams() {
   }
 }
 
+/// Adds --version, and the two options that go with it alone.
+void add_version_options(CLI::App& app) {
+  CLI::Option* version = app.set_version_flag("--version", std::string(mixcmp::emit::version),
+                                              "print version and commit");
+  const std::string verbose = "with --version: compiler, libraries and tools, too";
+  const std::string json = "with --version: all of that as JSON";
+  app.add_flag("--verbose", verbose)->needs(version);
+  app.add_flag("--json", json)->needs(version);
+}
+
+void print_version(const CLI::App& app) {
+  using mixcmp::cli::VersionDetail;
+  if (app.count("--json") > 0) return mixcmp::cli::print(mixcmp::cli::version_json());
+  const bool full = app.count("--verbose") > 0;
+  mixcmp::cli::print(mixcmp::cli::version_text(full ? VersionDetail::full : VersionDetail::line));
+}
+
 void parse_and_run(CLI::App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);
@@ -45,7 +63,7 @@ void parse_and_run(CLI::App& app, int argc, char** argv) {
     const auto verbs = app.get_subcommands();
     return mixcmp::cli::print(verbs.empty() ? app.help() : verbs.front()->help());
   } catch (const CLI::CallForVersion&) {
-    return mixcmp::cli::print(std::string(mixcmp::emit::version) + "\n");
+    return print_version(app);
   } catch (const CLI::ParseError& error) {
     mixcmp::cli::tell(mixcmp::cli::usage_error(app, error));
     throw Exit(ExitCode::mistake);
@@ -82,7 +100,7 @@ void run(int argc, char** argv) {
   check_arguments(argc, argv);
   CLI::App app("Turns a numerical comparison, the sign of f(x) - g(y), into verified Verilog.",
                "mixcmp");
-  app.set_version_flag("--version", std::string(mixcmp::emit::version));
+  add_version_options(app);
   app.require_subcommand(0, 1);
   mixcmp::cli::add_check(app);
   mixcmp::cli::add_generate(app);
@@ -94,6 +112,8 @@ void run(int argc, char** argv) {
   mixcmp::cli::add_doctor(app);
   mixcmp::cli::add_baseline(app);
   mixcmp::cli::add_route(app);
+  mixcmp::cli::add_completion(app);
+  mixcmp::cli::add_manual(app);
   parse_and_run(app, argc, argv);
 }
 

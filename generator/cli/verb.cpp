@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace mixcmp::cli {
@@ -54,7 +55,9 @@ Option Verb::flag(const std::string& names, const std::function<void()>& use,
 
 template <class Value>
 Option Verb::option(const std::string& names, Value& target, const std::string& help) const {
-  return Option(verb_->add_option(names, target, help));
+  CLI::Option* option = verb_->add_option(names, target, help);
+  if constexpr (std::is_same_v<Value, std::filesystem::path>) option->type_name(path_placeholder);
+  return Option(option);
 }
 
 template Option Verb::option(const std::string&, int&, const std::string&) const;

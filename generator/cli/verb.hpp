@@ -12,6 +12,9 @@ class Option;
 
 namespace mixcmp::cli {
 
+/// The word for a file or a folder in --help. Options with this word complete to files.
+inline constexpr const char* path_placeholder = "PATH";
+
 /// A condition on the text of an option.
 struct Condition {
   std::function<std::string(const std::string& text)> problem;  ///< empty where the text will do
@@ -40,7 +43,7 @@ private:
 };
 
 /// A verb of the command line, `mixcmp VERB`. CLI11 does the parsing; its header takes the compiler
-/// seconds in each file, so verb.cpp, main.cpp and usage.cpp alone include it.
+/// seconds in each file, so verb.cpp, main.cpp, usage.cpp and command_table.cpp alone include it.
 class Verb {
 public:
   Verb(CLI::App& app, const std::string& name, const std::string& help);

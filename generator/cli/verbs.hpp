@@ -18,5 +18,7 @@ void add_explore(CLI::App& app);
 void add_doctor(CLI::App& app);
 void add_baseline(CLI::App& app);
 void add_route(CLI::App& app);
+void add_completion(CLI::App& app);
+void add_manual(CLI::App& app);
 
 }  // namespace mixcmp::cli

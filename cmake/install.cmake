@@ -1,0 +1,43 @@
+# What `cmake --install` puts where. The program has templates, devices and harness compiled in, and
+# finds everything from any prefix. Components: program (with pages and completions), library,
+# development, python.
+include(GNUInstallDirs)
+
+install(TARGETS mixcmp RUNTIME COMPONENT program)
+
+# Manual pages and completions come from the option tables that --help prints.
+set(pages ${PROJECT_BINARY_DIR}/man1)
+set(completions ${PROJECT_BINARY_DIR}/completions)
+file(MAKE_DIRECTORY ${completions})
+add_custom_command(
+  OUTPUT ${pages}/mixcmp.1 ${completions}/mixcmp ${completions}/_mixcmp ${completions}/mixcmp.fish
+  COMMAND ${CMAKE_COMMAND} -E rm -rf ${pages}
+  COMMAND mixcmp manual -o ${pages}
+  COMMAND sh -c "\"$0\" completion bash >mixcmp && \"$0\" completion zsh >_mixcmp && \"$0\" completion fish >mixcmp.fish"
+          $<TARGET_FILE:mixcmp>
+  DEPENDS mixcmp
+  WORKING_DIRECTORY ${completions}
+  COMMENT "Writing manual pages and completions"
+  VERBATIM)
+add_custom_target(mixcmp_pages ALL DEPENDS ${pages}/mixcmp.1)
+install(DIRECTORY ${pages} DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT program)
+install(FILES ${completions}/mixcmp COMPONENT program
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${completions}/_mixcmp COMPONENT program
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+install(FILES ${completions}/mixcmp.fish COMPONENT program
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+
+# README and its pages keep their folders, so that links between them lead somewhere.
+install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program
+        PATTERN "make*" EXCLUDE
+        PATTERN "*.awk" EXCLUDE
+        PATTERN "data.sh" EXCLUDE
+        PATTERN "plan.gnuplot" EXCLUDE)
+# Scenes and their data; scripts that build in a clone stay there.
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program
+        PATTERN "run" EXCLUDE
+        PATTERN "table" EXCLUDE
+        PATTERN "characterise" EXCLUDE
+        PATTERN "explore" EXCLUDE)

@@ -1,0 +1,167 @@
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+#include <string>
+
+#include "tests/support/program.hpp"
+
+/// What the program tells of itself: its version, completions for shells, manual pages.
+namespace mixcmp::test::shell_command_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ShellCommand : public ProgramTest {
+protected:
+  /// What bash offers behind these words, one a line; the last word is the one to complete.
+  std::string offered(const std::string& words) {
+    EXPECT_EQ(mixcmp("completion bash >script").exit_code, 0);
+    write("complete", "source script\nCOMP_WORDS=(mixcmp " + words +
+                          ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_mixcmp\n"
+                          "printf '%s\\n' \"${COMPREPLY[@]}\"\n");
+    return shell(fmt::format("cd '{}' && bash complete", directory_.path().string())).output;
+  }
+
+  bool has(const std::string& tool) { return shell("command -v " + tool).exit_code == 0; }
+
+  std::vector<std::string> verbs() {
+    std::vector<std::string> names;
+    std::istringstream lines(offered("''"));
+    for (std::string line; std::getline(lines, line);) names.push_back(line);
+    return names;
+  }
+
+  /// Runs a checker on each page; what it prints is what it found.
+  std::string findings(const std::string& checker) {
+    EXPECT_EQ(mixcmp("manual -o pages").exit_code, 0);
+    return shell(fmt::format("cd '{}/pages' && for page in *; do {} ; done",
+                             directory_.path().string(), checker))
+        .output;
+  }
+};
+
+TEST_F(ShellCommand, TheVersionNamesACommitInOneLine) {
+  const Outcome run = mixcmp("--version");
+  EXPECT_EQ(run.exit_code, 0);
+  const std::regex line(R"(mixcmp \d+\.\d+\.\d+ \(commit ([0-9a-f]{40}(, modified)?|unknown)\)\n)");
+  EXPECT_TRUE(std::regex_match(run.output, line)) << run.output;
+}
+
+TEST_F(ShellCommand, TheFullVersionNamesCompilerLibrariesAndTools) {
+  const Outcome run = mixcmp("--version --json", instead_of("yosys", "echo Yosys 0.made-up"));
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const auto report = nlohmann::json::parse(run.output);
+  EXPECT_EQ(report.at("tools").at("yosys"), "Yosys 0.made-up");
+  const std::regex numbers(R"(\d+\.\d+.*)");
+  for (const char* library : {"MPFR", "GMP"}) {
+    EXPECT_TRUE(std::regex_match(report.at("libraries").at(library).get<std::string>(), numbers));
+  }
+  EXPECT_FALSE(report.at("compiler").get<std::string>().empty());
+  const Outcome text = mixcmp("--version --verbose", "PATH=/nonexistent");
+  EXPECT_NE(text.output.find("yosys          not found"), std::string::npos) << text.output;
+}
+
+TEST_F(ShellCommand, TheOptionsOfTheVersionGoWithItAlone) {
+  expect_refused("--json", "--json requires --version");
+  expect_refused("--verbose check scene.toml", "--verbose requires --version");
+}
+
+TEST_F(ShellCommand, BashCompletesVerbsOptionsAndWords) {
+  const std::string all = offered("''");
+  EXPECT_EQ(all.find("--"), std::string::npos) << all;
+  for (const char* verb : {"check\n", "generate\n", "optimise\n", "completion\n", "manual\n"}) {
+    EXPECT_NE(all.find(verb), std::string::npos) << all;
+  }
+  EXPECT_EQ(offered("gen"), "generate\n");
+  EXPECT_EQ(offered("--vers"), "--version\n");
+  EXPECT_EQ(offered("generate --form"), "--format\n");
+  EXPECT_EQ(offered("generate scene.toml --no"), "--no-prove\n");
+  EXPECT_EQ(offered("optimise --use-multipliers l"), "logic\n");
+  EXPECT_EQ(offered("completion ''"), "bash\nzsh\nfish\n");
+}
+
+/// Nothing is offered where a path or a number stands: bash itself completes paths.
+TEST_F(ShellCommand, BashLeavesPathsToItself) {
+  EXPECT_EQ(offered("check ''"), "\n");
+  EXPECT_EQ(offered("generate -o ''"), "\n");
+  EXPECT_EQ(offered("generate --format ''"), "\n");
+}
+
+TEST_F(ShellCommand, CompletionsListEveryOptionThatHelpLists) {
+  const std::regex name("--[a-z][a-z-]*");
+  for (const std::string& verb : verbs()) {
+    const std::string help = mixcmp(verb + " --help").output;
+    const std::string options = offered(verb + " --");
+    for (std::sregex_iterator it(help.begin(), help.end(), name), end; it != end; ++it) {
+      // In running text a name may be that of another program's or verb's option.
+      const bool is_listed = help.find("  " + it->str()) != std::string::npos ||
+                             help.find("," + it->str()) != std::string::npos;
+      if (!is_listed) continue;
+      EXPECT_NE(options.find(it->str() + "\n"), std::string::npos) << verb << " " << it->str();
+    }
+  }
+}
+
+TEST_F(ShellCommand, ZshReadsItsCompletion) {
+  if (!has("zsh")) GTEST_SKIP() << "zsh is not installed";
+  mixcmp("completion zsh >_mixcmp");
+  const Outcome read = shell(fmt::format("cd '{}' && zsh -n _mixcmp", directory_.path().string()));
+  EXPECT_EQ(read.exit_code, 0) << read.output;
+  // The function itself, in a shell where the builtin that takes the specifications is replaced.
+  write("run",
+        "_arguments() { print -r -- \"$@\"; return 1 }\n_describe() { print -r -- $verbs }\n"
+        "_files() { : }\nstate=verb\nsource ./_mixcmp\n");
+  const Outcome run = shell(fmt::format("cd '{}' && zsh -f run", directory_.path().string()));
+  EXPECT_NE(run.output.find("--version["), std::string::npos) << run.output;
+}
+
+TEST_F(ShellCommand, FishCompletesVerbsOptionsAndWords) {
+  if (!has("fish")) GTEST_SKIP() << "fish is not installed";
+  mixcmp("completion fish >mixcmp.fish");
+  const auto complete = [&](const std::string& line) {
+    return shell(fmt::format("cd '{0}' && HOME='{0}' fish --no-config -c 'source mixcmp.fish; "
+                             "complete -C \"mixcmp {1}\"'",
+                             directory_.path().string(), line))
+        .output;
+  };
+  EXPECT_TRUE(complete("gen").starts_with("generate\t")) << complete("gen");
+  EXPECT_TRUE(complete("generate --no-p").starts_with("--no-prove\t"));
+  EXPECT_EQ(complete("optimise --use-multipliers l"), "logic\n");
+}
+
+TEST_F(ShellCommand, EveryVerbHasAPageWithEveryOption) {
+  ASSERT_EQ(mixcmp("manual -o pages").exit_code, 0);
+  const std::string program = read("pages/mixcmp.1");
+  for (const std::string& verb : verbs()) {
+    const std::string page = read("pages/mixcmp-" + verb + ".1");
+    EXPECT_EQ(page, mixcmp("manual " + verb).output) << verb;
+    EXPECT_NE(program.find(".BR mixcmp\\-" + verb + " (1)"), std::string::npos) << verb;
+    std::istringstream options(offered(verb + " --"));
+    for (std::string option; std::getline(options, option);) {
+      std::string escaped;
+      for (const char c : option) escaped += c == '-' ? std::string("\\-") : std::string(1, c);
+      EXPECT_NE(page.find("\\fB" + escaped + "\\fR"), std::string::npos) << verb << option;
+    }
+  }
+}
+
+TEST_F(ShellCommand, PagesAreCleanForManAndMandoc) {
+  if (!has("man")) GTEST_SKIP() << "man-db is not installed";
+  EXPECT_EQ(findings("man --warnings -E UTF-8 -l -Tutf8 -Z $page 2>&1 >/dev/null"), "");
+  if (!has("mandoc")) GTEST_SKIP() << "mandoc is not installed";
+  // A page without a date is the same from build to build.
+  EXPECT_EQ(findings("mandoc -T lint -W warning $page | grep -v 'missing date'"), "");
+}
+
+TEST_F(ShellCommand, AManualOfNoVerbIsRefused) {
+  expect_refused("manual chek", "mixcmp: manual: no such verb: received chek; accepted check (the");
+  expect_refused("completion tcsh", "mixcmp: completion: ");
+  expect_refused("manual check -o pages", "excludes");
+  EXPECT_FALSE(fs::exists(path("pages")));
+}
+
+}  // namespace
+}  // namespace mixcmp::test::shell_command_test
