@@ -29,7 +29,8 @@ install(FILES ${completions}/mixcmp.fish COMPONENT program
         DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 
 # README and its pages keep their folders, so that links between them lead somewhere.
-install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(FILES README.md LICENSE CHANGELOG.md CONTRIBUTING.md SECURITY.md
+        DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program
         PATTERN "make*" EXCLUDE
         PATTERN "*.awk" EXCLUDE
@@ -41,3 +42,22 @@ install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program
         PATTERN "table" EXCLUDE
         PATTERN "characterise" EXCLUDE
         PATTERN "explore" EXCLUDE)
+
+# find_package(mixcmp) gives mixcmp::mixcmp: the shared library and its one header.
+include(CMakePackageConfigHelpers)
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/mixcmp)
+install(TARGETS mixcmp_shared EXPORT mixcmpTargets
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library
+                NAMELINK_COMPONENT development
+        INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES generator/api/mixcmp.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mixcmp
+        COMPONENT development)
+install(EXPORT mixcmpTargets NAMESPACE mixcmp:: FILE mixcmpConfig.cmake DESTINATION ${package}
+        COMPONENT development)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/mixcmpConfigVersion.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/mixcmpConfigVersion.cmake DESTINATION ${package}
+        COMPONENT development)
+configure_file(cmake/mixcmp.pc.in ${PROJECT_BINARY_DIR}/mixcmp.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/mixcmp.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+        COMPONENT development)

@@ -19,7 +19,7 @@ protected:
   /// What bash offers behind these words, one a line; the last word is the one to complete.
   std::string offered(const std::string& words) {
     EXPECT_EQ(mixcmp("completion bash >script").exit_code, 0);
-    write("complete", "source script\nCOMP_WORDS=(mixcmp " + words +
+    write("complete", "source ./script\nCOMP_WORDS=(mixcmp " + words +
                           ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_mixcmp\n"
                           "printf '%s\\n' \"${COMPREPLY[@]}\"\n");
     return shell(fmt::format("cd '{}' && bash complete", directory_.path().string())).output;
@@ -51,10 +51,10 @@ TEST_F(ShellCommand, TheVersionNamesACommitInOneLine) {
 }
 
 TEST_F(ShellCommand, TheFullVersionNamesCompilerLibrariesAndTools) {
-  const Outcome run = mixcmp("--version --json", instead_of("yosys", "echo Yosys 0.made-up"));
+  const Outcome run = mixcmp("--version --json", instead_of("yosys", "echo Yosys 7.8"));
   ASSERT_EQ(run.exit_code, 0) << run.output;
   const auto report = nlohmann::json::parse(run.output);
-  EXPECT_EQ(report.at("tools").at("yosys"), "Yosys 0.made-up");
+  EXPECT_EQ(report.at("tools").at("yosys"), "Yosys 7.8");
   const std::regex numbers(R"(\d+\.\d+.*)");
   for (const char* library : {"MPFR", "GMP"}) {
     EXPECT_TRUE(std::regex_match(report.at("libraries").at(library).get<std::string>(), numbers));
@@ -129,7 +129,7 @@ TEST_F(ShellCommand, FishCompletesVerbsOptionsAndWords) {
   };
   EXPECT_TRUE(complete("gen").starts_with("generate\t")) << complete("gen");
   EXPECT_TRUE(complete("generate --no-p").starts_with("--no-prove\t"));
-  EXPECT_EQ(complete("optimise --use-multipliers l"), "logic\n");
+  EXPECT_TRUE(complete("optimise --use-multipliers l").starts_with("logic\t"));
 }
 
 TEST_F(ShellCommand, EveryVerbHasAPageWithEveryOption) {

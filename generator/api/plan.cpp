@@ -1,0 +1,124 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "generator/api/state.hpp"
+#include "generator/components/characterise.hpp"
+#include "generator/report/plan_report.hpp"
+#include "model/common/file.hpp"
+#include "model/devices/device.hpp"
+#include "model/optimise/plan_inputs.hpp"
+#include "model/optimise/plan_summary.hpp"
+
+namespace mixcmp::api {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The table of areas and clocks, and the scene with the clock that it was measured for.
+struct PlanningTable {
+  devices::Device device;
+  characterise::Characterisation areas;
+  scene::Scene scene;
+  std::vector<std::string> notes;
+};
+
+/// Refuses an arg-min engine, whose chain of lanes leaves nothing to choose.
+void check_can_be_planned(const SceneState& state) {
+  if (state.scene.system.engine.kind != scene::EngineKind::arg_min) return;
+  fail(located({.field = "engine.kind",
+                .message = "nothing is to be planned: the arg-min engine has a lane for each "
+                           "candidate but the first",
+                .received = "arg_min",
+                .accepted = "none, for a system whose lanes take comparisons"},
+               state));
+}
+
+PlanningTable read_planning_table(const SceneState& state, const PlanOptions& options) {
+  devices::Device device = value_or_throw(devices::find_device(state.scene.system.device), state);
+  const fs::path path =
+      options.table.empty()
+          ? optimise::default_table(state.source.path, state.scene.variant, device.name)
+          : options.table;
+  if (!path_exists(path)) {
+    fail({.file = path.string(),
+          .field = "table",
+          .message = "no areas and clocks of this scene's lanes and references",
+          .received = "no such file",
+          .accepted = "what mixcmp characterise writes"});
+  }
+  auto areas = value_or_throw(optimise::read_table(path, state.scene, device));
+  scene::Scene scene = value_or_throw(optimise::with_target_of(areas, path, state.scene));
+  const components::RowCount rows =
+      components::count_rows(areas, scene, state.data ? &*state.data : nullptr, device);
+  std::vector<std::string> notes;
+  if (rows.outdated > 0) {
+    notes.push_back(
+        fmt::format("{}: {} of {} rows were measured on other RTL than what is generated today",
+                    path.filename().string(), rows.outdated, rows.all));
+  }
+  return {std::move(device), std::move(areas), std::move(scene), std::move(notes)};
+}
+
+optimise::OptimiseOptions internal_options(const PlanOptions& options) {
+  optimise::OptimiseOptions choice;
+  if (options.first_precision) choice.first_precision = *options.first_precision;
+  if (options.last_precision) choice.last_precision = *options.last_precision;
+  choice.clocks.lane_mhz = options.lane_mhz;
+  choice.clocks.reference_mhz = options.reference_mhz;
+  return choice;
+}
+
+PlanPoint public_point(const optimise::PrecisionPlan& plan) {
+  const optimise::PlanSummary summary = optimise::summary_of(plan);
+  return {.precision = plan.precision,
+          .lanes = summary.lanes,
+          .references = summary.references,
+          .clock_mhz = summary.clock_mhz,
+          .recomputation_rate = summary.recomputation_rate,
+          .throughput_per_s = summary.throughput_per_s,
+          .kinds = summary.kinds};
+}
+
+/// The text of a plan file; empty for a scene that no file could name.
+std::string plan_file_text(const optimise::Optimisation& found, const SceneState& state,
+                           const PlanOptions& options) {
+  if (state.source.text) return "";
+  const fs::path place =
+      options.plan_file.empty() ? state.source.path.parent_path() / "plan.toml" : options.plan_file;
+  const optimise::PlanSource source = value_or_throw(
+      optimise::make_plan_source(state.source.path, state.settings, state.scene.system.device,
+                                 place, command_line("optimise", state)));
+  return optimise::plan_toml(found, *found.best(), source);
+}
+
+}  // namespace
+
+Plan plan(const Scene& scene, const PlanOptions& options) {
+  const SceneState& state = Access::state(scene);
+  check_can_be_planned(state);
+  const PlanningTable table = read_planning_table(state, options);
+  const data::Comparisons& data = data_of(state, "recomputation rates are measured on data");
+  const optimise::OptimiseOptions choice = internal_options(options);
+  const auto rates = value_or_throw(
+      optimise::measure_rates(table.scene, data, optimise::inputs_of_lanes(table.areas), choice,
+                              options.progress),
+      state);
+  const optimise::Optimisation found =
+      value_or_throw(optimise::optimise(table.scene, table.device, table.areas,
+                                        optimise::Rates::of(rates), choice),
+                     state);
+  Plan result{.baseline_per_s = optimise::baseline_per_s(found),
+              .notes = table.notes,
+              .text = report::to_text(found)};
+  result.notes.insert(result.notes.end(), found.notes.begin(), found.notes.end());
+  for (const auto& each : found.plans) result.points.push_back(public_point(each));
+  if (found.best() != nullptr) {
+    result.best = public_point(*found.best());
+    result.toml = plan_file_text(found, state, options);
+  }
+  return result;
+}
+
+}  // namespace mixcmp::api

@@ -1,0 +1,269 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "generator/api/mixcmp.hpp"
+#include "generator/api/operands.hpp"
+#include "model/number/double.hpp"
+#include "model/number/exact.hpp"
+#include "tests/support/program.hpp"
+
+/// The public library: what it returns is what the program prints and writes.
+namespace mixcmp::test::api_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* spheres = R"(
+[comparison]
+name = "spheres"
+f = "(cxi - cxj)^2 + (cyi - cyj)^2 + (czi - czj)^2"
+g = "(ri + rj)^2"
+[inputs]
+"c*" = { range = [0, 100] }
+"r*" = { range = [0, 100] }
+[reference]
+format = "s53e8"
+[reduced]
+format = "s8e8"
+[system]
+lanes = 2
+references = 1
+)";
+constexpr const char* sphere_data = R"(
+[data]
+items = "uniform_spheres"
+count = 40
+radius_max = 25
+pairs = "all"
+)";
+
+class Api : public ProgramTest {
+protected:
+  Api() { write("scene.toml", std::string(spheres) + sphere_data); }
+
+  api::Scene scene(const std::vector<std::string>& settings = {}) {
+    return api::Scene::from_file(path("scene.toml"), settings);
+  }
+
+  /// Expects `run` to throw an Error with this field whose text contains `words`.
+  template <class Run>
+  static void expect_error(Run run, const std::string& field, const std::string& words) {
+    try {
+      run();
+      ADD_FAILURE() << "no error; expected " << field;
+    } catch (const api::Error& error) {
+      EXPECT_EQ(error.details().field, field);
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+  }
+};
+
+/// "relative 8 17 0", a line for each count of `mixcmp profile --json`.
+std::string counts_of(const nlohmann::json& report) {
+  std::ostringstream text;
+  for (const auto& scheme : report.at("recomputation_rates").at(0).at("schemes")) {
+    for (const auto& counts : scheme.at("precisions")) {
+      text << scheme.at("scheme").get<std::string>() << " " << counts.at("precision") << " "
+           << counts.at("undecided") << " " << counts.at("wrong") << "\n";
+    }
+  }
+  return text.str();
+}
+
+/// The nearest number of a format by exact rational arithmetic.
+double nearest_exactly(FloatFormat format, double value) {
+  const Bits bits = from_rational(format, mpq_class(std::fabs(value)));
+  return std::copysign(to_double(format, bits), value);
+}
+
+TEST(ApiOperands, EveryMidpointAndNeighbourRoundsAsExactArithmeticDoes) {
+  for (const char* name : {"s2e2", "s3e4", "s5e3", "s8e8"}) {
+    const FloatFormat format = FloatFormat::parse(name).value();
+    for (Bits bits = 0; bits < format.magnitude(format.infinity(false)); ++bits) {
+      const double low = to_double(format, bits), high = to_double(format, bits + 1);
+      const double middle = std::isinf(high) ? low * (1 + std::ldexp(1, -format.precision()))
+                                             : low + (high - low) / 2;
+      for (const double value : {low, middle, std::nextafter(middle, 0.0),
+                                 std::nextafter(middle, std::numeric_limits<double>::max())}) {
+        const double expected = nearest_exactly(format, value);
+        const auto operand = api::nearest_operand(format, -value);
+        if (std::isinf(expected)) {
+          EXPECT_FALSE(operand.has_value()) << name << " " << value;
+          continue;
+        }
+        ASSERT_TRUE(operand.has_value()) << name << " " << value;
+        EXPECT_EQ(operand->value, -expected) << name << " " << value;
+        EXPECT_EQ(operand->bits, from_double(format, -expected)) << name << " " << value;
+      }
+    }
+  }
+}
+
+TEST(ApiOperands, DoublesRoundIntoWideFormatsAsExactArithmeticDoes) {
+  std::mt19937_64 random(1);
+  for (const char* name : {"s53e8", "s24e11", "s53e11", "s60e8", "s113e15", "s20e15"}) {
+    const FloatFormat format = FloatFormat::parse(name).value();
+    for (int k = 0; k < 2000; ++k) {
+      const int span = k % 2 == 0 ? 300 : 2040;
+      const double value = std::ldexp(static_cast<double>(random() >> 11) * 0x1p-53,
+                                      static_cast<int>(random() % span) - span / 2);
+      const auto operand = api::nearest_operand(format, value);
+      const Bits expected = from_rational(format, mpq_class(value));
+      ASSERT_EQ(operand.has_value(), !format.is_infinite(expected)) << name << " " << value;
+      if (!operand) continue;
+      EXPECT_EQ(operand->bits, expected) << name << " " << value;
+    }
+    for (const double value : {0.0, -0.0, double{INFINITY}, -double{INFINITY}}) {
+      EXPECT_EQ(api::nearest_operand(format, value)->bits, from_double(format, value)) << name;
+    }
+    EXPECT_EQ(api::nearest_operand(format, NAN)->bits, format.quiet_nan()) << name;
+  }
+}
+
+TEST_F(Api, ItsFilesAreThoseOfTheProgram) {
+  ASSERT_EQ(mixcmp("generate scene.toml --set system.lanes=3 --no-prove -o program").exit_code, 0);
+  const api::System system(scene({"system.lanes=3"}));
+  system.write(path("library"));
+  const Outcome difference =
+      shell("diff -r '" + path("program").string() + "' '" + path("library").string() + "'");
+  EXPECT_EQ(difference.exit_code, 0) << difference.output;
+  EXPECT_FALSE(system.files().empty());
+  EXPECT_EQ(system.lane_count(), 3);
+  EXPECT_EQ(system.reference_count(), 1);
+  EXPECT_TRUE(system.certified());
+}
+
+TEST_F(Api, EmulatorAndGoldenModelAgreeAndAreNeverWrong) {
+  for (const char* format : {"s8e8", "s17e8", "q9"}) {
+    const api::Scene given = scene({std::string("reduced.format=") + format});
+    const std::vector<double> rows = given.operands(0, given.comparison_count());
+    const api::System system(given);
+    const auto answers = system.emulate(rows);
+    EXPECT_EQ(answers, system.evaluate(rows)) << format;
+    const auto truth = given.true_verdicts(rows);
+    ASSERT_EQ(answers.size(), truth.size());
+    std::size_t decided = 0;
+    for (std::size_t k = 0; k < truth.size(); ++k) {
+      EXPECT_FALSE(answers[k].is_undecided());
+      if (answers[k].is_recomputed()) continue;
+      ++decided;
+      EXPECT_EQ(answers[k].verdict(), truth[k]) << format << " " << k;
+    }
+    EXPECT_GT(decided, truth.size() / 2) << format;
+  }
+}
+
+TEST_F(Api, WithoutReferencesAComparisonStaysUndecided) {
+  const api::System system(
+      api::Scene::from_text(spheres, {"system.references=0", "reduced.format=s8e8"}));
+  const std::vector<double> tie = {0, 3, 0, 4, 0, 0, 2, 3};  // f = g = 25
+  ASSERT_EQ(system.emulate(tie).size(), 1U);
+  EXPECT_TRUE(system.emulate(tie)[0].is_undecided());
+  const api::System recomputes(api::Scene::from_text(spheres));
+  EXPECT_EQ(recomputes.emulate(tie)[0], api::Answer(api::Answer::recomputed_bit | 1));
+}
+
+TEST_F(Api, RowsReplaceTheData) {
+  const api::Scene given = scene();
+  const std::vector<double> rows = given.operands(3, 5);
+  const api::Scene replaced = given.with_operands(rows);
+  EXPECT_EQ(replaced.comparison_count(), 5U);
+  EXPECT_EQ(replaced.operands(0, 5), rows);
+  EXPECT_EQ(given.comparison_count(), 780U);
+  EXPECT_EQ(replaced.inputs().size(), 8U);
+}
+
+TEST_F(Api, TheProfileHasTheCountsOfTheProgram) {
+  const api::Profile counted = profile(scene(), {.first_precision = 8, .last_precision = 10});
+  const auto printed =
+      nlohmann::json::parse(mixcmp("profile scene.toml --first 8 --last 10 --json").output);
+  EXPECT_EQ(counted.comparisons, 780U);
+  std::ostringstream text;
+  for (const api::Scheme& scheme : counted.schemes) {
+    for (const api::Counts& counts : scheme.counts) {
+      text << scheme.name << " " << counts.precision << " " << counts.undecided << " "
+           << counts.wrong << "\n";
+    }
+  }
+  EXPECT_NE(text.str().find("relative 8 "), std::string::npos) << text.str();
+  EXPECT_EQ(text.str(), counts_of(printed));
+}
+
+/// Areas that are made up; a lane of 12 digits is dearer than one of 8.
+constexpr const char* table =
+    "# device: virtex6-lx760\n# scene: spheres\n# command: made up\n# target_mhz: 250\n"
+    "kind,name,format,inputs,bound,multipliers,ports,latency_cycles,luts,registers,dsps,memories,"
+    "carries,shift_luts,mhz,low_mhz,high_mhz,seeds,clock_source,timing_seeds,hash,tools\n"
+    "lane,,s8e8,exact,relative,embedded,0,20,2000,2000,4,0,0,0,,,,,,0,00,made up\n"
+    "lane,,s12e8,exact,relative,embedded,0,20,2500,2500,4,0,0,0,,,,,,0,00,made up\n"
+    "reference,,s53e8,,,embedded,0,30,8000,8000,40,0,0,0,,,,,,0,00,made up\n"
+    "fifo,,,,,,64,0,300,300,0,0,0,0,,,,,,0,00,made up\n"
+    "crossbar,,,,,,1,0,10,10,0,0,0,0,,,,,,0,00,made up\n"
+    "crossbar,,,,,,256,0,2000,2000,0,0,0,0,,,,,,0,00,made up\n";
+
+TEST_F(Api, ThePlanIsThatOfTheProgram) {
+  fs::create_directories(path("characterisation"));
+  write("characterisation/scene-virtex6-lx760.csv", table);
+  const api::Plan found = plan(scene(), {.last_precision = 14});
+  ASSERT_TRUE(found.best.has_value()) << found.text;
+  const Outcome printed = mixcmp("optimise scene.toml --last 14 -o program.toml 2>/dev/null");
+  EXPECT_EQ(printed.output, found.text + "plan: program.toml\n");
+  EXPECT_EQ(found.points.size(), 2U);
+  EXPECT_GT(found.best->throughput_per_s, found.baseline_per_s);
+  EXPECT_GT(found.best->lanes, found.best->references);
+  ASSERT_FALSE(found.notes.empty());
+  EXPECT_NE(found.notes[0].find("other RTL"), std::string::npos) << found.notes[0];
+  write("plan.toml", found.toml);
+  const api::System system(api::Scene::from_file(path("plan.toml")));
+  EXPECT_EQ(system.lane_count(), found.best->lanes);
+  EXPECT_EQ(system.reference_count(), found.best->references);
+  EXPECT_EQ(found.toml.find(path("").string()), std::string::npos) << "an absolute path";
+}
+
+TEST_F(Api, MistakesNameTheirPlace) {
+  write("wrong.toml",
+        "[comparison]\nname = \"a\"\nf = \"x\"\ng = \"y\"\n[reference]\n"
+        "format = \"s53e8\"\n[reduced]\nformat = \"s99e8\"\n");
+  try {
+    api::Scene::from_file(path("wrong.toml"));
+    ADD_FAILURE();
+  } catch (const api::Error& error) {
+    EXPECT_EQ(error.details().line, 8);
+    EXPECT_EQ(error.details().field, "reduced.format");
+    EXPECT_EQ(error.details().received, "\"s99e8\"");
+    EXPECT_TRUE(
+        mixcmp("check wrong.toml")
+            .output.ends_with(std::string(error.what()).substr(path("").string().size()) + "\n"));
+  }
+  expect_error([&] { api::Scene::from_text(spheres, {"system.lans=2"}); }, "system.lans", "--set");
+  expect_error([&] { scene().with_operands(std::vector<double>(9)); }, "operands", "9 numbers");
+  expect_error([&] { scene().with_operands(std::vector<double>(8, 1e200)); },
+               "operands, row 0, cxi", "s53e8");
+  expect_error([&] { scene().operands(775, 6); }, "operands", "780");
+  expect_error([&] { profile(api::Scene::from_text(spheres)); }, "data", "needs data");
+  expect_error([&] { api::System(scene()).emulate({}, 1); }, "group", "0 to 0");
+  expect_error([&] { plan(scene()); }, "table", "mixcmp characterise");
+  expect_error([&] { api::System(api::Scene::from_text(spheres, {"reduced.format=auto"})); },
+               "reduced.format", "--set: ");
+  expect_error([&] { api::Scene::from_text(std::string(spheres) + "[data]\nitems = \"none\"\n"); },
+               "data.items", "(text):17: ");
+}
+
+TEST_F(Api, ATextFindsItsDataInTheFolder) {
+  write("pairs.csv", "cxi,cxj,cyi,cyj,czi,czj,ri,rj\n0,3,0,4,0,0,2,3\n");
+  const std::string text = std::string(spheres) + "[data]\nfile = \"pairs.csv\"\n";
+  EXPECT_EQ(api::Scene::from_text(text, {}, path("")).comparison_count(), 1U);
+  expect_error([&] { api::Scene::from_text(text, {}, path("elsewhere")); }, "data.file",
+               "pairs.csv");
+}
+
+}  // namespace
+}  // namespace mixcmp::test::api_test
