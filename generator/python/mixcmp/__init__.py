@@ -1,0 +1,299 @@
+"""Numerical comparisons as verified Verilog, from Python.
+
+A scene says which comparison, the sign of f(x) - g(y), is to become hardware. This module checks
+it, runs the bit-exact emulator of the hardware on NumPy arrays, counts what each precision does to
+the data, finds the best plan for a device, and writes the Verilog:
+
+    import mixcmp
+    scene = mixcmp.Scene.from_file("scene.toml")
+    answers = mixcmp.System(scene).emulate(rows)
+    print((answers.verdict == mixcmp.Verdict.LESS).sum(), "less")
+
+Mistakes raise ``mixcmp.Error``, whose text is the message that the program would print. Rows are
+arrays of shape (comparisons, inputs), in the order of ``scene.inputs``; each number is rounded to
+the reference format.
+"""
+
+from __future__ import annotations
+
+import enum
+import json
+import os
+from dataclasses import dataclass
+from typing import Any, Callable, Mapping, Optional, Sequence, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._error import Error
+
+__all__ = ["Answers", "Error", "LaneGroup", "Plan", "PlanPoint", "Profile", "Scene", "Scheme",
+           "System", "Verdict", "plan", "profile"]
+__version__: str = _core.version
+
+Path = Union[str, "os.PathLike[str]"]
+Progress = Callable[[str, float], None]
+
+
+class Verdict(enum.IntEnum):
+    """The order of f and g. The values are those of the two verdict bits in hardware."""
+
+    LESS = 0
+    EQUAL = 1
+    GREATER = 2
+    UNORDERED = 3
+
+
+class Scene:
+    """A validated scene: functions, inputs, formats, system and data. It never changes."""
+
+    def __init__(self, core: _core.Scene) -> None:
+        self._core = core
+
+    @classmethod
+    def from_file(cls, file: Path, settings: Sequence[str] = ()) -> Scene:
+        """Reads a scene, or a plan with its scene.
+
+        ``settings`` are texts "section.key=value" that override keys, as --set of the program.
+        """
+        return cls(_core.Scene.from_file(os.fspath(file), list(settings)))
+
+    @classmethod
+    def from_text(cls, toml: str, settings: Sequence[str] = (), folder: Path = ".") -> Scene:
+        """Reads a scene from a text in TOML. Files that it names are seen from ``folder``."""
+        return cls(_core.Scene.from_text(toml, list(settings), os.fspath(folder)))
+
+    def with_operands(self, rows: ArrayLike) -> Scene:
+        """The same scene with these comparisons as its data, in place of what [data] names."""
+        return Scene(self._core.with_operands(self._rows(rows)))
+
+    @property
+    def name(self) -> str:
+        return self._core.name
+
+    @property
+    def inputs(self) -> list[str]:
+        """The names of the inputs, in the order of the columns of rows."""
+        return self._core.inputs
+
+    @property
+    def f(self) -> str:
+        """f as written; of several parts all, separated by semicolons."""
+        return self._core.f
+
+    @property
+    def g(self) -> str:
+        return self._core.g
+
+    @property
+    def reference_format(self) -> str:
+        """The format of references, such as "s53e8"."""
+        return self._core.reference_format
+
+    @property
+    def reduced_format(self) -> str:
+        """The format of lanes: "s17e8", "q13", "block13" or "auto"."""
+        return self._core.reduced_format
+
+    @property
+    def notes(self) -> list[str]:
+        """Remarks, such as on constants that the reference format rounds."""
+        return self._core.notes
+
+    @property
+    def comparison_count(self) -> int:
+        """How many comparisons the data make; 0 without data."""
+        return self._core.comparison_count
+
+    def operands(self, first: int = 0, count: Optional[int] = None) -> NDArray[np.float64]:
+        """The rows of ``count`` comparisons of the data from number ``first`` on; all by default."""
+        rest = max(self.comparison_count - first, 0)
+        return self._core.operands(first, rest if count is None else count)
+
+    def true_verdicts(self, rows: ArrayLike) -> NDArray[np.int8]:
+        """The order of the real numbers f and g of each row, as values of Verdict.
+
+        It is -1 where intervals of the highest precision do not tell.
+        """
+        return self._core.true_verdicts(self._rows(rows))
+
+    def check(self) -> Mapping[str, Any]:
+        """What ``mixcmp check --json`` says of the scene, but for what generate would write."""
+        return json.loads(self._core.summary_json())
+
+    def summary(self) -> str:
+        """What ``mixcmp check`` says of the scene, as text."""
+        return self._core.summary()
+
+    def _rows(self, rows: ArrayLike) -> NDArray[np.float64]:
+        return _as_rows(rows, len(self.inputs))
+
+    def __repr__(self) -> str:
+        return f"<mixcmp.Scene {self.name}: {self.f} against {self.g}>"
+
+
+def _as_rows(rows: ArrayLike, width: int) -> NDArray[np.float64]:
+    array = np.ascontiguousarray(rows, dtype=np.float64)
+    if array.ndim == 2 and array.shape[1] == width:
+        return array
+    received, accepted = str(array.shape), f"(comparisons, {width}), one column for each input"
+    text = f"rows: not the shape of rows: received {received}; accepted {accepted}"
+    raise Error(text, field="rows", message="not the shape of rows", received=received,
+                accepted=accepted)
+
+
+@dataclass(frozen=True)
+class Answers:
+    """The answers of a system to rows: an array element for each."""
+
+    verdict: NDArray[np.uint8]  #: values of Verdict; without meaning where ``undecided``
+    recomputed: NDArray[np.bool_]  #: a reference gave the verdict
+    undecided: NDArray[np.bool_]  #: nothing decided; only in systems without references
+
+    @classmethod
+    def _from_bits(cls, bits: NDArray[np.uint8]) -> Answers:
+        return cls(bits & 3, (bits & 4) != 0, (bits & 8) != 0)
+
+
+LaneGroup = _core.LaneGroup
+
+
+class System:
+    """The system that ``mixcmp generate`` writes for a scene: its files, and its answers."""
+
+    def __init__(self, scene: Scene) -> None:
+        self._core = _core.System(scene._core)
+        self._width = len(scene.inputs)
+
+    @property
+    def top(self) -> str:
+        """The name of the top module."""
+        return self._core.top
+
+    @property
+    def certified(self) -> bool:
+        """Whether no lane can decide wrongly."""
+        return self._core.certified
+
+    @property
+    def lane_count(self) -> int:
+        return self._core.lane_count
+
+    @property
+    def reference_count(self) -> int:
+        return self._core.reference_count
+
+    @property
+    def lanes(self) -> list[LaneGroup]:
+        """Kinds of lanes: format, count, latency_cycles, certified, and the decision in words."""
+        return self._core.lanes
+
+    @property
+    def notes(self) -> list[str]:
+        return self._core.notes
+
+    def emulate(self, rows: ArrayLike, group: int = 0) -> Answers:
+        """The answers of a lane of group number ``group``, bit for bit those of the hardware."""
+        return Answers._from_bits(self._core.emulate(_as_rows(rows, self._width), group))
+
+    def evaluate(self, rows: ArrayLike, group: int = 0) -> Answers:
+        """The same answers by the golden model in MPFR, which shares no arithmetic with it."""
+        return Answers._from_bits(self._core.evaluate(_as_rows(rows, self._width), group))
+
+    def files(self) -> dict[str, str]:
+        """The generated files by name: Verilog, signature, file list, constraint."""
+        return self._core.files()
+
+    def generate(self, folder: Path) -> None:
+        """Writes the files as the whole content of ``folder``.
+
+        An existing folder is replaced only where it is empty or holds an earlier output.
+        """
+        self._core.write(os.fspath(folder))
+
+    def __repr__(self) -> str:
+        return f"<mixcmp.System {self.top}>"
+
+
+@dataclass(frozen=True)
+class Scheme:
+    """One kind of lane: its error bound, and its counts where it exists, an element a precision."""
+
+    name: str
+    certified: bool
+    precision: NDArray[np.int64]
+    undecided: NDArray[np.int64]  #: comparisons that a reference recomputes
+    wrong: NDArray[np.int64]  #: verdicts that differ from the order of the real f and g
+    wrong_by_lane: NDArray[np.int64]  #: of these, those that a lane decided
+
+
+@dataclass(frozen=True)
+class Profile:
+    """Errors, recomputations and wrong verdicts of a scene's data at every precision.
+
+    The arrays of relative errors have an element for each of ``precision``. They are NaN where
+    nothing could be measured, or where no bound exists.
+    """
+
+    comparisons: int
+    reference_wrong: int  #: wrong verdicts of the reference format alone
+    undetermined: int  #: comparisons whose true verdict is not known
+    precision: NDArray[np.int64]
+    f_error: NDArray[np.float64]
+    g_error: NDArray[np.float64]
+    f_bound: NDArray[np.float64]
+    g_bound: NDArray[np.float64]
+    schemes: dict[str, Scheme]  #: by name: "lanes_alone", "relative", "running_4", ...
+
+
+def _column(items: Sequence[Any], name: str) -> NDArray[Any]:
+    return np.array([getattr(item, name) for item in items], dtype=np.int64)
+
+
+def _optional_column(items: Sequence[Any], name: str) -> NDArray[np.float64]:
+    values = (getattr(item, name) for item in items)
+    return np.array([np.nan if value is None else value for value in values], dtype=np.float64)
+
+
+def _scheme(core: Any) -> Scheme:
+    names = ("precision", "undecided", "wrong", "wrong_by_lane")
+    return Scheme(core.name, core.certified, *(_column(core.counts, name) for name in names))
+
+
+def profile(scene: Scene, *, first_precision: Optional[int] = None,
+            last_precision: Optional[int] = None, error_samples: int = 1_000_000,
+            threads: int = 0, progress: Optional[Progress] = None) -> Profile:
+    """Counts what lanes of each precision do with the scene's data.
+
+    Precisions are by default all that the scene can have. ``threads``: 0 is one a processor, and
+    results do not depend on it. ``progress`` is called with a step's name and a share, 0 to 1.
+    """
+    core = _core.profile(scene._core, first_precision, last_precision, error_samples, threads,
+                         progress)
+    return Profile(comparisons=core.comparisons, reference_wrong=core.reference_wrong,
+                   undetermined=core.undetermined, precision=_column(core.errors, "precision"),
+                   f_error=_optional_column(core.errors, "f"),
+                   g_error=_optional_column(core.errors, "g"),
+                   f_bound=_optional_column(core.errors, "f_bound"),
+                   g_bound=_optional_column(core.errors, "g_bound"),
+                   schemes={each.name: _scheme(each) for each in core.schemes})
+
+
+PlanPoint = _core.PlanPoint
+Plan = _core.Plan
+
+
+def plan(scene: Scene, *, table: Optional[Path] = None, first_precision: Optional[int] = None,
+         last_precision: Optional[int] = None, lane_mhz: Optional[float] = None,
+         reference_mhz: Optional[float] = None, plan_file: Optional[Path] = None,
+         progress: Optional[Progress] = None) -> Plan:
+    """Finds L, p_L, p_H and the kinds of lanes with the highest throughput on the scene's device.
+
+    ``table`` holds areas and clocks, made by ``mixcmp characterise``; by default it is the one
+    beside the scene. ``best`` of the result is None where no plan fits. ``toml`` is the text of a
+    plan file; where it is to be written to any place but plan.toml beside the scene, that place is
+    ``plan_file``. Clocks that are given replace the table's.
+    """
+    return _core.plan(scene._core, os.fspath(table or ""), first_precision, last_precision,
+                      lane_mhz, reference_mhz, os.fspath(plan_file or ""), progress)
