@@ -36,6 +36,8 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "ccache, glpk-utils, gtkwave")
 set(library libmixcmp${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME ${library})
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
+# What dpkg refreshes the linker's cache by. CPack calls ldconfig in scripts, too.
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/debian/triggers)
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION
 "The C++ library of mixcmp: from a scene to Verilog, to the verdicts of its
 hardware, to the counts of a profile and to a plan.")
