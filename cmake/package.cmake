@@ -51,6 +51,8 @@ pkg-config.")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-mixcmp)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/debian/python/postinst
+                                              ${CMAKE_CURRENT_LIST_DIR}/debian/python/prerm)
 if(TARGET mixcmp_python)
   math(EXPR next "${Python_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
