@@ -12,6 +12,7 @@
 #include "model/common/quote.hpp"
 #include "model/golden/evaluate.hpp"
 #include "model/number/double.hpp"
+#include "model/scene/error_location.hpp"
 #include "model/scene/summary.hpp"
 #include "model/workload/load_comparisons.hpp"
 

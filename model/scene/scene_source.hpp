@@ -11,7 +11,7 @@ namespace mixcmp::scene {
 /// The file that a scene or a plan is read from, or a text that stands for its content.
 struct SceneSource {
   template <std::convertible_to<std::filesystem::path> Path>
-  SceneSource(const Path& file) : path(file) {}
+  SceneSource(Path file) : path(std::move(file)) {}
   /// `path` need not exist: errors name it, and paths in the text are seen from its folder.
   SceneSource(std::filesystem::path name, std::string content)
       : path(std::move(name)), text(std::move(content)) {}
