@@ -16,8 +16,8 @@
 namespace mixcmp::api {
 
 struct System::State {
-  State(design::Design made, emit::GeneratedSystem files)
-      : design(std::move(made)), generated(std::move(files)), emulator(design) {}
+  State(design::Design made, emit::GeneratedSystem system)
+      : design(std::move(made)), generated(std::move(system)), emulator(design) {}
 
   design::Design design;
   emit::GeneratedSystem generated;
