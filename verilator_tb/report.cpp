@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "model/number/verdict.hpp"
@@ -12,8 +11,6 @@
 namespace mixcmp::verilator_tb {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 double ratio(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
@@ -138,14 +135,12 @@ std::string arg_min_lines(const VerifyReport& r) {
   return text + line("stalled cycles", std::to_string(engine.stalled_cycles));
 }
 
-/// Adds the findings of a simulation to the first ones that are kept.
+/// Adds findings to the first ones that are kept.
 template <class Finding>
-void add_findings(std::vector<Finding>& all, const std::vector<Finding>& more,
-                  std::uint64_t simulation) {
+void add_findings(std::vector<Finding>& all, const std::vector<Finding>& more) {
   for (const Finding& finding : more) {
     if (all.size() >= VerifyReport::kept) return;
     all.push_back(finding);
-    all.back().simulation = simulation;
   }
 }
 
@@ -204,111 +199,12 @@ void add_notes(std::vector<std::string>& notes, const GroupReport& group) {
   }
 }
 
-Json to_json(const TruthCount& truth) {
-  return {{"checked", truth.checked},
-          {"wrong_by_lane", truth.wrong_by_lane},
-          {"wrong_by_reference", truth.wrong_by_reference},
-          {"reference_alone_checked", truth.reference_alone_checked},
-          {"reference_alone_wrong", truth.reference_alone_wrong},
-          {"not_checked",
-           {{"total", truth.not_checked()},
-            {"decided_by_lane", truth.decided_by_lane},
-            {"undefined", truth.undefined},
-            {"undetermined", truth.undetermined},
-            {"undecided", truth.undecided}}}};
-}
-
 std::string input_lines(const VerifyReport& r) {
   std::string text;
   for (const data::InputSource& input : r.inputs) {
     text += line(input.input.c_str(), "<- " + input.shown());
   }
   return text;
-}
-
-Json to_json(const data::InputSource& input) {
-  const std::string& name = input.column.name;
-  return {{"input", input.input},
-          {"column", input.column.number},
-          {"name", name.empty() ? Json() : Json(name)},
-          {"source", input.source},
-          {"item", input.item}};
-}
-
-Json to_json(const Mismatch& m) {
-  Json operands = Json::array();
-  for (const Mismatch::Operand& operand : m.operands) {
-    operands.push_back({{"input", operand.input}, {"hex", operand.hex}, {"value", operand.value}});
-  }
-  return {
-      {"index", m.index},  {"items", m.items}, {"operands", operands}, {"expected", m.expected},
-      {"got", m.got},      {"lane", m.lane},   {"cycle", m.cycle},     {"simulation", m.simulation},
-      {"repeat", m.repeat}};
-}
-
-Json to_json(const ProtocolViolation& violation) {
-  return {{"fault", violation.fault},
-          {"lane", violation.lane},
-          {"cycle", violation.cycle},
-          {"simulation", violation.simulation},
-          {"details", violation.details}};
-}
-
-Json to_json(const LeastCounterexample& least) {
-  Json json = {{"comparisons", least.comparisons}};
-  if (least.mismatch) json["mismatch"] = to_json(*least.mismatch);
-  if (least.violation) json["violation"] = to_json(*least.violation);
-  json["waves"] = least.waves;
-  return json;
-}
-
-Json to_json(const Latency& latency) {
-  return {{"minimum_cycles", latency.minimum_cycles},
-          {"maximum_cycles", latency.maximum_cycles},
-          {"mean_cycles", latency.mean_cycles()}};
-}
-
-Json to_json(const GroupReport& group, bool with_truth) {
-  Json json = {{"name", group.name},
-               {"lanes", group.lanes},
-               {"certified", group.certified},
-               {"comparisons", group.comparisons},
-               {"undecided", group.undecided},
-               {"recomputations", group.recomputations},
-               {"recomputation_rate", ratio(group.recomputations, group.comparisons)},
-               {"decided_latency", to_json(group.latencies.decided)},
-               {"recomputed_latency", to_json(group.latencies.recomputed)},
-               {"undecided_latency", to_json(group.latencies.undecided)},
-               {"mismatches", group.mismatches}};
-  if (with_truth) json["wrong_by_lane"] = group.wrong_by_lane;
-  return json;
-}
-
-/// Adds the figures that only a system with an engine has.
-void add_engines(Json& json, const VerifyReport& r) {
-  if (r.engine) {
-    json["engine"] = {{"top", r.engine->top},
-                      {"items", r.engine->items},
-                      {"item_bytes", r.engine->item_bytes},
-                      {"pair_bytes", r.engine->pair_bytes},
-                      {"reported", r.engine->reported},
-                      {"cycles_per_pair", ratio(r.cycles, r.comparisons)},
-                      {"stalled_cycles", r.engine->stalled_cycles},
-                      {"item_bytes_per_pair", r.item_bytes_per_pair()},
-                      {"sets", r.engine->sets}};
-  }
-  if (r.arg_min) {
-    const ArgMinFigures& engine = *r.arg_min;
-    json["arg_min"] = {{"top", engine.top},
-                       {"candidates", engine.candidates},
-                       {"rows", engine.rows},
-                       {"rows_per_cycle", ratio(engine.rows, r.cycles)},
-                       {"wrong_rows", engine.wrong_rows},
-                       {"row_latency_cycles", engine.latency.mean_cycles()},
-                       {"loading_cycles", engine.loading_cycles},
-                       {"stalled_cycles", engine.stalled_cycles},
-                       {"loads", engine.loads}};
-  }
 }
 
 }  // namespace
@@ -360,7 +256,13 @@ void GroupReport::add(const GroupReport& other) {
   latencies.add(other.latencies);
 }
 
-void VerifyReport::add(const VerifyReport& share, std::uint64_t simulation) {
+void VerifyReport::add(VerifyReport share, std::uint64_t simulation) {
+  for (Mismatch& mismatch : share.mismatches) mismatch.simulation = simulation;
+  for (ProtocolViolation& violation : share.violations) violation.simulation = simulation;
+  append(share);
+}
+
+void VerifyReport::append(const VerifyReport& share) {
   requested += share.requested;
   comparisons += share.comparisons;
   for (std::size_t k = 0; k < verdicts.size(); ++k) verdicts[k] += share.verdicts[k];
@@ -380,10 +282,22 @@ void VerifyReport::add(const VerifyReport& share, std::uint64_t simulation) {
   judged_by_emulator += share.judged_by_emulator;
   emulator_errors += share.emulator_errors;
   mismatch_count += share.mismatch_count;
-  add_findings(mismatches, share.mismatches, simulation);
+  add_findings(mismatches, share.mismatches);
   violation_count += share.violation_count;
-  add_findings(violations, share.violations, simulation);
+  add_findings(violations, share.violations);
   if (truth) truth->add(*share.truth);
+}
+
+VerifyReport join_portions(const std::vector<VerifyReport>& portions) {
+  VerifyReport whole = portions.at(0);
+  for (std::size_t k = 1; k < portions.size(); ++k) {
+    const std::uint64_t requested = whole.requested + portions[k].requested;
+    if (whole.comparisons == whole.requested) whole.append(portions[k]);
+    whole.requested = requested;
+    whole.build_seconds += portions[k].build_seconds;
+    whole.run_seconds += portions[k].run_seconds;
+  }
+  return whole;
 }
 
 bool VerifyReport::passed() const {
@@ -438,50 +352,6 @@ std::string to_text(const VerifyReport& r) {
   if (r.counterexample) text += to_text(*r.counterexample);
   for (const std::string& note : notes_on(r)) text += line("note", note);
   return text;
-}
-
-Json to_json(const VerifyReport& r) {
-  Json json = {{"passed", r.passed()},       {"system", r.system},
-               {"simulator", r.simulator},   {"lanes", r.lanes},
-               {"references", r.references}, {"certified", r.certified},
-               {"requested", r.requested},   {"comparisons", r.comparisons}};
-  json["inputs"] = Json::array();
-  for (const data::InputSource& input : r.inputs) json["inputs"].push_back(to_json(input));
-  for (const Verdict verdict : all_verdicts) {
-    const std::string name(to_string(verdict));
-    json["verdicts"][name] = r.verdicts[static_cast<std::size_t>(verdict)];
-  }
-  json["undecided"] = r.undecided;
-  json["recomputations"] = r.recomputations;
-  json["recomputation_rate"] = r.recomputation_rate();
-  json["resets"] = r.resets;
-  json["cycles"] = r.cycles;
-  json["comparisons_per_cycle"] = r.comparisons_per_cycle();
-  json["decided_latency"] = to_json(r.latencies.decided);
-  json["recomputed_latency"] = to_json(r.latencies.recomputed);
-  json["undecided_latency"] = to_json(r.latencies.undecided);
-  for (const GroupReport& group : r.groups)
-    json["lane_groups"].push_back(to_json(group, r.truth.has_value()));
-  for (const CounterTotal& counter : r.counters) {
-    json["counters"][counter.name] = {{"counted", counter.counted}, {"observed", counter.observed}};
-  }
-  json["judged_by_emulator"] = r.judged_by_emulator;
-  json["emulator_errors"] = r.emulator_errors;
-  json["mismatch_count"] = r.mismatch_count;
-  json["mismatches"] = Json::array();
-  for (const Mismatch& mismatch : r.mismatches) json["mismatches"].push_back(to_json(mismatch));
-  json["violation_count"] = r.violation_count;
-  json["violations"] = Json::array();
-  for (const ProtocolViolation& violation : r.violations) {
-    json["violations"].push_back(to_json(violation));
-  }
-  if (r.counterexample) json["counterexample"] = to_json(*r.counterexample);
-  if (r.truth) json["truth"] = to_json(*r.truth);
-  json["notes"] = notes_on(r);
-  add_engines(json, r);
-  json["build_seconds"] = r.build_seconds;
-  json["run_seconds"] = r.run_seconds;
-  return json;
 }
 
 }  // namespace mixcmp::verilator_tb

@@ -172,7 +172,9 @@ struct VerifyReport {
   double run_seconds = 0;
 
   /// Adds the findings of simulation number `simulation` of the same system.
-  void add(const VerifyReport& share, std::uint64_t simulation);
+  void add(VerifyReport share, std::uint64_t simulation);
+  /// Adds the report of later simulations of the same run, whose findings have their numbers.
+  void append(const VerifyReport& share);
 
   /// Tells whether every requested comparison came back once, with the golden model's result and
   /// without a protocol violation, and no error of the emulator was found; and, if the truth was
@@ -184,10 +186,18 @@ struct VerifyReport {
   double item_bytes_per_pair() const;
 };
 
+/// The report of a run from those of its portions (RunPortion), in their order and at least one:
+/// what the run would have told in one piece, up to and with the first simulation that a fault
+/// ended early.
+VerifyReport join_portions(const std::vector<VerifyReport>& portions);
+
 /// Remarks on a run that may have passed, such as on lanes that decided nothing; a sentence each.
 std::vector<std::string> notes_on(const VerifyReport& report);
 
 std::string to_text(const VerifyReport& report);
 nlohmann::ordered_json to_json(const VerifyReport& report);
+/// The report that `to_json` has written, but for engines and counterexamples. Throws
+/// nlohmann::json::exception where it is none.
+VerifyReport report_in(const nlohmann::ordered_json& json);
 
 }  // namespace mixcmp::verilator_tb

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <deque>
 #include <future>
+#include <iterator>
 #include <mutex>
 
 #include "generator/emit/system.hpp"
@@ -60,7 +61,7 @@ struct ShareOutcome {
 /// Adds up the progress of all shares, and tells them when to stop. Thread-safe.
 class Tally {
 public:
-  explicit Tally(const Run& run) : run_(run) {}
+  Tally(const Run& run, std::uint64_t comparisons) : run_(run), comparisons_(comparisons) {}
 
   void stop() { stopped_ = true; }
   bool stopped() const { return stopped_; }
@@ -71,8 +72,8 @@ public:
     mismatches_ += mismatches;
     if (!run_.options.progress) return;
     run_.options.progress(fmt::format("{}: {} of {} comparisons, {} mismatches{}",
-                                      run_.system.signature.top, done_, run_.selection.size(),
-                                      mismatches_, time_left()));
+                                      run_.system.signature.top, done_, comparisons_, mismatches_,
+                                      time_left()));
   }
 
 private:
@@ -80,19 +81,41 @@ private:
   std::string time_left() const {
     const double seconds = seconds_since(start_);
     if (seconds < 1) return "";
-    const auto left = static_cast<double>(run_.selection.size() - done_);
+    const auto left = static_cast<double>(comparisons_ - done_);
     const auto rest = std::llround(seconds * left / static_cast<double>(done_));
     return rest < 60 ? fmt::format(", {} s left", rest)
                      : fmt::format(", {} min {} s left", rest / 60, rest % 60);
   }
 
   const Run& run_;
+  const std::uint64_t comparisons_;  ///< to be made
   Clock::time_point start_ = Clock::now();
   std::mutex mutex_;
   std::uint64_t done_ = 0;
   std::uint64_t mismatches_ = 0;
   std::atomic<bool> stopped_ = false;
 };
+
+/// Refuses portions of a run that is made in one piece, or of too few simulations.
+Result<Done> check_portion(const design::Design& design, const data::Comparisons& comparisons,
+                           const VerifyOptions& options) {
+  if (options.portion.count <= 1) return Done{};
+  Error error{.field = "--portion",
+              .message = "the run is made in one piece",
+              .received = fmt::format("{} portions", options.portion.count),
+              .accepted = "no portions with Icarus or an engine"};
+  if (options.simulator == SimulatorKind::icarus ||
+      design.system.engine.kind != scene::EngineKind::none) {
+    return error;
+  }
+  const std::uint64_t size = Selection(comparisons.size(), options.selection).size();
+  const std::uint64_t simulations = (size + options.share_size - 1) / options.share_size;
+  if (options.portion.count <= simulations) return Done{};
+  error.message =
+      fmt::format("{} comparisons in simulations of {} are too few", size, options.share_size);
+  error.accepted = fmt::format("at most {}, or a smaller --share", simulations);
+  return error;
+}
 
 Result<Done> check_selection(const data::Comparisons& comparisons,
                              const Selection::Options& selection) {
@@ -128,6 +151,23 @@ std::vector<Share> shares_of(const Run& run) {
     }
   }
   return shares;
+}
+
+/// The simulations of options.portion.
+std::vector<Share> shares_of_portion(const Run& run) {
+  std::vector<Share> shares = shares_of(run);
+  const RunPortion& portion = run.options.portion;
+  const auto border = [&](std::uint64_t k) {
+    return static_cast<std::ptrdiff_t>(Bits{shares.size()} * k / portion.count);
+  };
+  return {std::make_move_iterator(shares.begin() + border(portion.number)),
+          std::make_move_iterator(shares.begin() + border(portion.number + 1))};
+}
+
+std::uint64_t comparisons_of(const std::vector<Share>& shares) {
+  std::uint64_t comparisons = 0;
+  for (const Share& share : shares) comparisons += share.selection.size();
+  return comparisons;
 }
 
 Block make_block(const Run& run, const Share& share, std::uint64_t first) {
@@ -207,8 +247,8 @@ Result<ShareOutcome> run_verilator(const Run& run) {
                                    .progress = run.options.progress,
                                    .waiting = run.options.waiting}));
   all.report.build_seconds = executable.build_seconds;
-  const std::vector<Share> shares = shares_of(run);
-  Tally tally(run);
+  const std::vector<Share> shares = shares_of_portion(run);
+  Tally tally(run, comparisons_of(shares));
   MIXCMP_CHECK(run.options.jobs > 0);
   const auto jobs = static_cast<std::size_t>(run.options.jobs);
   std::deque<std::future<Result<ShareOutcome>>> running;
@@ -222,11 +262,12 @@ Result<ShareOutcome> run_verilator(const Run& run) {
     MIXCMP_TRY(outcome, running.front().get());
     running.pop_front();
     for (const VerifiedResult& result : outcome.results) run.options.on_result(result);
-    all.report.add(outcome.report, taken);
+    const bool ended_early = outcome.report.comparisons < outcome.report.requested;
+    all.report.add(std::move(outcome.report), shares[taken].number);
     if (taken == 0) all.first_undecided = outcome.first_undecided;  // which the waves show
-    if (outcome.report.comparisons < outcome.report.requested) break;
+    if (ended_early) break;
   }
-  all.report.requested = run.selection.size();
+  all.report.requested = comparisons_of(shares);
   return all;
 }
 
@@ -244,7 +285,7 @@ Result<ShareOutcome> run_icarus(const Run& run) {
               run.emulator);
   judge.announce(block.comparisons);
   judge.take(answer);
-  Tally(run).add(block.comparisons, judge.report().mismatch_count);
+  Tally(run, block.comparisons).add(block.comparisons, judge.report().mismatch_count);
   return ShareOutcome{std::move(judge.report()), judge.first_undecided(), {}};
 }
 
@@ -295,6 +336,7 @@ SimulationOptions simulation_options(const VerifyOptions& options) {
 
 Result<Done> check_request(const design::Design& design, const data::Comparisons& comparisons,
                            const VerifyOptions& options) {
+  MIXCMP_TRY(portion_checked, check_portion(design, comparisons, options));
   switch (design.system.engine.kind) {
     case scene::EngineKind::none: return check_selection(comparisons, options.selection);
     case scene::EngineKind::pairwise: {

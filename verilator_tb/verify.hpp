@@ -45,6 +45,14 @@ struct VerifiedResult {
   ResultWord word;
 };
 
+/// One of several portions of a long run, for machines that share it: of n simulations portion k of
+/// `count` makes those from n k / count to n (k + 1) / count. Put together, the reports of all
+/// parts are that of the whole run.
+struct RunPortion {
+  std::uint64_t number = 0;  ///< k, from 0
+  std::uint64_t count = 1;
+};
+
 struct VerifyOptions {
   SimulatorKind simulator = SimulatorKind::verilator;
   JudgeKind judge = JudgeKind::emulator;
@@ -59,6 +67,7 @@ struct VerifyOptions {
   /// so many simulations, `jobs` at a time: its report is the same for any number of them.
   std::uint64_t share_size = std::uint64_t{1} << 20;
   int jobs = 1;
+  RunPortion portion = {};
   /// FST file to write; beside it goes a GTKWave save file, .gtkw.
   std::filesystem::path waves;
   WaveFile* wave_file = nullptr;  ///< set by `verify` where there are waves to write

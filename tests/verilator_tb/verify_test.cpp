@@ -222,6 +222,47 @@ TEST(Verify, AFaultInOneShareFailsTheRunAndEndsIt) {
   }
 }
 
+/// As a sweep makes a long run: in three portions of seven simulations, whose reports go through
+/// files.
+class Portions : public testing::TestWithParam<int> {};
+
+INSTANTIATE_TEST_SUITE_P(WithFault, Portions, testing::Values(0, 6, 7));
+
+TEST_P(Portions, MakeTheWholeRun) {
+  verilator_tb::VerifyOptions options{.traffic = verilator_tb::TrafficKind::stressed,
+                                      .resets = GetParam() == 0 ? 9 : 0,
+                                      .hang_cycles = 3000,
+                                      .block_size = 100,
+                                      .share_size = 500,
+                                      .jobs = 2,
+                                      .repeat_command = "again",
+                                      .plusargs = {"fault=" + std::to_string(GetParam())}};
+  const auto without_times = [](nlohmann::ordered_json json) {
+    json.erase("build_seconds");
+    json.erase("run_seconds");
+    return json;
+  };
+  const auto whole = without_times(to_json(run({.name = "good"}, 3100, options)));
+  EXPECT_EQ(whole["passed"], GetParam() == 0);
+  std::vector<verilator_tb::VerifyReport> portions;
+  for (const std::uint64_t portion : {0, 1, 2}) {
+    options.portion = {.number = portion, .count = 3};
+    const std::string file = to_json(run({.name = "good"}, 3100, options)).dump();
+    portions.push_back(verilator_tb::report_in(nlohmann::ordered_json::parse(file)));
+    EXPECT_LT(portions.back().requested, 3100u);
+  }
+  EXPECT_EQ(without_times(to_json(verilator_tb::join_portions(portions))), whole);
+}
+
+TEST(Verify, RefusesMorePortionsThanSimulations) {
+  const auto refused =
+      verilator_tb::check_request(fake_design({.name = "good"}), fake_comparisons(3100),
+                                  {.share_size = 500, .portion = {.number = 0, .count = 8}});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().field, "--portion");
+  EXPECT_EQ(refused.error().accepted, "at most 7, or a smaller --share");
+}
+
 TEST(Verify, FullRateFeedsEveryLaneInEveryCycle) {
   const verilator_tb::VerifyReport report =
       run({.name = "lanes_only", .tag_bits = 64, .route = FakeRoute::none}, 20'000,
