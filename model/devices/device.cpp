@@ -4,9 +4,9 @@
 
 #include "embedded/device_files.hpp"
 #include "model/common/file.hpp"
-#include "model/common/nearest.hpp"
 #include "model/common/quote.hpp"
 #include "model/devices/device_file.hpp"
+#include "model/devices/vendor_part.hpp"
 
 namespace mixcmp::devices {
 namespace {
@@ -15,6 +15,15 @@ constexpr std::string_view ending = ".toml";
 
 std::string_view stem(const EmbeddedFile& file) {
   return file.name.substr(0, file.name.size() - ending.size());
+}
+
+std::vector<NamedPart> named_parts() {
+  std::vector<NamedPart> parts;
+  for (const EmbeddedFile& file : device_files()) {
+    const Result<Device> device = read_device(std::string(file.text), file.name);
+    parts.push_back({std::string(stem(file)), device.ok() ? device->vendor_name : ""});
+  }
+  return parts;
 }
 
 }  // namespace
@@ -31,7 +40,7 @@ Result<Device> find_device(std::string_view name) {
   return Error{.field = "system.device",
                .message = "unknown device",
                .received = in_quotes(name),
-               .accepted = list_with_nearest(name, device_names()) + ", or a device file (.toml)"};
+               .accepted = list_for(name, named_parts()) + ", or a device file (.toml)"};
 }
 
 std::vector<std::string> device_names() {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "model/common/nearest.hpp"
 #include "model/common/quote.hpp"
 #include "model/settings/limits.hpp"
 
@@ -73,8 +74,13 @@ Result<BoundChoice> parse_bound_choice(std::string_view name) {
   for (const BoundChoice& choice : all_choices()) {
     if (to_string(choice) == name) return choice;
   }
+  std::vector<std::string> names;
+  for (const BoundChoice& choice : all_choices()) names.push_back(to_string(choice));
+  const std::string likely = nearest(name, names);
   return Error{
-      .message = "not a bound", .received = in_quotes(name), .accepted = bound_choice_names()};
+      .message = "not a bound",
+      .received = in_quotes(name),
+      .accepted = (likely.empty() ? "" : likely + " (the nearest); ") + bound_choice_names()};
 }
 
 std::string bound_choice_names() {

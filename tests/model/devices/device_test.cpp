@@ -85,6 +85,20 @@ TEST(Devices, AnUnknownNameIsToldWithTheNearestAndTheList) {
   }
 }
 
+TEST(Devices, AVendorsPartNumberIsExplained) {
+  const auto accepted = [](const char* name) {
+    return devices::find_device(name).error().accepted;
+  };
+  for (const char* part : {"xc7a200t", "XC7A200T-2FBG676", "a200t", "7A200T"}) {
+    EXPECT_TRUE(accepted(part).starts_with("artix7-200t (which is XC7A200T), ")) << part;
+  }
+  EXPECT_TRUE(accepted("LFE5U-85F-6BG381C").starts_with("ecp5-85k (which is LFE5U-85F-8BG756C), "));
+  EXPECT_TRUE(accepted("hx8k").starts_with("ice40-hx8k (which is iCE40HX8K-CT256), "));
+  EXPECT_TRUE(accepted("xc7a35t").starts_with("artix7-200t (XC7A200T, of the same family), "));
+  EXPECT_TRUE(accepted("artix7-200").starts_with("artix7-200t (the nearest), "));
+  EXPECT_TRUE(accepted("").starts_with("virtex5-lx330t, ")) << "nothing is near to nothing";
+}
+
 TEST(Devices, AnAbsentFileIsToldByItsPath) {
   const auto device = devices::find_device("no/such/device.toml");
   ASSERT_FALSE(device.ok());
