@@ -71,8 +71,15 @@ Result<std::pair<fs::path, Descriptor>> create_unfinished(const fs::path& path) 
   }
 }
 
-bool rename_folder(const fs::path& from, const fs::path& to, unsigned int flags) {
+bool rename_path(const fs::path& from, const fs::path& to, unsigned int flags) {
   return renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), flags) == 0;
+}
+
+/// Moves a file to a path where nothing is, also on file systems that know no RENAME_NOREPLACE.
+bool move_to_free_path(const fs::path& from, const fs::path& to) {
+  if (rename_path(from, to, RENAME_NOREPLACE)) return true;
+  if (errno != EINVAL) return false;
+  return link(from.c_str(), to.c_str()) == 0 && unlink(from.c_str()) == 0;
 }
 
 /// A file that is replaced keeps its owner and its permissions.
@@ -153,10 +160,20 @@ Result<Done> OutputFile::write_out() {
 }
 
 Result<Done> OutputFile::commit() {
+  return commit_with([](const fs::path& from, const fs::path& to) {
+    return rename(from.c_str(), to.c_str()) == 0;
+  });
+}
+
+Result<Done> OutputFile::commit_new() {
+  return commit_with(move_to_free_path);
+}
+
+Result<Done> OutputFile::commit_with(Move move) {
   MIXCMP_CHECK(file_.get() >= 0);
   flush();
   // The lock on the unfinished file is held until it has its final name.
-  if (failure_ == 0 && unfinished_ != path_ && rename(unfinished_.c_str(), path_.c_str()) != 0) {
+  if (failure_ == 0 && unfinished_ != path_ && !move(unfinished_, path_)) {
     failure_ = errno;
   }
   if (failure_ != 0) return cannot_write(path_, failure_);
@@ -179,9 +196,9 @@ Result<Done> put_in_place(const fs::path& finished, const fs::path& requested) {
 Result<Done> put_folder_in_place(const fs::path& finished, const fs::path& path) {
   // Another run may make or remove the folder at the same time: then it is tried again.
   while (true) {
-    if (rename_folder(finished, path, RENAME_EXCHANGE)) return Done{};
+    if (rename_path(finished, path, RENAME_EXCHANGE)) return Done{};
     if (errno != ENOENT) return cannot_write(path, errno);
-    if (rename_folder(finished, path, RENAME_NOREPLACE)) return Done{};
+    if (rename_path(finished, path, RENAME_NOREPLACE)) return Done{};
     if (errno != EEXIST) return cannot_write(path, errno);
   }
 }
@@ -214,6 +231,12 @@ Result<Done> write_file(const fs::path& path, std::string_view text) {
   MIXCMP_TRY(file, OutputFile::open(path));
   file.write(text);
   return file.commit();
+}
+
+Result<Done> write_new_file(const fs::path& path, std::string_view text) {
+  MIXCMP_TRY(file, OutputFile::open(path));
+  file.write(text);
+  return file.commit_new();
 }
 
 }  // namespace mixcmp::inline common

@@ -32,11 +32,16 @@ public:
   /// belong together are all written out before the first is committed.
   Result<Done> write_out();
   Result<Done> commit();
+  /// As `commit`, but an error where a file of that name has appeared: nothing is replaced.
+  Result<Done> commit_new();
 
 private:
   OutputFile(std::filesystem::path path, std::filesystem::path unfinished, Descriptor file)
       : path_(std::move(path)), unfinished_(std::move(unfinished)), file_(std::move(file)) {}
   void flush();
+  /// Moves a file to its final path; false, with errno set, where that is not possible.
+  using Move = bool (*)(const std::filesystem::path& from, const std::filesystem::path& to);
+  Result<Done> commit_with(Move move);
 
   std::filesystem::path path_;
   std::filesystem::path unfinished_;  ///< equal to path_ for pipes and devices
@@ -68,6 +73,9 @@ Result<Done> write_kept_file(const std::filesystem::path& path, std::string_view
 
 /// Writes a whole text through OutputFile.
 Result<Done> write_file(const std::filesystem::path& path, std::string_view text);
+
+/// Writes a file that must not exist yet, whole or not at all.
+Result<Done> write_new_file(const std::filesystem::path& path, std::string_view text);
 
 /// "PATH: cannot be written: No space left on device", for an errno.
 Error cannot_write(const std::filesystem::path& path, int failure);

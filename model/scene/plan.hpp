@@ -24,4 +24,8 @@ struct SceneSettings {
 Result<SceneSettings> read_scene_settings(const SceneSource& source,
                                           std::span<const std::string> overrides);
 
+/// The scene that settings describe. Its data files are looked for in the folder of
+/// `read.settings.path`, a file that need not exist.
+Result<Scene> interpret(SceneSettings read);
+
 }  // namespace mixcmp::scene

@@ -279,6 +279,12 @@ std::vector<bool> are_from_data(const InputDeclarations& declared) {
 
 Result<Scene> load_with(const SceneSource& source, std::span<const std::string> overrides) {
   MIXCMP_TRY(read, read_scene_settings(source, overrides));
+  return interpret(std::move(read));
+}
+
+}  // namespace
+
+Result<Scene> interpret(SceneSettings read) {
   MIXCMP_TRY(names_checked, check_section_names(read.settings));
   MIXCMP_TRY(formulations, read_formulations(read.settings));
   const settings::Settings& settings = formulations.all[formulations.chosen].settings;
@@ -322,8 +328,6 @@ Result<Scene> load_with(const SceneSource& source, std::span<const std::string> 
   note_unused_keys(scene, settings, scene.notes);
   return scene;
 }
-
-}  // namespace
 
 Result<Scene> load_scene(const SceneSource& source, std::span<const std::string> overrides) {
   Result<Scene> scene = load_with(source, overrides);

@@ -1,0 +1,121 @@
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/support/program.hpp"
+
+/// `mixcmp new`: the scene file that it writes, and what it asks.
+namespace mixcmp::test::new_command_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class NewCommand : public ProgramTest {
+protected:
+  NewCommand() {
+    write("points.csv", "x,y,r\n1,2,3\n4,5.5,6\n7,-8,0.5\n");
+    write("others.csv", "x,y,d\n1,2,3\n4,5,6\n");
+  }
+
+  /// What `check --json` says of a scene file.
+  nlohmann::json checked(const std::string& scene) {
+    const Outcome run = mixcmp("check " + scene + " --json");
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    return nlohmann::json::parse(run.output, nullptr, false);
+  }
+
+  /// Runs the program on a terminal of its own, where a user types these lines.
+  Outcome on_terminal(const std::string& lines, const std::string& arguments) {
+    return shell(
+        fmt::format("cd '{}' && printf '{}' | TERM=xterm script -qec \"'{}' {}\" /dev/null",
+                    directory_.path().string(), lines, MIXCMP_PROGRAM, arguments));
+  }
+};
+
+TEST_F(NewCommand, CheckAcceptsWhatItWritesAtOnce) {
+  const Outcome run =
+      mixcmp("new near --f '(xi - xj)^2 + (yi - yj)^2' --g '(ri + rj)^2' --data points.csv --json");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const auto report = nlohmann::json::parse(run.output);
+  EXPECT_EQ(report.at("scene"), "near.toml");
+  EXPECT_EQ(report.at("pairs"), "all") << "no column is called xi";
+  EXPECT_EQ(report.at("comparisons"), 3);
+  const std::string text = read("near.toml");
+  EXPECT_NE(text.find("yj = { range = \"data\" }          # now -8 to 5.5\n"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("mixcmp optimise near.toml -o near_plan.toml"), std::string::npos);
+  const auto scene = checked("near.toml");
+  EXPECT_EQ(scene.at("name"), "near");
+  EXPECT_EQ(scene.at("data").at("inputs").size(), 6u);
+}
+
+TEST_F(NewCommand, RowsAreComparisonsWhereInputsAreColumns) {
+  const Outcome run = mixcmp(
+      "new rows --f 'x * y' --g 'r' --data points.csv --device ecp5-85k "
+      "--reference binary32");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_NE(run.output.find("3 comparisons, pairs = rows"), std::string::npos) << run.output;
+  EXPECT_NE(read("rows.toml").find("24 bits of significand, the leading one included, and 8 "),
+            std::string::npos);
+  EXPECT_EQ(read("rows.toml").find("\npairs = "), std::string::npos);
+  checked("rows.toml");
+}
+
+TEST_F(NewCommand, ASecondFileAndColumnsOfOtherNamesAreTakenOver) {
+  fs::create_directories(path("scenes"));
+  const Outcome run = mixcmp(
+      "new far --f '(pi[0] - pj[0])^2 + (pi[1] - pj[1])^2' --g 'dj^2' --data points.csv "
+      "--with others.csv --column p=x,y --with-column p=0,1 -o scenes/far.toml");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const std::string text = read("scenes/far.toml");
+  EXPECT_NE(text.find("file = \"../points.csv\"\nwith = \"../others.csv\"\npairs = \"cross\"\n"
+                      "columns = { p = [\"x\", \"y\"] }\nwith_columns = { p = [0, 1] }\n"),
+            std::string::npos)
+      << text;
+  const auto scene = checked("scenes/far.toml");
+  EXPECT_EQ(scene.at("data").at("comparisons"), 6);
+}
+
+TEST_F(NewCommand, WithoutDataTheSceneStillReads) {
+  ASSERT_EQ(mixcmp("new bare --f 'x^2' --g 'y'").exit_code, 0);
+  EXPECT_NE(read("bare.toml").find("# y = { range = [0, 100] }\n"), std::string::npos);
+  checked("bare.toml");
+}
+
+TEST_F(NewCommand, NeverReplacesAFile) {
+  write("here.toml", "mine");
+  expect_refused("new here --f x --g y --data points.csv", "here.toml: is not replaced");
+  EXPECT_EQ(read("here.toml"), "mine");
+}
+
+TEST_F(NewCommand, AMistakeNamesItsOptionAndLeavesNoFile) {
+  const std::string all = "new a --data points.csv ";
+  expect_refused(all + "--f 'x + sqr(y)' --g r",
+                 "--f: comparison.f: unknown function at character 5 of the text: received sqr; "
+                 "accepted sqrt (the nearest)");
+  expect_refused(all + "--f x --g '(y'", "--g: comparison.g: ");
+  expect_refused(all + "--f x --g z", "z: no such column, which the input z needs");
+  expect_refused(all + "--f xi --g zj --column z=w", "w: no such column, which the input zj needs");
+  expect_refused(all + "--f x --g y --column z", "--column: no column: received \"z\"");
+  expect_refused(all + "--f x --g y --device hx8k", "accepted ice40-hx8k (which is iCE40HX8K");
+  expect_refused(all + "--f x --g y --reference s9", "--reference: reference.format");
+  expect_refused("new a --f x --g y --data none.csv", "--data: data.file: cannot read the file");
+  expect_refused("new 9a --f x --g y", "NAME: comparison.name");
+  expect_refused("new a --f x </dev/null", "--g: missing");
+  EXPECT_FALSE(fs::exists(path("a.toml")));
+}
+
+TEST_F(NewCommand, AsksOnATerminalForWhatIsMissing) {
+  if (shell("command -v script").exit_code != 0) GTEST_SKIP() << "no script(1), of bsdutils";
+  const Outcome run = on_terminal("asked\\nx * w\\n\\nr\\npoints.csv\\nw=y\\n", "new");
+  ASSERT_TRUE(fs::exists(path("asked.toml"))) << run.output;
+  const std::string text = read("asked.toml");
+  EXPECT_NE(text.find("f = \"x * w\"\ng = \"r\"\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("columns = { w = \"y\" }\n"), std::string::npos) << text;
+  checked("asked.toml");
+}
+
+}  // namespace
+}  // namespace mixcmp::test::new_command_test
