@@ -1,6 +1,7 @@
 #pragma once
 
 #include "generator/cli/options.hpp"
+#include "generator/cli/suite_file.hpp"
 #include "generator/components/characterise.hpp"
 
 namespace mixcmp::cli {
@@ -26,6 +27,11 @@ struct CharacteriseCommand {
 };
 
 void add_characterise_options(const Verb& verb, CharacteriseCommand& command);
+
+/// A group's run as [[characterise]] of a sweep has it, as a command. Errors name the option.
+Result<CharacteriseCommand> characterise_command(const SuiteRun& run);
+/// What [[characterise]] may say.
+const GroupForm& characterise_group();
 
 /// Converts the options of `characterise`. Errors name the option.
 Result<components::CharacteriseOptions> characterise_options(const CharacteriseCommand& command,

@@ -10,11 +10,8 @@
 #include "generator/cli/exit.hpp"
 #include "generator/cli/options.hpp"
 #include "generator/cli/output.hpp"
-#include "generator/cli/suite_file.hpp"
+#include "generator/cli/suite_run.hpp"
 #include "generator/report/json_text.hpp"
-#include "model/common/content_hash.hpp"
-#include "model/common/file.hpp"
-#include "model/common/process.hpp"
 #include "verilator_tb/junit.hpp"
 
 namespace mixcmp::cli {
@@ -22,47 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-using Outcome = verilator_tb::JUnitCase::Outcome;
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// The outcome of one run of the suite.
-struct RunOutcome {
-  Outcome outcome = Outcome::skipped;
-  double seconds = 0;
-  Json report;           ///< of `verify --json`; null where there is none
-  fs::path report_file;  ///< empty where there is none
-  std::string error;     ///< why it could not be run
-};
-
-/// The hash of the files that a run reads, this program included, and of its options; nothing where
-/// the scene cannot be read. Versions of simulators and compilers are not in it.
-std::optional<std::string> identity(const SuiteRun& run, const std::string& program) {
-  SceneOptions options{.scene = run.scene, .settings = {}, .shortcuts = {}};
-  for (std::size_t k = 0; k + 1 < run.options.size(); ++k) {
-    if (run.options[k] == "--set") options.settings.push_back(run.options[k + 1]);
-  }
-  const auto scene = scene::load_scene(options.scene, options.settings);
-  if (!scene.ok()) return std::nullopt;
-  ContentHash hash;
-  hash.add(program).add(run.scene.string());
-  for (const std::string& word : run.options) hash.add(word);
-  for (const fs::path& input : inputs_of(options, *scene)) {
-    if (input.empty()) continue;
-    const auto text = read_file(input);
-    if (!text.ok()) return std::nullopt;
-    hash.add(*text);
-  }
-  return hash.hex().substr(0, 16);
-}
-
-/// A report as `verify --json` prints it; null where the text is none.
-Json report_in(const std::string& text) {
-  const Json report = Json::parse(text, nullptr, false);
-  return report.is_object() && report.contains("passed") ? report : Json();
 }
 
 class SuiteRunner {
@@ -71,7 +31,7 @@ public:
       : command_(command),
         suite_(std::move(suite)),
         minutes_(command.minutes > 0 ? command.minutes : suite_.minutes),
-        program_(value_or_exit(read_file("/proc/self/exe"))) {}
+        program_(this_program()) {}
 
   std::vector<RunOutcome> run() {
     std::vector<RunOutcome> outcomes;
@@ -96,48 +56,10 @@ private:
   RunOutcome outcome_of(const SuiteRun& one) const {
     const auto name = identity(one, program_);
     const fs::path kept = name ? command_.work / "suite" / (*name + ".json") : fs::path();
-    if (const auto text = read_file(kept); name && text.ok()) {
-      Json report = report_in(*text);
-      if (report.is_object() && report["passed"] == true) {
-        const double seconds =
-            report.value("build_seconds", 0.0) + report.value("run_seconds", 0.0);
-        return {Outcome::passed, seconds, std::move(report), kept, ""};
-      }
-    }
+    RunOutcome known = kept_outcome(kept);
+    if (known.outcome == Outcome::passed) return known;
     const double left = minutes_ > 0 ? minutes_ * 60 - seconds_since(start_) : 1e9;
-    return left <= 0 ? RunOutcome{} : verify(one, kept, left);
-  }
-
-  RunOutcome verify(const SuiteRun& one, const fs::path& kept, double seconds) const {
-    Command words = {"/proc/self/exe", "verify", one.scene.string(), "--no-counterexample"};
-    words.insert(words.end(), one.options.begin(), one.options.end());
-    for (const std::string& word :
-         {std::string("--json"), std::string("--work"), command_.work.string()}) {
-      words.push_back(word);
-    }
-    const auto start = Clock::now();
-    const Result<Captured> captured = capture(words, {.seconds = seconds});
-    RunOutcome outcome{.seconds = seconds_since(start)};
-    if (!captured.ok()) {
-      outcome.outcome = Outcome::broken;
-      outcome.error = captured.error().to_string();
-      return outcome;
-    }
-    const Captured& run = *captured;
-    if (!run.in_time) return outcome;
-    outcome.report = report_in(run.output);
-    if (!outcome.report.is_object()) {
-      outcome.outcome = Outcome::broken;
-      outcome.error = run.errors.empty() ? how_it_ended(run.status) : run.errors;
-      return outcome;
-    }
-    outcome.outcome = run.succeeded() ? Outcome::passed : Outcome::failed;
-    if (!kept.empty()) {
-      value_or_exit(make_writable_folder(kept.parent_path()));
-      value_or_exit(write_kept_file(kept, run.output));
-      outcome.report_file = kept;
-    }
-    return outcome;
+    return left <= 0 ? RunOutcome{} : verify_run(one, command_.work, kept, left);
   }
 
   const SuiteCommand& command_;
@@ -146,16 +68,6 @@ private:
   std::string program_;
   Clock::time_point start_ = Clock::now();
 };
-
-const char* word_for(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::passed: return "passed";
-    case Outcome::failed: return "FAILED";
-    case Outcome::broken: return "not run";
-    case Outcome::skipped: return "no time";
-  }
-  return "";
-}
 
 std::string number(const Json& report, const char* key) {
   return report.is_object() ? report[key].dump() : "";
@@ -227,13 +139,13 @@ void run_suite(const SuiteCommand& given) {
   value_or_exit(check_outputs({command.junit}, inputs));
   value_or_exit(check_writable({command.junit}));
   const std::vector<RunOutcome> outcomes = SuiteRunner(command, suite).run();
-  print(command.json ? report::json_text(json_of(suite.runs, outcomes))
-                     : table(suite.runs, outcomes));
   if (!command.junit.empty()) {
     value_or_exit(write_file(
         command.junit,
         verilator_tb::junit_text(command.suite.stem().string(), tests_of(suite.runs, outcomes))));
   }
+  print(command.json ? report::json_text(json_of(suite.runs, outcomes))
+                     : table(suite.runs, outcomes));
   if (count(outcomes, Outcome::failed) > 0) throw Exit(ExitCode::refuted);
   if (count(outcomes, Outcome::broken) > 0) throw Exit(ExitCode::mistake);
   if (const std::size_t skipped = count(outcomes, Outcome::skipped); skipped > 0) {

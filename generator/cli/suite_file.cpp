@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
+#include <cstdint>
 
 #include "generator/cli/options.hpp"
 #include "model/settings/section.hpp"
@@ -14,10 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using settings::Setting;
-
-/// The options of `mixcmp verify` that a suite can give.
-constexpr std::array<const char*, 9> option_names = {
-    "first", "sample", "seed", "resets", "traffic", "truth", "simulator", "judge", "share"};
 
 /// One option with its values, each as words of the command line.
 struct Choice {
@@ -40,20 +36,21 @@ bool is_scalar(const Setting& value) {
          !std::holds_alternative<Setting::Foreign>(value.value);
 }
 
-/// Reads the table of one [[run]].
+/// Reads the table of one group of runs.
 class RunReader {
 public:
-  explicit RunReader(const Setting& table) : table_(table) {}
+  RunReader(const Setting& table, const GroupForm& form) : table_(table), form_(form) {}
 
   Result<std::vector<SuiteRun>> read(const fs::path& folder) {
     MIXCMP_TRY(done, add_entries(std::get<Setting::Table>(table_.value), ""));
     if (scenes_.empty()) {
-      return mistake_at(table_, "run.scenes", "a run without a scene", "no such key",
+      return mistake_at(table_, form_.name + ".scenes", "a run without a scene", "no such key",
                         "one scene file or a list of them");
     }
     std::vector<SuiteRun> runs;
     for (const std::string& scene : scenes_) {
-      runs.push_back({.scene = folder / scene, .options = {}, .name = scene});
+      runs.push_back(
+          {.scene = folder / scene, .options = {}, .name = scene, .portions = portions_});
     }
     for (const Choice& choice : choices_) runs = combinations(runs, choice);
     return runs;
@@ -70,8 +67,8 @@ private:
       }
       for (const Setting& value : values_of(entry)) {
         if (is_scalar(value)) continue;
-        return mistake_at(entry, "run." + key, "cannot be the value of an option", value.kind(),
-                          "a number, a text, true, false, or a list of these");
+        return mistake_at(entry, form_.name + "." + key, "cannot be the value of an option",
+                          value.kind(), "a number, a text, true, false, or a list of these");
       }
       MIXCMP_TRY(added, add_choice(entry, key));
     }
@@ -79,9 +76,10 @@ private:
   }
 
   Result<Done> add_choice(const Setting& entry, const std::string& key) {
+    if (key == "portions" && form_.has_portions) return read_portions(entry);
     const std::vector<Setting> values = values_of(entry);
     if (values.empty()) {
-      return mistake_at(entry, "run." + key, "no run has this option", "an empty list",
+      return mistake_at(entry, form_.name + "." + key, "no run has this option", "an empty list",
                         "one value at least");
     }
     if (key == "scenes") {
@@ -89,13 +87,13 @@ private:
       return Done{};
     }
     const bool of_scene = key.find('.') != std::string::npos;
-    const bool known =
-        std::find(option_names.begin(), option_names.end(), key) != option_names.end();
-    if (!of_scene && !known) {
-      return mistake_at(entry, "run." + key, "no such option of a run", key,
+    const bool is_flag = contains(form_.flags, key);
+    if (!of_scene && !is_flag && !contains(form_.options, key)) {
+      return mistake_at(entry, form_.name + "." + key, "no such option of a run", key,
                         fmt::format("scenes, {}, or a key of the scene, such as system.lanes",
-                                    fmt::join(option_names, ", ")));
+                                    fmt::join(all_keys(), ", ")));
     }
+    if (is_flag) return add_flag(entry, key);
     Choice& choice = choices_.emplace_back();
     for (const Setting& value : values) {
       choice.values.push_back(
@@ -103,6 +101,44 @@ private:
                    : std::vector<std::string>{"--" + key + "=" + plain_text(value)});
     }
     return Done{};
+  }
+
+  Result<Done> read_portions(const Setting& entry) {
+    const auto* count = std::get_if<std::int64_t>(&entry.value);
+    constexpr std::int64_t most = 1'000'000;
+    if (count == nullptr || *count < 1 || *count > most) {
+      return mistake_at(entry, form_.name + ".portions", "no number of portions", entry.shown(),
+                        fmt::format("1..{}", most));
+    }
+    portions_ = static_cast<int>(*count);
+    return Done{};
+  }
+
+  Result<Done> add_flag(const Setting& entry, const std::string& key) {
+    const auto* given = std::get_if<bool>(&entry.value);
+    if (given == nullptr) {
+      return mistake_at(entry, form_.name + "." + key, "wrong type", entry.shown(),
+                        "true or false");
+    }
+    if (*given) choices_.push_back({{{"--" + option_of(key)}}});
+    return Done{};
+  }
+
+  /// An option is written with dashes where a key has underscores.
+  static std::string option_of(std::string key) {
+    std::replace(key.begin(), key.end(), '_', '-');
+    return key;
+  }
+
+  static bool contains(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  }
+
+  std::vector<std::string> all_keys() const {
+    std::vector<std::string> keys = form_.options;
+    keys.insert(keys.end(), form_.flags.begin(), form_.flags.end());
+    if (form_.has_portions) keys.emplace_back("portions");
+    return keys;
   }
 
   static std::vector<SuiteRun> combinations(const std::vector<SuiteRun>& runs,
@@ -121,11 +157,32 @@ private:
   }
 
   const Setting& table_;
+  const GroupForm& form_;
+  int portions_ = 1;
   std::vector<std::string> scenes_;
   std::vector<Choice> choices_;
 };
 
 }  // namespace
+
+const GroupForm& verify_group() {
+  static const GroupForm form{.name = "run",
+                              .options = {"first", "sample", "seed", "resets", "traffic", "truth",
+                                          "simulator", "judge", "share"},
+                              .flags = {},
+                              .has_portions = true};
+  return form;
+}
+
+Result<std::vector<SuiteRun>> read_groups(const settings::Settings& file, const GroupForm& form) {
+  MIXCMP_TRY(tables, settings::tables_of(file, form.name, "one table for each group of runs"));
+  std::vector<SuiteRun> all;
+  for (const Setting& table : tables) {
+    MIXCMP_TRY(runs, RunReader(table, form).read(file.path.parent_path()));
+    all.insert(all.end(), runs.begin(), runs.end());
+  }
+  return all;
+}
 
 Result<Suite> read_suite(const fs::path& path) {
   MIXCMP_TRY(file, settings::read_settings(path, {}));
@@ -139,11 +196,8 @@ Result<Suite> read_suite(const fs::path& path) {
     return mistake_at(entry, entry.key, "no such section of a suite", entry.key,
                       "[suite] and [[run]]");
   }
-  MIXCMP_TRY(tables, settings::tables_of(file, "run", "one table for each group of runs"));
-  for (const Setting& table : tables) {
-    MIXCMP_TRY(runs, RunReader(table).read(path.parent_path()));
-    suite.runs.insert(suite.runs.end(), runs.begin(), runs.end());
-  }
+  MIXCMP_TRY(runs, read_groups(file, verify_group()));
+  suite.runs = std::move(runs);
   if (suite.runs.empty()) {
     return Error{.file = path.string(),
                  .message = "a suite without a run",

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/common/result.hpp"
+#include "model/settings/settings.hpp"
 
 namespace mixcmp::cli {
 
@@ -13,6 +14,7 @@ struct SuiteRun {
   std::filesystem::path scene;
   std::vector<std::string> options;  ///< words of the command line
   std::string name;                  ///< scene and options as the suite writes them
+  int portions = 1;                  ///< in how many portions a sweep makes it
 };
 
 /// A regression suite as its file describes it (docs/verification.md, "Suites").
@@ -20,6 +22,19 @@ struct Suite {
   double minutes = 0;  ///< budget of time; 0: none
   std::vector<SuiteRun> runs;
 };
+
+/// What a table [[name]] of a suite or a sweep may say besides `scenes` and keys of the scene.
+struct GroupForm {
+  std::string name;
+  std::vector<std::string> options;  ///< that take a value: `first = 3` is --first=3
+  std::vector<std::string> flags;    ///< `area_only = true` is --area-only
+  bool has_portions = false;
+};
+/// [[run]]: runs of `mixcmp verify`.
+const GroupForm& verify_group();
+
+/// Reads all tables of this form.
+Result<std::vector<SuiteRun>> read_groups(const settings::Settings& file, const GroupForm& form);
 
 /// Reads a suite. Scenes are found from its folder. Each [[run]] becomes one run for every
 /// combination of its scenes and of its options' values.

@@ -49,17 +49,11 @@ public:
   }
 
   Result<CharacteriseReport> run() {
-    MIXCMP_TRY(tools, tool_versions(device_, options_.synthesis.effort));
-    tools_ = tools;
-    for (const TimingEffort effort : {TimingEffort::area_only, TimingEffort::timing}) {
-      const Result<std::string> here = tool_versions(device_, effort);
-      const bool is_broken = !here.ok() && here.error().kind != ErrorKind::missing_tool;
-      if (is_broken && effort == options_.synthesis.effort) return here.error();
-      if (here.ok()) tools_here_[effort] = *here;
-    }
+    MIXCMP_TRY(asked, ask_tools());
     MIXCMP_TRY(planned, plan());
     MIXCMP_TRY(jobs, pending_jobs());
     MIXCMP_TRY(measured, measure(jobs));
+    take(std::move(measured));
     MIXCMP_TRY(collected, collect());
     keep_previous();
     auto& rows = report_.table.rows;
@@ -68,8 +62,39 @@ public:
     return std::move(report_);
   }
 
+  Result<std::vector<PlannedJob>> list() {
+    MIXCMP_TRY(asked, ask_tools());
+    MIXCMP_TRY(planned, plan());
+    std::map<std::string, std::string> labels;
+    for (const Measurement& row : planned_) labels.emplace(row.hash, label(row.key));
+    std::vector<PlannedJob> jobs;
+    for (const auto& [hash, text] : labels) jobs.push_back({hash, text});
+    return jobs;
+  }
+
+  Result<characterise::JobRun> run_some(const std::set<std::string>& hashes) {
+    MIXCMP_TRY(asked, ask_tools());
+    MIXCMP_TRY(planned, plan());
+    MIXCMP_TRY(jobs, pending_jobs());
+    std::erase_if(jobs,
+                  [&](const characterise::PendingJob& job) { return !hashes.contains(job.hash); });
+    return measure(jobs);
+  }
+
 private:
   bool times() const { return options_.synthesis.effort == TimingEffort::timing; }
+
+  Result<Done> ask_tools() {
+    MIXCMP_TRY(tools, tool_versions(device_, options_.synthesis.effort));
+    tools_ = tools;
+    for (const TimingEffort effort : {TimingEffort::area_only, TimingEffort::timing}) {
+      const Result<std::string> here = tool_versions(device_, effort);
+      const bool is_broken = !here.ok() && here.error().kind != ErrorKind::missing_tool;
+      if (is_broken && effort == options_.synthesis.effort) return here.error();
+      if (here.ok()) tools_here_[effort] = *here;
+    }
+    return Done{};
+  }
 
   Result<Done> plan() {
     const auto use = [this](const Component& component) {
@@ -120,20 +145,21 @@ private:
     return jobs;
   }
 
-  Result<Done> measure(const std::vector<characterise::PendingJob>& jobs) {
-    if (jobs.empty()) return Done{};
+  Result<characterise::JobRun> measure(const std::vector<characterise::PendingJob>& jobs) {
+    if (jobs.empty()) return characterise::JobRun{};
     const int count = static_cast<int>(jobs.size());
     const auto progress = [&](int finished, double seconds) {
       if (options_.progress) options_.progress(finished, count, seconds);
     };
-    MIXCMP_TRY(run, run_jobs(jobs, device_, tools_, options_.store,
-                             {.synthesis = options_.synthesis,
-                              .workers = options_.workers,
-                              .progress = progress}));
+    return run_jobs(
+        jobs, device_, tools_, options_.store,
+        {.synthesis = options_.synthesis, .workers = options_.workers, .progress = progress});
+  }
+
+  void take(characterise::JobRun run) {
     report_.interrupted_by = run.interrupted_by;
     report_.synthesised = run.done - static_cast<int>(run.failed.size());
     report_.failed = std::move(run.failed);
-    return Done{};
   }
 
   /// Makes the table's rows from the store; jobs that failed or were interrupted have no row.
@@ -190,6 +216,18 @@ Result<CharacteriseReport> characterise(const scene::Scene& scene, const data::C
                                         const Device& device, const CharacteriseOptions& options,
                                         const Characterisation* previous) {
   return Campaign(scene, data, device, options, previous).run();
+}
+
+Result<std::vector<PlannedJob>> list_jobs(const scene::Scene& scene, const data::Comparisons* data,
+                                          const Device& device,
+                                          const CharacteriseOptions& options) {
+  return Campaign(scene, data, device, options, nullptr).list();
+}
+
+Result<characterise::JobRun> run_some(const scene::Scene& scene, const data::Comparisons* data,
+                                      const Device& device, const CharacteriseOptions& options,
+                                      const std::set<std::string>& hashes) {
+  return Campaign(scene, data, device, options, nullptr).run_some(hashes);
 }
 
 RowCount count_rows(const Characterisation& table, const scene::Scene& scene,

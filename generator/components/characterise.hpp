@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,25 @@ Result<CharacteriseReport> characterise(const scene::Scene& scene, const data::C
                                         const devices::Device& device,
                                         const CharacteriseOptions& options,
                                         const characterise::Characterisation* previous);
+
+/// One job of a campaign.
+struct PlannedJob {
+  std::string hash;   ///< its key in a store
+  std::string label;  ///< "lane s12e8 exact relative embedded"
+
+  friend auto operator<=>(const PlannedJob&, const PlannedJob&) = default;
+};
+
+/// The jobs whose results `characterise` needs, each once, by rising hash.
+Result<std::vector<PlannedJob>> list_jobs(const scene::Scene& scene, const data::Comparisons* data,
+                                          const devices::Device& device,
+                                          const CharacteriseOptions& options);
+
+/// Measures those of these jobs that the store lacks, and makes no table.
+Result<characterise::JobRun> run_some(const scene::Scene& scene, const data::Comparisons* data,
+                                      const devices::Device& device,
+                                      const CharacteriseOptions& options,
+                                      const std::set<std::string>& hashes);
 
 /// How many rows of a table still describe what is generated today.
 struct RowCount {

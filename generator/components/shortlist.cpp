@@ -51,13 +51,21 @@ Multipliers kind_in(const ComponentKey& key) {
   return Multipliers::embedded;
 }
 
-/// The streams around one lane, if a LUT of memory keeps one bit of each of 64 comparisons.
-devices::Area rough_streams(const scene::Scene& scene, int slots) {
+/// The bits of a request for recomputation.
+int request_bits(const scene::Scene& scene) {
   const bool carried = scene.system.operands == scene::OperandStore::carried;
   const int operands = static_cast<int>(scene.graph.inputs().size());
-  const int bits =
-      (carried ? operands * scene.reference.format.width() : 0) + scene.system.tag_bits;
-  return {.luts = 100 + bits * std::max(slots, 64) / 64};
+  return (carried ? operands * scene.reference.format.width() : 0) + scene.system.tag_bits;
+}
+
+/// The streams around one lane, if a LUT of memory keeps one bit of each of 64 comparisons.
+devices::Area rough_streams(const scene::Scene& scene, int slots) {
+  return {.luts = 100 + request_bits(scene) * std::max(slots, 64) / 64};
+}
+
+/// The share of a crossbar, if a LUT chooses between two requests' bits.
+devices::Area rough_crossbar(const scene::Scene& scene, int ports) {
+  return {.luts = 100 + request_bits(scene) * ports / 2};
 }
 
 class Shortlister {
@@ -67,7 +75,7 @@ public:
       : maker_(maker), query_(query), device_(device), rates_(rates) {}
 
   Result<Shortlist> run() {
-    weigh_references();
+    weigh_shared_parts();
     MIXCMP_TRY(keys, lane_keys(maker_.scene(), query_));
     for (const ComponentKey& key : keys) {
       MIXCMP_TRY(weighed, weigh(key));
@@ -83,9 +91,7 @@ private:
     friend auto operator<=>(const Kind&, const Kind&) = default;
   };
   struct Candidate {
-    ComponentKey key;
-    int precision;
-    double share;    ///< of the device, that a comparison takes
+    LaneEstimate estimate;
     double seconds;  ///< to map the lane
   };
 
@@ -93,7 +99,7 @@ private:
     return seconds_to_begin + seconds_per_lut * area.luts;
   }
 
-  void weigh_references() {
+  void weigh_shared_parts() {
     const scene::Scene& scene = maker_.scene();
     const TypedGraph reference = reference_graph(scene.graph, scene.reference);
     for (const Multipliers multipliers : reference_multipliers(query_)) {
@@ -103,6 +109,8 @@ private:
           std::min(reference_share_, optimise::device_share(area, device_.available));
       result_.seconds += seconds_for(area);
     }
+    for (const int ports : query_.ports)
+      result_.seconds += seconds_for(rough_crossbar(scene, ports));
   }
 
   devices::Area area_of(const design::Lane& lane, Multipliers multipliers) const {
@@ -136,29 +144,34 @@ private:
     const int slots = design::slots_for(component.latency_cycles, recomputes);
     const devices::Area all = area + rough_streams(maker_.scene(), slots);
     const double share = optimise::device_share(all, device_.available) + *rate * reference_share_;
-    candidates_[{*key.bound, key.inputs}].push_back(
-        {key, format.precision(), share, seconds_for(area)});
+    const LaneEstimate estimate{key, format.precision(), area, *rate, share};
+    candidates_[{*key.bound, key.inputs}].push_back({estimate, seconds_for(area)});
     ++result_.candidates;
     return Done{};
   }
 
-  static const Candidate& best(const std::vector<Candidate>& kind) {
-    return *std::min_element(kind.begin(), kind.end(), [](const Candidate& a, const Candidate& b) {
-      return a.share < b.share;
-    });
+  static const LaneEstimate& best(const std::vector<Candidate>& kind) {
+    return std::min_element(kind.begin(), kind.end(),
+                            [](const Candidate& a, const Candidate& b) {
+                              return a.estimate.share < b.estimate.share;
+                            })
+        ->estimate;
   }
 
   void choose() {
-    double least = std::numeric_limits<double>::infinity();
-    for (const auto& [kind, all] : candidates_) least = std::min(least, best(all).share);
+    for (const auto& [kind, all] : candidates_) result_.best.push_back(best(all));
+    std::stable_sort(
+        result_.best.begin(), result_.best.end(),
+        [](const LaneEstimate& a, const LaneEstimate& b) { return a.share < b.share; });
     for (const auto& [kind, all] : candidates_) {
-      if (best(all).share > margin * least) continue;
+      if (best(all).share > margin * result_.best.front().share) continue;
       for (const Candidate& candidate : all) {
-        if (std::abs(candidate.precision - best(all).precision) > 1) continue;
-        result_.lanes.insert(candidate.key);
+        if (std::abs(candidate.estimate.precision - best(all).precision) > 1) continue;
+        result_.lanes.insert(candidate.estimate.key);
         result_.seconds += candidate.seconds;
       }
     }
+    result_.reference_share = reference_share_;
   }
 
   ComponentMaker& maker_;

@@ -8,11 +8,22 @@
 
 namespace mixcmp::components {
 
+/// What a lane costs by rough areas.
+struct LaneEstimate {
+  characterise::ComponentKey key;
+  int precision = 0;
+  devices::Area area;  ///< of the lane without its streams
+  double rate = 0;     ///< of recomputation
+  double share = 0;    ///< of the device, that a comparison takes: C(L) + R_R C(H)
+};
+
 /// The lanes that are worth measuring.
 struct Shortlist {
   std::set<characterise::ComponentKey> lanes;
-  int candidates = 0;  ///< lanes that were to choose from
-  double seconds = 0;  ///< rough time of one processor to map them and the references, for areas
+  std::vector<LaneEstimate> best;  ///< the best lane of each kind, that of the least share first
+  double reference_share = 0;      ///< of the device, that a reference takes
+  int candidates = 0;              ///< lanes that were to choose from
+  double seconds = 0;  ///< rough time of one processor to map all components, for areas
 };
 
 /// Chooses among the lanes that `query` asks for before anything is synthesised. What a comparison

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "model/characterise/sqlite.hpp"
+#include "model/common/folder_lock.hpp"
 #include "model/common/output_file.hpp"
 
 namespace mixcmp::characterise {
@@ -73,11 +74,17 @@ Result<ResultStore> ResultStore::open(const std::filesystem::path& path) {
                  .message = "cannot be created: " + failed.message()};
   }
   const std::filesystem::file_status status = std::filesystem::status(path, failed);
+  if (std::filesystem::is_directory(status)) {
+    MIXCMP_TRY(writable, make_writable_folder(path));
+    ResultStore store(path, nullptr);
+    store.folder_.emplace(path);
+    return store;
+  }
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
     return Error{.file = path.string(),
                  .message = "is no file that can hold results",
-                 .received = "a folder or a device",
-                 .accepted = "a store of mixcmp, or a path where none is yet"};
+                 .received = "a device or a pipe",
+                 .accepted = "a store of mixcmp, a folder, or a path where nothing is yet"};
   }
   if (std::filesystem::exists(status) && access(path.c_str(), R_OK | W_OK) != 0) {
     return cannot_write(path, errno);
@@ -131,6 +138,7 @@ Result<Done> ResultStore::create() {
 }
 
 Result<std::optional<SynthesisResult>> ResultStore::find(const std::string& hash) const {
+  if (folder_) return folder_->find(hash);
   Statement statement(database_.get(),
                       "SELECT luts, registers, dsps, memories, carries, shift_luts, mhz, low_mhz,"
                       " high_mhz, seeds, routed, no_clock FROM result WHERE hash = ?");
@@ -143,6 +151,7 @@ Result<std::optional<SynthesisResult>> ResultStore::find(const std::string& hash
 
 Result<Done> ResultStore::add(const std::string& hash, const SynthesisResult& result,
                               const std::string& tools) {
+  if (folder_) return folder_->add(hash, result, tools);
   Statement statement(database_.get(),
                       "INSERT OR REPLACE INTO result VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
   const devices::Area& area = result.area;
@@ -155,6 +164,7 @@ Result<Done> ResultStore::add(const std::string& hash, const SynthesisResult& re
 }
 
 Result<int> ResultStore::size() const {
+  MIXCMP_CHECK(!folder_);
   Statement statement(database_.get(), "SELECT count(*) FROM result");
   if (statement.step() != SQLITE_ROW) return sqlite_error(path_, database_.get());
   return statement.integer(0);

@@ -5,18 +5,20 @@
 #include <optional>
 #include <string>
 
+#include "model/characterise/result_folder.hpp"
 #include "model/characterise/synthesis.hpp"
 
 struct sqlite3;
 
 namespace mixcmp::characterise {
 
-/// Results of synthesis, kept in one SQLite file under their jobs' hashes. A result is stored whole
-/// or not at all, even if the program is interrupted; several processes may share the file.
+/// Results of synthesis, kept under their jobs' hashes in one SQLite file, or in a folder with a
+/// file for each (ResultFolder). A result is stored whole or not at all, even if the program is
+/// interrupted; several processes may share the store, and several machines a folder.
 class ResultStore {
 public:
-  /// Makes the file and its folders where there are none. It is an error if the file is no store,
-  /// is damaged, or has another version.
+  /// Opens the folder where `path` is one. Else makes the file and its folders where there are
+  /// none; it is an error if the file is no store, is damaged, or has another version.
   static Result<ResultStore> open(const std::filesystem::path& path);
 
   Result<std::optional<SynthesisResult>> find(const std::string& hash) const;
@@ -24,6 +26,7 @@ public:
   /// file.
   Result<Done> add(const std::string& hash, const SynthesisResult& result,
                    const std::string& tools);
+  /// How many results the SQLite file has.
   Result<int> size() const;
 
   const std::filesystem::path& path() const { return path_; }
@@ -41,7 +44,8 @@ private:
   Result<Done> create();
 
   std::filesystem::path path_;
-  Database database_;
+  Database database_;                   ///< null: the store is a folder
+  std::optional<ResultFolder> folder_;  ///< none: the store is a file
 };
 
 /// $XDG_CACHE_HOME/mixcmp/characterisation.sqlite, $HOME/.cache/... where that is not set.

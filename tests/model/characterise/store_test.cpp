@@ -75,6 +75,34 @@ TEST_F(Store, GivesBackWhatItWasGiven) {
   EXPECT_FALSE(store->find("c").value());
 }
 
+/// What a sweep's shards share: what one has written another finds, and a cut file counts as none.
+TEST_F(Store, AFolderHasAFileForEachResult) {
+  fs::create_directories(path_);
+  {
+    characterise::ResultStore store = characterise::ResultStore::open(path_).value();
+    ASSERT_TRUE(store.add("a", measured(8), "Yosys").ok());
+    ASSERT_TRUE(
+        store.add("b", {.area = {.luts = 1}, .clock = {}, .no_clock = "\xff \"so\""}, "").ok());
+  }
+  const auto store = characterise::ResultStore::open(path_).value();
+  const auto a = store.find("a").value(), b = store.find("b").value();
+  ASSERT_TRUE(a && b);
+  EXPECT_EQ(a->area, measured(8).area);
+  ASSERT_TRUE(a->clock);
+  EXPECT_EQ(a->clock->mhz, 0.1);
+  EXPECT_EQ(a->clock->low_mhz, 0.05);
+  EXPECT_EQ(a->clock->high_mhz, 300);
+  EXPECT_EQ(a->clock->seeds, 5);
+  EXPECT_EQ(a->clock->source, characterise::ClockSource::routed);
+  EXPECT_FALSE(b->clock);
+  EXPECT_EQ(b->no_clock, "\xEF\xBF\xBD \"so\"");
+  EXPECT_FALSE(store.find("c").value());
+  fs::copy_file(path_ / "a.json", path_ / "c.json");
+  EXPECT_FALSE(store.find("c").value()) << "the result of another job";
+  fs::resize_file(path_ / "a.json", 40);
+  EXPECT_FALSE(store.find("a").value());
+}
+
 TEST_F(Store, RefusesWhatIsNoDatabase) {
   fs::create_directory(path_.parent_path());
   std::ofstream(path_) << std::string(5000, 'x');
@@ -108,10 +136,8 @@ TEST_F(Store, RefusesADamagedFile) {
   expect_refused("damaged");
 }
 
-TEST_F(Store, RefusesAFolderAndATruncatedFile) {
-  fs::create_directories(path_);
-  expect_refused("no file that can hold results");
-  fs::remove(path_);
+TEST_F(Store, RefusesADeviceAndATruncatedFile) {
+  EXPECT_FALSE(characterise::ResultStore::open("/dev/null").ok());
   ASSERT_TRUE(characterise::ResultStore::open(path_).ok());
   fs::resize_file(path_, 100);
   expect_refused("");

@@ -1,0 +1,103 @@
+#include "generator/cli/suite_run.hpp"
+
+#include <chrono>
+
+#include "generator/cli/exit.hpp"
+#include "generator/cli/options.hpp"
+#include "model/common/content_hash.hpp"
+#include "model/common/file.hpp"
+#include "model/common/output_file.hpp"
+#include "model/common/process.hpp"
+
+namespace mixcmp::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// A report as `verify --json` prints it; null where the text is none.
+Json verify_report(const std::string& text) {
+  const Json report = Json::parse(text, nullptr, false);
+  return report.is_object() && report.contains("passed") ? report : Json();
+}
+
+Command verify_command(const SuiteRun& run, const fs::path& work) {
+  Command words = {"/proc/self/exe",      "verify",  run.scene.string(),
+                   "--no-counterexample", "--quiet", "--json"};
+  words.insert(words.end(), run.options.begin(), run.options.end());
+  words.insert(words.end(), {std::string("--work"), work.string()});
+  return words;
+}
+
+}  // namespace
+
+const char* word_for(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::passed: return "passed";
+    case Outcome::failed: return "FAILED";
+    case Outcome::broken: return "not run";
+    case Outcome::skipped: return "no time";
+  }
+  return "";
+}
+
+std::string this_program() {
+  return value_or_exit(read_file("/proc/self/exe"));
+}
+
+std::optional<std::string> identity(const SuiteRun& run, const std::string& program) {
+  SceneOptions options{.scene = run.scene, .settings = {}, .shortcuts = {}};
+  for (std::size_t k = 0; k + 1 < run.options.size(); ++k) {
+    if (run.options[k] == "--set") options.settings.push_back(run.options[k + 1]);
+  }
+  const auto scene = scene::load_scene(options.scene, options.settings);
+  if (!scene.ok()) return std::nullopt;
+  ContentHash hash;
+  hash.add(program).add(run.name);
+  for (const std::string& word : run.options) hash.add(word);
+  for (const fs::path& input : inputs_of(options, *scene)) {
+    if (input.empty()) continue;
+    const auto text = read_file(input);
+    if (!text.ok()) return std::nullopt;
+    hash.add(*text);
+  }
+  return hash.hex().substr(0, 16);
+}
+
+RunOutcome kept_outcome(const fs::path& kept) {
+  const auto text = read_file(kept);
+  if (kept.empty() || !text.ok()) return {};
+  Json report = verify_report(*text);
+  if (!report.is_object()) return {};
+  const double seconds = report.value("build_seconds", 0.0) + report.value("run_seconds", 0.0);
+  const Outcome outcome = report["passed"] == true ? Outcome::passed : Outcome::failed;
+  return {outcome, seconds, std::move(report), kept, ""};
+}
+
+RunOutcome verify_run(const SuiteRun& run, const fs::path& work, const fs::path& kept,
+                      double seconds) {
+  const auto start = std::chrono::steady_clock::now();
+  const Result<Captured> captured = capture(verify_command(run, work), {.seconds = seconds});
+  RunOutcome outcome;
+  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!captured.ok()) {
+    outcome.outcome = Outcome::broken;
+    outcome.error = captured.error().to_string();
+    return outcome;
+  }
+  if (!captured->in_time) return outcome;
+  outcome.report = verify_report(captured->output);
+  if (!outcome.report.is_object()) {
+    outcome.outcome = Outcome::broken;
+    outcome.error = captured->errors.empty() ? how_it_ended(captured->status) : captured->errors;
+    return outcome;
+  }
+  outcome.outcome = captured->succeeded() ? Outcome::passed : Outcome::failed;
+  if (kept.empty()) return outcome;
+  value_or_exit(make_writable_folder(kept.parent_path()));
+  value_or_exit(write_kept_file(kept, captured->output));
+  outcome.report_file = kept;
+  return outcome;
+}
+
+}  // namespace mixcmp::cli

@@ -1,0 +1,127 @@
+#include "generator/cli/sweep_jobs.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "generator/cli/characterise_table.hpp"
+#include "generator/cli/exit.hpp"
+#include "model/characterise/result_folder.hpp"
+#include "model/settings/section.hpp"
+#include "verilator_tb/report.hpp"
+
+namespace mixcmp::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+Result<Done> check_sections(const settings::Settings& file) {
+  for (const settings::Setting& entry : file.root.entries) {
+    const bool known = entry.key == "suite" || entry.key == verify_group().name ||
+                       entry.key == characterise_group().name;
+    if (known) continue;
+    return settings::mistake_at(entry, entry.key, "no such section of a sweep", entry.key,
+                                "[[characterise]], [[run]] and [suite]");
+  }
+  return Done{};
+}
+
+SweepTable table_of(const SuiteRun& run, const SweepFolder& folder, unsigned workers) {
+  CharacteriseCommand command = value_or_exit(characterise_command(run));
+  command.store = folder.results();
+  command.jobs = workers;
+  LoadedScene loaded = value_or_exit(load(command.scene));
+  const devices::Device device = value_or_exit(devices::find_device(loaded.scene.system.device));
+  components::CharacteriseOptions options = prepared_options(command, loaded, device);
+  const data::Comparisons* data = loaded.data ? &*loaded.data : nullptr;
+  auto jobs = value_or_exit(components::list_jobs(loaded.scene, data, device, options));
+  return {run.name, std::move(command), std::move(loaded),
+          device,   std::move(options), std::move(jobs)};
+}
+
+SweepRun run_of(const SuiteRun& run, const std::string& program) {
+  SweepRun found{.name = run.name, .portions = {}, .keys = {}};
+  for (int portion = 1; portion <= run.portions; ++portion) {
+    SuiteRun& one = found.portions.emplace_back(run);
+    if (run.portions > 1) {
+      const std::string option = fmt::format("--portion={}/{}", portion, run.portions);
+      one.options.push_back(option);
+      one.name += " " + option;
+    }
+    const auto key = identity(one, program);
+    if (!key) {  // as verify would tell it
+      SceneOptions options{.scene = run.scene, .settings = {}, .shortcuts = {}};
+      value_or_exit(load(options));
+      fail({.file = run.scene.string(), .message = "cannot be run: " + run.name});
+    }
+    found.keys.push_back(*key);
+  }
+  return found;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> Sweep::jobs() const {
+  std::map<std::string, std::string> all;
+  for (const SweepTable& table : tables) {
+    for (const components::PlannedJob& job : table.jobs) {
+      all.emplace(job.hash, fmt::format("{} on {}", job.label, table.device.name));
+    }
+  }
+  for (const SweepRun& run : runs) {
+    for (std::size_t k = 0; k < run.keys.size(); ++k) {
+      all.emplace(run.keys[k], "verify " + run.portions[k].name);
+    }
+  }
+  return all;
+}
+
+Sweep read_sweep(const fs::path& path, const SweepFolder& folder, unsigned workers) {
+  std::error_code failed;
+  const fs::path real = fs::canonical(path, failed);
+  const settings::Settings file = value_or_exit(settings::read_settings(failed ? path : real, {}));
+  value_or_exit(check_sections(file));
+  Sweep sweep{.file = file.path, .tables = {}, .runs = {}};
+  for (const SuiteRun& run : value_or_exit(read_groups(file, characterise_group()))) {
+    sweep.tables.push_back(table_of(run, folder, workers));
+  }
+  const std::string program = this_program();
+  for (const SuiteRun& run : value_or_exit(read_groups(file, verify_group()))) {
+    sweep.runs.push_back(run_of(run, program));
+  }
+  if (!sweep.jobs().empty()) return sweep;
+  fail({.file = path.string(),
+        .message = "a sweep without a job",
+        .accepted = "one [[characterise]] or [[run]] at least"});
+}
+
+std::set<std::string> missing_jobs(const Sweep& sweep, const SweepFolder& folder) {
+  const characterise::ResultFolder results(folder.results());
+  std::set<std::string> missing;
+  for (const SweepTable& table : sweep.tables) {
+    for (const components::PlannedJob& job : table.jobs) {
+      if (!results.find(job.hash)) missing.insert(job.hash);
+    }
+  }
+  for (const SweepRun& run : sweep.runs) {
+    for (const std::string& key : run.keys) {
+      if (kept_outcome(folder.report_of(key)).outcome == Outcome::skipped) missing.insert(key);
+    }
+  }
+  return missing;
+}
+
+nlohmann::ordered_json merged_report(const std::vector<nlohmann::ordered_json>& portions) {
+  nlohmann::ordered_json merged = portions.front();
+  if (portions.size() > 1) {
+    std::vector<verilator_tb::VerifyReport> reports;
+    for (const nlohmann::ordered_json& portion : portions) {
+      reports.push_back(verilator_tb::report_in(portion));
+    }
+    merged = to_json(verilator_tb::join_portions(reports));
+  }
+  for (const char* time : {"build_seconds", "run_seconds"}) merged.erase(time);
+  return merged;
+}
+
+}  // namespace mixcmp::cli

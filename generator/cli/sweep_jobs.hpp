@@ -1,0 +1,66 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "generator/cli/characterise_options.hpp"
+#include "generator/cli/suite_run.hpp"
+
+namespace mixcmp::cli {
+
+/// The folder of a sweep: its plan, its results by their keys, and what is merged from them.
+struct SweepFolder {
+  std::filesystem::path path;
+
+  std::filesystem::path plan() const { return path / "plan.json"; }
+  std::filesystem::path results() const { return path / "results"; }
+  std::filesystem::path report() const { return path / "report.json"; }
+  /// The file of a run's report.
+  std::filesystem::path report_of(const std::string& key) const {
+    return results() / (key + ".json");
+  }
+};
+
+/// A table that [[characterise]] asks for.
+struct SweepTable {
+  std::string name;  ///< scene and options as the sweep writes them
+  CharacteriseCommand command;
+  LoadedScene loaded;
+  devices::Device device;
+  components::CharacteriseOptions options;
+  std::vector<components::PlannedJob> jobs;
+};
+
+/// A run of `verify` that [[run]] asks for, in one or several portions.
+struct SweepRun {
+  std::string name;
+  std::vector<SuiteRun> portions;
+  std::vector<std::string> keys;  ///< one for each portion
+};
+
+/// All that a sweep's file asks for. Its jobs have hashes for keys: of all that a result depends
+/// on, the tools' versions or this program included.
+struct Sweep {
+  std::filesystem::path file;
+  std::vector<SweepTable> tables;
+  std::vector<SweepRun> runs;
+
+  /// What the jobs are, by their keys.
+  std::map<std::string, std::string> jobs() const;
+};
+
+/// Reads a sweep's file and lists its jobs, whose results go to `folder`. Ends the program on an
+/// error.
+Sweep read_sweep(const std::filesystem::path& file, const SweepFolder& folder, unsigned workers);
+
+/// The keys of those jobs whose results are not in the folder.
+std::set<std::string> missing_jobs(const Sweep& sweep, const SweepFolder& folder);
+
+/// The report of a whole run, from those of its portions in their order. Times are left out: they
+/// differ from machine to machine.
+nlohmann::ordered_json merged_report(const std::vector<nlohmann::ordered_json>& portions);
+
+}  // namespace mixcmp::cli
