@@ -62,14 +62,7 @@ void print_text(const Outlook& outlook) {
 }
 
 nlohmann::json to_json(const Outlook& outlook) {
-  if (!outlook.system.ok()) {
-    const Error& error = outlook.system.error();
-    return {{"error",
-             {{"field", error.field},
-              {"message", error.message},
-              {"received", error.received},
-              {"accepted", error.accepted}}}};
-  }
+  if (!outlook.system.ok()) return {{"error", report::to_json(outlook.system.error())}};
   const auto signature = nlohmann::json::parse(emit::to_json(outlook.system->signature));
   return {{"top", signature["top"]},
           {"lane_groups", signature["lane_groups"]},
@@ -200,7 +193,9 @@ std::vector<std::string> not_done(const CheckOptions& options,
 /// Ends with the first area that a tool failed to measure; one that is not installed is no failure.
 void end_if_broken(const BoundCosts& costs) {
   for (const BoundCost& cost : costs.bounds) {
-    if (cost.why_no_area && cost.why_no_area->kind == ErrorKind::mistake) fail(*cost.why_no_area);
+    if (!cost.why_no_area || cost.why_no_area->kind != ErrorKind::mistake) continue;
+    tell(cost.why_no_area->to_string());
+    throw Exit(ExitCode::mistake);
   }
 }
 

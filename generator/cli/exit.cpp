@@ -1,11 +1,10 @@
 #include "generator/cli/exit.hpp"
 
-#include <fmt/core.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
+#include "generator/report/json_text.hpp"
 #include "model/common/output_file.hpp"
 
 namespace mixcmp::cli {
@@ -28,7 +27,17 @@ ExitCode code_of(ErrorKind kind) {
 void fail(const Error& error) {
   show_progress("");
   tell(error.to_string());
-  throw Exit(code_of(error.kind));
+  Exit exit(code_of(error.kind));
+  exit.error = error;
+  throw exit;
+}
+
+// A failed write is ignored: standard error has told the error already.
+void print_error_as_json(const Exit& exit) {
+  if (!exit.error) return;
+  const std::string text = report::json_text({{"error", report::to_json(*exit.error)}});
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  std::fflush(stdout);
 }
 
 void print(const std::string& text) {
@@ -44,19 +53,6 @@ void tell_not_done(const std::vector<std::string>& parts) {
 void end_if_incomplete(const std::vector<std::string>& not_done) {
   tell_not_done(not_done);
   if (!not_done.empty()) throw Exit(ExitCode::incomplete);
-}
-
-// A failed write is ignored: there is no other place to report it.
-void tell(const std::string& line) {
-  const std::string text = "mixcmp: " + line + "\n";
-  std::fwrite(text.data(), 1, text.size(), stderr);
-}
-
-void show_progress(const std::string& line) {
-  if (isatty(STDERR_FILENO) == 0) return;
-  const std::string text = "\r\x1b[K" + line;
-  std::fwrite(text.data(), 1, text.size(), stderr);
-  std::fflush(stderr);
 }
 
 }  // namespace mixcmp::cli

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "generator/cli/console.hpp"
 #include "model/common/result.hpp"
 
 namespace mixcmp::cli {
@@ -20,6 +22,8 @@ enum class ExitCode {
 /// Thrown by a verb to end the program; only main catches it.
 struct Exit {
   int code;
+  /// Why there is no result, where no result was printed; none where it was, whatever is wrong.
+  std::optional<Error> error = {};
 
   explicit Exit(ExitCode meaning) : code(static_cast<int>(meaning)) {}
   /// Exit code 128 + signal, as shells report it.
@@ -30,8 +34,14 @@ struct Exit {
   }
 };
 
-/// Prints the error on stderr and ends the program, with the code that the error's kind says.
+/// Prints the error on stderr and ends the program, with the code that the error's kind says. With
+/// --json, main then prints the error as JSON on standard output: a verb calls this before it
+/// prints a result, so that there is one object.
 [[noreturn]] void fail(const Error& error);
+
+/// The last words with --json of a run that has no result: an object with the key "error", on
+/// standard output. Nothing is printed where `exit` has no error.
+void print_error_as_json(const Exit& exit);
 
 /// Returns the value, or ends the program as `fail` does.
 template <class T>
@@ -43,16 +53,10 @@ T value_or_exit(Result<T> result) {
 /// Writes to standard output; ends the program where that cannot be written.
 void print(const std::string& text);
 
-/// Writes "mixcmp: " and a line to stderr.
-void tell(const std::string& line);
-
 /// Lists on stderr the parts that were asked for and not done.
 void tell_not_done(const std::vector<std::string>& parts);
 /// Lists the parts as tell_not_done does, and ends the program with ExitCode::incomplete. An empty
 /// list has no effect.
 void end_if_incomplete(const std::vector<std::string>& not_done);
-
-/// Shows a line on stderr that the next one overwrites, on a terminal only; an empty one clears it.
-void show_progress(const std::string& line);
 
 }  // namespace mixcmp::cli

@@ -179,7 +179,7 @@ void add_plan(ResultFiles& results, const ExploreCommand& command, const std::st
   results.add(name, plan_toml(found, *best, source));
 }
 
-constexpr std::array result_names = {
+constexpr std::array exploration_files = {
     "figure3.svg", "figure7.csv", "figure7.svg",          "figure8.svg",          "figure9.csv",
     "figure9.svg", "tables.md",   "plan_scenario_1.toml", "plan_scenario_2.toml", "scenarios.csv"};
 
@@ -189,7 +189,7 @@ std::vector<fs::path> output_paths(const ExploreCommand& command,
                                    const std::vector<Planning>& known) {
   std::vector<fs::path> paths = {command.output / "report.md"};
   for (const Planning& each : known) {
-    const auto own = ResultFiles::paths(command.output / each.device.name, result_names);
+    const auto own = ResultFiles::paths(command.output / each.device.name, exploration_files);
     paths.insert(paths.end(), own.begin(), own.end());
   }
   return paths;
@@ -202,7 +202,7 @@ ResultFiles results_for(const ExploreCommand& command, const std::string& device
   // The first column has given clocks, if any has: then lanes without a measured clock count, too.
   const optimise::Optimisation& areas = exploration.columns.front().example;
   const std::string& first = exploration.data_sets.front();
-  ResultFiles results(folder, result_names);
+  ResultFiles results(folder, exploration_files);
   results.add("figure7.csv", report::figure7_csv(areas));
   results.add("figure9.csv", report::figure9_csv(ours.example));
   results.add("scenarios.csv", report::scenarios_csv(exploration));
@@ -224,7 +224,7 @@ void print_notes(const optimise::Exploration& exploration) {
     if (column.worst.best() == nullptr) notes.insert(column.title + ": no plan fits");
   }
   for (const std::string& note : notes) {
-    tell(fmt::format("note: {}: {}", exploration.device.name, note));
+    tell_note(fmt::format("{}: {}", exploration.device.name, note));
   }
 }
 
@@ -326,7 +326,7 @@ void tell_older_results(const fs::path& output, const std::vector<Planning>& kno
     const bool ours = std::any_of(known.begin(), known.end(),
                                   [&](const Planning& each) { return each.device.name == name; });
     if (ours || !path_exists(entry.path() / "scenarios.csv")) continue;
-    tell(fmt::format("note: {} is of an earlier run", entry.path().string()));
+    tell_note(fmt::format("{} is of an earlier run", entry.path().string()));
   }
 }
 
@@ -406,7 +406,7 @@ std::vector<Planning> plannings_for(const ExploreCommand& command, const LoadedS
 void run(const ExploreCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.planning.scene));
   if (loaded.scene.variant.empty() && !loaded.scene.variants.empty()) {
-    tell("note: variants left out: explore plans [comparison], or what --variant names");
+    tell_note("variants left out: explore plans [comparison], or what --variant names");
   }
   value_or_exit(check_has_data(loaded, "recomputation rates are measured on data"));
   check_ranges(command, loaded.scene);

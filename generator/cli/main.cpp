@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -55,9 +56,7 @@ void parse_and_run(CLI::App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty()) {
-      throw CLI::RequiredError(
-          "A verb (check, generate, verify, profile, characterise, optimise, explore, doctor, "
-          "baseline, route)");
+      throw CLI::RequiredError("A verb (" + mixcmp::cli::verb_names(app) + ")");
     }
   } catch (const CLI::CallForHelp&) {
     const auto verbs = app.get_subcommands();
@@ -65,8 +64,7 @@ void parse_and_run(CLI::App& app, int argc, char** argv) {
   } catch (const CLI::CallForVersion&) {
     return print_version(app);
   } catch (const CLI::ParseError& error) {
-    mixcmp::cli::tell(mixcmp::cli::usage_error(app, error));
-    throw Exit(ExitCode::mistake);
+    mixcmp::cli::fail(mixcmp::cli::usage_error(app, error));
   }
 }
 
@@ -102,6 +100,7 @@ void run(int argc, char** argv) {
                "mixcmp");
   add_version_options(app);
   app.require_subcommand(0, 1);
+  mixcmp::cli::add_new(app);
   mixcmp::cli::add_check(app);
   mixcmp::cli::add_generate(app);
   mixcmp::cli::add_verify(app);
@@ -112,19 +111,30 @@ void run(int argc, char** argv) {
   mixcmp::cli::add_doctor(app);
   mixcmp::cli::add_baseline(app);
   mixcmp::cli::add_route(app);
+  mixcmp::cli::add_sweep(app);
   mixcmp::cli::add_completion(app);
   mixcmp::cli::add_manual(app);
   parse_and_run(app, argc, argv);
 }
 
-/// Ends the program on a failure that no verb expects, such as no memory or a failing file system.
-int end_unexpectedly(const char* why) {
+/// Tells of a failure that no verb expects, such as no memory or a failing file system.
+Exit unexpected_end(const char* why) {
   // A library that fails for want of a working directory may say "out of memory" (HiGHS).
   std::error_code failed;
   const std::filesystem::path ignored = std::filesystem::current_path(failed);
-  mixcmp::cli::tell(std::string("ended before its time: ") +
-                    (failed ? "the working directory is gone" : why));
-  return Exit(ExitCode::mistake).code;
+  Exit exit(ExitCode::mistake);
+  exit.error = mixcmp::Error{.message = std::string("ended before its time: ") +
+                                        (failed ? "the working directory is gone" : why)};
+  mixcmp::cli::tell(exit.error->to_string());
+  return exit;
+}
+
+/// Ends the program before all is done. With --json, which is a word of its own in every verb, the
+/// error is an object on standard output, too.
+int end_early(const Exit& exit, int argc, char** argv) {
+  const bool json = std::find(argv, argv + argc, std::string_view("--json")) != argv + argc;
+  if (json) mixcmp::cli::print_error_as_json(exit);
+  return exit.code;
 }
 
 }  // namespace
@@ -136,11 +146,11 @@ int main(int argc, char** argv) {
   try {
     run(argc, argv);
   } catch (const Exit& exit) {
-    return exit.code;
+    return end_early(exit, argc, argv);
   } catch (const std::bad_alloc&) {
-    return end_unexpectedly("out of memory");
+    return end_early(unexpected_end("out of memory"), argc, argv);
   } catch (const std::exception& error) {
-    return end_unexpectedly(error.what());
+    return end_early(unexpected_end(error.what()), argc, argv);
   }
   return static_cast<int>(ExitCode::done);
 }

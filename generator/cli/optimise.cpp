@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "generator/cli/characterise_table.hpp"
 #include "generator/cli/exit.hpp"
 #include "generator/cli/output.hpp"
 #include "generator/cli/planning.hpp"
@@ -25,6 +26,7 @@ struct OptimiseCommand {
   fs::path plan;
   fs::path csv;
   fs::path lp;
+  bool no_characterise = false;
 };
 
 /// Refuses rates of another reference, and tells of other data, which may be meant.
@@ -40,8 +42,8 @@ void check_rates(const optimise::Rates& rates, const fs::path& file, const Loade
           .accepted = fmt::format("the scene's, of {}", precision)});
   }
   if (loaded.data && loaded.data->size() != origin.comparisons) {
-    tell(fmt::format("note: {}: counted on {} comparisons; the scene's data have {}", file.string(),
-                     origin.comparisons, loaded.data->size()));
+    tell_note(fmt::format("{}: counted on {} comparisons; the scene's data have {}", file.string(),
+                          origin.comparisons, loaded.data->size()));
   }
 }
 
@@ -59,6 +61,16 @@ optimise::Rates rates_for(const OptimiseCommand& command, const LoadedScene& loa
 std::string command_of(const OptimiseCommand& command) {
   const std::string line = planning_command_line("optimise", command.planning);
   return command.rates.empty() ? line : line + " --rates " + quoted(command.rates.string());
+}
+
+std::string word_of(const std::string& word) {
+  return word;
+}
+std::string word_of(const scene::BoundChoice& bound) {
+  return to_string(bound);
+}
+std::string word_of(LaneInputs inputs) {
+  return to_string(inputs);
 }
 
 std::string name_of(const scene::Scene& scene) {
@@ -83,9 +95,52 @@ std::vector<LoadedScene> formulations_of(const OptimiseCommand& command,
   const bool by_hand = !command.planning.table.empty() || !command.rates.empty();
   if (!by_hand) return value_or_exit(load_formulations(command.planning.scene, loaded));
   if (loaded.scene.variant.empty() && !loaded.scene.variants.empty()) {
-    tell("note: --table and --rates are of [comparison]; variants left out");
+    tell_note("--table and --rates are of [comparison]; variants left out");
   }
   return {loaded};
+}
+
+/// The quick measurement of what plans of this formulation may use: areas alone.
+CharacteriseCommand quick_characterisation(const PlanningOptions& planning,
+                                           const scene::Scene& formulation) {
+  const optimise::OptimiseOptions& choice = planning.choice;
+  const optimise::OptimiseOptions usual;
+  CharacteriseCommand quick{.scene = planning.scene, .quick = true, .area_only = true};
+  if (formulation.variant != "" && !is_set(planning.scene, "comparison.variant")) {
+    quick.scene.settings.push_back("comparison.variant=" + formulation.variant);
+  }
+  const int most = settings::lane_precisions(formulation.reference.format).most;
+  if (choice.first_precision != usual.first_precision || choice.last_precision < most) {
+    quick.precisions =
+        fmt::format("{}-{}", choice.first_precision, std::min(choice.last_precision, most));
+  }
+  const auto take = [](const auto& chosen, std::string& words) {
+    if (chosen.empty()) return;
+    words.clear();
+    for (const auto& each : chosen) words += (words.empty() ? "" : ",") + word_of(each);
+  };
+  take(choice.bounds, quick.bounds);
+  take(choice.inputs, quick.inputs);
+  take(choice.multipliers, quick.multipliers);
+  return quick;
+}
+
+/// Measures what looks promising where no formulation has a table yet.
+void make_missing_tables(const OptimiseCommand& command,
+                         const std::vector<LoadedScene>& formulations) {
+  const PlanningOptions& planning = command.planning;
+  if (command.no_characterise || !planning.table.empty()) return;
+  for (const LoadedScene& each : formulations) {
+    if (path_exists(table_of(planning, each.scene))) return;
+    if (each.scene.system.engine.kind == scene::EngineKind::arg_min) return;  // nothing to plan
+  }
+  for (const LoadedScene& each : formulations) {
+    tell_note(
+        fmt::format("no areas of {} yet: measuring some into {}. An interrupted run goes on "
+                    "when it is given again; --no-characterise measures nothing",
+                    name_of(each.scene), table_of(planning, each.scene).string()));
+    end_if_unfinished(measure_table(quick_characterisation(planning, each.scene), each));
+  }
 }
 
 Result<Candidate> find_plans(const OptimiseCommand& command, const LoadedScene& loaded) {
@@ -113,7 +168,7 @@ std::vector<Candidate> find_candidates(const OptimiseCommand& command,
   }
   if (candidates.empty()) fail(left_out.front().second);
   for (const auto& [name, error] : left_out) {
-    tell(fmt::format("note: {} left out: {}", name, error.to_string()));
+    tell_note(fmt::format("{} left out: {}", name, error.to_string()));
   }
   return candidates;
 }
@@ -199,6 +254,7 @@ void run(OptimiseCommand& command) {
   const std::vector<fs::path> outputs = {command.plan, command.csv, command.lp};
   value_or_exit(check_outputs(outputs, inputs));
   value_or_exit(check_writable(outputs));
+  make_missing_tables(command, formulations);
   const std::vector<Candidate> candidates = find_candidates(command, formulations);
   const auto best = std::max_element(candidates.begin(), candidates.end(),
                                      [](const Candidate& a, const Candidate& b) {
@@ -230,6 +286,9 @@ void add_optimise(CLI::App& app) {
               "plan file to write: generate and verify take it in place of the scene");
   verb.option("--csv", command->csv, "figure 9 as a table: the best plan at each precision");
   verb.option("--lp", command->lp, "the best plan's integer program, in the LP format");
+  verb.flag("--no-characterise", command->no_characterise,
+            "where no table is there, end with an error; without this the lanes that look "
+            "promising are measured first, areas alone (mixcmp characterise --quick)");
   verb.when_chosen([command] { run(*command); });
 }
 

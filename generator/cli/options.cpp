@@ -86,6 +86,27 @@ std::optional<std::uint64_t> decimal_integer(const std::string& text) {
 
 }  // namespace
 
+std::optional<Fraction> fraction_of(const std::string& text) {
+  constexpr std::uint64_t most = 1'000'000;
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos) return std::nullopt;
+  const auto number = decimal_integer(text.substr(0, slash));
+  const auto count = decimal_integer(text.substr(slash + 1));
+  if (!number || !count || *number < 1 || *number > *count || *count > most) return std::nullopt;
+  return Fraction{*number, *count};
+}
+
+Condition a_fraction() {
+  return {[](const std::string& text) {
+            return fraction_of(text) ? std::string()
+                                     : fmt::format(
+                                           "received {}; accepted K/N, the K-th of N, 1 <= K <= "
+                                           "N <= 1000000",
+                                           text);
+          },
+          "K/N"};
+}
+
 std::optional<double> number(const std::string& text) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);

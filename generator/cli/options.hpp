@@ -56,6 +56,15 @@ Condition within(settings::Limits limits);
 Condition whole(std::uint64_t least,
                 std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
+/// One of several shards or portions, as an option names it: "2/8" is the second of eight.
+struct Fraction {
+  std::uint64_t number = 1;
+  std::uint64_t count = 1;
+};
+std::optional<Fraction> fraction_of(const std::string& text);
+/// Accepts such a text.
+Condition a_fraction();
+
 /// The number that fills `text`; none for any other text.
 std::optional<double> number(const std::string& text);
 

@@ -40,17 +40,16 @@ void tell_of_other_target(const scene::Scene& given, const Planning& planning,
                           const SceneOptions& options) {
   const double measured = planning.scene.system.target_mhz;
   if (given.system.target_mhz == measured || !is_set(options, "system.target_mhz")) return;
-  tell(fmt::format("note: registers are placed for {} MHz, which {} was measured for", measured,
-                   planning.table_path.filename().string()));
+  tell_note(fmt::format("registers are placed for {} MHz, which {} was measured for", measured,
+                        planning.table_path.filename().string()));
 }
 
 void warn_of_outdated(const Planning& planning, const data::Comparisons* data) {
   const components::RowCount rows =
       components::count_rows(planning.table, planning.scene, data, planning.device);
   if (rows.outdated == 0) return;
-  tell(
-      fmt::format("note: {}: {} of {} rows were measured on other RTL than what is generated today",
-                  planning.table_path.filename().string(), rows.outdated, rows.all));
+  tell_note(fmt::format("{}: {} of {} rows were measured on other RTL than what is generated today",
+                        planning.table_path.filename().string(), rows.outdated, rows.all));
 }
 
 /// Refuses an arg-min engine, whose chain of lanes leaves nothing to choose.
@@ -65,6 +64,11 @@ Result<Done> check_no_chain(const scene::Scene& scene) {
 }
 
 }  // namespace
+
+bool is_set(const SceneOptions& options, const std::string& key) {
+  return std::any_of(options.settings.begin(), options.settings.end(),
+                     [&](const std::string& setting) { return setting.starts_with(key + "="); });
+}
 
 void add_planning_options(const Verb& verb, PlanningOptions& options) {
   add_scene_options(verb, options.scene, {"--format", "--inputs", "--lanes", "--references"});

@@ -19,6 +19,9 @@ struct PlanningOptions {
   optimise::OptimiseOptions choice;
 };
 
+/// Whether --set or a shortcut sets this key.
+bool is_set(const SceneOptions& options, const std::string& key);
+
 void add_planning_options(const Verb& verb, PlanningOptions& options);
 
 /// The verb with its scene and those options that differ from their defaults, as a command.

@@ -4,6 +4,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "generator/cli/advice.hpp"
 #include "generator/cli/exit.hpp"
 #include "generator/cli/options.hpp"
 #include "generator/cli/output.hpp"
@@ -117,12 +118,12 @@ report::ProfileReport measure(const LoadedScene& loaded, const ProfileCommand& c
 }
 
 /// The files in the folder of -o.
-constexpr std::array result_names = {"profile.json", "figure4.csv", "figure4.svg", "figure5.csv",
-                                     "figure5.svg",  "trade.csv",   "trade.svg"};
+constexpr std::array profile_files = {"profile.json", "figure4.csv", "figure4.svg", "figure5.csv",
+                                      "figure5.svg",  "trade.csv",   "trade.svg"};
 
 struct Trades {
   std::vector<profile::Trade> trades;
-  std::vector<std::string> advice;
+  std::vector<std::string> accepted;  ///< an answer to each --accept
 };
 
 Trades weigh(const LoadedScene& loaded, const report::ProfileReport& report,
@@ -134,25 +135,27 @@ Trades weigh(const LoadedScene& loaded, const report::ProfileReport& report,
       weighed.trades.push_back(make_trade(loaded.scene, rates, errors, areas));
     }
     for (const double each : accepted) {
-      weighed.advice.push_back(report::advice(weighed.trades.back(), each));
+      weighed.accepted.push_back(report::advice(weighed.trades.back(), each));
     }
   }
   return weighed;
 }
 
-nlohmann::ordered_json json_of(const report::ProfileReport& report, const Trades& weighed) {
+nlohmann::ordered_json json_of(const report::ProfileReport& report, const Trades& weighed,
+                               const Result<Advice>& advice) {
   nlohmann::ordered_json all = report::to_json(report);
   for (const profile::Trade& trade : weighed.trades) all["trade"].push_back(report::to_json(trade));
-  for (const std::string& advice : weighed.advice) all["advice"].push_back(advice);
+  for (const std::string& answer : weighed.accepted) all["advice"].push_back(answer);
+  if (advice.ok()) all["cheapest"] = to_json(*advice);
   return all;
 }
 
 /// Writes the files of -o. Returns descriptions of those that could not be made.
 std::vector<std::string> write_results(const report::ProfileReport& report, const Trades& weighed,
-                                       const fs::path& folder) {
+                                       const Result<Advice>& advice, const fs::path& folder) {
   const FolderLock held = lock_folder(folder);
-  ResultFiles results(folder, result_names);
-  results.add("profile.json", report::json_text(json_of(report, weighed)));
+  ResultFiles results(folder, profile_files);
+  results.add("profile.json", report::json_text(json_of(report, weighed, advice)));
   results.add("figure4.csv", report::figure4_csv(report));
   results.add("figure5.csv", report::figure5_csv(report));
   results.add_picture("figure4.svg", report::figure4_script(report));
@@ -168,10 +171,13 @@ std::vector<std::string> write_results(const report::ProfileReport& report, cons
   return results.commit();
 }
 
-void print_text(const report::ProfileReport& report, const Trades& weighed) {
+void print_text(const report::ProfileReport& report, const Trades& weighed,
+                const Result<Advice>& advice) {
   print(report::to_text(report));
   for (const profile::Trade& trade : weighed.trades) print(report::to_text(trade));
-  for (const std::string& advice : weighed.advice) print(advice);
+  for (const std::string& answer : weighed.accepted) print(answer);
+  print(advice.ok() ? to_text(*advice)
+                    : fmt::format("\nadvice: none: {}\n", advice.error().to_string()));
 }
 
 void run(const ProfileCommand& command) {
@@ -189,19 +195,21 @@ void run(const ProfileCommand& command) {
   std::vector<fs::path> inputs = inputs_of(command.scene, loaded.scene);
   inputs.push_back(command.areas);
   if (!command.output.empty()) {
-    value_or_exit(check_outputs(ResultFiles::paths(command.output, result_names), inputs));
+    value_or_exit(check_outputs(ResultFiles::paths(command.output, profile_files), inputs));
   }
   // A folder that cannot be written should not cost a long run first.
   if (!command.output.empty()) value_or_exit(make_writable_folder(command.output));
   const report::ProfileReport report = measure(loaded, command, options);
   const bool weighs = command.trade || !command.accepted.empty() || !command.areas.empty();
   const Trades weighed = weighs ? weigh(loaded, report, areas, command.accepted) : Trades();
+  // A scene that only profiles may ask for what no hardware has: then there is nothing to advise.
+  const Result<Advice> advice = advise(command.scene, loaded, report.rates);
   std::vector<std::string> not_done;
-  if (!command.output.empty()) not_done = write_results(report, weighed, command.output);
+  if (!command.output.empty()) not_done = write_results(report, weighed, advice, command.output);
   if (command.scene.json) {
-    print(report::json_text(json_of(report, weighed)));
+    print(report::json_text(json_of(report, weighed, advice)));
   } else {
-    print_text(report, weighed);
+    print_text(report, weighed, advice);
   }
   end_if_incomplete(not_done);
 }

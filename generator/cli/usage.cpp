@@ -1,6 +1,6 @@
 #include "generator/cli/usage.hpp"
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <string>
 #include <vector>
@@ -46,14 +46,19 @@ Error unused_word(const CLI::App& app, const CLI::App* verb, const std::string& 
 
 }  // namespace
 
-std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
+std::string verb_names(const CLI::App& app) {
+  return fmt::format("{}", fmt::join(verbs_of(app), ", "));
+}
+
+Error usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<CLI::App*> verbs = app.get_subcommands();
   const CLI::App* verb = verbs.empty() ? nullptr : verbs.front();
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
-    return unused_word(app, verb, app.remaining(true).front()).to_string();
+    return unused_word(app, verb, app.remaining(true).front());
   }
-  if (verb == nullptr) return error.what();
-  return fmt::format("{}: {} (mixcmp {} --help)", verb->get_name(), error.what(), verb->get_name());
+  if (verb == nullptr) return {.message = error.what()};
+  return {.field = verb->get_name(),
+          .message = fmt::format("{} (mixcmp {} --help)", error.what(), verb->get_name())};
 }
 
 }  // namespace mixcmp::cli

@@ -1,11 +1,17 @@
 #include "generator/cli/verb.hpp"
 
+#include <fmt/ranges.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <type_traits>
 #include <utility>
+
+#include "generator/cli/console.hpp"
+#include "model/common/nearest.hpp"
 
 namespace mixcmp::cli {
 
@@ -18,7 +24,12 @@ Option Option::check(const Condition& check) const {
 }
 
 Option Option::one_of(const std::vector<std::string>& words) const {
-  return Option(option_->check(CLI::IsMember(words)));
+  const auto problem = [words](const std::string& text) {
+    const bool accepted = std::find(words.begin(), words.end(), text) != words.end();
+    return accepted ? std::string()
+                    : fmt::format("received {}; accepted {}", text, list_with_nearest(text, words));
+  };
+  return check({problem, fmt::format("{{{}}}", fmt::join(words, ","))});
 }
 
 Option Option::needs(Option other) const {
@@ -42,7 +53,9 @@ Option Option::one_value_each() const {
 }
 
 Verb::Verb(CLI::App& app, const std::string& name, const std::string& help)
-    : verb_(app.add_subcommand(name, help)) {}
+    : verb_(app.add_subcommand(name, help)) {
+  flag("--quiet", be_quiet, "no progress and no notes on standard error");
+}
 
 Option Verb::flag(const std::string& names, bool& target, const std::string& help) const {
   return Option(verb_->add_flag(names, target, help));

@@ -8,6 +8,7 @@ class App;
 /// Exit (exit.hpp) where it does not end well.
 namespace mixcmp::cli {
 
+void add_new(CLI::App& app);
 void add_check(CLI::App& app);
 void add_generate(CLI::App& app);
 void add_verify(CLI::App& app);
@@ -18,6 +19,7 @@ void add_explore(CLI::App& app);
 void add_doctor(CLI::App& app);
 void add_baseline(CLI::App& app);
 void add_route(CLI::App& app);
+void add_sweep(CLI::App& app);
 void add_completion(CLI::App& app);
 void add_manual(CLI::App& app);
 

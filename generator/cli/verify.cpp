@@ -77,7 +77,7 @@ void add_suite_options(const Verb& verb, VerifyCommand& command) {
   verb.option("--minutes", command.minutes, "budget of time of --suite")
       .check(between(0.001, 1e6, "minutes"))
       .needs(suite);
-  verb.keep_alone(suite, {"--help", "--junit", "--minutes", "--work", "--json"});
+  verb.keep_alone(suite, {"--help", "--quiet", "--junit", "--minutes", "--work", "--json"});
 }
 
 void add_selection_options(const Verb& verb, VerifyCommand& command) {
@@ -123,6 +123,15 @@ void add_options(const Verb& verb, VerifyCommand& command) {
               "comparisons that Verilator simulates from one reset to the end; more are several "
               "simulations; not of Icarus or an engine (default: 1048576)")
       .check(whole(1));
+  verb.text_option(
+          "--portion",
+          [&portion = command.run.portion](const std::string& text) {
+            const Fraction given = fraction_of(text).value();
+            portion = {.number = given.number - 1, .count = given.count};
+          },
+          "one of several portions of a long run, 2/8 the second of eight: each is made of whole "
+          "simulations (mixcmp sweep)")
+      .check(a_fraction());
   verb.option("--resets", command.run.resets, "resets in mid-stream, 0..1000000 (default: 0)")
       .check(whole(0, 1'000'000));
   verb.option("--trace", command.run.waves,
@@ -357,11 +366,11 @@ void run(const VerifyCommand& command) {
   }
   report.inputs = data::input_sources(*loaded.data, loaded.scene.graph.inputs());
   show_progress("");
-  print(command.scene.json ? report::json_text(to_json(report)) : to_text(report));
   if (!command.junit.empty()) {
     value_or_exit(
         write_file(command.junit, verilator_tb::junit_text(report.system, tests_of(report))));
   }
+  print(command.scene.json ? report::json_text(to_json(report)) : to_text(report));
   if (!report.passed()) throw Exit(ExitCode::refuted);
 }
 

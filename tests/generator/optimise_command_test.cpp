@@ -252,7 +252,8 @@ TEST_F(OptimiseCommand, AVariantThatCannotBePlannedIsLeftOutUnlessItIsAsked) {
   std::ofstream(path("scene.toml"), std::ios::app)
       << "[[variant]]\nname = \"root\"\ng = \"ri + rj\"\n"
       << "f = \"sqrt((cxi - cxj)^2 + (cyi - cyj)^2 + (czi - czj)^2)\"\n";
-  expect_refused("optimise scene.toml --variant root", "characterise scene.toml --variant root");
+  expect_refused("optimise scene.toml --variant root --no-characterise",
+                 "characterise scene.toml --variant root");
   // A table without a lane of the precisions asked for.
   write_table("scene-root-virtex6-lx760.csv", "virtex6-lx760", "spheres_root");
   expect_refused("optimise scene.toml --variant root --first 20 --last 30", "no lane");
@@ -264,8 +265,49 @@ TEST_F(OptimiseCommand, AVariantThatCannotBePlannedIsLeftOutUnlessItIsAsked) {
   EXPECT_NE(found.output.find("spheres_root on"), std::string::npos) << found.output;
 }
 
+/// A Yosys that finds as many LUTs as the sources have bytes in hundreds.
+TEST_F(OptimiseCommand, WithoutATableAQuickOneIsMade) {
+  const std::string yosys = instead_of(
+      "yosys",
+      "case \"$*\" in *-V*) echo 'Yosys 9.9 (fake)'; exit 0;; esac\n"
+      "echo \"{\\\"design\\\":{\\\"num_cells_by_type\\\":{\\\"LUT6\\\":$(cat *.v | wc -c),"
+      "\\\"FDRE\\\":7}}}\" > area.json");
+  const std::string environment = "XDG_CACHE_HOME=\"$PWD/cache\" " + yosys;
+  const std::string optimise =
+      "optimise scene.toml --device artix7-200t --first 8 --last 10 --use-bounds constant";
+  const Outcome refused = mixcmp(optimise + " --no-characterise -o plan.toml", environment);
+  EXPECT_EQ(refused.exit_code, 1) << refused.output;
+  EXPECT_FALSE(fs::exists(path("characterisation/scene-artix7-200t.csv")));
+  const Outcome found = mixcmp(optimise + " -o plan.toml", environment);
+  ASSERT_EQ(found.exit_code, 0) << found.output;
+  EXPECT_NE(found.output.find("lanes look promising"), std::string::npos) << found.output;
+  EXPECT_NE(found.output.find("about 0:"), std::string::npos) << "it says how long it takes\n"
+                                                              << found.output;
+  const std::string table = read("characterisation/scene-artix7-200t.csv");
+  EXPECT_NE(table.find("# command: mixcmp characterise scene.toml --set system.device=artix7-200t "
+                       "--precisions 8-10 --bounds constant --quick --area-only\n"),
+            std::string::npos)
+      << table;
+  const Outcome again = mixcmp(optimise + " --json", instead_of("yosys", "exit 1"));
+  EXPECT_EQ(again.exit_code, 0) << "the table is there\n" << again.output;
+  EXPECT_EQ(again.output.find("promising"), std::string::npos) << again.output;
+}
+
+TEST_F(OptimiseCommand, AQuickTableThatCannotBeMadeMakesNoPlan) {
+  const std::string yosys =
+      instead_of("yosys", "case \"$*\" in *-V*) echo 'Yosys 9.9 (fake)'; exit 0;; esac; exit 1");
+  const Outcome failed = mixcmp(
+      "optimise scene.toml --device artix7-200t --first 8 --last 8 --use-bounds constant "
+      "-o plan.toml",
+      "XDG_CACHE_HOME=\"$PWD/cache\" " + yosys);
+  EXPECT_EQ(failed.exit_code, 1) << failed.output;
+  EXPECT_NE(failed.output.find("kept in "), std::string::npos) << failed.output;
+  EXPECT_FALSE(fs::exists(path("plan.toml")));
+}
+
 TEST_F(OptimiseCommand, MistakesAreTold) {
-  expect_refused("optimise scene.toml --device artix7-200t", "mixcmp characterise scene.toml");
+  expect_refused("optimise scene.toml --device artix7-200t --no-characterise",
+                 "mixcmp characterise scene.toml");
   expect_refused("optimise scene.toml --table characterisation/none.csv", "no such file");
   expect_refused("optimise scene.toml --table " + std::string(300, 'n'), "no such file");
   expect_refused("optimise scene.toml --use-inputs wrong", "--use-inputs");

@@ -77,6 +77,34 @@ TEST_F(ProfileCommand, CountsTheBoundsThatAreAskedFor) {
   }
 }
 
+/// The advice is what the shortlist of `characterise --quick` is made of, so it names a lane that
+/// exists, by rates of this run.
+TEST_F(ProfileCommand, EndsWithAdviceThatSaysWhatItStandsOn) {
+  const std::string arguments = "scene.toml --last 20 --bounds constant,fixed_norm";
+  const Outcome run = profile(arguments + " --json");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const auto report = nlohmann::json::parse(run.output);
+  const auto& cheapest = report.at("cheapest");
+  EXPECT_EQ(cheapest.at("basis").get<std::string>().rfind("recomputation rates counted", 0), 0u);
+  const auto& lanes = cheapest.at("lanes");
+  ASSERT_EQ(lanes.size(), 2u) << cheapest;
+  EXPECT_EQ(lanes[0].at("bound"), "fixed_norm") << cheapest;
+  EXPECT_LT(lanes[0].at("device_share"), lanes[1].at("device_share"));
+  const int precision = lanes[0].at("precision");
+  for (const auto& scheme : report.at("recomputation_rates")[0].at("schemes")) {
+    if (scheme.at("scheme") != "fixed_norm") continue;
+    const double undecided = scheme.at("precisions")[precision - 4].at("undecided");
+    EXPECT_DOUBLE_EQ(lanes[0].at("recomputation_rate"), undecided / 19900);
+  }
+  const Outcome text = profile(arguments);
+  EXPECT_NE(text.output.find(fmt::format("L = {} costs least: lanes in q{}", precision, precision)),
+            std::string::npos)
+      << text.output;
+  const std::string command = cheapest.at("try")[1];
+  const Outcome followed = mixcmp("check" + command.substr(std::string("mixcmp verify").size()));
+  EXPECT_EQ(followed.exit_code, 0) << command << "\n" << followed.output;
+}
+
 TEST_F(ProfileCommand, RefusesBoundsThatItDoesNotCount) {
   expect_profile_refused("scene.toml --bounds running_3", "running_3");
   expect_profile_refused("scene.toml --bounds norm", "fixed_norm");

@@ -11,6 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "tests/support/scratch_directory.hpp"
 
@@ -19,8 +20,18 @@ namespace mixcmp::test {
 /// What a run of the program left on the terminal.
 struct Outcome {
   int exit_code;
-  std::string output;  ///< stdout and stderr
+  std::string output;         ///< stdout and stderr, but for progress
+  std::string progress = {};  ///< lines that come where a machine is slow
 };
+
+/// Moves lines of progress out of the output.
+inline void separate_progress(Outcome& run) {
+  std::istringstream lines(std::exchange(run.output, ""));
+  for (std::string line; std::getline(lines, line);) {
+    if (!lines.eof()) line += "\n";
+    (line.starts_with("mixcmp: progress: ") ? run.progress : run.output) += line;
+  }
+}
 
 /// Calls the program MIXCMP_PROGRAM as a user does, in a folder of its own.
 class ProgramTest : public testing::Test {
@@ -28,12 +39,13 @@ protected:
   static Outcome shell(const std::string& command) {
     FILE* pipe = popen(("{ " + command + "; } 2>&1").c_str(), "r");
     if (pipe == nullptr) throw std::runtime_error("no shell");
-    Outcome run{0, ""};
+    Outcome run{0, "", ""};
     std::array<char, 4096> block;
     for (std::size_t read = 0; (read = fread(block.data(), 1, block.size(), pipe)) > 0;) {
       run.output.append(block.data(), read);
     }
     run.exit_code = WEXITSTATUS(pclose(pipe));
+    separate_progress(run);
     return run;
   }
 
