@@ -1,14 +1,17 @@
 #include "generator/cli/console.hpp"
 
+#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <mutex>
 #include <string_view>
+#include <thread>
 
 namespace mixcmp::cli {
 namespace {
@@ -63,11 +66,10 @@ public:
   void show_progress(const std::string& line) {
     const std::lock_guard held(mutex_);
     if (quiet_) return;
-    if (overwrites_) {
-      write(std::string(clear_line) + line);
-    } else if (!line.empty() && pace_.is_due()) {
-      write("mixcmp: progress: " + line + "\n");
-    }
+    if (overwrites_) return write(std::string(clear_line) + line);
+    shown_ = line;
+    if (!reminder_.joinable()) start_reminder();
+    log_if_due();
   }
 
   void ask(const std::string& question) {
@@ -82,6 +84,27 @@ private:
     std::fflush(stderr);
   }
 
+  void log_if_due() {
+    if (shown_.empty() || quiet_ || !pace_.is_due()) return;
+    write("mixcmp: progress: " + shown_ + "\n");
+  }
+
+  /// Starts the thread that repeats in a log what is being done where nothing new is shown, as
+  /// while a tool runs. It takes no signals: these are for the threads that wait for them.
+  void start_reminder() {
+    sigset_t all, before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    reminder_ = std::jthread([this](const std::stop_token& stop) {
+      std::unique_lock held(mutex_);
+      while (!stopped_.wait_for(held, stop, std::chrono::seconds(1), [] { return false; })) {
+        if (stop.stop_requested()) return;
+        log_if_due();
+      }
+    });
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  }
+
   std::string colored(std::string_view word, std::string_view color) const {
     if (!colors_) return std::string(word);
     return std::string(color) + std::string(word) + std::string(plain);
@@ -94,6 +117,9 @@ private:
       isatty(STDERR_FILENO) != 0 && !variable("TERM").empty() && variable("TERM") != "dumb";
   const bool colors_ = overwrites_ && variable("NO_COLOR").empty();  // https://no-color.org
   LogPace pace_;
+  std::string shown_;  ///< in a log: what is being done
+  std::condition_variable_any stopped_;
+  std::jthread reminder_;  ///< declared last: it ends before what it uses
 };
 
 /// The process has one standard error, and so one console.

@@ -17,7 +17,8 @@ void tell_note(const std::string& line);
 
 /// Shows what is being done. On a terminal it is one line that the next one overwrites, and an
 /// empty one clears it. Elsewhere, in a log, it is a line every so often, which begins with
-/// "mixcmp: progress: ": the first after two seconds, the next ones 10 to 60 seconds apart.
+/// "mixcmp: progress: ": the first after two seconds, the next ones 10 to 60 seconds apart, the
+/// same one again where nothing new is shown.
 void show_progress(const std::string& line);
 
 /// Whether there is somebody to ask: standard input and standard error are a terminal.

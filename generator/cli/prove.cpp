@@ -91,11 +91,13 @@ ProvenLane prove_lane(const scene::Scene& scene, const std::string& name, const 
   proof::ProofDirectory directory = value_or_exit(
       proof::ProofDirectory::open(result.directory, options.seconds_a_script, tell_waiting));
   end_if_broken(directory.gappa());
+  show_progress("Gappa checks the error bound of " + result.format);
   result.proof = std::visit(
       [&](const auto& l) {
         return proof::prove_lane(l, std::ref(directory), proof::Effort::whole);
       },
       lane);
+  show_progress("");
   if (directory.failure()) fail(*directory.failure());
   if (directory.broken()) fail(*directory.broken());
   result.gappa = version_text(directory.gappa());
@@ -170,11 +172,13 @@ nlohmann::ordered_json to_json(const ProvenLane& lane) {
 QuickProof prove_quickly(const std::filesystem::path& scene, const design::Lane& lane) {
   proof::QuickProver prover(quick_seconds);
   QuickProof quick;
+  show_progress("Gappa checks the error bound");
   quick.proof = std::visit(
       [&](const auto& l) {
         return proof::prove_lane(l, std::ref(prover), proof::Effort::operations);
       },
       lane);
+  show_progress("");
   quick.gappa = version_text(prover.gappa());
   if (!quick.proof.refused()) return quick;
   const bool is_fixed = std::holds_alternative<fixed::FixedLane>(lane);

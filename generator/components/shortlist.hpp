@@ -23,7 +23,7 @@ struct Shortlist {
   std::vector<LaneEstimate> best;  ///< the best lane of each kind, that of the least share first
   double reference_share = 0;      ///< of the device, that a reference takes
   int candidates = 0;              ///< lanes that were to choose from
-  double seconds = 0;  ///< rough time of one processor to map all components, for areas
+  double seconds = 0;              ///< rough time of one processor to map all components, for areas
 };
 
 /// Chooses among the lanes that `query` asks for before anything is synthesised. What a comparison
