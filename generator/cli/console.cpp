@@ -130,6 +130,10 @@ Console& console() {
 
 }  // namespace
 
+void start_console() {
+  console();
+}
+
 void be_quiet() {
   console().be_quiet();
 }

@@ -6,6 +6,9 @@
 /// What a run says to the user beside its results, on standard error, and what it asks.
 namespace mixcmp::cli {
 
+/// Starts the clock by which a log gets its lines of progress.
+void start_console();
+
 /// Leaves out progress and notes from now on, as --quiet asks.
 void be_quiet();
 

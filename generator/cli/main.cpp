@@ -141,6 +141,7 @@ int end_early(const Exit& exit, int argc, char** argv) {
 
 int main(int argc, char** argv) {
   occupy_standard_streams();
+  mixcmp::cli::start_console();
   signal(SIGCHLD, SIG_DFL);  // where a parent ignored it, no exit code of a tool could be read
   signal(SIGXFSZ, SIG_IGN);  // at a file size limit, write() fails: whoever writes reports it
   try {
