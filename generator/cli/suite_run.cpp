@@ -6,6 +6,7 @@
 #include "generator/cli/options.hpp"
 #include "model/common/content_hash.hpp"
 #include "model/common/file.hpp"
+#include "model/common/folder_lock.hpp"
 #include "model/common/output_file.hpp"
 #include "model/common/process.hpp"
 
