@@ -78,9 +78,10 @@ std::string table(const std::vector<SuiteRun>& runs, const std::vector<RunOutcom
                                  "recomputed", "cycles", "seconds", "run");
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const RunOutcome& one = outcomes[k];
+    const Json report = report_of(one);
     text += fmt::format("{:<8} {:>12} {:>12} {:>12} {:>9.2f}  {}\n", word_for(one.outcome),
-                        number(one.report, "comparisons"), number(one.report, "recomputations"),
-                        number(one.report, "cycles"), one.seconds, runs[k].name);
+                        number(report, "comparisons"), number(report, "recomputations"),
+                        number(report, "cycles"), one.seconds, runs[k].name);
   }
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const RunOutcome& one = outcomes[k];
@@ -98,7 +99,7 @@ Json json_of(const std::vector<SuiteRun>& runs, const std::vector<RunOutcome>& o
                     {"result", word_for(outcomes[k].outcome)},
                     {"seconds", outcomes[k].seconds},
                     {"error", outcomes[k].error},
-                    {"report", outcomes[k].report}});
+                    {"report", report_of(outcomes[k])}});
   }
   return {{"runs", list}};
 }
@@ -112,7 +113,7 @@ std::vector<verilator_tb::JUnitCase> tests_of(const std::vector<SuiteRun>& runs,
         .name = runs[k].name, .seconds = one.seconds, .outcome = one.outcome});
     if (one.outcome == Outcome::passed) continue;
     test.message = word_for(one.outcome);
-    test.details = one.report.is_object() ? one.report.dump(2) : one.error;
+    test.details = one.report.empty() ? one.error : report_of(one).dump(2);
   }
   return tests;
 }

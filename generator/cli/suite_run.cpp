@@ -42,6 +42,10 @@ const char* word_for(Outcome outcome) {
   return "";
 }
 
+Json report_of(const RunOutcome& outcome) {
+  return outcome.report.empty() ? Json() : verify_report(outcome.report);
+}
+
 std::string this_program() {
   return value_or_exit(read_file("/proc/self/exe"));
 }
@@ -68,11 +72,11 @@ std::optional<std::string> identity(const SuiteRun& run, const std::string& prog
 RunOutcome kept_outcome(const fs::path& kept) {
   const auto text = read_file(kept);
   if (kept.empty() || !text.ok()) return {};
-  Json report = verify_report(*text);
+  const Json report = verify_report(*text);
   if (!report.is_object()) return {};
   const double seconds = report.value("build_seconds", 0.0) + report.value("run_seconds", 0.0);
   const Outcome outcome = report["passed"] == true ? Outcome::passed : Outcome::failed;
-  return {outcome, seconds, std::move(report), kept, ""};
+  return {outcome, seconds, *text, kept, ""};
 }
 
 RunOutcome verify_run(const SuiteRun& run, const fs::path& work, const fs::path& kept,
@@ -87,12 +91,12 @@ RunOutcome verify_run(const SuiteRun& run, const fs::path& work, const fs::path&
     return outcome;
   }
   if (!captured->in_time) return outcome;
-  outcome.report = verify_report(captured->output);
-  if (!outcome.report.is_object()) {
+  if (!verify_report(captured->output).is_object()) {
     outcome.outcome = Outcome::broken;
     outcome.error = captured->errors.empty() ? how_it_ended(captured->status) : captured->errors;
     return outcome;
   }
+  outcome.report = captured->output;
   outcome.outcome = captured->succeeded() ? Outcome::passed : Outcome::failed;
   if (kept.empty()) return outcome;
   value_or_exit(make_writable_folder(kept.parent_path()));

@@ -19,10 +19,13 @@ const char* word_for(Outcome outcome);
 struct RunOutcome {
   Outcome outcome = Outcome::skipped;
   double seconds = 0;
-  nlohmann::ordered_json report;      ///< of `verify --json`; null where there is none
+  std::string report;                 ///< of `verify --json`, its text; empty where there is none
   std::filesystem::path report_file;  ///< empty where there is none
   std::string error;                  ///< why it could not be run
 };
+
+/// The report of a run; null where there is none.
+nlohmann::ordered_json report_of(const RunOutcome& outcome);
 
 /// The bytes of this program, for `identity`.
 std::string this_program();

@@ -216,7 +216,7 @@ Json merged_table(const SweepTable& table) {
 Json merged_run(const SweepRun& run, const SweepFolder& folder) {
   std::vector<Json> reports;
   for (const std::string& key : run.keys) {
-    reports.push_back(kept_outcome(folder.report_of(key)).report);
+    reports.push_back(report_of(kept_outcome(folder.report_of(key))));
   }
   Json report = merged_report(reports);
   const Outcome outcome = report["passed"] == true ? Outcome::passed : Outcome::failed;
