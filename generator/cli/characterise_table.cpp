@@ -214,8 +214,9 @@ void end_if_unfinished(const CharacteriseReport& report) {
 
 fs::path table_of(const CharacteriseCommand& command, const scene::Scene& scene,
                   const devices::Device& device) {
-  return command.output.empty() ? default_table(command.scene.scene, scene.variant, device.name)
-                                : command.output;
+  return command.output.empty()
+             ? optimise::default_table(command.scene.scene, scene.variant, device.name)
+             : command.output;
 }
 
 components::CharacteriseOptions prepared_options(const CharacteriseCommand& command,
