@@ -48,6 +48,8 @@ void Judge::take_result(const harness::wire::Result& result) {
   fate.has_left = true;
   fate.lane = result.lane;
   fate.word = ResultWord(result.tdata);
+  fate.cycle_accepted = result.cycle_accepted;
+  fate.cycle_left = result.cycle_left;
   ++report_.comparisons;
   GroupReport& group = group_of(result.lane);
   ++group.comparisons;
@@ -213,7 +215,11 @@ void Judge::count(std::uint64_t index, const Fate& fate) {
   } else {
     ++report_.verdicts[static_cast<std::size_t>(fate.word.verdict())];
   }
-  if (options_.on_result) options_.on_result({index, fate.word});
+  if (!options_.on_result) return;
+  options_.on_result(
+      {.index = index,
+       .word = fate.word,
+       .transfer = VerifiedResult::Transfer{fate.lane, fate.cycle_accepted, fate.cycle_left}});
 }
 
 }  // namespace mixcmp::verilator_tb

@@ -34,6 +34,8 @@ private:
     bool lost = false;
     std::uint32_t lane = 0;
     ResultWord word = ResultWord::undecided();  ///< as received
+    std::uint64_t cycle_accepted = 0;
+    std::uint64_t cycle_left = 0;
   };
 
   GroupReport& group_of(std::uint32_t lane) { return report_.groups[group_of_lane_[lane]]; }

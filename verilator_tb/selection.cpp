@@ -10,7 +10,8 @@ namespace {
 
 std::uint64_t selected(std::uint64_t available, const Selection::Options& options) {
   if (options.only) return *options.only < available ? 1 : 0;
-  return options.limit == 0 ? available : std::min(options.limit, available);
+  const std::uint64_t left = available - std::min(options.start, available);
+  return options.limit == 0 ? left : std::min(options.limit, left);
 }
 
 }  // namespace
@@ -37,7 +38,7 @@ std::uint64_t Selection::index(std::uint64_t position) const {
   MIXCMP_CHECK(position < size_);
   const std::uint64_t in_whole = first_ + position;
   if (options_.only) return *options_.only;
-  if (options_.sampling == Sampling::first) return in_whole;
+  if (options_.sampling == Sampling::first) return options_.start + in_whole;
   const std::uint64_t start = stratum_start(in_whole);
   return start + counter_random(options_.seed, in_whole) % (stratum_start(in_whole + 1) - start);
 }

@@ -20,6 +20,7 @@ class Selection {
 public:
   struct Options {
     std::uint64_t limit = 0;  ///< 0: all
+    std::uint64_t start = 0;  ///< of Sampling::first: the index of the first one
     Sampling sampling = Sampling::first;
     std::uint64_t seed = 1;
     std::optional<std::uint64_t> only;  ///< this one comparison alone

@@ -43,6 +43,13 @@ struct TruthCheck {
 struct VerifiedResult {
   std::uint64_t index;
   ResultWord word;
+  /// Where and when it was a transfer on the streams of a lane: none in an engine.
+  struct Transfer {
+    std::uint32_t lane;
+    std::uint64_t cycle_accepted;
+    std::uint64_t cycle_left;
+  };
+  std::optional<Transfer> transfer = {};
 };
 
 /// One of several portions of a long run, for machines that share it: of n simulations portion k of

@@ -9,6 +9,7 @@
 #include "generator/cli/exit.hpp"
 #include "generator/cli/output.hpp"
 #include "generator/cli/planning.hpp"
+#include "generator/cli/report_maker.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/emit/version.hpp"
 #include "generator/report/exploration_report.hpp"
@@ -40,6 +41,7 @@ struct ExploreCommand {
   fs::path output = "exploration";
   bool beside_paper = false;
   bool software = false;
+  fs::path page;  ///< of HTML
 };
 
 /// The settings of --over, one per data set; without --over, one empty setting.
@@ -187,7 +189,7 @@ constexpr std::array exploration_files = {
 /// theirs.
 std::vector<fs::path> output_paths(const ExploreCommand& command,
                                    const std::vector<Planning>& known) {
-  std::vector<fs::path> paths = {command.output / "report.md"};
+  std::vector<fs::path> paths = {command.output / "report.md", command.page};
   for (const Planning& each : known) {
     const auto own = ResultFiles::paths(command.output / each.device.name, exploration_files);
     paths.insert(paths.end(), own.begin(), own.end());
@@ -210,10 +212,10 @@ ResultFiles results_for(const ExploreCommand& command, const std::string& device
   add_plan(results, command, device, first == own_data ? "" : first,
            folder / "plan_scenario_1.toml", ours.example);
   add_plan(results, command, device, "", folder / "plan_scenario_2.toml", ours.worst);
-  results.add_picture("figure3.svg", report::figure3_script(ours.example));
-  results.add_picture("figure7.svg", report::figure7_script(areas));
-  results.add_picture("figure8.svg", report::figure8_script(ours.example));
-  results.add_picture("figure9.svg", report::figure9_script(ours.example));
+  results.add_picture("figure3.svg", script(report::figure3(ours.example)));
+  results.add_picture("figure7.svg", script(report::figure7(areas)));
+  results.add_picture("figure8.svg", script(report::figure8(ours.example)));
+  results.add_picture("figure9.svg", script(report::figure9(ours.example)));
   return results;
 }
 
@@ -260,8 +262,8 @@ std::string tables_of(const optimise::Exploration& exploration,
                       const std::optional<optimise::PublishedFigures>& published,
                       const std::vector<report::SoftwareThroughput>& software) {
   return "## " + exploration.device.name + "\n\n" +
-         report::table3_markdown(exploration, published) + "\n" +
-         report::table4_markdown(exploration, published, software);
+         report::markdown(report::table3(exploration, published)) + "\n" +
+         report::markdown(report::table4(exploration, published, software));
 }
 
 std::vector<optimise::DataSet> measure_sets(const ExploreCommand& command,
@@ -336,6 +338,7 @@ struct Findings {
   std::string page;  ///< report.md
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   std::vector<ResultFiles> results;  ///< one for each device
+  std::vector<optimise::Exploration> explorations;
   std::vector<std::string> not_done;
   bool feasible = true;
 };
@@ -360,6 +363,21 @@ void add_device(Findings& findings, const ExploreCommand& command, const Plannin
   for (const optimise::ResultsAtClocks& column : exploration.columns) {
     findings.feasible = findings.feasible && column.worst.best() != nullptr;
   }
+  findings.explorations.push_back(exploration);
+}
+
+/// Makes the page of --page: what `report` shows of the scene, and all that was explored.
+std::string html_page(Findings& findings, const ExploreCommand& command, const LoadedScene& loaded,
+                      const std::vector<report::SoftwareThroughput>& software) {
+  ReportChoice choice{
+      .without = {}, .beside_paper = command.beside_paper, .command = command_of(command)};
+  ReportMaker maker(command.planning, loaded, std::move(choice));
+  page::Page page = maker.make();
+  page.sections.push_back(
+      report::exploration_section(findings.explorations, software, command.beside_paper));
+  findings.not_done.insert(findings.not_done.end(), maker.not_done().begin(),
+                           maker.not_done().end());
+  return to_html(page);
 }
 
 /// Writes the results of all devices at once, so that report.md and the folders always tell of the
@@ -412,6 +430,7 @@ void run(const ExploreCommand& command) {
   check_ranges(command, loaded.scene);
   const std::vector<std::string> settings = value_or_exit(data_sets(command.over));
   const std::vector<Planning> known = plannings_for(command, loaded, settings);
+  value_or_exit(check_writable({command.page}));
   const FolderLock held = lock_folder(command.output);
   const std::vector<optimise::DataSet> sets = measure_sets(command, settings, known);
   std::vector<report::SoftwareThroughput> software;
@@ -420,7 +439,10 @@ void run(const ExploreCommand& command) {
   Findings findings{.page = fmt::format("# {}: plans\n", loaded.scene.name)};
   for (const Planning& each : known) add_device(findings, command, each, sets, software);
   const fs::path page = command.output / "report.md";
+  const std::string html =
+      command.page.empty() ? "" : html_page(findings, command, loaded, software);
   write_files(findings, page);
+  if (!command.page.empty()) value_or_exit(write_file(command.page, html));
   tell_older_results(command.output, known);
   if (command.planning.scene.json) {
     print(report::json_text(findings.json));
@@ -452,6 +474,8 @@ void add_explore(CLI::App& app) {
             "scene should be its benchmark");
   verb.flag("--software", command->software,
             "measure the comparison in software on this machine, too: see mixcmp baseline");
+  verb.option("--page", command->page,
+              "HTML file to write, too: what mixcmp report shows, and all that was explored");
   verb.option("-o,--output", command->output,
               "folder for figures, tables, plans and rates; rates found there are used again "
               "(default: exploration)");

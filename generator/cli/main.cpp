@@ -114,6 +114,7 @@ void run(int argc, char** argv) {
   mixcmp::cli::add_sweep(app);
   mixcmp::cli::add_completion(app);
   mixcmp::cli::add_manual(app);
+  mixcmp::cli::add_report(app);
   parse_and_run(app, argc, argv);
 }
 

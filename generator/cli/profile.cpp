@@ -8,6 +8,7 @@
 #include "generator/cli/exit.hpp"
 #include "generator/cli/options.hpp"
 #include "generator/cli/output.hpp"
+#include "generator/cli/profiling.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/report/json_text.hpp"
 #include "generator/report/profile_report.hpp"
@@ -93,53 +94,9 @@ void add_options(const Verb& verb, ProfileCommand& command) {
               "profile.json");
 }
 
-void show_share(const std::string& what, double share) {
-  show_progress(fmt::format("{}: {:.0f} %", what, share * 100));
-}
-
-report::ProfileReport measure(const LoadedScene& loaded, const ProfileCommand& command,
-                              const profile::ProfileOptions& options) {
-  const scene::Scene& scene = loaded.scene;
-  std::vector<LaneInputs> inputs = {scene.reduced.inputs};
-  for (const LaneInputs other : {LaneInputs::exact, LaneInputs::rounded}) {
-    if (other != inputs.front()) inputs.push_back(other);
-  }
-  report::ProfileReport report{.scene = scene.name,
-                               .reference = scene.reference.format,
-                               .comparisons = loaded.data->size(),
-                               .errors = profile_errors(scene, *loaded.data, inputs, options),
-                               .rates = {}};
-  for (const profile::ErrorProfile& errors : report.errors) {
-    if (errors.inputs != scene.reduced.inputs && !command.both_inputs) continue;
-    report.rates.push_back(profile_rates(scene, *loaded.data, errors, options));
-  }
-  show_progress("");
-  return report;
-}
-
 /// The files in the folder of -o.
 constexpr std::array profile_files = {"profile.json", "figure4.csv", "figure4.svg", "figure5.csv",
                                       "figure5.svg",  "trade.csv",   "trade.svg"};
-
-struct Trades {
-  std::vector<profile::Trade> trades;
-  std::vector<std::string> accepted;  ///< an answer to each --accept
-};
-
-Trades weigh(const LoadedScene& loaded, const report::ProfileReport& report,
-             const profile::MeasuredAreas& areas, const std::vector<double>& accepted) {
-  Trades weighed;
-  for (const profile::RateProfile& rates : report.rates) {
-    for (const profile::ErrorProfile& errors : report.errors) {
-      if (errors.inputs != rates.inputs) continue;
-      weighed.trades.push_back(make_trade(loaded.scene, rates, errors, areas));
-    }
-    for (const double each : accepted) {
-      weighed.accepted.push_back(report::advice(weighed.trades.back(), each));
-    }
-  }
-  return weighed;
-}
 
 nlohmann::ordered_json json_of(const report::ProfileReport& report, const Trades& weighed,
                                const Result<Advice>& advice) {
@@ -158,8 +115,8 @@ std::vector<std::string> write_results(const report::ProfileReport& report, cons
   results.add("profile.json", report::json_text(json_of(report, weighed, advice)));
   results.add("figure4.csv", report::figure4_csv(report));
   results.add("figure5.csv", report::figure5_csv(report));
-  results.add_picture("figure4.svg", report::figure4_script(report));
-  results.add_picture("figure5.svg", report::figure5_script(report));
+  results.add_picture("figure4.svg", script(report::figure4(report)));
+  results.add_picture("figure5.svg", script(report::figure5(report)));
   if (weighed.trades.empty()) {
     results.leave_out("trade.csv");
     results.leave_out("trade.svg");
@@ -187,7 +144,6 @@ void run(const ProfileCommand& command) {
   options.last_precision =
       command.last.value_or(settings::lane_precisions(loaded.scene.reference.format).most);
   if (command.brute_force) options.method = profile::ProfileMethod::brute_force;
-  options.progress = show_share;
   value_or_exit(check_profile(loaded.scene, options));
   const profile::MeasuredAreas areas =
       command.areas.empty() ? profile::MeasuredAreas()
@@ -199,7 +155,10 @@ void run(const ProfileCommand& command) {
   }
   // A folder that cannot be written should not cost a long run first.
   if (!command.output.empty()) value_or_exit(make_writable_folder(command.output));
-  const report::ProfileReport report = measure(loaded, command, options);
+  const LaneInputs own = loaded.scene.reduced.inputs;
+  const std::set<LaneInputs> counted =
+      command.both_inputs ? std::set{own, LaneInputs::exact, LaneInputs::rounded} : std::set{own};
+  const report::ProfileReport report = measure_profile(loaded, counted, options);
   const bool weighs = command.trade || !command.accepted.empty() || !command.areas.empty();
   const Trades weighed = weighs ? weigh(loaded, report, areas, command.accepted) : Trades();
   // A scene that only profiles may ask for what no hardware has: then there is nothing to advise.

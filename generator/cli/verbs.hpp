@@ -22,5 +22,6 @@ void add_route(CLI::App& app);
 void add_sweep(CLI::App& app);
 void add_completion(CLI::App& app);
 void add_manual(CLI::App& app);
+void add_report(CLI::App& app);
 
 }  // namespace mixcmp::cli

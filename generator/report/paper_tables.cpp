@@ -21,27 +21,6 @@ namespace {
 
 constexpr const char* nothing = "-";
 
-/// Prints rows of cells as a Markdown table; the first row is the header.
-class MarkdownTable {
-public:
-  void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
-
-  std::string text() const {
-    std::string text;
-    for (std::size_t k = 0; k < rows_.size(); ++k) {
-      text += fmt::format("| {} |\n", fmt::join(rows_[k], " | "));
-      if (k > 0) continue;
-      text += "|";
-      for (std::size_t cell = 0; cell < rows_[k].size(); ++cell) text += "---|";
-      text += "\n";
-    }
-    return text;
-  }
-
-private:
-  std::vector<std::vector<std::string>> rows_;
-};
-
 /// The range of a value over plans: "87-108", or "87" where both ends print alike.
 std::string range_of(const std::vector<PlanSummary>& plans,
                      const std::function<double(const PlanSummary&)>& value, const char* format) {
@@ -66,12 +45,12 @@ struct TableLine {
   std::function<std::string(const ResultsAtClocks&)> of_column;
 };
 
-void add_line(MarkdownTable& table, const Exploration& exploration,
+void add_line(page::Table& table, const Exploration& exploration,
               const std::optional<PublishedFigures>& published, const TableLine& line) {
   std::vector<std::string> cells = {line.name};
   if (published) cells.push_back(line.of_paper(*published));
   for (const ResultsAtClocks& column : exploration.columns) cells.push_back(line.of_column(column));
-  table.add(std::move(cells));
+  table.rows.push_back(std::move(cells));
 }
 
 std::string giga_text(double per_s) {
@@ -186,31 +165,30 @@ std::vector<std::string> headers(const Exploration& exploration, bool with_paper
 
 }  // namespace
 
-std::string table3_markdown(const Exploration& exploration,
-                            const std::optional<PublishedFigures>& published) {
-  MarkdownTable table;
-  table.add({exploration.device.name, "LUT", "registers", "DSP", "latency, cycles", "MHz"});
+page::Table table3(const Exploration& exploration,
+                   const std::optional<PublishedFigures>& published) {
+  page::Table table{{exploration.device.name, "LUT", "registers", "DSP", "latency, cycles", "MHz"},
+                    {}};
   if (published) {
-    table.add({"the paper, placed and routed", fmt::format("{} pairs", published->reference_luts),
-               nothing, fmt::format("{}", published->reference_dsps), nothing,
-               fmt::format("{:.0f}", published->reference_mhz)});
+    table.rows.push_back({"the paper, placed and routed",
+                          fmt::format("{} pairs", published->reference_luts), nothing,
+                          fmt::format("{}", published->reference_dsps), nothing,
+                          fmt::format("{:.0f}", published->reference_mhz)});
   }
   for (const ReferenceImplementation& reference : exploration.columns.front().example.references) {
     const Measurement& m = reference.measured;
-    table.add(
+    table.rows.push_back(
         {m.key.format + ", multipliers " + m.key.multipliers, fmt::format("{}", m.area.luts),
          fmt::format("{}", m.area.registers), fmt::format("{}", m.area.dsps),
          fmt::format("{}", m.latency_cycles),
          m.clock ? fmt::format("{:.0f}, {}", m.clock->mhz, to_string(m.clock->source)) : nothing});
   }
-  return table.text();
+  return table;
 }
 
-std::string table4_markdown(const Exploration& exploration,
-                            const std::optional<PublishedFigures>& published,
-                            const std::vector<SoftwareThroughput>& software) {
-  MarkdownTable table;
-  table.add(headers(exploration, published.has_value()));
+page::Table table4(const Exploration& exploration, const std::optional<PublishedFigures>& published,
+                   const std::vector<SoftwareThroughput>& software) {
+  page::Table table{headers(exploration, published.has_value()), {}};
   for (const auto& lines : {baseline_lines(), scenario_1_lines(), scenario_2_lines()}) {
     for (const TableLine& line : lines) add_line(table, exploration, published, line);
   }
@@ -234,7 +212,15 @@ std::string table4_markdown(const Exploration& exploration,
                                p.baseline_per_s / unit);
              }));
   }
-  return table.text();
+  return table;
+}
+
+std::string markdown(const page::Table& table) {
+  std::string text = fmt::format("| {} |\n|", fmt::join(table.header, " | "));
+  for (std::size_t cell = 0; cell < table.header.size(); ++cell) text += "---|";
+  text += "\n";
+  for (const auto& row : table.rows) text += fmt::format("| {} |\n", fmt::join(row, " | "));
+  return text;
 }
 
 }  // namespace mixcmp::report

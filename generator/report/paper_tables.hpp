@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/page/html_page.hpp"
 #include "model/optimise/exploration.hpp"
 #include "model/optimise/published.hpp"
 
@@ -16,11 +17,14 @@ struct SoftwareThroughput {
   double all_cores_per_s = 0;
 };
 
-/// Tables III and IV as Markdown, the paper's column first where `published` is given.
-std::string table3_markdown(const optimise::Exploration& exploration,
-                            const std::optional<optimise::PublishedFigures>& published);
-std::string table4_markdown(const optimise::Exploration& exploration,
-                            const std::optional<optimise::PublishedFigures>& published,
-                            const std::vector<SoftwareThroughput>& software);
+/// Tables III and IV, the paper's column first where `published` is given.
+page::Table table3(const optimise::Exploration& exploration,
+                   const std::optional<optimise::PublishedFigures>& published);
+page::Table table4(const optimise::Exploration& exploration,
+                   const std::optional<optimise::PublishedFigures>& published,
+                   const std::vector<SoftwareThroughput>& software);
+
+/// A table as Markdown.
+std::string markdown(const page::Table& table);
 
 }  // namespace mixcmp::report

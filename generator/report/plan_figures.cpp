@@ -65,13 +65,18 @@ std::string where(const Optimisation& optimisation) {
 }
 
 Curve curve_of_plans(const Optimisation& optimisation, const std::string& title,
-                     const std::string& style, double (*value)(const PlanSummary&)) {
+                     const CurveStyle& style, double (*value)(const PlanSummary&)) {
   Curve curve{title, style, {}};
   for (const PrecisionPlan& plan : optimisation.plans) {
     const PlanSummary s = summary_of(plan);
     if (s.precision != 0) curve.points.emplace_back(s.precision, value(s));
   }
   return curve;
+}
+
+CurveStyle on_right_axis(CurveStyle style) {
+  style.right_axis = true;
+  return style;
 }
 
 /// The plan's device filled with other ratios p_L / p_H: the plan's mix of lanes, and any number of
@@ -133,13 +138,14 @@ private:
 
 }  // namespace
 
-std::string figure3_script(const Optimisation& optimisation) {
+Picture figure3(const Optimisation& optimisation) {
   Picture picture{where(optimisation) + ": equivalent throughput over p_L / p_H",
                   "p_L / p_H",
                   "T(equ), G comparisons/s",
-                  "set logscale x 10\n",
+                  "",
                   {},
-                  Axis::linear};
+                  Axis::linear,
+                  Axis::logarithmic};
   const PrecisionPlan* best = optimisation.best();
   for (const PrecisionPlan& plan : optimisation.plans) {
     if (plan.allocation() == nullptr || (plan.precision % 2 != 0 && &plan != best)) continue;
@@ -156,10 +162,10 @@ std::string figure3_script(const Optimisation& optimisation) {
     }
     picture.curves.push_back(std::move(curve));
   }
-  return script(picture);
+  return picture;
 }
 
-std::string figure7_script(const Optimisation& optimisation) {
+Picture figure7(const Optimisation& optimisation) {
   Picture picture{where(optimisation) + ": area of a lane",
                   precision_axis,
                   "LUT",
@@ -173,10 +179,10 @@ std::string figure7_script(const Optimisation& optimisation) {
     add_level(picture, optimisation, "reference, " + reference.measured.key.multipliers,
               reference.kind.area.luts, color++);
   }
-  return script(picture);
+  return picture;
 }
 
-std::string figure8_script(const Optimisation& optimisation) {
+Picture figure8(const Optimisation& optimisation) {
   Picture picture{where(optimisation) + ": clock of a lane, " + describe_clocks(optimisation),
                   precision_axis,
                   "MHz",
@@ -191,10 +197,10 @@ std::string figure8_script(const Optimisation& optimisation) {
     add_level(picture, optimisation, "reference, " + reference.measured.key.multipliers,
               clock ? clock->mhz : 0, color++);
   }
-  return script(picture);
+  return picture;
 }
 
-std::string figure9_script(const Optimisation& optimisation) {
+Picture figure9(const Optimisation& optimisation) {
   Picture picture{where(optimisation) + ": the best plan at each precision",
                   precision_axis,
                   "T(equ), G comparisons/s",
@@ -205,12 +211,12 @@ std::string figure9_script(const Optimisation& optimisation) {
   picture.curves = {
       curve_of_plans(optimisation, "T(equ)", measured_style(0, 7),
                      [](const PlanSummary& s) { return s.throughput_per_s / giga; }),
-      curve_of_plans(optimisation, "p_L", measured_style(1, 5) + " axes x1y2",
+      curve_of_plans(optimisation, "p_L", on_right_axis(measured_style(1, 5)),
                      [](const PlanSummary& s) { return static_cast<double>(s.lanes); }),
-      curve_of_plans(optimisation, "10 p_H", measured_style(2, 9) + " axes x1y2",
+      curve_of_plans(optimisation, "10 p_H", on_right_axis(measured_style(2, 9)),
                      [](const PlanSummary& s) { return 10.0 * s.references; })};
   add_level(picture, optimisation, "references alone", baseline_per_s(optimisation) / giga, 0);
-  return script(picture);
+  return picture;
 }
 
 }  // namespace mixcmp::report

@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "generator/report/plot.hpp"
 #include "model/optimise/optimise.hpp"
 
 namespace mixcmp::report {
@@ -18,11 +19,11 @@ std::string figure9_csv(const optimise::Optimisation& optimisation);
 /// latency_cycles, clock_mhz, clock_source.
 std::string figure7_csv(const optimise::Optimisation& optimisation);
 
-/// Gnuplot scripts that write an SVG to standard output. Figure 3: T(equ) over p_L / p_H of a full
-/// device; 7: LUTs of lanes; 8: their clocks; 9: T(equ) and p_L over L.
-std::string figure3_script(const optimise::Optimisation& optimisation);
-std::string figure7_script(const optimise::Optimisation& optimisation);
-std::string figure8_script(const optimise::Optimisation& optimisation);
-std::string figure9_script(const optimise::Optimisation& optimisation);
+/// The paper's figures. Figure 3: T(equ) over p_L / p_H of a full device; 7: LUTs of lanes; 8:
+/// their clocks; 9: T(equ) and p_L over L.
+Picture figure3(const optimise::Optimisation& optimisation);
+Picture figure7(const optimise::Optimisation& optimisation);
+Picture figure8(const optimise::Optimisation& optimisation);
+Picture figure9(const optimise::Optimisation& optimisation);
 
 }  // namespace mixcmp::report

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "model/common/check.hpp"
+
 namespace mixcmp::report {
 namespace {
 
@@ -18,6 +20,26 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
+std::string text_of(const CurveStyle& style) {
+  const char* const color = colors[style.color % 7];
+  const char* const axes = style.right_axis ? " axes x1y2" : "";
+  switch (style.kind) {
+    case CurveKind::measured:
+      return fmt::format("linespoints lc rgb '{}' pt {} ps 0.5 lw 1.5{}", color, style.mark, axes);
+    case CurveKind::proven: return fmt::format("lines lc rgb '{}' dt 2 lw 1.2{}", color, axes);
+  }
+  MIXCMP_CHECK(false);
+}
+
+/// The points of a curve that gnuplot can draw, a line each.
+std::string drawn_points(const Curve& curve, const Picture& picture) {
+  std::string text;
+  for (const auto& [x, y] : curve.points) {
+    if (y > 0 || picture.y_axis == Axis::linear) text += fmt::format("{} {}\n", x, y);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string script(const Picture& picture) {
@@ -25,20 +47,19 @@ std::string script(const Picture& picture) {
       "set terminal svg size 900,560 font 'sans,13' noenhanced background '#ffffff'\n"
       "set title {}\nset xlabel {}\nset ylabel {}\n"
       "{}set grid xtics ytics lc rgb '#d8d8d8'\n"
-      "set key outside right top\n{}",
+      "set key outside right top\n{}{}",
       quoted(picture.title), quoted(picture.x_label), quoted(picture.y_label),
       picture.y_axis == Axis::linear ? "set yrange [0:*]\n"
                                      : "set logscale y 10\nset format y '%.0e'\n",
-      picture.axes);
+      picture.x_axis == Axis::linear ? "" : "set logscale x 10\n", picture.axes);
   std::string plots;
   int number = 0;
   for (const Curve& curve : picture.curves) {
-    if (curve.points.empty()) continue;
-    text += fmt::format("$c{} << EOD\n", number);
-    for (const auto& [x, y] : curve.points) text += fmt::format("{} {}\n", x, y);
-    text += "EOD\n";
-    plots += fmt::format("{} $c{} with {} title {}", plots.empty() ? "" : ",", number, curve.style,
-                         quoted(curve.title));
+    const std::string points = drawn_points(curve, picture);
+    if (points.empty()) continue;
+    text += fmt::format("$c{} << EOD\n{}EOD\n", number, points);
+    plots += fmt::format("{} $c{} with {} title {}", plots.empty() ? "" : ",", number,
+                         text_of(curve.style), quoted(curve.title));
     ++number;
   }
   // A picture without points still has axes.
@@ -46,12 +67,12 @@ std::string script(const Picture& picture) {
   return text + "plot" + plots + "\n";
 }
 
-std::string measured_style(int color, int point) {
-  return fmt::format("linespoints lc rgb '{}' pt {} ps 0.5 lw 1.5", colors[color % 7], point);
+CurveStyle measured_style(int color, int mark) {
+  return {.kind = CurveKind::measured, .color = color, .mark = mark};
 }
 
-std::string proven_style(int color) {
-  return fmt::format("lines lc rgb '{}' dt 2 lw 1.2", colors[color % 7]);
+CurveStyle proven_style(int color) {
+  return {.kind = CurveKind::proven, .color = color};
 }
 
 }  // namespace mixcmp::report

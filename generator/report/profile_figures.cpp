@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -18,13 +19,17 @@ namespace {
 
 constexpr const char* x_axis = "set xtics 4\n";
 
-void add(Curve& curve, int precision, double value) {
-  if (value > 0) curve.points.emplace_back(precision, value);
+void add(Curve& curve, int precision, const std::optional<double>& value) {
+  if (value) curve.points.emplace_back(precision, *value);
+}
+
+std::optional<double> rounded(const std::optional<mpq_class>& value) {
+  return value ? std::optional(value->get_d()) : std::nullopt;
 }
 
 }  // namespace
 
-std::string figure4_script(const ProfileReport& report) {
+Picture figure4(const ProfileReport& report) {
   Picture picture{
       report.scene + ": largest relative error", precision_axis, "|f_L - f_T| / |f_T|", x_axis, {}};
   int color = 0;
@@ -35,18 +40,18 @@ std::string figure4_script(const ProfileReport& report) {
     Curve f_bound{"f proven, " + inputs, proven_style(color), {}};
     Curve g_bound{"g proven, " + inputs, proven_style(color + 1), {}};
     for (const ErrorAtPrecision& error : profile.precisions) {
-      add(f, error.precision, error.f.value_or(0).get_d());
-      add(g, error.precision, error.g.value_or(0).get_d());
-      add(f_bound, error.precision, error.f_bound.value_or(0));
-      add(g_bound, error.precision, error.g_bound.value_or(0));
+      add(f, error.precision, rounded(error.f));
+      add(g, error.precision, rounded(error.g));
+      add(f_bound, error.precision, error.f_bound);
+      add(g_bound, error.precision, error.g_bound);
     }
     for (Curve* curve : {&f, &f_bound, &g, &g_bound}) picture.curves.push_back(std::move(*curve));
     color += 2;
   }
-  return script(picture);
+  return picture;
 }
 
-std::string figure5_script(const ProfileReport& report) {
+Picture figure5(const ProfileReport& report) {
   Picture picture{
       report.scene + ": recomputation rate", precision_axis, "undecided / comparisons", x_axis, {}};
   for (const RateProfile& profile : report.rates) {
@@ -58,6 +63,7 @@ std::string figure5_script(const ProfileReport& report) {
                   measured_style(color++, point),
                   {}};
       for (std::size_t k = 0; k < scheme.counts.size(); ++k) {
+        if (!scheme.counts[k].exists) continue;
         add(curve, profile.first_precision + static_cast<int>(k),
             static_cast<double>(scheme.counts[k].undecided) /
                 static_cast<double>(profile.comparisons));
@@ -65,7 +71,7 @@ std::string figure5_script(const ProfileReport& report) {
       picture.curves.push_back(std::move(curve));
     }
   }
-  return script(picture);
+  return picture;
 }
 
 }  // namespace mixcmp::report

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/report/plot.hpp"
 #include "model/profile/profile.hpp"
 
 namespace mixcmp::report {
@@ -28,8 +29,8 @@ std::string figure4_csv(const ProfileReport& report);
 /// not exist have no rows.
 std::string figure5_csv(const ProfileReport& report);
 
-/// Gnuplot scripts that write an SVG to standard output.
-std::string figure4_script(const ProfileReport& report);
-std::string figure5_script(const ProfileReport& report);
+/// The paper's figures: relative errors with their proven bounds, and recomputation rates.
+Picture figure4(const ProfileReport& report);
+Picture figure5(const ProfileReport& report);
 
 }  // namespace mixcmp::report

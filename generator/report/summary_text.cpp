@@ -44,20 +44,17 @@ std::string formats_of(const OperatorCount& count) {
   return fmt::format("{} -> {}", count.operand_format.name(), count.format.name());
 }
 
-/// Collects sections of lines, each a name and a text in two columns.
+/// Collects sections of lines, each a name and a text.
 class Page {
 public:
-  void section(std::string_view title) { append("{}\n", title); }
-  void line(std::string_view name, std::string_view text) { append("  {:<18} {}\n", name, text); }
-  const std::string& text() const { return text_; }
+  void section(std::string_view title) { sections_.push_back({std::string(title), {}}); }
+  void line(std::string_view name, std::string_view text) {
+    sections_.back().lines.emplace_back(name, text);
+  }
+  std::vector<SummaryLines> take() { return std::move(sections_); }
 
 private:
-  template <class... Arguments>
-  void append(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);
-  }
-
-  std::string text_;
+  std::vector<SummaryLines> sections_;
 };
 
 std::string answer(const RangeQuestion& finding, bool with_operations) {
@@ -222,7 +219,7 @@ void print_exactness(Page& page, const Summary& summary) {
 
 }  // namespace
 
-std::string to_text(const Summary& summary) {
+std::vector<SummaryLines> lines_of(const Summary& summary) {
   Page page;
   print_understood(page, *summary.scene);
   if (summary.scene->plan) print_plan(page, *summary.scene->plan);
@@ -253,7 +250,16 @@ std::string to_text(const Summary& summary) {
   if (summary.data) print_data(page, *summary.data);
   if (!summary.scene->notes.empty()) page.section("notes");
   for (const std::string& note : summary.scene->notes) page.line("-", note);
-  return page.text();
+  return page.take();
+}
+
+std::string to_text(const Summary& summary) {
+  std::string text;
+  for (const SummaryLines& section : lines_of(summary)) {
+    text += section.title + "\n";
+    for (const auto& [name, line] : section.lines) text += fmt::format("  {:<18} {}\n", name, line);
+  }
+  return text;
 }
 
 }  // namespace mixcmp::report

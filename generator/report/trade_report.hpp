@@ -15,6 +15,7 @@ nlohmann::ordered_json to_json(const profile::Trade& trade);
 /// CSV with the columns inputs, system, precision, wrong_per_million, rate, lane_luts,
 /// reference_luts, area, comparisons_per_kiloluts.
 std::string trade_csv(const std::vector<profile::Trade>& trades);
+/// Wrong verdicts over comparisons from an area, as a gnuplot script that writes an SVG.
 std::string trade_script(const std::vector<profile::Trade>& trades, const std::string& scene);
 
 }  // namespace mixcmp::report

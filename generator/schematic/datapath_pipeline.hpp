@@ -1,0 +1,17 @@
+#pragma once
+
+#include "generator/datapath/schedule.hpp"
+#include "generator/page/pipeline.hpp"
+#include "model/design/lane.hpp"
+
+/// Pictures of a design: its datapaths, word by word, and the system around them.
+namespace mixcmp::schematic {
+
+/// A lane as it is scheduled: a box for each unit, with its format and the cycles in which it
+/// works.
+page::Pipeline lane_pipeline(const design::Lane& lane, const datapath::Schedule& schedule);
+
+/// A reference as it is scheduled.
+page::Pipeline reference_pipeline(const TypedGraph& reference, const datapath::Schedule& schedule);
+
+}  // namespace mixcmp::schematic

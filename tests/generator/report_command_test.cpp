@@ -1,0 +1,193 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "tests/support/program.hpp"
+#include "tests/support/well_formed.hpp"
+
+/// `mixcmp report` as a user calls it.
+namespace mixcmp::test::report_command_test {
+namespace {
+
+using nlohmann::json;
+
+class Report : public ProgramTest {
+protected:
+  void write_scene(const std::string& system = "lanes = 4\nreferences = 1\n",
+                   const std::string& data = "count = 120\n") {
+    write("scene.toml",
+          "[comparison]\nname = \"spheres\"\n"
+          "f = \"(cxi - cxj)^2 + (cyi - cyj)^2 + (czi - czj)^2\"\ng = \"(ri + rj)^2\"\n"
+          "[inputs]\n\"c*\" = { range = [0, 100] }\n\"r*\" = { range = [0, 100] }\n"
+          "[reference]\nformat = \"s24e8\"\n[reduced]\nformat = \"s8e8\"\n[system]\n" +
+              system + "[data]\nitems = \"uniform_spheres\"\nradius_max = 40\nseed = 1\n" +
+              "pairs = \"all\"\n" + data);
+  }
+
+  std::string page(const std::string& arguments, int exit_code = 0) {
+    const Outcome run = mixcmp("report scene.toml -o page.html " + arguments);
+    EXPECT_EQ(run.exit_code, exit_code) << run.output;
+    return read("page.html");
+  }
+
+  /// Whether the page's table of undecided comparisons has this row.
+  static std::string row_of(const json& profile, std::size_t k) {
+    std::string row;
+    for (const json& scheme : profile.at("recomputation_rates")[0].at("schemes")) {
+      if (scheme.at("scheme") == "lanes_alone") continue;
+      const json& counts = scheme.at("precisions").at(k);
+      if (row.empty()) {
+        row = fmt::format("<td class=\"number\">{}</td>", counts.at("precision").get<int>());
+      }
+      row += fmt::format("<td class=\"number\">{}</td>", counts.at("undecided").get<int>());
+    }
+    return row;
+  }
+};
+
+TEST_F(Report, ShowsTheNumbersThatTheVerbsPrint) {
+  write_scene();
+  const std::string html = page("--without plan,waves");
+  const json profile = json::parse(mixcmp("profile scene.toml --json").output);
+  for (const std::size_t k : {0, 4, 20}) {
+    EXPECT_NE(html.find(row_of(profile, k)), std::string::npos) << row_of(profile, k);
+  }
+  const json check = json::parse(mixcmp("check scene.toml --json").output);
+  const auto& generated = check.at("generate");
+  EXPECT_NE(html.find(generated.at("top").get<std::string>()), std::string::npos);
+  const json& lane = generated.at("lane_groups")[0];
+  EXPECT_NE(
+      html.find(fmt::format("{} cycles from the operands", lane.at("latency_cycles").get<int>())),
+      std::string::npos);
+  EXPECT_NE(html.find(lane.at("decision").get<std::string>()), std::string::npos);
+  EXPECT_NE(html.find("machine-checked"), std::string::npos);
+}
+
+TEST_F(Report, IsOneWellFormedFileThatLoadsNothing) {
+  write_scene();
+  std::string html = page("--without plan,waves");
+  EXPECT_EQ(fault_of_markup(html), "");
+  const std::string name_space = "http://www.w3.org/2000/svg";
+  for (std::size_t at = 0; (at = html.find(name_space)) != std::string::npos;) {
+    html.erase(at, name_space.size());
+  }
+  for (const char* loaded : {"http", "src=", "@import", "url(", "<link"}) {
+    EXPECT_EQ(html.find(loaded), std::string::npos) << loaded;
+  }
+  EXPECT_EQ(html.find(path("").string()), std::string::npos) << "a path of this machine";
+}
+
+TEST_F(Report, TheSameInputGivesTheSameBytes) {
+  write_scene();
+  const std::string first = page("--without plan");
+  EXPECT_EQ(first, page("--without plan"));
+  EXPECT_NE(first.find("was decided by the lane in"), std::string::npos);
+}
+
+TEST_F(Report, SaysWhatIsMissingAndTheCommandThatMakesIt) {
+  write_scene();
+  const Outcome run = mixcmp("report scene.toml -o page.html --without profile,waves");
+  EXPECT_EQ(run.exit_code, 3) << run.output;
+  EXPECT_NE(run.output.find("not done: plan: "), std::string::npos) << run.output;
+  EXPECT_NE(read("page.html").find("<code>mixcmp characterise scene.toml</code>"),
+            std::string::npos);
+}
+
+TEST_F(Report, WithoutASystemTheOtherSectionsAreThere) {
+  write_scene("lanes = \"auto\"\nreferences = \"auto\"\n");
+  const Outcome run = mixcmp("report scene.toml -o page.html --without plan --json");
+  EXPECT_EQ(run.exit_code, 3) << run.output;
+  const json report = json::parse(run.output.substr(0, run.output.rfind('}') + 1));
+  EXPECT_EQ(report.at("sections").size(), 6u);
+  const std::string missing = report.at("not_done")[0];
+  EXPECT_EQ(missing.rfind("system: ", 0), 0u) << missing;
+  const std::string html = read("page.html");
+  EXPECT_EQ(fault_of_markup(html), "");
+  EXPECT_NE(html.find("mixcmp report spheres_plan.toml"), std::string::npos);
+  EXPECT_NE(html.find("<circle"), std::string::npos);
+}
+
+TEST_F(Report, RefusesToReplaceItsInput) {
+  write_scene();
+  expect_refused("report scene.toml -o scene.toml", "would be written over");
+  expect_refused("report scene.toml --without everything", "everything");
+  expect_refused("report nowhere.toml", "nowhere.toml");
+  EXPECT_NE(read("scene.toml").find("[comparison]"), std::string::npos);
+}
+
+/// The page in Chromium, at a width and in a colour scheme: what a script inside it finds.
+class ReportInBrowser : public Report {
+protected:
+  void SetUp() override {
+    if (shell("command -v chromium").exit_code != 0) {
+      GTEST_SKIP() << "chromium is not installed (apt-get install chromium)";
+    }
+  }
+
+  /// Text that stands in an attribute.
+  static std::string escaped(const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+      result += c == '&' ? "&amp;" : c == '"' ? "&quot;" : std::string(1, c);
+    }
+    return result;
+  }
+
+  /// Chromium has no windows as narrow as a phone: the page is in a frame.
+  json look(std::string html, int width, const std::string& scheme) {
+    html.insert(html.find("<body>") + 6, R"(<script>
+var faults = [];
+addEventListener("error", function (event) { faults.push(event.message); });
+addEventListener("load", function () {
+  function tip() { var box = document.getElementById("tip"); return box.hidden ? "" : box.textContent; }
+  var point = document.querySelector(".series .point");
+  point.scrollIntoView();
+  point.dispatchEvent(new PointerEvent("pointermove", {bubbles: true, pointerType: "mouse"}));
+  var pointed = tip();
+  var key = new KeyboardEvent("keydown", {key: "ArrowRight", bubbles: true});
+  document.querySelector("svg.chart").dispatchEvent(key);
+  parent.document.documentElement.dataset.found = JSON.stringify({
+    faults: faults, pointed: pointed, keyed: tip(),
+    width: innerWidth, content: document.documentElement.scrollWidth,
+    paper: getComputedStyle(document.body).backgroundColor});
+});
+</script>)");
+    write("frame.html", fmt::format("<!DOCTYPE html><html><body><iframe srcdoc=\"{}\" width=\"{}\" "
+                                    "height=\"800\"></iframe></body></html>",
+                                    escaped(html), width));
+    const Outcome run = shell(fmt::format(
+        "cd '{0}' && HOME='{0}' timeout 60 chromium --headless=new --no-sandbox --disable-gpu "
+        "--blink-settings=preferredColorScheme={1} --dump-dom file://{0}/frame.html 2>/dev/null",
+        directory_.path().string(), scheme));
+    const std::string name = "data-found=\"";
+    const std::size_t begin = run.output.find(name);
+    if (begin == std::string::npos) return {};
+    const std::size_t first = begin + name.size();
+    std::string found = run.output.substr(first, run.output.find('"', first) - first);
+    for (std::size_t at = 0; (at = found.find("&quot;")) != std::string::npos;) {
+      found.replace(at, 6, "\"");
+    }
+    return json::parse(found);
+  }
+};
+
+TEST_F(ReportInBrowser, FitsBothWidthsInBothSchemesAndShowsTips) {
+  write_scene();
+  const std::string html = page("--without plan,waves");
+  std::string papers;
+  for (const auto& [width, scheme] : {std::pair(1280, "1"), std::pair(390, "0")}) {
+    const json found = look(html, width, scheme);
+    ASSERT_FALSE(found.empty()) << width;
+    EXPECT_EQ(found.at("faults").size(), 0u) << found;
+    EXPECT_EQ(found.at("width"), width);
+    EXPECT_LE(found.at("content"), width) << "scrolls sideways";
+    EXPECT_NE(found.at("pointed").get<std::string>().find("L = 4"), std::string::npos) << found;
+    EXPECT_NE(found.at("keyed").get<std::string>().find("L = 5"), std::string::npos) << found;
+    EXPECT_NE(found.at("paper"), papers) << "one colour in both schemes";
+    papers = found.at("paper");
+  }
+}
+
+}  // namespace
+}  // namespace mixcmp::test::report_command_test
