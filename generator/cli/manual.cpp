@@ -67,8 +67,8 @@ std::string option_items(const CommandEntry& command) {
   for (const CommandOption& option : command.options) {
     (option.is_argument ? arguments : options) += option_item(option);
   }
-  const std::string before = arguments.empty() ? "" : ".SH ARGUMENTS\n" + arguments;
-  return before + ".SH OPTIONS\n" + options;
+  const std::string section = arguments.empty() ? "" : ".SH ARGUMENTS\n" + arguments;
+  return section + ".SH OPTIONS\n" + options;
 }
 
 std::string synopsis(const CommandEntry& verb) {

@@ -30,11 +30,6 @@ Result<Done> check_table_exists(const std::filesystem::path& path, const Plannin
                               quoted(path.string()))};
 }
 
-bool is_set(const SceneOptions& options, const std::string& key) {
-  return std::any_of(options.settings.begin(), options.settings.end(),
-                     [&](const std::string& setting) { return setting.starts_with(key + "="); });
-}
-
 /// Tells of a target_mhz that is set and is not the one for which the table was measured.
 void tell_of_other_target(const scene::Scene& given, const Planning& planning,
                           const SceneOptions& options) {

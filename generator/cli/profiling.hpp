@@ -19,7 +19,7 @@ report::ProfileReport measure_profile(const LoadedScene& loaded,
 
 struct Trades {
   std::vector<profile::Trade> trades;
-  std::vector<std::string> accepted;  ///< one for each of `accepted` and each trade
+  std::vector<std::string> accepted;  ///< an answer to each number that was given, for each trade
 };
 
 /// Weighs wrong verdicts against area. `accepted`: wrong verdicts per million.

@@ -120,7 +120,8 @@ IfThere<report::ProfileReport> ReportMaker::measure() {
     return missing("profile", possible.error().to_string(), "");
   }
   std::set<LaneInputs> counted = {scene.reduced.inputs};
-  if (const Planning* planning = plannable()) counted.merge(inputs_of_lanes(planning->table));
+  if (const Planning* planning = plannable())
+    counted.merge(optimise::inputs_of_lanes(planning->table));
   report::ProfileReport measured = measure_profile(loaded_, counted, options);
   all_rates_ = measured.rates;
   std::erase_if(measured.rates, [&](const profile::RateProfile& rates) {
@@ -149,10 +150,10 @@ std::filesystem::path ReportMaker::table_beside_a_layer() const {
   const std::string name = device.ok() ? device->name : scene.system.device;
   const auto read = scene::read_scene_settings(options.scene, options.settings);
   for (const std::filesystem::path& layer : value_or_exit(read).files) {
-    const std::filesystem::path table = default_table(layer, scene.variant, name);
+    const std::filesystem::path table = optimise::default_table(layer, scene.variant, name);
     if (path_exists(table)) return table;
   }
-  return default_table(options.scene, scene.variant, name);
+  return optimise::default_table(options.scene, scene.variant, name);
 }
 
 IfThere<optimise::Optimisation> ReportMaker::find_plans() {
@@ -177,8 +178,8 @@ optimise::Rates ReportMaker::rates() {
   const scene::ReducedSpec& reduced = loaded_.scene.reduced;
   const bool given = reduced.relative_error_f || reduced.relative_error_g;
   if (!given && !all_rates_.empty()) return optimise::Rates::of(all_rates_);
-  return optimise::Rates::of(value_or_exit(
-      measure_rates(loaded_, inputs_of_lanes(plannable()->table), planning_options_.choice)));
+  return optimise::Rates::of(value_or_exit(measure_rates(
+      loaded_, optimise::inputs_of_lanes(plannable()->table), planning_options_.choice)));
 }
 
 std::optional<optimise::PublishedFigures> ReportMaker::published() const {

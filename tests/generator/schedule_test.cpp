@@ -326,7 +326,7 @@ TEST(Schedule, SquaresTakeTheFewestMultipliers) {
         Case{41, {24, 17}, 0}, Case{19, {24, 17}, 0}, Case{30, {17, 24}, 0}}) {
     const datapath::EmbeddedSquare square(precision, size);
     EXPECT_EQ(square.is_smaller(), multipliers > 0) << precision << " " << size.a_bits;
-    if (multipliers > 0) EXPECT_EQ(square.multipliers(), multipliers) << precision;
+    EXPECT_TRUE(multipliers == 0 || square.multipliers() == multipliers) << precision;
   }
 }
 
