@@ -53,9 +53,11 @@ std::string verb_names(const CLI::App& app) {
 Error usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<CLI::App*> verbs = app.get_subcommands();
   const CLI::App* verb = verbs.empty() ? nullptr : verbs.front();
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
-    return unused_word(app, verb, app.remaining(true).front());
-  }
+  const std::vector<std::string> unused = app.remaining(true);
+  const bool is_unused = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+  // Behind a word that is no verb, that verb's options look like options of the program itself.
+  const bool has_wrong_verb = verb == nullptr && !unused.empty();
+  if (is_unused || has_wrong_verb) return unused_word(app, verb, unused.front());
   if (verb == nullptr) return {.message = error.what()};
   return {.field = verb->get_name(),
           .message = fmt::format("{} (mixcmp {} --help)", error.what(), verb->get_name())};

@@ -247,6 +247,10 @@ module fp_embedded_square #(
       if ((place == LAST_PLACE) && (DONE < ABOVE)) begin : g_leading_zeros
         assign twice_products[SQUARE-1-:ABOVE-DONE] = 0;
       end
+
+      if ((place == LAST_PLACE) && (DONE < WIDTH)) begin : g_never_set
+        wire unused_zeros = ^total[WIDTH-1:DONE];
+      end
     end
   endgenerate
 

@@ -32,9 +32,10 @@ module fp_product #(
 
   // What fp_embedded_square needs. C++'s EmbeddedSquare repeats this.
   localparam SPARE    = (FACTOR_A > FACTOR_B + 2) ? 2 : FACTOR_A - FACTOR_B;
-  localparam PARTS    = (PRECISION > SPARE) ? (PRECISION - SPARE + FACTOR_B - 1) / FACTOR_B : 1;
-  localparam COLUMNS  = (PRECISION + FACTOR_A - 1) / FACTOR_A;
-  localparam ROWS     = (PRECISION + FACTOR_B - 1) / FACTOR_B;
+  localparam PARTS    = ((FACTOR_B > 0) && (PRECISION > SPARE))
+                        ? (PRECISION - SPARE + FACTOR_B - 1) / FACTOR_B : 1;
+  localparam COLUMNS  = (FACTOR_A > 0) ? (PRECISION + FACTOR_A - 1) / FACTOR_A : 1;
+  localparam ROWS     = (FACTOR_B > 0) ? (PRECISION + FACTOR_B - 1) / FACTOR_B : 1;
   localparam SYMMETRY = (SQUARE != 0) && (SPARE >= 0) && (PARTS > 1)
                         && (PARTS * (PARTS + 1) < 2 * COLUMNS * ROWS);
 
