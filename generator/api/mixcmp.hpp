@@ -30,7 +30,7 @@ MIXCMP_API std::string version();
 /// for the mistake are empty, or 0.
 class MIXCMP_API Error : public std::runtime_error {
 public:
-  /// Where the mistake is, and what would be right.
+  /// The place of a mistake, what was received there, and what is accepted.
   struct Details {
     std::string file;
     int line = 0;
@@ -107,7 +107,7 @@ public:
   Scene& operator=(Scene&&) noexcept;
   ~Scene();
 
-  /// The same scene with these comparisons as its data, in place of what [data] names.
+  /// Returns a copy of the scene whose data are these comparisons instead of those of [data].
   Scene with_operands(std::span<const double> rows) const;
 
   const std::string& name() const;
@@ -127,7 +127,7 @@ public:
   /// precision; none where the precision that docs/profile.md names does not tell.
   std::vector<std::optional<Verdict>> true_verdicts(std::span<const double> rows) const;
 
-  /// What `mixcmp check` says of the scene, as text and as JSON.
+  /// Return the output of `mixcmp check` for the scene, as text and as JSON.
   std::string summary() const;
   std::string summary_json() const;
 
@@ -173,10 +173,11 @@ public:
   const std::vector<LaneGroup>& lanes() const;
   const std::vector<std::string>& notes() const;
 
-  /// The answers of a lane of group number `group` and of the references behind it, by the
-  /// emulator. Bit for bit those of the hardware, some million a second (docs/emulator.md).
+  /// Computes the answers of a lane of group number `group` and of the references behind it, by the
+  /// emulator. They equal those of the hardware bit for bit.
   std::vector<Answer> emulate(std::span<const double> rows, std::size_t group = 0) const;
-  /// The same answers by the golden model, in MPFR: slower, and independent of the emulator.
+  /// Computes the answers of emulate() by the golden model instead, in MPFR. It is slower, and it
+  /// shares no arithmetic with the emulator.
   std::vector<Answer> evaluate(std::span<const double> rows, std::size_t group = 0) const;
 
   /// The files: Verilog, signature, file list, constraint. Of a scene from a file they are byte for
@@ -195,7 +196,7 @@ private:
 /// call at a time. It must not throw.
 using Progress = std::function<void(const std::string& step, double share)>;
 
-/// What `mixcmp profile` takes.
+/// The options of profile(), as `mixcmp profile` has them.
 struct ProfileOptions {
   std::optional<int> first_precision;       ///< the lowest L; none: the lowest there is
   std::optional<int> last_precision;        ///< the highest L; none: the highest there is
@@ -204,7 +205,7 @@ struct ProfileOptions {
   Progress progress;
 };
 
-/// What one kind of lane does with all comparisons at one precision.
+/// Counts of all comparisons in lanes of one kind at one precision.
 struct Counts {
   int precision = 0;
   std::uint64_t undecided = 0;      ///< comparisons that a reference recomputes
@@ -238,7 +239,7 @@ struct Profile {
 /// Counts on the scene's data, for lanes with its kind of inputs. It is an Error if there are none.
 MIXCMP_API Profile profile(const Scene& scene, const ProfileOptions& options = {});
 
-/// What `mixcmp optimise` takes.
+/// The options of plan(), as `mixcmp optimise` has them.
 struct PlanOptions {
   /// Areas and clocks, made by `mixcmp characterise`; empty: the default place beside the scene.
   std::filesystem::path table;
@@ -246,8 +247,8 @@ struct PlanOptions {
   std::optional<int> last_precision;
   std::optional<double> lane_mhz;  ///< in place of the table's clocks
   std::optional<double> reference_mhz;
-  /// Where Plan::toml is to be written; from there it names the scene. Empty: plan.toml beside the
-  /// scene.
+  /// The place at which Plan::toml is to be written. The plan names its scene relative to this
+  /// place. If it is empty, the place is plan.toml beside the scene.
   std::filesystem::path plan_file;
   Progress progress;
 };
@@ -269,7 +270,7 @@ struct Plan {
   std::vector<PlanPoint> points;  ///< by precision: figure 9 of the paper
   double baseline_per_s = 0;      ///< of the device filled with references alone
   std::vector<std::string> notes;
-  std::string text;  ///< what `mixcmp optimise` prints of one formulation
+  std::string text;  ///< the output of `mixcmp optimise` for one formulation
   /// A plan file with the best plan, which Scene::from_file and the program read in place of the
   /// scene. Empty where no plan fits, and for a scene from a text, which a file cannot name.
   std::string toml;

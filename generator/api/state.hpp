@@ -11,7 +11,7 @@
 #include "model/data/comparisons.hpp"
 #include "model/scene/scene.hpp"
 
-/// What the public values hold, and how errors become exceptions.
+/// The contents of the public values, and the conversion of errors to exceptions.
 namespace mixcmp::api {
 
 struct SceneState {

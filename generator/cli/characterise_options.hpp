@@ -30,7 +30,8 @@ void add_characterise_options(const Verb& verb, CharacteriseCommand& command);
 
 /// A group's run as [[characterise]] of a sweep has it, as a command. Errors name the option.
 Result<CharacteriseCommand> characterise_command(const SuiteRun& run);
-/// What [[characterise]] may say.
+
+/// The keys that a [[characterise]] group of a sweep may have.
 const GroupForm& characterise_group();
 
 /// Converts the options of `characterise`. Errors name the option.

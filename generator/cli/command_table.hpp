@@ -9,7 +9,7 @@ class App;
 
 namespace mixcmp::cli {
 
-/// What an option takes behind its name.
+/// The kind of value that follows the name of an option.
 enum class OptionValue {
   none,    ///< a flag
   path,    ///< a file or a folder

@@ -16,7 +16,7 @@ std::string fish_text(const std::string& text) {
   return result + "'";
 }
 
-/// What may follow: nothing, a file, one of some words, or a text of which nothing is known.
+/// The flags of `complete` for an option's value: none, a file, one of some words, or any text.
 std::string fish_value(const CommandOption& option) {
   switch (option.value) {
     case OptionValue::none: return "";

@@ -139,7 +139,7 @@ void add_system(py::module_& module) {
 
 void add_profile(py::module_& module) {
   py::class_<api::Counts>(module, "Counts",
-                          "What one kind of lane does with all comparisons at one precision.")
+                          "Counts of all comparisons in lanes of one kind at one precision.")
       .def_readonly("precision", &api::Counts::precision)
       .def_readonly("undecided", &api::Counts::undecided)
       .def_readonly("wrong", &api::Counts::wrong)

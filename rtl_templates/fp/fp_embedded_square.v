@@ -126,14 +126,13 @@ module fp_embedded_square #(
         // The leading bits are 1, 10 or 11; times the part, added to the product's upper bits.
         localparam BITS = A_BITS - B_BITS;
 
-        wire [A_BITS-1:0]      once  = factor;
         wire [A_BITS+BITS-1:0] times;
         wire [A_BITS+BITS-1:0] times_leading;
 
         if (BITS == 1) begin : g_one
-          assign times = {1'b0, once};
+          assign times = {1'b0, factor};
         end else begin : g_two
-          assign times = {1'b0, once, 1'b0} + {2'b00, once & {A_BITS{factor[A_BITS-2]}}};
+          assign times = {1'b0, factor, 1'b0} + {2'b00, factor & {A_BITS{factor[A_BITS-2]}}};
         end
 
         fp_rank #(

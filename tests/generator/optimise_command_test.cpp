@@ -6,63 +6,15 @@
 #include <sstream>
 #include <string>
 
-#include "tests/support/program.hpp"
+#include "tests/generator/planning_fixture.hpp"
 
-/// `mixcmp optimise` and `explore` as a user calls them, on a made-up table.
+/// `mixcmp optimise` as a user calls it, on a made-up table.
 namespace mixcmp::test::optimise_command_test {
 namespace {
 
 namespace fs = std::filesystem;
 
-class OptimiseCommand : public ProgramTest {
-protected:
-  OptimiseCommand() {
-    std::ofstream(path("scene.toml"))
-        << "[comparison]\nname = \"spheres\"\n"
-        << "f = \"(cxi - cxj)^2 + (cyi - cyj)^2 + (czi - czj)^2\"\ng = \"(ri + rj)^2\"\n"
-        << "[inputs]\n\"c*\" = { range = [0, 100] }\n\"r*\" = { range = [0, 100] }\n"
-        << "[reference]\nformat = \"s53e8\"\n[reduced]\nformat = \"auto\"\n"
-        << "[system]\ndevice = \"virtex6-lx760\"\nlanes = \"auto\"\nreferences = \"auto\"\n"
-        << "[data]\nitems = \"uniform_spheres\"\ncount = 300\nradius_max = 25\npairs = \"all\"\n";
-    write_table("scene-virtex6-lx760.csv", "virtex6-lx760");
-  }
-
-  /// Lanes of 8 and 12 digits with exact inputs, one reference, streams.
-  void write_table(const std::string& name, const std::string& device,
-                   const std::string& scene = "spheres", int lane_luts = 2000) {
-    fs::create_directories(path("characterisation"));
-    std::ofstream table(path("characterisation") / name);
-    table << "# device: " << device << "\n# scene: " << scene << "\n# command: made up\n"
-          << "# target_mhz: 250\n"
-          << "kind,name,format,inputs,bound,multipliers,ports,latency_cycles,luts,registers,dsps,"
-             "memories,carries,shift_luts,mhz,low_mhz,high_mhz,seeds,clock_source,timing_seeds,"
-             "hash,tools\n";
-    row(table, "lane,,s8e8,exact,relative,embedded,0", 20, lane_luts, 4);
-    row(table, "lane,,s8e8,exact,relative,logic,0", 21, 2300, 0);
-    row(table, "lane,,s12e8,exact,relative,embedded,0", 20, 2500, 4);
-    row(table, "reference,,s53e8,,,embedded,0", 30, 8000, 40);
-    row(table, "fifo,,,,,,64", 0, 300, 0);
-    row(table, "crossbar,,,,,,1", 0, 10, 0);
-    row(table, "crossbar,,,,,,256", 0, 2000, 0);
-  }
-
-  static void row(std::ofstream& table, const std::string& key, int latency, int luts, int dsps,
-                  int memories = 0) {
-    table << fmt::format("{},{},{},{},{},{},0,0,,,,,,0,00,made up\n", key, latency, luts, luts,
-                         dsps, memories);
-  }
-
-  /// Without what was told on stderr before it.
-  static nlohmann::json json_of(const Outcome& run) {
-    return json_of(run.output.substr(run.output.find('{')));
-  }
-
-  /// Of an array the first element.
-  static nlohmann::json json_of(const std::string& text) {
-    const auto json = nlohmann::json::parse(text);
-    return json.is_array() ? json.at(0) : json;
-  }
-};
+class OptimiseCommand : public PlanningTest {};
 
 TEST_F(OptimiseCommand, ItsPlanIsWhatCheckTakes) {
   const Outcome found = mixcmp("optimise scene.toml --last 14 -o plan.toml");
@@ -336,19 +288,6 @@ TEST_F(OptimiseCommand, MistakesAreTold) {
   expect_refused("optimise scene.toml --lanes 4", "--lanes");
 }
 
-TEST_F(OptimiseCommand, ExploreWritesFiguresTablesAndPlans) {
-  const Outcome found =
-      mixcmp("explore scene.toml --last 14 --over data.radius_max=10,25 --beside-paper -o out");
-  ASSERT_EQ(found.exit_code, 0) << found.output;
-  const std::string report = read("out/report.md");
-  EXPECT_NE(report.find("| scenario II: T(equ), G/s | 35.5 |"), std::string::npos) << report;
-  for (const char* name : {"figure3.svg", "figure7.svg", "figure8.svg", "figure9.svg",
-                           "figure9.csv", "scenarios.csv", "plan_scenario_2.toml"}) {
-    EXPECT_GT(read(std::string("out/virtex6-lx760/") + name).size(), 100u) << name;
-  }
-  EXPECT_EQ(mixcmp("check out/virtex6-lx760/plan_scenario_1.toml").exit_code, 0);
-}
-
 TEST_F(OptimiseCommand, ThePlanKeepsTheCommandsSettings) {
   const Outcome found = mixcmp(
       "optimise scene.toml --last 14 --set system.order=in_order --set data.count=200 "
@@ -383,26 +322,6 @@ TEST_F(OptimiseCommand, ATableOfAnotherSceneIsRefused) {
   expect_refused("optimise scene.toml --table other.csv", "of another scene");
 }
 
-TEST_F(OptimiseCommand, RatesOfOtherPrecisionsAreNotUsedAgain) {
-  ASSERT_EQ(mixcmp("explore scene.toml --first 8 --last 8 -o out").exit_code, 0);
-  const Outcome more = mixcmp("explore scene.toml --first 8 --last 12 -o out");
-  ASSERT_EQ(more.exit_code, 0) << more.output;
-  EXPECT_EQ(more.output.find("no recomputation rate is known"), std::string::npos) << more.output;
-}
-
-/// What the rates depend on may be in a plan as well as in its scene.
-TEST_F(OptimiseCommand, RatesOfAnotherPlanAreNotUsedAgain) {
-  const auto rates_with = [&](const std::string& side) {
-    std::ofstream(path("plan.toml")) << "scene = \"scene.toml\"\n[data]\nside = " << side << "\n";
-    const Outcome run = mixcmp(
-        "explore plan.toml --table "
-        "characterisation/scene-virtex6-lx760.csv --last 12 -o out");
-    EXPECT_EQ(run.exit_code, 0) << run.output;
-    return read("out/virtex6-lx760/scenarios.csv");
-  };
-  EXPECT_NE(rates_with("100"), rates_with("50"));
-}
-
 TEST_F(OptimiseCommand, RatesOfProfiledLanesAreThoseOfTheScenesConstants) {
   std::ofstream table(path("characterisation") / "scene-virtex6-lx760.csv", std::ios::app);
   row(table, "lane,,s8e8,exact,profiled,embedded,0", 20, 1500, 4);
@@ -416,30 +335,6 @@ TEST_F(OptimiseCommand, RatesOfProfiledLanesAreThoseOfTheScenesConstants) {
     return json_of(run).at("plans")[0].at("recomputation_rate").get<double>();
   };
   EXPECT_GT(rate_with("0.02"), 2 * rate_with("0.001"));
-}
-
-TEST_F(OptimiseCommand, ExplorePlansForTheSetThatItNames) {
-  const Outcome found = mixcmp(
-      "explore scene.toml --last 14 --over data.radius_max=10,25 --on virtex6-lx760 "
-      "--on virtex6-lx760 -o out --json");
-  ASSERT_EQ(found.exit_code, 0) << found.output;
-  const auto report = json_of(found.output.substr(found.output.find('[')));
-  EXPECT_EQ(report.at("device"), "virtex6-lx760");
-  EXPECT_NE(read("out/virtex6-lx760/plan_scenario_1.toml").find("radius_max = 10\n"),
-            std::string::npos);
-}
-
-/// Before minutes of counting, and without leaving new tables beside old ones.
-TEST_F(OptimiseCommand, ExploreMissesATableBeforeItCounts) {
-  expect_refused("explore scene.toml --on nosuch -o out", "--on: unknown device");
-  expect_refused("explore scene.toml --on virtex6-lx760 --on artix7-200t -o out", "no such file");
-  EXPECT_FALSE(fs::exists(path("out")));
-}
-
-TEST_F(OptimiseCommand, ExploreWhereNothingFitsFails) {
-  write_table("scene-ice40-up5k.csv", "ice40-up5k");
-  const Outcome found = mixcmp("explore scene.toml --on ice40-up5k --last 14 -o out");
-  EXPECT_EQ(found.exit_code, 2) << found.output;
 }
 
 /// Its rows are of other RTL, and what another machine's store never had would be lost.
@@ -474,53 +369,6 @@ TEST_F(OptimiseCommand, APlanHasTheSettingsOfItsCommand) {
   expect_refused("optimise second.toml --last 14 -o plan.toml" + table, "would be written over");
 }
 
-/// Whatever rates depend on is in the name of the file that keeps them.
-TEST_F(OptimiseCommand, ExploreCountsAnewWhereTheSceneIsAnother) {
-  const auto kept_rates = [&] {
-    int count = 0;
-    for (const auto& entry : fs::directory_iterator(path("out"))) {
-      count += entry.path().filename().string().starts_with("rates-") ? 1 : 0;
-    }
-    return count;
-  };
-  const std::string command = "explore scene.toml --first 8 --last 8 -o out ";
-  ASSERT_EQ(mixcmp(command).exit_code, 0);
-  EXPECT_EQ(kept_rates(), 1);
-  ASSERT_EQ(mixcmp(command + "--set 'inputs.r*={ range = [0, 150] }'").exit_code, 0);
-  EXPECT_EQ(kept_rates(), 2);
-  std::string sum = "(ri + rj)^2";
-  for (int k = 0; k < 10; ++k) sum += " + 0 * ri";
-  for (const char* rest : {"", " + 1"}) {
-    ASSERT_EQ(mixcmp(command + "--set 'comparison.g=" + sum + rest + "'").exit_code, 0);
-  }
-  EXPECT_EQ(kept_rates(), 4);
-}
-
-TEST_F(OptimiseCommand, ExploreReplacesNoInput) {
-  const std::string table = " --table characterisation/scene-virtex6-lx760.csv";
-  ASSERT_EQ(mixcmp("explore scene.toml --first 8 --last 8 -o out").exit_code, 0);
-  const std::string plan = read("out/virtex6-lx760/plan_scenario_2.toml");
-  expect_refused("explore out/virtex6-lx760/plan_scenario_2.toml -o out" + table,
-                 "would be written over");
-  EXPECT_EQ(read("out/virtex6-lx760/plan_scenario_2.toml"), plan);
-}
-
-TEST_F(OptimiseCommand, ExploreCountsWithTheClocksOfItsCommand) {
-  const std::string clocks = " --last 14 --lane-mhz 777 --reference-mhz 333";
-  for (const char* domains : {"", " --separate-clocks"}) {
-    const Outcome explored = mixcmp("explore scene.toml --json -o out" + clocks + domains);
-    const Outcome planned = mixcmp("optimise scene.toml --json" + clocks + domains);
-    ASSERT_EQ(explored.exit_code, 0) << explored.output;
-    const auto column =
-        json_of(explored.output.substr(explored.output.find('['))).at("columns").at(0);
-    const auto plans = json_of(planned).at("plans");
-    double best = 0;
-    for (const auto& plan : plans) best = std::max(best, plan.at("throughput_per_s").get<double>());
-    EXPECT_EQ(column.at("scenario_2").at("throughput_per_s"), best) << domains;
-    EXPECT_EQ(column.at("title"), "ours");
-  }
-}
-
 TEST_F(OptimiseCommand, AClockThatIsGivenIsNoEstimate) {
   const Outcome found = mixcmp("optimise scene.toml --last 14 --lane-mhz 50 -o plan.toml");
   ASSERT_EQ(found.exit_code, 0) << found.output;
@@ -541,38 +389,6 @@ TEST_F(OptimiseCommand, APlanNamesNoPathThatItCannotHold) {
   EXPECT_EQ(run.exit_code, 1) << run.output;
   EXPECT_NE(run.output.find("not one line of UTF-8"), std::string::npos) << run.output;
   EXPECT_FALSE(fs::exists(path("plan.toml")));
-}
-
-TEST_F(OptimiseCommand, ExploreTellsOfFoldersThatItLeaves) {
-  write_table("scene-virtex5-lx330t.csv", "virtex5-lx330t");
-  ASSERT_EQ(mixcmp("explore scene.toml --last 14 -o out").exit_code, 0);
-  const Outcome other = mixcmp("explore scene.toml --last 14 -o out --on virtex5-lx330t");
-  ASSERT_EQ(other.exit_code, 0) << other.output;
-  EXPECT_NE(other.output.find("out/virtex6-lx760 is of an earlier run"), std::string::npos)
-      << other.output;
-}
-
-TEST_F(OptimiseCommand, ExploreTellsThatItLeavesVariantsOut) {
-  std::ofstream(path("scene.toml"), std::ios::app)
-      << "[[variant]]\nname = \"same\"\ng = \"(rj + ri)^2\"\n";
-  const Outcome run = mixcmp("explore scene.toml --last 14 -o out");
-  ASSERT_EQ(run.exit_code, 0) << run.output;
-  EXPECT_NE(run.output.find("note: variants left out"), std::string::npos) << run.output;
-}
-
-TEST_F(OptimiseCommand, ExploreHasAFolderForEachDevice) {
-  fs::copy_file(fs::path(MIXCMP_DEVICES) / "virtex6-lx760.toml", path("same.toml"));
-  expect_refused("explore scene.toml --on virtex6-lx760 --on same.toml -o out",
-                 "two devices have one name");
-  EXPECT_FALSE(fs::exists(path("out")));
-}
-
-/// The first data set is not measured before the second is found to be wrong.
-TEST_F(OptimiseCommand, AMistakeInAnyDataSetIsThatOfOver) {
-  const Outcome run = mixcmp("explore scene.toml --over data.radius_max=10,nonsense -o out");
-  EXPECT_EQ(run.exit_code, 1) << run.output;
-  EXPECT_NE(run.output.find("--over"), std::string::npos) << run.output;
-  EXPECT_FALSE(fs::exists(path("out")));
 }
 
 TEST_F(OptimiseCommand, APlanNamesItsSceneFromWhereALinkLeads) {
@@ -611,21 +427,6 @@ TEST_F(OptimiseCommand, ThePlanOfALinkedSceneNamesTheLink) {
   const std::string table = " --table characterisation/scene-virtex6-lx760.csv";
   ASSERT_EQ(mixcmp("optimise other/scene.toml --last 14 -o plan.toml" + table).exit_code, 0);
   EXPECT_NE(read("plan.toml").find("scene = \"other/scene.toml\"\n"), std::string::npos);
-}
-
-TEST_F(OptimiseCommand, ExploreGoesOnWhereItWas) {
-  const std::string command = "explore scene.toml --last 14 --over data.radius_max=10,25 -o out";
-  ASSERT_EQ(mixcmp(command).exit_code, 0);
-  const std::string before = read("out/report.md");
-  // Rates that are found are used: made up ones show.
-  for (const auto& entry : fs::directory_iterator(path("out"))) {
-    if (entry.path().filename().string().find("rates-10-") != 0) continue;
-    std::ofstream(entry.path())
-        << "inputs,precision,scheme,comparisons,undecided,rate,wrong,wrong_by_lane\n"
-        << "exact,8,relative,10,4,0.4,0,0\nexact,12,relative,10,4,0.4,0,0\n";
-  }
-  ASSERT_EQ(mixcmp(command).exit_code, 0);
-  EXPECT_NE(read("out/report.md"), before);
 }
 
 }  // namespace
