@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "generator/cli/characterise_import.hpp"
 #include "generator/cli/characterise_table.hpp"
 #include "generator/cli/exit.hpp"
 #include "generator/cli/output.hpp"
@@ -59,36 +60,11 @@ void print_text(const CharacteriseReport& report, const fs::path& table) {
   }
   print(fmt::format("{} rows in {}", report.table.rows.size(), table.string()));
   if (report.kept > 0) print(fmt::format(", {} of them kept from before", report.kept));
+  if (report.imported > 0) {
+    print(fmt::format(", {} imported ones not measured anew", report.imported));
+  }
   if (report.dropped > 0) print(fmt::format("; {} outdated rows dropped", report.dropped));
   print("\n");
-}
-
-nlohmann::ordered_json json_of(const characterise::Measurement& row) {
-  nlohmann::ordered_json json = {{"kind", to_string(row.key.kind)},
-                                 {"name", row.key.name},
-                                 {"format", row.key.format},
-                                 {"inputs", to_string(row.key.inputs)},
-                                 {"bound", scene::to_string(row.key.bound)},
-                                 {"multipliers", row.key.multipliers},
-                                 {"ports", row.key.ports},
-                                 {"latency_cycles", row.latency_cycles},
-                                 {"luts", row.area.luts},
-                                 {"registers", row.area.registers},
-                                 {"dsps", row.area.dsps},
-                                 {"memories", row.area.memories},
-                                 {"carries", row.area.carries},
-                                 {"shift_luts", row.area.shift_luts},
-                                 {"clock", nullptr},
-                                 {"hash", row.hash},
-                                 {"tools", row.tools}};
-  if (row.clock) {
-    json["clock"] = {{"mhz", row.clock->mhz},
-                     {"low_mhz", row.clock->low_mhz},
-                     {"high_mhz", row.clock->high_mhz},
-                     {"seeds", row.clock->seeds},
-                     {"source", to_string(row.clock->source)}};
-  }
-  return json;
 }
 
 void print_json(const CharacteriseReport& report, const fs::path& table) {
@@ -98,6 +74,7 @@ void print_json(const CharacteriseReport& report, const fs::path& table) {
                                  {"components", report.components},
                                  {"synthesised", report.synthesised},
                                  {"kept", report.kept},
+                                 {"imported", report.imported},
                                  {"dropped", report.dropped},
                                  {"interrupted", report.interrupted_by != 0},
                                  {"failed", nlohmann::ordered_json::array()},
@@ -117,11 +94,12 @@ void print_json(const CharacteriseReport& report, const fs::path& table) {
                                {"reason", kind.reason}});
   }
   for (const characterise::Measurement& row : report.table.rows)
-    json["rows"].push_back(json_of(row));
+    json["rows"].push_back(json_of_row(row));
   print(report::json_text(json));
 }
 
 void run(const CharacteriseCommand& command) {
+  if (!command.reports.empty()) return import_reports(command);
   const LoadedScene loaded = value_or_exit(load(command.scene));
   const devices::Device device = value_or_exit(devices::find_device(loaded.scene.system.device));
   const CharacteriseReport report = measure_table(command, loaded);

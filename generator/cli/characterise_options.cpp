@@ -158,6 +158,20 @@ Result<components::ComponentQuery> query_of(const CharacteriseCommand& command,
   return query;
 }
 
+/// The option that takes a vendor's reports, with which nothing that only measuring needs goes.
+void add_import_option(const Verb& verb, CharacteriseCommand& command) {
+  const Option import = verb.option(
+      "--import", command.reports,
+      "measure nothing: take areas and a clock from the reports that the scripts of generate "
+      "--project vivado or quartus leave, utilisation_by_instance.rpt and timing.rpt, or "
+      "TOP.fit.rpt and TOP.sta.rpt (docs/characterise.md)");
+  for (const char* other :
+       {"--precisions", "--bounds", "--inputs", "--multipliers", "--exponents", "--components",
+        "--ports", "--quick", "--area-only", "--seeds", "--jobs", "--store"}) {
+    import.excludes(other);
+  }
+}
+
 }  // namespace
 
 Result<std::vector<int>> number_list(const std::string& option, const std::string& text,
@@ -207,6 +221,7 @@ void add_characterise_options(const Verb& verb, CharacteriseCommand& command) {
   verb.option("--store", command.store,
               "results of all scenes, so that nothing is measured twice (default: "
               "$XDG_CACHE_HOME/mixcmp/characterisation.sqlite)");
+  add_import_option(verb, command);
 }
 
 Result<components::CharacteriseOptions> characterise_options(const CharacteriseCommand& command,
@@ -284,6 +299,10 @@ std::string characterise_command_line(const CharacteriseCommand& command) {
   add("--components", command.components, defaults.components);
   add("--ports", command.ports, defaults.ports);
   add("--seeds", std::to_string(command.seeds), std::to_string(defaults.seeds));
+  if (!command.reports.empty()) line += " --import";
+  for (const std::filesystem::path& report : command.reports) {
+    line += " " + quoted(report.filename().string());
+  }
   if (command.quick) line += " --quick";
   return command.area_only ? line + " --area-only" : line;
 }

@@ -24,6 +24,8 @@ struct CharacteriseCommand {
   unsigned jobs = 0;  ///< 0: one per processor
   std::filesystem::path output;
   std::filesystem::path store;
+  std::vector<std::filesystem::path>
+      reports;  ///< of a vendor's tool, to import in place of measuring
 };
 
 void add_characterise_options(const Verb& verb, CharacteriseCommand& command);

@@ -116,13 +116,23 @@ void adopt_new_rows(characterise::Characterisation& table,
             });
 }
 
+/// The command that made the rows which were there before, and the one that imports more.
+std::string command_with_import(const std::string& before, const std::string& import) {
+  if (before.empty() || before == import || before.ends_with(" && " + import)) {
+    return before.empty() ? import : before;
+  }
+  return before + " && " + import;
+}
+
 void write_table(CharacteriseReport& report, const CharacteriseCommand& command,
                  const scene::Scene& scene, const fs::path& path,
                  const std::optional<characterise::Characterisation>& before) {
   const FolderLock held = lock_folder(fs::absolute(path).parent_path());
   const auto now = value_or_exit(previous_table(path, scene, report.table.device));
   if (now) adopt_new_rows(report.table, *now, before.value_or(characterise::Characterisation()));
-  report.table.command = characterise_command_line(command);
+  const std::string line = characterise_command_line(command);
+  report.table.command =
+      command.reports.empty() || !now ? line : command_with_import(now->command, line);
   std::set<std::string> tools;
   for (const characterise::Measurement& row : report.table.rows) tools.insert(row.tools);
   std::string used;
@@ -180,16 +190,16 @@ void choose_quickly(const CharacteriseCommand& command, const LoadedScene& loade
       duration(found.seconds / options.workers), options.workers, options.workers == 1 ? "" : "s"));
 }
 
-/// Refuses a table that would be written over an input, or cannot be written.
-void check_place(const CharacteriseCommand& command, const scene::Scene& scene,
-                 const components::CharacteriseOptions& options, const fs::path& path) {
+/// The files of the store, and those that the scene is read from.
+std::vector<fs::path> inputs_of_campaign(const CharacteriseCommand& command,
+                                         const scene::Scene& scene,
+                                         const components::CharacteriseOptions& options) {
   std::vector<fs::path> inputs = inputs_of(command.scene, scene);
   inputs.push_back(options.store);
   for (const char* of_sqlite : {"-journal", "-wal", "-shm"}) {
     inputs.push_back(options.store.string() + of_sqlite);
   }
-  value_or_exit(check_outputs({path}, inputs));
-  value_or_exit(make_writable_folder(fs::absolute(path).parent_path()));
+  return inputs;
 }
 
 }  // namespace
@@ -233,7 +243,7 @@ CharacteriseReport measure_table(const CharacteriseCommand& command, const Loade
   const devices::Device device = value_or_exit(devices::find_device(loaded.scene.system.device));
   const components::CharacteriseOptions options = prepared_options(command, loaded, device);
   const fs::path path = table_of(command, loaded.scene, device);
-  check_place(command, loaded.scene, options, path);
+  check_place(path, inputs_of_campaign(command, loaded.scene, options));
   const auto previous = value_or_exit(previous_table(path, loaded.scene, device.name));
   CharacteriseReport report =
       value_or_exit(components::characterise(loaded.scene, loaded.data ? &*loaded.data : nullptr,
@@ -243,6 +253,34 @@ CharacteriseReport measure_table(const CharacteriseCommand& command, const Loade
     write_table(report, command, loaded.scene, path, previous);
   }
   return report;
+}
+
+void check_place(const fs::path& table, std::vector<fs::path> inputs) {
+  value_or_exit(check_outputs({table}, inputs));
+  value_or_exit(make_writable_folder(fs::absolute(table).parent_path()));
+}
+
+characterise::Characterisation add_to_table(const CharacteriseCommand& command,
+                                            const LoadedScene& loaded,
+                                            const devices::Device& device,
+                                            std::vector<characterise::Measurement> rows) {
+  const fs::path path = table_of(command, loaded.scene, device);
+  const auto previous = value_or_exit(previous_table(path, loaded.scene, device.name));
+  CharacteriseReport report;
+  if (previous) report.table = *previous;
+  report.table.device = device.name;
+  report.table.scene = loaded.scene.name;
+  for (characterise::Measurement& row : rows) {
+    std::erase_if(report.table.rows,
+                  [&](const characterise::Measurement& old) { return old.key == row.key; });
+    report.table.rows.push_back(std::move(row));
+  }
+  std::sort(report.table.rows.begin(), report.table.rows.end(),
+            [](const characterise::Measurement& a, const characterise::Measurement& b) {
+              return a.key < b.key;
+            });
+  write_table(report, command, loaded.scene, path, previous);
+  return std::move(report.table);
 }
 
 }  // namespace mixcmp::cli

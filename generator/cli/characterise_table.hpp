@@ -19,6 +19,16 @@ components::CharacteriseOptions prepared_options(const CharacteriseCommand& comm
 components::CharacteriseReport measure_table(const CharacteriseCommand& command,
                                              const LoadedScene& loaded);
 
+/// Puts rows into the table of the command, in place of those of the same components; other rows
+/// stay as they are. Returns the table. Ends the program on an error.
+characterise::Characterisation add_to_table(const CharacteriseCommand& command,
+                                            const LoadedScene& loaded,
+                                            const devices::Device& device,
+                                            std::vector<characterise::Measurement> rows);
+
+/// Refuses a table that would be written over one of these inputs, or cannot be written.
+void check_place(const std::filesystem::path& table, std::vector<std::filesystem::path> inputs);
+
 /// Whether a table of this report is not written.
 bool nothing_measured(const components::CharacteriseReport& report);
 

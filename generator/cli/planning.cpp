@@ -47,6 +47,19 @@ void warn_of_outdated(const Planning& planning, const data::Comparisons* data) {
                         planning.table_path.filename().string(), rows.outdated, rows.all));
 }
 
+/// Tells of a table that has areas of a vendor's tool beside those of Yosys.
+void tell_of_imported(const Planning& planning) {
+  const auto& rows = planning.table.rows;
+  const auto imported =
+      std::count_if(rows.begin(), rows.end(),
+                    [](const characterise::Measurement& row) { return row.is_imported(); });
+  if (imported == 0 || static_cast<std::size_t>(imported) == rows.size()) return;
+  tell_note(
+      fmt::format("{}: {} of {} rows are from a vendor's reports, the others from Yosys, which "
+                  "counts otherwise",
+                  planning.table_path.filename().string(), imported, rows.size()));
+}
+
 /// Refuses an arg-min engine, whose chain of lanes leaves nothing to choose.
 Result<Done> check_no_chain(const scene::Scene& scene) {
   if (scene.system.engine.kind != scene::EngineKind::arg_min) return Done{};
@@ -163,6 +176,7 @@ Result<Planning> load_planning(const PlanningOptions& options, const scene::Scen
   Planning planning{std::move(placed), std::move(device), std::move(table), path};
   tell_of_other_target(scene, planning, options.scene);
   warn_of_outdated(planning, data);
+  tell_of_imported(planning);
   return planning;
 }
 

@@ -69,7 +69,10 @@ Option Verb::flag(const std::string& names, const std::function<void()>& use,
 template <class Value>
 Option Verb::option(const std::string& names, Value& target, const std::string& help) const {
   CLI::Option* option = verb_->add_option(names, target, help);
-  if constexpr (std::is_same_v<Value, std::filesystem::path>) option->type_name(path_placeholder);
+  if constexpr (std::is_same_v<Value, std::filesystem::path> ||
+                std::is_same_v<Value, std::vector<std::filesystem::path>>) {
+    option->type_name(path_placeholder);
+  }
   return Option(option);
 }
 
@@ -86,6 +89,8 @@ template Option Verb::option(const std::string&, std::optional<std::uint64_t>&,
 template Option Verb::option(const std::string&, std::vector<int>&, const std::string&) const;
 template Option Verb::option(const std::string&, std::vector<double>&, const std::string&) const;
 template Option Verb::option(const std::string&, std::vector<std::string>&,
+                             const std::string&) const;
+template Option Verb::option(const std::string&, std::vector<std::filesystem::path>&,
                              const std::string&) const;
 
 Option Verb::text_option(const std::string& names,

@@ -17,15 +17,6 @@ using characterise::SynthesisOptions;
 using characterise::TimingEffort;
 using devices::Device;
 
-std::string label(const ComponentKey& key) {
-  std::string text(to_string(key.kind));
-  for (const std::string& word : {key.name, key.format, to_string(key.inputs),
-                                  scene::to_string(key.bound), key.multipliers}) {
-    if (!word.empty()) text += " " + word;
-  }
-  return key.ports == 0 ? text : fmt::format("{} {} ports", text, key.ports);
-}
-
 /// The options with which a row was measured.
 SynthesisOptions options_of(const Measurement& row) {
   if (row.timing_seeds == 0) return {.effort = TimingEffort::area_only};
@@ -34,8 +25,11 @@ SynthesisOptions options_of(const Measurement& row) {
 
 bool is_current(const Measurement& row, ComponentMaker& maker, const Device& device) {
   const Result<Component> component = maker.make(row.key);
-  return component.ok() && component->key == row.key &&
-         job_hash(component->job, device, options_of(row), row.tools) == row.hash;
+  if (!component.ok() || component->key != row.key) return false;
+  const std::string hash = row.is_imported()
+                               ? imported_hash(component->job, row.tools)
+                               : job_hash(component->job, device, options_of(row), row.tools);
+  return hash == row.hash;
 }
 
 /// One run of the verb.
@@ -108,14 +102,19 @@ private:
     report_.missing = std::move(missing);
     report_.components = static_cast<int>(planned_.size());
     for (const Measurement& row : planned_) asked_.insert(row.key);
-    if (!times()) use_rows_with_clocks();
+    use_better_rows();
     return Done{};
   }
 
-  void use_rows_with_clocks() {
+  /// Takes rows that were imported, or where areas alone are asked for rows that have a clock, in
+  /// place of planned ones.
+  void use_better_rows() {
     const auto known = [this](const Measurement& planned) {
       const Measurement* row = previous_ == nullptr ? nullptr : previous_->find(planned.key);
-      if (row == nullptr || row->timing_seeds == 0 || !is_kept(*row)) return false;
+      if (row == nullptr) return false;
+      const bool is_better = row->is_imported() || (!times() && row->timing_seeds > 0);
+      if (!is_better || !is_kept(*row)) return false;
+      if (row->is_imported()) ++report_.imported;
       report_.table.rows.push_back(*row);
       return true;
     };
@@ -123,8 +122,9 @@ private:
   }
 
   /// Tells whether neither the RTL nor the tools nor the device's synthesis have changed since the
-  /// row was measured.
+  /// row was measured. Of an imported row only the RTL is compared: its tool is not ours to run.
   bool is_kept(const Measurement& row) {
+    if (row.is_imported()) return is_current(row, maker_, device_);
     const auto tools = tools_here_.find(options_of(row).effort);
     return tools != tools_here_.end() && row.tools == tools->second &&
            is_current(row, maker_, device_);
@@ -211,6 +211,15 @@ private:
 };
 
 }  // namespace
+
+std::string label(const ComponentKey& key) {
+  std::string text(to_string(key.kind));
+  for (const std::string& word : {key.name, key.format, to_string(key.inputs),
+                                  scene::to_string(key.bound), key.multipliers}) {
+    if (!word.empty()) text += " " + word;
+  }
+  return key.ports == 0 ? text : fmt::format("{} {} ports", text, key.ports);
+}
 
 Result<CharacteriseReport> characterise(const scene::Scene& scene, const data::Comparisons* data,
                                         const Device& device, const CharacteriseOptions& options,

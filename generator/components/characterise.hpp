@@ -12,6 +12,9 @@
 
 namespace mixcmp::components {
 
+/// "lane s12e8 exact relative embedded": a component's key in words.
+std::string label(const characterise::ComponentKey& key);
+
 struct CharacteriseOptions {
   ComponentQuery query;
   characterise::SynthesisOptions synthesis;
@@ -26,6 +29,7 @@ struct CharacteriseReport {
   int components = 0;   ///< components asked for
   int synthesised = 0;  ///< jobs that ended well; several components may share one
   int kept = 0;         ///< rows of the previous table, not asked for, that are current
+  int imported = 0;     ///< rows asked for that stay as a vendor's report gave them
   int dropped = 0;      ///< rows of the previous table, not asked for, that are outdated
   std::vector<MissingLane> missing;
   std::vector<characterise::FailedJob> failed;
@@ -37,7 +41,8 @@ struct CharacteriseReport {
 /// Measures the components that the store lacks, and makes a table of all that are asked for. Rows
 /// of `previous` (may be null) that are not asked for stay if they are current: if today's
 /// generator, tools and device give the same hash. If areas alone are asked for, a current row that
-/// has a clock, too, is kept instead.
+/// has a clock, too, is kept instead. A row that a vendor's report gave stays as long as today's
+/// generator makes the same RTL, also where it is asked for.
 Result<CharacteriseReport> characterise(const scene::Scene& scene, const data::Comparisons* data,
                                         const devices::Device& device,
                                         const CharacteriseOptions& options,

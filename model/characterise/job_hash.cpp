@@ -36,4 +36,13 @@ std::string job_hash(const SynthesisJob& job, const devices::Device& device,
   return hash.hex();
 }
 
+std::string imported_hash(const SynthesisJob& job, const std::string& tool) {
+  ContentHash hash;
+  hash.add("imported").add(tool).add(job.top).add(job.clock_port);
+  for (const SourceText& source : job.sources) {
+    if (source.cells.empty()) hash.add(source.name).add(source.text);  // vendors take no such cell
+  }
+  return hash.hex();
+}
+
 }  // namespace mixcmp::characterise

@@ -11,4 +11,8 @@ namespace mixcmp::characterise {
 std::string job_hash(const SynthesisJob& job, const devices::Device& device,
                      const SynthesisOptions& options, const std::string& tools);
 
+/// The hash of a row that a vendor's report gives for the component of a job. `tool` names the tool
+/// and the part.
+std::string imported_hash(const SynthesisJob& job, const std::string& tool);
+
 }  // namespace mixcmp::characterise

@@ -14,6 +14,16 @@ std::string_view to_string(ClockSource source) {
   MIXCMP_CHECK(false);
 }
 
+std::string_view to_string(AreaStage stage) {
+  switch (stage) {
+    case AreaStage::mapped: return "mapped";
+    case AreaStage::synthesised: return "synthesised";
+    case AreaStage::placed: return "placed";
+    case AreaStage::routed: return "placed_and_routed";
+  }
+  MIXCMP_CHECK(false);
+}
+
 std::string_view to_string(ComponentKind kind) {
   switch (kind) {
     case ComponentKind::unit: return "unit";

@@ -28,6 +28,15 @@ struct Clock {
   ClockSource source = ClockSource::estimate_before_routing;
 };
 
+/// After which step of which flow an area was counted.
+enum class AreaStage {
+  mapped,       ///< by our run of Yosys and the device's packer, of the component alone
+  synthesised,  ///< by a vendor's tool, of instances in a whole system, before placement
+  placed,       ///< by a vendor's tool, as above, before routing
+  routed,       ///< by a vendor's tool, as above, placed and routed
+};
+std::string_view to_string(AreaStage stage);
+
 enum class ComponentKind {
   unit,       ///< one floating-point or bound unit; for information only
   lane,       ///< one reduced datapath alone
@@ -54,11 +63,15 @@ struct ComponentKey {
 struct Measurement {
   ComponentKey key;
   int latency_cycles = 0;
-  devices::Area area;  ///< before placement, unless the clock is routed
+  devices::Area area;  ///< of a mapped component before placement, unless the clock is routed
   std::optional<Clock> clock;
   int timing_seeds = 0;  ///< router seeds requested; 0: no clock was requested
   std::string hash;      ///< of RTL, tools and options: the key in the store
   std::string tools;     ///< "Yosys 0.23 (git sha1 ...)"
+  AreaStage stage = AreaStage::mapped;
+
+  /// Whether the row comes from a vendor's report, which no run of ours can make again.
+  bool is_imported() const { return stage != AreaStage::mapped; }
 };
 
 /// The measurements of one scene's components on one device.

@@ -35,7 +35,7 @@ void add_clock(std::vector<std::string>& fields, const std::optional<Clock>& clo
   fields.emplace_back(to_string(clock->source));
 }
 
-std::string record(const Measurement& row) {
+std::string record(const Measurement& row, bool with_stage) {
   std::vector<std::string> fields = {std::string(to_string(row.key.kind))};
   for (const auto& column : key_columns) fields.push_back(field(column.get(row.key)));
   fields.push_back(std::to_string(row.key.ports));
@@ -47,6 +47,7 @@ std::string record(const Measurement& row) {
   fields.push_back(std::to_string(row.timing_seeds));
   fields.push_back(row.hash);
   fields.push_back(field(row.tools));
+  if (with_stage) fields.emplace_back(to_string(row.stage));
   return fmt::format("{}\n", fmt::join(fields, ","));
 }
 
@@ -61,8 +62,10 @@ std::string to_csv(const Characterisation& table) {
   comment("scene", table.scene);
   comment("command", table.command);
   for (const auto& [name, value] : table.spec) comment(name, value);
-  text += std::string(table_header) + "\n";
-  for (const Measurement& row : table.rows) text += record(row);
+  const bool with_stage = std::any_of(table.rows.begin(), table.rows.end(),
+                                      [](const Measurement& row) { return row.is_imported(); });
+  text += (with_stage ? staged_table_header : std::string(mapped_table_header)) + "\n";
+  for (const Measurement& row : table.rows) text += record(row, with_stage);
   return text;
 }
 

@@ -29,9 +29,11 @@ public:
     while (peek() == '#') read_comment(table);
     const int header_line = line_;
     const std::string_view header = rest_of_line();
-    if (header != table_header) {
+    has_stages_ = header == staged_table_header;
+    if (!has_stages_ && header != mapped_table_header) {
       return error({.text = std::string(header), .line = header_line, .column = 1},
-                   "not the columns of a characterisation", std::string(table_header));
+                   "not the columns of a characterisation",
+                   std::string(mapped_table_header) + "[,area_stage]");
     }
     while (place_ < text_.size()) {
       if (peek() == '\n' || peek() == '\r') {
@@ -114,11 +116,11 @@ private:
   /// Reads the next field of the current record. A comma must follow each field but the last.
   Result<Field> next() {
     MIXCMP_TRY(field, read_field());
-    if (++fields_read_ < field_count) {
-      if (peek() != ',') return error(field, "the record ends here", "22 fields a record");
+    if (++fields_read_ < field_count()) {
+      if (peek() != ',') return error(field, "the record ends here", fields_a_record());
       ++place_;
     } else if (peek() == ',') {
-      return error(field, "the record goes on", "22 fields a record");
+      return error(field, "the record goes on", fields_a_record());
     } else {
       rest_of_line();
     }
@@ -235,6 +237,10 @@ private:
     row.hash = hash.text;
     MIXCMP_TRY(tools, next());
     row.tools = tools.text;
+    if (!has_stages_) return row;
+    MIXCMP_TRY(stage, choice({AreaStage::mapped, AreaStage::synthesised, AreaStage::placed,
+                              AreaStage::routed}));
+    row.stage = stage;
     return row;
   }
 
@@ -270,7 +276,8 @@ private:
                  .accepted = "one"};
   }
 
-  static constexpr int field_count = 22;
+  int field_count() const { return mapped_table_columns + (has_stages_ ? 1 : 0); }
+  std::string fields_a_record() const { return fmt::format("{} fields a record", field_count()); }
 
   const std::filesystem::path& path_;
   std::string_view text_;
@@ -278,6 +285,7 @@ private:
   std::size_t line_start_ = 0;
   int line_ = 1;
   int fields_read_ = 0;
+  bool has_stages_ = false;
 };
 
 }  // namespace

@@ -204,6 +204,7 @@ TEST_F(VendorScript, VivadoSynthesisesAndPackages) {
   expect_in(synthesis.output,
             "synth_design -top scene_s8e8_2x1 -part xc7a200tfbg676-2 -mode out_of_context\n");
   expect_in(synthesis.output, "210.5 MHz (target 200 MHz)");  // a slack of 0.25 of 5 ns
+  EXPECT_EQ(read("scene_s8e8_2x1_vivado/scene_s8e8_2x1.json"), read("rtl/scene_s8e8_2x1.json"));
   const Outcome constraint = tcl("rtl/vivado/scene_s8e8_2x1.xdc");
   expect_in(constraint.output, "create_clock -name aclk -period 5.000 ports\n");
   const Outcome packaging = tcl("rtl/vivado/package_ip.tcl xc7k325tffg900-2 here");
@@ -229,6 +230,7 @@ TEST_F(VendorScript, QuartusCompiles) {
   expect_in(run.output, "set_global_assignment -name VERILOG_FILE scene_s8e8_2x1.v\n");
   expect_in(run.output, "set_global_assignment -name SDC_FILE scene_s8e8_2x1.sdc\n");
   expect_in(run.output, "set_instance_assignment -name VIRTUAL_PIN OFF -to aclk\n");
+  EXPECT_EQ(read("output_files/scene_s8e8_2x1.json"), read("rtl/scene_s8e8_2x1.json"));
 }
 
 TEST_F(VendorScript, AFileThatIsNotThereIsAnError) {

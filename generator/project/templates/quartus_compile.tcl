@@ -2,7 +2,9 @@
 # of a device, and its clock. quartus/run calls it:
 #   quartus_sh -t DIR/quartus/compile.tcl [PART]
 # All ports but the clock are virtual pins, since a package has fewer pins. The reports are
-# output_files/@BUILD_TOP@.fit.rpt and output_files/@BUILD_TOP@.sta.rpt.
+# output_files/@BUILD_TOP@.fit.rpt and output_files/@BUILD_TOP@.sta.rpt. Beside them it puts the
+# system's signature @TOP@.json: mixcmp characterise SCENE --import knows by it which Verilog
+# the reports are of.
 #
 @PROVENANCE@
 
@@ -34,3 +36,5 @@ export_assignments
 
 execute_flow -compile
 project_close
+file mkdir output_files
+file copy -force [file join $system @TOP@.json] output_files

@@ -2,7 +2,9 @@
 # and its clock. From any folder:
 #   vivado -mode batch -source DIR/vivado/synthesise.tcl [-tclargs PART [FOLDER]]
 # It writes into FOLDER, which is @BUILD_TOP@_vivado in the working folder if none is named:
-# utilisation.rpt, utilisation_by_instance.rpt, timing.rpt and the checkpoint @BUILD_TOP@.dcp.
+# utilisation.rpt, utilisation_by_instance.rpt, timing.rpt and the checkpoint @BUILD_TOP@.dcp. Beside
+# them it puts the system's signature @TOP@.json: mixcmp characterise SCENE --import knows by
+# it which Verilog the reports are of.
 #
 @PROVENANCE@
 
@@ -30,6 +32,7 @@ report_utilization -file [file join $work utilisation.rpt]
 report_utilization -hierarchical -file [file join $work utilisation_by_instance.rpt]
 report_timing_summary -file [file join $work timing.rpt]
 write_checkpoint -force [file join $work @BUILD_TOP@.dcp]
+file copy -force [file join $system @TOP@.json] $work
 
 set slack [get_property SLACK [get_timing_paths -setup -max_paths 1]]
 puts [format "@BUILD_TOP@ on %s: slack %s ns, %.1f MHz (target @TARGET_MHZ@ MHz)" \

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "model/characterise/measurement.hpp"
@@ -89,6 +90,22 @@ TEST_F(Table, ComesBackAsItWasWritten) {
   EXPECT_EQ(read_back->rows[3].clock->low_mhz, 99.5);
   EXPECT_EQ(read_back->rows[3].clock->source, characterise::ClockSource::routed);
   EXPECT_EQ(read_back->rows[3].timing_seeds, 3);
+}
+
+TEST_F(Table, TheStageOfAreasIsAColumnWhereARowIsImported) {
+  characterise::Characterisation written = example();
+  std::sort(written.rows.begin(), written.rows.end(),
+            [](const auto& a, const auto& b) { return a.key < b.key; });
+  EXPECT_EQ(to_csv(written).find("area_stage"), std::string::npos);
+  written.rows[1].stage = characterise::AreaStage::routed;
+  const auto read_back = read(to_csv(written));
+  ASSERT_TRUE(read_back.ok()) << read_back.error().to_string();
+  EXPECT_EQ(to_csv(*read_back), to_csv(written));
+  EXPECT_EQ(read_back->rows[1].stage, characterise::AreaStage::routed);
+  EXPECT_FALSE(read_back->rows[0].is_imported());
+  std::string text = to_csv(written);
+  text.replace(text.find("placed_and_routed"), 17, "guessed");
+  EXPECT_FALSE(read(text).ok());
 }
 
 TEST_F(Table, LinesOfOtherSystemsAndUnsortedRowsAreRead) {

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "generator/components/component_maker.hpp"
+#include "model/characterise/vendor_report.hpp"
+#include "model/design/design.hpp"
+
+namespace mixcmp::components {
+
+/// The reports of one compilation of a generated system.
+struct ImportedReports {
+  characterise::VendorReport areas;
+  std::optional<characterise::VendorReport> timing;  ///< of the same tool, design and part
+  std::string part;                                  ///< "xc7a200tfbg676-2"
+};
+
+/// A table's row from the instances of one component in a system.
+struct ImportedRow {
+  characterise::Measurement row;
+  int instances = 0;
+};
+
+/// Makes rows of the components that a system of `scene` has: lanes, scoreboards, references, the
+/// crossbar. An area is the mean over the component's instances, rounded up, so that a plan counts
+/// for them what they took together. The crossbar's share of a reference is that of the lanes which
+/// it serves. The clock of every row is that of the whole system. Errors name the report and its
+/// line, or a lane that no row can name. A crossbar of more lanes a reference than `measured_ports`
+/// has no row.
+Result<std::vector<ImportedRow>> imported_rows(const scene::Scene& scene,
+                                               const data::Comparisons* data,
+                                               const design::Design& design,
+                                               const ImportedReports& reports);
+
+}  // namespace mixcmp::components
