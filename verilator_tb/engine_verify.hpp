@@ -22,6 +22,11 @@ std::vector<std::uint8_t> row_bytes(const data::Table& table,
                                     const std::vector<std::string>& columns, int bytes_of_one,
                                     std::uint64_t first, std::uint64_t count);
 
+/// The bytes of these rows of a table, as above.
+std::vector<std::uint8_t> row_bytes(const data::Table& table,
+                                    const std::vector<std::string>& columns, int bytes_of_one,
+                                    const std::vector<std::uint64_t>& rows);
+
 /// Builds the simulator, calls `trials` with it, and returns the judge's report. Gives the wave
 /// file, if there is one, its GTKWave save file.
 Result<VerifyReport> run_engine(const System& system, const VerifyOptions& options,

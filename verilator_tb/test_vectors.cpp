@@ -15,14 +15,6 @@ namespace {
 
 constexpr std::uint64_t seed = 1;
 
-std::vector<std::uint64_t> spread(std::uint64_t available, std::uint64_t count) {
-  const Selection selection(
-      available, {.limit = count, .sampling = Sampling::random, .seed = seed, .only = {}});
-  std::vector<std::uint64_t> indices(selection.size());
-  for (std::uint64_t k = 0; k < indices.size(); ++k) indices[k] = selection.index(k);
-  return indices;
-}
-
 /// Finds comparisons by the word that a lane of the first group answers to them.
 class WordFinder {
 public:
@@ -54,7 +46,8 @@ private:
 };
 
 /// Indices of `count` comparisons in rising order: the rare words' first, then any others.
-std::vector<std::uint64_t> pick(WordFinder& finder, std::uint64_t available, std::uint64_t count) {
+std::vector<std::uint64_t> pick(WordFinder& finder, std::uint64_t available, std::uint64_t count,
+                                std::uint64_t quota) {
   const std::vector<std::uint64_t> candidates =
       spread(available, std::min(available, count * finder.candidates_for_each()));
   if (candidates.size() <= count) return candidates;
@@ -65,10 +58,10 @@ std::vector<std::uint64_t> pick(WordFinder& finder, std::uint64_t available, std
   }
   // There are at most nine words: those of less, equal, greater and unordered, each by a lane or by
   // a reference, and undecided.
-  const std::uint64_t quota = std::max<std::uint64_t>(count / 32, 1);
+  const std::uint64_t of_a_word = std::max<std::uint64_t>(quota / 8, 1);
   std::set<std::uint64_t> picked;
   for (const auto& [word, indices] : by_word) {
-    for (const std::uint64_t k : spread(indices.size(), std::min(quota, indices.size()))) {
+    for (const std::uint64_t k : spread(indices.size(), std::min(of_a_word, indices.size()))) {
       if (picked.size() < count) picked.insert(indices[k]);
     }
   }
@@ -80,12 +73,27 @@ std::vector<std::uint64_t> pick(WordFinder& finder, std::uint64_t available, std
 
 }  // namespace
 
+std::vector<std::uint64_t> spread(std::uint64_t available, std::uint64_t count) {
+  const Selection selection(
+      available, {.limit = count, .sampling = Sampling::random, .seed = seed, .only = {}});
+  std::vector<std::uint64_t> indices(selection.size());
+  for (std::uint64_t k = 0; k < indices.size(); ++k) indices[k] = selection.index(k);
+  return indices;
+}
+
+std::vector<std::uint64_t> choose_comparisons(const design::Design& design,
+                                              const data::Comparisons& comparisons,
+                                              std::uint64_t count, std::uint64_t quota) {
+  WordFinder finder(design, comparisons);
+  return pick(finder, comparisons.size(), count, quota);
+}
+
 std::vector<project::TestVector> test_vectors(const design::Design& design,
                                               const data::Comparisons& comparisons,
                                               const emit::Signature& signature,
                                               std::uint64_t count) {
-  WordFinder finder(design, comparisons);
-  const std::vector<std::uint64_t> indices = pick(finder, comparisons.size(), count);
+  const std::vector<std::uint64_t> indices =
+      choose_comparisons(design, comparisons, count, count / 4);
   std::vector<Bits> operands(comparisons.input_count());
   std::vector<project::TestVector> vectors;
   for (std::size_t k = 0; k < indices.size(); ++k) {

@@ -10,6 +10,16 @@
 
 namespace mixcmp::verilator_tb {
 
+/// Indices of `count` of `available` comparisons, spread over all of them.
+std::vector<std::uint64_t> spread(std::uint64_t available, std::uint64_t count);
+
+/// Indices of at most `count` of the scene's comparisons, in rising order. Comparisons whose
+/// results are rare are looked for: those of each word of a result get up to `quota` divided by
+/// eight places, and at least one.
+std::vector<std::uint64_t> choose_comparisons(const design::Design& design,
+                                              const data::Comparisons& comparisons,
+                                              std::uint64_t count, std::uint64_t quota);
+
 /// Picks at most `count` of the scene's comparisons, spread over all data, for a test bench that
 /// runs without this program. Results that are rare among the data, such as recomputed ones, are
 /// looked for, and get up to a quarter of the places. Vector k is for lane k modulo the number of

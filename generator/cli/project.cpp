@@ -5,6 +5,7 @@
 
 #include "generator/cli/exit.hpp"
 #include "model/devices/device.hpp"
+#include "verilator_tb/engine_vectors.hpp"
 #include "verilator_tb/test_vectors.hpp"
 
 namespace mixcmp::cli {
@@ -59,10 +60,13 @@ void add_project(emit::GeneratedSystem& system, const ProjectOptions& options,
   if (options.tools.empty()) return;
   const devices::Device device = value_or_exit(devices::find_device(design.system.device));
   std::vector<project::TestVector> vectors;
+  project::EngineVectors engine_vectors;
   if (loaded.data) {
     vectors = verilator_tb::test_vectors(design, *loaded.data, system.signature, options.vectors);
+    engine_vectors =
+        verilator_tb::engine_vectors(design, *loaded.data, system.signature, options.vectors);
   }
-  const project::ProjectSpec spec{system.signature, device, vectors,
+  const project::ProjectSpec spec{system.signature, device, vectors, engine_vectors,
                                   project_command(options, command)};
   value_or_exit(
       emit::add_project_files(system, value_or_exit(project::project_files(spec, options.tools))));

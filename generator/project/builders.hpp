@@ -29,6 +29,12 @@ GeneratedFile file_from(const std::string& name, const std::string& file, const 
 
 /// The test bench in Verilog, its vectors, and the same test for cocotb.
 std::vector<GeneratedFile> testbench_files(const ProjectSpec& spec);
+/// The test bench of the engine in Verilog, and its vectors; for a spec that tests_engine().
+std::vector<GeneratedFile> engine_testbench_files(const ProjectSpec& spec);
+
+/// The bytes as one hexadecimal number, whose lowest byte is the first.
+std::string hexadecimal(const std::vector<std::uint8_t>& bytes);
+
 /// A wrapper with one AXI4-Stream a lane, an instantiation template and VHDL declarations.
 std::vector<GeneratedFile> integration_files(const ProjectSpec& spec);
 

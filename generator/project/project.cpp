@@ -100,6 +100,7 @@ Result<std::vector<GeneratedFile>> project_files(const ProjectSpec& spec,
                                                  const std::set<Tool>& tools) {
   std::vector<GeneratedFile> files = integration_files(spec);
   if (!spec.vectors.empty()) append(files, testbench_files(spec));
+  if (spec.tests_engine()) append(files, engine_testbench_files(spec));
   for (const Tool tool : tools) {
     MIXCMP_CHECK(!spec.vectors.empty() || !runs_test_bench(tool));
     MIXCMP_TRY(more, files_for(tool, spec));

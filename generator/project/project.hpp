@@ -31,11 +31,15 @@ struct ProjectSpec {
   const devices::Device& device;
   /// Vector k is for lane k modulo the number of lanes. Empty: there is no test bench.
   const std::vector<TestVector>& vectors;
+  /// For the test bench of the engine, where there is one and there are vectors.
+  const EngineVectors& engine_vectors;
   /// The command that makes these files, for their heads.
   std::string command;
 
   /// The module to build, which is the engine's where there is one.
   const std::string& build_top() const;
+  /// Whether there is a test bench of the engine beside that of the system inside it.
+  bool tests_engine() const { return !std::holds_alternative<std::monostate>(engine_vectors); }
   /// The ports of that module.
   const std::vector<emit::SignaturePort>& build_ports() const;
 };

@@ -1,15 +1,48 @@
+#include <fmt/core.h>
+
 #include "generator/project/builders.hpp"
 
 namespace mixcmp::project {
+namespace {
+
+/// From this number of lanes on, Icarus takes longer than half a minute to compile a system.
+constexpr int large_system_lanes = 24;
+
+/// The values of the scripts that run test benches: that of the system, then that of the engine
+/// around it.
+Values simulator_values(const ProjectSpec& spec) {
+  const std::string& top = spec.signature.top;
+  Values values = common_values(spec, "#");
+  values["BENCHES"] = top + "_tb";
+  values["TESTED"] = "the test bench of " + top;
+  values["WAVES_REMARK"] = "";
+  if (!spec.tests_engine()) return values;
+  const std::string& engine = spec.signature.engine->top;
+  values["BENCHES"] += fmt::format(" {}_tb", engine);
+  values["TESTED"] = fmt::format("the test benches of {} and of its engine", top);
+  values["WAVES_REMARK"] = " Waves are those of the engine.";
+  return values;
+}
+
+/// Shell that says how long Icarus takes; empty for a small system.
+std::string remark_on_size(const emit::Signature& signature) {
+  if (signature.lanes < large_system_lanes) return "";
+  return fmt::format(
+      "echo \"{} lanes: Icarus may take minutes to compile them; verilator/run is faster\" >&2\n",
+      signature.lanes);
+}
+
+}  // namespace
 
 std::vector<GeneratedFile> icarus_files(const ProjectSpec& spec) {
-  Values values = common_values(spec, "#");
-  values["SOURCES"] = source_list(spec, " \\\n  .rtl/", "");
+  Values values = simulator_values(spec);
+  values["SOURCES"] = source_list(spec, " \\\n    .rtl/", "");
+  values["LARGE_REMARK"] = remark_on_size(spec.signature);
   return {script_from("icarus/run", "icarus_run", values)};
 }
 
 std::vector<GeneratedFile> verilator_files(const ProjectSpec& spec) {
-  const Values values = common_values(spec, "#");
+  const Values values = simulator_values(spec);
   return {script_from("verilator/lint", "verilator_lint", values),
           script_from("verilator/run", "verilator_run", values)};
 }

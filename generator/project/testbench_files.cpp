@@ -74,16 +74,20 @@ GeneratedFile vector_file(const ProjectSpec& spec) {
   std::string text = fmt::format("{}\n// m_axis_tdata that is expected _ s_axis_tdata\n",
                                  common_values(spec, "//").at("PROVENANCE"));
   for (const TestVector& vector : spec.vectors) {
-    text += fmt::format("{:02x}_", vector.expected.bits());
-    for (auto byte = vector.tdata.rbegin(); byte != vector.tdata.rend(); ++byte) {
-      text += fmt::format("{:02x}", *byte);
-    }
-    text += '\n';
+    text += fmt::format("{:02x}_{}\n", vector.expected.bits(), hexadecimal(vector.tdata));
   }
   return {.name = fmt::format("testbench/{}_tb.hex", spec.signature.top), .text = std::move(text)};
 }
 
 }  // namespace
+
+std::string hexadecimal(const std::vector<std::uint8_t>& bytes) {
+  std::string text;
+  for (auto byte = bytes.rbegin(); byte != bytes.rend(); ++byte) {
+    text += fmt::format("{:02x}", *byte);
+  }
+  return text;
+}
 
 std::vector<GeneratedFile> testbench_files(const ProjectSpec& spec) {
   Values values = signature_values(spec, "#");

@@ -77,7 +77,7 @@ TEST_F(Project, TheTestBenchPassesInIcarusFromAnyFolder) {
       std::regex_search(run.output, std::regex("PASSED: 600 comparisons \\(150, 4 times\\), "
                                                "[1-9][0-9]* recomputed")))
       << run.output;
-  EXPECT_TRUE(fs::exists(path("elsewhere/a work/simulation.log")));
+  EXPECT_TRUE(fs::exists(path("elsewhere/a work/scene_s8e8_2x1_tb.log")));
   EXPECT_TRUE(fs::exists(path("elsewhere/a work/w.fst")));
 }
 
@@ -135,19 +135,122 @@ TEST_F(Project, TheTestBenchPassesForEveryKindOfSystem) {
   }
 }
 
-TEST_F(Project, OfAnEngineTheSystemInsideIsTested) {
-  write("scene.toml",
-        "[comparison]\nname = \"near\"\nf = \"ai - aj\"\ng = \"bi - bj\"\n"
-        "[reference]\nformat = \"binary32\"\n[reduced]\nformat = \"s8e8\"\n"
-        "[system]\nlanes = 2\nreferences = 1\ndevice = \"ice40-hx8k\"\n"
-        "[engine]\nkind = \"pairwise\"\ncapacity = 16\n"
-        "[data]\nfile = \"data.csv\"\npairs = \"all\"\n");
-  write("data.csv", "a,b,c\n1,2,3\n4,5,6\n9,8,7\n2,4,4\n2,3,8\n");
+class EngineProject : public Project {
+protected:
+  /// Items whose differences tie, nearly tie, or are far apart.
+  void write_pairs() {
+    std::string data = "a,b\n";
+    for (int k = 0; k < 12; ++k) {
+      const double a = 1 + 0.37 * k;
+      data += fmt::format("{:.7f},{:.7f}\n", a, k % 3 == 0 ? a : a * (1 + 0.003 * (k % 5)));
+    }
+    write("data.csv", data);
+    write_engine("ai - aj", "bi - bj", "[engine]\nkind = \"pairwise\"\ncapacity = 16\n",
+                 "pairs = \"all\"\n");
+  }
+
+  /// Points between centres, some of them in the middle of two.
+  void write_chain() {
+    write("data.csv", "p\n0.5\n1.0001\n1.75\n2.5\n2.9999\n3.25\n1\n3\n0\n4\n");
+    write("centres.csv", "c\n0\n2\n4\n");
+    write_engine("(p - ci)^2", "(p - cj)^2", "[engine]\nkind = \"arg_min\"\ntag_bits = 5\n",
+                 "with = \"centres.csv\"\npairs = \"arg_min\"\n");
+  }
+
+  Outcome run_engine_changed(const std::string& file, const std::string& change) {
+    Outcome run = run_changed(file, change);
+    EXPECT_NE(run.exit_code, 0) << change << "\n" << run.output;
+    return run;
+  }
+
+private:
+  void write_engine(const std::string& f, const std::string& g, const std::string& engine,
+                    const std::string& pairing) {
+    write("scene.toml",
+          fmt::format("[comparison]\nname = \"near\"\nf = \"{}\"\ng = \"{}\"\n"
+                      "[reference]\nformat = \"binary32\"\n[reduced]\nformat = \"s8e8\"\n"
+                      "[system]\nlanes = 2\nreferences = 1\ndevice = \"ice40-hx8k\"\n{}"
+                      "[data]\nfile = \"data.csv\"\n{}",
+                      f, g, engine, pairing));
+  }
+};
+
+TEST_F(EngineProject, TheSystemInsideIsTestedAndThenThePairwiseEngine) {
+  write_pairs();
   generate("--project icarus,yosys");
-  const Outcome run = in_folder("rtl/icarus/run work");
+  const Outcome run = in_folder("rtl/icarus/run work +waves=w.fst");
   EXPECT_EQ(run.exit_code, 0) << run.output;
-  expect_in(run.output, "PASSED: 40 comparisons (10, 4 times)");
+  expect_in(run.output, "PASSED: 264 comparisons (66, 4 times)");
+  EXPECT_TRUE(std::regex_search(
+      run.output, std::regex("PASSED: the engine's 264 pairs \\(12 items, 4 times\\), "
+                             "[1-9][0-9]* reported")))
+      << run.output;
+  EXPECT_TRUE(fs::exists(path("work/w.fst")));
   expect_in(read("rtl/yosys/synthesise.ys"), "synth_ice40 -top near_s8e8_2x1_pairwise\n");
+}
+
+TEST_F(EngineProject, TheArgMinEngineIsTested) {
+  write_chain();
+  for (const char* settings : {"", "--set system.counter_bits=0", "--lanes 4"}) {
+    generate(std::string("--project icarus ") + settings);
+    const Outcome run = in_folder("rtl/icarus/run work +seed=7");
+    EXPECT_EQ(run.exit_code, 0) << settings << "\n" << run.output;
+    expect_in(run.output, "PASSED: the engine's 40 rows (10, 4 times), 3 candidates");
+    fs::remove_all(path("rtl"));
+  }
+}
+
+TEST_F(EngineProject, VerilatorTakesTheTestBenchesWithoutAWarning) {
+  for (const bool is_chain : {false, true}) {
+    is_chain ? write_chain() : write_pairs();
+    generate("--project verilator --vectors 20");
+    const std::string bench = is_chain ? "near_s8e8_2x1_arg_min_tb" : "near_s8e8_2x1_pairwise_tb";
+    EXPECT_NE(read("rtl/verilator/run").find("for bench in near_s8e8_2x1_tb " + bench + ";"),
+              std::string::npos);
+    const Outcome lint = in_folder(
+        fmt::format("verilator --lint-only --timing --top-module {0} -F rtl/near_s8e8_2x1.f "
+                    "rtl/testbench/{0}.v",
+                    bench));
+    EXPECT_EQ(lint.exit_code, 0) << lint.output;
+    EXPECT_EQ(lint.output, "");
+    fs::remove_all(path("rtl"));
+  }
+}
+
+TEST_F(EngineProject, FaultsOfThePairwiseEngineAreFound) {
+  write_pairs();
+  generate("--project icarus");
+  const char* const stream = "mixcmp_report_stream.v";
+  const Fault faults_of_stream[] = {
+      {"s/{4.b0000, result}/{4'\\''b0000, result ^ 4'\\''b0010}/", "; got "},
+      {"s/{4.b0000, result}/{4'\\''b0000, result ^ 4'\\''b0100}/", ", recomputed; got "},
+      {"s/INDEX_BITS-1:0\\] = close_count/INDEX_BITS-1:0] = close_count + ONE/",
+       "a wrong closing beat"},
+      {"s/:0\\]           = index_i/:0]           = index_j/", "a report of no pair"},
+      {"s/tree_valid || closing_q/(tree_valid \\&\\& m_axis_tready) || closing_q/",
+       "m_axis_tvalid follows m_axis_tready"}};
+  for (const Fault& fault : faults_of_stream) {
+    expect_in(run_engine_changed(stream, fault.change).output, fault.message);
+  }
+  expect_in(run_engine_changed("mixcmp_pair_segment.v",
+                               "s/reported\\[result\\[1:0\\]\\] ||/(reported[result[1:0]] "
+                               "\\&\\& !result[2]) ||/")
+                .output,
+            "the set is closed without it");
+  expect_in(run_engine_changed("testbench/near_s8e8_2x1_pairwise_tb.hex", "$ d").output,
+            "the file of vectors cannot be read, or is not whole");
+}
+
+TEST_F(EngineProject, FaultsOfTheArgMinEngineAreFound) {
+  write_chain();
+  generate("--project icarus");
+  expect_in(run_engine_changed("mixcmp_arg_min_stage.v", "s/is_greater ? OWN : kept/kept/").output,
+            "expected candidate ");
+  expect_in(run_engine_changed("mixcmp_arg_min_engine.v",
+                               "s/m_axis_tvalid     = row_valid\\[STAGES\\]/m_axis_tvalid = "
+                               "row_valid[STAGES] \\&\\& (m_axis_tuser != 3)/")
+                .output,
+            "expected tag 03");
 }
 
 TEST_F(Project, VerilatorFindsNoFaultAndNoWarning) {

@@ -1,0 +1,322 @@
+// Test bench of the pairwise engine @ENGINE@ that checks itself, in plain Verilog-2001 for any
+// simulator.
+//
+// It sends a set of @ITEMS@ items of the scene's data, four times: at full rate, with idle cycles,
+// with backpressure, and with both. Each of the set's pairs must be reported once where its verdict
+// asks for it, else not at all, with the verdict and the flags that the golden model of mixcmp
+// computed when this file was written; then the closing beat must leave. It prints
+//   PASSED: ...   and ends with $finish, or
+//   FAILED: ...   after a line for each of the first failures, and ends with $stop.
+// Verilog-2001 has no exit code. Verilator makes one of $stop, and Icarus has $fatal.
+//
+// Arguments of the simulation, all optional:
+//   +vectors=FILE  @ENGINE@_tb.hex in another place than the working folder
+//   +waves=FILE    write all signals there ($dumpfile)
+//   +seed=N        other idle cycles and other backpressure
+//
+@PROVENANCE@
+
+`default_nettype none
+
+module @ENGINE@_tb;
+
+  // The system's signature, @TOP@.json.
+  localparam LANES = @LANES@;
+  localparam ITEM_BITS = @ITEM_BITS@;
+  localparam FIELD_BITS = @FIELD_BITS@;  // of an item's number in m_axis_tdata
+  localparam COUNTER_BITS = @COUNTER_BITS@;
+  // Bit v: pairs with verdict v (0 less, 1 equal, 2 greater, 3 unordered) are reported. Undecided
+  // pairs always are.
+  localparam [3:0] REPORTED_VERDICTS = 4'b@REPORTED_VERDICTS@;
+
+  localparam ITEMS = @ITEMS@;
+  localparam PAIRS = ITEMS * (ITEMS - 1) / 2;
+  localparam VECTORS = ITEMS + PAIRS;  // lines of the file: items, then expected words of pairs
+  localparam PASSES = 4;
+  localparam MAX_FAILURES = 10;       // so many are described, then the simulation ends
+  localparam TIME_OUT_CYCLES = 5000;  // in which no item is taken and no beat leaves
+
+  reg                     aclk;
+  reg                     aresetn;
+  reg                     s_axis_tvalid;
+  wire                    s_axis_tready;
+  reg  [ITEM_BITS-1:0]    s_axis_tdata;
+  reg                     s_axis_tlast;
+  wire                    m_axis_tvalid;
+  reg                     m_axis_tready;
+  wire [2*FIELD_BITS-1:0] m_axis_tdata;
+  wire [7:0]              m_axis_tuser;
+  wire                    m_axis_tlast;
+@COUNTER_NETS@
+
+  @ENGINE@ engine (
+      .aclk(aclk),
+      .aresetn(aresetn),
+@COUNTER_CONNECTIONS@
+      .s_axis_tvalid(s_axis_tvalid),
+      .s_axis_tready(s_axis_tready),
+      .s_axis_tdata(s_axis_tdata),
+      .s_axis_tlast(s_axis_tlast),
+      .m_axis_tvalid(m_axis_tvalid),
+      .m_axis_tready(m_axis_tready),
+      .m_axis_tdata(m_axis_tdata),
+      .m_axis_tuser(m_axis_tuser),
+      .m_axis_tlast(m_axis_tlast)
+  );
+
+  reg [ITEM_BITS-1:0]    vectors [0:VECTORS-1];
+  reg                    reported [0:PAIRS-1];  // in this pass
+  reg [31:0]             compared [0:LANES-1];
+  reg [31:0]             recomputed [0:LANES-1];
+  reg                    waiting;  // a beat waits for tready
+  reg [2*FIELD_BITS+8:0] waiting_beat;
+  reg                    valid_before;  // m_axis_tvalid before tready takes this cycle's value
+  reg [8*1024-1:0]       file_name;
+  reg [31:0]             random_state;
+  reg [8:0]              offer_density;  // of 256 cycles, those with an offer
+  reg [8:0]              ready_density;  // of 256 cycles, those with tready high
+  reg                    idle_cycles;
+  reg                    backpressure;
+  reg                    stopped;  // by a time-out, or after so many failures
+  reg                    closed;   // the closing beat of this pass has left
+  integer                next_item;
+  integer                set_results;  // reports of this pass
+  integer                pass;
+  integer                cycle;
+  integer                last_progress;
+  integer                results;
+  integer                failures;
+
+@COMMON_TASKS@
+  // The number of the pair (i, j), i < j: (0,1), (0,2), ..., (1,2), ...
+  function integer pair_of(input integer i, input integer j);
+    pair_of = i * (2 * ITEMS - i - 1) / 2 + j - i - 1;
+  endfunction
+
+  function [7:0] expected_word(input integer pair);
+    expected_word = vectors[ITEMS+pair][7:0];
+  endfunction
+
+  function is_due(input [7:0] word);
+    is_due = word[3] || REPORTED_VERDICTS[word[1:0]];
+  endfunction
+
+  task write_word(input [7:0] word);
+    begin
+      if ((^word === 1'bx) || (word[7:4] != 4'd0)) $write("the impossible tuser %h", word);
+      else if (word[3]) $write("undecided");
+      else begin
+        case (word[1:0])
+          2'd0: $write("less");
+          2'd1: $write("equal");
+          2'd2: $write("greater");
+          default: $write("unordered");
+        endcase
+        if (word[2]) $write(", recomputed"); else $write(", decided by the lane");
+      end
+      if (!is_due(word)) $write(", not reported");
+    end
+  endtask
+
+  task write_pair(input integer i, input integer j);
+    $write("items %0d and %0d, lane %0d, pass %0d, cycle %0d: ", i, j, i % LANES, pass, cycle);
+  endtask
+
+  task check_pair(input integer i, input integer j, input [7:0] word);
+    reg [7:0] expected;
+    reg [7:0] compared_bits;  // the verdict of an undecided pair has no meaning
+    begin
+      expected = expected_word(pair_of(i, j));
+      compared_bits = expected[3] ? 8'hfc : 8'hff;
+      if (!is_due(expected) || (((word ^ expected) & compared_bits) !== 8'd0)) begin
+        write_pair(i, j);
+        $write("expected ");
+        write_word(expected);
+        $write("; got ");
+        write_word(word);
+        $display("");
+        count_failure;
+      end
+    end
+  endtask
+
+  task receive_report;
+    reg [FIELD_BITS+31:0] wide;
+    reg [31:0]            i;
+    reg [31:0]            j;
+    begin
+      wide = {32'd0, m_axis_tdata[0 +: FIELD_BITS]};
+      i = wide[31:0];
+      wide = {32'd0, m_axis_tdata[FIELD_BITS +: FIELD_BITS]};
+      j = wide[31:0];
+      set_results = set_results + 1;
+      results = results + 1;
+      if (closed || m_axis_tlast || (i >= j) || (j >= ITEMS)) begin
+        $display("pass %0d, cycle %0d: a report of no pair, items %0d and %0d, tlast %b",
+                 pass, cycle, i, j, m_axis_tlast);
+        count_failure;
+      end else if (reported[pair_of(i, j)]) begin
+        write_pair(i, j);
+        $display("the pair is reported twice");
+        count_failure;
+      end else begin
+        reported[pair_of(i, j)] = 1'b1;
+        check_pair(i, j, m_axis_tuser);
+      end
+    end
+  endtask
+
+  task receive_closing_beat;
+    reg [2*FIELD_BITS+31:0] wide;
+    integer                 i;
+    integer                 j;
+    begin
+      wide = {{(2*FIELD_BITS){1'b0}}, set_results};
+      if (closed || (m_axis_tuser != 8'h80) || !m_axis_tlast
+          || (m_axis_tdata != wide[2*FIELD_BITS-1:0])) begin
+        $display("pass %0d, cycle %0d: a wrong closing beat: %0d reports, tuser %h, tlast %b",
+                 pass, cycle, m_axis_tdata, m_axis_tuser, m_axis_tlast);
+        $display("  after %0d reports in this pass", set_results);
+        count_failure;
+      end
+      closed = 1'b1;
+      for (i = 0; i < ITEMS; i = i + 1) begin
+        for (j = i + 1; j < ITEMS; j = j + 1) begin
+          if (is_due(expected_word(pair_of(i, j))) && !reported[pair_of(i, j)] && !stopped) begin
+            write_pair(i, j);
+            $write("expected ");
+            write_word(expected_word(pair_of(i, j)));
+            $display("; the set is closed without it");
+            count_failure;
+          end
+        end
+      end
+    end
+  endtask
+
+  task drive;
+    begin
+      draw;
+      if (!s_axis_tvalid && (next_item < ITEMS)
+          && ({1'b0, random_state[7:0]} < offer_density)) begin
+        s_axis_tvalid = 1'b1;
+        s_axis_tdata = vectors[next_item];
+        s_axis_tlast = (next_item == ITEMS - 1);
+      end
+      m_axis_tready = {1'b0, random_state[15:8]} < ready_density;
+    end
+  endtask
+
+  task sample;
+    begin
+      check_held;
+      if ((m_axis_tvalid === 1'b1) && m_axis_tready) begin
+        if (m_axis_tuser[7] === 1'b1) receive_closing_beat; else receive_report;
+        last_progress = cycle;
+      end
+    end
+  endtask
+
+  // Inputs change while aclk is low, and outputs are read before it rises.
+  task clock_cycle;
+    reg taken;
+    begin
+      aclk = 1'b0;
+      #1;
+      valid_before = m_axis_tvalid;
+      if (aresetn) drive;
+      #1;
+      taken = s_axis_tvalid && (s_axis_tready === 1'b1);
+      if (aresetn) sample;
+      aclk = 1'b1;
+      #1;
+      if (aresetn && taken) begin
+        s_axis_tvalid = 1'b0;
+        next_item = next_item + 1;
+        last_progress = cycle;
+      end
+      #1;
+      cycle = cycle + 1;
+    end
+  endtask
+
+  task run_pass;
+    integer k;
+    begin
+      next_item = 0;
+      set_results = 0;
+      closed = 1'b0;
+      last_progress = cycle;
+      for (k = 0; k < PAIRS; k = k + 1) reported[k] = 1'b0;
+      while (!closed && !stopped) begin
+        clock_cycle;
+        if (cycle - last_progress > TIME_OUT_CYCLES) begin
+          $display("time-out: nothing has moved in %0d cycles of pass %0d", TIME_OUT_CYCLES, pass);
+          $display("  %0d of %0d items taken, %0d pairs reported", next_item, ITEMS, set_results);
+          count_failure;
+          stopped = 1'b1;
+        end
+      end
+      for (k = 0; (k < 64) && !stopped; k = k + 1) clock_cycle;  // in which nothing may leave
+    end
+  endtask
+
+  task reset;
+    begin
+      s_axis_tvalid = 1'b0;
+      s_axis_tdata = {ITEM_BITS{1'b0}};
+      s_axis_tlast = 1'b0;
+      m_axis_tready = 1'b0;
+      aresetn = 1'b0;
+      clock_cycle;
+      clock_cycle;
+      if (m_axis_tvalid !== 1'b0) begin
+        $display("cycle %0d: m_axis_tvalid is not low in reset", cycle);
+        count_failure;
+      end
+      aresetn = 1'b1;
+    end
+  endtask
+
+  // What each lane does in all passes: lane i mod p_L compares item i with all behind it.
+  task count_comparisons;
+    integer    i;
+    integer    j;
+    reg [7:0]  word;
+    begin
+      for (i = 0; i < LANES; i = i + 1) begin
+        compared[i] = 32'd0;
+        recomputed[i] = 32'd0;
+      end
+      for (i = 0; i < ITEMS; i = i + 1) begin
+        for (j = i + 1; j < ITEMS; j = j + 1) begin
+          word = expected_word(pair_of(i, j));
+          compared[i % LANES] = compared[i % LANES] + PASSES;
+          if (word[3:2] != 2'b00) recomputed[i % LANES] = recomputed[i % LANES] + PASSES;
+        end
+      end
+    end
+  endtask
+
+@COUNTER_CHECK@
+  initial begin
+    start;
+    count_comparisons;
+    reset;
+    for (pass = 1; (pass <= PASSES) && !stopped; pass = pass + 1) begin
+      idle_cycles = (pass == 2) || (pass == 4);
+      backpressure = (pass == 3) || (pass == 4);
+      run_pass;
+    end
+@COUNTER_CALL@
+    if (failures != 0) fail;
+    else begin
+      $display("PASSED: the engine's %0d pairs (%0d items, %0d times), %0d reported, %0d cycles",
+               PASSES * PAIRS, ITEMS, PASSES, results, cycle);
+      $finish;
+    end
+  end
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,160 @@
+#include "verilator_tb/engine_vectors.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+#include "verilator_tb/engine_verify.hpp"
+#include "verilator_tb/judgement.hpp"
+#include "verilator_tb/test_vectors.hpp"
+
+namespace mixcmp::verilator_tb {
+namespace {
+
+using project::ArgMinVectors;
+using project::PairwiseVectors;
+using project::RowVector;
+using Indices = std::vector<std::uint64_t>;
+
+/// The bytes of these rows of a table, one vector for each.
+std::vector<std::vector<std::uint8_t>> beats(const data::Table& table,
+                                             const std::vector<std::string>& columns,
+                                             int bytes_of_one, const Indices& rows) {
+  const std::vector<std::uint8_t> bytes = row_bytes(table, columns, bytes_of_one, rows);
+  std::vector<std::vector<std::uint8_t>> beats;
+  for (auto at = bytes.begin(); at != bytes.end(); at += bytes_of_one) {
+    beats.emplace_back(at, at + bytes_of_one);
+  }
+  return beats;
+}
+
+/// The most items whose pairs are at most `pairs`, at least two.
+std::uint64_t items_for(std::uint64_t pairs) {
+  std::uint64_t items = 2;
+  while (data::pair_count(items + 1) <= pairs) ++items;
+  return items;
+}
+
+/// Items in rising order: half of them from pairs whose results are rare, the others spread.
+Indices choose_items(const design::Design& design, const data::Comparisons& comparisons,
+                     std::uint64_t count) {
+  std::set<std::uint64_t> chosen;
+  const auto take = [&](std::uint64_t item) {
+    if (chosen.size() < count) chosen.insert(item);
+  };
+  const std::uint64_t pairs = std::max<std::uint64_t>(count / 4, 1);
+  for (const std::uint64_t index : choose_comparisons(design, comparisons, pairs, pairs)) {
+    const data::Items items = comparisons.items(index);
+    take(items.first);
+    take(items.second);
+  }
+  for (const std::uint64_t item : spread(comparisons.table().rows(), count)) take(item);
+  for (std::uint64_t item = 0; chosen.size() < count; ++item) take(item);
+  return {chosen.begin(), chosen.end()};
+}
+
+PairwiseVectors pairwise_vectors(const design::Design& design, const data::Comparisons& comparisons,
+                                 const emit::Signature& signature, std::uint64_t count) {
+  const emit::SignatureEngine& engine = *signature.engine;
+  const std::uint64_t most = std::min<std::uint64_t>(comparisons.table().rows(),
+                                                     static_cast<std::uint64_t>(engine.capacity));
+  const Indices items = choose_items(design, comparisons, std::min(items_for(count), most));
+  PairwiseVectors vectors{beats(comparisons.table(), engine.columns, engine.item_bytes, items), {}};
+  std::vector<Bits> operands(comparisons.input_count());
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const auto lane = static_cast<int>(i % static_cast<std::size_t>(signature.lanes));
+    for (std::size_t j = i + 1; j < items.size(); ++j) {
+      comparisons.fetch({.row = 0, .first = items[i], .second = items[j]}, operands);
+      vectors.expected.push_back(expected_word(design, design.group_of_lane(lane), operands));
+    }
+  }
+  return vectors;
+}
+
+/// The chain of lanes, by the golden model: lane k compares the best candidate so far with
+/// candidate k + 1. The engine repeats its last candidate where there are too few.
+class Chain {
+public:
+  Chain(const design::Design& design, const data::Comparisons& comparisons,
+        std::uint64_t candidates)
+      : design_(design),
+        comparisons_(comparisons),
+        last_(candidates - 1),
+        operands_(comparisons.input_count()) {}
+
+  RowVector run(std::uint64_t row) {
+    RowVector found;
+    for (int lane = 0; lane < design_.lane_count(); ++lane) {
+      const auto own = static_cast<std::uint64_t>(lane) + 1;
+      comparisons_.fetch({.row = row,
+                          .first = std::min<std::uint64_t>(found.choice, last_),
+                          .second = std::min(own, last_)},
+                         operands_);
+      const ResultWord word = expected_word(design_, design_.group_of_lane(lane), operands_);
+      found.is_recomputed.push_back(word.is_recomputed());
+      if (word.verdict() == Verdict::greater) found.choice = static_cast<std::uint32_t>(own);
+    }
+    return found;
+  }
+
+private:
+  const design::Design& design_;
+  const data::Comparisons& comparisons_;
+  std::uint64_t last_;
+  std::vector<Bits> operands_;
+};
+
+bool any_recomputed(const RowVector& row) {
+  return std::find(row.is_recomputed.begin(), row.is_recomputed.end(), true) !=
+         row.is_recomputed.end();
+}
+
+/// Rows in rising order: up to a quarter of them with a recomputed comparison, the others spread.
+Indices choose_rows(Chain& chain, std::uint64_t available, std::uint64_t count) {
+  std::set<std::uint64_t> chosen;
+  const Indices looked_at = spread(available, std::min(available, 4 * count));
+  for (const std::uint64_t row : looked_at) {
+    if (chosen.size() < (count + 3) / 4 && any_recomputed(chain.run(row))) chosen.insert(row);
+  }
+  for (const std::uint64_t row : spread(available, count)) {
+    if (chosen.size() < count) chosen.insert(row);
+  }
+  return {chosen.begin(), chosen.end()};
+}
+
+ArgMinVectors arg_min_vectors(const design::Design& design, const data::Comparisons& comparisons,
+                              const emit::Signature& signature, std::uint64_t count) {
+  const emit::SignatureEngine& engine = *signature.engine;
+  const data::Table& all = comparisons.tables()[1];
+  Indices candidates(
+      std::min<std::uint64_t>(all.rows(), static_cast<std::uint64_t>(engine.capacity)));
+  std::iota(candidates.begin(), candidates.end(), std::uint64_t{0});
+  Chain chain(design, comparisons, candidates.size());
+  const std::uint64_t available = comparisons.table().rows();
+  const auto lanes = static_cast<std::uint64_t>(signature.lanes);
+  const Indices rows =
+      choose_rows(chain, available, std::clamp<std::uint64_t>(count / lanes, 1, available));
+  ArgMinVectors vectors{beats(all, engine.columns, engine.item_bytes, candidates), {}};
+  const auto data = beats(comparisons.table(), engine.row_columns, engine.row_bytes, rows);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    vectors.rows.push_back(chain.run(rows[k]));
+    vectors.rows.back().tdata = data[k];
+  }
+  return vectors;
+}
+
+}  // namespace
+
+project::EngineVectors engine_vectors(const design::Design& design,
+                                      const data::Comparisons& comparisons,
+                                      const emit::Signature& signature, std::uint64_t count) {
+  switch (design.system.engine.kind) {
+    case scene::EngineKind::none: return {};
+    case scene::EngineKind::pairwise:
+      return pairwise_vectors(design, comparisons, signature, count);
+    case scene::EngineKind::arg_min: return arg_min_vectors(design, comparisons, signature, count);
+  }
+  MIXCMP_CHECK(!"an engine of no enumerator");
+}
+
+}  // namespace mixcmp::verilator_tb
