@@ -167,13 +167,10 @@ void leave_out_unusable(const scene::Scene& scene, components::ComponentQuery& q
 
 /// Leaves those lanes in the query that look promising, and says which, and how long they take.
 void choose_quickly(const CharacteriseCommand& command, const LoadedScene& loaded,
-                    const devices::Device& device, components::CharacteriseOptions& options) {
+                    const devices::Device& device, const optimise::Rates& rates,
+                    components::CharacteriseOptions& options) {
   components::ComponentQuery& query = options.query;
   if (command.bounds == CharacteriseCommand().bounds) leave_out_unusable(loaded.scene, query);
-  const auto [first, last] = std::minmax_element(query.precisions.begin(), query.precisions.end());
-  const auto rates = optimise::Rates::of(
-      value_or_exit(measure_rates(loaded, {query.inputs.begin(), query.inputs.end()},
-                                  {.first_precision = *first, .last_precision = *last})));
   components::ComponentMaker maker(loaded.scene, loaded.data ? &*loaded.data : nullptr);
   const auto found = value_or_exit(components::shortlist(maker, query, device, rates));
   query.lanes = found.lanes;
@@ -231,17 +228,32 @@ fs::path table_of(const CharacteriseCommand& command, const scene::Scene& scene,
 
 components::CharacteriseOptions prepared_options(const CharacteriseCommand& command,
                                                  const LoadedScene& loaded,
-                                                 const devices::Device& device) {
+                                                 const devices::Device& device,
+                                                 const optimise::Rates* counted) {
   components::CharacteriseOptions options =
       value_or_exit(characterise_options(command, loaded.scene));
   options.progress = tell_progress;
-  if (command.quick) choose_quickly(command, loaded, device, options);
+  if (command.quick) {
+    const optimise::Rates rates = counted ? *counted : rates_of_choice(command, loaded);
+    choose_quickly(command, loaded, device, rates, options);
+  }
   return options;
 }
 
-CharacteriseReport measure_table(const CharacteriseCommand& command, const LoadedScene& loaded) {
+optimise::Rates rates_of_choice(const CharacteriseCommand& command, const LoadedScene& loaded) {
+  const components::ComponentQuery query =
+      value_or_exit(characterise_options(command, loaded.scene)).query;
+  const auto [first, last] = std::minmax_element(query.precisions.begin(), query.precisions.end());
+  return optimise::Rates::of(
+      value_or_exit(measure_rates(loaded, {query.inputs.begin(), query.inputs.end()},
+                                  {.first_precision = *first, .last_precision = *last})));
+}
+
+CharacteriseReport measure_table(const CharacteriseCommand& command, const LoadedScene& loaded,
+                                 const optimise::Rates* counted) {
   const devices::Device device = value_or_exit(devices::find_device(loaded.scene.system.device));
-  const components::CharacteriseOptions options = prepared_options(command, loaded, device);
+  const components::CharacteriseOptions options =
+      prepared_options(command, loaded, device, counted);
   const fs::path path = table_of(command, loaded.scene, device);
   check_place(path, inputs_of_campaign(command, loaded.scene, options));
   const auto previous = value_or_exit(previous_table(path, loaded.scene, device.name));

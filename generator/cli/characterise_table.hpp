@@ -1,6 +1,7 @@
 #pragma once
 
 #include "generator/cli/characterise_options.hpp"
+#include "model/optimise/rates.hpp"
 
 namespace mixcmp::cli {
 
@@ -8,16 +9,23 @@ namespace mixcmp::cli {
 std::filesystem::path table_of(const CharacteriseCommand& command, const scene::Scene& scene,
                                const devices::Device& device);
 
-/// The options of a campaign; with --quick its lanes are chosen, which takes a profile of the data.
-/// Ends the program on an error.
+/// The options of a campaign; with --quick its lanes are chosen by `counted`, or where that is null
+/// by rates_of_choice. Ends the program on an error.
 components::CharacteriseOptions prepared_options(const CharacteriseCommand& command,
                                                  const LoadedScene& loaded,
-                                                 const devices::Device& device);
+                                                 const devices::Device& device,
+                                                 const optimise::Rates* counted = nullptr);
+
+/// The recomputation rates by which --quick chooses lanes, counted on the scene's data: of all
+/// inputs and precisions that the command names. Ends the program on an error.
+optimise::Rates rates_of_choice(const CharacteriseCommand& command, const LoadedScene& loaded);
 
 /// Measures the components that the command asks for and writes the table, unless a signal has
-/// interrupted it or there is nothing to write. Ends the program on an error.
+/// interrupted it or there is nothing to write. With --quick lanes are chosen by `counted`, or
+/// where that is null by rates_of_choice. Ends the program on an error.
 components::CharacteriseReport measure_table(const CharacteriseCommand& command,
-                                             const LoadedScene& loaded);
+                                             const LoadedScene& loaded,
+                                             const optimise::Rates* counted = nullptr);
 
 /// Puts rows into the table of the command, in place of those of the same components; other rows
 /// stay as they are. Returns the table. Ends the program on an error.

@@ -47,13 +47,19 @@ void check_rates(const optimise::Rates& rates, const fs::path& file, const Loade
   }
 }
 
+/// Rates that the choice of a quick table has counted, of each formulation; none where no table was
+/// made.
+using CountedRates = std::vector<std::optional<optimise::Rates>>;
+
 optimise::Rates rates_for(const OptimiseCommand& command, const LoadedScene& loaded,
-                          const characterise::Characterisation& table) {
+                          const characterise::Characterisation& table,
+                          const std::optional<optimise::Rates>& counted) {
   if (!command.rates.empty()) {
     optimise::Rates rates = value_or_exit(optimise::Rates::read(command.rates));
     check_rates(rates, command.rates, loaded);
     return rates;
   }
+  if (counted) return *counted;
   return optimise::Rates::of(value_or_exit(
       measure_rates(loaded, optimise::inputs_of_lanes(table), command.planning.choice)));
 }
@@ -125,41 +131,56 @@ CharacteriseCommand quick_characterisation(const PlanningOptions& planning,
   return quick;
 }
 
-/// Measures what looks promising where no formulation has a table yet.
-void make_missing_tables(const OptimiseCommand& command,
-                         const std::vector<LoadedScene>& formulations) {
+/// Whether a quick table of each formulation is to be made: none has one yet.
+bool lacks_tables(const OptimiseCommand& command, const std::vector<LoadedScene>& formulations) {
   const PlanningOptions& planning = command.planning;
-  if (command.no_characterise || !planning.table.empty()) return;
-  for (const LoadedScene& each : formulations) {
-    if (path_exists(table_of(planning, each.scene))) return;
-    if (each.scene.system.engine.kind == scene::EngineKind::arg_min) return;  // nothing to plan
-  }
-  for (const LoadedScene& each : formulations) {
+  if (command.no_characterise || !planning.table.empty()) return false;
+  return std::none_of(formulations.begin(), formulations.end(), [&](const LoadedScene& each) {
+    const bool is_chain = each.scene.system.engine.kind == scene::EngineKind::arg_min;
+    return is_chain || path_exists(table_of(planning, each.scene));  // of a chain nothing to plan
+  });
+}
+
+/// Measures what looks promising where no formulation has a table yet. Returns the rates that were
+/// counted for that.
+CountedRates make_missing_tables(const OptimiseCommand& command,
+                                 const std::vector<LoadedScene>& formulations) {
+  CountedRates counted(formulations.size());
+  if (!lacks_tables(command, formulations)) return counted;
+  for (std::size_t k = 0; k < formulations.size(); ++k) {
+    const LoadedScene& each = formulations[k];
     tell_note(
         fmt::format("no areas of {} yet: measuring some into {}. An interrupted run goes on "
                     "when it is given again; --no-characterise measures nothing",
-                    name_of(each.scene), table_of(planning, each.scene).string()));
-    end_if_unfinished(measure_table(quick_characterisation(planning, each.scene), each));
+                    name_of(each.scene), table_of(command.planning, each.scene).string()));
+    const CharacteriseCommand quick = quick_characterisation(command.planning, each.scene);
+    counted[k] = rates_of_choice(quick, each);
+    end_if_unfinished(measure_table(quick, each, &*counted[k]));
   }
+  return counted;
 }
 
-Result<Candidate> find_plans(const OptimiseCommand& command, const LoadedScene& loaded) {
+Result<Candidate> find_plans(const OptimiseCommand& command, const LoadedScene& loaded,
+                             const std::optional<optimise::Rates>& counted) {
   const PlanningOptions& planning = command.planning;
   const data::Comparisons* data = loaded.data ? &*loaded.data : nullptr;
   MIXCMP_TRY(known, load_planning(planning, loaded.scene, data));
-  MIXCMP_TRY(found, optimise::optimise(known.scene, known.device, known.table,
-                                       rates_for(command, loaded, known.table), planning.choice));
+  MIXCMP_TRY(found,
+             optimise::optimise(known.scene, known.device, known.table,
+                                rates_for(command, loaded, known.table, counted), planning.choice));
   return Candidate{std::move(known), std::move(found)};
 }
 
 /// The plans of all formulations. A formulation that cannot be planned is left out with a note; if
 /// none can be planned, the program ends with an error.
 std::vector<Candidate> find_candidates(const OptimiseCommand& command,
-                                       const std::vector<LoadedScene>& formulations) {
+                                       const std::vector<LoadedScene>& formulations,
+                                       const CountedRates& counted) {
   std::vector<Candidate> candidates;
   std::vector<std::pair<std::string, Error>> left_out;
-  for (const LoadedScene& formulation : formulations) {
-    Result<Candidate> candidate = find_plans(command, formulation);
+  for (std::size_t k = 0; k < formulations.size(); ++k) {
+    const LoadedScene& formulation = formulations[k];
+    Result<Candidate> candidate = find_plans(command, formulation, counted[k]);
     if (candidate.ok()) {
       candidates.push_back(std::move(candidate).value());
     } else {
@@ -254,8 +275,8 @@ void run(OptimiseCommand& command) {
   const std::vector<fs::path> outputs = {command.plan, command.csv, command.lp};
   value_or_exit(check_outputs(outputs, inputs));
   value_or_exit(check_writable(outputs));
-  make_missing_tables(command, formulations);
-  const std::vector<Candidate> candidates = find_candidates(command, formulations);
+  const CountedRates counted = make_missing_tables(command, formulations);
+  const std::vector<Candidate> candidates = find_candidates(command, formulations, counted);
   const auto best = std::max_element(candidates.begin(), candidates.end(),
                                      [](const Candidate& a, const Candidate& b) {
                                        return a.throughput_per_s() < b.throughput_per_s();

@@ -19,7 +19,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-class Page {
+/// Text that grows by formatted pieces.
+class FormattedText {
 public:
   template <class... Arguments>
   void add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
@@ -50,7 +51,7 @@ std::string shown(const std::optional<double>& bound) {
   return bound ? fmt::format("{:.3e}", *bound) : "none";
 }
 
-void add_errors(Page& page, const ErrorProfile& profile) {
+void add_errors(FormattedText& page, const ErrorProfile& profile) {
   page.add("\nrelative error of f and g, {}: the largest of {} comparisons, and what is proven\n",
            describe(profile.inputs), profile.comparisons);
   page.add("{:>4}  {:>10}  {:>10}  {:>10}  {:>10}\n", "L", "f", "f bound", "g", "g bound");
@@ -93,7 +94,7 @@ std::size_t interesting_rows(const RateProfile& profile) {
 }
 
 /// Adds how many verdicts that lanes decided were wrong, whatever the reference says.
-void add_wrong_lanes(Page& page, const RateProfile& profile) {
+void add_wrong_lanes(FormattedText& page, const RateProfile& profile) {
   page.add("wrong verdicts that a lane decided, at all L together:");
   for (const SchemeProfile& scheme : profile.schemes) {
     if (!exists(scheme)) continue;
@@ -104,7 +105,7 @@ void add_wrong_lanes(Page& page, const RateProfile& profile) {
   page.add("\n");
 }
 
-void add_rates(Page& page, const RateProfile& profile) {
+void add_rates(FormattedText& page, const RateProfile& profile) {
   page.add("\nrecomputation rate and wrong verdicts, {}, {} comparisons\n",
            describe(profile.inputs), profile.comparisons);
   page.add("the reference alone: {} wrong\n", profile.reference_wrong);
@@ -196,7 +197,7 @@ Json to_json(const RateProfile& profile) {
 }  // namespace
 
 std::string to_text(const ProfileReport& report) {
-  Page page;
+  FormattedText page;
   page.add("{}: {} comparisons, reference {}\n", report.scene, report.comparisons,
            report.reference.name());
   for (const ErrorProfile& errors : report.errors) add_errors(page, errors);
@@ -216,7 +217,7 @@ Json to_json(const ProfileReport& report) {
 }
 
 std::string figure4_csv(const ProfileReport& report) {
-  Page page;
+  FormattedText page;
   page.add("inputs,precision,f_error,g_error,f_bound,g_bound,f_unbounded,g_unbounded\n");
   const auto bound = [](const std::optional<double>& value) {
     return value ? fmt::format("{}", *value) : "";
@@ -235,7 +236,7 @@ std::string figure4_csv(const ProfileReport& report) {
 }
 
 std::string figure5_csv(const ProfileReport& report) {
-  Page page;
+  FormattedText page;
   page.add("inputs,precision,scheme,comparisons,undecided,rate,wrong,wrong_by_lane\n");
   for (const RateProfile& profile : report.rates) {
     const auto inputs = to_string(profile.inputs);

@@ -45,7 +45,7 @@ std::string formats_of(const OperatorCount& count) {
 }
 
 /// Collects sections of lines, each a name and a text.
-class Page {
+class SectionList {
 public:
   void section(std::string_view title) { sections_.push_back({std::string(title), {}}); }
   void line(std::string_view name, std::string_view text) {
@@ -73,7 +73,7 @@ std::string answer(const RangeQuestion& finding, bool with_operations) {
   return text;
 }
 
-void print_reduced(Page& page, const std::string& name, const ReducedSpec& reduced) {
+void print_reduced(SectionList& page, const std::string& name, const ReducedSpec& reduced) {
   if (reduced.fixed_point) {
     page.line(name,
               fmt::format("{}, {}, multipliers {}", reduced.format_name(),
@@ -96,12 +96,12 @@ std::string shown(const std::optional<int>& count) {
   return count ? fmt::format("{}", *count) : "auto";
 }
 
-void print_plan(Page& page, const PlanNotes& plan) {
+void print_plan(SectionList& page, const PlanNotes& plan) {
   page.section(fmt::format("plan {}", plan.path.filename().string()));
   for (const auto& [key, value] : plan.values) page.line(key, value);
 }
 
-void print_parts(Page& page, const Scene& scene) {
+void print_parts(SectionList& page, const Scene& scene) {
   if (scene.parts.size() == 1) {
     page.line("f", scene.parts.front().f);
     page.line("g", scene.parts.front().g);
@@ -115,7 +115,7 @@ void print_parts(Page& page, const Scene& scene) {
   }
 }
 
-void print_limits(Page& page, const Graph& graph) {
+void print_limits(SectionList& page, const Graph& graph) {
   constexpr std::size_t most_characters = 60;
   if (graph.limits().empty()) return;
   page.section("what lanes in fixed point leave undecided: values outside of");
@@ -124,7 +124,7 @@ void print_limits(Page& page, const Graph& graph) {
   }
 }
 
-void print_understood(Page& page, const Scene& scene) {
+void print_understood(SectionList& page, const Scene& scene) {
   page.section(fmt::format("scene {}", scene.name));
   print_parts(page, scene);
   page.section("inputs");
@@ -164,7 +164,7 @@ void print_understood(Page& page, const Scene& scene) {
                         system.engine.capacity, fmt::join(reported_verdicts(system.engine), ", ")));
 }
 
-void print_data(Page& page, const DataSummary& data) {
+void print_data(SectionList& page, const DataSummary& data) {
   page.section("data");
   page.line("source", data.source);
   page.line("rows", fmt::format("{}", data.rows));
@@ -186,7 +186,7 @@ void print_data(Page& page, const DataSummary& data) {
   for (const InputSource& input : data.inputs) page.line(input.input, "<- " + input.shown());
 }
 
-void print_savings(Page& page, const std::string& lane, const LaneSavings& savings) {
+void print_savings(SectionList& page, const std::string& lane, const LaneSavings& savings) {
   const auto left_out = [&](const char* what, int count, int all, const char* units) {
     page.line(what, fmt::format("not built in {} of {} {}", count, all, units));
   };
@@ -203,7 +203,7 @@ void print_savings(Page& page, const std::string& lane, const LaneSavings& savin
 
 /// Tells whether the reference rounds, but only if the scene declares a grid: otherwise nobody
 /// expects it to be exact.
-void print_exactness(Page& page, const Summary& summary) {
+void print_exactness(SectionList& page, const Summary& summary) {
   const auto& grids = summary.scene->grids;
   const bool any = std::any_of(grids.begin(), grids.end(), [](const auto& grid) { return !!grid; });
   if (!any) return;
@@ -220,7 +220,7 @@ void print_exactness(Page& page, const Summary& summary) {
 }  // namespace
 
 std::vector<SummaryLines> lines_of(const Summary& summary) {
-  Page page;
+  SectionList page;
   print_understood(page, *summary.scene);
   if (summary.scene->plan) print_plan(page, *summary.scene->plan);
   for (const DatapathSummary& datapath : summary.datapaths) {
