@@ -198,6 +198,30 @@ TEST_F(Import, ACrossbarsShareIsThatOfTheLanesItServes) {
   EXPECT_FALSE(row(ComponentKind::lane).clock.has_value());
 }
 
+TEST_F(Import, TheSystemInsideAnEngineIsFound) {
+  std::string scene =
+      replaced(replaced(read("scene.toml"), "\"a\"", "\"ai - aj\""), "\"b\"", "\"bi - bj\"");
+  write("scene.toml", replaced(scene, "[data]\n",
+                               "[engine]\nkind = \"pairwise\"\ncapacity = 64\n"
+                               "[data]\npairs = \"all\"\n"));
+  leave_signature();
+  std::string text =
+      replaced(vivado_areas(), "Design       : " + top, "Design       : " + top + "_pairwise");
+  const std::string first = "| " + top + " | module |";
+  for (std::size_t at = text.find(first); at != std::string::npos; at = text.find("\n| ", at + 3)) {
+    text.insert(text.find("| ", at) + 2, "  ");
+  }
+  write(
+      "r/utilisation_by_instance.rpt",
+      replaced(text, "|   " + top + " | module |",
+               "| " + top +
+                   "_pairwise | module | 9 | 9 | 0 | 0 | 9 | 0 | 0 | 0 |\n|   system | module |"));
+  const Outcome run = import("r/utilisation_by_instance.rpt");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_EQ(row(ComponentKind::lane).area, area(203, 301, 0, 3, 16));
+  EXPECT_EQ(row(ComponentKind::crossbar).area, area(77, 88, 0, 0, 0));
+}
+
 TEST_F(Import, OptimisePlansWithTheImportedAreas) {
   leave_signature();
   const auto luts_of_a_lane = [this] {
