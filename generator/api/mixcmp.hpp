@@ -17,8 +17,9 @@
 ///
 /// Values are cheap to copy and hold what they need; none may be used after it was moved from.
 /// Functions that the header calls const may run in several threads at once. Mistakes of the user
-/// throw Error, and nothing else is thrown but std::bad_alloc. A change that would break a program
-/// which uses this header comes with a new minor version as long as the major version is 0.
+/// throw Error; a failure of the machine, such as no memory, throws another std::exception. A
+/// change that would break a program which uses this header comes with a new minor version as long
+/// as the major version is 0.
 namespace mixcmp::api {
 
 #define MIXCMP_API __attribute__((visibility("default")))

@@ -37,6 +37,12 @@ void check_can_be_planned(const SceneState& state) {
 
 PlanningTable read_planning_table(const SceneState& state, const PlanOptions& options) {
   devices::Device device = value_or_throw(devices::find_device(state.scene.system.device), state);
+  if (options.table.empty() && state.source.text) {
+    fail({.field = "table",
+          .message = "a scene from a text has no table beside it",
+          .received = "nothing",
+          .accepted = "the path of a table that mixcmp characterise wrote"});
+  }
   const fs::path path =
       options.table.empty()
           ? optimise::default_table(state.source.path, state.scene.variant, device.name)
@@ -61,12 +67,15 @@ PlanningTable read_planning_table(const SceneState& state, const PlanOptions& op
   return {std::move(device), std::move(areas), std::move(scene), std::move(notes)};
 }
 
+/// Refuses clocks and precisions that no plan can have. The members of both options have the same
+/// names.
 optimise::OptimiseOptions internal_options(const PlanOptions& options) {
   optimise::OptimiseOptions choice;
   if (options.first_precision) choice.first_precision = *options.first_precision;
   if (options.last_precision) choice.last_precision = *options.last_precision;
   choice.clocks.lane_mhz = options.lane_mhz;
   choice.clocks.reference_mhz = options.reference_mhz;
+  value_or_throw(optimise::check_options(choice));
   return choice;
 }
 
@@ -81,15 +90,21 @@ PlanPoint public_point(const optimise::PrecisionPlan& plan) {
           .kinds = summary.kinds};
 }
 
+/// What makes the plan again: a command, but where the caller's operands are the data.
+std::string origin_of_plan(const SceneState& state) {
+  if (state.scene.data) return origin("optimise", state);
+  return fmt::format("the library of mixcmp, on {} comparisons that its caller gave",
+                     state.data->size());
+}
+
 /// The text of a plan file; empty for a scene that no file could name.
 std::string plan_file_text(const optimise::Optimisation& found, const SceneState& state,
                            const PlanOptions& options) {
   if (state.source.text) return "";
   const fs::path place =
       options.plan_file.empty() ? state.source.path.parent_path() / "plan.toml" : options.plan_file;
-  const optimise::PlanSource source = value_or_throw(
-      optimise::make_plan_source(state.source.path, state.settings, state.scene.system.device,
-                                 place, command_line("optimise", state)));
+  const optimise::PlanSource source = value_or_throw(optimise::make_plan_source(
+      state.source.path, state.settings, state.scene.system.device, place, origin_of_plan(state)));
   return optimise::plan_toml(found, *found.best(), source);
 }
 
@@ -97,10 +112,10 @@ std::string plan_file_text(const optimise::Optimisation& found, const SceneState
 
 Plan plan(const Scene& scene, const PlanOptions& options) {
   const SceneState& state = Access::state(scene);
+  const optimise::OptimiseOptions choice = internal_options(options);
   check_can_be_planned(state);
   const PlanningTable table = read_planning_table(state, options);
   const data::Comparisons& data = data_of(state, "recomputation rates are measured on data");
-  const optimise::OptimiseOptions choice = internal_options(options);
   const auto rates = value_or_throw(
       optimise::measure_rates(table.scene, data, optimise::inputs_of_lanes(table.areas), choice,
                               options.progress),

@@ -1,5 +1,7 @@
 #include "model/profile/profile.hpp"
 
+#include <fmt/core.h>
+
 #include <utility>
 
 #include "generator/api/state.hpp"
@@ -15,6 +17,24 @@ profile::ProfileOptions internal_options(const ProfileOptions& options, FloatFor
           .error_samples = options.error_samples,
           .threads = options.threads,
           .progress = options.progress};
+}
+
+/// Refuses numbers that no profile can have.
+void check_numbers(const ProfileOptions& options) {
+  constexpr std::uint64_t most_samples = std::uint64_t{1} << 40;
+  if (options.error_samples < 1 || options.error_samples > most_samples) {
+    fail({.field = "error_samples",
+          .message = "no number of samples",
+          .received = std::to_string(options.error_samples),
+          .accepted = fmt::format("1..{}", most_samples)});
+  }
+  const unsigned most_threads = settings::limits::threads.most;
+  if (options.threads > most_threads) {
+    fail({.field = "threads",
+          .message = "too many",
+          .received = std::to_string(options.threads),
+          .accepted = fmt::format("0..{}, where 0 is one a processor", most_threads)});
+  }
 }
 
 std::optional<double> as_double(const std::optional<mpq_class>& value) {
@@ -48,6 +68,7 @@ Scheme public_scheme(const profile::SchemeProfile& scheme, int first_precision) 
 
 Profile profile(const Scene& scene, const ProfileOptions& options) {
   const SceneState& state = Access::state(scene);
+  check_numbers(options);
   const data::Comparisons& data = data_of(state, "a profile needs data to measure");
   const profile::ProfileOptions counted = internal_options(options, state.scene.reference.format);
   value_or_throw(check_profile(state.scene, counted), state);

@@ -52,8 +52,11 @@ const data::Comparisons& data_of(const SceneState& state, const std::string& why
         .accepted = "[data] with items or file, or with_operands"});
 }
 
-std::string command_line(const std::string& verb, const SceneState& state) {
-  std::string line = "mixcmp " + verb + " " + quoted(state.source.path.filename().string());
+std::string origin(const std::string& verb, const SceneState& state) {
+  const bool from_text = state.source.text.has_value();
+  std::string line = from_text
+                         ? "the library of mixcmp, of a scene from a text"
+                         : "mixcmp " + verb + " " + quoted(state.source.path.filename().string());
   for (const std::string& setting : state.settings) line += " --set " + quoted(setting);
   return line;
 }
@@ -77,6 +80,12 @@ Scene Scene::from_text(std::string_view toml, const std::vector<std::string>& se
 
 Scene Scene::with_operands(std::span<const double> rows) const {
   const OperandRows operands = rows_of(*state_, rows);
+  if (operands.rows() == 0) {
+    fail({.field = "operands",
+          .message = "nothing to compare",
+          .received = "0 rows",
+          .accepted = "at least one"});
+  }
   const std::size_t width = inputs().size();
   data::Table table{.format = state_->scene.reference.format,
                     .columns = inputs(),

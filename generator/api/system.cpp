@@ -8,6 +8,7 @@
 
 #include "generator/api/operands.hpp"
 #include "generator/api/state.hpp"
+#include "model/common/quote.hpp"
 #include "model/design/design.hpp"
 #include "model/profile/profiled_error.hpp"
 #include "verilator_tb/answer_emulator.hpp"
@@ -77,8 +78,7 @@ System::System(const Scene& scene) {
   const data::Comparisons* data = given.data ? &*given.data : nullptr;
   auto design =
       value_or_throw(design::make_design(given.scene, data, profile::profile_error), given);
-  auto generated =
-      value_or_throw(emit::generate_system(design, command_line("generate", given)), given);
+  auto generated = value_or_throw(emit::generate_system(design, origin("generate", given)), given);
   auto state = std::make_shared<State>(std::move(design), std::move(generated));
   state->lanes = groups_of(state->generated.signature);
   state->files = files_of(state->generated);
@@ -150,6 +150,12 @@ const std::vector<File>& System::files() const {
 }
 
 void System::write(const std::filesystem::path& folder) const {
+  if (folder.empty()) {
+    fail({.field = "folder",
+          .message = "a folder without a name",
+          .received = in_quotes(""),
+          .accepted = "the path of a folder"});
+  }
   value_or_throw(emit::write_system(state_->generated, folder));
 }
 

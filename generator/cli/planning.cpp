@@ -109,10 +109,10 @@ void add_planning_options(const Verb& verb, PlanningOptions& options) {
       .separated_by(',')
       .one_of({"embedded", "logic", "memory"});
   verb.option("--lane-mhz", choice.clocks.lane_mhz, "clock of the lanes, in place of the table's")
-      .check(between(0.001, 1e6, "MHZ"));
+      .check(between(optimise::least_mhz, optimise::most_mhz, "MHZ"));
   verb.option("--reference-mhz", choice.clocks.reference_mhz,
               "clock of the references, in place of the table's")
-      .check(between(0.001, 1e6, "MHZ"));
+      .check(between(optimise::least_mhz, optimise::most_mhz, "MHZ"));
   verb.flag(
       "--separate-clocks", [&choice] { choice.clocks.domains = optimise::ClockDomains::separate; },
       "count lanes and references at clocks of their own, as the paper does; what generate "
@@ -166,6 +166,10 @@ std::filesystem::path table_of(const PlanningOptions& options, const scene::Scen
 
 Result<Planning> load_planning(const PlanningOptions& options, const scene::Scene& scene,
                                const data::Comparisons* data) {
+  MIXCMP_TRY(accepted, check_options(options.choice, {.first_precision = "--first",
+                                                      .last_precision = "--last",
+                                                      .lane_mhz = "--lane-mhz",
+                                                      .reference_mhz = "--reference-mhz"}));
   const Result<Done> possible = check_no_chain(scene);
   if (!possible.ok()) return as_user_error(possible.error(), options.scene);
   MIXCMP_TRY(device, devices::find_device(scene.system.device));

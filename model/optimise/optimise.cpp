@@ -70,6 +70,23 @@ Error incomplete(const scene::Scene& scene, const std::set<std::string>& missing
           .accepted = "one that `mixcmp characterise --components fifo,crossbar` completed"};
 }
 
+Result<Done> check_precision(int precision, const std::string& name) {
+  if (settings::limits::lane_precision.allow(precision)) return Done{};
+  return Error{.field = name,
+               .message = "no precision of a lane",
+               .received = std::to_string(precision),
+               .accepted = settings::to_string(settings::limits::lane_precision)};
+}
+
+/// Accepts a clock that is not given, and refuses NaN.
+Result<Done> check_clock(std::optional<double> mhz, const std::string& name) {
+  if (!mhz || (*mhz >= least_mhz && *mhz <= most_mhz)) return Done{};
+  return Error{.field = name,
+               .message = "no clock",
+               .received = fmt::format("{} MHz", *mhz),
+               .accepted = fmt::format("{}..{} MHz", least_mhz, most_mhz)};
+}
+
 }  // namespace
 
 std::string_view to_string(ClockBasis basis) {
@@ -122,9 +139,23 @@ const PrecisionPlan* Optimisation::best() const {
   return best;
 }
 
+Result<Done> check_options(const OptimiseOptions& options, const OptionNames& names) {
+  MIXCMP_TRY(first, check_precision(options.first_precision, names.first_precision));
+  MIXCMP_TRY(last, check_precision(options.last_precision, names.last_precision));
+  if (options.first_precision > options.last_precision) {
+    return Error{.field = names.first_precision,
+                 .message = fmt::format("is above {}", names.last_precision),
+                 .received = std::to_string(options.first_precision),
+                 .accepted = fmt::format("at most {}", options.last_precision)};
+  }
+  MIXCMP_TRY(lane, check_clock(options.clocks.lane_mhz, names.lane_mhz));
+  return check_clock(options.clocks.reference_mhz, names.reference_mhz);
+}
+
 Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& device,
                               const characterise::Characterisation& table, const Rates& rates,
                               const OptimiseOptions& options) {
+  MIXCMP_TRY(possible, check_options(options));
   ProblemMaker maker(scene, table, rates, options);
   if (maker.precisions().empty()) return no_lane(scene);
   if (!maker.has_references()) return nothing_to_choose_from(scene, "reference");

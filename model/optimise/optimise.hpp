@@ -34,6 +34,20 @@ struct OptimiseOptions {
   std::optional<devices::Area> fixed_communication;
 };
 
+/// The limits of a clock that a user may give.
+inline constexpr double least_mhz = 0.001;
+inline constexpr double most_mhz = 1e6;
+
+/// What an error calls the options, as the caller's user knows them.
+struct OptionNames {
+  std::string first_precision = "first_precision";
+  std::string last_precision = "last_precision";
+  std::string lane_mhz = "lane_mhz";
+  std::string reference_mhz = "reference_mhz";
+};
+/// Refuses precisions that no lane has and clocks beyond their limits.
+Result<Done> check_options(const OptimiseOptions& options, const OptionNames& names = {});
+
 /// The source of a plan's clock, the most reliable source first.
 enum class ClockBasis {
   given,                    ///< by the user, such as the paper's clocks
@@ -91,8 +105,8 @@ struct Optimisation {
 /// references: estimate before routing" if one clock is given and the other is not.
 std::string describe_clocks(const Optimisation& optimisation);
 
-/// Runs Algorithm 1. It is an error if the table has no lane or no reference for these options, or
-/// no lane of it has a known rate.
+/// Runs Algorithm 1. It is an error if check_options refuses the options, if the table has no lane
+/// or no reference for these options, or no lane of it has a known rate.
 Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& device,
                               const characterise::Characterisation& table, const Rates& rates,
                               const OptimiseOptions& options);

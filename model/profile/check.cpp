@@ -30,7 +30,7 @@ Result<Done> check_profile(const scene::Scene& scene, const ProfileOptions& opti
       options.first_precision > options.last_precision) {
     return Error{
         .file = scene.path.string(),
-        .field = "--first, --last",
+        .field = "first precision, last precision",
         .message = "no such precisions can be profiled",
         .received = fmt::format("L = {}..{}", options.first_precision, options.last_precision),
         .accepted = fmt::format("{}, at most the reference's, the first not after "

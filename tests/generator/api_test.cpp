@@ -228,6 +228,44 @@ TEST_F(Api, ThePlanIsThatOfTheProgram) {
   EXPECT_EQ(found.toml.find(path("").string()), std::string::npos) << "an absolute path";
 }
 
+TEST_F(Api, OutputsNameACommandOnlyWhereOneMakesThemAgain) {
+  const auto text_of = [](const api::Scene& scene) {
+    std::string text;
+    for (const api::File& file : api::System(scene).files()) text += file.text;
+    return text;
+  };
+  EXPECT_NE(text_of(scene()).find("mixcmp generate scene.toml\n"), std::string::npos);
+  const std::string from_text = text_of(api::Scene::from_text(spheres));
+  EXPECT_NE(from_text.find("the library of mixcmp, of a scene from a text\n"), std::string::npos);
+  EXPECT_EQ(from_text.find("mixcmp generate"), std::string::npos) << from_text;
+  write("table.csv", table);
+  const api::Scene given = scene().with_operands(scene().operands(0, 100));
+  const std::string plan_text = plan(given, {.table = path("table.csv")}).toml;
+  EXPECT_NE(plan_text.find("the library of mixcmp, on 100 comparisons that its caller gave"),
+            std::string::npos)
+      << plan_text;
+  EXPECT_EQ(plan_text.find("mixcmp optimise"), std::string::npos) << plan_text;
+  expect_error([&] { plan(api::Scene::from_text(std::string(spheres) + sphere_data)); }, "table",
+               "a scene from a text has no table");
+}
+
+TEST_F(Api, NumbersBeyondTheirLimitsAreMistakes) {
+  fs::create_directories(path("characterisation"));
+  write("characterisation/scene-virtex6-lx760.csv", table);
+  for (const double mhz : {0.0, -1.0, std::nan(""), double{INFINITY}, 1e-4, 2e6}) {
+    expect_error([&] { plan(scene(), {.lane_mhz = mhz}); }, "lane_mhz", "0.001..1000000");
+    expect_error([&] { plan(scene(), {.reference_mhz = mhz}); }, "reference_mhz", "0.001..1000000");
+  }
+  expect_error([&] { plan(scene(), {.first_precision = 3}); }, "first_precision", "4..52");
+  expect_error([&] { plan(scene(), {.last_precision = 53}); }, "last_precision", "4..52");
+  expect_error([&] { plan(scene(), {.first_precision = 9, .last_precision = 8}); },
+               "first_precision", "received 9; accepted at most 8");
+  expect_error([&] { profile(scene(), {.first_precision = 3}); }, "first precision, last precision",
+               "L = 3..");
+  expect_error([&] { profile(scene(), {.error_samples = 0}); }, "error_samples", "1..");
+  expect_error([&] { profile(scene(), {.threads = 1025}); }, "threads", "0..1024");
+}
+
 TEST_F(Api, MistakesNameTheirPlace) {
   write("wrong.toml",
         "[comparison]\nname = \"a\"\nf = \"x\"\ng = \"y\"\n[reference]\n"
@@ -247,9 +285,11 @@ TEST_F(Api, MistakesNameTheirPlace) {
   expect_error([&] { scene().with_operands(std::vector<double>(9)); }, "operands", "9 numbers");
   expect_error([&] { scene().with_operands(std::vector<double>(8, 1e200)); },
                "operands, row 0, cxi", "s53e8");
+  expect_error([&] { scene().with_operands({}); }, "operands", "nothing to compare");
   expect_error([&] { scene().operands(775, 6); }, "operands", "780");
   expect_error([&] { profile(api::Scene::from_text(spheres)); }, "data", "needs data");
   expect_error([&] { api::System(scene()).emulate({}, 1); }, "group", "0 to 0");
+  expect_error([&] { api::System(scene()).write(""); }, "folder", "accepted the path of a folder");
   expect_error([&] { plan(scene()); }, "table", "mixcmp characterise");
   expect_error([&] { api::System(api::Scene::from_text(spheres, {"reduced.format=auto"})); },
                "reduced.format", "--set: ");
