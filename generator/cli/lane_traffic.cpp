@@ -39,9 +39,9 @@ std::string describe(const design::Design& design) {
                      design.reference_count() == 0 ? "no" : "one");
 }
 
-/// The index of a comparison that the emulated lane leaves to a reference; 0 where it finds none,
-/// or where the lane cannot be emulated.
-std::uint64_t find_recomputed(const design::Design& design, const data::Comparisons& data) {
+/// The index of the first comparison that the emulated lane leaves undecided; 0 where there is none
+/// among those that are looked through, or where the lane cannot be emulated.
+std::uint64_t find_undecided(const design::Design& design, const data::Comparisons& data) {
   if (!fits_double(data.format())) return 0;
   const verilator_tb::ExpectedWords words(design, data);
   if (!words.emulates(0)) return 0;
@@ -52,7 +52,7 @@ std::uint64_t find_recomputed(const design::Design& design, const data::Comparis
     std::iota(indices.begin(), indices.end(), first);
     const std::vector<ResultWord> found = words.find(0, indices);
     const auto at = std::find_if(found.begin(), found.end(),
-                                 [](const ResultWord& word) { return word.is_recomputed(); });
+                                 [](const ResultWord& word) { return !word.is_decided_by_lane(); });
     if (at != found.end()) return first + static_cast<std::uint64_t>(at - found.begin());
   }
   return 0;
@@ -80,7 +80,7 @@ Result<report::LaneTraffic> lane_traffic(const design::Design& design,
   MIXCMP_TRY(written, emit::write_system(system, rtl));
   report::LaneTraffic traffic{.system = describe(small), .simulator = {}, .transfers = {}};
   verilator_tb::VerifyOptions options{.work_dir = scratch.path() / "build"};
-  const std::uint64_t followed = find_recomputed(small, data);
+  const std::uint64_t followed = find_undecided(small, data);
   options.selection.limit = simulated;
   options.selection.start = followed - std::min(followed, before);
   options.progress = show_progress;

@@ -16,6 +16,26 @@ namespace mixcmp::cli {
 using report::IfThere;
 using report::Missing;
 
+namespace {
+
+/// An error as a page says it, which names no path and no option: its field and message, and of its
+/// file the name. The full error goes to standard error.
+std::string on_page(const Error& error) {
+  return Error{.file = std::filesystem::path(error.file).filename().string(),
+               .line = error.line,
+               .field = error.field,
+               .message = error.message}
+      .to_string();
+}
+
+/// The name of the scene's device, also where that is a file.
+std::string device_name(const scene::Scene& scene) {
+  const auto device = devices::find_device(scene.system.device);
+  return device.ok() ? device->name : scene.system.device;
+}
+
+}  // namespace
+
 ReportMaker::ReportMaker(const PlanningOptions& planning, const LoadedScene& loaded,
                          ReportChoice choice)
     : planning_options_(planning),
@@ -55,20 +75,28 @@ void ReportMaker::add_measurements(page::Page& page) {
 
 std::string ReportMaker::subtitle() const {
   const std::string format = loaded_.scene.reduced.format_name();
+  const std::string rest =
+      loaded_.scene.reference_count() == 0
+          ? "and leave the rest undecided"
+          : fmt::format("references in {} decide the rest", loaded_.scene.reference.format.name());
   return fmt::format(
-      "A mixed-precision comparison: lanes decide in {} where that is certainly right, references "
-      "in {} decide the rest.",
-      format == "auto" ? "a reduced precision" : format, loaded_.scene.reference.format.name());
+      "A mixed-precision comparison: lanes decide in {} where that is certainly right, {}.",
+      format == "auto" ? "a reduced precision" : format, rest);
 }
 
 std::vector<std::pair<std::string, std::string>> ReportMaker::made_by() const {
   return {{"command", choice_.command}, {"version", fmt::format("mixcmp {}", emit::version)}};
 }
 
-Missing ReportMaker::missing(const std::string& section, const std::string& why,
-                             const std::string& makes_it) {
+Missing ReportMaker::not_made(const std::string& section, const std::string& why,
+                              const std::string& makes_it) {
   not_done_.push_back(section + ": " + why);
   return {why, makes_it};
+}
+
+Missing ReportMaker::not_made(const std::string& section, const Error& error,
+                              const std::string& makes_it) {
+  return {on_page(error), not_made(section, error.to_string(), makes_it).command};
 }
 
 IfThere<report::BuiltSystem> ReportMaker::build_system() {
@@ -84,8 +112,8 @@ IfThere<report::BuiltSystem> ReportMaker::build_system() {
 
 Missing ReportMaker::no_system(const Error& error) {
   const std::string plan = loaded_.scene.name + "_plan.toml";
-  return missing("system", error.to_string(),
-                 fmt::format("{} -o {}\nmixcmp report {}", command("optimise"), plan, plan));
+  return not_made("system", error,
+                  fmt::format("{} -o {}\nmixcmp report {}", command("optimise"), plan, plan));
 }
 
 IfThere<std::vector<report::ProvenLanes>> ReportMaker::proofs() const {
@@ -111,13 +139,13 @@ IfThere<std::vector<report::ProvenLanes>> ReportMaker::proofs() const {
 IfThere<report::ProfileReport> ReportMaker::measure() {
   const scene::Scene& scene = loaded_.scene;
   if (!loaded_.data) {
-    return missing("profile", "The scene has no data: nothing can be counted or simulated.",
-                   "# in the scene\n[data]\nfile = \"...\"");
+    return not_made("profile", "The scene has no data: nothing can be counted or simulated.",
+                    "# in the scene\n[data]\nfile = \"...\"");
   }
   profile::ProfileOptions options;
   options.last_precision = settings::lane_precisions(scene.reference.format).most;
   if (const auto possible = check_profile(scene, options); !possible.ok()) {
-    return missing("profile", possible.error().to_string(), "");
+    return not_made("profile", possible.error(), "");
   }
   std::set<LaneInputs> counted = {scene.reduced.inputs};
   if (const Planning* planning = plannable())
@@ -146,8 +174,7 @@ const Planning* ReportMaker::plannable() {
 std::filesystem::path ReportMaker::table_beside_a_layer() const {
   const SceneOptions& options = planning_options_.scene;
   const scene::Scene& scene = loaded_.scene;
-  const auto device = devices::find_device(scene.system.device);
-  const std::string name = device.ok() ? device->name : scene.system.device;
+  const std::string name = device_name(scene);
   const auto read = scene::read_scene_settings(options.scene, options.settings);
   for (const std::filesystem::path& layer : value_or_exit(read).files) {
     const std::filesystem::path table = optimise::default_table(layer, scene.variant, name);
@@ -156,20 +183,28 @@ std::filesystem::path ReportMaker::table_beside_a_layer() const {
   return optimise::default_table(options.scene, scene.variant, name);
 }
 
+Missing ReportMaker::no_plans(const Error& error) {
+  Missing none = not_made("plan", error, command("characterise"));
+  if (path_exists(table_beside_a_layer())) return none;
+  none.why =
+      fmt::format("No areas and clocks have been measured for {}.", device_name(loaded_.scene));
+  return none;
+}
+
 IfThere<optimise::Optimisation> ReportMaker::find_plans() {
   const Planning* planning = plannable();
   if (planning == nullptr) {
     if (!planning_options_.table.empty()) fail(planning_->error());
-    return missing("plan", planning_->error().to_string(), command("characterise"));
+    return no_plans(planning_->error());
   }
   if (!loaded_.data) {
-    return missing("plan", "A plan needs recomputation rates, and the scene has no data.", "");
+    return not_made("plan", "A plan needs recomputation rates, and the scene has no data.", "");
   }
   show_progress("finding plans");
   auto found = optimise::optimise(planning->scene, planning->device, planning->table, rates(),
                                   planning_options_.choice);
   show_progress("");
-  if (!found.ok()) return missing("plan", found.error().to_string(), command("optimise"));
+  if (!found.ok()) return not_made("plan", found.error(), command("optimise"));
   return std::move(found).value();
 }
 
@@ -191,12 +226,12 @@ std::optional<optimise::PublishedFigures> ReportMaker::published() const {
 IfThere<report::LaneTraffic> ReportMaker::traffic() {
   const auto* system = std::get_if<report::BuiltSystem>(&system_);
   if (system == nullptr) return std::get<Missing>(system_);
-  if (!loaded_.data) return missing("waves", "The scene has no data to simulate.", "");
+  if (!loaded_.data) return not_made("waves", "The scene has no data to simulate.", "");
   show_progress("simulating a lane");
   auto traffic = lane_traffic(system->design, *loaded_.data);
   if (traffic.ok()) return std::move(traffic).value();
   if (traffic.error().kind != ErrorKind::missing_tool) fail(traffic.error());
-  return missing("waves", traffic.error().to_string(), command("verify") + " --trace waves.fst");
+  return not_made("waves", traffic.error(), command("verify") + " --trace waves.fst");
 }
 
 }  // namespace mixcmp::cli

@@ -39,8 +39,10 @@ private:
   bool shows(const std::string& section) const { return !choice_.without.contains(section); }
   void add_measurements(page::Page& page);
   /// Remembers that a section could not be made.
-  report::Missing missing(const std::string& section, const std::string& why,
-                          const std::string& makes_it);
+  report::Missing not_made(const std::string& section, const std::string& why,
+                           const std::string& makes_it);
+  report::Missing not_made(const std::string& section, const Error& error,
+                           const std::string& makes_it);
 
   report::IfThere<report::BuiltSystem> build_system();
   report::Missing no_system(const Error& error);
@@ -48,6 +50,7 @@ private:
   report::IfThere<report::ProfileReport> measure();
   const Planning* plannable();
   std::filesystem::path table_beside_a_layer() const;
+  report::Missing no_plans(const Error& error);
   report::IfThere<optimise::Optimisation> find_plans();
   optimise::Rates rates();
   std::optional<optimise::PublishedFigures> published() const;

@@ -84,7 +84,7 @@ void add_rates(page::Section& section, const RateProfile& rates) {
 
 }  // namespace
 
-page::Section profile_section(const IfThere<ProfileReport>& profile, bool published) {
+page::Section profile_section(const IfThere<ProfileReport>& profile, bool beside_paper) {
   page::Section section{"profile", "Errors and recomputations", {}};
   if (const auto* missing = std::get_if<Missing>(&profile)) {
     section.content.push_back(page::missing(missing->why, missing->command));
@@ -95,7 +95,7 @@ page::Section profile_section(const IfThere<ProfileReport>& profile, bool publis
       page::paragraph(fmt::format("Counted on the scene's {} comparisons, with a reference in {}.",
                                   report.comparisons, report.reference.name())));
   page::Chart rates = chart_of(figure5(report));
-  if (published) {
+  if (beside_paper) {
     rates.bands.push_back({.title = "the paper: none beyond",
                            .axis = page::ChartBand::Across::x,
                            .low = published_last_recomputation,

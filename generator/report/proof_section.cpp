@@ -56,10 +56,9 @@ page::Section proof_section(const IfThere<std::vector<ProvenLanes>>& lanes) {
   }
   section.content.push_back(
       page::paragraph("A certified lane decides a comparison only where its error bound leaves no "
-                      "doubt of the sign "
-                      "of f - g; all others go to a reference. So a verdict of a certified lane is "
-                      "the order of the "
-                      "real numbers f and g, and is never wrong."));
+                      "doubt of the sign of f - g. All others go to a reference or, in a system "
+                      "without references, stay undecided. So a verdict of a certified lane is the "
+                      "order of the real numbers f and g, and is never wrong."));
   for (const ProvenLanes& each : std::get<std::vector<ProvenLanes>>(lanes)) {
     add_lanes(section, each);
   }

@@ -43,8 +43,9 @@ struct ProvenLanes {
 };
 page::Section proof_section(const IfThere<std::vector<ProvenLanes>>& lanes);
 
-/// Errors and rates. `published`: the scene is the paper's benchmark, whose numbers are drawn, too.
-page::Section profile_section(const IfThere<ProfileReport>& profile, bool published);
+/// Errors and rates. `beside_paper`: the scene is the paper's benchmark, whose numbers are drawn,
+/// too.
+page::Section profile_section(const IfThere<ProfileReport>& profile, bool beside_paper);
 
 /// Area against recomputation rate. `plans` may be null; otherwise its lanes have measured areas.
 page::Section trade_section(const std::vector<profile::Trade>& trades,
@@ -63,7 +64,7 @@ struct BuiltSystem {
 };
 page::Section system_section(const IfThere<BuiltSystem>& system);
 
-/// What went through one lane of a simulated system.
+/// What went through one lane of a simulated system: at least one comparison.
 struct LaneTraffic {
   struct Transfer {
     std::uint64_t index = 0;  ///< of the comparison, in the scene's data
@@ -72,7 +73,7 @@ struct LaneTraffic {
     ResultWord result = ResultWord::undecided();
   };
 
-  std::string system;  ///< "2 lanes in s8e8, 1 reference"
+  std::string system;  ///< "one lane in s8e8 and one reference"
   std::string simulator;
   std::vector<Transfer> transfers;  ///< by cycle_accepted
 };

@@ -11,7 +11,7 @@ namespace {
 
 using Transfer = LaneTraffic::Transfer;
 
-constexpr int decided_color = 0, recomputed_color = 1;
+constexpr int decided_color = 0, left_color = 1;
 
 std::string_view sign_of(Verdict verdict) {
   switch (verdict) {
@@ -36,18 +36,18 @@ std::uint64_t latency(const Transfer& transfer) {
 
 /// The two comparisons that the picture follows.
 struct Followed {
-  const Transfer* recomputed = nullptr;
+  const Transfer* left = nullptr;     ///< the first that the lane left undecided
   const Transfer* decided = nullptr;  ///< accepted soon after the other
 };
 
 Followed follow(const LaneTraffic& traffic) {
   Followed followed;
   for (const Transfer& transfer : traffic.transfers) {
-    if (transfer.result.is_recomputed() && followed.recomputed == nullptr) {
-      followed.recomputed = &transfer;
+    if (!transfer.result.is_decided_by_lane() && followed.left == nullptr) {
+      followed.left = &transfer;
     }
-    const bool later = followed.recomputed != nullptr &&
-                       transfer.cycle_accepted > followed.recomputed->cycle_accepted;
+    const bool later =
+        followed.left != nullptr && transfer.cycle_accepted > followed.left->cycle_accepted;
     if (later && followed.decided == nullptr && transfer.result.is_decided_by_lane()) {
       followed.decided = &transfer;
     }
@@ -77,7 +77,7 @@ std::vector<page::WaveWindow> windows_around(std::vector<std::uint64_t> cycles) 
 
 page::WaveBeat beat(const Transfer& transfer, const Followed& followed, std::string text) {
   int color = -1;
-  if (&transfer == followed.recomputed) color = recomputed_color;
+  if (&transfer == followed.left) color = left_color;
   if (&transfer == followed.decided) color = decided_color;
   return {std::move(text), color,
           fmt::format("comparison {}\n{}\naccepted in cycle {}, left in cycle {}", transfer.index,
@@ -104,32 +104,47 @@ std::vector<page::WaveRow> rows_of(const LaneTraffic& traffic, const Followed& f
 }
 
 page::Waveform waveform_of(const LaneTraffic& traffic, const Followed& followed) {
-  const Transfer& first = followed.recomputed != nullptr ? *followed.recomputed : *followed.decided;
+  const Transfer& first = followed.left != nullptr ? *followed.left : *followed.decided;
   std::vector<std::uint64_t> cycles;
-  for (const Transfer* transfer : {followed.recomputed, followed.decided}) {
+  for (const Transfer* transfer : {followed.left, followed.decided}) {
     if (transfer == nullptr) continue;
     cycles.push_back(transfer->cycle_accepted);
     cycles.push_back(transfer->cycle_left);
   }
-  return {.title = "A decided and a recomputed comparison in the streams of a lane",
+  return {.title = "Comparisons in the streams of a lane",
           .cycle_zero = first.cycle_accepted,
           .windows = windows_around(std::move(cycles)),
           .rows = rows_of(traffic, followed)};
+}
+
+/// Says what became of the comparison that the lane left undecided, if there is one.
+std::string fate_of_left(const LaneTraffic& traffic, const Followed& followed) {
+  const auto count =
+      std::count_if(traffic.transfers.begin(), traffic.transfers.end(),
+                    [](const Transfer& transfer) { return !transfer.result.is_decided_by_lane(); });
+  if (count == 0) {
+    return fmt::format(" The lane decided all {} that were simulated.", traffic.transfers.size());
+  }
+  const std::string of_all =
+      fmt::format(" The lane left {} of {} undecided.", count, traffic.transfers.size());
+  if (!followed.left->result.is_recomputed()) {
+    return of_all + fmt::format(
+                        " Comparison {} of the data is the first; nothing decides it, since "
+                        "the system has no reference.",
+                        followed.left->index);
+  }
+  return of_all + fmt::format(
+                      " Comparison {} of the data is the first; it came back from a "
+                      "reference after {} cycles: {} (R).",
+                      followed.left->index, latency(*followed.left),
+                      to_string(followed.left->result.verdict()));
 }
 
 std::string caption(const LaneTraffic& traffic, const Followed& followed) {
   std::string text = fmt::format(
       "Transfers on the streams of one lane, numbered as it accepted them ({}, simulated with {}).",
       traffic.system, traffic.simulator);
-  if (followed.recomputed != nullptr) {
-    text += fmt::format(
-        " Comparison {} of the data was undecided and came back from a reference "
-        "after {} cycles: {} (R).",
-        followed.recomputed->index, latency(*followed.recomputed),
-        to_string(followed.recomputed->result.verdict()));
-  } else {
-    text += " The lane decided all of them.";
-  }
+  text += fate_of_left(traffic, followed);
   if (followed.decided != nullptr) {
     text += fmt::format(" Comparison {} was decided by the lane in {} cycles: {}.",
                         followed.decided->index, latency(*followed.decided),
@@ -148,11 +163,7 @@ page::Section wave_section(const IfThere<LaneTraffic>& there) {
   }
   const auto& traffic = std::get<LaneTraffic>(there);
   const Followed followed = follow(traffic);
-  if (followed.recomputed == nullptr && followed.decided == nullptr) {
-    section.content.push_back(
-        page::missing("The lane left all simulated comparisons undecided.", ""));
-    return section;
-  }
+  MIXCMP_CHECK(followed.left != nullptr || followed.decided != nullptr);
   section.content.push_back(
       page::figure(draw(waveform_of(traffic, followed)), caption(traffic, followed)));
   return section;

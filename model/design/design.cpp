@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "model/common/quote.hpp"
 #include "model/design/engine_data.hpp"
 #include "model/error/certified_lane.hpp"
 #include "model/error/hazards.hpp"
@@ -23,12 +24,12 @@ constexpr std::uint64_t profile_samples = 100'000;
 /// arg-min engine: that verb plans no chain of lanes.
 Error unresolved(const scene::Scene& scene, const std::string& field, const std::string& option,
                  const std::string& accepted) {
-  std::string message = fmt::format("is not chosen yet; give it in the scene or by {}", option);
+  std::string ways = fmt::format("{}, in the scene or by {}", accepted, option);
   if (scene.system.engine.kind != scene::EngineKind::arg_min) {
-    message += fmt::format(", or let `mixcmp optimise {} -o plan.toml` choose",
-                           scene.path.filename().string());
+    ways += fmt::format("; or a plan, made by: mixcmp optimise {} -o plan.toml",
+                        quoted(scene.path.filename().string()));
   }
-  return {.field = field, .message = message, .received = "\"auto\"", .accepted = accepted};
+  return {.field = field, .message = "is not chosen yet", .received = "\"auto\"", .accepted = ways};
 }
 
 /// The number of lanes in a group. Where it is "auto", an arg-min engine gets a lane for each of

@@ -85,13 +85,45 @@ TEST_F(Report, TheSameInputGivesTheSameBytes) {
   EXPECT_NE(first.find("was decided by the lane in"), std::string::npos);
 }
 
+TEST_F(Report, WithoutReferencesAComparisonOfTheWavesStaysUndecided) {
+  write_scene("lanes = 2\nreferences = 0\n");
+  const std::string html = page("--without profile,plan");
+  EXPECT_EQ(html.find("decided all"), std::string::npos);
+  EXPECT_NE(html.find("nothing decides it, since the system has no reference"), std::string::npos);
+  EXPECT_NE(html.find("without references, stay undecided"), std::string::npos);
+  EXPECT_NE(html.find("lanes decide in s8e8 where that is certainly right, and leave the rest"),
+            std::string::npos);
+  write_scene();
+  EXPECT_NE(page("--without profile,plan").find("it came back from a reference after"),
+            std::string::npos);
+  write_scene("lanes = 2\nreferences = 0\n", "count = 3\n");
+  EXPECT_NE(page("--without profile,plan").find("The lane decided all 3 that were simulated."),
+            std::string::npos);
+}
+
 TEST_F(Report, SaysWhatIsMissingAndTheCommandThatMakesIt) {
   write_scene();
   const Outcome run = mixcmp("report scene.toml -o page.html --without profile,waves");
   EXPECT_EQ(run.exit_code, 3) << run.output;
   EXPECT_NE(run.output.find("not done: plan: "), std::string::npos) << run.output;
-  EXPECT_NE(read("page.html").find("<code>mixcmp characterise scene.toml</code>"),
+  const std::string html = read("page.html");
+  EXPECT_NE(html.find("No areas and clocks have been measured for virtex6-lx760."),
             std::string::npos);
+  EXPECT_NE(html.find("<code>mixcmp characterise scene.toml</code>"), std::string::npos);
+  EXPECT_EQ(html.find("--table"), std::string::npos) << "an option that nobody typed";
+}
+
+TEST_F(Report, ThePageIsTheSameFromAnyFolderAlsoWhereSectionsAreMissing) {
+  write_scene("lanes = \"auto\"\nreferences = \"auto\"\n");
+  for (const std::string& scene : {std::string("scene.toml"), path("scene.toml").string()}) {
+    const Outcome run = mixcmp("report '" + scene + "' -o page.html --without profile");
+    EXPECT_EQ(run.exit_code, 3) << run.output;
+    const std::string html = read("page.html");
+    EXPECT_EQ(html.find(path("").string()), std::string::npos);
+    EXPECT_EQ(html.find("-o plan.toml"), std::string::npos) << "a second command";
+    if (scene == "scene.toml") write("first.html", html);
+    EXPECT_EQ(html, read("first.html"));
+  }
 }
 
 TEST_F(Report, WithoutASystemTheOtherSectionsAreThere) {
