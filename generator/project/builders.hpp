@@ -15,7 +15,7 @@ using emit::GeneratedFile;
 /// VERSION; PROVENANCE, lines that begin with `comment`; and TARGET_MHZ.
 Values common_values(const ProjectSpec& spec, const std::string& comment);
 
-/// Each line between `before` and `after`, one after the other.
+/// Puts each line between `before` and `after`, and joins them.
 std::string joined(const std::vector<std::string>& lines, const std::string& before,
                    const std::string& after);
 
@@ -25,6 +25,7 @@ std::string source_list(const ProjectSpec& spec, const std::string& before,
 
 /// A script made from a template, which its user may execute.
 GeneratedFile script_from(const std::string& name, const std::string& file, const Values& values);
+/// Any other file made from a template.
 GeneratedFile file_from(const std::string& name, const std::string& file, const Values& values);
 
 /// The test bench in Verilog, its vectors, and the same test for cocotb.

@@ -45,8 +45,8 @@ struct ProjectSpec {
 };
 
 /// The files for these tools, and the test bench and the templates for integration that come with
-/// any tool. An error means that the device is none of the tool's. `spec.vectors` must be there for
-/// a tool that runs the test bench.
+/// any tool. Error: a tool does not support the device. `spec.vectors` must be there for a tool
+/// that runs the test bench.
 Result<std::vector<emit::GeneratedFile>> project_files(const ProjectSpec& spec,
                                                        const std::set<Tool>& tools);
 

@@ -267,6 +267,19 @@ TEST_F(Project, VerilatorFindsNoFaultAndNoWarning) {
   expect_in(run.output, "PASSED: 400 comparisons (100, 4 times)");
 }
 
+TEST_F(Project, VerilatorTakesFoldersOfAnyNameButBuildsInNoneWithBlanks) {
+  generate("--project verilator --vectors 5");
+  fs::rename(path("rtl"), path("o ut $x [y]"));
+  const Outcome lint = in_folder("'o ut $x [y]/verilator/lint'");
+  EXPECT_EQ(lint.exit_code, 0) << lint.output;
+  EXPECT_EQ(lint.output, "");
+  EXPECT_FALSE(fs::exists(path("o ut $x [y]/obj_dir")));
+  const Outcome run = in_folder("'o ut $x [y]/verilator/run' 'a work'");
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  expect_in(run.output, "FOLDER: make takes no blanks in its path: received ");
+  EXPECT_FALSE(fs::exists(path("a work")));
+}
+
 TEST_F(Project, YosysAndNextpnrBuildIt) {
   if (!is_installed("nextpnr-ice40")) GTEST_SKIP() << "nextpnr-ice40 is not installed";
   generate("--project yosys,nextpnr --lanes 1 --references 0 --set system.counter_bits=0");
@@ -373,6 +386,25 @@ TEST_F(Project, CocotbPasses) {
   const Outcome run = in_folder("mkdir work && cd work && make -f ../rtl/cocotb/Makefile");
   EXPECT_EQ(run.exit_code, 0) << run.output;
   expect_in(run.output, "PASS=2 FAIL=0");
+}
+
+TEST_F(Project, CocotbLeavesNothingInTheGeneratedFolder) {
+  if (!is_installed("python3")) GTEST_SKIP() << "python3 is not installed";
+  generate("--project icarus --vectors 5");
+  // A cocotb that only imports the test, as the simulator's Python does.
+  fs::create_directories(path("stub/cocotb"));
+  write("stub/cocotb-config", "#!/bin/sh\nprintf '%s' \"$STUB\"\n");
+  write("stub/Makefile.sim", "all:\n\tpython3 -c 'import $(MODULE)'\n");
+  write("stub/cocotb/__init__.py", "def test(): return lambda function: function\n");
+  write("stub/cocotb/clock.py", "Clock = None\n");
+  write("stub/cocotb/triggers.py", "FallingEdge = ReadOnly = None\n");
+  const Outcome run = in_folder(
+      "chmod +x stub/cocotb-config && unset PYTHONDONTWRITEBYTECODE && mkdir work && cd work && "
+      "STUB=\"$PWD/../stub\" PYTHONPATH=\"$PWD/../stub\" PATH=\"$PWD/../stub:$PATH\" "
+      "make -f ../rtl/cocotb/Makefile");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_TRUE(fs::exists(path("rtl/cocotb/test_scene_s8e8_2x1.py")));
+  generate("--project icarus --vectors 5");
 }
 
 TEST_F(Project, TheCocotbTestIsPython) {

@@ -11,7 +11,7 @@
 // Arguments of the simulation, all optional:
 //   +vectors=FILE  @TOP@_tb.hex in another place than the working folder
 //   +waves=FILE    write all signals there ($dumpfile)
-//   +seed=N        other idle cycles and other backpressure
+//   +seed=N        other idle cycles and other backpressure; N from 0 to 2147483647
 //
 @PROVENANCE@
 

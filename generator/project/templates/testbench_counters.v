@@ -1,3 +1,4 @@
+  // Each lane's counters must hold what was seen on its streams, modulo their width.
   task check_counter(input integer lane, input integer which, input [COUNTER_BITS-1:0] counted,
                      input [31:0] seen);
     reg [COUNTER_BITS+31:0] wide;
