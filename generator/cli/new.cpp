@@ -148,7 +148,7 @@ LoadedScene load_or_ask(const NewCommand& command, NewScene& scene) {
 }
 
 Result<Done> check_new(const fs::path& path) {
-  if (!path_exists(path)) return Done{};
+  if (!path_exists(path)) return check_writable({path});
   return Error{.file = path.string(),
                .message = "is not replaced",
                .received = "a file that exists",
@@ -162,7 +162,8 @@ nlohmann::ordered_json to_json(const NewScene& scene, const LoadedScene& loaded)
     json["pairs"] = to_string(scene.pairing);
     json["comparisons"] = loaded.data->size();
   }
-  for (const auto& [command, purpose] : next_commands(scene)) json["next"].push_back(command);
+  for (const auto& [command, purpose] : next_commands(scene, scene.path))
+    json["next"].push_back(command);
   return json;
 }
 
@@ -177,7 +178,7 @@ std::string to_text(const NewScene& scene, const LoadedScene& loaded) {
                         to_string(scene.pairing));
   }
   text += "next:\n";
-  for (const auto& [command, purpose] : next_commands(scene)) {
+  for (const auto& [command, purpose] : next_commands(scene, scene.path)) {
     text += fmt::format("  {:<52} {}\n", command, purpose);
   }
   return text;

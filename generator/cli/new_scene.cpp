@@ -183,7 +183,7 @@ std::string data_text(const NewScene& scene, const LoadedScene& loaded) {
 std::string head_text(const NewScene& scene) {
   std::string text =
       "# Every key of this file: docs/scene_file.md of mixcmp. What comes next:\n#\n";
-  for (const auto& [command, purpose] : next_commands(scene)) {
+  for (const auto& [command, purpose] : next_commands(scene, scene.path.filename())) {
     text += fmt::format("#   {:<52} {}\n", command, purpose);
   }
   return text;
@@ -252,9 +252,11 @@ std::string scene_text(const NewScene& scene, const LoadedScene& loaded) {
                      data_text(scene, loaded));
 }
 
-std::vector<std::pair<std::string, std::string>> next_commands(const NewScene& scene) {
-  const std::string file = quoted(scene.path.filename().string());
-  const std::string plan = quoted(scene.path.stem().string() + "_plan.toml");
+std::vector<std::pair<std::string, std::string>> next_commands(const NewScene& scene,
+                                                               const std::filesystem::path& path) {
+  const std::string file = quoted(path.string());
+  const std::string plan =
+      quoted((path.parent_path() / (path.stem().string() + "_plan.toml")).string());
   std::vector<std::pair<std::string, std::string>> commands = {
       {"mixcmp check " + file, "what was understood of it"}};
   if (scene.file.empty()) return commands;

@@ -36,7 +36,9 @@ Result<LoadedScene> load_new(const NewScene& scene);
 /// has the range of its data, if it has finite ones.
 std::string scene_text(const NewScene& scene, const LoadedScene& loaded);
 
-/// The commands that come next, each with its purpose.
-std::vector<std::pair<std::string, std::string>> next_commands(const NewScene& scene);
+/// The commands that come next, each with its purpose. `file` names the scene as seen from where
+/// they are to be typed; the plan is made beside it.
+std::vector<std::pair<std::string, std::string>> next_commands(const NewScene& scene,
+                                                               const std::filesystem::path& file);
 
 }  // namespace mixcmp::cli

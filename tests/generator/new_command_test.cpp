@@ -84,6 +84,27 @@ TEST_F(NewCommand, WithoutDataTheSceneStillReads) {
   checked("bare.toml");
 }
 
+TEST_F(NewCommand, TheNextCommandsWorkFromWhereTheUserStands) {
+  fs::create_directories(path("a folder"));
+  const Outcome run =
+      mixcmp("new near --f x --g y --data points.csv -o 'a folder/near.toml' --json");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const auto next = nlohmann::json::parse(run.output).at("next");
+  ASSERT_EQ(next.size(), 5u);
+  EXPECT_EQ(next[0], "mixcmp check 'a folder/near.toml'");
+  EXPECT_EQ(next[2], "mixcmp optimise 'a folder/near.toml' -o 'a folder/near_plan.toml'");
+  EXPECT_EQ(mixcmp(next[0].get<std::string>().substr(7)).exit_code, 0);
+  EXPECT_EQ(read("a folder/near.toml").find("a folder"), std::string::npos)
+      << "the file's head names the file as seen from its folder";
+}
+
+TEST_F(NewCommand, AFolderThatIsNotThereIsToldBeforeTheDataAreRead) {
+  const Outcome run = mixcmp("new near --f x --g y --data points.csv -o nodir/near.toml");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.output.find("nodir"), std::string::npos) << run.output;
+  EXPECT_EQ(run.output.find("--data"), std::string::npos) << run.output;
+}
+
 TEST_F(NewCommand, NeverReplacesAFile) {
   write("here.toml", "mine");
   expect_refused("new here --f x --g y --data points.csv", "here.toml: is not replaced");
