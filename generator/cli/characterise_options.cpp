@@ -252,36 +252,12 @@ const GroupForm& characterise_group() {
 }
 
 Result<CharacteriseCommand> characterise_command(const SuiteRun& run) {
-  CharacteriseCommand command{.scene = {.scene = run.scene, .settings = {}, .shortcuts = {}}};
-  const std::map<std::string, std::string*> texts = {{"--precisions", &command.precisions},
-                                                     {"--bounds", &command.bounds},
-                                                     {"--inputs", &command.inputs},
-                                                     {"--multipliers", &command.multipliers},
-                                                     {"--exponents", &command.exponents},
-                                                     {"--components", &command.components},
-                                                     {"--ports", &command.ports}};
-  for (std::size_t k = 0; k < run.options.size(); ++k) {
-    const std::string& word = run.options[k];
-    const std::size_t equals = std::min(word.find('='), word.size());
-    const std::string name = word.substr(0, equals);
-    const std::string value = word.substr(std::min(equals + 1, word.size()));
-    if (name == "--set") {
-      command.scene.settings.push_back(run.options[++k]);
-    } else if (name == "--quick") {
-      command.quick = true;
-    } else if (name == "--area-only") {
-      command.area_only = true;
-    } else if (const auto text = texts.find(name); text != texts.end()) {
-      *text->second = value;
-    } else {
-      MIXCMP_CHECK(name == "--seeds");
-      const auto seeds = number(std::string_view(value));
-      if (!seeds || !settings::limits::seeds.allow(*seeds)) {
-        return mistake(name, "no number of seeds", value, to_string(settings::limits::seeds));
-      }
-      command.seeds = *seeds;
-    }
-  }
+  CharacteriseCommand command;
+  std::vector<std::string> words = {run.scene.string()};
+  words.insert(words.end(), run.options.begin(), run.options.end());
+  const auto parsed =
+      parse_words(words, [&](const Verb& verb) { add_characterise_options(verb, command); });
+  if (!parsed.ok()) return mistake_in(run, parsed.error());
   return command;
 }
 

@@ -30,7 +30,8 @@ struct CharacteriseCommand {
 
 void add_characterise_options(const Verb& verb, CharacteriseCommand& command);
 
-/// A group's run as [[characterise]] of a sweep has it, as a command. Errors name the option.
+/// A group's run as [[characterise]] of a sweep has it, as a command. Errors name the group's place
+/// and the option.
 Result<CharacteriseCommand> characterise_command(const SuiteRun& run);
 
 /// The keys that a [[characterise]] group of a sweep may have.

@@ -31,7 +31,7 @@ public:
       : command_(command),
         suite_(std::move(suite)),
         minutes_(command.minutes > 0 ? command.minutes : suite_.minutes),
-        program_(this_program()) {}
+        program_(hash_of_program()) {}
 
   std::vector<RunOutcome> run() {
     std::vector<RunOutcome> outcomes;
@@ -54,8 +54,9 @@ private:
   }
 
   RunOutcome outcome_of(const SuiteRun& one) const {
-    const auto name = identity(one, program_);
-    const fs::path kept = name ? command_.work / "suite" / (*name + ".json") : fs::path();
+    const auto hash = identity(one, program_);
+    const fs::path kept =
+        hash.ok() ? command_.work / "suite" / (key_of(*hash) + ".json") : fs::path();
     RunOutcome known = kept_outcome(kept);
     if (known.outcome == Outcome::passed) return known;
     const double left = minutes_ > 0 ? minutes_ * 60 - seconds_since(start_) : 1e9;
@@ -65,7 +66,7 @@ private:
   const SuiteCommand& command_;
   Suite suite_;
   double minutes_;
-  std::string program_;
+  ContentHash program_;
   Clock::time_point start_ = Clock::now();
 };
 

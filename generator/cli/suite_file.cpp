@@ -49,8 +49,13 @@ public:
     }
     std::vector<SuiteRun> runs;
     for (const std::string& scene : scenes_) {
-      runs.push_back(
-          {.scene = folder / scene, .options = {}, .name = scene, .portions = portions_});
+      runs.push_back({.scene = folder / scene,
+                      .options = {},
+                      .name = scene,
+                      .portions = portions_,
+                      .group = form_.name,
+                      .file = settings::file_of(table_),
+                      .line = table_.line});
     }
     for (const Choice& choice : choices_) runs = combinations(runs, choice);
     return runs;
@@ -172,6 +177,14 @@ const GroupForm& verify_group() {
                               .flags = {},
                               .has_portions = true};
   return form;
+}
+
+Error mistake_in(const SuiteRun& run, const Error& error) {
+  return {.file = run.file,
+          .line = run.line,
+          .field = run.group,
+          .message = fmt::format("{}: {}", run.name, error.to_string()),
+          .kind = error.kind};
 }
 
 Result<std::vector<SuiteRun>> read_groups(const settings::Settings& file, const GroupForm& form) {

@@ -15,6 +15,9 @@ struct SuiteRun {
   std::vector<std::string> options;  ///< words of the command line
   std::string name;                  ///< scene and options as the suite writes them
   int portions = 1;                  ///< in how many portions a sweep makes it
+  std::string group = {};            ///< "run", the table of the file that asks for it
+  std::string file = {};             ///< of that table
+  int line = 0;                      ///< likewise
 };
 
 /// A regression suite as its file describes it (docs/verification.md, "Suites").
@@ -32,6 +35,9 @@ struct GroupForm {
 };
 /// [[run]]: runs of `mixcmp verify`.
 const GroupForm& verify_group();
+
+/// A mistake in what a group asks for, with the group's place and the run's name.
+Error mistake_in(const SuiteRun& run, const Error& error);
 
 /// Reads all tables of this form.
 Result<std::vector<SuiteRun>> read_groups(const settings::Settings& file, const GroupForm& form);

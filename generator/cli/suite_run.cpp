@@ -4,7 +4,6 @@
 
 #include "generator/cli/exit.hpp"
 #include "generator/cli/options.hpp"
-#include "model/common/content_hash.hpp"
 #include "model/common/file.hpp"
 #include "model/common/folder_lock.hpp"
 #include "model/common/output_file.hpp"
@@ -23,9 +22,9 @@ Json verify_report(const std::string& text) {
 }
 
 Command verify_command(const SuiteRun& run, const fs::path& work) {
-  Command words = {"/proc/self/exe",      "verify",  run.scene.string(),
-                   "--no-counterexample", "--quiet", "--json"};
-  words.insert(words.end(), run.options.begin(), run.options.end());
+  Command words = {"/proc/self/exe", "verify", "--no-counterexample", "--quiet", "--json"};
+  const std::vector<std::string> own = verify_words(run);
+  words.insert(words.end(), own.begin(), own.end());
   words.insert(words.end(), {std::string("--work"), work.string()});
   return words;
 }
@@ -46,27 +45,35 @@ Json report_of(const RunOutcome& outcome) {
   return outcome.report.empty() ? Json() : verify_report(outcome.report);
 }
 
-std::string this_program() {
-  return value_or_exit(read_file("/proc/self/exe"));
+std::vector<std::string> verify_words(const SuiteRun& run) {
+  std::vector<std::string> words = {run.scene.string()};
+  words.insert(words.end(), run.options.begin(), run.options.end());
+  return words;
 }
 
-std::optional<std::string> identity(const SuiteRun& run, const std::string& program) {
+ContentHash hash_of_program() {
+  return ContentHash().add(value_or_exit(read_file("/proc/self/exe")));
+}
+
+Result<ContentHash> identity(const SuiteRun& run, ContentHash program) {
   SceneOptions options{.scene = run.scene, .settings = {}, .shortcuts = {}};
   for (std::size_t k = 0; k + 1 < run.options.size(); ++k) {
     if (run.options[k] == "--set") options.settings.push_back(run.options[k + 1]);
   }
   const auto scene = scene::load_scene(options.scene, options.settings);
-  if (!scene.ok()) return std::nullopt;
-  ContentHash hash;
-  hash.add(program).add(run.name);
+  if (!scene.ok()) return as_user_error(scene.error(), options);
+  ContentHash hash = program.add(run.name);
   for (const std::string& word : run.options) hash.add(word);
   for (const fs::path& input : inputs_of(options, *scene)) {
     if (input.empty()) continue;
-    const auto text = read_file(input);
-    if (!text.ok()) return std::nullopt;
-    hash.add(*text);
+    MIXCMP_TRY(text, read_file(input));
+    hash.add(text);
   }
-  return hash.hex().substr(0, 16);
+  return hash;
+}
+
+std::string key_of(const ContentHash& identity) {
+  return identity.hex().substr(0, 16);
 }
 
 RunOutcome kept_outcome(const fs::path& kept) {

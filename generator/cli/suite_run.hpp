@@ -2,10 +2,11 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "generator/cli/suite_file.hpp"
+#include "model/common/content_hash.hpp"
 #include "verilator_tb/junit.hpp"
 
 namespace mixcmp::cli {
@@ -27,12 +28,18 @@ struct RunOutcome {
 /// The report of a run; null where there is none.
 nlohmann::ordered_json report_of(const RunOutcome& outcome);
 
-/// The bytes of this program, for `identity`.
-std::string this_program();
+/// The words behind `mixcmp verify` that make this run.
+std::vector<std::string> verify_words(const SuiteRun& run);
 
-/// The hash of the files that a run reads, `program` included, and of its options; nothing where
-/// the scene cannot be read. Versions of simulators and compilers are not in it.
-std::optional<std::string> identity(const SuiteRun& run, const std::string& program);
+/// The hash of this program's bytes, for `identity`.
+ContentHash hash_of_program();
+
+/// The hash of a program's bytes continued over the run's options and the files that it reads. It
+/// is an error if one cannot be read. Versions of simulators and compilers are not in it.
+Result<ContentHash> identity(const SuiteRun& run, ContentHash program);
+
+/// The name of a run's report, without its ending.
+std::string key_of(const ContentHash& identity);
 
 /// The outcome that an earlier run has left in this file; one that was skipped where it has none.
 RunOutcome kept_outcome(const std::filesystem::path& kept);

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "generator/cli/characterise_table.hpp"
@@ -23,11 +24,11 @@ using Json = nlohmann::ordered_json;
 
 struct SweepCommand {
   std::string step;
-  fs::path path;    ///< the sweep's file to `plan`, its folder to `run` and `merge`
-  fs::path output;  ///< empty: NAME_sweep
-  fs::path work;    ///< of simulations; empty: in the sweep's folder
-  Fraction shard;
-  unsigned jobs = 0;  ///< 0: one per processor
+  fs::path path;                  ///< the sweep's file to `plan`, its folder to `run` and `merge`
+  fs::path output;                ///< empty: NAME_sweep
+  fs::path work;                  ///< of simulations; empty: in the sweep's folder
+  std::optional<Fraction> shard;  ///< none: all jobs
+  unsigned jobs = 0;              ///< 0: one per processor
   bool json = false;
 };
 
@@ -81,18 +82,43 @@ Sweep planned_sweep(const SweepFolder& folder, unsigned jobs) {
                     "count are kept"});
 }
 
+/// Refuses an option of another step, which would do nothing.
+void check_options(const SweepCommand& command) {
+  struct Given {
+    const char* option;
+    const char* step;
+    bool given;
+  };
+  const std::array options = {Given{"--output", "plan", !command.output.empty()},
+                              Given{"--shard", "run", command.shard.has_value()},
+                              Given{"--work", "run", !command.work.empty()},
+                              Given{"--jobs", "run", command.jobs > 0}};
+  for (const Given& each : options) {
+    if (!each.given || each.step == command.step) continue;
+    fail({.field = each.option,
+          .message = fmt::format("is of sweep {} alone", each.step),
+          .received = "sweep " + command.step,
+          .accepted = fmt::format("sweep {} ... {}", each.step, each.option)});
+  }
+}
+
+std::string number_of_jobs(std::size_t count) {
+  return fmt::format("{} {}", count, count == 1 ? "job" : "jobs");
+}
+
 void plan(const SweepCommand& command) {
   SweepFolder folder{command.output};
   if (folder.path.empty()) folder.path = command.path.stem().string() + "_sweep";
   const Sweep sweep = read_sweep(command.path, folder, command.jobs);
+  value_or_exit(check_runs(sweep));
   value_or_exit(make_writable_folder(folder.results()));
   const Json planned = plan_json(sweep, folder);
   value_or_exit(write_file(folder.plan(), report::json_text(planned)));
   if (command.json) return print(report::json_text(planned));
   std::string text;
   for (const auto& [key, what] : sweep.jobs()) text += fmt::format("{:<32}  {}\n", key, what);
-  print(fmt::format("{}{} jobs, {} of them to do: mixcmp sweep run {} [--shard K/N]\n", text,
-                    planned["jobs"].size(), missing_jobs(sweep, folder).size(),
+  print(fmt::format("{}{}, {} of them to do: mixcmp sweep run {} [--shard K/N]\n", text,
+                    number_of_jobs(planned["jobs"].size()), missing_jobs(sweep, folder).size(),
                     quoted(folder.path.string())));
 }
 
@@ -127,15 +153,15 @@ void verify(const SweepRun& run, const SweepFolder& folder, const fs::path& work
   constexpr double no_limit = 1e9;
   for (std::size_t k = 0; k < run.keys.size() && outcome.interrupted_by == 0; ++k) {
     if (!keys.contains(run.keys[k])) continue;
-    show_progress("verify " + run.portions[k].name);
-    const RunOutcome done =
-        verify_run(run.portions[k], work, folder.report_of(run.keys[k]), no_limit);
+    const SuiteRun portion = run.portion(k);
+    show_progress("verify " + portion.name);
+    const RunOutcome done = verify_run(portion, work, folder.report_of(run.keys[k]), no_limit);
     show_progress("");
     ++outcome.run;
     if (done.outcome == Outcome::failed) ++outcome.refuted;
     if (done.outcome != Outcome::broken) continue;
     ++outcome.failed;
-    tell(fmt::format("verify {}: {}", run.portions[k].name, done.error));
+    tell(fmt::format("verify {}: {}", portion.name, done.error));
   }
 }
 
@@ -164,23 +190,24 @@ void run_shard(const SweepCommand& command) {
   const SweepFolder folder{command.path};
   const Sweep sweep = planned_sweep(folder, command.jobs);
   const fs::path work = command.work.empty() ? folder.path / "work" : command.work;
-  std::set<std::string> keys = keys_of(sweep, command.shard);
+  const Fraction shard = command.shard.value_or(Fraction{});
+  std::set<std::string> keys = keys_of(sweep, shard);
   ShardOutcome outcome{.jobs = keys.size()};
   for (const std::string& key : finished_jobs(sweep, folder))
     outcome.done_before += keys.erase(key);
   for (const SweepTable& table : sweep.tables) measure(table, keys, outcome);
   for (const SweepRun& run : sweep.runs) verify(run, folder, work, keys, outcome);
   if (command.json) {
-    print(report::json_text({{"shard", command.shard.number},
-                             {"shards", command.shard.count},
+    print(report::json_text({{"shard", shard.number},
+                             {"shards", shard.count},
                              {"jobs", outcome.jobs},
                              {"done_before", outcome.done_before},
                              {"run", outcome.run},
                              {"failed", outcome.failed},
                              {"refuted", outcome.refuted}}));
   } else {
-    print(fmt::format("shard {}/{}: {} jobs, {} done before, {} run, {} failed, {} refuted\n",
-                      command.shard.number, command.shard.count, outcome.jobs, outcome.done_before,
+    print(fmt::format("shard {}/{}: {}, {} done before, {} run, {} failed, {} refuted\n",
+                      shard.number, shard.count, number_of_jobs(outcome.jobs), outcome.done_before,
                       outcome.run, outcome.failed, outcome.refuted));
   }
   end_unless_done(outcome);
@@ -220,7 +247,7 @@ Json merged_run(const SweepRun& run, const SweepFolder& folder) {
   }
   Json report = merged_report(reports);
   const Outcome outcome = report["passed"] == true ? Outcome::passed : Outcome::failed;
-  return {{"run", run.name}, {"result", word_for(outcome)}, {"report", std::move(report)}};
+  return {{"run", run.whole.name}, {"result", word_for(outcome)}, {"report", std::move(report)}};
 }
 
 std::string text_of(const Json& merged) {
@@ -255,6 +282,7 @@ void merge(const SweepCommand& command) {
 }
 
 void run(const SweepCommand& command) {
+  check_options(command);
   if (command.step == "plan") return plan(command);
   if (command.step == "run") return run_shard(command);
   merge(command);

@@ -6,6 +6,7 @@
 
 #include "generator/cli/characterise_table.hpp"
 #include "generator/cli/exit.hpp"
+#include "generator/cli/verify.hpp"
 #include "model/characterise/result_folder.hpp"
 #include "model/settings/section.hpp"
 #include "verilator_tb/report.hpp"
@@ -39,27 +40,33 @@ SweepTable table_of(const SuiteRun& run, const SweepFolder& folder, unsigned wor
           device,   std::move(options), std::move(jobs)};
 }
 
-SweepRun run_of(const SuiteRun& run, const std::string& program) {
-  SweepRun found{.name = run.name, .portions = {}, .keys = {}};
-  for (int portion = 1; portion <= run.portions; ++portion) {
-    SuiteRun& one = found.portions.emplace_back(run);
-    if (run.portions > 1) {
-      const std::string option = fmt::format("--portion={}/{}", portion, run.portions);
-      one.options.push_back(option);
-      one.name += " " + option;
-    }
-    const auto key = identity(one, program);
-    if (!key) {  // as verify would tell it
-      SceneOptions options{.scene = run.scene, .settings = {}, .shortcuts = {}};
-      value_or_exit(load(options));
-      fail({.file = run.scene.string(), .message = "cannot be run: " + run.name});
-    }
-    found.keys.push_back(*key);
+std::string portion_option(std::size_t k, std::size_t count) {
+  return fmt::format("--portion={}/{}", k + 1, count);
+}
+
+/// The key of a portion is made from the hash of the whole run, whose files are thus read once. The
+/// hash comes last, since the first texts change all digits of a key.
+SweepRun run_of(const SuiteRun& run, const ContentHash& program) {
+  const Result<ContentHash> whole = identity(run, program);
+  if (!whole.ok()) fail(mistake_in(run, whole.error()));
+  SweepRun found{.whole = run, .keys = {}};
+  if (run.portions == 1) found.keys = {key_of(*whole)};
+  const auto count = static_cast<std::size_t>(run.portions);
+  for (std::size_t k = found.keys.size(); k < count; ++k) {
+    found.keys.push_back(key_of(ContentHash().add(portion_option(k, count)).add(whole->hex())));
   }
   return found;
 }
 
 }  // namespace
+
+SuiteRun SweepRun::portion(std::size_t k) const {
+  SuiteRun one = whole;
+  if (keys.size() == 1) return one;
+  one.options.push_back(portion_option(k, keys.size()));
+  one.name += " " + one.options.back();
+  return one;
+}
 
 std::map<std::string, std::string> Sweep::jobs() const {
   std::map<std::string, std::string> all;
@@ -70,7 +77,7 @@ std::map<std::string, std::string> Sweep::jobs() const {
   }
   for (const SweepRun& run : runs) {
     for (std::size_t k = 0; k < run.keys.size(); ++k) {
-      all.emplace(run.keys[k], "verify " + run.portions[k].name);
+      all.emplace(run.keys[k], "verify " + run.portion(k).name);
     }
   }
   return all;
@@ -85,14 +92,25 @@ Sweep read_sweep(const fs::path& path, const SweepFolder& folder, unsigned worke
   for (const SuiteRun& run : value_or_exit(read_groups(file, characterise_group()))) {
     sweep.tables.push_back(table_of(run, folder, workers));
   }
-  const std::string program = this_program();
+  const ContentHash program = hash_of_program();
+  std::set<std::string> known;
   for (const SuiteRun& run : value_or_exit(read_groups(file, verify_group()))) {
     sweep.runs.push_back(run_of(run, program));
+    if (known.insert(sweep.runs.back().keys.front()).second) continue;
+    fail(mistake_in(run, {.message = "is asked for twice", .accepted = "each run once"}));
   }
   if (!sweep.jobs().empty()) return sweep;
   fail({.file = path.string(),
         .message = "a sweep without a job",
         .accepted = "one [[characterise]] or [[run]] at least"});
+}
+
+Result<Done> check_runs(const Sweep& sweep) {
+  for (const SweepRun& run : sweep.runs) {
+    const Result<Done> possible = check_verify(verify_words(run.portion(0)));
+    if (!possible.ok()) return mistake_in(run.whole, possible.error());
+  }
+  return Done{};
 }
 
 std::set<std::string> missing_jobs(const Sweep& sweep, const SweepFolder& folder) {

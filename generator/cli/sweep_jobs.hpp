@@ -36,9 +36,10 @@ struct SweepTable {
 
 /// A run of `verify` that [[run]] asks for, in one or several portions.
 struct SweepRun {
-  std::string name;
-  std::vector<SuiteRun> portions;
+  SuiteRun whole;
   std::vector<std::string> keys;  ///< one for each portion
+
+  SuiteRun portion(std::size_t k) const;
 };
 
 /// All that a sweep's file asks for. Its jobs have hashes for keys: of all that a result depends
@@ -53,8 +54,12 @@ struct Sweep {
 };
 
 /// Reads a sweep's file and lists its jobs, whose results go to `folder`. Ends the program on an
-/// error.
+/// error, such as a run that is asked for twice.
 Sweep read_sweep(const std::filesystem::path& file, const SweepFolder& folder, unsigned workers);
+
+/// Checks each run as `verify` would before it simulates: a mistake should not wait until a shard
+/// finds it. It loads all data.
+Result<Done> check_runs(const Sweep& sweep);
 
 /// The keys of those jobs whose results are not in the folder.
 std::set<std::string> missing_jobs(const Sweep& sweep, const SweepFolder& folder);

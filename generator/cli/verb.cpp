@@ -116,4 +116,19 @@ void Verb::when_chosen(std::function<void()> run) const {
   verb_->callback(std::move(run));
 }
 
+Result<Done> parse_words(const std::vector<std::string>& words,
+                         const std::function<void(const Verb&)>& add) {
+  const std::string name = "verb";
+  CLI::App app;
+  add(Verb(app, name, ""));
+  std::vector<std::string> last_first(words.rbegin(), words.rend());  // as CLI11 takes them
+  last_first.push_back(name);
+  try {
+    app.parse(std::move(last_first));
+  } catch (const CLI::ParseError& error) {
+    return Error{.message = error.what()};
+  }
+  return Done{};
+}
+
 }  // namespace mixcmp::cli

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "model/common/result.hpp"
+
 namespace CLI {
 class App;
 class Option;
@@ -69,5 +71,10 @@ public:
 private:
   CLI::App* verb_;
 };
+
+/// Reads these words as arguments of a verb whose options `add` adds, and runs nothing. The error
+/// is what a user of the verb would be told.
+Result<Done> parse_words(const std::vector<std::string>& words,
+                         const std::function<void(const Verb&)>& add);
 
 }  // namespace mixcmp::cli

@@ -1,4 +1,4 @@
-#include "verilator_tb/verify.hpp"
+#include "generator/cli/verify.hpp"
 
 #include <fmt/core.h>
 
@@ -18,6 +18,7 @@
 #include "model/common/content_hash.hpp"
 #include "verilator_tb/counterexample.hpp"
 #include "verilator_tb/junit.hpp"
+#include "verilator_tb/verify.hpp"
 #include "verilator_tb/waves.hpp"
 
 namespace mixcmp::cli {
@@ -375,6 +376,15 @@ void run(const VerifyCommand& command) {
 }
 
 }  // namespace
+
+Result<Done> check_verify(const std::vector<std::string>& words) {
+  VerifyCommand command;
+  MIXCMP_TRY(parsed, parse_words(words, [&](const Verb& verb) { add_options(verb, command); }));
+  MIXCMP_TRY(loaded, load(command.scene));
+  MIXCMP_TRY(has_data, check_has_data(loaded, "verify needs data to run on"));
+  MIXCMP_TRY(design, design_of(command.scene, loaded));
+  return check_request(design, *loaded.data, run_options(command, loaded, {}));
+}
 
 void add_verify(CLI::App& app) {
   const Verb verb(

@@ -150,6 +150,49 @@ TEST_F(SweepCommand, ARunThatFailsIsMergedAndTold) {
   expect_done("merge a");
 }
 
+TEST_F(SweepCommand, OptionsOfAnotherStepAreRefused) {
+  expect_refused("sweep plan sweep.toml --shard 2/8", "--shard: is of sweep run alone");
+  expect_refused("sweep plan sweep.toml --work x", "--work: is of sweep run alone");
+  expect_refused("sweep merge a --jobs 2", "--jobs: is of sweep run alone");
+  expect_refused("sweep run a -o b", "--output: is of sweep plan alone");
+  EXPECT_FALSE(fs::exists(path("sweep_sweep")));
+}
+
+TEST_F(SweepCommand, MistakesInRunsAreToldWhilePlanning) {
+  const auto refused = [&](const std::string& group, const std::string& words) {
+    write("sweep.toml", "# a sweep\n" + group);
+    expect_refused("sweep plan sweep.toml -o a", words);
+    EXPECT_FALSE(fs::exists(path("a"))) << group;
+  };
+  const std::string run = "[[run]]\nscenes = \"rows.toml\"\n";
+  refused(run + "first = \"abc\"\n",
+          "sweep.toml:2: run: rows.toml --first=abc: --first: received abc");
+  refused(run + "system.lanse = 4\n", "sweep.toml:2: run: rows.toml --set system.lanse=4: --set: ");
+  refused(run + "system.lanse = 4\n", "accepted lanes (the nearest)");
+  refused(run + "portions = 3\n", "--portion: 3 comparisons in simulations of 1048576 are too few");
+  refused(run + "first = 2\nsample = 2\n", "sweep.toml:2: run: ");
+  refused(run + run, "sweep.toml:4: run: rows.toml: is asked for twice");
+  refused("[[characterise]]\nscenes = \"scene.toml\"\nseeds = \"5x\"\n",
+          "sweep.toml:2: characterise: scene.toml --seeds=5x: --seeds: ");
+}
+
+TEST_F(SweepCommand, PortionsHaveKeysOfTheirOwn) {
+  write("sweep.toml", "[[run]]\nscenes = \"rows.toml\"\nshare = 1\nportions = 3\n");
+  const Outcome planned = sweep("plan sweep.toml -o a --json");
+  ASSERT_EQ(planned.exit_code, 0) << planned.output;
+  const auto plan = nlohmann::json::parse(planned.output);
+  std::set<std::string> keys, names;
+  for (const auto& job : plan.at("jobs")) {
+    keys.insert(job.at("key"));
+    names.insert(job.at("what"));
+  }
+  EXPECT_EQ(keys.size(), 3u);
+  EXPECT_TRUE(names.contains("verify rows.toml --share=1 --portion=2/3")) << planned.output;
+  write("sweep.toml", "[[run]]\nscenes = \"rows.toml\"\nshare = 1\n");
+  EXPECT_NE(sweep("plan sweep.toml -o b").output.find("\n1 job, 1 of them to do"),
+            std::string::npos);
+}
+
 TEST_F(SweepCommand, MistakesAreTold) {
   expect_refused("sweep run nowhere", "nowhere/plan.json: no plan of a sweep");
   expect_refused("sweep run a --shard 3/2", "accepted K/N");
