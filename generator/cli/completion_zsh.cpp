@@ -33,11 +33,14 @@ std::string zsh_value(const CommandOption& option) {
   return "";
 }
 
+/// The specification of argument number `number`, from 1 on, for _arguments.
+std::string argument_specification(const CommandOption& option, int number) {
+  const std::string place = option.repeated ? "*" : std::to_string(number);
+  return fmt::format("        '{}{}' \\\n", place, zsh_value(option));
+}
+
 /// The specifications of one option for _arguments, one a name, each on a line.
 std::string specifications(const CommandOption& option) {
-  if (option.is_argument) {
-    return fmt::format("        '{}{}' \\\n", option.repeated ? "*" : "1", zsh_value(option));
-  }
   // Names of one option exclude each other, unless it may be repeated.
   const std::string others =
       option.repeated ? "*" : fmt::format("({})", fmt::join(option.names, " "));
@@ -51,7 +54,10 @@ std::string specifications(const CommandOption& option) {
 
 std::string zsh_arguments(const CommandEntry& command) {
   std::string text = "_arguments \\\n";
-  for (const CommandOption& option : command.options) text += specifications(option);
+  int number = 0;
+  for (const CommandOption& option : command.options) {
+    text += option.is_argument ? argument_specification(option, ++number) : specifications(option);
+  }
   return text;
 }
 

@@ -113,8 +113,8 @@ void run(int argc, char** argv) {
   mixcmp::cli::add_route(app);
   mixcmp::cli::add_sweep(app);
   mixcmp::cli::add_completion(app);
-  mixcmp::cli::add_manual(app);
   mixcmp::cli::add_report(app);
+  mixcmp::cli::add_manual(app);  // the last one, which names all verbs
   parse_and_run(app, argc, argv);
 }
 

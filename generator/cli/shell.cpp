@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -13,7 +14,6 @@
 #include "generator/cli/output.hpp"
 #include "generator/cli/verb.hpp"
 #include "generator/cli/verbs.hpp"
-#include "model/common/nearest.hpp"
 
 /// The verbs that tell a shell and `man` about all verbs, themselves included.
 namespace mixcmp::cli {
@@ -36,16 +36,15 @@ void write_pages(const std::filesystem::path& folder, const CommandTable& table)
 }
 
 std::string manual_of(const std::string& name, const CommandTable& table) {
-  if (name.empty()) return manual_page(table);
+  const auto verb = std::find_if(table.verbs.begin(), table.verbs.end(),
+                                 [&](const CommandEntry& entry) { return entry.name == name; });
+  return verb == table.verbs.end() ? manual_page(table) : manual_page(table, *verb);
+}
+
+std::vector<std::string> verbs_of(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CommandEntry& verb : table.verbs) {
-    if (verb.name == name) return manual_page(table, verb);
-    names.push_back(verb.name);
-  }
-  fail({.field = "manual",
-        .message = "no such verb",
-        .received = name,
-        .accepted = list_with_nearest(name, names)});
+  for (const CommandEntry& verb : command_table(app).verbs) names.push_back(verb.name);
+  return names;
 }
 
 }  // namespace
@@ -65,7 +64,8 @@ void add_manual(CLI::App& app) {
   auto name = std::make_shared<std::string>();
   auto folder = std::make_shared<std::filesystem::path>();
   const Option named =
-      verb.option("VERB", *name, "the verb that the page is of (default: the program's own page)");
+      verb.option("VERB", *name, "the verb that the page is of (default: the program's own page)")
+          .one_of(verbs_of(app));
   verb.option("-o,--output", *folder, "directory for the pages of the program and of all verbs")
       .excludes(named);
   verb.when_chosen([name, folder, &app] {

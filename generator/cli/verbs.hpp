@@ -21,7 +21,7 @@ void add_baseline(CLI::App& app);
 void add_route(CLI::App& app);
 void add_sweep(CLI::App& app);
 void add_completion(CLI::App& app);
-void add_manual(CLI::App& app);
 void add_report(CLI::App& app);
+void add_manual(CLI::App& app);
 
 }  // namespace mixcmp::cli

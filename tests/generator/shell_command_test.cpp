@@ -81,6 +81,12 @@ TEST_F(ShellCommand, BashCompletesVerbsOptionsAndWords) {
   EXPECT_EQ(offered("generate scene.toml --no"), "--no-prove\n");
   EXPECT_EQ(offered("optimise --use-multipliers l"), "logic\n");
   EXPECT_EQ(offered("completion ''"), "bash\nzsh\nfish\n");
+  EXPECT_EQ(offered("sweep ''"), "plan\nrun\nmerge\n");
+  EXPECT_EQ(offered("sweep --shard 1/2 m"), "merge\n");
+  EXPECT_EQ(offered("sweep plan ''"), "\n") << "a path";
+  EXPECT_EQ(offered("sweep plan --sh"), "--shard\n");
+  EXPECT_EQ(offered("manual gen"), "generate\n");
+  EXPECT_EQ(offered("manual rep"), "report\n");
 }
 
 /// Nothing is offered where a path or a number stands: bash itself completes paths.
@@ -103,6 +109,12 @@ TEST_F(ShellCommand, CompletionsListEveryOptionThatHelpLists) {
       EXPECT_NE(options.find(it->str() + "\n"), std::string::npos) << verb << " " << it->str();
     }
   }
+}
+
+TEST_F(ShellCommand, ZshNumbersArguments) {
+  const std::string script = mixcmp("completion zsh").output;
+  EXPECT_NE(script.find("'1:TEXT\\:{plan,run,merge}:(plan run merge)'"), std::string::npos);
+  EXPECT_NE(script.find("'2:PATH:_files'"), std::string::npos);
 }
 
 TEST_F(ShellCommand, ZshReadsItsCompletion) {
@@ -157,7 +169,7 @@ TEST_F(ShellCommand, PagesAreCleanForManAndMandoc) {
 }
 
 TEST_F(ShellCommand, AManualOfNoVerbIsRefused) {
-  expect_refused("manual chek", "mixcmp: manual: no such verb: received chek; accepted check (the");
+  expect_refused("manual chek", "VERB: received chek; accepted check (the nearest)");
   expect_refused("completion tcsh", "mixcmp: completion: ");
   expect_refused("manual check -o pages", "excludes");
   EXPECT_FALSE(fs::exists(path("pages")));
