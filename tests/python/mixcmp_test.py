@@ -113,6 +113,21 @@ class ModuleTest(unittest.TestCase):
         for wrong in ([1.0] * 8, np.zeros((2, 7)), np.zeros((2, 8, 1))):
             with self.assertRaisesRegex(mixcmp.Error, r"accepted \(comparisons, 8\)"):
                 system.emulate(wrong)
+        for wrong in ([TIE[:-1] + [2j]], [TIE[:-1] + ["2"]], [["2"] * 8], [TIE, [1.0]],
+                      [TIE[:-1] + [None]], np.array([TIE[:-1] + ["2"]], dtype=object)):
+            with self.assertRaisesRegex(mixcmp.Error, "rows: no real numbers"):
+                system.emulate(wrong)
+        for name, call in {"first": lambda: self.scene.operands(first=-1),
+                           "count": lambda: self.scene.operands(count=-1),
+                           "group": lambda: system.evaluate([TIE], group=-1),
+                           "threads": lambda: mixcmp.profile(self.scene, threads=-1),
+                           "error_samples": lambda: mixcmp.profile(self.scene, error_samples=-1),
+                           "lane_mhz": lambda: mixcmp.plan(self.scene, lane_mhz=-5.0)}.items():
+            with self.assertRaises(mixcmp.Error) as raised:
+                call()
+            self.assertEqual(raised.exception.field, name)
+        with self.assertRaisesRegex(mixcmp.Error, "folder"):
+            system.generate("")
         with self.assertRaisesRegex(mixcmp.Error, "row 0, cxi.*out of range"):
             system.emulate([[1e200] + [0] * 7])
         with self.assertRaisesRegex(mixcmp.Error, "no such group"):
@@ -213,6 +228,9 @@ class ModuleTest(unittest.TestCase):
             self.assertTrue(getattr(mixcmp, name).__doc__, name)
         hints = typing.get_type_hints(mixcmp.profile)
         self.assertIs(hints["return"], mixcmp.Profile)
+        self.assertIs(typing.get_type_hints(mixcmp.PlanPoint)["clock_mhz"], float)
+        self.assertIs(typing.get_type_hints(mixcmp.LaneGroup)["count"], int)
+        self.assertIn("points", typing.get_type_hints(mixcmp.Plan))
 
 
 TABLE = """\

@@ -18,9 +18,10 @@ from __future__ import annotations
 
 import enum
 import json
+import operator
 import os
-from dataclasses import dataclass
-from typing import Any, Callable, Mapping, Optional, Sequence, Union
+from dataclasses import dataclass, fields
+from typing import Any, Callable, Mapping, Optional, Sequence, Type, TypeVar, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -108,8 +109,9 @@ class Scene:
 
     def operands(self, first: int = 0, count: Optional[int] = None) -> NDArray[np.float64]:
         """The rows of ``count`` comparisons of the data from number ``first`` on; all by default."""
-        rest = max(self.comparison_count - first, 0)
-        return self._core.operands(first, rest if count is None else count)
+        begin = _natural("first", first)
+        rest = max(self.comparison_count - begin, 0)
+        return self._core.operands(begin, rest if count is None else _natural("count", count))
 
     def true_verdicts(self, rows: ArrayLike) -> NDArray[np.int8]:
         """The order of the real numbers f and g of each row, as values of Verdict.
@@ -133,14 +135,39 @@ class Scene:
         return f"<mixcmp.Scene {self.name}: {self.f} against {self.g}>"
 
 
+def _mistake(field: str, message: str, received: str, accepted: str) -> Error:
+    text = f"{field}: {message}: received {received}; accepted {accepted}"
+    return Error(text, field=field, message=message, received=received, accepted=accepted)
+
+
+def _natural(name: str, value: int, most: int = 2**64 - 1) -> int:
+    """The value, which must be an integer from 0 to ``most``."""
+    number = operator.index(value)
+    if 0 <= number <= most:
+        return number
+    raise _mistake(name, "no such number", str(number), f"0 to {most}")
+
+
+def _as_doubles(rows: ArrayLike) -> NDArray[np.float64]:
+    """The array in doubles; it must have real numbers. NumPy would take texts, too, and drop the
+    imaginary parts of complex numbers."""
+    try:
+        given = np.asarray(rows)
+        no_numbers = (str, bytes, type(None))
+        texts = given.dtype.kind == "O" and any(isinstance(x, no_numbers) for x in given.flat)
+        if given.dtype.kind not in "biufO" or texts:
+            raise TypeError(f"elements of type {given.dtype}")
+        return np.ascontiguousarray(given, dtype=np.float64)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise _mistake("rows", "no real numbers", str(error), "an array of real numbers") from None
+
+
 def _as_rows(rows: ArrayLike, width: int) -> NDArray[np.float64]:
-    array = np.ascontiguousarray(rows, dtype=np.float64)
+    array = _as_doubles(rows)
     if array.ndim == 2 and array.shape[1] == width:
         return array
-    received, accepted = str(array.shape), f"(comparisons, {width}), one column for each input"
-    text = f"rows: not the shape of rows: received {received}; accepted {accepted}"
-    raise Error(text, field="rows", message="not the shape of rows", received=received,
-                accepted=accepted)
+    raise _mistake("rows", "not the shape of rows", str(array.shape),
+                   f"(comparisons, {width}), one column for each input")
 
 
 @dataclass(frozen=True)
@@ -156,7 +183,23 @@ class Answers:
         return cls(bits & 3, (bits & 4) != 0, (bits & 8) != 0)
 
 
-LaneGroup = _core.LaneGroup
+Record = TypeVar("Record")
+
+
+def _copied(record: Type[Record], core: Any) -> Record:
+    """A record with the attributes of the same names."""
+    return record(**{each.name: getattr(core, each.name) for each in fields(record)})
+
+
+@dataclass(frozen=True)
+class LaneGroup:
+    """Lanes of one kind."""
+
+    format: str  #: "s17e8" or "q13"
+    count: int
+    latency_cycles: int
+    certified: bool
+    decision: str  #: when such a lane decides, in words
 
 
 class System:
@@ -186,8 +229,8 @@ class System:
 
     @property
     def lanes(self) -> list[LaneGroup]:
-        """Kinds of lanes: format, count, latency_cycles, certified, and the decision in words."""
-        return self._core.lanes
+        """The kinds of lanes, in the order of their group numbers."""
+        return [_copied(LaneGroup, each) for each in self._core.lanes]
 
     @property
     def notes(self) -> list[str]:
@@ -195,11 +238,13 @@ class System:
 
     def emulate(self, rows: ArrayLike, group: int = 0) -> Answers:
         """The answers of a lane of group number ``group``, bit for bit those of the hardware."""
-        return Answers._from_bits(self._core.emulate(_as_rows(rows, self._width), group))
+        number = _natural("group", group)
+        return Answers._from_bits(self._core.emulate(_as_rows(rows, self._width), number))
 
     def evaluate(self, rows: ArrayLike, group: int = 0) -> Answers:
         """The same answers by the golden model in MPFR, which shares no arithmetic with it."""
-        return Answers._from_bits(self._core.evaluate(_as_rows(rows, self._width), group))
+        number = _natural("group", group)
+        return Answers._from_bits(self._core.evaluate(_as_rows(rows, self._width), number))
 
     def files(self) -> dict[str, str]:
         """The generated files by name: Verilog, signature, file list, constraint."""
@@ -269,8 +314,9 @@ def profile(scene: Scene, *, first_precision: Optional[int] = None,
     Precisions are by default all that the scene can have. ``threads``: 0 is one a processor, and
     results do not depend on it. ``progress`` is called with a step's name and a share, 0 to 1.
     """
-    core = _core.profile(scene._core, first_precision, last_precision, error_samples, threads,
-                         progress)
+    core = _core.profile(scene._core, first_precision, last_precision,
+                         _natural("error_samples", error_samples),
+                         _natural("threads", threads, 2**32 - 1), progress)
     return Profile(comparisons=core.comparisons, reference_wrong=core.reference_wrong,
                    undetermined=core.undetermined, precision=_column(core.errors, "precision"),
                    f_error=_optional_column(core.errors, "f"),
@@ -280,8 +326,36 @@ def profile(scene: Scene, *, first_precision: Optional[int] = None,
                    schemes={each.name: _scheme(each) for each in core.schemes})
 
 
-PlanPoint = _core.PlanPoint
-Plan = _core.Plan
+@dataclass(frozen=True)
+class PlanPoint:
+    """The best plan at one precision."""
+
+    precision: int
+    lanes: int  #: p_L; 0: nothing fits
+    references: int  #: p_H
+    clock_mhz: float
+    recomputation_rate: float
+    throughput_per_s: float
+    kinds: str  #: "95 x s12e8 exact relative embedded"; where nothing fits, why
+
+
+@dataclass(frozen=True)
+class Plan:
+    """The plans of a scene on its device."""
+
+    best: Optional[PlanPoint]  #: None: no plan fits the device
+    points: list[PlanPoint]  #: by precision
+    baseline_per_s: float  #: of the device filled with references alone
+    notes: list[str]
+    text: str  #: what ``mixcmp optimise`` prints
+    toml: str  #: a plan file; empty where no plan fits, and for a scene from a text
+
+
+def _plan(core: Any) -> Plan:
+    return Plan(best=None if core.best is None else _copied(PlanPoint, core.best),
+                points=[_copied(PlanPoint, each) for each in core.points],
+                baseline_per_s=core.baseline_per_s, notes=core.notes, text=core.text,
+                toml=core.toml)
 
 
 def plan(scene: Scene, *, table: Optional[Path] = None, first_precision: Optional[int] = None,
@@ -295,5 +369,5 @@ def plan(scene: Scene, *, table: Optional[Path] = None, first_precision: Optiona
     plan file; where it is to be written to any place but plan.toml beside the scene, that place is
     ``plan_file``. Clocks that are given replace the table's.
     """
-    return _core.plan(scene._core, os.fspath(table or ""), first_precision, last_precision,
-                      lane_mhz, reference_mhz, os.fspath(plan_file or ""), progress)
+    return _plan(_core.plan(scene._core, os.fspath(table or ""), first_precision, last_precision,
+                            lane_mhz, reference_mhz, os.fspath(plan_file or ""), progress))
