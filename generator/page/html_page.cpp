@@ -1,7 +1,7 @@
 #include "generator/page/html_page.hpp"
 
 #include <algorithm>
-#include <cctype>
+#include <charconv>
 
 #include "embedded/page_files.hpp"
 #include "model/common/check.hpp"
@@ -16,12 +16,27 @@ std::string_view page_file(std::string_view name) {
   MIXCMP_CHECK(false);
 }
 
-/// Whether a cell is a number, perhaps with a unit behind it, or says that there is none.
+/// Takes a number from the text's beginning; false where there is none.
+bool take_number(std::string_view& text) {
+  double value = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, status] = std::from_chars(text.data(), last, value);
+  text = {end, static_cast<std::size_t>(last - end)};
+  return status == std::errc{};
+}
+
+/// Whether a cell is a number or a range of numbers, "3-4.5", perhaps with a blank and a unit
+/// behind it, or says that there is none.
 bool is_numeric(const std::string& cell) {
+  constexpr std::size_t longest = 14;
   if (cell.empty() || cell == "-") return true;
-  const char first = cell[0] == '-' && cell.size() > 1 ? cell[1] : cell[0];
-  const bool short_enough = cell.size() <= 14;
-  return std::isdigit(static_cast<unsigned char>(first)) != 0 && short_enough;
+  std::string_view rest = cell;
+  if (cell.size() > longest || !take_number(rest)) return false;
+  if (rest.starts_with('-')) {
+    rest.remove_prefix(1);
+    if (!take_number(rest)) return false;
+  }
+  return rest.empty() || rest.starts_with(' ');
 }
 
 std::vector<bool> numeric_columns(const Table& table) {

@@ -18,6 +18,8 @@ using page::Path;
 using page::text_at;
 
 constexpr double width = 860, lane_pitch = 142, reference_pitch = 74;
+constexpr double lanes_top = 26;                  // of the first group of lanes
+constexpr double lane_x = 292, lane_width = 200;  // of lanes, and of the crossbar below them
 
 struct Box {
   double x, y, width, height;
@@ -101,7 +103,7 @@ public:
 
   void draw() {
     for (std::size_t k = 0; k < signature_.lane_groups.size(); ++k) {
-      draw_lanes(signature_.lane_groups[k], 26 + lane_pitch * static_cast<double>(k));
+      draw_lanes(signature_.lane_groups[k], lanes_top + lane_pitch * static_cast<double>(k));
     }
     if (signature_.references > 0) draw_recomputation();
   }
@@ -114,7 +116,7 @@ public:
 
 private:
   void draw_lanes(const SignatureLanes& lanes, double y) {
-    const Box slots{136, y + 34, 116, 70}, lane{292, y + 34, 200, 70},
+    const Box slots{136, y + 34, 116, 70}, lane{lane_x, y + 34, lane_width, 70},
         results{532, y + 34, 112, 70};
     canvas_.frame({118, y, 546, 122});
     canvas_.text(128, y + 17, "detail", counted(lanes.count, "lane") + ", each with:");
@@ -142,8 +144,9 @@ private:
   }
 
   void draw_recomputation() {
-    const double y = 26 + lane_pitch * static_cast<double>(signature_.lane_groups.size()) + 8;
-    const Box crossbar{292, y + 4, 200, 50};
+    const double y =
+        lanes_top + lane_pitch * static_cast<double>(signature_.lane_groups.size()) + 8;
+    const Box crossbar{lane_x, y + 4, lane_width, 50};
     canvas_.box(crossbar, "network",
                 {"crossbar", fmt::format("{} to {}", signature_.lanes, signature_.references)}, 1,
                 "Takes undecided comparisons to the references, round-robin.");

@@ -72,6 +72,16 @@ TEST(Page, ATableAlignsColumnsOfNumbers) {
       draw(page::Table{{"L", "kind"}, {{"8", "s8e8"}, {"12", "-"}}}).to_text();
   EXPECT_EQ(count(table, "<td class=\"number\">"), 2);
   EXPECT_NE(table.find("<td>s8e8</td>"), std::string::npos);
+  const auto is_number = [](const char* cell) {
+    return draw(page::Table{{"column"}, {{cell}}}).to_text().find("\"number\"") !=
+           std::string::npos;
+  };
+  for (const char* cell : {"8", "-3.5", "1.25e-3", "3-4.5", "0.5-1", "250 MHz", "-", ""}) {
+    EXPECT_TRUE(is_number(cell)) << cell;
+  }
+  for (const char* cell : {"1A8O.pdb", "3x", "8-bit", "s8e8", "2 of those that are left"}) {
+    EXPECT_FALSE(is_number(cell)) << cell;
+  }
 }
 
 TEST(PageAxis, ALinearOneCoversItsValuesAndBeginsAtZero) {
