@@ -41,7 +41,8 @@ install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program
         PATTERN "run" EXCLUDE
         PATTERN "table" EXCLUDE
         PATTERN "characterise" EXCLUDE
-        PATTERN "explore" EXCLUDE)
+        PATTERN "explore" EXCLUDE
+        PATTERN "paper" EXCLUDE)
 
 # find_package(mixcmp) gives mixcmp::mixcmp: the shared library and its one header.
 include(CMakePackageConfigHelpers)

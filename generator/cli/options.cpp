@@ -40,7 +40,7 @@ constexpr std::array<Shortcut, 9> shortcuts = {{
     {"--references", "system.references", "p_H", settings::limits::references},
     {"--target-mhz", "system.target_mhz", "clock that the cut points are chosen for"},
     {"--device", "system.device", "device whose rough delays choose the cut points"},
-    {"--prefix", "system.prefix", "of the names of the modules, the top's excepted"},
+    {"--prefix", "system.prefix", "prefix of all module names but the top's"},
 }};
 
 /// An error of the data with the place where the user wrote its cause. Errors in a data file stay

@@ -75,7 +75,7 @@ void add_report(CLI::App& app) {
           [command](const std::vector<std::string>& words) {
             command->choice.without = {words.begin(), words.end()};
           },
-          "sections to leave out, which take their time: profile,plan,waves")
+          "slow sections to leave out: profile,plan,waves")
       .separated_by(',')
       .one_of({"profile", "plan", "waves"});
   verb.flag("--beside-paper", command->choice.beside_paper,

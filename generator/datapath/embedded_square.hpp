@@ -6,8 +6,8 @@
 
 namespace mixcmp::datapath {
 
-/// Sizes in rtl_templates/fp/fp_embedded_square.v, and when fp_product.v takes it; this class
-/// repeats both.
+/// Sizes in rtl_templates/fp/fp_embedded_square.v, and the condition on which fp_product.v
+/// instantiates it; this class repeats both.
 class EmbeddedSquare {
 public:
   /// The links of the chain of products that have a cut of their own behind them.

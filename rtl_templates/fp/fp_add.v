@@ -41,8 +41,9 @@ module fp_add #(
   // Without underflow there are no subnormals to be gradual about.
   localparam SUBNORMALS = (GRADUAL != 0) && (UNDERFLOW != 0);
 
-  // Of like signs, a sum has its leading one where the larger operand has, or one place above. A
-  // subnormal operand has none, and where exponents are no wider in the result the sum needs none.
+  // Of like signs, a sum has its leading one where the larger operand has, or one place above. If
+  // the result's exponent is as wide as the operands', a subnormal sum is represented as such, so
+  // no leading one has to be found.
   localparam GROWING =
       (CANCELLATION == 0) && (!SUBNORMALS || (RESULT_EXPONENT_BITS == EXPONENT_BITS));
 

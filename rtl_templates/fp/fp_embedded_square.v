@@ -1,12 +1,18 @@
 // fp_embedded_square: the square of a significand, by multipliers FACTOR_A by FACTOR_B wide.
 // Latency: the population count of CUTS (seven bits); initiation interval 1; no reset.
-// The significand has a leading one; without it the square may be anything.
+// The significand has a leading one; `product` is undefined if a's leading bit is 0.
 //
-// The significand is cut into PARTS parts of FACTOR_B bits, two more in the last part if need be: 53
-// bits are three parts for multipliers of 24 by 17. The squares of the parts lie side by side. The
-// products of two different parts count twice. They form one chain in the order of their places:
-// each is added to the sum of those before it, in the adder behind the multiplier where the device
-// has one. A cut between two links delays the operands of the links above it.
+// The significand is cut into PARTS parts of FACTOR_B bits; the last may have two more. For
+// multipliers of 24 by 17, 53 bits become p0 and p1 of 17 bits and p2 of 19:
+//
+//     a * a =   p0^2 + p1^2 << 34 + p2^2 << 68           squares, which do not overlap
+//             + 2 * (p0 p1 << 17 + p0 p2 << 34 + p1 p2 << 51)
+//                    place 1       place 2       place 3
+//
+// The products of two different parts form one chain, by rising place. The sum of the links before,
+// shifted down by FACTOR_B bits at each new place, is added to the next product, in the adder
+// behind the multiplier where the device has one. A cut between two links delays the operands of
+// all links behind it.
 `default_nettype none
 
 module fp_embedded_square #(
@@ -40,8 +46,8 @@ module fp_embedded_square #(
   localparam EXCESS = (LAST > FACTOR_B) ? LAST - FACTOR_B : 0;
   localparam WIDEST = FACTOR_B + EXCESS;
 
-  // Cut 0 is behind the multipliers, cuts 1 to 4 behind the first links, 5 and 6 behind the two
-  // halves of the last sum.
+  // Cut 0 is behind the multipliers, cuts 1 to 4 are behind the first four links. The squares and
+  // the chain are added in two halves: cut 5 is behind the lower one, cut 6 behind the upper one.
   localparam CUT_LINKS  = 4;
   localparam LAST_PLACE = 2 * PARTS - 3;
   localparam HALF       = PRECISION + (FACTOR_B + 1) / 2;
@@ -224,7 +230,7 @@ module fp_embedded_square #(
 
       wire [WIDTH-1:0] total = g_links[LINKS-1].sum;
 
-      // What no link above changes any more waits for the last one.
+      // Bits that later links do not change are delayed to the last cut.
       localparam LINK_CUTS = smaller(links_below(place) + LINKS, CUT_LINKS);
       localparam ABOVE     = SQUARE - place * FACTOR_B - 1;
       localparam DONE      = (place < LAST_PLACE) ? FACTOR_B : smaller(WIDTH, ABOVE);

@@ -1,6 +1,6 @@
 // fp_product: the product of two significands, or the square of one.
 // Latency: the population count of CUTS (seven bits); initiation interval 1; no reset.
-// The significands have a leading one; without it the product may be anything.
+// The significands have a leading one; `product` is undefined if a leading bit is 0.
 `default_nettype none
 
 module fp_product #(
