@@ -160,7 +160,7 @@ TEST_F(CommandLine, EveryVerbTakesAPlanInPlaceOfAScene) {
 TEST_F(CommandLine, WhatIsNotChosenNamesWhoChooses) {
   for (const char* verb : {"generate", "verify"}) {
     expect_refused(fmt::format("{} scene.toml --format auto", verb),
-                   "`mixcmp optimise scene.toml -o plan.toml`");
+                   "a plan, made by: mixcmp optimise scene.toml -o plan.toml");
   }
 }
 
