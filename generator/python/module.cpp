@@ -102,8 +102,7 @@ void add_scene(py::module_& module) {
       .def("summary_json", &Scene::summary_json);
 }
 
-void add_system(py::module_& module) {
-  using api::System;
+void add_lane_group(py::module_& module) {
   py::class_<api::LaneGroup>(
       module, "LaneGroup",
       "Lanes of one kind: format, count, latency_cycles, certified, and decision in words.")
@@ -112,6 +111,10 @@ void add_system(py::module_& module) {
       .def_readonly("latency_cycles", &api::LaneGroup::latency_cycles)
       .def_readonly("certified", &api::LaneGroup::certified)
       .def_readonly("decision", &api::LaneGroup::decision);
+}
+
+void add_system(py::module_& module) {
+  using api::System;
   py::class_<System>(module, "System")
       .def(py::init<const api::Scene&>())
       .def_property_readonly("top", &System::top)
@@ -226,6 +229,7 @@ void define(py::module_& module) {
   py::register_local_exception_translator(translate);
   module.attr("version") = api::version();
   add_scene(module);
+  add_lane_group(module);
   add_system(module);
   add_profile(module);
   add_plan(module);
