@@ -7,6 +7,7 @@
 
 #include "generator/cli/exit.hpp"
 #include "generator/cli/new_scene.hpp"
+#include "generator/cli/output.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/report/json_text.hpp"
 #include "model/common/file.hpp"
