@@ -164,7 +164,7 @@ const Planning* ReportMaker::plannable() {
   if (!planning_) {
     PlanningOptions options = planning_options_;
     if (options.table.empty()) options.table = table_beside_a_layer();
-    planning_ = load_planning(options, loaded_.scene, data());
+    planning_.emplace(load_planning(options, loaded_.scene, data()));
   }
   return planning_->ok() ? &planning_->value() : nullptr;
 }
