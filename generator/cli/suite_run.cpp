@@ -4,10 +4,13 @@
 
 #include "generator/cli/exit.hpp"
 #include "generator/cli/options.hpp"
+#include "generator/report/json_text.hpp"
+#include "model/common/content_hash.hpp"
 #include "model/common/file.hpp"
 #include "model/common/folder_lock.hpp"
 #include "model/common/output_file.hpp"
 #include "model/common/process.hpp"
+#include "verilator_tb/report.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -15,10 +18,30 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// A report as `verify --json` prints it; null where the text is none.
+/// A report as `verify --json` prints it; null where the text is none, or where it says of itself
+/// that it passed but its counts do not, or the other way round.
 Json verify_report(const std::string& text) {
-  const Json report = Json::parse(text, nullptr, false);
-  return report.is_object() && report.contains("passed") ? report : Json();
+  Json report = Json::parse(text, nullptr, false);
+  try {
+    const bool passed = verilator_tb::report_in(report).passed();
+    return report.at("passed") == passed ? report : Json();
+  } catch (const Json::exception&) {
+    return {};
+  }
+}
+
+constexpr const char* key_field = "key";
+
+/// The name that a kept report must have in itself, so that a file under another's name is none.
+std::string key_of(const fs::path& kept) {
+  return kept.stem().string();
+}
+
+/// The text of a report to be kept in this file.
+std::string kept_text(const fs::path& kept, const std::string& report) {
+  Json json = {{key_field, key_of(kept)}};
+  json.update(Json::parse(report));
+  return report::json_text(json);
 }
 
 Command verify_command(const SuiteRun& run, const fs::path& work) {
@@ -79,11 +102,12 @@ std::string key_of(const ContentHash& identity) {
 RunOutcome kept_outcome(const fs::path& kept) {
   const auto text = read_file(kept);
   if (kept.empty() || !text.ok()) return {};
-  const Json report = verify_report(*text);
-  if (!report.is_object()) return {};
+  Json report = verify_report(*text);
+  if (!report.is_object() || report.value(key_field, Json()) != key_of(kept)) return {};
+  report.erase(key_field);
   const double seconds = report.value("build_seconds", 0.0) + report.value("run_seconds", 0.0);
   const Outcome outcome = report["passed"] == true ? Outcome::passed : Outcome::failed;
-  return {outcome, seconds, *text, kept, ""};
+  return {outcome, seconds, report.dump(), kept, ""};
 }
 
 RunOutcome verify_run(const SuiteRun& run, const fs::path& work, const fs::path& kept,
@@ -107,7 +131,7 @@ RunOutcome verify_run(const SuiteRun& run, const fs::path& work, const fs::path&
   outcome.outcome = captured->succeeded() ? Outcome::passed : Outcome::failed;
   if (kept.empty()) return outcome;
   value_or_exit(make_writable_folder(kept.parent_path()));
-  value_or_exit(write_kept_file(kept, captured->output));
+  value_or_exit(write_kept_file(kept, kept_text(kept, captured->output)));
   outcome.report_file = kept;
   return outcome;
 }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <string>
 
@@ -191,6 +192,31 @@ TEST_F(SweepCommand, PortionsHaveKeysOfTheirOwn) {
   write("sweep.toml", "[[run]]\nscenes = \"rows.toml\"\nshare = 1\n");
   EXPECT_NE(sweep("plan sweep.toml -o b").output.find("\n1 job, 1 of them to do"),
             std::string::npos);
+}
+
+TEST_F(SweepCommand, AResultThatIsNotThatOfItsJobCountsAsNone) {
+  write("sweep.toml", runs());
+  expect_done("plan sweep.toml -o a");
+  expect_done("run a");
+  const auto jobs = nlohmann::json::parse(read("a/plan.json")).at("jobs");
+  const std::string first = "a/results/" + jobs.at(0).at("key").get<std::string>() + ".json";
+  const std::string second = "a/results/" + jobs.at(1).at("key").get<std::string>() + ".json";
+  const std::string good = read(second);
+  const std::string copied = read(first);
+  const std::string without_counts = good.substr(0, good.find(",\n  \"system\"")) + "}";
+  const std::string wrong_type =
+      std::regex_replace(good, std::regex("\"requested\": 3"), "\"requested\": \"3\"");
+  const std::string untrue =
+      std::regex_replace(good, std::regex("\"mismatch_count\": 0"), "\"mismatch_count\": 3");
+  for (const std::string& bad : {copied, without_counts, wrong_type, untrue}) {
+    ASSERT_NE(bad, good);
+    write(second, bad);
+    EXPECT_EQ(sweep("merge a").exit_code, 3) << bad;
+    EXPECT_FALSE(fs::exists(path("a/report.json"))) << bad;
+    EXPECT_EQ(nlohmann::json::parse(sweep("plan sweep.toml -o a --json").output).at("jobs"), jobs);
+  }
+  EXPECT_EQ(nlohmann::json::parse(sweep("run a --json").output).at("run"), 1);
+  expect_done("merge a");
 }
 
 TEST_F(SweepCommand, MistakesAreTold) {
