@@ -71,6 +71,54 @@ std::vector<std::uint64_t> pick(WordFinder& finder, std::uint64_t available, std
   return {picked.begin(), picked.end()};
 }
 
+/// Comparisons that data rarely have: some of the data with one operand, or all of them, replaced
+/// by a zero, a NaN, an infinity, or a number at an end of the format's range. They show faults in
+/// ties, in special values and in range checks. Most of them no lane decides, so one after the
+/// other they keep lanes, crossbar and references as busy with recomputations as they can be.
+class EdgeCases {
+public:
+  explicit EdgeCases(const data::Comparisons& comparisons)
+      : comparisons_(comparisons), values_(values_in(comparisons.format())) {}
+
+  std::uint64_t available() const { return values_.size() * (comparisons_.input_count() + 1); }
+
+  /// The operands of case number `number` of `count`.
+  std::vector<Bits> operands(std::uint64_t number, std::uint64_t count) const {
+    const std::size_t inputs = comparisons_.input_count();
+    std::vector<Bits> operands(inputs);
+    comparisons_.fetch(number * comparisons_.size() / count, operands);
+    const std::size_t which = number % values_.size();
+    if (number < values_.size()) {
+      std::fill(operands.begin(), operands.end(), values_[which]);
+      if (which == negative_zero) {  // as equal as zeros of one sign
+        for (std::size_t k = 0; k < inputs; k += 2) operands[k] = values_[positive_zero];
+      }
+    } else {
+      operands[(number / values_.size() + which) % inputs] = values_[which];
+    }
+    return operands;
+  }
+
+private:
+  static constexpr std::size_t positive_zero = 0, negative_zero = 1;
+
+  static std::vector<Bits> values_in(FloatFormat format) {
+    constexpr Bits smallest = 1;
+    return {format.zero(false),
+            format.zero(true),
+            format.quiet_nan(),
+            format.infinity(false),
+            format.infinity(true),
+            format.largest_finite(false),
+            format.largest_finite(true),
+            format.smallest_normal(false),
+            smallest};
+  }
+
+  const data::Comparisons& comparisons_;
+  std::vector<Bits> values_;
+};
+
 }  // namespace
 
 std::vector<std::uint64_t> spread(std::uint64_t available, std::uint64_t count) {
@@ -88,16 +136,32 @@ std::vector<std::uint64_t> choose_comparisons(const design::Design& design,
   return pick(finder, comparisons.size(), count, quota);
 }
 
+namespace {
+
+std::vector<std::vector<Bits>> all_operands(const design::Design& design,
+                                            const data::Comparisons& comparisons,
+                                            std::uint64_t count) {
+  const EdgeCases edges(comparisons);
+  const std::uint64_t edge_count = std::min(count / 8, edges.available());
+  const std::uint64_t chosen = count - edge_count;
+  std::vector<std::vector<Bits>> all;
+  for (const std::uint64_t index :
+       choose_comparisons(design, comparisons, chosen, chosen / 4)) {
+    comparisons.fetch(index, all.emplace_back(comparisons.input_count()));
+  }
+  for (std::uint64_t k = 0; k < edge_count; ++k) all.push_back(edges.operands(k, edge_count));
+  return all;
+}
+
+}  // namespace
+
 std::vector<project::TestVector> test_vectors(const design::Design& design,
                                               const data::Comparisons& comparisons,
                                               const emit::Signature& signature,
                                               std::uint64_t count) {
-  const std::vector<std::uint64_t> indices =
-      choose_comparisons(design, comparisons, count, count / 4);
-  std::vector<Bits> operands(comparisons.input_count());
   std::vector<project::TestVector> vectors;
-  for (std::size_t k = 0; k < indices.size(); ++k) {
-    comparisons.fetch(indices[k], operands);
+  for (const std::vector<Bits>& operands : all_operands(design, comparisons, count)) {
+    const std::size_t k = vectors.size();
     std::vector<std::uint8_t> tdata(static_cast<std::size_t>(signature.tdata_bytes));
     pack_operands(operands, signature.reference_format.width(), k % 2 != 0, tdata);
     const auto lane = static_cast<int>(k % static_cast<std::size_t>(signature.lanes));

@@ -13,6 +13,14 @@ constexpr const char* counter_connections =
     "      .comparisons(comparisons),\n"
     "      .recomputations(recomputations),\n"
     "      .stalls(stalls),";
+constexpr const char* counter_pause =
+    "        // Half way, lanes with idle cycles have taken different numbers of comparisons.\n"
+    "        if (!has_paused && (left_count >= COUNT / 2)) pausing = 1'b1;\n"
+    "        if (pausing && (left_count == taken_count) && !stopped) begin\n"
+    "          check_counters;\n"
+    "          pausing = 1'b0;\n"
+    "          has_paused = 1'b1;\n"
+    "        end";
 constexpr const char* refetch_nets =
     "  localparam TAG_FIELD = 8 * ((TAG_BITS + 7) / 8);\n"
     "  wire [REFERENCES-1:0]            m_refetch_tvalid;\n"
@@ -62,6 +70,7 @@ GeneratedFile verilog_testbench(const ProjectSpec& spec) {
   block("COUNTER_CONNECTIONS", counts, counter_connections);
   block("COUNTER_CHECK", counts, fill_template("testbench_counters.v", {}));
   block("COUNTER_CALL", counts, "    if (!stopped) check_counters;");
+  block("COUNTER_PAUSE", counts, counter_pause);
   block("REFETCH_NETS", refetches(s), refetch_nets);
   block("REFETCH_CONNECTIONS", refetches(s), refetch_connections);
   block("REFETCH_MEMORY", refetches(s), fill_template("testbench_refetch.v", {}));

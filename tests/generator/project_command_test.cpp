@@ -74,7 +74,7 @@ TEST_F(Project, TheTestBenchPassesInIcarusFromAnyFolder) {
       in_folder("cd elsewhere && '../far away/moved rtl/icarus/run' 'a work' +waves=w.fst");
   EXPECT_EQ(run.exit_code, 0) << run.output;
   EXPECT_TRUE(
-      std::regex_search(run.output, std::regex("PASSED: 600 comparisons \\(150, 4 times\\), "
+      std::regex_search(run.output, std::regex("PASSED: 708 comparisons \\(177, 4 times\\), "
                                                "[1-9][0-9]* recomputed")))
       << run.output;
   EXPECT_TRUE(fs::exists(path("elsewhere/a work/scene_s8e8_2x1_tb.log")));
@@ -113,6 +113,22 @@ TEST_F(Project, TheTestBenchFindsFaultsOfTheHardware) {
     expect_in(run.output, "FAILED: ");
     EXPECT_EQ(run.output.find("PASSED"), std::string::npos) << run.output;
   }
+}
+
+/// The data have neither ties of zeros nor NaNs, and lanes take as many comparisons in each pass.
+TEST_F(Project, TheTestBenchFindsFaultsThatTheDataAloneDoNotShow) {
+  generate("--project icarus --vectors 100");
+  const auto expect_found = [&](const char* file, const char* change, const char* message) {
+    const Outcome run = run_changed(file, change);
+    EXPECT_NE(run.exit_code, 0) << change << "\n" << run.output;
+    expect_in(run.output, message);
+  };
+  expect_found("scene_s8e8_2x1.v", "s/(comparisons\\[lane/(comparisons[(1 - lane)/",
+               "comparisons of lane 0: the counter is");
+  expect_found("mixcmp_fp_compare.v", "s/s1_equal = s1_both_zero ||/s1_equal =/",
+               "expected equal, recomputed; got");
+  expect_found("mixcmp_fp_compare.v", "s/= s0_a_nan || s0_b_nan/= s0_a_nan/",
+               "expected unordered, recomputed; got");
 }
 
 TEST_F(Project, AFileOfVectorsThatIsCutShortFails) {
@@ -278,6 +294,13 @@ TEST_F(Project, VerilatorTakesFoldersOfAnyNameButBuildsInNoneWithBlanks) {
   EXPECT_EQ(run.exit_code, 1) << run.output;
   expect_in(run.output, "FOLDER: make takes no blanks in its path: received ");
   EXPECT_FALSE(fs::exists(path("a work")));
+}
+
+TEST_F(Project, VerilatorsWrongOptimisationIsOffWhereverItIsCalled) {
+  generate("--project verilator,fusesoc --vectors 1");
+  for (const char* file : {"rtl/verilator/run", "rtl/cocotb/Makefile", "rtl/scene_s8e8_2x1.core"}) {
+    expect_in(read(file), "-fno-const-bit-op-tree");
+  }
 }
 
 TEST_F(Project, YosysAndNextpnrBuildIt) {

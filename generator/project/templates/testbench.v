@@ -1,7 +1,9 @@
 // Test bench of @TOP@ that checks itself, in plain Verilog-2001 for any simulator.
 //
-// It sends @COUNT@ comparisons of the scene's data through the system, four times: at full rate,
-// with idle cycles, with backpressure, and with both. Comparison k goes to lane k modulo @LANES@.
+// It sends @COUNT@ comparisons through the system, four times: at full rate, with idle cycles, with
+// backpressure, and with both. They are of the scene's data, the last ones with zeros, NaNs,
+// infinities or ends of the format's range in the place of operands. Comparison k goes to lane k
+// modulo @LANES@.
 // Each result must leave once, on its lane, with its tag, and with the verdict and the flags that
 // the golden model of mixcmp computed when this file was written. It prints
 //   PASSED: ...   and ends with $finish, or
@@ -90,12 +92,15 @@ module @TOP@_tb;
   reg [31:0]       random_state;
   reg              idle_cycles;
   reg              backpressure;
+  reg              pausing;     // no lane is offered another comparison until all have left
+  reg              has_paused;  // in this pass
   reg              stopped;  // by a time-out, or after so many failures
   integer          pass;
   integer          cycle;
   integer          last_progress;
   integer          oldest;      // all comparisons before it have left
-  integer          left_count;  // in this pass
+  integer          taken_count;  // in this pass
+  integer          left_count;   // in this pass
   integer          results;
   integer          recomputed_count;
   integer          failures;
@@ -215,6 +220,7 @@ module @TOP@_tb;
         next_offer[lane] = next_offer[lane] + LANES;
         offering[lane] = 1'b0;
         accepted[lane] = accepted[lane] + 32'd1;
+        taken_count = taken_count + 1;
         last_progress = cycle;
       end else begin
         stalled[lane] = stalled[lane] + 32'd1;
@@ -255,7 +261,7 @@ module @TOP@_tb;
         ready_density[lane] = backpressure ? {1'b0, random_state[15:8]} : 9'd256;
       end
       draw;
-      if (!offering[lane] && (next_offer[lane] < COUNT)
+      if (!offering[lane] && !pausing && (next_offer[lane] < COUNT)
           && (next_offer[lane] - oldest < TAG_LIMIT)
           && ({1'b0, random_state[7:0]} < offer_density[lane])) begin
         offering[lane] = 1'b1;
@@ -319,7 +325,10 @@ module @TOP@_tb;
     integer k;
     begin
       oldest = 0;
+      taken_count = 0;
       left_count = 0;
+      pausing = 1'b0;
+      has_paused = 1'b0;
       last_progress = cycle;
       for (k = 0; k < COUNT; k = k + 1) status[k] = WAITING;
       for (k = 0; k < LANES; k = k + 1) begin
@@ -331,6 +340,7 @@ module @TOP@_tb;
       while ((left_count < COUNT) && !stopped) begin
         clock_cycle;
         if (cycle - last_progress > TIME_OUT_CYCLES) report_time_out;
+@COUNTER_PAUSE@
       end
       for (k = 0; (k < 64) && !stopped; k = k + 1) clock_cycle;  // in which nothing may leave
     end
