@@ -131,6 +131,18 @@ TEST_F(Project, TheTestBenchFindsFaultsThatTheDataAloneDoNotShow) {
                "expected unordered, recomputed; got");
 }
 
+TEST_F(Project, TheMemoryBehindAReferenceFindsLostTagsAndTooManyOfThem) {
+  generate("--project icarus --set system.operands=refetched --lanes 4");
+  for (const auto& [file, change] :
+       {std::pair("mixcmp_reference_port.v",
+                  "s/accept || (refetch_valid_q \\&\\& !m_refetch_tready)/accept/"),
+        std::pair("mixcmp_stream_fifo.v", "s/same_address \\&\\& !same_lap/1'\\''b0/")}) {
+    const Outcome run = run_changed(file, change);
+    EXPECT_NE(run.exit_code, 0) << change << "\n" << run.output;
+    expect_in(run.output, "expected ");
+  }
+}
+
 TEST_F(Project, AFileOfVectorsThatIsCutShortFails) {
   generate("--project icarus");
   const Outcome run = run_changed("testbench/scene_s8e8_2x1_tb.hex", "$ d");

@@ -1,28 +1,32 @@
-  // The memory behind each reference answers a tag with the operands of its comparison.
+  // The memory behind each reference answers a tag with the operands of its comparison. It takes
+  // more tags than a reference may have on the way, so that the reference has to wait as well.
   genvar r;
   generate
     for (r = 0; r < REFERENCES; r = r + 1) begin : refetch
-      reg  [31:0] queue [0:7];  // indices of comparisons
-      reg  [3:0]  head;
-      reg  [3:0]  tail;
+      reg  [31:0] queue [0:31];  // indices of comparisons
+      reg  [5:0]  head;
+      reg  [5:0]  tail;
       reg  [4:0]  pause;  // cycles until the next answer
-      wire [3:0]  queued = tail - head;
+      reg         busy;   // takes no tag in this cycle
+      wire [5:0]  queued = tail - head;
       integer     index;
 
-      assign m_refetch_tready[r] = queued < 4'd8;
-      assign s_refetch_tvalid[r] = (queued != 4'd0) && (pause == 5'd0);
+      assign m_refetch_tready[r] = (queued < 6'd32) && !busy;
+      assign s_refetch_tvalid[r] = (queued != 6'd0) && (pause == 5'd0);
       assign s_refetch_tdata[r*TDATA_BITS +: TDATA_BITS]
-          = s_refetch_tvalid[r] ? vectors[queue[head[2:0]]][TDATA_BITS-1:0] : {TDATA_BITS{1'b0}};
+          = s_refetch_tvalid[r] ? vectors[queue[head[4:0]]][TDATA_BITS-1:0] : {TDATA_BITS{1'b0}};
 
       always @(posedge aclk) begin
         if (!aresetn) begin
-          head <= 4'd0;
-          tail <= 4'd0;
+          head <= 6'd0;
+          tail <= 6'd0;
           pause <= 5'd0;
+          busy <= 1'b0;
         end else begin
+          busy <= backpressure && (random_state[9:8] == 2'd0);
           if (pause != 5'd0) pause <= pause - 5'd1;
           if (s_refetch_tvalid[r] && s_refetch_tready[r]) begin
-            head <= head + 4'd1;
+            head <= head + 6'd1;
             pause <= backpressure ? random_state[4:0] : 5'd2;
           end
           if (m_refetch_tvalid[r] && m_refetch_tready[r]) begin
@@ -33,8 +37,8 @@
               count_failure;
               index = 0;
             end
-            queue[tail[2:0]] <= index;
-            tail <= tail + 4'd1;
+            queue[tail[4:0]] <= index;
+            tail <= tail + 6'd1;
           end
         end
       end
