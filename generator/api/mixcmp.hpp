@@ -122,7 +122,7 @@ public:
 
   std::uint64_t comparison_count() const;  ///< 0 without data
   /// The operands of `count` comparisons from number `first` on, as rows. It is an Error if the
-  /// data have fewer.
+  /// data have fewer, or where a reference format beyond double has a number that double has not.
   std::vector<double> operands(std::uint64_t first, std::size_t count) const;
   /// The order of the real numbers f and g of each row, by interval arithmetic of growing
   /// precision; none where the precision that docs/profile.md names does not tell.

@@ -33,6 +33,13 @@ OperandRows rows_of(const SceneState& state, std::span<const double> numbers) {
       OperandRows::make(numbers, state.scene.graph.inputs(), state.scene.reference.format));
 }
 
+/// Tells whether a double, as an operand, is this number of the format again. All NaNs are one.
+bool is_same(FloatFormat format, Bits bits, double value) {
+  if (format.is_nan(bits)) return true;
+  const auto operand = nearest_operand(format, value);
+  return operand && operand->bits == bits;
+}
+
 }  // namespace
 
 std::string version() {
@@ -146,7 +153,14 @@ std::vector<double> Scene::operands(std::uint64_t first, std::size_t count) cons
   rows.reserve(count * width);
   for (std::size_t k = 0; k < count; ++k) {
     data.fetch(first + k, bits);
-    for (const Bits each : bits) rows.push_back(to_double(data.format(), each));
+    for (std::size_t input = 0; input < width; ++input) {
+      rows.push_back(to_double(data.format(), bits[input]));
+      if (is_same(data.format(), bits[input], rows.back())) continue;
+      fail({.field = fmt::format("operands, row {}, {}", k, inputs()[input]),
+            .message = "double does not hold the number",
+            .received = "a number of " + data.format().name(),
+            .accepted = "data of at most 53 digits and 11 exponent bits"});
+    }
   }
   return rows;
 }

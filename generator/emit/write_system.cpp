@@ -155,7 +155,8 @@ Error in_place(Error error, const fs::path& path) {
 Result<Done> write_system(const GeneratedSystem& system, const fs::path& requested) {
   std::error_code failed;
   // Resolve the path as the kernel does: ".." behind a symbolic link is the parent of its target.
-  fs::path named = fs::weakly_canonical(fs::absolute(requested), failed);
+  const fs::path absolute = fs::absolute(requested, failed);  // fails for an empty path
+  fs::path named = failed ? fs::path() : fs::weakly_canonical(absolute, failed);
   if (failed) return cannot_write(requested, failed.value());
   // The path ends with the folder's name, whether or not the user wrote a final slash.
   if (!named.has_filename()) named = named.parent_path();

@@ -297,6 +297,18 @@ TEST_F(Api, MistakesNameTheirPlace) {
                "data.items", "(text):17: ");
 }
 
+TEST_F(Api, DataThatDoubleDoesNotHoldAreNotHandedOutRounded) {
+  write("wide.csv", "cxi,cxj,cyi,cyj,czi,czj,ri,rj\n0,3,0,4,0,0,2,3\n0,3,0,4,0,0,2,0.1\n");
+  const std::string text = std::string(spheres) + "[data]\nfile = \"wide.csv\"\n";
+  const api::Scene wide = api::Scene::from_text(text, {"reference.format=binary128"}, path(""));
+  EXPECT_EQ(wide.operands(0, 1).back(), 3);
+  expect_error([&] { wide.operands(1, 1); }, "operands, row 0, rj", "a number of s113e15");
+}
+
+TEST_F(Api, AFolderWithoutANameCannotBeWritten) {
+  expect_error([&] { api::System(scene()).write(""); }, "", "cannot be written");
+}
+
 TEST_F(Api, ATextFindsItsDataInTheFolder) {
   write("pairs.csv", "cxi,cxj,cyi,cyj,czi,czj,ri,rj\n0,3,0,4,0,0,2,3\n");
   const std::string text = std::string(spheres) + "[data]\nfile = \"pairs.csv\"\n";

@@ -69,6 +69,20 @@ class ModuleTest(unittest.TestCase):
         self.assertEqual(self.scene.comparison_count, 780)
         self.assertIn("(ri + rj)^2", repr(self.scene))
 
+    def test_rows_that_numpy_would_convert_with_a_loss_of_meaning_are_refused(self):
+        system = mixcmp.System(self.scene)
+        row = [[0, 3, 0, 4, 0, 0, 2, 3]]
+        hidden = np.ma.array(row, mask=[[0, 0, 0, 0, 0, 0, 0, 1]])
+        for rows in (np.array(row, dtype=complex), hidden, np.array(row).astype(str),
+                     np.array(row, dtype="m8[s]"), [["a"] * 8], [[1], [1, 2]],
+                     [[10 ** 400] * 8]):
+            with self.assertRaisesRegex(mixcmp.Error, "^rows: not numbers"):
+                system.emulate(rows)
+        expected = system.emulate(np.array(row, dtype=float)).verdict
+        for rows in (row, np.asfortranarray(row), np.array(row, dtype=">i2"),
+                     np.array(row, dtype=object), np.ma.array(row)):
+            self.assertEqual(system.emulate(rows).verdict, expected)
+
     def test_verdicts_are_those_of_numpy_and_of_the_golden_model(self):
         rows = self.scene.operands()
         self.assertEqual(rows.shape, (780, 8))

@@ -108,7 +108,10 @@ class Scene:
         return self._core.comparison_count
 
     def operands(self, first: int = 0, count: Optional[int] = None) -> NDArray[np.float64]:
-        """The rows of ``count`` comparisons of the data from number ``first`` on; all by default."""
+        """The rows of ``count`` comparisons of the data from number ``first`` on; all by default.
+
+        Numbers of a reference format beyond double that a double does not hold are an Error.
+        """
         begin = _natural("first", first)
         rest = max(self.comparison_count - begin, 0)
         return self._core.operands(begin, rest if count is None else _natural("count", count))
@@ -152,14 +155,16 @@ def _as_doubles(rows: ArrayLike) -> NDArray[np.float64]:
     """The array in doubles; it must have real numbers. NumPy would take texts, too, and drop the
     imaginary parts of complex numbers."""
     try:
-        given = np.asarray(rows)
+        given = np.asanyarray(rows)
+        if np.ma.is_masked(given):
+            raise TypeError("masked elements")
         no_numbers = (str, bytes, type(None))
         texts = given.dtype.kind == "O" and any(isinstance(x, no_numbers) for x in given.flat)
         if given.dtype.kind not in "biufO" or texts:
             raise TypeError(f"elements of type {given.dtype}")
         return np.ascontiguousarray(given, dtype=np.float64)
     except (TypeError, ValueError, OverflowError) as error:
-        raise _mistake("rows", "no real numbers", str(error), "an array of real numbers") from None
+        raise _mistake("rows", "no real numbers", str(error), "an array of real numbers, none of them masked") from None
 
 
 def _as_rows(rows: ArrayLike, width: int) -> NDArray[np.float64]:
