@@ -76,7 +76,7 @@ class ModuleTest(unittest.TestCase):
         for rows in (np.array(row, dtype=complex), hidden, np.array(row).astype(str),
                      np.array(row, dtype="m8[s]"), [["a"] * 8], [[1], [1, 2]],
                      [[10 ** 400] * 8]):
-            with self.assertRaisesRegex(mixcmp.Error, "^rows: not numbers"):
+            with self.assertRaisesRegex(mixcmp.Error, "^rows: no real numbers"):
                 system.emulate(rows)
         expected = system.emulate(np.array(row, dtype=float)).verdict
         for rows in (row, np.asfortranarray(row), np.array(row, dtype=">i2"),

@@ -164,7 +164,8 @@ def _as_doubles(rows: ArrayLike) -> NDArray[np.float64]:
             raise TypeError(f"elements of type {given.dtype}")
         return np.ascontiguousarray(given, dtype=np.float64)
     except (TypeError, ValueError, OverflowError) as error:
-        raise _mistake("rows", "no real numbers", str(error), "an array of real numbers, none of them masked") from None
+        raise _mistake("rows", "no real numbers", str(error),
+                       "an array of real numbers, none of them masked") from None
 
 
 def _as_rows(rows: ArrayLike, width: int) -> NDArray[np.float64]:
