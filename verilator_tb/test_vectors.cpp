@@ -145,8 +145,7 @@ std::vector<std::vector<Bits>> all_operands(const design::Design& design,
   const std::uint64_t edge_count = std::min(count / 8, edges.available());
   const std::uint64_t chosen = count - edge_count;
   std::vector<std::vector<Bits>> all;
-  for (const std::uint64_t index :
-       choose_comparisons(design, comparisons, chosen, chosen / 4)) {
+  for (const std::uint64_t index : choose_comparisons(design, comparisons, chosen, chosen / 4)) {
     comparisons.fetch(index, all.emplace_back(comparisons.input_count()));
   }
   for (std::uint64_t k = 0; k < edge_count; ++k) all.push_back(edges.operands(k, edge_count));

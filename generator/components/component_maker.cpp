@@ -174,8 +174,10 @@ Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {
   MIXCMP_TRY(multipliers, reference_multipliers_of(key));
   MIXCMP_TRY(delays, datapath::delays_of(scene_.system.device));
   const TypedGraph graph = reference_graph(scene_.graph, scene_.reference);
+  const scene::ReferenceStructure structure = {multipliers,
+                                               scene_.reference_structure.initiation_interval};
   const datapath::Schedule schedule =
-      datapath::schedule_reference(graph, multipliers, delays, scene_.system.target_mhz);
+      datapath::schedule_reference(graph, structure, delays, scene_.system.target_mhz);
   const rtl::Module module =
       rtl::reference_module("reference", scene_.graph.inputs(), graph, schedule);
   return datapath(key, schedule.latency_cycles, module, any_product(graph.nodes));

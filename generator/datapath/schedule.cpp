@@ -2,30 +2,12 @@
 
 #include <algorithm>
 
+#include "generator/datapath/fold.hpp"
 #include "generator/datapath/unit_placer.hpp"
-#include "model/common/check.hpp"
+#include "model/error/hazards.hpp"
 
 namespace mixcmp::datapath {
 namespace {
-
-bool is_wires(Operation operation) {
-  switch (operation) {
-    case Operation::input:
-    case Operation::constant:
-    case Operation::negate:
-    case Operation::absolute: return true;
-    case Operation::convert:
-    case Operation::add:
-    case Operation::subtract:
-    case Operation::multiply:
-    case Operation::square:
-    case Operation::divide:
-    case Operation::square_root:
-    case Operation::minimum:
-    case Operation::maximum: return false;
-  }
-  MIXCMP_CHECK(false);
-}
 
 class Scheduler {
 public:
@@ -35,12 +17,16 @@ public:
   void place_nodes(const TypedGraph& graph, scene::Multipliers multipliers) {
     for (const TypedNode& node : graph.nodes) {
       const int start = ready_cycle(schedule_.steps, operands_of(node));
-      if (is_wires(node.operation)) {
-        schedule_.steps.push_back({.start_cycle = start, .ready_cycle = start});
-      } else {
+      if (error::has_unit(node.operation)) {
         schedule_.steps.push_back(place(unit_for(graph, node, multipliers, delays_), start));
+      } else {
+        schedule_.steps.push_back({.start_cycle = start, .ready_cycle = start});
       }
     }
+  }
+
+  void place_folded(const TypedGraph& graph, scene::Multipliers multipliers, int interval) {
+    datapath::place_folded(graph, multipliers, interval, placer_, schedule_);
   }
 
   void place_checks(const std::vector<error::RangeCheck>& checks) {
@@ -131,14 +117,21 @@ Schedule schedule_lane(const error::Lane& lane, scene::Multipliers multipliers,
   return scheduler.finish();
 }
 
-Schedule schedule_reference(const TypedGraph& reference, scene::Multipliers multipliers,
+Schedule schedule_reference(const TypedGraph& reference, const scene::ReferenceStructure& structure,
                             const DelayTable& delays, double target_mhz) {
   Scheduler scheduler(delays, target_mhz);
-  scheduler.place_nodes(reference, multipliers);
+  const bool folded = structure.initiation_interval > 1;
+  if (folded) {
+    scheduler.place_folded(reference, structure.multipliers, structure.initiation_interval);
+  } else {
+    scheduler.place_nodes(reference, structure.multipliers);
+  }
   for (const Sides& part : reference.parts) {
     scheduler.compare(part, reference.arithmetic.format);
   }
-  return scheduler.finish();
+  Schedule schedule = scheduler.finish();
+  if (folded) schedule.last_operand_phase = last_operand_phase(reference, schedule);
+  return schedule;
 }
 
 }  // namespace mixcmp::datapath

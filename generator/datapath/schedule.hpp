@@ -28,9 +28,23 @@ struct PartSchedule {
   Step decision;
 };
 
+/// A unit of a folded reference, shared by operations that start in different phases.
+struct SharedUnit {
+  Unit unit;
+  std::vector<bool> cuts;
+  std::vector<NodeId> operations;  ///< by their start cycles
+  bool selects = false;  ///< operands are read through a register, since there may be several
+};
+
 /// When each node of a graph is computed. All paths are balanced: an operand is delayed by
 /// start_cycle of the operation that reads it, less its own ready_cycle.
 struct Schedule {
+  /// A comparison may start every so many cycles. Above 1 the reference is folded: in cycle c its
+  /// phase is c modulo the interval, and the units are `shared_units`. One that selects
+  /// reads operands in start_cycle into registers of its own.
+  int initiation_interval = 1;
+  std::vector<SharedUnit> shared_units;
+  int last_operand_phase = 0;  ///< operands of the comparison have to stay until then
   /// In block floating point: finds the largest exponent of the operands. No unit elsewhere.
   Step largest_exponent;
   /// With guard digits: finds how many bits the common cuts drop. No unit elsewhere.
@@ -53,7 +67,7 @@ struct Schedule {
 /// `target_mhz` > 0.
 Schedule schedule_lane(const error::Lane& lane, scene::Multipliers multipliers,
                        const DelayTable& delays, double target_mhz);
-Schedule schedule_reference(const TypedGraph& reference, scene::Multipliers multipliers,
+Schedule schedule_reference(const TypedGraph& reference, const scene::ReferenceStructure& structure,
                             const DelayTable& delays, double target_mhz);
 
 }  // namespace mixcmp::datapath

@@ -45,8 +45,7 @@ struct Scaling {
 /// a conversion, of the operand with its sign changed where `negated`, that adds to the exponent.
 std::optional<Scaling> scaling_of(const TypedGraph& graph, const TypedNode& node);
 
-/// The unit that computes `node` of `graph` (not for input, constant, negate, absolute: those are
-/// wires).
+/// The unit that computes `node` of `graph` (of an operation that has a unit: error::has_unit).
 Unit unit_for(const TypedGraph& graph, const TypedNode& node, scene::Multipliers multipliers,
               const DelayTable& delays);
 /// The unit that computes `node` if nothing is known of its operands: a multiplication by a power

@@ -52,6 +52,18 @@ std::vector<std::string> decision_facts(const design::Lane& lane) {
                           : "Infinities, NaNs, overflow and underflow are left undecided."};
 }
 
+/// When a datapath starts and ends.
+std::vector<std::string> timing_facts(const datapath::Schedule& schedule) {
+  std::vector<std::string> facts = {
+      fmt::format("Latency {} cycles, initiation interval {}, no reset.", schedule.latency_cycles,
+                  schedule.initiation_interval)};
+  if (schedule.initiation_interval > 1) {
+    facts.push_back(fmt::format("A comparison starts in phase 0; its operands stay until phase {}.",
+                                schedule.last_operand_phase));
+  }
+  return facts;
+}
+
 Described describe_lane(const Design& design, const std::string& name,
                         const design::LaneGroup& group, const datapath::Schedule& schedule) {
   Described lane = {rtl::lane_module(name, design.inputs, group.lane, schedule),
@@ -61,19 +73,19 @@ Described describe_lane(const Design& design, const std::string& name,
                                  fmt::join(design.inputs, ", ")),
                      arithmetic_fact(group.lane)}};
   for (std::string& fact : decision_facts(group.lane)) lane.facts.push_back(std::move(fact));
-  lane.facts.push_back(
-      fmt::format("Latency {} cycles, initiation interval 1, no reset.", schedule.latency_cycles));
+  for (std::string& fact : timing_facts(schedule)) lane.facts.push_back(std::move(fact));
   return lane;
 }
 
 Described describe_reference(const Design& design, const std::string& name,
                              const datapath::Schedule& schedule) {
-  return {rtl::reference_module(name, design.inputs, design.reference, schedule),
-          {fmt::format("{}: {} in reference precision.", name, what_is_ordered(design)),
-           arithmetic_fact(design.reference.arithmetic),
-           "A NaN operand or result makes the verdict unordered.",
-           fmt::format("Latency {} cycles, initiation interval 1, no reset.",
-                       schedule.latency_cycles)}};
+  Described reference = {
+      rtl::reference_module(name, design.inputs, design.reference, schedule),
+      {fmt::format("{}: {} in reference precision.", name, what_is_ordered(design)),
+       arithmetic_fact(design.reference.arithmetic),
+       "A NaN operand or result makes the verdict unordered."}};
+  for (std::string& fact : timing_facts(schedule)) reference.facts.push_back(std::move(fact));
+  return reference;
 }
 
 Described describe_lane_channel(const rtl::SystemShape& shape, const rtl::DatapathGroup& group) {

@@ -67,7 +67,7 @@ std::vector<rtl::DatapathGroup> reference_groups(const design::Design& design,
   for (std::size_t k = 0; k < names.size(); ++k) {
     const design::ReferenceGroup& references = design.references[k];
     datapath::Schedule schedule = datapath::schedule_reference(
-        design.reference, references.multipliers, delays, design.system.target_mhz);
+        design.reference, references.structure, delays, design.system.target_mhz);
     add_group(groups,
               {.datapath = fmt::format("{}{}_reference_{}_l{}", design.system.prefix, design.name,
                                        names[k], schedule.latency_cycles),

@@ -40,7 +40,7 @@ std::vector<SignatureReferences> references_of(const Design& design,
     references.push_back({.count = design.references[k].count,
                           .module = shape.reference_groups[k].channel,
                           .latency_cycles = shape.reference_groups[k].schedule.latency_cycles,
-                          .multipliers = design.references[k].multipliers});
+                          .multipliers = design.references[k].structure.multipliers});
   }
   return references;
 }

@@ -144,6 +144,43 @@ std::string print(const Assignment& assignment, const std::string& indent) {
   return text + line + "\n";
 }
 
+std::string print_phase(const Literal& phase) {
+  return fmt::format("{}'d{}", phase.width, static_cast<int>(phase.value));
+}
+
+std::string declare_register(int width, const std::string& name, const std::string& indent) {
+  return fmt::format("{}reg {}{}{};\n", indent, range(width, false), width == 1 ? "" : " ", name);
+}
+
+std::string print(const HeldValue& held, const std::string& indent) {
+  return declare_register(held.width, held.name, indent) +
+         fmt::format(
+             "\n{0}always @(posedge aclk) begin\n{0}  if (phase == {1}) begin\n"
+             "{0}    {2} <= {3};\n{0}  end\n{0}end\n",
+             indent, print_phase(held.phase), held.name, print(held.value));
+}
+
+std::string print(const PhaseRegisters& registers, const std::string& indent) {
+  std::string text;
+  for (const std::string& name : registers.names) {
+    text += declare_register(registers.width, name, indent);
+  }
+  text += fmt::format("\n{0}always @(posedge aclk) begin\n{0}  case (phase)\n", indent);
+  for (const PhaseCase& phase_case : registers.cases) {
+    const bool last = &phase_case == &registers.cases.back();
+    text += fmt::format(
+        "{}    {}: begin  // {}{}\n", indent, last ? "default" : print_phase(phase_case.phase),
+        last ? "phase " + std::to_string(static_cast<int>(phase_case.phase.value)) + ": " : "",
+        phase_case.comment);
+    for (std::size_t k = 0; k < registers.names.size(); ++k) {
+      text += fmt::format("{}      {} <= {};\n", indent, registers.names[k],
+                          print(phase_case.values[k]));
+    }
+    text += indent + "    end\n";
+  }
+  return text + fmt::format("{0}  endcase\n{0}end\n", indent);
+}
+
 std::string print_items(const std::vector<ModuleItem>& items, const std::string& indent);
 
 std::string print(const ForGenerate& loop, const std::string& indent) {
@@ -179,6 +216,8 @@ std::string print(const ModuleItem& item, std::size_t range_width, const std::st
           [&](const Wire& w) { return print(w, range_width, indent); },
           [&](const Assignment& a) { return print(a, indent); },
           [&](const Instance& i) { return "\n" + print(i, indent); },
+          [&](const HeldValue& h) { return print(h, indent); },
+          [&](const PhaseRegisters& r) { return print(r, indent); },
           [&](const std::shared_ptr<const ForGenerate>& loop) { return print(*loop, indent); },
       },
       item);

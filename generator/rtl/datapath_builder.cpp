@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <bit>
+
 #include "model/common/check.hpp"
 
 namespace mixcmp::rtl {
@@ -9,8 +12,8 @@ namespace {
 
 /// Names that no input may take: the fixed ports and nets of a datapath.
 /// "lane" and "reference" are the instances' names, one level up, which Verilator warns of.
-const std::set<std::string> reserved_names = {"aclk",     "verdict", "decided",
-                                              "decision", "lane",    "reference"};
+const std::set<std::string> reserved_names = {"aclk",     "phase", "verdict",  "decided",
+                                              "decision", "lane",  "reference"};
 
 std::set<std::string> taken_names(const std::vector<std::string>& ports) {
   std::set<std::string> taken = reserved_names;
@@ -21,14 +24,18 @@ std::set<std::string> taken_names(const std::vector<std::string>& ports) {
 }  // namespace
 
 DatapathBuilder::DatapathBuilder(const std::vector<std::string>& inputs, int operand_width,
-                                 DelayPlan plan)
+                                 int initiation_interval, DelayPlan plan)
     : ports_(input_ports(inputs)),
       operand_width_(operand_width),
+      initiation_interval_(initiation_interval),
       pool_(taken_names(ports_)),
       plan_(std::move(plan)) {}
 
 std::vector<Port> DatapathBuilder::data_ports() const {
   std::vector<Port> ports = {{Direction::input, 1, "aclk"}};
+  if (initiation_interval_ > 1) {
+    ports.push_back({Direction::input, phase_bits(initiation_interval_), "phase", true});
+  }
   for (const std::string& port : ports_) {
     ports.push_back({Direction::input, operand_width_, port});
   }
@@ -37,7 +44,9 @@ std::vector<Port> DatapathBuilder::data_ports() const {
 
 Operand DatapathBuilder::at(const Signal& signal, int cycle) {
   MIXCMP_CHECK(cycle >= signal.cycle);
-  if (signal.constant || signal.value == nullptr || cycle == signal.cycle) return signal.value;
+  const bool is_there = signal.constant || cycle <= signal.cycle + signal.lasts;
+  if (is_there || signal.value == nullptr) return signal.value;
+  if (initiation_interval_ > 1) return held(signal, cycle);
   std::set<int>& needed = plan_[signal.name];
   needed.insert(cycle);
   std::map<int, Operand>& taps = taps_[signal.name];
@@ -71,16 +80,44 @@ Operand DatapathBuilder::delayed(const Signal& signal, const Operand& source, in
   return net(name);
 }
 
+Literal DatapathBuilder::phase(int cycle) const {
+  return {phase_bits(initiation_interval_), static_cast<Bits>(cycle % initiation_interval_)};
+}
+
+/// A register takes the value in the last cycle in which it is there and keeps it for an interval;
+/// for longer, one register hands it to the next.
+Operand DatapathBuilder::held(const Signal& signal, int cycle) {
+  Operand source = signal.value;
+  for (int taken = signal.cycle + signal.lasts; taken < cycle; taken += initiation_interval_) {
+    Operand& held = taps_[signal.name][taken];
+    if (held == nullptr) {
+      const std::string name = pool_.unique(signal.name + "_held");
+      add(Comment{fmt::format("Cycles {} to {}: {}.", taken + 1, taken + initiation_interval_,
+                              signal.name)});
+      add(HeldValue{signal.width, name, phase(taken), source});
+      held = net(name);
+    }
+    source = held;
+  }
+  return source;
+}
+
 Module datapath_module(std::string name, const std::vector<std::string>& inputs, int operand_width,
                        const std::vector<Port>& outputs,
-                       const std::function<void(DatapathBuilder&)>& build) {
-  DatapathBuilder first(inputs, operand_width, {});
+                       const std::function<void(DatapathBuilder&)>& build,
+                       int initiation_interval) {
+  DatapathBuilder first(inputs, operand_width, initiation_interval, {});
   build(first);
-  DatapathBuilder second(inputs, operand_width, first.plan());
+  DatapathBuilder second(inputs, operand_width, initiation_interval, first.plan());
   build(second);
   std::vector<Port> ports = second.data_ports();
   ports.insert(ports.end(), outputs.begin(), outputs.end());
   return {std::move(name), {}, std::move(ports), second.take()};
+}
+
+int phase_bits(int initiation_interval) {
+  return std::max(1,
+                  static_cast<int>(std::bit_width(static_cast<unsigned>(initiation_interval - 1))));
 }
 
 std::vector<Port> lane_outputs() {

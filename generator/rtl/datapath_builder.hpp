@@ -19,6 +19,7 @@ struct Signal {
   int width = 1;
   int cycle = 0;
   bool constant = false;  ///< the same in every cycle: never delayed
+  int lasts = 0;          ///< cycles after `cycle` in which the net still carries the value
 };
 
 /// The later cycles in which each signal is needed.
@@ -28,17 +29,22 @@ using DelayPlan = std::map<std::string, std::set<int>>;
 /// Delays are shared: a value needed in several later cycles goes through one chain of delay lines
 /// with a tap for each of these cycles. The chain is built from its earliest tap on, so all cycles
 /// must be known before: a first pass over the datapath, with an empty plan, collects them in the
-/// plan for the second.
+/// plan for the second. In a folded datapath (initiation_interval above 1) values wait in registers
+/// instead, each for one interval.
 class DatapathBuilder {
 public:
-  DatapathBuilder(const std::vector<std::string>& inputs, int operand_width, DelayPlan plan);
+  DatapathBuilder(const std::vector<std::string>& inputs, int operand_width,
+                  int initiation_interval, DelayPlan plan);
 
-  /// The ports aclk and one per operand.
+  /// The ports aclk, phase where the datapath is folded, and one per operand.
   std::vector<Port> data_ports() const;
 
   const std::string& port(int input) const { return ports_[input]; }
   const std::vector<std::string>& ports() const { return ports_; }
   NamePool& pool() { return pool_; }
+  int initiation_interval() const { return initiation_interval_; }
+  /// The phase of `cycle` in a folded datapath.
+  Literal phase(int cycle) const;
 
   /// `signal` delayed to `cycle`, which must not be earlier than signal.cycle.
   Operand at(const Signal& signal, int cycle);
@@ -51,9 +57,11 @@ public:
 
 private:
   Operand delayed(const Signal& signal, const Operand& source, int from, int to);
+  Operand held(const Signal& signal, int cycle);
 
   std::vector<std::string> ports_;
   int operand_width_;
+  int initiation_interval_;
   NamePool pool_;
   DelayPlan plan_;
   std::map<std::string, std::map<int, Operand>> taps_;
@@ -64,7 +72,11 @@ private:
 /// it is called twice, the second time with all delays known.
 Module datapath_module(std::string name, const std::vector<std::string>& inputs, int operand_width,
                        const std::vector<Port>& outputs,
-                       const std::function<void(DatapathBuilder&)>& build);
+                       const std::function<void(DatapathBuilder&)>& build,
+                       int initiation_interval = 1);
+
+/// Bits of the port "phase" of a folded datapath.
+int phase_bits(int initiation_interval);
 
 /// The ports verdict[1:0] and decided, of every lane.
 std::vector<Port> lane_outputs();

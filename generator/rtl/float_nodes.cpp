@@ -2,9 +2,23 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "model/common/check.hpp"
 
 namespace mixcmp::rtl {
+namespace {
+
+/// What can happen to a unit that computes operations with either of these hazards.
+error::Hazards either(const error::Hazards& a, const error::Hazards& b) {
+  return {.special_operand = a.special_operand || b.special_operand,
+          .overflow = a.overflow || b.overflow,
+          .underflow = a.underflow || b.underflow,
+          .cancellation = a.cancellation || b.cancellation};
+}
+
+}  // namespace
+
 std::vector<Parameter> format_parameters(FloatFormat format) {
   return {{"EXPONENT_BITS", format.exponent_bits()}, {"PRECISION", format.precision()}};
 }
@@ -18,17 +32,58 @@ FloatNodes::FloatNodes(DatapathBuilder& datapath, const TypedGraph& graph,
       schedule_(schedule),
       exceptional_(exceptional),
       unused_name_(datapath.pool().unique("unused_exceptional")),
-      names_(name_nodes(graph, datapath.ports(), datapath.pool())) {}
+      names_(name_nodes(graph, datapath.ports(), datapath.pool())),
+      selecting_(graph, schedule, datapath.pool()) {}
 
 void FloatNodes::build() {
   declare_unused_flags();
+  declare_selecting_units();
   for (NodeId id = 0; id < static_cast<NodeId>(graph_.nodes.size()); ++id) build_node(id);
+  selecting_.sort_by_phase();
+  build_selecting_units();
+}
+
+/// Their results, since a unit may read what another computed in an earlier interval.
+void FloatNodes::declare_selecting_units() {
+  if (selecting_.units().empty()) return;
+  datapath_.add(Comment{"The results of the units that several operations share."});
+  for (const auto& [index, unit] : selecting_.units()) {
+    datapath_.add(Wire{unit.node.format.width(), unit.name + "_result", nullptr});
+  }
+}
+
+/// A unit of a folded datapath, behind the registers of its operands.
+void FloatNodes::build_selecting_units() {
+  for (const auto& [index, unit] : selecting_.units()) {
+    const datapath::SharedUnit& shared = schedule_.shared_units[index];
+    const int operands = static_cast<int>(unit.cases.front().values.size());
+    std::vector<std::string> registers;
+    std::vector<Connection> connections = {{"aclk", net("aclk")}};
+    for (const char* port : {"a", "b"}) {
+      if (static_cast<int>(registers.size()) == operands) break;
+      registers.push_back(datapath_.pool().unique(unit.name + "_" + port));
+      connections.push_back({port, net(registers.back())});
+    }
+    connections.push_back({"y", net(unit.name + "_result")});
+    connections.push_back({"exceptional", bit(unused_name_, unused_flags_++)});
+    error::Hazards hazards = {false, false, false, false};
+    for (const NodeId id : shared.operations) hazards = either(hazards, hazards_of(id));
+    datapath_.add(Comment{fmt::format(
+        "The {}: {} operations, {} cycles from operands to result.", unit.name, unit.cases.size(),
+        std::count(shared.cuts.begin(), shared.cuts.end(), true) + 1)});
+    datapath_.add(PhaseRegisters{unit.node.operand_format.width(), registers, unit.cases});
+    datapath_.add(Instance{shared.unit.module, "unit_" + unit.name,
+                           unit_parameters(unit.node, hazards, {shared.unit, shared.cuts}),
+                           std::move(connections)});
+  }
 }
 
 void FloatNodes::declare_unused_flags() {
-  int count = 0;
+  int count = static_cast<int>(selecting_.units().size());
   for (NodeId id = 0; id < static_cast<NodeId>(graph_.nodes.size()); ++id) {
-    if (!schedule_.steps[id].unit.module.empty() && !gathers_flag(id)) ++count;
+    const bool has_own_unit =
+        !schedule_.steps[id].unit.module.empty() && selecting_.find(id) == nullptr;
+    if (has_own_unit && !gathers_flag(id)) ++count;
   }
   if (count == 0) return;
   datapath_.add(Comment{exceptional_ == ExceptionalFlags::unused
@@ -42,7 +97,10 @@ void FloatNodes::build_node(NodeId id) {
   values_.push_back({nullptr, names_[id], node.format.width(), schedule_.steps[id].ready_cycle});
   flags_.push_back({});
   switch (node.operation) {
-    case Operation::input: values_[id].value = net(datapath_.port(node.input)); break;
+    case Operation::input:
+      values_[id].value = net(datapath_.port(node.input));
+      values_[id].lasts = datapath_.initiation_interval() - 1;
+      break;
     case Operation::constant:
       values_[id].value = literal(node.format.width(), node.constant);
       values_[id].constant = true;
@@ -67,10 +125,12 @@ void FloatNodes::build_sign_change(NodeId id) {
   const int top = node.format.width() - 1;
   const bool negate = node.operation == Operation::negate;
   // A literal has no bits to select: give the constant a name first.
-  std::string source = operand.name;
+  std::string source;
   if (operand.constant) {
-    source = datapath_.pool().unique(source + "_bits");
+    source = datapath_.pool().unique(operand.name + "_bits");
     datapath_.add(Wire{node.format.width(), source, operand.value});
+  } else {
+    source = std::get<Net>(operand.value->node).name;
   }
   if (!negate)
     datapath_.add(Wire{1, datapath_.pool().unique("unused_sign_of_" + source), bit(source, top)});
@@ -81,21 +141,29 @@ void FloatNodes::build_sign_change(NodeId id) {
       Wire{node.format.width(), names_[id], concatenation({sign, slice(source, top - 1, 0)})});
   values_[id].value = net(names_[id]);
   values_[id].constant = operand.constant;
+  values_[id].lasts = operand.lasts;
   flags_[id] = flags_[node.operands[0]];
 }
 
 void FloatNodes::build_unit(NodeId id) {
   const TypedNode& node = graph_.nodes[id];
   const datapath::Step& step = schedule_.steps[id];
-  std::vector<Connection> connections = {{"aclk", net("aclk")}};
-  const auto scaling = datapath::scaling_of(graph_, node);
-  if (scaling) {
-    const Operand operand = datapath_.at(values_[scaling->operand], step.start_cycle);
-    connections.push_back({"a", scaling->negated ? negated(id, operand) : operand});
+  std::vector<Operand> operands = unit_operands(id);
+  if (const SelectingUnits::Unit* unit = selecting_.find(id)) {
+    if (node.operation == Operation::subtract) {
+      operands[1] = sign_changed(operands[1], node.operand_format.width());
+    }
+    const bool by_multiplier = unit->node.operation == Operation::multiply;
+    if (node.operation == Operation::square && by_multiplier) operands.push_back(operands.front());
+    selecting_.read(id, datapath_.phase(step.start_cycle),
+                    fmt::format("{} = {}", names_[id], formula(graph_, id, names_)),
+                    std::move(operands));
+    values_[id].value = net(unit->name + "_result");
+    return;
   }
-  for (int k = 0; k < arity(node.operation) && !scaling; ++k) {
-    connections.push_back(
-        {k == 0 ? "a" : "b", datapath_.at(values_[node.operands[k]], step.start_cycle)});
+  std::vector<Connection> connections = {{"aclk", net("aclk")}};
+  for (std::size_t k = 0; k < operands.size(); ++k) {
+    connections.push_back({k == 0 ? "a" : "b", operands[k]});
   }
   connections.push_back({"y", net(names_[id])});
   datapath_.add(Comment{describe(id)});
@@ -103,8 +171,23 @@ void FloatNodes::build_unit(NodeId id) {
   values_[id].value = net(names_[id]);
   connections.push_back({"exceptional", flag_output(id)});
   datapath_.add(Instance{step.unit.module, datapath_.pool().unique("unit_" + names_[id]),
-                         unit_parameters(id), std::move(connections)});
+                         unit_parameters(node, hazards_of(id), step), std::move(connections)});
   if (exceptional_ == ExceptionalFlags::gathered) gather_flags(id);
+}
+
+/// What the unit of a node reads in the node's start cycle.
+std::vector<Operand> FloatNodes::unit_operands(NodeId id) {
+  const TypedNode& node = graph_.nodes[id];
+  const int cycle = schedule_.steps[id].start_cycle;
+  if (const auto scaling = datapath::scaling_of(graph_, node)) {
+    const Operand operand = datapath_.at(values_[scaling->operand], cycle);
+    return {scaling->negated ? negated(id, operand) : operand};
+  }
+  std::vector<Operand> operands;
+  for (int k = 0; k < arity(node.operation); ++k) {
+    operands.push_back(datapath_.at(values_[node.operands[k]], cycle));
+  }
+  return operands;
 }
 
 /// The operand of a scaling with its sign changed.
@@ -163,8 +246,13 @@ std::string FloatNodes::describe(NodeId id) const {
                      node.format.name());
 }
 
-std::vector<Parameter> FloatNodes::unit_parameters(NodeId id) const {
-  const TypedNode& node = graph_.nodes[id];
+error::Hazards FloatNodes::hazards_of(NodeId id) const {
+  return hazards_.empty() ? error::Hazards{} : hazards_[id];
+}
+
+std::vector<Parameter> FloatNodes::unit_parameters(const TypedNode& node,
+                                                   const error::Hazards& hazards,
+                                                   const datapath::Step& step) const {
   std::vector<Parameter> parameters = {{"EXPONENT_BITS", node.operand_format.exponent_bits()},
                                        {"PRECISION", node.operand_format.precision()}};
   const bool chooses = is_choice(node.operation);
@@ -184,13 +272,12 @@ std::vector<Parameter> FloatNodes::unit_parameters(NodeId id) const {
   if (!chooses) {
     parameters.push_back({"TOWARD_ZERO", arithmetic.rounding == Rounding::toward_zero ? 1 : 0});
   }
-  const error::Hazards hazards = hazards_.empty() ? error::Hazards{} : hazards_[id];
   if (!hazards.special_operand) parameters.push_back({"SPECIAL_OPERANDS", 0});
   if (!hazards.overflow) parameters.push_back({"OVERFLOW", 0});
   if (!hazards.underflow) parameters.push_back({"UNDERFLOW", 0});
   if (!hazards.cancellation) parameters.push_back({"CANCELLATION", 0});
-  append_multiplier_parameters(schedule_.steps[id].unit, parameters);
-  parameters.push_back({"CUTS", cut_mask(schedule_.steps[id])});
+  append_multiplier_parameters(step.unit, parameters);
+  parameters.push_back({"CUTS", cut_mask(step)});
   return parameters;
 }
 

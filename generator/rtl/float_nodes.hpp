@@ -5,6 +5,7 @@
 
 #include "generator/datapath/schedule.hpp"
 #include "generator/rtl/datapath_builder.hpp"
+#include "generator/rtl/selecting_units.hpp"
 #include "model/error/lane.hpp"
 
 namespace mixcmp::rtl {
@@ -41,12 +42,17 @@ private:
   void build_node(NodeId id);
   void build_sign_change(NodeId id);
   void build_unit(NodeId id);
+  void declare_selecting_units();
+  void build_selecting_units();
+  std::vector<Operand> unit_operands(NodeId id);
   Operand negated(NodeId id, const Operand& operand);
   Operand flag_output(NodeId id);
   void gather_flags(NodeId id);
   std::string describe(NodeId id) const;
   bool gathers_flag(NodeId id) const;
-  std::vector<Parameter> unit_parameters(NodeId id) const;
+  error::Hazards hazards_of(NodeId id) const;
+  std::vector<Parameter> unit_parameters(const TypedNode& node, const error::Hazards& hazards,
+                                         const datapath::Step& step) const;
 
   DatapathBuilder& datapath_;
   const TypedGraph& graph_;
@@ -56,6 +62,7 @@ private:
   std::string unused_name_;  ///< of the wire that takes the flags which nothing reads
   std::vector<std::string> names_;
   int unused_flags_ = 0;
+  SelectingUnits selecting_;  ///< of a folded datapath
   std::vector<Signal> values_;
   std::vector<Signal> flags_;
 };

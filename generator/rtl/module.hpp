@@ -108,9 +108,29 @@ struct Instance {
   std::vector<Parameter> parameters;
   std::vector<Connection> connections;
 };
+/// A register that takes `value` at the end of every cycle in which the port "phase" has this
+/// value, and keeps it else.
+struct HeldValue {
+  int width;
+  std::string name;
+  Literal phase;
+  Operand value;
+};
+/// What registers take at the end of a phase.
+struct PhaseCase {
+  Literal phase;
+  std::string comment;
+  std::vector<Operand> values;  ///< one per register
+};
+/// Registers that take other values in each phase; in phases without a case, those of the last.
+struct PhaseRegisters {
+  int width;
+  std::vector<std::string> names;
+  std::vector<PhaseCase> cases;
+};
 struct ForGenerate;
-using ModuleItem =
-    std::variant<Comment, Wire, Assignment, Instance, std::shared_ptr<const ForGenerate>>;
+using ModuleItem = std::variant<Comment, Wire, Assignment, Instance, HeldValue, PhaseRegisters,
+                                std::shared_ptr<const ForGenerate>>;
 
 /// A generate loop: `items` repeated for `count` values of `variable`, from `first` on.
 struct ForGenerate {

@@ -46,7 +46,8 @@ Module reference_module(std::string name, const std::vector<std::string>& inputs
                         const TypedGraph& reference, const datapath::Schedule& schedule) {
   return datapath_module(
       std::move(name), inputs, reference.input_format.width(), {{Direction::output, 2, "verdict"}},
-      [&](DatapathBuilder& datapath) { build_reference(datapath, reference, schedule); });
+      [&](DatapathBuilder& datapath) { build_reference(datapath, reference, schedule); },
+      schedule.initiation_interval);
 }
 
 }  // namespace mixcmp::rtl

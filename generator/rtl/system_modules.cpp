@@ -337,13 +337,20 @@ Module reference_channel_module(const SystemShape& shape, const DatapathGroup& g
   std::vector<ModuleItem>& items = module.items;
   items.push_back(Wire{shape.operand_bits(), "reference_operands", nullptr});
   items.push_back(Wire{verdict_bits, "reference_verdict", nullptr});
+  const datapath::Schedule& schedule = group.schedule;
+  const bool folded = schedule.initiation_interval > 1;
+  const int bits = phase_bits(schedule.initiation_interval);
+  const std::string phase = folded ? "reference_phase" : "unused_reference_phase";
+  items.push_back(Wire{bits, phase, nullptr, folded});
   std::vector<Connection> reference = {by_name("aclk")};
+  if (folded) reference.push_back({"phase", net(phase)});
   append_operands(reference, shape, "reference_operands");
   reference.push_back({"verdict", net("reference_verdict")});
   items.push_back(Instance{group.datapath, "reference", {}, std::move(reference)});
 
   std::vector<Connection> port = clock_and_reset();
   for (const Bundle& bundle : reference_bundles(shape)) port.push_back(by_name(bundle.port));
+  port.push_back({"reference_phase", net(phase)});
   append(port, {"reference_operands", "reference_verdict"});
   connect_refetch(shape, items, port);
   items.push_back(Instance{"reference_port",
@@ -352,7 +359,10 @@ Module reference_channel_module(const SystemShape& shape, const DatapathGroup& g
                             {"TAG_BITS", shape.tag_bits},
                             {"LANE_BITS", shape.lane_bits()},
                             {"SLOT_BITS", shape.slot_bits},
-                            {"REFERENCE_LATENCY", group.schedule.latency_cycles},
+                            {"REFERENCE_LATENCY", schedule.latency_cycles},
+                            {"INITIATION_INTERVAL", schedule.initiation_interval},
+                            {"LAST_OPERAND_PHASE", schedule.last_operand_phase},
+                            {"PHASE_BITS", bits},
                             {"CARRIED", shape.refetches() ? 0 : 1},
                             {"OUTSTANDING_BITS", outstanding_bits}},
                            std::move(port)});

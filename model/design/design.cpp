@@ -281,7 +281,7 @@ Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
                         fmt::format("{}..{}", fewest, scene::max_references));
     }
     if (*spec.count == 0) continue;
-    design.references.push_back({.multipliers = spec.multipliers, .count = *spec.count});
+    design.references.push_back({.structure = spec.structure, .count = *spec.count});
   }
   if (data != nullptr) {
     MIXCMP_TRY(fits, check_engine_data(scene.system.engine, design.lane_count(), *data));

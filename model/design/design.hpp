@@ -19,7 +19,7 @@ struct LaneGroup {
 
 /// References of one kind: all compute the same, in the same format.
 struct ReferenceGroup {
-  scene::Multipliers multipliers = scene::Multipliers::embedded;
+  scene::ReferenceStructure structure;
   int count = 1;
 };
 

@@ -104,12 +104,14 @@ std::vector<std::string> lane_group_names(const Design& design) {
 std::vector<std::string> reference_group_names(const Design& design) {
   const auto& groups = design.references;
   const bool alike = std::all_of(groups.begin(), groups.end(), [&](const ReferenceGroup& group) {
-    return group.multipliers == groups.front().multipliers;
+    return group.structure.multipliers == groups.front().structure.multipliers;
   });
   std::vector<std::string> names;
   for (const ReferenceGroup& group : groups) {
     std::string& name = names.emplace_back(design.reference.arithmetic.format.name());
-    if (!alike) name += fmt::format("_{}", to_string(group.multipliers));
+    if (!alike) name += fmt::format("_{}", to_string(group.structure.multipliers));
+    const int interval = group.structure.initiation_interval;
+    if (interval > 1) name += fmt::format("_ii{}", interval);
   }
   return names;
 }

@@ -61,6 +61,7 @@ const characterise::Measurement* row_of(const characterise::Characterisation& ta
 
 const characterise::Measurement* row_of(const characterise::Characterisation& table,
                                         const design::ReferenceGroup& group, FloatFormat format) {
+  if (group.structure.initiation_interval > 1) return nullptr;  // none is measured
   return find(table,
               {.kind = characterise::ComponentKind::reference,
                .name = {},
@@ -69,7 +70,7 @@ const characterise::Measurement* row_of(const characterise::Characterisation& ta
                .bound = {},
                .multipliers = {},
                .ports = 0},
-              group.multipliers);
+              group.structure.multipliers);
 }
 
 /// The row of a kind with the most ports, but at most `ports`.
@@ -130,9 +131,10 @@ double rough_luts(const design::Design& design, const devices::Device& device) {
             std::visit([&](const auto& lane) { return profile::lane_luts(lane, products); },
                        group.lane);
   }
+  // A folded reference costs less: no more than this.
   for (const design::ReferenceGroup& group : design.references) {
-    luts += group.count *
-            profile::reference_luts(design.reference, products_of(group.multipliers, device));
+    luts += group.count * profile::reference_luts(design.reference,
+                                                  products_of(group.structure.multipliers, device));
   }
   return luts;
 }

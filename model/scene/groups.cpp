@@ -44,7 +44,7 @@ std::vector<LaneGroupSpec> Scene::lane_groups() const {
 
 std::vector<ReferenceGroupSpec> Scene::reference_groups() const {
   if (!references.empty()) return references;
-  return {{.count = system.references, .multipliers = reference_multipliers}};
+  return {{.count = system.references, .structure = reference_structure}};
 }
 
 std::optional<int> Scene::lane_count() const {

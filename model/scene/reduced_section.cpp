@@ -186,16 +186,16 @@ Result<std::vector<LaneGroupSpec>> read_lane_groups(const settings::Settings& se
 }
 
 Result<std::vector<ReferenceGroupSpec>> read_reference_groups(const settings::Settings& settings,
-                                                              Multipliers defaults) {
+                                                              const ReferenceStructure& defaults) {
   MIXCMP_TRY(tables, read_groups(settings, "references"));
   std::vector<ReferenceGroupSpec> groups;
   int total = 0;
   for (const settings::Setting& table : tables) {
     ReferenceGroupSpec& group =
-        groups.emplace_back(ReferenceGroupSpec{.count = {}, .multipliers = defaults});
+        groups.emplace_back(ReferenceGroupSpec{.count = {}, .structure = defaults});
     settings::Section section("references", table);
     read_count(section, group.count, total, max_references);
-    section.choice("multipliers", group.multipliers, {Multipliers::embedded, Multipliers::logic});
+    read_structure(section, group.structure);
     if (const auto error = section.finish()) return *error;
   }
   return groups;

@@ -301,7 +301,7 @@ Result<Scene> interpret(SceneSettings read) {
              take_ranges_from_data(data ? &*data : nullptr, graph.inputs(), format, declared));
   note_missed_ends(declared.ranges, format, notes);
   MIXCMP_TRY(lanes, read_lanes(settings, graph, format, declared.ranges));
-  MIXCMP_TRY(references, read_reference_groups(settings, reference.multipliers));
+  MIXCMP_TRY(references, read_reference_groups(settings, reference.structure));
   MIXCMP_TRY(system, read_system(settings));
   if (data) {
     for (std::string& note : pairing_notes(graph, data->pairing)) notes.push_back(std::move(note));
@@ -317,7 +317,7 @@ Result<Scene> interpret(SceneSettings read) {
               .grids = std::move(declared.grids),
               .data_ranges = are_from_data(declared),
               .reference = reference.arithmetic,
-              .reference_multipliers = reference.multipliers,
+              .reference_structure = reference.structure,
               .reduced = std::move(lanes.reduced),
               .lanes = std::move(lanes.groups),
               .references = std::move(references),

@@ -83,10 +83,18 @@ struct LaneGroupSpec {
   Place place;
 };
 
+/// How a reference is built. Its results do not depend on it.
+struct ReferenceStructure {
+  Multipliers multipliers = Multipliers::embedded;
+  int initiation_interval = 1;  ///< cycles from one comparison to the next, 1..64
+
+  friend bool operator==(const ReferenceStructure&, const ReferenceStructure&) = default;
+};
+
 /// References of one kind; all have the scene's reference format.
 struct ReferenceGroupSpec {
   std::optional<int> count;  ///< none: "auto"
-  Multipliers multipliers = Multipliers::embedded;
+  ReferenceStructure structure;
 };
 
 struct SystemSpec {
@@ -134,9 +142,9 @@ struct Scene {
   Graph graph;
   std::vector<std::optional<Range>> ranges;     ///< one per graph input
   std::vector<std::optional<mpq_class>> grids;  ///< one per graph input: a power of two
-  std::vector<bool> data_ranges;  ///< one per graph input: its range is that of its data
-  Arithmetic reference;           ///< rounds to nearest even
-  Multipliers reference_multipliers = Multipliers::embedded;
+  std::vector<bool> data_ranges;           ///< one per graph input: its range is that of its data
+  Arithmetic reference;                    ///< rounds to nearest even
+  ReferenceStructure reference_structure;  ///< of the references without [[references]]
   ReducedSpec reduced;
   std::vector<LaneGroupSpec> lanes;            ///< [[lanes]]; empty: system.lanes times `reduced`
   std::vector<ReferenceGroupSpec> references;  ///< [[references]]; empty: system.references

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/scene/scene.hpp"
+#include "model/settings/section.hpp"
 #include "model/settings/settings.hpp"
 
 /// Readers of the sections of a scene, one function each; load_scene puts the results together.
@@ -50,7 +51,7 @@ Result<Done> check_unused_lets(const settings::Settings& settings,
 
 struct ReferenceSpec {
   Arithmetic arithmetic;
-  Multipliers multipliers = Multipliers::embedded;
+  ReferenceStructure structure;
 };
 
 Result<ReferenceSpec> read_reference(const settings::Settings& settings);
@@ -65,9 +66,12 @@ Result<std::vector<LaneGroupSpec>> read_lane_groups(const settings::Settings& se
                                                     FloatFormat reference,
                                                     const ReducedSpec& defaults);
 
+/// Reads the keys that [reference] and [[references]] share.
+void read_structure(settings::Section& section, ReferenceStructure& structure);
+
 /// Reads [[references]]; empty where there is none.
 Result<std::vector<ReferenceGroupSpec>> read_reference_groups(const settings::Settings& settings,
-                                                              Multipliers defaults);
+                                                              const ReferenceStructure& defaults);
 
 /// The keys of [reduced] without effect, because each of [[lanes]] has its own.
 std::vector<std::string> overridden_keys(const settings::Settings& settings);

@@ -19,6 +19,12 @@ void check_prefix(settings::Section& section, const std::string& prefix) {
 
 }  // namespace
 
+void read_structure(settings::Section& section, ReferenceStructure& structure) {
+  section.choice("multipliers", structure.multipliers, {Multipliers::embedded, Multipliers::logic});
+  section.integer("initiation_interval", structure.initiation_interval,
+                  settings::limits::initiation_interval);
+}
+
 Result<ReferenceSpec> read_reference(const settings::Settings& settings) {
   settings::Section section(settings, "reference");
   std::optional<FloatFormat> format;
@@ -28,10 +34,10 @@ Result<ReferenceSpec> read_reference(const settings::Settings& settings) {
   section.format("format", format, precisions,
                  FloatFormat::accepted(precisions.least, precisions.most));
   section.choice("subnormals", subnormals, {Subnormals::flush, Subnormals::gradual});
-  Multipliers multipliers = Multipliers::embedded;
-  section.choice("multipliers", multipliers, {Multipliers::embedded, Multipliers::logic});
+  ReferenceStructure structure;
+  read_structure(section, structure);
   if (const auto error = section.finish()) return *error;
-  return ReferenceSpec{{.format = *format, .subnormals = subnormals}, multipliers};
+  return ReferenceSpec{{.format = *format, .subnormals = subnormals}, structure};
 }
 
 Result<SystemSpec> read_system(const settings::Settings& settings) {

@@ -1,8 +1,11 @@
 // reference_port: surrounds one free-running reference; requests in, answers out, in order.
-// CARRIED = 1: the payload is the operands, every request is taken at once, and its answer leaves
-// REFERENCE_LATENCY cycles later. CARRIED = 0: the payload is the tag; it leaves on m_refetch one
-// cycle after the request, and REFERENCE_LATENCY cycles after the operands came on s_refetch, the
-// answer leaves. 2^OUTSTANDING_BITS + 1 tags may wait for their operands. Initiation interval 1.
+// CARRIED = 1: the payload is the operands. CARRIED = 0: the payload is the tag; it leaves on
+// m_refetch one cycle after the request, and the operands come on s_refetch. 2^OUTSTANDING_BITS + 1
+// tags may wait for their operands.
+// INITIATION_INTERVAL = 1: operands are taken at once, and the answer leaves REFERENCE_LATENCY
+// cycles later. Above 1: reference_phase counts the cycles of the interval. In phase 0 a comparison
+// starts if its operands are there; they are taken in phase LAST_OPERAND_PHASE, and the answer
+// leaves REFERENCE_LATENCY cycles after the start.
 // Reset forgets all requests: whoever answers m_refetch must be reset with it.
 `default_nettype none
 
@@ -12,6 +15,9 @@ module reference_port #(
   parameter LANE_BITS = 3,
   parameter SLOT_BITS = 5,
   parameter REFERENCE_LATENCY = 32,
+  parameter INITIATION_INTERVAL = 1,
+  parameter LAST_OPERAND_PHASE = 0,
+  parameter PHASE_BITS = 1,
   parameter CARRIED = 1,
   parameter OUTSTANDING_BITS = 4
 ) (
@@ -20,6 +26,7 @@ module reference_port #(
   input  wire                                                                    s_request_tvalid,
   output wire                                                                    s_request_tready,
   input  wire [LANE_BITS+SLOT_BITS+(CARRIED != 0 ? OPERAND_BITS : TAG_BITS)-1:0] s_request_tdata,
+  output wire [PHASE_BITS-1:0]                                                   reference_phase,
   output wire [OPERAND_BITS-1:0]                                                 reference_operands,
   input  wire [1:0]                                                              reference_verdict,
   output wire                                                                    m_answer_valid,
@@ -52,6 +59,21 @@ module reference_port #(
     if (REFERENCE_LATENCY < 0) begin : g_refused_reference_latency
       REFERENCE_LATENCY_is_below_0 refused ();
     end
+    if (INITIATION_INTERVAL < 1) begin : g_refused_initiation_interval
+      INITIATION_INTERVAL_is_below_1 refused ();
+    end
+    if ((INITIATION_INTERVAL > 1) && (REFERENCE_LATENCY < 1)) begin : g_refused_folded_latency
+      REFERENCE_LATENCY_is_0_with_INITIATION_INTERVAL_above_1 refused ();
+    end
+    if ((LAST_OPERAND_PHASE < 0) || (LAST_OPERAND_PHASE >= INITIATION_INTERVAL))
+    begin : g_refused_last_operand_phase
+      LAST_OPERAND_PHASE_is_outside_INITIATION_INTERVAL refused ();
+    end
+    if ((PHASE_BITS < 1) || (PHASE_BITS > 30)) begin : g_refused_phase_bits
+      PHASE_BITS_is_not_1_to_30 refused ();
+    end else if (((INITIATION_INTERVAL - 1) >>> PHASE_BITS) > 0) begin : g_refused_last_phase
+      PHASE_BITS_is_too_small_for_INITIATION_INTERVAL refused ();
+    end
     if (OUTSTANDING_BITS < 1) begin : g_refused_outstanding_bits
       OUTSTANDING_BITS_is_below_1 refused ();
     end
@@ -60,18 +82,19 @@ module reference_port #(
   wire [PAYLOAD_BITS-1:0] payload = s_request_tdata[PAYLOAD_BITS-1:0];
   wire [SENDER_BITS-1:0]  sender  = s_request_tdata[PAYLOAD_BITS +: SENDER_BITS];
 
-  // What enters the datapath, and for whom.
-  wire                   start_valid;
-  wire [SENDER_BITS-1:0] start_sender;
+  // Operands that wait at the datapath, and for whom; `take`: they may leave at the end of the cycle.
+  wire                   offer_valid;
+  wire [SENDER_BITS-1:0] offer_sender;
+  wire                   take;
   wire [SENDER_BITS-1:0] answer_sender;
 
   generate
     if (CARRIED != 0) begin : g_carried
       wire unused_refetch = &{m_refetch_tready, s_refetch_tvalid, s_refetch_tdata};
 
-      assign s_request_tready   = 1'b1;
-      assign start_valid        = s_request_tvalid;
-      assign start_sender       = sender;
+      assign s_request_tready   = take;
+      assign offer_valid        = s_request_tvalid;
+      assign offer_sender       = sender;
       assign reference_operands = payload;
       assign m_refetch_tvalid   = 1'b0;
       assign m_refetch_tdata    = {TAG_BITS{1'b0}};
@@ -110,35 +133,90 @@ module reference_port #(
         .s_axis_tready(room_for_sender),
         .s_axis_tdata (sender),
         .m_axis_tvalid(sender_waits),
-        .m_axis_tready(s_refetch_tvalid),
-        .m_axis_tdata (start_sender)
+        .m_axis_tready(s_refetch_tvalid && take),
+        .m_axis_tdata (offer_sender)
       );
 
-      assign start_valid        = s_refetch_tvalid && sender_waits;
+      assign offer_valid        = s_refetch_tvalid && sender_waits;
       assign reference_operands = s_refetch_tdata;
       assign m_refetch_tvalid   = refetch_valid_q;
       assign m_refetch_tdata    = refetch_tag_q;
-      assign s_refetch_tready   = sender_waits;
+      assign s_refetch_tready   = sender_waits && take;
     end
   endgenerate
 
-  valid_delay_line #(
-    .LENGTH(REFERENCE_LATENCY)
-  ) valid_beside_reference (
-    .aclk   (aclk),
-    .aresetn(aresetn),
-    .d      (start_valid),
-    .q      (m_answer_valid)
-  );
+  generate
+    if (INITIATION_INTERVAL == 1) begin : g_every_cycle
+      assign take            = 1'b1;
+      assign reference_phase = {PHASE_BITS{1'b0}};
 
-  delay_line #(
-    .WIDTH (SENDER_BITS),
-    .LENGTH(REFERENCE_LATENCY)
-  ) sender_beside_reference (
-    .aclk(aclk),
-    .d   (start_sender),
-    .q   (answer_sender)
-  );
+      valid_delay_line #(
+        .LENGTH(REFERENCE_LATENCY)
+      ) valid_beside_reference (
+        .aclk   (aclk),
+        .aresetn(aresetn),
+        .d      (offer_valid),
+        .q      (m_answer_valid)
+      );
+
+      delay_line #(
+        .WIDTH (SENDER_BITS),
+        .LENGTH(REFERENCE_LATENCY)
+      ) sender_beside_reference (
+        .aclk(aclk),
+        .d   (offer_sender),
+        .q   (answer_sender)
+      );
+    end else begin : g_folded
+      localparam LAST_PHASE   = INITIATION_INTERVAL - 1;
+      localparam ANSWER_PHASE = REFERENCE_LATENCY % INITIATION_INTERVAL;
+      // As many comparisons may be inside; each moves on by one place when the next may start.
+      localparam PLACES       = (REFERENCE_LATENCY + INITIATION_INTERVAL - 1) / INITIATION_INTERVAL;
+
+      localparam [PHASE_BITS-1:0] FIRST = 0;
+      localparam [PHASE_BITS-1:0] ONE   = 1;
+
+      reg  [PHASE_BITS-1:0]         phase_q;
+      reg  [PLACES-1:0]             valid_q;
+      reg  [PLACES*SENDER_BITS-1:0] sender_q;
+      wire                          start = (phase_q == FIRST);
+      wire [PLACES:0]               valid_moved  = {valid_q, offer_valid};
+      wire [(PLACES+1)*SENDER_BITS-1:0] sender_moved = {sender_q, offer_sender};
+      wire                          started = (LAST_OPERAND_PHASE == 0) ? offer_valid : valid_q[0];
+
+      assign take = (phase_q == LAST_OPERAND_PHASE[PHASE_BITS-1:0]) && started;
+
+      always @(posedge aclk) begin
+        if (!aresetn) begin
+          phase_q <= FIRST;
+        end else if (phase_q == LAST_PHASE[PHASE_BITS-1:0]) begin
+          phase_q <= FIRST;
+        end else begin
+          phase_q <= phase_q + ONE;
+        end
+      end
+
+      always @(posedge aclk) begin
+        if (!aresetn) begin
+          valid_q <= {PLACES{1'b0}};
+        end else if (start) begin
+          valid_q <= valid_moved[PLACES-1:0];
+        end
+      end
+
+      always @(posedge aclk) begin
+        if (start) begin
+          sender_q <= sender_moved[PLACES*SENDER_BITS-1:0];
+        end
+      end
+
+      wire unused_moved = &{valid_moved[PLACES], sender_moved[PLACES*SENDER_BITS +: SENDER_BITS]};
+
+      assign reference_phase = phase_q;
+      assign m_answer_valid  = valid_q[PLACES-1] && (phase_q == ANSWER_PHASE[PHASE_BITS-1:0]);
+      assign answer_sender   = sender_q[(PLACES-1)*SENDER_BITS +: SENDER_BITS];
+    end
+  endgenerate
 
   assign m_answer_tdata = {answer_sender, reference_verdict};
 

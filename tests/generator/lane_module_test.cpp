@@ -184,7 +184,7 @@ std::vector<rtl::Module> modules_with_input(const std::string& name) {
   return {rtl::lane_module("lane", graph.inputs(), lane,
                            datapath::schedule_lane(lane, embedded, delays, 250)),
           rtl::reference_module("reference", graph.inputs(), reference,
-                                datapath::schedule_reference(reference, embedded, delays, 250))};
+                                datapath::schedule_reference(reference, {embedded}, delays, 250))};
 }
 
 TEST(DatapathModules, AnInputMayHaveTheNameOfAnyWire) {

@@ -84,8 +84,8 @@ TEST_P(ScheduleAtTarget, OperandsAreReadyBeforeTheyAreRead) {
 }
 
 TEST_P(ScheduleAtTarget, LatencyOfAUnitIsTheNumberOfItsRegisters) {
-  const datapath::Schedule schedule = datapath::schedule_reference(
-      design_.reference, scene::Multipliers::embedded, delays_, GetParam());
+  const datapath::Schedule schedule =
+      datapath::schedule_reference(design_.reference, {}, delays_, GetParam());
   for (const datapath::Step& step : schedule.steps) {
     EXPECT_EQ(step.ready_cycle - step.start_cycle, registers(step.cuts));
   }
@@ -133,8 +133,8 @@ TEST_P(ScheduleAtTarget, RowsOfMultipliersAreCutBehindRegisteredMultipliers) {
   for (const char* device : {"virtex6-lx760", "ecp5-85k", "ice40-up5k"}) {
     const datapath::DelayTable delays = datapath::delays_of(device).value();
     const double logic_ns = std::max(0.0, 1000 / GetParam() - delays.register_ns);
-    const datapath::Schedule schedule = datapath::schedule_reference(
-        design_.reference, scene::Multipliers::embedded, delays, GetParam());
+    const datapath::Schedule schedule =
+        datapath::schedule_reference(design_.reference, {}, delays, GetParam());
     int squares = 0;
     for (const datapath::Step& step : schedule.steps) {
       if (step.unit.module != "fp_square") continue;
@@ -304,7 +304,7 @@ TEST(Schedule, AProductWithAPowerOfTwoTakesNoMultiplier) {
 TEST(Schedule, AProductWithZeroTakesNoTime) {
   const datapath::DelayTable delays = datapath::delays_of("virtex6-lx760").value();
   const auto latency = [&](const std::string& text, scene::Multipliers multipliers) {
-    return datapath::schedule_reference(product(text).graph, multipliers, delays, 200)
+    return datapath::schedule_reference(product(text).graph, {multipliers}, delays, 200)
         .latency_cycles;
   };
   for (const auto multipliers : {scene::Multipliers::embedded, scene::Multipliers::logic}) {
@@ -354,9 +354,7 @@ TEST(Schedule, ScalingsThatDropNoDigitAreShort) {
   const auto start_of_the_comparison = [&](Subnormals subnormals) {
     const TypedGraph typed =
         reference_graph(graph, {format("s53e8"), Rounding::nearest_even, subnormals});
-    return datapath::schedule_reference(typed, scene::Multipliers::embedded, delays, 200)
-        .parts.front()
-        .decision.start_cycle;
+    return datapath::schedule_reference(typed, {}, delays, 200).parts.front().decision.start_cycle;
   };
   EXPECT_LE(start_of_the_comparison(Subnormals::flush), 2);
   EXPECT_GT(start_of_the_comparison(Subnormals::gradual), 2);
@@ -367,9 +365,8 @@ TEST(Schedule, FasterTargetsNeverShortenTheLatency) {
   const datapath::DelayTable delays = datapath::delays_of("virtex6-lx760").value();
   int previous = 0;
   for (const double target_mhz : targets_mhz) {
-    const int latency = datapath::schedule_reference(design.reference, scene::Multipliers::embedded,
-                                                     delays, target_mhz)
-                            .latency_cycles;
+    const int latency =
+        datapath::schedule_reference(design.reference, {}, delays, target_mhz).latency_cycles;
     EXPECT_GE(latency, previous) << target_mhz << " MHz";
     previous = latency;
   }

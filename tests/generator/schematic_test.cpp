@@ -110,8 +110,7 @@ TEST(Schematic, ALaneHasABoxForEachUnitOfItsModule) {
 
 TEST(Schematic, AReferenceHasABoxForEachUnitOfItsModule) {
   const TypedGraph reference = reference_graph(sphere_graph(), {format("s53e8")});
-  const Schedule schedule =
-      datapath::schedule_reference(reference, scene::Multipliers::embedded, delays(), target_mhz);
+  const Schedule schedule = datapath::schedule_reference(reference, {}, delays(), target_mhz);
   const Pipeline pipeline = schematic::reference_pipeline(reference, schedule);
   EXPECT_EQ(boxes(pipeline), unit_instances(rtl::reference_module(
                                  "reference", sphere_graph().inputs(), reference, schedule)));

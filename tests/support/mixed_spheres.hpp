@@ -28,8 +28,8 @@ inline design::Design mixed_sphere_design() {
   design.lanes.push_back(std::move(wide));
   design.lanes.push_back(narrow);
   design.lanes.back().count = 1;
-  design.references = {{.multipliers = scene::Multipliers::embedded, .count = 1},
-                       {.multipliers = scene::Multipliers::logic, .count = 2}};
+  design.references = {{.structure = {}, .count = 1},
+                       {.structure = {.multipliers = scene::Multipliers::logic}, .count = 2}};
   design.system.target_mhz = 400;  // there the two makes of reference differ in latency
   return design;
 }

@@ -49,7 +49,8 @@ design::Design two_lanes() {
   return sphere_design(format("s4e8"), format("s6e8"), 2, 1);
 }
 
-/// Spheres of whole numbers below 64: their squares need up to 12 digits, so ties in rounding abound.
+/// Spheres of whole numbers below 64: their squares need up to 12 digits, so ties in rounding
+/// abound.
 data::Comparisons spheres_of_whole_numbers(const design::Design& design) {
   data::Table table{design.reference.input_format, {"cx", "cy", "cz", "r"}, {}, {}};
   for (std::uint64_t k = 0; k < 4 * 60; ++k) {
@@ -92,8 +93,8 @@ Judged judged(const design::Design& design, const fs::path& rtl,
   return judged;
 }
 
-class BrokenSystem
-    : public testing::TestWithParam<std::tuple<verilator_tb::SimulatorKind, Fault>> {};
+class BrokenSystem : public testing::TestWithParam<std::tuple<verilator_tb::SimulatorKind, Fault>> {
+};
 
 TEST_P(BrokenSystem, IsFoundByEachJudge) {
   const auto& [simulator, fault] = GetParam();

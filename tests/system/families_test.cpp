@@ -38,7 +38,7 @@ design::Design design_of(const Case& c) {
                     std::vector<bool>(8, false))
           .value();
   design.lanes.front().multipliers = c.multipliers;
-  design.references.front().multipliers = c.multipliers;
+  design.references.front().structure.multipliers = c.multipliers;
   design.reference =
       reference_graph(graph, {format(c.reference), Rounding::nearest_even, c.reference_subnormals});
   return design;

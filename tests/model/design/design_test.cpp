@@ -88,7 +88,7 @@ TEST(MakeDesign, KeepsTheOrderOfGroups) {
   scene.lanes = {group_of(scene, 3), group_of(scene, 1), group_of(scene, 2)};
   scene.lanes[1].reduced.format = format_of(9, 8);
   scene.lanes[2].reduced.multipliers = Multipliers::logic;
-  scene.references = {{.count = 1}, {.count = 2, .multipliers = Multipliers::logic}};
+  scene.references = {{.count = 1}, {.count = 2, .structure = {.multipliers = Multipliers::logic}}};
   const Design design = design::make_design(scene, nullptr).value();
   EXPECT_EQ(design.lane_count(), 6);
   EXPECT_EQ(design.reference_count(), 3);

@@ -111,8 +111,8 @@ TEST_F(Groups, ReferencesTakeTheirMultipliersFromReference) {
       head + "[[references]]\ncount = 1\n[[references]]\ncount = 2\nmultipliers = \"embedded\"\n");
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   ASSERT_EQ(scene->references.size(), 2U);
-  EXPECT_EQ(scene->references[0].multipliers, scene::Multipliers::logic);
-  EXPECT_EQ(scene->references[1].multipliers, scene::Multipliers::embedded);
+  EXPECT_EQ(scene->references[0].structure.multipliers, scene::Multipliers::logic);
+  EXPECT_EQ(scene->references[1].structure.multipliers, scene::Multipliers::embedded);
   EXPECT_EQ(scene->reference_count(), 3);
 }
 
@@ -122,7 +122,7 @@ TEST_F(Groups, WithoutListsThereIsOneGroupOfEach) {
   ASSERT_EQ(scene->lane_groups().size(), 1U);
   EXPECT_EQ(scene->lane_groups()[0].count, 4);
   EXPECT_EQ(scene->lane_groups()[0].reduced.bound_digits, 6);
-  EXPECT_EQ(scene->reference_groups()[0].multipliers, scene::Multipliers::logic);
+  EXPECT_EQ(scene->reference_groups()[0].structure.multipliers, scene::Multipliers::logic);
   EXPECT_FALSE(scene->reference_count().has_value());
 }
 
@@ -181,7 +181,8 @@ TEST_F(Groups, MistakesAreToldWithTheLineOfTheirGroup) {
       "sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32; qW or blockW with W 2..48, "
       "likewise W + G of qWgG and blockWgG");
   EXPECT_EQ(error("[[references]]\ncount = 1\nformat = \"s24e8\"\n"),
-            ":18: references.format: unknown key: received format; accepted count, multipliers");
+            ":18: references.format: unknown key: received format; accepted count, multipliers, "
+            "initiation_interval");
 }
 
 TEST_F(Groups, CountsAreBoundedInAll) {

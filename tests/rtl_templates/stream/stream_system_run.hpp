@@ -52,6 +52,7 @@ struct SystemSpec {
   int lane_latency_cycles;
   int reference_latency_cycles;
   int slot_bits;
+  int initiation_interval;  ///< of the references
 };
 
 inline void PrintTo(const SystemSpec& spec, std::ostream* stream) {

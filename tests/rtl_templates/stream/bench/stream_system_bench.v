@@ -1,7 +1,7 @@
 // stream_system_bench: lanes, crossbar and references with stubs for the datapaths, so that what a
 // comparison must become is known from its operand word alone (`word` of the first 32 bits):
 //   lane's verdict word[1:0] ^ word[11:10], decided word[2], reference's verdict word[9:8] ^ word[17:16].
-// The operands are COPIES rotated copies of the word: the lane looks at the lowest, the reference at
+// The reference reads word[17:16] in phase LAST_OPERAND_PHASE, the rest in phase 0. The operands are COPIES rotated copies of the word: the lane looks at the lowest, the reference at
 // the highest. Every port has room for 32 lanes or 16 references, 32 bits each.
 `default_nettype none
 
@@ -12,6 +12,8 @@ module stream_system_bench #(
   parameter CARRIED = 1,
   parameter LANE_LATENCY = 4,
   parameter REFERENCE_LATENCY = 7,
+  parameter INITIATION_INTERVAL = 1,
+  parameter LAST_OPERAND_PHASE = 0,
   parameter SLOT_BITS = 4,
   parameter OUTSTANDING_BITS = 2,
   parameter COPIES = 1
@@ -211,7 +213,9 @@ module stream_system_bench #(
         wire [63:0]             twice    = {top_copy, top_copy};
         wire [31:0]             word     = twice[32-ROTATE +: 32];
         wire                    unused_word = &{word, twice};
+        wire [1:0]              early;
         wire [1:0]              verdict;
+        wire [3:0]              unused_phase;
 
         for (c = 0; c < COPIES; c = c + 1) begin : g_copy
           if (c % 32 == 0) begin : g_plain
@@ -224,10 +228,19 @@ module stream_system_bench #(
 
         delay_line #(
           .WIDTH (2),
-          .LENGTH(REFERENCE_LATENCY)
+          .LENGTH(LAST_OPERAND_PHASE)
+        ) reference_begin (
+          .aclk(aclk),
+          .d   (word[9:8]),
+          .q   (early)
+        );
+
+        delay_line #(
+          .WIDTH (2),
+          .LENGTH(REFERENCE_LATENCY - LAST_OPERAND_PHASE)
         ) reference (
           .aclk(aclk),
-          .d   (word[9:8] ^ word[17:16]),
+          .d   (early ^ word[17:16]),
           .q   (verdict)
         );
 
@@ -237,6 +250,9 @@ module stream_system_bench #(
           .LANE_BITS        (LANE_BITS),
           .SLOT_BITS        (SLOT_BITS),
           .REFERENCE_LATENCY(REFERENCE_LATENCY),
+          .INITIATION_INTERVAL(INITIATION_INTERVAL),
+          .LAST_OPERAND_PHASE(LAST_OPERAND_PHASE),
+          .PHASE_BITS       (4),
           .CARRIED          (CARRIED),
           .OUTSTANDING_BITS (OUTSTANDING_BITS)
         ) port (
@@ -245,6 +261,7 @@ module stream_system_bench #(
           .s_request_tvalid  (named_valid[i]),
           .s_request_tready  (named_ready[i]),
           .s_request_tdata   (named_data[i*NAMED_BITS +: NAMED_BITS]),
+          .reference_phase   (unused_phase),
           .reference_operands(operands),
           .reference_verdict (verdict),
           .m_answer_valid    (reply_valid[i]),

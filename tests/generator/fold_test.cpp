@@ -1,0 +1,121 @@
+#include "generator/datapath/fold.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "generator/datapath/delays.hpp"
+#include "model/error/hazards.hpp"
+#include "tests/support/graphs.hpp"
+#include "tests/support/sphere.hpp"
+
+/// Folded references: what the schedule promises the hardware.
+namespace mixcmp::test::fold_test {
+namespace {
+
+struct Scene {
+  const char* name;
+  const char* f;
+  const char* g;
+};
+
+constexpr Scene scenes[] = {
+    {"spheres", "(a - b)^2 + (c - d)^2 + (a - d)^2", "(b + c)^2"},
+    {"products", "a * b + c^2 - d * 3", "max(a, b) * -min(c, d) + a * c"},
+    {"roots", "sqrt(a^2 + b^2) / (c + 1) - sqrt(d)", "abs(a) / 4 + b / 4 + d * 2"},
+    {"late_operand", "((a + b) * c + b) * c + d", "a"},
+    {"signs_alone", "-a", "abs(b)"},
+};
+
+std::ostream& operator<<(std::ostream& out, const Scene& scene) {
+  return out << scene.name;
+}
+
+constexpr int intervals[] = {2, 3, 4, 5, 7, 16, 64};
+
+class Fold : public testing::TestWithParam<std::tuple<Scene, int>> {
+protected:
+  int interval() const { return std::get<1>(GetParam()); }
+
+  TypedGraph graph_ = reference_graph(
+      graph_of(std::get<0>(GetParam()).f, std::get<0>(GetParam()).g), {format("s24e8")});
+  datapath::Schedule schedule_ = datapath::schedule_reference(
+      graph_, {.initiation_interval = interval()}, datapath::delays_of("ice40-hx8k").value(), 100);
+};
+
+INSTANTIATE_TEST_SUITE_P(Of, Fold,
+                         testing::Combine(testing::ValuesIn(scenes), testing::ValuesIn(intervals)),
+                         [](const auto& test) {
+                           return std::string(std::get<0>(test.param).name) + "_" +
+                                  std::to_string(std::get<1>(test.param));
+                         });
+
+TEST_P(Fold, EveryOperationHasAUnitOfItsOwnInItsPhase) {
+  std::vector<int> placed(graph_.nodes.size(), 0);
+  for (const datapath::SharedUnit& unit : schedule_.shared_units) {
+    std::set<int> phases;
+    for (const NodeId id : unit.operations) {
+      ++placed[id];
+      EXPECT_TRUE(phases.insert(schedule_.steps[id].start_cycle % interval()).second) << id;
+      EXPECT_EQ(schedule_.steps[id].unit.module, unit.unit.module);
+    }
+    EXPECT_TRUE(unit.selects || unit.operations.size() == 1);
+  }
+  for (std::size_t id = 0; id < placed.size(); ++id) {
+    EXPECT_EQ(placed[id], error::has_unit(graph_.nodes[id].operation) ? 1 : 0) << id;
+  }
+}
+
+TEST_P(Fold, OperandsAreReadyAndResultsComeWhenTheUnitGivesThem) {
+  for (const datapath::SharedUnit& unit : schedule_.shared_units) {
+    const auto registers = std::count(unit.cuts.begin(), unit.cuts.end(), true);
+    for (const NodeId id : unit.operations) {
+      const datapath::Step& step = schedule_.steps[id];
+      EXPECT_EQ(step.ready_cycle - step.start_cycle, registers + (unit.selects ? 1 : 0)) << id;
+    }
+  }
+  for (std::size_t id = 0; id < graph_.nodes.size(); ++id) {
+    const TypedNode& node = graph_.nodes[id];
+    for (int k = 0; k < arity(node.operation); ++k) {
+      EXPECT_LE(schedule_.steps[node.operands[k]].ready_cycle, schedule_.steps[id].start_cycle);
+    }
+  }
+  const datapath::Step& decision = schedule_.parts.front().decision;
+  EXPECT_GE(decision.start_cycle, schedule_.steps[graph_.f()].ready_cycle);
+  EXPECT_GE(decision.start_cycle, schedule_.steps[graph_.g()].ready_cycle);
+}
+
+/// Of each kind no more than ceil(operations / interval).
+TEST_P(Fold, ThereAreAsFewUnitsAsTheIntervalAllows) {
+  std::map<std::string, std::pair<int, int>> units_and_operations;
+  for (const datapath::SharedUnit& unit : schedule_.shared_units) {
+    auto& [units, operations] = units_and_operations[unit.unit.module];
+    ++units;
+    operations += static_cast<int>(unit.operations.size());
+  }
+  // Units of one module may differ in parameters: minima and maxima, scalings by unlike powers.
+  for (const char* module : {"fp_add", "fp_multiply", "fp_square", "fp_divide", "fp_square_root"}) {
+    const auto [units, operations] = units_and_operations[module];
+    EXPECT_EQ(units, (operations + interval() - 1) / interval()) << module;
+  }
+  EXPECT_TRUE(units_and_operations["fp_multiply"].first == 0 ||
+              units_and_operations["fp_square"].first == 0)
+      << "squares share multipliers";
+}
+
+TEST_P(Fold, OperandsStayAsLongAsTheyAreRead) {
+  EXPECT_GE(schedule_.last_operand_phase, 0);
+  EXPECT_LT(schedule_.last_operand_phase, interval());
+  for (std::size_t id = 0; id < graph_.nodes.size(); ++id) {
+    const TypedNode& node = graph_.nodes[id];
+    for (int k = 0; k < arity(node.operation); ++k) {
+      if (graph_.nodes[node.operands[k]].operation != Operation::input) continue;
+      EXPECT_LE(std::min(schedule_.steps[id].start_cycle, interval() - 1),
+                schedule_.last_operand_phase);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mixcmp::test::fold_test

@@ -1,0 +1,100 @@
+#include <gtest/gtest.h>
+
+#include "model/fixed/fixed_lane.hpp"
+#include "tests/support/graphs.hpp"
+#include "tests/support/simulated_system.hpp"
+#include "tests/support/sphere.hpp"
+
+/// Systems with folded references: whatever shares a unit, each result is the golden model's.
+namespace mixcmp::test::folded_reference_test {
+namespace {
+
+struct Case {
+  const char* name;
+  std::vector<std::pair<std::string, std::string>> parts;
+  int interval;
+  int references = 1;
+  scene::OperandStore operands = scene::OperandStore::carried;
+  scene::ResultOrder order = scene::ResultOrder::tagged;
+  scene::Multipliers multipliers = scene::Multipliers::embedded;
+  const char* reference = "s4e4";
+};
+
+void PrintTo(const Case& c, std::ostream* stream) {
+  *stream << c.name;
+}
+
+/// A lane of so few bits that references decide most comparisons.
+design::Design design_of(const Case& c) {
+  const Graph graph = graph_of(c.parts, Combination::any);
+  const Range range = {-6, 6};
+  const fixed::FixedOptions options = {.format = {2, false, 0},
+                                       .bound = {},
+                                       .ranges = {graph.inputs().size(), std::optional(range)}};
+  design::Design design = {
+      .name = "folded",
+      .inputs = graph.inputs(),
+      .lanes = {{.lane = fixed::fixed_lane(graph, format(c.reference), options).value(),
+                 .count = 3}},
+      .reference = reference_graph(graph, {format(c.reference)}),
+      .references = {{.structure = {c.multipliers, c.interval}, .count = c.references}},
+      .system = {}};
+  design.system.operands = c.operands;
+  design.system.order = c.order;
+  return design;
+}
+
+/// Every pair of encodings, NaNs and infinities too.
+data::Comparisons every_pair(const design::Design& design) {
+  const FloatFormat format = design.reference.input_format;
+  data::Table table{.format = format, .columns = {"a", "b"}, .values = {}, .labels = {}};
+  const Bits count = Bits{1} << format.width();
+  for (Bits a = 0; a < count; ++a) {
+    for (Bits b = 0; b < count; ++b) table.values.insert(table.values.end(), {a, b});
+  }
+  return data::Comparisons::rows(table, design.inputs).value();
+}
+
+class FoldedReference : public testing::TestWithParam<Case> {};
+
+TEST_P(FoldedReference, DecidesEveryPairAsTheGoldenModelDoes) {
+  const design::Design design = design_of(GetParam());
+  const verilator_tb::VerifyReport report =
+      simulate(design, every_pair(design),
+               {.judge = verilator_tb::JudgeKind::golden_model,
+                .traffic = verilator_tb::TrafficKind::stressed,
+                .resets = 2});
+  EXPECT_TRUE(report.passed()) << to_text(report);
+  EXPECT_EQ(report.comparisons, 65'536u);
+  EXPECT_GT(report.recomputations, 20'000u) << to_text(report);
+}
+
+constexpr auto refetched = scene::OperandStore::refetched;
+constexpr auto carried = scene::OperandStore::carried;
+constexpr auto in_order = scene::ResultOrder::in_order;
+constexpr auto tagged = scene::ResultOrder::tagged;
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, FoldedReference,
+    testing::Values(
+        Case{"sums_and_squares_16", {{"(a - b)^2 + (a + b)^2 + b^2", "(a - 1.5)^2"}}, 16},
+        Case{"sums_and_squares_2_refetched",
+             {{"(a - b)^2 + (a + b)^2 + b^2", "(a - 1.5)^2"}},
+             2,
+             2,
+             refetched,
+             in_order},
+        Case{"products_and_signs_5",
+             {{"a * b - abs(b) * a + 0.75", "-a * max(a, b) + min(a, -b)"}},
+             5,
+             1,
+             carried,
+             in_order,
+             scene::Multipliers::logic},
+        Case{"late_operands_3", {{"((a + b) * b + a) * b + a", "a - b * 0.7"}}, 3, 1, refetched},
+        Case{"powers_of_two_and_parts_4", {{"a / 4 + b / 4", "(a * -2 - b) * 2"}, {"a", "b"}}, 4},
+        Case{"longer_than_needed_64", {{"(a - b)^2 + b", "a * b"}}, 64}),
+    [](const auto& instance) { return std::string(instance.param.name); });
+
+}  // namespace
+}  // namespace mixcmp::test::folded_reference_test
