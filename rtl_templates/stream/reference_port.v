@@ -61,13 +61,12 @@ module reference_port #(
     end
     if (INITIATION_INTERVAL < 1) begin : g_refused_initiation_interval
       INITIATION_INTERVAL_is_below_1 refused ();
+    end else if ((LAST_OPERAND_PHASE < 0) || (LAST_OPERAND_PHASE >= INITIATION_INTERVAL))
+    begin : g_refused_last_operand_phase
+      LAST_OPERAND_PHASE_is_outside_INITIATION_INTERVAL refused ();
     end
     if ((INITIATION_INTERVAL > 1) && (REFERENCE_LATENCY < 1)) begin : g_refused_folded_latency
       REFERENCE_LATENCY_is_0_with_INITIATION_INTERVAL_above_1 refused ();
-    end
-    if ((LAST_OPERAND_PHASE < 0) || (LAST_OPERAND_PHASE >= INITIATION_INTERVAL))
-    begin : g_refused_last_operand_phase
-      LAST_OPERAND_PHASE_is_outside_INITIATION_INTERVAL refused ();
     end
     if ((PHASE_BITS < 1) || (PHASE_BITS > 30)) begin : g_refused_phase_bits
       PHASE_BITS_is_not_1_to_30 refused ();
@@ -146,7 +145,7 @@ module reference_port #(
   endgenerate
 
   generate
-    if (INITIATION_INTERVAL == 1) begin : g_every_cycle
+    if (INITIATION_INTERVAL <= 1) begin : g_every_cycle
       assign take            = 1'b1;
       assign reference_phase = {PHASE_BITS{1'b0}};
 

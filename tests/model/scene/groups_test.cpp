@@ -116,6 +116,16 @@ TEST_F(Groups, ReferencesTakeTheirMultipliersFromReference) {
   EXPECT_EQ(scene->reference_count(), 3);
 }
 
+TEST_F(Groups, ReferencesTakeTheirInitiationIntervalFromReference) {
+  const Result<scene::Scene> scene = load(
+      head + "[[references]]\ncount = 1\ninitiation_interval = 64\n[[references]]\ncount = 2\n");
+  ASSERT_TRUE(scene.ok()) << scene.error().to_string();
+  EXPECT_EQ(scene->references[0].structure.initiation_interval, 64);
+  EXPECT_EQ(scene->references[1].structure.initiation_interval, 1);
+  EXPECT_EQ(error("[[references]]\ncount = 1\ninitiation_interval = 65\n"),
+            ":18: references.initiation_interval: out of range: received 65; accepted an integer 1..64");
+}
+
 TEST_F(Groups, WithoutListsThereIsOneGroupOfEach) {
   const Result<scene::Scene> scene = load(head + "[system]\nlanes = 4\nreferences = \"auto\"\n");
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
@@ -181,8 +191,8 @@ TEST_F(Groups, MistakesAreToldWithTheLineOfTheirGroup) {
       "sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32; qW or blockW with W 2..48, "
       "likewise W + G of qWgG and blockWgG");
   EXPECT_EQ(error("[[references]]\ncount = 1\nformat = \"s24e8\"\n"),
-            ":18: references.format: unknown key: received format; accepted count, multipliers, "
-            "initiation_interval");
+            ":18: references.format: unknown key: received format; accepted count, "
+            "initiation_interval, multipliers");
 }
 
 TEST_F(Groups, CountsAreBoundedInAll) {

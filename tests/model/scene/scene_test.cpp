@@ -310,7 +310,7 @@ INSTANTIATE_TEST_SUITE_P(
                 ":10: reference.format: missing: received nothing; accepted a key format"},
         Mistake{"format = \"s53e8\"", "fromat = \"s53e8\"",
                 ":11: reference.fromat: unknown key: received fromat; accepted format (the "
-                "nearest), multipliers, subnormals"},
+                "nearest), initiation_interval, multipliers, subnormals"},
         Mistake{"slack = 0.25", "slck = 0.25",
                 ":23: system.slck: unknown key: received slck; accepted slack (the nearest), "
                 "counter_bits, device, lanes, operands, order, prefix, references, tag_bits, "
