@@ -122,8 +122,9 @@ TEST_F(Groups, ReferencesTakeTheirInitiationIntervalFromReference) {
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   EXPECT_EQ(scene->references[0].structure.initiation_interval, 64);
   EXPECT_EQ(scene->references[1].structure.initiation_interval, 1);
-  EXPECT_EQ(error("[[references]]\ncount = 1\ninitiation_interval = 65\n"),
-            ":18: references.initiation_interval: out of range: received 65; accepted an integer 1..64");
+  EXPECT_EQ(
+      error("[[references]]\ncount = 1\ninitiation_interval = 65\n"),
+      ":18: references.initiation_interval: out of range: received 65; accepted an integer 1..64");
 }
 
 TEST_F(Groups, WithoutListsThereIsOneGroupOfEach) {
