@@ -44,6 +44,7 @@ private:
   void build_unit(NodeId id);
   void declare_selecting_units();
   void build_selecting_units();
+  void build_selecting_unit(const SelectingUnits::Unit& unit, std::size_t index);
   std::vector<Operand> unit_operands(NodeId id);
   Operand negated(NodeId id, const Operand& operand);
   Operand flag_output(NodeId id);

@@ -152,10 +152,26 @@ Result<Done> check_options(const OptimiseOptions& options, const OptionNames& na
   return check_clock(options.clocks.reference_mhz, names.reference_mhz);
 }
 
+namespace {
+
+/// A plan's throughput is a clock: a reference that takes several cycles has no place in it yet.
+Result<Done> check_not_folded(const scene::Scene& scene) {
+  const int interval = scene.reference_structure.initiation_interval;
+  if (interval == 1) return Done{};
+  return Error{.file = scene.path.string(),
+               .field = "reference.initiation_interval",
+               .message = "plans have references that take a comparison in every cycle",
+               .received = std::to_string(interval),
+               .accepted = "1"};
+}
+
+}  // namespace
+
 Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& device,
                               const characterise::Characterisation& table, const Rates& rates,
                               const OptimiseOptions& options) {
   MIXCMP_TRY(possible, check_options(options));
+  MIXCMP_TRY(unfolded, check_not_folded(scene));
   ProblemMaker maker(scene, table, rates, options);
   if (maker.precisions().empty()) return no_lane(scene);
   if (!maker.has_references()) return nothing_to_choose_from(scene, "reference");

@@ -77,17 +77,12 @@ std::vector<int> ProblemMaker::precisions() const {
   return precisions;
 }
 
-/// Comparisons per second of a reference at a clock of `hertz`.
-double ProblemMaker::per_interval(double hertz) const {
-  return hertz / scene_.reference_structure.initiation_interval;
-}
-
 std::vector<ReferenceImplementation> ProblemMaker::references() {
   std::vector<ReferenceImplementation> all;
   for (const characterise::Measurement* row : references_) {
     const double mhz = clock_of(*row, options_.clocks.reference_mhz, nullptr);
     const std::string name = row->key.format + " " + row->key.multipliers;
-    all.push_back({*row, {name, per_interval(mhz * hertz_per_mhz), row->area}});
+    all.push_back({*row, {name, mhz * hertz_per_mhz, row->area}});
   }
   return all;
 }
@@ -108,8 +103,7 @@ std::optional<PrecisionPlan> ProblemMaker::plan(
   for (const auto& reference : references) {
     plan.problem.references.push_back(reference.kind);
     double& per_s = plan.problem.references.back().throughput_per_s;
-    const double crossbar_per_s = per_interval(crossbar_mhz_ * hertz_per_mhz);
-    if (!options_.clocks.reference_mhz) per_s = std::min(per_s, crossbar_per_s);
+    if (!options_.clocks.reference_mhz) per_s = std::min(per_s, crossbar_mhz_ * hertz_per_mhz);
   }
   plan.problem.communication = communication_;
   plan.problem.available = device.available;

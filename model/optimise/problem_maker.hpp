@@ -34,7 +34,6 @@ private:
   using Rows = std::vector<const characterise::Measurement*>;
 
   void sort_rows();
-  double per_interval(double hertz) const;
   bool is_wanted(const characterise::Measurement& lane) const;
   bool is_trusted(const characterise::Measurement& lane) const;
   bool has_enough_exponents(const characterise::Measurement& lane);

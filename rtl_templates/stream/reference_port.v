@@ -175,13 +175,14 @@ module reference_port #(
       localparam [PHASE_BITS-1:0] FIRST = 0;
       localparam [PHASE_BITS-1:0] ONE   = 1;
 
-      reg  [PHASE_BITS-1:0]         phase_q;
-      reg  [PLACES-1:0]             valid_q;
-      reg  [PLACES*SENDER_BITS-1:0] sender_q;
-      wire                          start = (phase_q == FIRST);
-      wire [PLACES:0]               valid_moved  = {valid_q, offer_valid};
+      reg  [PHASE_BITS-1:0]             phase_q;
+      reg  [PLACES-1:0]                 valid_q;
+      reg  [PLACES*SENDER_BITS-1:0]     sender_q;
+      wire                              start        = (phase_q == FIRST);
+      wire                              started      =
+          (LAST_OPERAND_PHASE == 0) ? offer_valid : valid_q[0];
+      wire [PLACES:0]                   valid_moved  = {valid_q, offer_valid};
       wire [(PLACES+1)*SENDER_BITS-1:0] sender_moved = {sender_q, offer_sender};
-      wire                          started = (LAST_OPERAND_PHASE == 0) ? offer_valid : valid_q[0];
 
       assign take = (phase_q == LAST_OPERAND_PHASE[PHASE_BITS-1:0]) && started;
 

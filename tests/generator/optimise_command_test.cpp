@@ -107,6 +107,12 @@ TEST_F(OptimiseCommand, OldRtlIsTold) {
   EXPECT_NE(found.output.find("7 of 7 rows"), std::string::npos) << found.output;
 }
 
+TEST_F(OptimiseCommand, FoldedReferencesAreRefused) {
+  expect_refused("optimise scene.toml --set reference.initiation_interval=16 -o plan.toml",
+                 "scene.toml: reference.initiation_interval: plans have references");
+  EXPECT_FALSE(fs::exists(path("plan.toml")));
+}
+
 TEST_F(OptimiseCommand, GlpkWouldReadItsProgram) {
   ASSERT_EQ(mixcmp("optimise scene.toml --last 14 --lp best.lp").exit_code, 0);
   const std::string program = read("best.lp");
