@@ -131,6 +131,18 @@ Result<std::pair<int, int>> interval(const std::string& option, const std::strin
 /// The crossbars of a quick table: `optimise` interpolates between them.
 constexpr std::string_view quick_ports = "1,8,32,64";
 
+/// Of the references that a scene with the interval "auto" may choose from: whole ones, ones of few
+/// units, and small ones.
+const std::vector<int> usual_intervals = {1, 4, 16};
+
+Result<std::vector<int>> initiation_intervals(const std::string& text, const scene::Scene& scene) {
+  if (!text.empty()) {
+    return number_list("--initiation-intervals", text, settings::limits::initiation_interval);
+  }
+  const std::optional<int> interval = scene.reference_structure.initiation_interval;
+  return interval ? std::vector<int>{*interval} : usual_intervals;
+}
+
 Result<components::ComponentQuery> query_of(const CharacteriseCommand& command,
                                             const scene::Scene& scene) {
   const settings::Limits allowed = settings::lane_precisions(scene.reference.format);
@@ -147,6 +159,8 @@ Result<components::ComponentQuery> query_of(const CharacteriseCommand& command,
   MIXCMP_TRY(multipliers, multiplier_kinds(command.multipliers));
   query.multipliers = multipliers;
   MIXCMP_TRY(possible, check_memories(query));
+  MIXCMP_TRY(intervals, initiation_intervals(command.initiation_intervals, scene));
+  query.initiation_intervals = intervals;
   const bool few_ports = command.quick && command.ports == CharacteriseCommand().ports;
   MIXCMP_TRY(ports, number_list("--ports", few_ports ? std::string(quick_ports) : command.ports,
                                 components::measured_ports));
@@ -165,9 +179,9 @@ void add_import_option(const Verb& verb, CharacteriseCommand& command) {
       "measure nothing: take areas and a clock from the reports that the scripts of generate "
       "--project vivado or quartus leave, utilisation_by_instance.rpt and timing.rpt, or "
       "TOP.fit.rpt and TOP.sta.rpt (docs/characterise.md)");
-  for (const char* other :
-       {"--precisions", "--bounds", "--inputs", "--multipliers", "--exponents", "--components",
-        "--ports", "--quick", "--area-only", "--seeds", "--jobs", "--store"}) {
+  for (const char* other : {"--precisions", "--bounds", "--inputs", "--multipliers", "--exponents",
+                            "--components", "--initiation-intervals", "--ports", "--quick",
+                            "--area-only", "--seeds", "--jobs", "--store"}) {
     import.excludes(other);
   }
 }
@@ -203,6 +217,9 @@ void add_characterise_options(const Verb& verb, CharacteriseCommand& command) {
   verb.option("--exponents", command.exponents,
               "exponent bits of lanes: reference, or ranges for the fewest that the declared "
               "ranges allow (default: as reduced.format says)");
+  verb.option("--initiation-intervals", command.initiation_intervals,
+              "of references, in cycles: 16 or 1,4,16 (default: as reference.initiation_interval "
+              "says; 1,4,16 where that is \"auto\")");
   verb.option("--components", command.components,
               "what to measure, besides these unit (default: " + command.components + ")");
   verb.option("--ports", command.ports,
@@ -244,10 +261,11 @@ Result<components::CharacteriseOptions> characterise_options(const CharacteriseC
 }
 
 const GroupForm& characterise_group() {
-  static const GroupForm form{.name = "characterise",
-                              .options = {"precisions", "bounds", "inputs", "multipliers",
-                                          "exponents", "components", "ports", "seeds"},
-                              .flags = {"quick", "area_only"}};
+  static const GroupForm form{
+      .name = "characterise",
+      .options = {"precisions", "bounds", "inputs", "multipliers", "exponents",
+                  "initiation_intervals", "components", "ports", "seeds"},
+      .flags = {"quick", "area_only"}};
   return form;
 }
 
@@ -272,6 +290,7 @@ std::string characterise_command_line(const CharacteriseCommand& command) {
   add("--inputs", command.inputs, defaults.inputs);
   add("--multipliers", command.multipliers, defaults.multipliers);
   add("--exponents", command.exponents, defaults.exponents);
+  add("--initiation-intervals", command.initiation_intervals, defaults.initiation_intervals);
   add("--components", command.components, defaults.components);
   add("--ports", command.ports, defaults.ports);
   add("--seeds", std::to_string(command.seeds), std::to_string(defaults.seeds));

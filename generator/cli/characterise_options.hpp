@@ -17,7 +17,8 @@ struct CharacteriseCommand {
   std::string multipliers = "both";
   std::string components = "lane,reference,fifo,crossbar";
   std::string ports = "1-8,12,16,24,32,48,64,96,128";
-  std::string exponents;  ///< empty: as the scene says
+  std::string exponents;             ///< empty: as the scene says
+  std::string initiation_intervals;  ///< of references; empty: as the scene says
   bool quick = false;
   bool area_only = false;
   int seeds = 3;

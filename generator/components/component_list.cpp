@@ -117,9 +117,10 @@ private:
       return Done{};
     }
     for (const Multipliers multipliers : reference_multipliers(query_)) {
-      MIXCMP_TRY(visited, visit({.kind = ComponentKind::reference,
-                                 .format = maker_.scene().reference.format.name(),
-                                 .multipliers = std::string(to_string(multipliers))}));
+      for (const int interval : query_.initiation_intervals) {
+        MIXCMP_TRY(visited,
+                   visit(reference_key(maker_.scene().reference.format, {multipliers, interval})));
+      }
     }
     return Done{};
   }

@@ -28,6 +28,7 @@ struct ComponentQuery {
   /// `memory` is for lanes in fixed point alone.
   std::vector<scene::Multipliers> multipliers = {scene::Multipliers::embedded,
                                                  scene::Multipliers::logic};
+  std::vector<int> initiation_intervals = {1};  ///< of references, in cycles
   std::vector<int> ports;  ///< numbers of lanes at a crossbar with one reference
   /// If present: of the lanes that all this asks for, these alone.
   std::optional<std::set<characterise::ComponentKey>> lanes = {};

@@ -120,6 +120,13 @@ Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs, const design::L
   return LaneRtl{schedule.latency_cycles, rtl::lane_module("lane", inputs, lane, schedule)};
 }
 
+ComponentKey reference_key(FloatFormat format, const design::ReferenceStructure& structure) {
+  return {.kind = ComponentKind::reference,
+          .format = format.name(),
+          .multipliers = std::string(to_string(structure.multipliers)),
+          .initiation_interval = structure.initiation_interval};
+}
+
 ComponentMaker::ComponentMaker(scene::Scene scene, const data::Comparisons* data)
     : scene_(std::move(scene)), data_(data) {}
 
@@ -174,10 +181,8 @@ Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {
   MIXCMP_TRY(multipliers, reference_multipliers_of(key));
   MIXCMP_TRY(delays, datapath::delays_of(scene_.system.device));
   const TypedGraph graph = reference_graph(scene_.graph, scene_.reference);
-  const scene::ReferenceStructure structure = {multipliers,
-                                               scene_.reference_structure.initiation_interval};
-  const datapath::Schedule schedule =
-      datapath::schedule_reference(graph, structure, delays, scene_.system.target_mhz);
+  const datapath::Schedule schedule = datapath::schedule_reference(
+      graph, {multipliers, key.initiation_interval}, delays, scene_.system.target_mhz);
   const rtl::Module module =
       rtl::reference_module("reference", scene_.graph.inputs(), graph, schedule);
   return datapath(key, schedule.latency_cycles, module, any_product(graph.nodes));

@@ -9,6 +9,7 @@
 #include "model/characterise/synthesis.hpp"
 #include "model/data/comparisons.hpp"
 #include "model/design/lane.hpp"
+#include "model/design/reference_structure.hpp"
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::components {
@@ -24,6 +25,10 @@ struct Component {
   characterise::SynthesisJob job;
   std::vector<characterise::ComponentKey> units;  ///< the units of a lane or reference; else empty
 };
+
+/// The key of a reference; its component is made without multipliers where it has no product.
+characterise::ComponentKey reference_key(FloatFormat format,
+                                         const design::ReferenceStructure& structure);
 
 /// The datapath of one lane alone.
 struct LaneRtl {

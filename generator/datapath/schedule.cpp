@@ -117,8 +117,9 @@ Schedule schedule_lane(const error::Lane& lane, scene::Multipliers multipliers,
   return scheduler.finish();
 }
 
-Schedule schedule_reference(const TypedGraph& reference, const scene::ReferenceStructure& structure,
-                            const DelayTable& delays, double target_mhz) {
+Schedule schedule_reference(const TypedGraph& reference,
+                            const design::ReferenceStructure& structure, const DelayTable& delays,
+                            double target_mhz) {
   Scheduler scheduler(delays, target_mhz);
   const bool folded = structure.initiation_interval > 1;
   if (folded) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "generator/datapath/units.hpp"
+#include "model/design/reference_structure.hpp"
 #include "model/error/lane.hpp"
 #include "model/fixed/square_tables.hpp"
 #include "model/scene/scene.hpp"
@@ -67,7 +68,8 @@ struct Schedule {
 /// `target_mhz` > 0.
 Schedule schedule_lane(const error::Lane& lane, scene::Multipliers multipliers,
                        const DelayTable& delays, double target_mhz);
-Schedule schedule_reference(const TypedGraph& reference, const scene::ReferenceStructure& structure,
-                            const DelayTable& delays, double target_mhz);
+Schedule schedule_reference(const TypedGraph& reference,
+                            const design::ReferenceStructure& structure, const DelayTable& delays,
+                            double target_mhz);
 
 }  // namespace mixcmp::datapath

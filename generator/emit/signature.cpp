@@ -182,6 +182,7 @@ Json to_json(const SignatureReferences& group) {
   return {{"count", group.count},
           {"module", group.module},
           {"latency_cycles", group.latency_cycles},
+          {"initiation_interval_cycles", group.initiation_interval_cycles},
           {"multipliers", text_of(multipliers_names, group.multipliers)}};
 }
 
@@ -233,6 +234,8 @@ SignatureReferences read_references(Reader& reader) {
   return {.count = reader.number("count", 1, settings::limits::references.most),
           .module = reader.text("module"),
           .latency_cycles = reader.number("latency_cycles", 0, many),
+          .initiation_interval_cycles =
+              reader.number("initiation_interval_cycles", settings::limits::initiation_interval),
           .multipliers = reader.choice("multipliers", multipliers_names)};
 }
 

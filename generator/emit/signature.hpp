@@ -38,6 +38,7 @@ struct SignatureReferences {
   int count = 0;
   std::string module;  ///< the channel: one reference behind the crossbar
   int latency_cycles = 0;
+  int initiation_interval_cycles = 1;
   scene::Multipliers multipliers = scene::Multipliers::embedded;
 };
 

@@ -37,10 +37,12 @@ std::vector<SignatureReferences> references_of(const Design& design,
                                                const rtl::SystemShape& shape) {
   std::vector<SignatureReferences> references;
   for (std::size_t k = 0; k < design.references.size(); ++k) {
-    references.push_back({.count = design.references[k].count,
-                          .module = shape.reference_groups[k].channel,
-                          .latency_cycles = shape.reference_groups[k].schedule.latency_cycles,
-                          .multipliers = design.references[k].structure.multipliers});
+    references.push_back(
+        {.count = design.references[k].count,
+         .module = shape.reference_groups[k].channel,
+         .latency_cycles = shape.reference_groups[k].schedule.latency_cycles,
+         .initiation_interval_cycles = design.references[k].structure.initiation_interval,
+         .multipliers = design.references[k].structure.multipliers});
   }
   return references;
 }

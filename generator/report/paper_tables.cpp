@@ -178,9 +178,8 @@ page::Table table3(const Exploration& exploration,
   for (const ReferenceImplementation& reference : exploration.columns.front().example.references) {
     const Measurement& m = reference.measured;
     table.rows.push_back(
-        {m.key.format + ", multipliers " + m.key.multipliers, fmt::format("{}", m.area.luts),
-         fmt::format("{}", m.area.registers), fmt::format("{}", m.area.dsps),
-         fmt::format("{}", m.latency_cycles),
+        {reference.kind.name, fmt::format("{}", m.area.luts), fmt::format("{}", m.area.registers),
+         fmt::format("{}", m.area.dsps), fmt::format("{}", m.latency_cycles),
          m.clock ? fmt::format("{:.0f}, {}", m.clock->mhz, to_string(m.clock->source)) : nothing});
   }
   return table;

@@ -121,7 +121,7 @@ public:
     const double lane = plan_.throughput_per_s() / chosen_.lane_count();
     const bool one_clock = plan_.problem.clocks == ClockDomains::single;
     const double reference =
-        one_clock ? std::min(lane, reference_.throughput_per_s) : reference_.throughput_per_s;
+        optimise::throughput_per_s(reference_, one_clock ? lane : optimise::any_clock);
     return equivalent_throughput({{.count = lanes,
                                    .throughput_per_s = lane,
                                    .recomputation_rate = plan_.recomputation_rate()}},
@@ -176,8 +176,8 @@ Picture figure7(const Optimisation& optimisation) {
       optimisation, [](const Measurement& row) { return static_cast<double>(row.area.luts); });
   int color = 0;
   for (const ReferenceImplementation& reference : optimisation.references) {
-    add_level(picture, optimisation, "reference, " + reference.measured.key.multipliers,
-              reference.kind.area.luts, color++);
+    add_level(picture, optimisation, "reference " + reference.kind.name, reference.kind.area.luts,
+              color++);
   }
   return picture;
 }
@@ -194,8 +194,8 @@ Picture figure8(const Optimisation& optimisation) {
   int color = 0;
   for (const ReferenceImplementation& reference : optimisation.references) {
     const auto& clock = reference.measured.clock;
-    add_level(picture, optimisation, "reference, " + reference.measured.key.multipliers,
-              clock ? clock->mhz : 0, color++);
+    add_level(picture, optimisation, "reference " + reference.kind.name, clock ? clock->mhz : 0,
+              color++);
   }
   return picture;
 }

@@ -84,7 +84,7 @@ Json json_of(const PrecisionPlan& plan) {
     const LaneImplementation& lane = plan.lanes[k];
     kinds.push_back({{"name", lane.kind.name},
                      {"lanes", plan.allocation()->lanes[k]},
-                     {"throughput_per_s", lane.kind.throughput_per_s},
+                     {"throughput_per_s", optimise::throughput_per_s(lane.kind)},
                      {"recomputation_rate", lane.kind.recomputation_rate},
                      {"area", json_of(lane.kind.area)}});
   }

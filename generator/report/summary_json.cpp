@@ -15,6 +15,7 @@ using scene::LaneSavings;
 using scene::OperatorCount;
 using scene::RangeQuestion;
 using scene::ReducedSpec;
+using scene::ReferenceGroupSpec;
 using scene::Scene;
 using scene::SideSummary;
 using scene::Summary;
@@ -78,9 +79,14 @@ nlohmann::json json_of(const EngineSpec& engine) {
 
 nlohmann::json json_of_system(const Scene& scene) {
   const SystemSpec& system = scene.system;
+  nlohmann::json intervals = nlohmann::json::array();
+  for (const ReferenceGroupSpec& group : scene.reference_groups()) {
+    intervals.push_back(json_of(group.structure.initiation_interval));
+  }
   return {{"device", system.device},
           {"lanes", json_of(scene.lane_count())},
           {"references", json_of(scene.reference_count())},
+          {"initiation_intervals", intervals},
           {"slack", system.slack},
           {"target_mhz", system.target_mhz},
           {"order", to_string(system.order)},

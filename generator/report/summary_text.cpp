@@ -21,6 +21,7 @@ using scene::PlanNotes;
 using scene::Possibility;
 using scene::RangeQuestion;
 using scene::ReducedSpec;
+using scene::ReferenceGroupSpec;
 using scene::Scene;
 using scene::SideSummary;
 using scene::Summary;
@@ -96,6 +97,19 @@ std::string shown(const std::optional<int>& count) {
   return count ? fmt::format("{}", *count) : "auto";
 }
 
+/// "2", or "2, initiation interval 16" where a kind of them is folded.
+std::string shown_references(const Scene& scene) {
+  std::vector<std::string> intervals;
+  bool folded = false;
+  for (const ReferenceGroupSpec& group : scene.reference_groups()) {
+    intervals.push_back(shown(group.structure.initiation_interval));
+    folded = folded || intervals.back() != "1";
+  }
+  const std::string count = shown(scene.reference_count());
+  if (!folded) return count;
+  return fmt::format("{}, initiation interval {}", count, fmt::join(intervals, ", "));
+}
+
 void print_plan(SectionList& page, const PlanNotes& plan) {
   page.section(fmt::format("plan {}", plan.path.filename().string()));
   for (const auto& [key, value] : plan.values) page.line(key, value);
@@ -147,7 +161,7 @@ void print_understood(SectionList& page, const Scene& scene) {
   page.section("system");
   page.line("device", fmt::format("{}, slack {}", system.device, system.slack));
   page.line("lanes", shown(scene.lane_count()));
-  page.line("references", shown(scene.reference_count()));
+  page.line("references", shown_references(scene));
   page.line("target_mhz", fmt::format("{}", system.target_mhz));
   page.line("order", to_string(system.order));
   page.line("operands", to_string(system.operands));

@@ -109,7 +109,7 @@ std::vector<Candidate> candidates_of(const Optimisation& plans) {
                         "{:.3e}\n{:.1f} MHz",
                         lane.kind.name, lane.with_streams.luts, lane.with_streams.dsps,
                         lane.with_streams.registers, lane.kind.recomputation_rate,
-                        lane.kind.throughput_per_s / optimise::hertz_per_mhz)},
+                        lane.kind.clock_hz / optimise::hertz_per_mhz)},
            key.bound->kind != scene::BoundChoice::Kind::profiled});
     }
   }

@@ -38,6 +38,7 @@ void add_clock(std::vector<std::string>& fields, const std::optional<Clock>& clo
 std::string record(const Measurement& row, bool with_stage) {
   std::vector<std::string> fields = {std::string(to_string(row.key.kind))};
   for (const auto& column : key_columns) fields.push_back(field(column.get(row.key)));
+  fields.push_back(std::to_string(row.key.initiation_interval));
   fields.push_back(std::to_string(row.key.ports));
   fields.push_back(std::to_string(row.latency_cycles));
   for (const auto& column : area_columns) {

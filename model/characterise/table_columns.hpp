@@ -69,9 +69,10 @@ inline constexpr std::array<AreaColumn, 6> area_columns = {{
 
 /// The first record of a table without imported rows, all of which are mapped.
 inline constexpr std::string_view mapped_table_header =
-    "kind,name,format,inputs,bound,multipliers,ports,latency_cycles,luts,registers,dsps,memories,"
+    "kind,name,format,inputs,bound,multipliers,initiation_interval,ports,latency_cycles,luts,"
+    "registers,dsps,memories,"
     "carries,shift_luts,mhz,low_mhz,high_mhz,seeds,clock_source,timing_seeds,hash,tools";
-inline constexpr int mapped_table_columns = 22;
+inline constexpr int mapped_table_columns = 23;
 
 /// The first record of a table with imported rows: its last column is the stage of each area.
 inline const std::string staged_table_header = std::string(mapped_table_header) + ",area_stage";

@@ -8,6 +8,7 @@
 #include "model/common/file.hpp"
 #include "model/common/quote.hpp"
 #include "model/number/lane_format.hpp"
+#include "model/settings/limits.hpp"
 
 namespace mixcmp::characterise {
 namespace {
@@ -139,10 +140,11 @@ private:
   }
   Result<int> integer() { return number<int>("a whole number of at least 0"); }
   Result<double> mhz() {
-    const Field start = start_field();
+    Field field = start_field();
     MIXCMP_TRY(value, number<double>("a clock in MHz"));
     if (value > 0) return value;
-    return error(start, "no clock", "a clock in MHz, above 0");
+    field.text = fmt::format("{}", value);
+    return error(field, "no clock", "a clock in MHz, above 0");
   }
 
   template <class Choice>
@@ -168,6 +170,8 @@ private:
       if (!is_set.ok()) return error(text, is_set.error().message, is_set.error().accepted);
       MIXCMP_TRY(known, check_word(row.key, column, text));
     }
+    MIXCMP_TRY(interval, initiation_interval(row.key.kind));
+    row.key.initiation_interval = interval;
     MIXCMP_TRY(ports, integer());
     row.key.ports = ports;
     MIXCMP_TRY(latency, integer());
@@ -179,6 +183,17 @@ private:
     MIXCMP_TRY(clock, read_clock());
     row.clock = clock;
     return read_provenance(std::move(row));
+  }
+
+  /// A reference has one; all else has 0.
+  Result<int> initiation_interval(ComponentKind kind) {
+    Field field = start_field();
+    const bool is_reference = kind == ComponentKind::reference;
+    constexpr settings::Limits limits = settings::limits::initiation_interval;
+    MIXCMP_TRY(value, integer());
+    if (is_reference ? limits.allow(value) : value == 0) return value;
+    field.text = std::to_string(value);
+    return error(field, "not an initiation interval", is_reference ? to_string(limits) : "0");
   }
 
   /// Checks the words of lanes and references, of which plans are made: only words that
@@ -269,10 +284,11 @@ private:
     if (twin == table.rows.end()) return Done{};
     return Error{.file = path_.string(),
                  .message = "two rows of one component",
-                 .received = fmt::format(
-                     "{} {} {} {} {} {}, ports {}", to_string(twin->key.kind), twin->key.name,
-                     twin->key.format, to_string(twin->key.inputs),
-                     scene::to_string(twin->key.bound), twin->key.multipliers, twin->key.ports),
+                 .received = fmt::format("{} {} {} {} {} {}, initiation interval {}, ports {}",
+                                         to_string(twin->key.kind), twin->key.name,
+                                         twin->key.format, to_string(twin->key.inputs),
+                                         scene::to_string(twin->key.bound), twin->key.multipliers,
+                                         twin->key.initiation_interval, twin->key.ports),
                  .accepted = "one"};
   }
 

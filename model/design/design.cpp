@@ -281,7 +281,13 @@ Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
                         fmt::format("{}..{}", fewest, scene::max_references));
     }
     if (*spec.count == 0) continue;
-    design.references.push_back({.structure = spec.structure, .count = *spec.count});
+    const auto& [multipliers, interval] = spec.structure;
+    if (!interval) {
+      return unresolved(scene, "reference.initiation_interval",
+                        "--set reference.initiation_interval=16",
+                        to_string(settings::limits::initiation_interval));
+    }
+    design.references.push_back({.structure = {multipliers, *interval}, .count = *spec.count});
   }
   if (data != nullptr) {
     MIXCMP_TRY(fits, check_engine_data(scene.system.engine, design.lane_count(), *data));

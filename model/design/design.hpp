@@ -4,6 +4,7 @@
 
 #include "model/data/comparisons.hpp"
 #include "model/design/lane.hpp"
+#include "model/design/reference_structure.hpp"
 #include "model/error/profiled_lane.hpp"
 #include "model/scene/scene.hpp"
 
@@ -19,7 +20,7 @@ struct LaneGroup {
 
 /// References of one kind: all compute the same, in the same format.
 struct ReferenceGroup {
-  scene::ReferenceStructure structure;
+  ReferenceStructure structure;
   int count = 1;
 };
 

@@ -20,13 +20,18 @@ namespace {
 
 using Relation = IntegerProgram::Relation;
 
+template <class Kind>
+bool is_possible(const Kind& kind) {
+  return kind.clock_hz > 0 && std::isfinite(kind.clock_hz) && kind.initiation_interval >= 1;
+}
+
 void check(const AllocationProblem& problem) {
   for (const LaneKind& lane : problem.lanes) {
-    MIXCMP_CHECK(lane.throughput_per_s > 0 && std::isfinite(lane.throughput_per_s));
+    MIXCMP_CHECK(is_possible(lane));
     MIXCMP_CHECK(lane.recomputation_rate >= 0 && lane.recomputation_rate <= 1);
   }
   for (const ReferenceKind& reference : problem.references) {
-    MIXCMP_CHECK(reference.throughput_per_s > 0 && std::isfinite(reference.throughput_per_s));
+    MIXCMP_CHECK(is_possible(reference));
   }
 }
 
@@ -34,10 +39,8 @@ void check(const AllocationProblem& problem) {
 std::set<double, std::greater<>> candidate_clocks(const AllocationProblem& problem) {
   if (problem.clocks == ClockDomains::separate) return {0.0};
   std::set<double, std::greater<>> clocks;
-  for (const LaneKind& lane : problem.lanes) clocks.insert(lane.throughput_per_s);
-  for (const ReferenceKind& reference : problem.references) {
-    clocks.insert(reference.throughput_per_s);
-  }
+  for (const LaneKind& lane : problem.lanes) clocks.insert(lane.clock_hz);
+  for (const ReferenceKind& reference : problem.references) clocks.insert(reference.clock_hz);
   return clocks;
 }
 
@@ -47,10 +50,10 @@ double clock_of(const AllocationProblem& problem, const Allocation& plan) {
   if (problem.clocks == ClockDomains::separate) return 0;
   double clock = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < plan.lanes.size(); ++k) {
-    if (plan.lanes[k] > 0) clock = std::min(clock, problem.lanes[k].throughput_per_s);
+    if (plan.lanes[k] > 0) clock = std::min(clock, problem.lanes[k].clock_hz);
   }
   for (std::size_t k = 0; k < plan.references.size(); ++k) {
-    if (plan.references[k] > 0) clock = std::min(clock, problem.references[k].throughput_per_s);
+    if (plan.references[k] > 0) clock = std::min(clock, problem.references[k].clock_hz);
   }
   return clock;
 }

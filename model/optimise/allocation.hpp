@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -17,16 +19,26 @@ namespace mixcmp::optimise {
 /// One way to build a lane. Its area includes the scoreboard around the lane.
 struct LaneKind {
   std::string name;               ///< "s12e8 exact relative embedded"
-  double throughput_per_s = 0;    ///< T(L)
+  double clock_hz = 0;            ///< the highest that it runs at
+  int initiation_interval = 1;    ///< cycles from one comparison to the next
   double recomputation_rate = 0;  ///< R_R
   devices::Area area;             ///< C(L)
 };
 
 struct ReferenceKind {
-  std::string name;
-  double throughput_per_s = 0;  ///< T(H)
+  std::string name;             ///< "s53e8 embedded ii16"
+  double clock_hz = 0;          ///< the highest that it runs at
+  int initiation_interval = 1;  ///< cycles from one comparison to the next
   devices::Area area;           ///< C(H)
 };
+
+inline constexpr double any_clock = std::numeric_limits<double>::infinity();
+
+/// T(L) or T(H), in comparisons per second, in a system that runs at `system_hz` at most.
+template <class Kind>
+double throughput_per_s(const Kind& kind, double system_hz = any_clock) {
+  return std::min(kind.clock_hz, system_hz) / kind.initiation_interval;
+}
 
 /// The part of C(com), the area of communication, that the areas of lanes and references do not
 /// include.

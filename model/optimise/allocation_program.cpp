@@ -101,7 +101,9 @@ private:
       return;
     }
     double fastest = 0;
-    for (const LaneKind& kind : problem_.lanes) fastest = std::max(fastest, kind.throughput_per_s);
+    for (const LaneKind& kind : problem_.lanes) {
+      fastest = std::max(fastest, throughput_per_s(kind));
+    }
     result_.objective_per_s = fastest / objective_scale;
     for (int k = 0; k < lane_kinds(); ++k) {
       program().objective.push_back(

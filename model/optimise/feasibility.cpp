@@ -1,7 +1,6 @@
 #include "model/optimise/feasibility.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -19,17 +18,27 @@ int total(const std::vector<int>& counts) {
   return std::accumulate(counts.begin(), counts.end(), 0);
 }
 
-/// The lowest clock limit of the kinds that are used; unlimited where each has a clock of its own.
+/// The lowest clock of the kinds that are used; any where each has a clock of its own.
 double clock_limit(const AllocationProblem& problem, const Counts& counts) {
-  double limit = std::numeric_limits<double>::infinity();
+  double limit = any_clock;
   if (problem.clocks == ClockDomains::separate) return limit;
   for (std::size_t k = 0; k < counts.lanes.size(); ++k) {
-    if (counts.lanes[k] > 0) limit = std::min(limit, problem.lanes[k].throughput_per_s);
+    if (counts.lanes[k] > 0) limit = std::min(limit, problem.lanes[k].clock_hz);
   }
   for (std::size_t k = 0; k < counts.references.size(); ++k) {
-    if (counts.references[k] > 0) limit = std::min(limit, problem.references[k].throughput_per_s);
+    if (counts.references[k] > 0) limit = std::min(limit, problem.references[k].clock_hz);
   }
   return limit;
+}
+
+/// A clock that every kind reaches, for a system with one clock: the order of throughputs is the
+/// same at each such clock.
+double common_clock(const AllocationProblem& problem) {
+  double clock = any_clock;
+  if (problem.clocks == ClockDomains::separate) return clock;
+  for (const LaneKind& kind : problem.lanes) clock = std::min(clock, kind.clock_hz);
+  for (const ReferenceKind& kind : problem.references) clock = std::min(clock, kind.clock_hz);
+  return clock;
 }
 
 /// The lanes of a plan, in the order in which they are dealt to references.
@@ -38,8 +47,7 @@ std::vector<performance::Datapaths> lanes_of(const AllocationProblem& problem, c
   std::vector<performance::Datapaths> lanes;
   for (const int k : lane_order(problem)) {
     const LaneKind& kind = problem.lanes[k];
-    lanes.push_back(
-        {counts.lanes[k], std::min(kind.throughput_per_s, limit), kind.recomputation_rate});
+    lanes.push_back({counts.lanes[k], throughput_per_s(kind, limit), kind.recomputation_rate});
   }
   return lanes;
 }
@@ -48,10 +56,22 @@ std::vector<performance::Datapaths> references_of(const AllocationProblem& probl
                                                   const Counts& counts, double limit) {
   std::vector<performance::Datapaths> references;
   for (const int k : reference_order(problem)) {
-    const double own = problem.references[k].throughput_per_s;
-    references.push_back({counts.references[k], std::min(own, limit), 0});
+    references.push_back({counts.references[k], throughput_per_s(problem.references[k], limit), 0});
   }
   return references;
+}
+
+/// Equation 12. Where all lanes have one clock and take a comparison in every cycle, two mixes of
+/// as many lanes have the same throughput to the last bit.
+double total_throughput(const AllocationProblem& problem, const Counts& counts, double limit) {
+  if (problem.clocks == ClockDomains::separate) {
+    return performance::aggregated_throughput(lanes_of(problem, counts, limit));
+  }
+  double comparisons_per_cycle = 0;
+  for (std::size_t k = 0; k < counts.lanes.size(); ++k) {
+    comparisons_per_cycle += double(counts.lanes[k]) / problem.lanes[k].initiation_interval;
+  }
+  return comparisons_per_cycle * limit;
 }
 
 bool keeps_equation_10(const AllocationProblem& problem,
@@ -96,17 +116,20 @@ std::vector<int> falling_order(const std::vector<double>& values) {
 }
 
 std::vector<int> lane_order(const AllocationProblem& problem) {
-  const bool one_clock = problem.clocks == ClockDomains::single;
+  const double clock = common_clock(problem);
   std::vector<double> asked;
   for (const LaneKind& kind : problem.lanes) {
-    asked.push_back((one_clock ? 1 : kind.throughput_per_s) * kind.recomputation_rate);
+    asked.push_back(throughput_per_s(kind, clock) * kind.recomputation_rate);
   }
   return falling_order(asked);
 }
 
 std::vector<int> reference_order(const AllocationProblem& problem) {
+  const double clock = common_clock(problem);
   std::vector<double> served;
-  for (const ReferenceKind& kind : problem.references) served.push_back(kind.throughput_per_s);
+  for (const ReferenceKind& kind : problem.references) {
+    served.push_back(throughput_per_s(kind, clock));
+  }
   return falling_order(served);
 }
 
@@ -146,11 +169,9 @@ std::optional<Allocation> plan_of(const AllocationProblem& problem, const Counts
   if (!keeps_equation_10(problem, lanes, references_of(problem, counts, limit))) {
     return std::nullopt;
   }
-  const bool one_clock = problem.clocks == ClockDomains::single;
   return Allocation{.lanes = counts.lanes,
                     .references = counts.references,
-                    .throughput_per_s =
-                        one_clock ? lane_count * limit : performance::aggregated_throughput(lanes),
+                    .throughput_per_s = total_throughput(problem, counts, limit),
                     .used = area_used(problem, counts)};
 }
 

@@ -61,7 +61,6 @@ const characterise::Measurement* row_of(const characterise::Characterisation& ta
 
 const characterise::Measurement* row_of(const characterise::Characterisation& table,
                                         const design::ReferenceGroup& group, FloatFormat format) {
-  if (group.structure.initiation_interval > 1) return nullptr;  // none is measured
   return find(table,
               {.kind = characterise::ComponentKind::reference,
                .name = {},
@@ -69,6 +68,7 @@ const characterise::Measurement* row_of(const characterise::Characterisation& ta
                .inputs = {},
                .bound = {},
                .multipliers = {},
+               .initiation_interval = group.structure.initiation_interval,
                .ports = 0},
               group.structure.multipliers);
 }

@@ -34,15 +34,15 @@ void drop_replaceable(std::vector<Kind>& kinds, Replaces replaces) {
 
 KindsAtClock::KindsAtClock(const AllocationProblem& problem, double clock_per_s)
     : problem_(problem) {
-  const auto at_clock = [&](double own_per_s) { return clock_per_s > 0 ? clock_per_s : own_per_s; };
+  const double system_hz = clock_per_s > 0 ? clock_per_s : any_clock;
   for (const LaneKind& lane : problem.lanes) {
-    const double throughput = at_clock(lane.throughput_per_s);
+    const double throughput = optimise::throughput_per_s(lane, system_hz);
     lanes_.push_back(
-        {throughput, throughput * lane.recomputation_rate, lane.throughput_per_s >= clock_per_s});
+        {throughput, throughput * lane.recomputation_rate, lane.clock_hz >= clock_per_s});
   }
   for (const ReferenceKind& reference : problem.references) {
-    const bool in_reach = reference.throughput_per_s >= clock_per_s;
-    references_.push_back({at_clock(reference.throughput_per_s), 0, in_reach});
+    const bool in_reach = reference.clock_hz >= clock_per_s;
+    references_.push_back({optimise::throughput_per_s(reference, system_hz), 0, in_reach});
     if (in_reach) fastest_per_s_ = std::max(fastest_per_s_, references_.back().throughput_per_s);
   }
   drop_replaceable(lanes_, [&](std::size_t a, std::size_t b) {

@@ -19,8 +19,8 @@ AllocationResult fill_with_references(const scene::Scene& scene, const devices::
                                       ClockDomains domains) {
   AllocationProblem problem;
   for (const ReferenceImplementation& reference : references) {
-    problem.lanes.push_back(
-        {reference.kind.name, reference.kind.throughput_per_s, 0, reference.kind.area});
+    const ReferenceKind& kind = reference.kind;
+    problem.lanes.push_back({kind.name, kind.clock_hz, kind.initiation_interval, 0, kind.area});
   }
   problem.available = device.available;
   problem.slack = scene.system.slack;
@@ -116,9 +116,11 @@ double PrecisionPlan::throughput_per_s() const {
 double PrecisionPlan::recomputation_rate() const {
   const Allocation* chosen = allocation();
   if (chosen == nullptr) return 0;
+  const bool one_clock = problem.clocks == ClockDomains::single;
+  const double clock = one_clock ? clock_mhz() * hertz_per_mhz : any_clock;
   double all = 0, recomputed = 0;
   for (std::size_t k = 0; k < lanes.size(); ++k) {
-    const double throughput = chosen->lanes[k] * lanes[k].kind.throughput_per_s;
+    const double throughput = chosen->lanes[k] * optimise::throughput_per_s(lanes[k].kind, clock);
     all += throughput;
     recomputed += throughput * lanes[k].kind.recomputation_rate;
   }
@@ -152,26 +154,10 @@ Result<Done> check_options(const OptimiseOptions& options, const OptionNames& na
   return check_clock(options.clocks.reference_mhz, names.reference_mhz);
 }
 
-namespace {
-
-/// A plan's throughput is a clock: a reference that takes several cycles has no place in it yet.
-Result<Done> check_not_folded(const scene::Scene& scene) {
-  const int interval = scene.reference_structure.initiation_interval;
-  if (interval == 1) return Done{};
-  return Error{.file = scene.path.string(),
-               .field = "reference.initiation_interval",
-               .message = "plans have references that take a comparison in every cycle",
-               .received = std::to_string(interval),
-               .accepted = "1"};
-}
-
-}  // namespace
-
 Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& device,
                               const characterise::Characterisation& table, const Rates& rates,
                               const OptimiseOptions& options) {
   MIXCMP_TRY(possible, check_options(options));
-  MIXCMP_TRY(unfolded, check_not_folded(scene));
   ProblemMaker maker(scene, table, rates, options);
   if (maker.precisions().empty()) return no_lane(scene);
   if (!maker.has_references()) return nothing_to_choose_from(scene, "reference");

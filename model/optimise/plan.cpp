@@ -24,6 +24,12 @@ std::string multipliers_key(const characterise::ComponentKey& key) {
   return key.multipliers.empty() ? "" : fmt::format("multipliers = \"{}\"\n", key.multipliers);
 }
 
+/// Always written: the scene may leave the interval to the plan.
+std::string references_table(const characterise::ComponentKey& key, int count) {
+  return fmt::format("\n[[references]]\ncount = {}\n{}initiation_interval = {}\n", count,
+                     multipliers_key(key), key.initiation_interval);
+}
+
 /// The scene's key for how operands enter a lane; empty in fixed point, where there is no choice.
 std::string inputs_key(const characterise::ComponentKey& key) {
   if (!key.inputs) return "";
@@ -92,9 +98,8 @@ std::string plan_toml(const Optimisation& optimisation, const PrecisionPlan& pla
     if (chosen.lanes[k] > 0) text += lanes_table(plan.lanes[k].measured.key, chosen.lanes[k]);
   }
   for (const int k : reference_order(plan.problem)) {
-    if (chosen.references[k] == 0) continue;
-    text += fmt::format("\n[[references]]\ncount = {}\n{}", chosen.references[k],
-                        multipliers_key(optimisation.references[k].measured.key));
+    const int count = chosen.references[k];
+    if (count > 0) text += references_table(optimisation.references[k].measured.key, count);
   }
   return text;
 }

@@ -5,13 +5,23 @@
 namespace mixcmp::optimise {
 namespace {
 
+bool any_folded(const PrecisionPlan& plan, const Allocation& chosen) {
+  const std::vector<ReferenceKind>& references = plan.problem.references;
+  for (std::size_t k = 0; k < references.size(); ++k) {
+    if (chosen.references[k] > 0 && references[k].initiation_interval > 1) return true;
+  }
+  return false;
+}
+
 std::string kinds_of(const PrecisionPlan& plan, const Allocation& chosen) {
   std::string text;
-  for (std::size_t k = 0; k < plan.lanes.size(); ++k) {
-    if (chosen.lanes[k] == 0) continue;
-    text += fmt::format("{}{} x {}", text.empty() ? "" : ", ", chosen.lanes[k],
-                        plan.lanes[k].kind.name);
-  }
+  const auto add = [&text](int count, const std::string& name) {
+    if (count > 0) text += fmt::format("{}{} x {}", text.empty() ? "" : ", ", count, name);
+  };
+  for (std::size_t k = 0; k < plan.lanes.size(); ++k) add(chosen.lanes[k], plan.lanes[k].kind.name);
+  if (!any_folded(plan, chosen)) return text;
+  const std::vector<ReferenceKind>& references = plan.problem.references;
+  for (std::size_t k = 0; k < references.size(); ++k) add(chosen.references[k], references[k].name);
   return text;
 }
 

@@ -15,7 +15,9 @@ struct PlanSummary {
   double recomputation_rate = 0;
   double throughput_per_s = 0;
   devices::Area used;
-  std::string kinds;  ///< "95 x s12e8 exact relative embedded, 12 x s12e8 exact relative logic"
+  /// "95 x s12e8 exact relative embedded, 12 x s12e8 exact relative logic", and the references
+  /// where any is folded: "2 x s53e8 embedded ii16".
+  std::string kinds;
 };
 PlanSummary summary_of(const PrecisionPlan& plan);
 /// Summarises the best plan.

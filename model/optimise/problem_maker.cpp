@@ -33,6 +33,12 @@ std::string lane_name(const characterise::ComponentKey& key) {
   return name;
 }
 
+std::string reference_name(const characterise::ComponentKey& key) {
+  const std::string name = key.format + (key.multipliers.empty() ? "" : " " + key.multipliers);
+  if (key.initiation_interval == 1) return name;
+  return fmt::format("{} ii{}", name, key.initiation_interval);
+}
+
 ClockBasis basis_of(const characterise::Clock& clock) {
   switch (clock.source) {
     case characterise::ClockSource::estimate_before_routing:
@@ -81,8 +87,8 @@ std::vector<ReferenceImplementation> ProblemMaker::references() {
   std::vector<ReferenceImplementation> all;
   for (const characterise::Measurement* row : references_) {
     const double mhz = clock_of(*row, options_.clocks.reference_mhz, nullptr);
-    const std::string name = row->key.format + " " + row->key.multipliers;
-    all.push_back({*row, {name, mhz * hertz_per_mhz, row->area}});
+    const int interval = row->key.initiation_interval;
+    all.push_back({*row, {reference_name(row->key), mhz * hertz_per_mhz, interval, row->area}});
   }
   return all;
 }
@@ -102,8 +108,8 @@ std::optional<PrecisionPlan> ProblemMaker::plan(
   for (const LaneImplementation& lane : plan.lanes) plan.problem.lanes.push_back(lane.kind);
   for (const auto& reference : references) {
     plan.problem.references.push_back(reference.kind);
-    double& per_s = plan.problem.references.back().throughput_per_s;
-    if (!options_.clocks.reference_mhz) per_s = std::min(per_s, crossbar_mhz_ * hertz_per_mhz);
+    double& clock = plan.problem.references.back().clock_hz;
+    if (!options_.clocks.reference_mhz) clock = std::min(clock, crossbar_mhz_ * hertz_per_mhz);
   }
   plan.problem.communication = communication_;
   plan.problem.available = device.available;
@@ -120,14 +126,20 @@ void ProblemMaker::sort_rows() {
   for (const characterise::Measurement& row : table_.rows) {
     const characterise::ComponentKey& key = row.key;
     if (!key.multipliers.empty() && !allows(options_.multipliers, key.multipliers)) continue;
-    if (key.kind == characterise::ComponentKind::reference &&
-        format_of(row).floating == scene_.reference.format) {
+    if (key.kind == characterise::ComponentKind::reference && is_wanted_reference(row)) {
       references_.push_back(&row);
     }
     if (key.kind == characterise::ComponentKind::lane && is_wanted(row)) {
       lanes_[format_of(row).precision()].push_back(&row);
     }
   }
+}
+
+/// A reference of the scene's format, and of its initiation interval unless that is "auto".
+bool ProblemMaker::is_wanted_reference(const characterise::Measurement& row) const {
+  const std::optional<int> interval = scene_.reference_structure.initiation_interval;
+  return format_of(row).floating == scene_.reference.format &&
+         (!interval || *interval == row.key.initiation_interval);
 }
 
 bool ProblemMaker::is_wanted(const characterise::Measurement& lane) const {
@@ -269,7 +281,7 @@ void ProblemMaker::add_lane(PrecisionPlan& plan, const characterise::Measurement
   if (fifo != nullptr) area += fifo->area;
   const double mhz = clock_of(row, options_.clocks.lane_mhz, fifo);
   plan.lanes.push_back(
-      {row, area, *rate, {lane_name(row.key), mhz * hertz_per_mhz, rate->value(), area}});
+      {row, area, *rate, {lane_name(row.key), mhz * hertz_per_mhz, 1, rate->value(), area}});
 }
 
 }  // namespace mixcmp::optimise

@@ -34,6 +34,7 @@ private:
   using Rows = std::vector<const characterise::Measurement*>;
 
   void sort_rows();
+  bool is_wanted_reference(const characterise::Measurement& row) const;
   bool is_wanted(const characterise::Measurement& lane) const;
   bool is_trusted(const characterise::Measurement& lane) const;
   bool has_enough_exponents(const characterise::Measurement& lane);

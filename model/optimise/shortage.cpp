@@ -19,14 +19,15 @@ std::optional<int> references_needed(const LaneKind& lane, const ReferenceKind* 
   if (lane.recomputation_rate == 0) return reference == nullptr ? std::optional(0) : std::nullopt;
   if (reference == nullptr) return std::nullopt;
   const bool one_clock = problem.clocks == ClockDomains::single;
-  const double capacity = one_clock ? lane.throughput_per_s : reference->throughput_per_s;
+  const double clock = one_clock ? std::min(lane.clock_hz, reference->clock_hz) : any_clock;
+  const double asked = throughput_per_s(lane, clock) * lane.recomputation_rate;
+  const double capacity = throughput_per_s(*reference, clock);
   // A second reference helps a single lane only where references are pooled.
   const int most = problem.sharing == ReferenceSharing::pooled
                        ? problem.max_references
                        : std::min(1, problem.max_references);
   for (int count = 1; count <= most; ++count) {
-    if (performance::is_within(lane.throughput_per_s * lane.recomputation_rate, count * capacity))
-      return count;
+    if (performance::is_within(asked, count * capacity)) return count;
   }
   return std::nullopt;
 }

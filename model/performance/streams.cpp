@@ -43,7 +43,9 @@ public:
     }
     std::int64_t ready = entry + decided_slot_cycles(streams_);
     if (undecided) {
-      ready = std::max(entry + undecided_slot_cycles(streams_),
+      // A folded reference may have started just before.
+      const int start = streams_.lanes_served > 0 ? streams_.initiation_interval_cycles - 1 : 0;
+      ready = std::max(entry + undecided_slot_cycles(streams_) + start,
                        last_answer_ + answer_interval_cycles(streams_));
       last_answer_ = ready;
     }
@@ -94,6 +96,24 @@ double unbuffered_throughput(const LaneStreams& streams, double recomputation_ra
   return std::min(1.0, 1 / (answer_interval_cycles(streams) * recomputation_rate));
 }
 
+/// Cycles until a reference that is free starts a comparison, on average: a folded one does in one
+/// cycle of N, whenever the request comes.
+double mean_start_cycles(const LaneStreams& streams) {
+  return streams.lanes_served > 0 ? (streams.initiation_interval_cycles - 1) / 2.0 : 0;
+}
+
+/// Cycles that a request waits behind others: in its lane's request register, then at the
+/// reference, which serves in intervals of N cycles what k N cycles of requests bring it.
+double mean_queue_cycles(const LaneStreams& streams, double rate) {
+  const double interval = streams.initiation_interval_cycles;
+  const double chances = streams.lanes_served * interval;
+  const double register_load = request_interval_cycles * rate;
+  const double reference_load = chances * rate;
+  if (register_load >= 1 || reference_load >= 1) return std::numeric_limits<double>::infinity();
+  return rate / (1 - register_load) +
+         interval * (chances - 1) / chances * reference_load / (2 * (1 - reference_load));
+}
+
 /// The throughput that slots allow where a request waits for `wait` cycles on average.
 double slot_throughput(const LaneStreams& streams, double rate, double wait) {
   const double slots = streams.slots;
@@ -136,7 +156,8 @@ int undecided_slot_cycles(const LaneStreams& streams) {
 }
 
 int answer_interval_cycles(const LaneStreams& streams) {
-  return std::max(request_interval_cycles, streams.lanes_served);
+  return std::max(request_interval_cycles,
+                  streams.lanes_served * streams.initiation_interval_cycles);
 }
 
 double highest_lane_throughput(double recomputation_rate) {
@@ -144,17 +165,12 @@ double highest_lane_throughput(double recomputation_rate) {
 }
 
 double even_throughput(const LaneStreams& streams, double recomputation_rate) {
-  const double by_slots = slot_throughput(streams, recomputation_rate, 0);
+  const double by_slots = slot_throughput(streams, recomputation_rate, mean_start_cycles(streams));
   return std::min(unbuffered_throughput(streams, recomputation_rate), by_slots);
 }
 
 double mean_wait_cycles(const LaneStreams& streams, double rate) {
-  const double lanes = streams.lanes_served;
-  const double register_load = request_interval_cycles * rate;
-  const double reference_load = lanes * rate;
-  if (register_load >= 1 || reference_load >= 1) return std::numeric_limits<double>::infinity();
-  return rate / (1 - register_load) +
-         (lanes - 1) / lanes * reference_load / (2 * (1 - reference_load));
+  return mean_start_cycles(streams) + mean_queue_cycles(streams, rate);
 }
 
 double random_throughput(const LaneStreams& streams, double recomputation_rate) {
@@ -166,8 +182,8 @@ double random_throughput(const LaneStreams& streams, double recomputation_rate) 
     // A lane that stalls takes comparisons at intervals rather than at random: the variance of its
     // requests is then in proportion to 1 - R instead of 1 - x R, and so is the wait (Kingman).
     const double regular = (1 - recomputation_rate) / (1 - asked);
-    const double wait = regular > 0 ? regular * mean_wait_cycles(streams, asked) : 0;
-    return x <= slot_throughput(streams, recomputation_rate, wait);
+    const double queue = regular > 0 ? regular * mean_queue_cycles(streams, asked) : 0;
+    return x <= slot_throughput(streams, recomputation_rate, mean_start_cycles(streams) + queue);
   });
 }
 

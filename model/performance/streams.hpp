@@ -14,8 +14,9 @@ struct LaneStreams {
   scene::ResultOrder order = scene::ResultOrder::tagged;
   int lane_latency_cycles = 0;
   int reference_latency_cycles = 0;
-  int slots = 0;         ///< comparisons that may be inside the lane's channel
-  int lanes_served = 1;  ///< k: lanes of the reference, this one included; 0: p_H = 0
+  int initiation_interval_cycles = 1;  ///< N: the reference takes a request in one of N cycles
+  int slots = 0;                       ///< comparisons that may be inside the lane's channel
+  int lanes_served = 1;                ///< k: lanes of the reference, this one included; 0: p_H = 0
 };
 
 /// Levels of the crossbar's tree; a request takes one cycle per level.
@@ -27,7 +28,7 @@ int decided_slot_cycles(const LaneStreams& streams);
 int undecided_slot_cycles(const LaneStreams& streams);
 
 /// Cycles between answers to one lane while all lanes of the reference ask: a reference takes one
-/// request per cycle, a lane sends one in two.
+/// request in N cycles, a lane sends one in two.
 int answer_interval_cycles(const LaneStreams& streams);
 
 /// The most comparisons per cycle that a lane's requests allow, whatever serves them. It is above 1
@@ -40,8 +41,8 @@ double even_throughput(const LaneStreams& streams, double recomputation_rate);
 
 /// Cycles that a request waits, on average, where each of the k lanes asks in any cycle with the
 /// probability `rate`, independently. It waits for its lane's request register, a queue with a
-/// service time of two cycles, then for the reference, a queue with a service time of one. Infinite
-/// where either is fully loaded.
+/// service time of two cycles, then for the reference: for the next cycle in which that starts a
+/// comparison, in a queue with a service time of N. Infinite where either is fully loaded.
 double mean_wait_cycles(const LaneStreams& streams, double rate);
 
 /// Comparisons that the lane accepts per cycle where each is undecided independently, with this

@@ -185,8 +185,8 @@ Result<std::vector<LaneGroupSpec>> read_lane_groups(const settings::Settings& se
   return groups;
 }
 
-Result<std::vector<ReferenceGroupSpec>> read_reference_groups(const settings::Settings& settings,
-                                                              const ReferenceStructure& defaults) {
+Result<std::vector<ReferenceGroupSpec>> read_reference_groups(
+    const settings::Settings& settings, const ReferenceStructureSpec& defaults) {
   MIXCMP_TRY(tables, read_groups(settings, "references"));
   std::vector<ReferenceGroupSpec> groups;
   int total = 0;

@@ -83,18 +83,17 @@ struct LaneGroupSpec {
   Place place;
 };
 
-/// How a reference is built. Its results do not depend on it.
-struct ReferenceStructure {
+/// What a scene says of how a reference is built. Its results do not depend on it.
+struct ReferenceStructureSpec {
   Multipliers multipliers = Multipliers::embedded;
-  int initiation_interval = 1;  ///< cycles from one comparison to the next, 1..64
-
-  friend bool operator==(const ReferenceStructure&, const ReferenceStructure&) = default;
+  /// Cycles from one comparison to the next, 1..64; none: "auto"
+  std::optional<int> initiation_interval = 1;
 };
 
 /// References of one kind; all have the scene's reference format.
 struct ReferenceGroupSpec {
   std::optional<int> count;  ///< none: "auto"
-  ReferenceStructure structure;
+  ReferenceStructureSpec structure;
 };
 
 struct SystemSpec {
@@ -142,9 +141,9 @@ struct Scene {
   Graph graph;
   std::vector<std::optional<Range>> ranges;     ///< one per graph input
   std::vector<std::optional<mpq_class>> grids;  ///< one per graph input: a power of two
-  std::vector<bool> data_ranges;           ///< one per graph input: its range is that of its data
-  Arithmetic reference;                    ///< rounds to nearest even
-  ReferenceStructure reference_structure;  ///< of the references without [[references]]
+  std::vector<bool> data_ranges;  ///< one per graph input: its range is that of its data
+  Arithmetic reference;           ///< rounds to nearest even
+  ReferenceStructureSpec reference_structure;  ///< of the references without [[references]]
   ReducedSpec reduced;
   std::vector<LaneGroupSpec> lanes;            ///< [[lanes]]; empty: system.lanes times `reduced`
   std::vector<ReferenceGroupSpec> references;  ///< [[references]]; empty: system.references

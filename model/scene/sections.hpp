@@ -51,7 +51,7 @@ Result<Done> check_unused_lets(const settings::Settings& settings,
 
 struct ReferenceSpec {
   Arithmetic arithmetic;
-  ReferenceStructure structure;
+  ReferenceStructureSpec structure;
 };
 
 Result<ReferenceSpec> read_reference(const settings::Settings& settings);
@@ -67,11 +67,11 @@ Result<std::vector<LaneGroupSpec>> read_lane_groups(const settings::Settings& se
                                                     const ReducedSpec& defaults);
 
 /// Reads the keys that [reference] and [[references]] share.
-void read_structure(settings::Section& section, ReferenceStructure& structure);
+void read_structure(settings::Section& section, ReferenceStructureSpec& structure);
 
 /// Reads [[references]]; empty where there is none.
-Result<std::vector<ReferenceGroupSpec>> read_reference_groups(const settings::Settings& settings,
-                                                              const ReferenceStructure& defaults);
+Result<std::vector<ReferenceGroupSpec>> read_reference_groups(
+    const settings::Settings& settings, const ReferenceStructureSpec& defaults);
 
 /// The keys of [reduced] without effect, because each of [[lanes]] has its own.
 std::vector<std::string> overridden_keys(const settings::Settings& settings);

@@ -19,10 +19,10 @@ void check_prefix(settings::Section& section, const std::string& prefix) {
 
 }  // namespace
 
-void read_structure(settings::Section& section, ReferenceStructure& structure) {
+void read_structure(settings::Section& section, ReferenceStructureSpec& structure) {
   section.choice("multipliers", structure.multipliers, {Multipliers::embedded, Multipliers::logic});
-  section.integer("initiation_interval", structure.initiation_interval,
-                  settings::limits::initiation_interval);
+  section.integer_or_auto("initiation_interval", structure.initiation_interval,
+                          settings::limits::initiation_interval);
 }
 
 Result<ReferenceSpec> read_reference(const settings::Settings& settings) {
@@ -34,7 +34,7 @@ Result<ReferenceSpec> read_reference(const settings::Settings& settings) {
   section.format("format", format, precisions,
                  FloatFormat::accepted(precisions.least, precisions.most));
   section.choice("subnormals", subnormals, {Subnormals::flush, Subnormals::gradual});
-  ReferenceStructure structure;
+  ReferenceStructureSpec structure;
   read_structure(section, structure);
   if (const auto error = section.finish()) return *error;
   return ReferenceSpec{{.format = *format, .subnormals = subnormals}, structure};

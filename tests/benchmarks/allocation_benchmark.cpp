@@ -25,17 +25,16 @@ optimise::AllocationProblem problem_of(int precision) {
     const double luts =
         (200 + precision * (30 + 2 * precision) * between(0.3, 1)) * (embedded ? 0.5 : 1);
     const double rate = std::ldexp(between(10, 300), -precision);
-    problem.lanes.push_back(
-        {.name = "lane",
-         .throughput_per_s = 1e6 * std::round(between(300, 420) - 2 * precision),
-         .recomputation_rate = std::min(1.0, rate),
-         .area = {.luts = static_cast<int>(luts),
-                  .registers = static_cast<int>(luts * between(0.8, 1.6)),
-                  .dsps = embedded ? precision * precision / 60 : 0}});
+    problem.lanes.push_back({.name = "lane",
+                             .clock_hz = 1e6 * std::round(between(300, 420) - 2 * precision),
+                             .recomputation_rate = std::min(1.0, rate),
+                             .area = {.luts = static_cast<int>(luts),
+                                      .registers = static_cast<int>(luts * between(0.8, 1.6)),
+                                      .dsps = embedded ? precision * precision / 60 : 0}});
   }
   problem.references = {
-      {"embedded", 285e6, {.luts = 7350, .registers = 9000, .dsps = 40}},
-      {"logic", 223e6, {.luts = 17198, .registers = 20000}},
+      {"embedded", 285e6, 1, {.luts = 7350, .registers = 9000, .dsps = 40}},
+      {"logic", 223e6, 1, {.luts = 17198, .registers = 20000}},
   };
   for (int k = 0; k <= 512; ++k) {
     problem.communication.crossbar.push_back(

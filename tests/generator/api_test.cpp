@@ -200,14 +200,15 @@ TEST_F(Api, TheProfileHasTheCountsOfTheProgram) {
 /// Areas that are made up; a lane of 12 digits is dearer than one of 8.
 constexpr const char* table =
     "# device: virtex6-lx760\n# scene: spheres\n# command: made up\n# target_mhz: 250\n"
-    "kind,name,format,inputs,bound,multipliers,ports,latency_cycles,luts,registers,dsps,memories,"
-    "carries,shift_luts,mhz,low_mhz,high_mhz,seeds,clock_source,timing_seeds,hash,tools\n"
-    "lane,,s8e8,exact,relative,embedded,0,20,2000,2000,4,0,0,0,,,,,,0,00,made up\n"
-    "lane,,s12e8,exact,relative,embedded,0,20,2500,2500,4,0,0,0,,,,,,0,00,made up\n"
-    "reference,,s53e8,,,embedded,0,30,8000,8000,40,0,0,0,,,,,,0,00,made up\n"
-    "fifo,,,,,,64,0,300,300,0,0,0,0,,,,,,0,00,made up\n"
-    "crossbar,,,,,,1,0,10,10,0,0,0,0,,,,,,0,00,made up\n"
-    "crossbar,,,,,,256,0,2000,2000,0,0,0,0,,,,,,0,00,made up\n";
+    "kind,name,format,inputs,bound,multipliers,initiation_interval,ports,latency_cycles,luts,"
+    "registers,dsps,memories,carries,shift_luts,mhz,low_mhz,high_mhz,seeds,clock_source,timing_"
+    "seeds,hash,tools\n"
+    "lane,,s8e8,exact,relative,embedded,0,0,20,2000,2000,4,0,0,0,,,,,,0,00,made up\n"
+    "lane,,s12e8,exact,relative,embedded,0,0,20,2500,2500,4,0,0,0,,,,,,0,00,made up\n"
+    "reference,,s53e8,,,embedded,1,0,30,8000,8000,40,0,0,0,,,,,,0,00,made up\n"
+    "fifo,,,,,,0,64,0,300,300,0,0,0,0,,,,,,0,00,made up\n"
+    "crossbar,,,,,,0,1,0,10,10,0,0,0,0,,,,,,0,00,made up\n"
+    "crossbar,,,,,,0,256,0,2000,2000,0,0,0,0,,,,,,0,00,made up\n";
 
 TEST_F(Api, ThePlanIsThatOfTheProgram) {
   fs::create_directories(path("characterisation"));

@@ -256,11 +256,12 @@ TEST_F(Fit, ATableOfOtherRtlIsNoMeasurement) {
   fs::create_directory(path("characterisation"));
   std::ofstream(path("characterisation") / "scene-ice40-up5k.csv")
       << "# device: ice40-up5k\n# scene: scene\n"
-      << "kind,name,format,inputs,bound,multipliers,ports,latency_cycles,luts,registers,dsps,"
-         "memories,carries,shift_luts,mhz,low_mhz,high_mhz,seeds,clock_source,timing_seeds,hash,"
+      << "kind,name,format,inputs,bound,multipliers,initiation_interval,ports,latency_cycles,"
+         "luts,registers,dsps,memories,carries,shift_luts,mhz,low_mhz,high_mhz,seeds,clock_source,"
+         "timing_seeds,hash,"
          "tools\n"
-      << "lane,,s8e8,exact,relative,logic,0,9,500,100,0,0,0,0,,,,,,0,a,t\n"
-      << "reference,,s24e8,,,embedded,0,9,280,100,0,0,0,0,,,,,,0,b,t\n";
+      << "lane,,s8e8,exact,relative,logic,0,0,9,500,100,0,0,0,0,,,,,,0,a,t\n"
+      << "reference,,s24e8,,,embedded,1,0,9,280,100,0,0,0,0,,,,,,0,b,t\n";
   const std::string eleven = notes(fmt::format("{} --lanes 11", small));
   EXPECT_EQ(eleven.find("areas measured"), std::string::npos) << "of other RTL: " << eleven;
 }

@@ -28,9 +28,9 @@ TEST_F(OptimiseCommand, ItsPlanIsWhatCheckTakes) {
 /// Lanes in fixed point have no choice of inputs, in the table as in the plan.
 TEST_F(OptimiseCommand, APlanOfLanesInFixedPointIsWhatCheckTakes) {
   std::ofstream table(path("characterisation/scene-virtex6-lx760.csv"), std::ios::app);
-  row(table, "lane,,q11,,fixed_norm,embedded,0", 7, 380, 4);
-  row(table, "lane,,q11,,fixed_norm,logic,0", 9, 640, 0);
-  row(table, "fifo,,,,,,32", 0, 200, 0);
+  row(table, "lane,,q11,,fixed_norm,embedded,0,0", 7, 380, 4);
+  row(table, "lane,,q11,,fixed_norm,logic,0,0", 9, 640, 0);
+  row(table, "fifo,,,,,,0,32", 0, 200, 0);
   table.close();
   const Outcome found = mixcmp("optimise scene.toml --last 14 --json -o plan.toml");
   ASSERT_EQ(found.exit_code, 0) << found.output;
@@ -48,8 +48,8 @@ TEST_F(OptimiseCommand, APlanOfLanesInFixedPointIsWhatCheckTakes) {
 /// A lane of memory is cheaper in LUTs, and of 1440 blocks 80 % hold 288 lanes of four.
 TEST_F(OptimiseCommand, APlanHasNoMoreMemoriesThanTheDevice) {
   std::ofstream table(path("characterisation/scene-virtex6-lx760.csv"), std::ios::app);
-  row(table, "lane,,q11,,fixed_norm,memory,0", 8, 300, 0, 4);
-  row(table, "fifo,,,,,,32", 0, 200, 0);
+  row(table, "lane,,q11,,fixed_norm,memory,0,0", 8, 300, 0, 4);
+  row(table, "fifo,,,,,,0,32", 0, 200, 0);
   table.close();
   const Outcome found = mixcmp(
       "optimise scene.toml --first 11 --last 11 --use-multipliers memory,embedded "
@@ -107,10 +107,30 @@ TEST_F(OptimiseCommand, OldRtlIsTold) {
   EXPECT_NE(found.output.find("7 of 7 rows"), std::string::npos) << found.output;
 }
 
-TEST_F(OptimiseCommand, FoldedReferencesAreRefused) {
+TEST_F(OptimiseCommand, ReferencesHaveTheInitiationIntervalOfTheScene) {
   expect_refused("optimise scene.toml --set reference.initiation_interval=16 -o plan.toml",
-                 "scene.toml: reference.initiation_interval: plans have references");
+                 "the characterisation has no reference");
   EXPECT_FALSE(fs::exists(path("plan.toml")));
+}
+
+TEST_F(OptimiseCommand, ChoosesTheInitiationIntervalThatTheSceneLeavesOpen) {
+  std::ofstream table(path("characterisation") / "scene-virtex6-lx760.csv", std::ios::app);
+  row(table, "reference,,s53e8,,,embedded,2,0", 60, 3000, 6);
+  table.close();
+  const std::string open =
+      "optimise scene.toml --first 12 --last 14 --set 'reference.initiation_interval=\"auto\"'";
+  const Outcome found = mixcmp(open + " -o plan.toml");
+  ASSERT_EQ(found.exit_code, 0) << found.output;
+  EXPECT_NE(found.output.find("x s53e8 embedded ii2"), std::string::npos) << found.output;
+  EXPECT_NE(read("plan.toml").find("initiation_interval = 2"), std::string::npos);
+  const Outcome checked = mixcmp("check plan.toml");
+  EXPECT_EQ(checked.exit_code, 0) << checked.output;
+  EXPECT_NE(checked.output.find("initiation interval 2"), std::string::npos) << checked.output;
+  const auto throughput = [&](const std::string& command) {
+    const auto report = json_of(mixcmp(command + " --json"));
+    return report.at("plans")[0].at("throughput_per_s").get<double>();
+  };
+  EXPECT_GT(throughput(open), throughput("optimise scene.toml --first 12 --last 14"));
 }
 
 TEST_F(OptimiseCommand, GlpkWouldReadItsProgram) {
@@ -330,7 +350,7 @@ TEST_F(OptimiseCommand, ATableOfAnotherSceneIsRefused) {
 
 TEST_F(OptimiseCommand, RatesOfProfiledLanesAreThoseOfTheScenesConstants) {
   std::ofstream table(path("characterisation") / "scene-virtex6-lx760.csv", std::ios::app);
-  row(table, "lane,,s8e8,exact,profiled,embedded,0", 20, 1500, 4);
+  row(table, "lane,,s8e8,exact,profiled,embedded,0,0", 20, 1500, 4);
   table.close();
   const auto rate_with = [&](const char* constant) {
     const Outcome run =

@@ -32,16 +32,16 @@ protected:
     std::ofstream table(path("characterisation") / name);
     table << "# device: " << device << "\n# scene: " << scene << "\n# command: made up\n"
           << "# target_mhz: 250\n"
-          << "kind,name,format,inputs,bound,multipliers,ports,latency_cycles,luts,registers,dsps,"
-             "memories,carries,shift_luts,mhz,low_mhz,high_mhz,seeds,clock_source,timing_seeds,"
-             "hash,tools\n";
-    row(table, "lane,,s8e8,exact,relative,embedded,0", 20, lane_luts, 4);
-    row(table, "lane,,s8e8,exact,relative,logic,0", 21, 2300, 0);
-    row(table, "lane,,s12e8,exact,relative,embedded,0", 20, 2500, 4);
-    row(table, "reference,,s53e8,,,embedded,0", 30, 8000, 40);
-    row(table, "fifo,,,,,,64", 0, 300, 0);
-    row(table, "crossbar,,,,,,1", 0, 10, 0);
-    row(table, "crossbar,,,,,,256", 0, 2000, 0);
+          << "kind,name,format,inputs,bound,multipliers,initiation_interval,ports,latency_cycles,"
+             "luts,registers,dsps,memories,carries,shift_luts,mhz,low_mhz,high_mhz,seeds,"
+             "clock_source,timing_seeds,hash,tools\n";
+    row(table, "lane,,s8e8,exact,relative,embedded,0,0", 20, lane_luts, 4);
+    row(table, "lane,,s8e8,exact,relative,logic,0,0", 21, 2300, 0);
+    row(table, "lane,,s12e8,exact,relative,embedded,0,0", 20, 2500, 4);
+    row(table, "reference,,s53e8,,,embedded,1,0", 30, 8000, 40);
+    row(table, "fifo,,,,,,0,64", 0, 300, 0);
+    row(table, "crossbar,,,,,,0,1", 0, 10, 0);
+    row(table, "crossbar,,,,,,0,256", 0, 2000, 0);
   }
 
   static void row(std::ofstream& table, const std::string& key, int latency, int luts, int dsps,

@@ -252,14 +252,14 @@ TABLE = """\
 # scene: spheres
 # command: made up
 # target_mhz: 250
-kind,name,format,inputs,bound,multipliers,ports,latency_cycles,luts,registers,dsps,memories,\
-carries,shift_luts,mhz,low_mhz,high_mhz,seeds,clock_source,timing_seeds,hash,tools
-lane,,s8e8,exact,relative,embedded,0,20,2000,2000,4,0,0,0,,,,,,0,00,made up
-lane,,s12e8,exact,relative,embedded,0,20,2500,2500,4,0,0,0,,,,,,0,00,made up
-reference,,s53e8,,,embedded,0,30,8000,8000,40,0,0,0,,,,,,0,00,made up
-fifo,,,,,,64,0,300,300,0,0,0,0,,,,,,0,00,made up
-crossbar,,,,,,1,0,10,10,0,0,0,0,,,,,,0,00,made up
-crossbar,,,,,,256,0,2000,2000,0,0,0,0,,,,,,0,00,made up
+kind,name,format,inputs,bound,multipliers,initiation_interval,ports,latency_cycles,luts,\
+registers,dsps,memories,carries,shift_luts,mhz,low_mhz,high_mhz,seeds,clock_source,timing_seeds,hash,tools
+lane,,s8e8,exact,relative,embedded,0,0,20,2000,2000,4,0,0,0,,,,,,0,00,made up
+lane,,s12e8,exact,relative,embedded,0,0,20,2500,2500,4,0,0,0,,,,,,0,00,made up
+reference,,s53e8,,,embedded,1,0,30,8000,8000,40,0,0,0,,,,,,0,00,made up
+fifo,,,,,,0,64,0,300,300,0,0,0,0,,,,,,0,00,made up
+crossbar,,,,,,0,1,0,10,10,0,0,0,0,,,,,,0,00,made up
+crossbar,,,,,,0,256,0,2000,2000,0,0,0,0,,,,,,0,00,made up
 """
 
 if __name__ == "__main__":

@@ -35,13 +35,14 @@ data::Comparisons pairs(const design::Design& design, const std::vector<bool>& u
 }  // namespace
 
 void PrintTo(const Shape& shape, std::ostream* stream) {
-  *stream << shape.lanes << "x" << shape.references;
+  *stream << shape.lanes << "x" << shape.references << "N" << shape.initiation_interval;
 }
 
 design::Design design_of(const Shape& shape) {
   design::Design design =
       sphere_design(format("s5e8"), format("s24e8"), shape.lanes, shape.references);
   design.system.order = shape.order;
+  design.references.front().structure.initiation_interval = shape.initiation_interval;
   return design;
 }
 
@@ -61,6 +62,7 @@ performance::LaneStreams streams_of(const design::Design& design, int reference)
   return {.order = signature.order,
           .lane_latency_cycles = signature.lane_groups[0].latency_cycles,
           .reference_latency_cycles = signature.reference_groups[0].latency_cycles,
+          .initiation_interval_cycles = signature.reference_groups[0].initiation_interval_cycles,
           .slots = signature.slots,
           .lanes_served = served[reference]};
 }

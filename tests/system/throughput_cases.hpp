@@ -17,6 +17,7 @@ struct Shape {
   int lanes;
   int references;
   scene::ResultOrder order;
+  int initiation_interval = 1;  ///< of the references
 };
 void PrintTo(const Shape& shape, std::ostream* stream);
 

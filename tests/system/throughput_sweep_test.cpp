@@ -31,11 +31,13 @@ INSTANTIATE_TEST_SUITE_P(Shapes, ThroughputSweep,
                          testing::Values(Shape{1, 1, ResultOrder::tagged},
                                          Shape{7, 3, ResultOrder::tagged},
                                          Shape{24, 2, ResultOrder::tagged},
-                                         Shape{8, 1, ResultOrder::in_order}),
+                                         Shape{8, 1, ResultOrder::in_order},
+                                         Shape{6, 1, ResultOrder::tagged, 4}),
                          [](const auto& instance) {
                            const Shape& s = instance.param;
                            return std::to_string(s.lanes) + "x" + std::to_string(s.references) +
-                                  (s.order == ResultOrder::tagged ? "_tagged" : "_in_order");
+                                  (s.order == ResultOrder::tagged ? "_tagged" : "_in_order") +
+                                  (s.initiation_interval == 1 ? "" : "_folded");
                          });
 
 }  // namespace

@@ -133,21 +133,43 @@ TEST_F(Table, FindsARowByAllOfItsKey) {
 TEST_F(Table, ErrorsTellLineAndColumn) {
   // Five comments and the header stand before the first row.
   expect_refused("lane,,s12e8", "line,,s12e8", 7, 1, "not a choice");
-  expect_refused("17,700", "17,many", 7, 40, "not a number");
-  expect_refused("17,700", "17,-700", 7, 40, "not a number");
-  expect_refused("17,700", "17,700.5", 7, 40, "not a number");
-  expect_refused("101.25,", "nan,", 9, 33, "not a number");
-  expect_refused("101.25,", "0,", 9, 33, "no clock");
+  expect_refused("17,700", "17,many", 7, 42, "not a number");
+  expect_refused("17,700", "17,-700", 7, 42, "not a number");
+  expect_refused("17,700", "17,700.5", 7, 42, "not a number");
+  expect_refused("101.25,", "nan,", 9, 35, "not a number");
+  expect_refused("101.25,", "0,", 9, 35, "no clock");
   expect_refused("lane,,s12e8", "lane,,float", 7, 7, "not a format");
   expect_refused("exact,running_4", "some,running_4", 7, 13, "not a choice");
   expect_refused("exact,running_4", "12,running_4", 7, 13, "not a choice");
   expect_refused("exact,running_4", "200,running_4", 7, 13, "digits out of range");
   expect_refused("running_4,logic", "running_4,wood", 7, 29, "not a choice");
-  expect_refused("routed,3", "guessed,3", 9, 55, "not a choice");
-  expect_refused("f,Yosys 0.23\n", "f\n", 9, 64, "ends here");
-  expect_refused("f,Yosys 0.23\n", "f,Yosys 0.23,more\n", 9, 66, "goes on");
-  expect_refused("g++\"\")\"\n", "g++\"\")\n", 7, 94, "text behind the quotes");
+  expect_refused("routed,3", "guessed,3", 9, 57, "not a choice");
+  expect_refused("f,Yosys 0.23\n", "f\n", 9, 66, "ends here");
+  expect_refused("f,Yosys 0.23\n", "f,Yosys 0.23,more\n", 9, 68, "goes on");
+  expect_refused("g++\"\")\"\n", "g++\"\")\n", 7, 96, "text behind the quotes");
   expect_refused("kind,name", "name,kind", 6, 1, "not the columns");
+}
+
+TEST_F(Table, ReferencesAloneHaveAnInitiationInterval) {
+  characterise::Characterisation table = example();
+  table.rows = {lane("s12e8", 700)};
+  table.rows.front().key = {.kind = characterise::ComponentKind::reference,
+                            .format = "s53e8",
+                            .multipliers = "logic",
+                            .initiation_interval = 16};
+  const std::string text = to_csv(table);
+  EXPECT_EQ(read(text).value().rows.front().key.initiation_interval, 16);
+  const auto message = [&](const std::string& instead) {
+    std::string other = text;
+    other.replace(other.find("logic,16"), 8, instead);
+    return read(other).error().to_string();
+  };
+  for (const char* interval : {"logic,0", "logic,65"}) {
+    const std::string refused = message(interval);
+    EXPECT_NE(refused.find("7:26: not an initiation interval"), std::string::npos) << refused;
+    EXPECT_NE(refused.find("accepted 1..64"), std::string::npos) << refused;
+  }
+  expect_refused("logic,0,", "logic,1,", 7, 35, "not an initiation interval");
 }
 
 TEST_F(Table, OneRowForOneComponent) {

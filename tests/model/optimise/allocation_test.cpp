@@ -11,10 +11,10 @@ namespace mixcmp::test::allocation_test {
 namespace {
 
 optimise::LaneKind lane(double mhz, double rate, devices::Area area) {
-  return {.name = "lane", .throughput_per_s = mhz * 1e6, .recomputation_rate = rate, .area = area};
+  return {.name = "lane", .clock_hz = mhz * 1e6, .recomputation_rate = rate, .area = area};
 }
 optimise::ReferenceKind reference(double mhz, devices::Area area) {
-  return {.name = "reference", .throughput_per_s = mhz * 1e6, .area = area};
+  return {.name = "reference", .clock_hz = mhz * 1e6, .area = area};
 }
 
 optimise::AllocationProblem problem_of(std::vector<optimise::LaneKind> lanes,
@@ -42,13 +42,16 @@ optimise::Infeasible shortage_of(const optimise::AllocationProblem& problem) {
   return {};
 }
 
-/// With several clock domains, lanes of different speed may reach the same throughput in two ways.
+/// Lanes of different throughput may reach the same sum in two ways. With one clock they differ by
+/// their initiation intervals alone.
 bool one_way(const optimise::AllocationProblem& problem) {
-  if (problem.clocks == optimise::ClockDomains::single) return true;
-  for (const optimise::LaneKind& kind : problem.lanes) {
-    if (kind.throughput_per_s != problem.lanes.front().throughput_per_s) return false;
-  }
-  return true;
+  const bool one_clock = problem.clocks == optimise::ClockDomains::single;
+  const auto throughput = [&](const optimise::LaneKind& kind) {
+    return throughput_per_s(kind, one_clock ? 1 : optimise::any_clock);
+  };
+  return std::all_of(problem.lanes.begin(), problem.lanes.end(), [&](const auto& kind) {
+    return throughput(kind) == throughput(problem.lanes.front());
+  });
 }
 
 /// Whether there is a plan.
@@ -127,6 +130,23 @@ TEST(Allocation, ASlowReferenceSlowsASingleClockAndLimitsSeparateOnes) {
   EXPECT_DOUBLE_EQ(plan_of(problem).throughput_per_s, 5 * 400e6);
 }
 
+TEST(Allocation, AFoldedReferenceServesFewerLanesAtTheSameClock) {
+  optimise::LaneKind one = lane(100, 0.01, {.luts = 10});
+  optimise::ReferenceKind whole = reference(100, {.luts = 500});
+  optimise::ReferenceKind folded = reference(100, {.luts = 100});
+  folded.initiation_interval = 16;
+  optimise::AllocationProblem problem = problem_of({one}, {whole, folded}, {.luts = 160});
+  // Six lanes ask for 0.06 of a comparison per cycle, and the folded reference does 0.0625.
+  EXPECT_EQ(plan_of(problem).references, (std::vector<int>{0, 1}));
+  EXPECT_DOUBLE_EQ(plan_of(problem).throughput_per_s, 6 * 100e6);
+  problem.available.luts = 330;  // a seventh lane needs a second one, which serves six as well
+  EXPECT_EQ(plan_of(problem).references, (std::vector<int>{0, 2}));
+  EXPECT_EQ(plan_of(problem).lanes, std::vector<int>{12});
+  problem.available.luts = 1500;
+  EXPECT_EQ(plan_of(problem).references, (std::vector<int>{1, 0}));
+  EXPECT_EQ(plan_of(problem).lanes, std::vector<int>{100});
+}
+
 TEST(Allocation, EachReferenceMustServeTheLanesDealtToIt) {
   // 0.4 of a reference each: two references could serve five lanes only if they shared them.
   optimise::AllocationProblem problem =
@@ -143,9 +163,10 @@ TEST(Allocation, KindsOfAPlanAreListedAsTheirLanesAreDealt) {
                  {reference(100, {.luts = 10}), reference(200, {.luts = 10})}, {.luts = 75});
   // At one clock the second kind asks for more of a reference, with clocks of its own the first.
   EXPECT_EQ(lane_order(problem), (std::vector<int>{1, 0}));
-  EXPECT_EQ(reference_order(problem), (std::vector<int>{1, 0}));
+  EXPECT_EQ(reference_order(problem), (std::vector<int>{0, 1}));
   problem.clocks = optimise::ClockDomains::separate;
   EXPECT_EQ(lane_order(problem), (std::vector<int>{0, 1}));
+  EXPECT_EQ(reference_order(problem), (std::vector<int>{1, 0}));
 }
 
 TEST(Allocation, DecimalRatesThatJustFillAReferenceFillIt) {

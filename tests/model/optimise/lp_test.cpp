@@ -44,8 +44,16 @@ protected:
 
 /// Comparisons a second that a unit of the objective stands for: as `to_lp` chose it.
 double unit_of(const optimise::AllocationProblem& problem, const optimise::Allocation& plan) {
-  const bool one_clock = problem.clocks == optimise::ClockDomains::single;
-  const double clock = one_clock ? plan.throughput_per_s / plan.lane_count() : 0;
+  double clock = 0;
+  if (problem.clocks == optimise::ClockDomains::single) {
+    clock = optimise::any_clock;
+    for (std::size_t k = 0; k < problem.lanes.size(); ++k) {
+      if (plan.lanes[k] > 0) clock = std::min(clock, problem.lanes[k].clock_hz);
+    }
+    for (std::size_t k = 0; k < problem.references.size(); ++k) {
+      if (plan.references[k] > 0) clock = std::min(clock, problem.references[k].clock_hz);
+    }
+  }
   return exact_program(problem, {clock, plan.reference_count(), {}}).objective_per_s;
 }
 
@@ -53,8 +61,8 @@ double unit_of(const optimise::AllocationProblem& problem, const optimise::Alloc
 TEST_F(LinearProgram, ThePlansClockIsNotRounded) {
   const double mhz = 66.48e6;
   ASSERT_GT(5 * mhz / 5, mhz * (1 - 1e-9));
-  const optimise::AllocationProblem problem = {.lanes = {{"lane", mhz, 0.01, {.luts = 10}}},
-                                               .references = {{"reference", mhz, {.luts = 10}}},
+  const optimise::AllocationProblem problem = {.lanes = {{"lane", mhz, 1, 0.01, {.luts = 10}}},
+                                               .references = {{"reference", mhz, 1, {.luts = 10}}},
                                                .communication = {},
                                                .available = {.luts = 60},
                                                .slack = 0};
@@ -90,7 +98,8 @@ TEST_F(LinearProgram, NoOtherNumberOfReferencesIsBetterForGlpkEither) {
     const optimise::AllocationResult result = allocate(problem);
     const auto* plan = std::get_if<optimise::Allocation>(&result);
     const double best = plan == nullptr ? 0 : plan->throughput_per_s;
-    for (int references = 0; references <= problem.max_references; ++references) {
+    const int most = problem.references.empty() ? 0 : problem.max_references;
+    for (int references = 0; references <= most; ++references) {
       const optimise::AllocationProgram program = exact_program(problem, {0, references, {}});
       const auto optimum = optimum_by_glpk(to_lp(program.program));
       if (!optimum) continue;
@@ -104,8 +113,8 @@ TEST_F(LinearProgram, NoOtherNumberOfReferencesIsBetterForGlpkEither) {
 TEST_F(LinearProgram, CountsTheCrossbarOfReferencesThatServeUnlikeNumbersOfLanes) {
   optimise::AllocationProblem problem;
   problem.lanes = {
-      {.name = "s8e8", .throughput_per_s = 1e8, .recomputation_rate = 0.25, .area = {.luts = 10}}};
-  problem.references = {{.name = "s53e8", .throughput_per_s = 1e8, .area = {}}};
+      {.name = "s8e8", .clock_hz = 1e8, .recomputation_rate = 0.25, .area = {.luts = 10}}};
+  problem.references = {{.name = "s53e8", .clock_hz = 1e8, .area = {}}};
   problem.communication.crossbar = {{}, {.luts = 1}, {.luts = 4}, {.luts = 9}, {.luts = 16}};
   problem.slack = 0;
   problem.max_references = 2;
@@ -121,8 +130,8 @@ TEST_F(LinearProgram, CountsTheCrossbarOfReferencesThatServeUnlikeNumbersOfLanes
 TEST_F(LinearProgram, OfAProblemWithoutAPlanHasNoSolution) {
   optimise::AllocationProblem problem;
   problem.lanes = {
-      {.name = "s8e8", .throughput_per_s = 4e8, .recomputation_rate = 0.1, .area = {.luts = 100}}};
-  problem.references = {{.name = "s53e8", .throughput_per_s = 3e8, .area = {.luts = 900}}};
+      {.name = "s8e8", .clock_hz = 4e8, .recomputation_rate = 0.1, .area = {.luts = 100}}};
+  problem.references = {{.name = "s53e8", .clock_hz = 3e8, .area = {.luts = 900}}};
   problem.available = {.luts = 800};
   problem.slack = 0;
   ASSERT_TRUE(std::holds_alternative<optimise::Infeasible>(allocate(problem)));
@@ -131,11 +140,9 @@ TEST_F(LinearProgram, OfAProblemWithoutAPlanHasNoSolution) {
 
 TEST(LinearProgramText, NamesItsKindsAndEquations) {
   optimise::AllocationProblem problem;
-  problem.lanes = {{.name = "s8e8 exact",
-                    .throughput_per_s = 4e8,
-                    .recomputation_rate = 0.1,
-                    .area = {.luts = 100}}};
-  problem.references = {{.name = "s53e8", .throughput_per_s = 4e8, .area = {.luts = 900}}};
+  problem.lanes = {
+      {.name = "s8e8 exact", .clock_hz = 4e8, .recomputation_rate = 0.1, .area = {.luts = 100}}};
+  problem.references = {{.name = "s53e8", .clock_hz = 4e8, .area = {.luts = 900}}};
   problem.available = {.luts = 4000};
   const std::string lp = to_lp(problem);
   for (const char* words : {"\\ lanes_0: s8e8 exact", "\\ references_0: s53e8", "Maximize",

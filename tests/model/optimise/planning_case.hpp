@@ -62,6 +62,7 @@ protected:
                                                  int dsps) {
     characterise::Measurement row = lane_row("s53e8", "", "", multipliers, luts, dsps);
     row.key.kind = characterise::ComponentKind::reference;
+    row.key.initiation_interval = 1;
     row.clock->mhz = 150;
     return row;
   }

@@ -50,7 +50,8 @@ private:
 
   optimise::LaneKind lane() {
     return {.name = "lane",
-            .throughput_per_s = clock(),
+            .clock_hz = clock(),
+            .initiation_interval = chance(0.8) ? 1 : 1 << number(1, 2),
             .recomputation_rate = rate(),
             .area = {.luts = number(0, 60),
                      .registers = number(0, 90),
@@ -59,7 +60,8 @@ private:
   }
   optimise::ReferenceKind reference() {
     return {.name = "reference",
-            .throughput_per_s = clock(),
+            .clock_hz = clock(),
+            .initiation_interval = chance(0.5) ? 1 : number(2, 5),
             .area = {.luts = number(0, 120),
                      .registers = number(0, 90),
                      .dsps = chance(0.4) ? 0 : number(0, 12)}};

@@ -31,7 +31,7 @@ optimise::AllocationProblem baseline(const Paper& paper) {
   optimise::AllocationProblem problem;
   problem.lanes = {
       {.name = "s53e8",
-       .throughput_per_s = paper.table.reference_mhz * 1e6,
+       .clock_hz = paper.table.reference_mhz * 1e6,
        .recomputation_rate = 0,
        .area = {.luts = paper.table.reference_luts, .dsps = paper.table.reference_dsps}}};
   problem.available = paper.available;

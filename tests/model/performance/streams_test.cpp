@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <queue>
 #include <random>
+#include <tuple>
 
 /// The model of the streams against itself and against queues simulated here; tests/system and
 /// tests/rtl_templates/stream hold it against the hardware.
@@ -101,6 +103,41 @@ TEST(Streams, MeanWaitIsThatOfTwoQueuesInTurn) {
   }
   EXPECT_TRUE(std::isinf(performance::mean_wait_cycles(streams(64, 8), 0.125)));
   EXPECT_TRUE(std::isinf(performance::mean_wait_cycles(streams(64, 1), 0.5)));
+}
+
+/// A request of a folded reference waits for the next cycle of N in which the reference starts, and
+/// behind those that came before.
+double simulated_folded_wait(int lanes, double rate, int interval) {
+  std::mt19937_64 engine(4);
+  std::bernoulli_distribution asks(rate);
+  std::queue<long> asked;
+  double waited = 0;
+  long served = 0;
+  for (long cycle = 0; cycle < 2'000'000; ++cycle) {
+    for (int lane = 0; lane < lanes; ++lane) {
+      if (asks(engine)) asked.push(cycle);
+    }
+    if (cycle % interval != 0 || asked.empty()) continue;
+    waited += static_cast<double>(cycle - asked.front());
+    asked.pop();
+    ++served;
+  }
+  return waited / static_cast<double>(served);
+}
+
+TEST(Streams, AFoldedReferenceLetsRequestsWaitForItsFirstPhase) {
+  for (const auto& [lanes, interval, load] :
+       {std::tuple(1, 4, 0.1), {1, 16, 0.7}, {8, 2, 0.5}, {8, 16, 0.01}, {24, 16, 0.8}}) {
+    const double rate = load / (lanes * interval);
+    performance::LaneStreams folded = streams(64, lanes);
+    folded.initiation_interval_cycles = interval;
+    const double expected =
+        simulated_wait(1, rate, 2) + simulated_folded_wait(lanes, rate, interval);
+    EXPECT_NEAR(performance::mean_wait_cycles(folded, rate), expected, 0.05 * expected + 0.05)
+        << lanes << " lanes, interval " << interval << ", load " << load;
+    EXPECT_TRUE(std::isinf(performance::mean_wait_cycles(folded, rate / load)));
+    EXPECT_DOUBLE_EQ(performance::even_throughput(folded, 1), 1.0 / (lanes * interval));
+  }
 }
 
 /// docs/performance.md: until answers come a burst fills the free slots; from then on its excess.

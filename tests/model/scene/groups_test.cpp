@@ -124,7 +124,8 @@ TEST_F(Groups, ReferencesTakeTheirInitiationIntervalFromReference) {
   EXPECT_EQ(scene->references[1].structure.initiation_interval, 1);
   EXPECT_EQ(
       error("[[references]]\ncount = 1\ninitiation_interval = 65\n"),
-      ":18: references.initiation_interval: out of range: received 65; accepted an integer 1..64");
+      ":18: references.initiation_interval: out of range: received 65; accepted \"auto\" or an "
+      "integer 1..64");
 }
 
 TEST_F(Groups, WithoutListsThereIsOneGroupOfEach) {
