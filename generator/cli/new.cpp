@@ -50,19 +50,55 @@ std::string answer_to(const std::string& question, const std::string& option) {
         .accepted = "UTF-8 without control characters"});
 }
 
-void ask_if_empty(std::string& text, const std::string& question, const std::string& option) {
-  while (text.empty()) text = answer_to(question, option);
+Result<Done> check_new(const fs::path& path) {
+  if (!path_exists(path)) return check_writable({path});
+  return Error{.file = path.string(),
+               .message = "is not replaced",
+               .received = "a file that exists",
+               .accepted = "-o with another name"};
 }
 
-/// Asks for what a scene must have and the command does not say. Data may be left out.
-void ask_for_missing(NewCommand& command) {
-  NewScene& scene = command.scene;
-  const bool some_missing = scene.name.empty() || scene.f.empty() || scene.g.empty();
-  ask_if_empty(scene.name, "A name, which the Verilog modules get: ", "NAME");
-  ask_if_empty(scene.f, "f, one side of the comparison, such as (x - y)^2: ", "--f");
-  ask_if_empty(scene.g, "g, the other side, such as r^2: ", "--g");
-  if (!some_missing || !command.data.empty() || !can_ask()) return;
-  command.data = answer_to("A file of data, .csv, .npy or .pdb (empty: none): ", "--data");
+fs::path path_of(const NewCommand& command) {
+  return command.output.empty() ? fs::path(command.scene.name + ".toml") : command.output;
+}
+
+/// Checks the command without its data; simple expressions stand for what is not known yet.
+Result<Done> check_so_far(const NewCommand& command) {
+  NewScene scene = command.scene;
+  scene.path = path_of(command);
+  if (!command.output.empty() || !scene.name.empty()) {
+    MIXCMP_TRY(is_new, check_new(scene.path));
+  }
+  if (scene.name.empty()) scene.name = "unnamed";
+  if (scene.f.empty()) scene.f = "x";
+  if (scene.g.empty()) scene.g = "y";
+  MIXCMP_TRY(loaded, load_new(scene));
+  return Done{};
+}
+
+/// Asks for a text that the command does not give, until an answer is right.
+void ask_if_empty(NewCommand& command, std::string NewScene::*text, const std::string& question,
+                  const std::string& option) {
+  if (!(command.scene.*text).empty()) return;
+  while (true) {
+    command.scene.*text = answer_to(question, option);
+    if ((command.scene.*text).empty()) continue;
+    const Result<Done> checked = check_so_far(command);
+    if (checked.ok()) return;
+    tell(checked.error().to_string());
+  }
+}
+
+/// Asks for what a scene must have and the command does not say, and says whether anything was
+/// missing. The options given are checked before the first question.
+bool ask_for_missing(NewCommand& command) {
+  const NewScene& scene = command.scene;
+  if (!scene.name.empty() && !scene.f.empty() && !scene.g.empty()) return false;
+  if (can_ask()) value_or_exit(check_so_far(command));
+  ask_if_empty(command, &NewScene::name, "A name, which the Verilog modules get: ", "NAME");
+  ask_if_empty(command, &NewScene::f, "f, one side of the comparison, such as (x - y)^2: ", "--f");
+  ask_if_empty(command, &NewScene::g, "g, the other side, such as r^2: ", "--g");
+  return true;
 }
 
 /// A path as the scene's file, which lies in `folder`, has to name it.
@@ -75,19 +111,22 @@ std::string seen_from(const fs::path& folder, const std::string& path) {
   return (parent / file.filename()).lexically_relative(from).generic_string();
 }
 
-/// Reads "name=column" words.
-NewScene::Columns columns_of(const std::vector<std::string>& words, const std::string& option) {
-  NewScene::Columns columns;
-  for (const std::string& word : words) {
-    const std::size_t equals = word.find('=');
-    if (equals == std::string::npos || equals == 0 || equals + 1 == word.size()) {
-      fail({.field = option,
-            .message = "no column",
-            .received = in_quotes(word),
-            .accepted = "name=column, such as x=width, x=0 or p=width,height"});
-    }
-    columns.emplace_back(word.substr(0, equals), word.substr(equals + 1));
+/// Reads "name=column".
+Result<NewScene::Column> column_of(const std::string& word, const std::string& option) {
+  const std::size_t equals = word.find('=');
+  if (equals == std::string::npos || equals == 0 || equals + 1 == word.size()) {
+    return Error{.field = option,
+                 .message = "no column",
+                 .received = in_quotes(word),
+                 .accepted = "name=column, such as x=width, x=0 or p=width,height"};
   }
+  return NewScene::Column{word.substr(0, equals), word.substr(equals + 1)};
+}
+
+std::vector<NewScene::Column> columns_of(const std::vector<std::string>& words,
+                                         const std::string& option) {
+  std::vector<NewScene::Column> columns;
+  for (const std::string& word : words) columns.push_back(value_or_exit(column_of(word, option)));
   return columns;
 }
 
@@ -131,29 +170,45 @@ Result<LoadedScene> load_with_pairing(const NewCommand& command, NewScene& scene
   return load_new(scene);
 }
 
-/// Loads the scene. On a terminal, asks which column is meant for one that the data do not have.
-LoadedScene load_or_ask(const NewCommand& command, NewScene& scene) {
+/// Asks which column is meant by one that the data do not have; `missing` is the error if the user
+/// gives up.
+NewScene::Column ask_for_column(const Error& missing) {
   while (true) {
-    Result<LoadedScene> loaded = load_with_pairing(command, scene);
-    if (loaded.ok()) return std::move(loaded).value();
-    const Error& error = loaded.error();
-    if (error.kind != ErrorKind::missing_column || !can_ask()) fail(error);
-    tell(error.to_string());
     const std::string word = answer_to(
         "Which column is it (name=column, such as x=width; empty: give up)? ", "--column");
-    if (word.empty()) fail(error);
-    const bool second = error.field == "data.with" || error.file.ends_with(scene.with);
-    auto& columns = !scene.with.empty() && second ? scene.with_columns : scene.columns;
-    columns.push_back(columns_of({word}, "--column").front());
+    if (word.empty()) fail(missing);
+    const Result<NewScene::Column> column = column_of(word, "--column");
+    if (column.ok()) return *column;
+    tell(column.error().to_string());
   }
 }
 
-Result<Done> check_new(const fs::path& path) {
-  if (!path_exists(path)) return check_writable({path});
-  return Error{.file = path.string(),
-               .message = "is not replaced",
-               .received = "a file that exists",
-               .accepted = "-o with another name"};
+/// Loads the scene. On a terminal, asks which column is meant for one that the data do not have.
+Result<LoadedScene> load_or_ask(const NewCommand& command, NewScene& scene) {
+  while (true) {
+    Result<LoadedScene> loaded = load_with_pairing(command, scene);
+    if (loaded.ok()) return loaded;
+    const Error& error = loaded.error();
+    if (error.kind != ErrorKind::missing_column || !can_ask()) return error;
+    tell(error.to_string());
+    const bool second = error.field == "data.with" || error.file.ends_with(scene.with);
+    auto& columns = !scene.with.empty() && second ? scene.with_columns : scene.columns;
+    columns.push_back(ask_for_column(error));
+  }
+}
+
+/// Asks for data until they can be loaded, or none are given.
+LoadedScene load_with_data_asked_for(NewCommand& command) {
+  NewScene& scene = command.scene;
+  while (true) {
+    command.data = answer_to("A file of data, .csv, .npy or .pdb (empty: none): ", "--data");
+    scene.file = seen_from(scene.path.parent_path(), command.data);
+    scene.columns.clear();
+    Result<LoadedScene> loaded = load_or_ask(command, scene);
+    if (loaded.ok()) return std::move(loaded).value();
+    if (command.data.empty()) fail(loaded.error());
+    tell(loaded.error().to_string());
+  }
 }
 
 nlohmann::ordered_json to_json(const NewScene& scene, const LoadedScene& loaded) {
@@ -186,15 +241,17 @@ std::string to_text(const NewScene& scene, const LoadedScene& loaded) {
 }
 
 void run(NewCommand& command) {
-  ask_for_missing(command);
+  const bool asked = ask_for_missing(command);
   NewScene& scene = command.scene;
-  scene.path = command.output.empty() ? fs::path(scene.name + ".toml") : command.output;
+  scene.path = path_of(command);
   value_or_exit(check_new(scene.path));
   scene.file = seen_from(scene.path.parent_path(), command.data);
   scene.with = seen_from(scene.path.parent_path(), command.with);
   scene.columns = columns_of(command.columns, "--column");
   scene.with_columns = columns_of(command.with_columns, "--with-column");
-  const LoadedScene loaded = load_or_ask(command, scene);
+  const LoadedScene loaded = asked && command.data.empty() && can_ask()
+                                 ? load_with_data_asked_for(command)
+                                 : value_or_exit(load_or_ask(command, scene));
   value_or_exit(write_new_file(scene.path, scene_text(scene, loaded)));
   print(command.json ? report::json_text(to_json(scene, loaded)) : to_text(scene, loaded));
 }

@@ -31,7 +31,7 @@ Setting column_key(const std::string& text) {
   return {.key = "", .value = text};
 }
 
-Setting::Table table_of(const NewScene::Columns& columns) {
+Setting::Table table_of(const std::vector<NewScene::Column>& columns) {
   Setting::Table table;
   for (const auto& [name, text] : columns) {
     Setting& entry = table.entries.emplace_back(column_key(text));
@@ -55,7 +55,7 @@ void put(Setting::Table& root, const std::string& section, const std::string& ke
 }
 
 void put(Setting::Table& root, const std::string& section, const std::string& key,
-         const NewScene::Columns& columns) {
+         const std::vector<NewScene::Column>& columns) {
   if (columns.empty()) return;
   auto& table = std::get<Setting::Table>(settings::find_or_add(root, section).value);
   table.entries.push_back({.key = key, .value = table_of(columns)});
@@ -144,7 +144,7 @@ std::string ranges_text(const LoadedScene& loaded) {
   return text;
 }
 
-std::string columns_text(const std::string& key, const NewScene::Columns& columns) {
+std::string columns_text(const std::string& key, const std::vector<NewScene::Column>& columns) {
   if (columns.empty()) return "";
   std::vector<std::string> entries;
   for (const Setting& entry : table_of(columns).entries) {

@@ -23,9 +23,9 @@ struct NewScene {
   data::Pairing pairing = data::Pairing::rows;
   /// The scene's name and the file's name or number of columns that are called differently; several
   /// columns have commas between them.
-  using Columns = std::vector<std::pair<std::string, std::string>>;
-  Columns columns;
-  Columns with_columns;
+  using Column = std::pair<std::string, std::string>;
+  std::vector<Column> columns;
+  std::vector<Column> with_columns;
 };
 
 /// Reads the scene with its data, as `mixcmp check` would read its file. Errors name the option of

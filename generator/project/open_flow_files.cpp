@@ -5,20 +5,10 @@
 #include "generator/project/builders.hpp"
 #include "model/characterise/register_wrapper.hpp"
 #include "model/characterise/tools.hpp"
+#include "model/common/quote.hpp"
 
 namespace mixcmp::project {
 namespace {
-
-constexpr const char* safe_characters =
-    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_+./=:";
-
-/// One word of a POSIX shell.
-std::string shell_word(const std::string& text) {
-  if (!text.empty() && text.find_first_not_of(safe_characters) == std::string::npos) return text;
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return word + "'";
-}
 
 /// Commands for Yosys that read the system, with cells of the device's family where it has some.
 std::string read_commands(const ProjectSpec& spec) {
@@ -63,7 +53,7 @@ Values nextpnr_values(const ProjectSpec& spec) {
   values["RESULT"] = is_ice40 ? "--asc" : "--textcfg";
   std::string arguments;
   for (const std::string& argument : spec.device.timing_arguments) {
-    arguments += shell_word(argument) + " ";
+    arguments += quoted(argument) + " ";
   }
   values["ARGUMENTS"] = arguments;
   return values;

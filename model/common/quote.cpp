@@ -24,7 +24,7 @@ std::size_t character_bytes(std::string_view text) {
 }
 
 bool needs_quotes(const std::string& text) {
-  return text.find_first_of(" \t\"'$&|;<>()[]{}*?!#~`\\") != std::string::npos;
+  return text.empty() || text.find_first_of(" \t\n\"'$&|;<>()[]{}*?!#~`\\") != std::string::npos;
 }
 
 }  // namespace

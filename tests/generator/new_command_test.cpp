@@ -138,5 +138,29 @@ TEST_F(NewCommand, AsksOnATerminalForWhatIsMissing) {
   checked("asked.toml");
 }
 
+TEST_F(NewCommand, AsksAgainAfterAMistake) {
+  if (shell("command -v script").exit_code != 0) GTEST_SKIP() << "no script(1), of bsdutils";
+  write("taken.toml", "mine");
+  const Outcome run = on_terminal(
+      "9a\\ntaken\\nagain\\nx +\\nx * w\\nsqr(r)\\nr\\nnone.csv\\npoints.csv\\nw\\nw=y\\n", "new");
+  for (const char* mistake :
+       {"NAME: comparison.name", "taken.toml: is not replaced", "--f: comparison.f",
+        "unknown function", "--data: data.file: cannot read", "--column: no column"}) {
+    EXPECT_NE(run.output.find(mistake), std::string::npos) << mistake << "\n" << run.output;
+  }
+  ASSERT_TRUE(fs::exists(path("again.toml"))) << run.output;
+  const std::string text = read("again.toml");
+  EXPECT_NE(text.find("f = \"x * w\"\ng = \"r\"\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("columns = { w = \"y\" }\n"), std::string::npos) << text;
+  EXPECT_EQ(read("taken.toml"), "mine");
+}
+
+TEST_F(NewCommand, ChecksItsOptionsBeforeItAsks) {
+  if (shell("command -v script").exit_code != 0) GTEST_SKIP() << "no script(1), of bsdutils";
+  const Outcome run = on_terminal("", "new early --f 'x +'");
+  EXPECT_NE(run.output.find("--f: comparison.f"), std::string::npos) << run.output;
+  EXPECT_EQ(run.output.find("g, the other side"), std::string::npos) << run.output;
+}
+
 }  // namespace
 }  // namespace mixcmp::test::new_command_test

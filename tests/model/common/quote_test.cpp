@@ -22,5 +22,12 @@ TEST(InQuotes, CutsBetweenCharacters) {
   EXPECT_EQ(in_quotes(std::string(80, 'x')), '"' + std::string(80, 'x') + '"');
 }
 
+TEST(Quoted, IsOneWordOfAShell) {
+  EXPECT_EQ(quoted("scene.toml"), "scene.toml");
+  EXPECT_EQ(quoted(""), "''");
+  EXPECT_EQ(quoted("it's $HOME"), "'it'\\''s $HOME'");
+  EXPECT_EQ(quoted("two\nlines"), "'two\nlines'");
+}
+
 }  // namespace
 }  // namespace mixcmp::test::quote_test
