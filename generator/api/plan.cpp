@@ -1,13 +1,10 @@
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "generator/api/state.hpp"
-#include "generator/components/characterise.hpp"
+#include "generator/components/planning.hpp"
 #include "generator/report/plan_report.hpp"
-#include "model/common/file.hpp"
-#include "model/devices/device.hpp"
 #include "model/optimise/plan_inputs.hpp"
 #include "model/optimise/plan_summary.hpp"
 
@@ -16,55 +13,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The table of areas and clocks, and the scene with the clock that it was measured for.
-struct PlanningTable {
-  devices::Device device;
-  characterise::Characterisation areas;
-  scene::Scene scene;
-  std::vector<std::string> notes;
-};
-
-/// Refuses an arg-min engine, whose chain of lanes leaves nothing to choose.
-void check_can_be_planned(const SceneState& state) {
-  if (state.scene.system.engine.kind != scene::EngineKind::arg_min) return;
-  fail(located({.field = "engine.kind",
-                .message = "nothing is to be planned: the arg-min engine has a lane for each "
-                           "candidate but the first",
-                .received = "arg_min",
-                .accepted = "none, for a system whose lanes take comparisons"},
-               state));
-}
-
-PlanningTable read_planning_table(const SceneState& state, const PlanOptions& options) {
-  devices::Device device = value_or_throw(devices::find_device(state.scene.system.device), state);
+components::Planning load_planning(const SceneState& state, const PlanOptions& options) {
+  value_or_throw(components::check_can_be_planned(state.scene), state);
+  const devices::Device device =
+      value_or_throw(devices::find_device(state.scene.system.device), state);
   if (options.table.empty() && state.source.text) {
     fail({.field = "table",
           .message = "a scene from a text has no table beside it",
           .received = "nothing",
           .accepted = "the path of a table that mixcmp characterise wrote"});
   }
-  const fs::path path =
+  const fs::path table =
       options.table.empty()
           ? optimise::default_table(state.source.path, state.scene.variant, device.name)
           : options.table;
-  if (!path_exists(path)) {
-    fail({.file = path.string(),
-          .field = "table",
-          .message = "no areas and clocks of this scene's lanes and references",
-          .received = "no such file",
-          .accepted = "what mixcmp characterise writes"});
-  }
-  auto areas = value_or_throw(optimise::read_table(path, state.scene, device));
-  scene::Scene scene = value_or_throw(optimise::with_target_of(areas, path, state.scene));
-  const components::RowCount rows =
-      components::count_rows(areas, scene, state.data ? &*state.data : nullptr, device);
-  std::vector<std::string> notes;
-  if (rows.outdated > 0) {
-    notes.push_back(
-        fmt::format("{}: {} of {} rows were measured on other RTL than what is generated today",
-                    path.filename().string(), rows.outdated, rows.all));
-  }
-  return {std::move(device), std::move(areas), std::move(scene), std::move(notes)};
+  return value_or_throw(
+      components::load_planning(state.scene, state.data ? &*state.data : nullptr, device, table,
+                                {.field = "table", .accepted = "what mixcmp characterise writes"}));
 }
 
 /// Refuses clocks and precisions that no plan can have. The members of both options have the same
@@ -113,19 +78,18 @@ std::string plan_file_text(const optimise::Optimisation& found, const SceneState
 Plan plan(const Scene& scene, const PlanOptions& options) {
   const SceneState& state = Access::state(scene);
   const optimise::OptimiseOptions choice = internal_options(options);
-  check_can_be_planned(state);
-  const PlanningTable table = read_planning_table(state, options);
+  const components::Planning planning = load_planning(state, options);
   const data::Comparisons& data = data_of(state, "recomputation rates are measured on data");
   const auto rates = value_or_throw(
-      optimise::measure_rates(table.scene, data, optimise::inputs_of_lanes(table.areas), choice,
-                              options.progress),
+      optimise::measure_rates(planning.scene, data, optimise::inputs_of_lanes(planning.table),
+                              choice, options.progress),
       state);
   const optimise::Optimisation found =
-      value_or_throw(optimise::optimise(table.scene, table.device, table.areas,
+      value_or_throw(optimise::optimise(planning.scene, planning.device, planning.table,
                                         optimise::Rates::of(rates), choice),
                      state);
   Plan result{.baseline_per_s = optimise::baseline_per_s(found),
-              .notes = table.notes,
+              .notes = planning.notes,
               .text = report::to_text(found)};
   result.notes.insert(result.notes.end(), found.notes.begin(), found.notes.end());
   for (const auto& each : found.plans) result.points.push_back(public_point(each));

@@ -7,8 +7,6 @@
 
 #include "generator/cli/exit.hpp"
 #include "generator/cli/output.hpp"
-#include "generator/components/characterise.hpp"
-#include "model/common/file.hpp"
 #include "model/common/quote.hpp"
 #include "model/scene/bound_choice.hpp"
 #include "model/scene/plan.hpp"
@@ -16,18 +14,13 @@
 namespace mixcmp::cli {
 namespace {
 
-Result<Done> check_table_exists(const std::filesystem::path& path, const PlanningOptions& options,
-                                const std::string& variant, const devices::Device& device) {
-  if (path_exists(path)) return Done{};
+components::TableAdvice advice(const PlanningOptions& options, const std::string& variant,
+                               const devices::Device& device, const std::filesystem::path& table) {
   const std::string chosen = variant.empty() ? "" : " --variant " + variant;
-  return Error{
-      .file = path.string(),
-      .field = "--table",
-      .message = "no areas and clocks of this scene's lanes and references",
-      .received = "no such file",
-      .accepted = fmt::format("what this makes: mixcmp characterise {}{} --device {} -o {}",
-                              quoted(options.scene.scene.string()), chosen, device.name,
-                              quoted(path.string()))};
+  return {.field = "--table",
+          .accepted = fmt::format("what this makes: mixcmp characterise {}{} --device {} -o {}",
+                                  quoted(options.scene.scene.string()), chosen, device.name,
+                                  quoted(table.string()))};
 }
 
 /// Tells of a target_mhz that is set and is not the one for which the table was measured.
@@ -37,38 +30,6 @@ void tell_of_other_target(const scene::Scene& given, const Planning& planning,
   if (given.system.target_mhz == measured || !is_set(options, "system.target_mhz")) return;
   tell_note(fmt::format("registers are placed for {} MHz, which {} was measured for", measured,
                         planning.table_path.filename().string()));
-}
-
-void warn_of_outdated(const Planning& planning, const data::Comparisons* data) {
-  const components::RowCount rows =
-      components::count_rows(planning.table, planning.scene, data, planning.device);
-  if (rows.outdated == 0) return;
-  tell_note(fmt::format("{}: {} of {} rows were measured on other RTL than what is generated today",
-                        planning.table_path.filename().string(), rows.outdated, rows.all));
-}
-
-/// Tells of a table that has areas of a vendor's tool beside those of Yosys.
-void tell_of_imported(const Planning& planning) {
-  const auto& rows = planning.table.rows;
-  const auto imported =
-      std::count_if(rows.begin(), rows.end(),
-                    [](const characterise::Measurement& row) { return row.is_imported(); });
-  if (imported == 0 || static_cast<std::size_t>(imported) == rows.size()) return;
-  tell_note(
-      fmt::format("{}: {} of {} rows are from a vendor's reports, the others from Yosys, which "
-                  "counts otherwise",
-                  planning.table_path.filename().string(), imported, rows.size()));
-}
-
-/// Refuses an arg-min engine, whose chain of lanes leaves nothing to choose.
-Result<Done> check_no_chain(const scene::Scene& scene) {
-  if (scene.system.engine.kind != scene::EngineKind::arg_min) return Done{};
-  return Error{.field = "engine.kind",
-               .message =
-                   "nothing is to be planned: the arg-min engine has a lane for each "
-                   "candidate but the first",
-               .received = "arg_min",
-               .accepted = "--set engine.kind=none, for a system whose lanes take comparisons"};
 }
 
 }  // namespace
@@ -170,17 +131,14 @@ Result<Planning> load_planning(const PlanningOptions& options, const scene::Scen
                                                       .last_precision = "--last",
                                                       .lane_mhz = "--lane-mhz",
                                                       .reference_mhz = "--reference-mhz"}));
-  const Result<Done> possible = check_no_chain(scene);
+  const Result<Done> possible = components::check_can_be_planned(scene);
   if (!possible.ok()) return as_user_error(possible.error(), options.scene);
   MIXCMP_TRY(device, devices::find_device(scene.system.device));
-  const std::filesystem::path path = table_of(options, scene);
-  MIXCMP_TRY(exists, check_table_exists(path, options, scene.variant, device));
-  MIXCMP_TRY(table, optimise::read_table(path, scene, device));
-  MIXCMP_TRY(placed, optimise::with_target_of(table, path, scene));
-  Planning planning{std::move(placed), std::move(device), std::move(table), path};
+  const std::filesystem::path table = table_of(options, scene);
+  MIXCMP_TRY(planning, components::load_planning(scene, data, device, table,
+                                                 advice(options, scene.variant, device, table)));
   tell_of_other_target(scene, planning, options.scene);
-  warn_of_outdated(planning, data);
-  tell_of_imported(planning);
+  for (const std::string& note : planning.notes) tell_note(note);
   return planning;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "generator/cli/options.hpp"
+#include "generator/components/planning.hpp"
 #include "model/optimise/optimise.hpp"
 #include "model/optimise/plan_inputs.hpp"
 
@@ -34,16 +35,11 @@ optimise::PlanSource plan_source(const PlanningOptions& options, const std::stri
 /// The table that `options` names, or the default one.
 std::filesystem::path table_of(const PlanningOptions& options, const scene::Scene& scene);
 
-/// The inputs from which plans are made.
-struct Planning {
-  scene::Scene scene;  ///< with the target_mhz that the table was measured for
-  devices::Device device;
-  characterise::Characterisation table;
-  std::filesystem::path table_path;
-};
-/// Loads the device and the table. Notes on stderr how many rows were measured on other RTL than
-/// today's, and a target_mhz that is set and differs from the table's. `data` may be null. It is an
-/// error if the table is of another device or scene.
+using components::Planning;
+
+/// Loads the device and the table, and prints the planning's notes on stderr, with one on a
+/// target_mhz that is set and differs from the table's. Arguments and errors are those of
+/// components::load_planning.
 Result<Planning> load_planning(const PlanningOptions& options, const scene::Scene& scene,
                                const data::Comparisons* data);
 

@@ -16,6 +16,8 @@ struct SignaturePort {
   std::string name;
   rtl::Direction direction = rtl::Direction::input;
   int width = 1;
+
+  bool is_clock_or_reset() const { return name == "aclk" || name == "aresetn"; }
 };
 
 /// A datapath's module and this make the name of its channel.

@@ -170,7 +170,7 @@ GeneratedFile cell_file(const TechnologyCell& cell, const std::string& prefix) {
 /// Names are relative to the list's own folder: absolute ones would make other bytes in another
 /// place. Tools differ in how they read such a list, so its head gives a command for each;
 /// tests/system/lint_test.cpp runs these commands.
-GeneratedFile file_list(const Signature& signature) {
+GeneratedFile file_list(const Signature& signature, const devices::Device& device) {
   const std::string& top = signature.engine ? signature.engine->top : signature.top;
   std::string text = fmt::format(
       "// The Verilog files of {0}, relative to the folder of this list, here called DIR.\n"
@@ -184,11 +184,10 @@ GeneratedFile file_list(const Signature& signature) {
       top, signature.top);
   if (!signature.cells.empty()) {
     text += fmt::format(
-        "// Yosys alone needs cells of ECP5, with their registers, in place of some modules:\n"
-        "//   yosys -p 'read_verilog DIR/*.v; read_verilog -overwrite DIR/*.v.ecp5; synth_ecp5 "
-        "-top "
-        "{}'\n",
-        top);
+        "// Yosys alone needs the device's own cells, with their registers, in place of some "
+        "modules:\n"
+        "//   yosys -p 'read_verilog DIR/*.v; read_verilog -overwrite DIR/*.v.{}; {} -top {}'\n",
+        device.cells, device.synthesis, top);
   }
   for (const std::string& file : signature.files) text += file + "\n";
   return {signature.top + ".f", text};
@@ -254,7 +253,7 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
     system.signature.cells.push_back(system.files.back().name);
   }
 
-  system.files.push_back(file_list(system.signature));
+  system.files.push_back(file_list(system.signature, device));
   system.files.push_back(constraint_file(system.signature));
   system.files.push_back({signature_file(system.signature), to_json(system.signature)});
   MIXCMP_TRY(fits, check_file_names(system.files));

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "embedded/ecp5_cells.hpp"
+#include "embedded/ice40_cells.hpp"
 #include "embedded/rtl_templates.hpp"
 #include "model/common/check.hpp"
 
@@ -68,11 +69,13 @@ bool is_template(const std::string& module) {
 
 std::vector<TechnologyCell> technology_cells(const std::vector<std::string>& modules) {
   std::vector<TechnologyCell> cells;
-  for (const EmbeddedFile& file : ecp5_cells()) {
+  const auto add = [&](const std::string& family, const EmbeddedFile& file) {
     const std::string module(module_of(file));
-    if (std::find(modules.begin(), modules.end(), module) == modules.end()) continue;
-    cells.push_back({module, "ecp5", std::string(file.text)});
-  }
+    if (std::find(modules.begin(), modules.end(), module) == modules.end()) return;
+    cells.push_back({module, family, std::string(file.text)});
+  };
+  for (const EmbeddedFile& file : ecp5_cells()) add("ecp5", file);
+  for (const EmbeddedFile& file : ice40_cells()) add("ice40", file);
   return cells;
 }
 

@@ -20,9 +20,8 @@ Unit build_unit(const ProjectSpec& spec) {
   Unit unit{spec.build_top(), {}};
   const bool is_system = !spec.signature.engine;
   for (const emit::SignaturePort& port : spec.build_ports()) {
-    const bool is_clock_or_reset = port.name == "aclk" || port.name == "aresetn";
-    unit.ports.push_back(
-        {port.direction, port.width, port.name, is_system ? !is_clock_or_reset : port.width > 1});
+    const bool has_range = is_system ? !port.is_clock_or_reset() : port.width > 1;
+    unit.ports.push_back({port.direction, port.width, port.name, has_range});
   }
   return unit;
 }

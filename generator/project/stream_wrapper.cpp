@@ -7,10 +7,6 @@ namespace {
 
 using rtl::Operand;
 
-bool is_clock_or_reset(const std::string& name) {
-  return name == "aclk" || name == "aresetn";
-}
-
 /// Ports of the wrapper, lane by lane: those of one stream stand together.
 void add_ports_of_fields(rtl::Module& module, const std::vector<FieldPort>& ports,
                          bool (*belongs)(const FieldPort&), int count) {
@@ -74,7 +70,7 @@ std::string FieldPort::field_name(int k) const {
 std::vector<FieldPort> field_ports(const emit::Signature& signature) {
   std::vector<FieldPort> ports;
   for (const emit::SignaturePort& port : signature.ports) {
-    if (is_clock_or_reset(port.name)) continue;
+    if (port.is_clock_or_reset()) continue;
     FieldPort field{.port = &port, .count = signature.lanes};
     if (is_refetch(field)) field.count = signature.references;
     ports.push_back(field);

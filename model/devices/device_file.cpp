@@ -89,9 +89,9 @@ Result<Done> read_synthesis(const settings::Settings& settings, Device& device) 
   section.text("command", device.synthesis);
   check_command(section, "command", device.synthesis);
   section.text("cells", device.cells);
-  if (!device.cells.empty() && device.cells != "ecp5") {
+  if (!device.cells.empty() && device.cells != "ecp5" && device.cells != "ice40") {
     section.fail("cells", "not a family with cells of its own", in_quotes(device.cells),
-                 "\"ecp5\"");
+                 "\"ecp5\", \"ice40\"");
   }
   if (const auto error = section.finish()) return *error;
   return Done{};

@@ -257,6 +257,18 @@ TEST(System, Ecp5HasItsMultiplierAsACellBesideTheTemplate) {
   EXPECT_TRUE(sphere_system().signature.cells.empty()) << "other devices have none";
 }
 
+TEST(System, UltraPlusHasItsMultiplierAsACellBesideTheTemplate) {
+  design::Design design = sphere_design(format("s17e8"), format("s53e8"), 2, 1);
+  design.system.device = "ice40-up5k";
+  const emit::GeneratedSystem system = emit::generate_system(design, command).value();
+  const std::string name = "mixcmp_embedded_multiplier.v.ice40";
+  ASSERT_EQ(system.signature.cells, std::vector<std::string>{name});
+  EXPECT_NE(find(system, name)->text.find("SB_MAC16"), std::string::npos);
+  EXPECT_NE(find(system, system.signature.top + ".f")
+                ->text.find("-overwrite DIR/*.v.ice40; synth_ice40 -device u -top "),
+            std::string::npos);
+}
+
 TEST(System, AnOutputWithCellsIsReadBackAndReplaced) {
   ScratchDirectory scratch;
   const fs::path out = scratch.path() / "out";

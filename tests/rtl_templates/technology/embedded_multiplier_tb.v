@@ -2,7 +2,9 @@
 // at widths around those of one multiplier: corners, powers of two and random factors.
 `default_nettype none
 
-module embedded_multiplier_tb;
+module embedded_multiplier_tb #(
+  parameter WIDEST = 18  // of the factors of one multiplier
+);
 
   reg aclk = 0;
   reg [18:0] a, b;
@@ -13,8 +15,8 @@ module embedded_multiplier_tb;
   generate
     for (first = 0; first < 5; first = first + 1) begin : g_first
       for (second = 0; second < 5; second = second + 1) begin : g_second
-        localparam A = (first == 0) ? 1 : (first == 1) ? 7 : first + 15;
-        localparam B = (second == 0) ? 1 : (second == 1) ? 7 : second + 15;
+        localparam A = (first == 0) ? 1 : (first == 1) ? 7 : first + WIDEST - 3;
+        localparam B = (second == 0) ? 1 : (second == 1) ? 7 : second + WIDEST - 3;
 
         wire [16*(A+B)-1:0] expected, products;
 
