@@ -5,6 +5,7 @@
 #include "generator/api/state.hpp"
 #include "generator/components/planning.hpp"
 #include "generator/report/plan_report.hpp"
+#include "model/devices/device.hpp"
 #include "model/optimise/plan_inputs.hpp"
 #include "model/optimise/plan_summary.hpp"
 
