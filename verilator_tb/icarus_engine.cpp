@@ -59,7 +59,7 @@ std::string makefile(const Command& compile, const std::string& main) {
       "# Builds obj/simulate: the engine for vvp, and the harness that it loads.\n\n"
       "obj/simulate: obj/simulation obj/harness.vpi\n\tcp simulate $@ && chmod +x $@\n\n"
       "obj/simulation:\n\tmkdir -p obj && {}\n\n"
-      "obj/harness.vpi:\n\tmkdir -p obj && g++ -std=c++20 $$(iverilog-vpi --ccflags) -Wall -O1 "
+      "obj/harness.vpi:\n\tmkdir -p obj && g++ $$(iverilog-vpi --ccflags) -std=c++20 -Wall -O1 "
       "-Dmain=harness_main -o $@ {} vpi_model.cpp $$(iverilog-vpi --ldflags) "
       "$$(iverilog-vpi --ldlibs) -pthread\n",
       shell_line(compile), main);

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <regex>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -228,6 +229,16 @@ TEST_F(EngineProject, TheArgMinEngineIsTested) {
   }
 }
 
+/// What Verilator says, but for the statistics with which Debian 13's ends: lines that begin "- ".
+std::string without_report(const std::string& output) {
+  std::string said;
+  std::istringstream lines(output);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("- ")) said += line + "\n";
+  }
+  return said;
+}
+
 TEST_F(EngineProject, VerilatorTakesTheTestBenchesWithoutAWarning) {
   for (const bool is_chain : {false, true}) {
     is_chain ? write_chain() : write_pairs();
@@ -240,7 +251,7 @@ TEST_F(EngineProject, VerilatorTakesTheTestBenchesWithoutAWarning) {
                     "rtl/testbench/{0}.v",
                     bench));
     EXPECT_EQ(lint.exit_code, 0) << lint.output;
-    EXPECT_EQ(lint.output, "");
+    EXPECT_EQ(without_report(lint.output), "");
     fs::remove_all(path("rtl"));
   }
 }
@@ -285,11 +296,11 @@ TEST_F(Project, VerilatorFindsNoFaultAndNoWarning) {
   generate("--project verilator --vectors 100");
   const Outcome lint = in_folder("rtl/verilator/lint");
   EXPECT_EQ(lint.exit_code, 0) << lint.output;
-  EXPECT_EQ(lint.output, "");
+  EXPECT_EQ(without_report(lint.output), "");
   const Outcome wrapper = in_folder(
       "verilator --lint-only -Wall --top-module scene_s8e8_2x1_streams -F rtl/scene_s8e8_2x1.f "
       "rtl/integration/scene_s8e8_2x1_streams.v");
-  EXPECT_EQ(wrapper.output, "");
+  EXPECT_EQ(without_report(wrapper.output), "");
   const Outcome run = in_folder("rtl/verilator/run work");
   EXPECT_EQ(run.exit_code, 0) << run.output;
   expect_in(run.output, "PASSED: 400 comparisons (100, 4 times)");
@@ -300,7 +311,7 @@ TEST_F(Project, VerilatorTakesFoldersOfAnyNameButBuildsInNoneWithBlanks) {
   fs::rename(path("rtl"), path("o ut $x [y]"));
   const Outcome lint = in_folder("'o ut $x [y]/verilator/lint'");
   EXPECT_EQ(lint.exit_code, 0) << lint.output;
-  EXPECT_EQ(lint.output, "");
+  EXPECT_EQ(without_report(lint.output), "");
   EXPECT_FALSE(fs::exists(path("o ut $x [y]/obj_dir")));
   const Outcome run = in_folder("'o ut $x [y]/verilator/run' 'a work'");
   EXPECT_EQ(run.exit_code, 1) << run.output;

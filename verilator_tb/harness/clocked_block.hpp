@@ -12,7 +12,7 @@
 #include "verilated.h"
 
 #if VM_TRACE
-#include "verilated_fst_c.h"
+#include "waves_scope.hpp"
 #endif
 
 namespace mixcmp::harness {
@@ -49,11 +49,17 @@ template <class Model>
 class VerilatedBlock : public ClockedBlock {
 public:
   explicit VerilatedBlock(const std::string& scope)
-      : ClockedBlock(scope), model_(Verilated::threadContextp(), scope.c_str()) {
+      : ClockedBlock(scope),
+#if VM_TRACE
+        waves_scope_(scope),
+#endif
+        model_(Verilated::threadContextp(), scope.c_str()) {
     model_.aclk = 0;
     model_.eval();
   }
-  ~VerilatedBlock() override { model_.final(); }
+  ~VerilatedBlock() override {
+    model_.final();
+  }
 
   void settle(const svBitVecVal* d) override {
     const auto before = model_.q;
@@ -74,11 +80,14 @@ public:
 
 #if VM_TRACE
   void trace(VerilatedFstC* waves) override {
-    model_.trace(waves, 99);
+    waves_scope_.declare(model_, waves);
   }
 #endif
 
 private:
+#if VM_TRACE
+  WavesScope<> waves_scope_;
+#endif
   Model model_;
   bool clocked_ = false;
 };
