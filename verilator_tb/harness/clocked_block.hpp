@@ -12,7 +12,7 @@
 #include "verilated.h"
 
 #if VM_TRACE
-#include "waves_scope.hpp"
+#include "verilated_fst_c.h"
 #endif
 
 namespace mixcmp::harness {
@@ -49,17 +49,11 @@ template <class Model>
 class VerilatedBlock : public ClockedBlock {
 public:
   explicit VerilatedBlock(const std::string& scope)
-      : ClockedBlock(scope),
-#if VM_TRACE
-        waves_scope_(scope),
-#endif
-        model_(Verilated::threadContextp(), scope.c_str()) {
+      : ClockedBlock(scope), model_(Verilated::threadContextp(), scope.c_str()) {
     model_.aclk = 0;
     model_.eval();
   }
-  ~VerilatedBlock() override {
-    model_.final();
-  }
+  ~VerilatedBlock() override { model_.final(); }
 
   void settle(const svBitVecVal* d) override {
     const auto before = model_.q;
@@ -80,14 +74,11 @@ public:
 
 #if VM_TRACE
   void trace(VerilatedFstC* waves) override {
-    waves_scope_.declare(model_, waves);
+    model_.trace(waves, 99);
   }
 #endif
 
 private:
-#if VM_TRACE
-  WavesScope<> waves_scope_;
-#endif
   Model model_;
   bool clocked_ = false;
 };
@@ -98,11 +89,22 @@ inline std::vector<std::unique_ptr<ClockedBlock>>& clocked_blocks() {
   return blocks;
 }
 
+#if VM_TRACE
+/// Whether waves have a scope for each word of a model's name, as with Verilator 5.006. Later ones
+/// (5.032) make a scope of the last word alone.
+template <class Waves>
+constexpr bool words_are_scopes = !requires {
+  &Waves::pushPrefix;
+};
+#endif
+
 /// Makes the block of the stub that is calling.
 template <class Model>
 ClockedBlock* make_block() {
   std::string scope = svGetNameFromScope(svGetScope());
-  std::replace(scope.begin(), scope.end(), '.', ' ');  // which waves show as nested scopes
+#if VM_TRACE
+  if (words_are_scopes<VerilatedFst>) std::replace(scope.begin(), scope.end(), '.', ' ');
+#endif
   clocked_blocks().push_back(std::make_unique<VerilatedBlock<Model>>(scope));
   return clocked_blocks().back().get();
 }
