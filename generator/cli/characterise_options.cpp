@@ -131,8 +131,8 @@ Result<std::pair<int, int>> interval(const std::string& option, const std::strin
 /// The crossbars of a quick table: `optimise` interpolates between them.
 constexpr std::string_view quick_ports = "1,8,32,64";
 
-/// Of the references that a scene with the interval "auto" may choose from: whole ones, ones of few
-/// units, and small ones.
+/// What is measured where the scene's interval is "auto": a reference that is not folded, one with
+/// few units, and about the smallest one.
 const std::vector<int> usual_intervals = {1, 4, 16};
 
 Result<std::vector<int>> initiation_intervals(const std::string& text, const scene::Scene& scene) {
