@@ -113,6 +113,14 @@ TEST_F(OptimiseCommand, ReferencesHaveTheInitiationIntervalOfTheScene) {
   EXPECT_FALSE(fs::exists(path("plan.toml")));
 }
 
+TEST_F(OptimiseCommand, AnInitiationIntervalThatIsLeftOpenIsNotGenerated) {
+  expect_refused(
+      "generate scene.toml --format s8e8 --lanes 2 --references 1 -o rtl "
+      "--set 'reference.initiation_interval=\"auto\"'",
+      "reference.initiation_interval: is not chosen yet");
+  EXPECT_FALSE(fs::exists(path("rtl")));
+}
+
 TEST_F(OptimiseCommand, ChoosesTheInitiationIntervalThatTheSceneLeavesOpen) {
   std::ofstream table(path("characterisation") / "scene-virtex6-lx760.csv", std::ios::app);
   row(table, "reference,,s53e8,,,embedded,2,0", 60, 3000, 6);
