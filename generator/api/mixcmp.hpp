@@ -199,10 +199,11 @@ using Progress = std::function<void(const std::string& step, double share)>;
 
 /// The options of profile(), as `mixcmp profile` has them.
 struct ProfileOptions {
-  std::optional<int> first_precision;       ///< the lowest L; none: the lowest there is
-  std::optional<int> last_precision;        ///< the highest L; none: the highest there is
-  std::uint64_t error_samples = 1'000'000;  ///< comparisons that relative errors are measured on
-  unsigned threads = 0;                     ///< 0: one a processor; results do not depend on it
+  std::optional<int> first_precision;  ///< the lowest L; none: the lowest there is
+  std::optional<int> last_precision;   ///< the highest L; none: the highest there is
+  /// Comparisons that relative errors are measured on; 0: none, and there are no profiled lanes.
+  std::uint64_t error_samples = 1'000'000;
+  unsigned threads = 0;  ///< 0: one a processor; results do not depend on it
   Progress progress;
 };
 

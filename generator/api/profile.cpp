@@ -22,11 +22,11 @@ profile::ProfileOptions internal_options(const ProfileOptions& options, FloatFor
 /// Refuses numbers that no profile can have.
 void check_numbers(const ProfileOptions& options) {
   constexpr std::uint64_t most_samples = std::uint64_t{1} << 40;
-  if (options.error_samples < 1 || options.error_samples > most_samples) {
+  if (options.error_samples > most_samples) {
     fail({.field = "error_samples",
           .message = "no number of samples",
           .received = std::to_string(options.error_samples),
-          .accepted = fmt::format("1..{}", most_samples)});
+          .accepted = fmt::format("0..{}", most_samples)});
   }
   const unsigned most_threads = settings::limits::threads.most;
   if (options.threads > most_threads) {

@@ -44,6 +44,7 @@ struct ProfileCommand {
   SceneOptions scene;
   profile::ProfileOptions run;
   std::optional<int> last;
+  std::optional<std::uint64_t> samples;
   fs::path output;
   bool both_inputs = false;
   bool brute_force = false;
@@ -60,9 +61,10 @@ void add_options(const Verb& verb, ProfileCommand& command) {
               "the highest L (default: the highest there is, or the reference's precision if "
               "that is less)")
       .check(within(settings::limits::lane_precision));
-  verb.option("--samples", command.run.error_samples,
-              "comparisons that relative errors are measured on, 1..2^40 (default: 1000000)")
-      .check(whole(1, std::uint64_t{1} << 40));
+  verb.option("--samples", command.samples,
+              "comparisons that relative errors are measured on, 0..2^40 (default: 1000000, or 0 "
+              "where --bounds names fixed point alone, which does without them)")
+      .check(whole(0, std::uint64_t{1} << 40));
   verb.option("--threads", command.run.threads,
               "threads; results do not depend on them (default: one a processor)")
       .check(within(settings::limits::threads));
@@ -137,12 +139,22 @@ void print_text(const report::ProfileReport& report, const Trades& weighed,
                     : fmt::format("\nadvice: none: {}\n", advice.error().to_string()));
 }
 
+/// Of the lanes only profiled ones need measured errors, and whoever asks for lanes in fixed point
+/// alone does not ask about lanes in floating point.
+std::uint64_t usual_samples(const std::vector<scene::BoundChoice>& bounds) {
+  const bool fixed_point_alone =
+      !bounds.empty() && std::all_of(bounds.begin(), bounds.end(),
+                                     [](const auto& bound) { return bound.is_fixed_point(); });
+  return fixed_point_alone ? 0 : profile::ProfileOptions().error_samples;
+}
+
 void run(const ProfileCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.scene));
   value_or_exit(check_has_data(loaded, "a profile needs data to measure"));
   profile::ProfileOptions options = command.run;
   options.last_precision =
       command.last.value_or(settings::lane_precisions(loaded.scene.reference.format).most);
+  options.error_samples = command.samples.value_or(usual_samples(options.bounds));
   if (command.brute_force) options.method = profile::ProfileMethod::brute_force;
   value_or_exit(check_profile(loaded.scene, options));
   const profile::MeasuredAreas areas =

@@ -52,8 +52,10 @@ std::string shown(const std::optional<double>& bound) {
 }
 
 void add_errors(FormattedText& page, const ErrorProfile& profile) {
-  page.add("\nrelative error of f and g, {}: the largest of {} comparisons, and what is proven\n",
-           describe(profile.inputs), profile.comparisons);
+  page.add("\nrelative error of f and g, {}: {}what is proven\n", describe(profile.inputs),
+           profile.comparisons == 0
+               ? "none was measured; "
+               : fmt::format("the largest of {} comparisons, and ", profile.comparisons));
   page.add("{:>4}  {:>10}  {:>10}  {:>10}  {:>10}\n", "L", "f", "f bound", "g", "g bound");
   for (const ErrorAtPrecision& error : profile.precisions) {
     page.add("{:>4}  {:>10}  {:>10}  {:>10}  {:>10}{}\n", error.precision, measured(error.f),

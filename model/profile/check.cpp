@@ -37,6 +37,17 @@ Result<Done> check_profile(const scene::Scene& scene, const ProfileOptions& opti
                                 "the last",
                                 to_string(allowed))};
   }
+  const auto is_profiled = [](const scene::BoundChoice& bound) {
+    return bound.kind == scene::BoundChoice::Kind::profiled;
+  };
+  if (options.error_samples == 0 &&
+      std::any_of(options.bounds.begin(), options.bounds.end(), is_profiled)) {
+    return Error{.file = scene.path.string(),
+                 .field = "samples",
+                 .message = "the constants of profiled lanes are measured on samples",
+                 .received = "0",
+                 .accepted = "1 or more"};
+  }
   return Done{};
 }
 

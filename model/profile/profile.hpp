@@ -25,18 +25,19 @@ enum class ProfileMethod {
 struct ProfileOptions {
   int first_precision = settings::limits::lane_precision.least;
   int last_precision = settings::limits::lane_precision.most;
-  std::uint64_t error_samples = 1'000'000;      ///< for figure 4 and the profiled constants
-  std::vector<scene::BoundChoice> bounds = {};  ///< of the lanes counted; none: lanes of every
-                                                ///< kind, and lanes alone
-  unsigned threads = 0;                         ///< 0: as many as the machine has
+  /// Comparisons that figure 4 and the profiled constants are measured on; 0: these are left out.
+  std::uint64_t error_samples = 1'000'000;
+  /// Of the lanes counted; none: lanes of every kind, and lanes alone.
+  std::vector<scene::BoundChoice> bounds = {};
+  unsigned threads = 0;  ///< 0: as many as the machine has
   ProfileMethod method = ProfileMethod::envelope;
   /// Called with the name of the current step and the fraction of it that is done, 0..1; from any
   /// thread, but one call at a time.
   std::function<void(const std::string&, double)> progress = {};
 };
 
-/// Rejects formats that double does not hold and precisions that no lane can have; the error names
-/// the field or option.
+/// Rejects formats that double does not hold, precisions that no lane can have, and profiled lanes
+/// without samples; the error names the field or option.
 Result<Done> check_profile(const scene::Scene& scene, const ProfileOptions& options);
 
 /// Figure 4: the relative error of f and g at one precision; of several parts the largest.

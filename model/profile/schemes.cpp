@@ -57,9 +57,12 @@ TypedGraph graph_at(const scene::Scene& scene, int precision, LaneInputs inputs)
 
 namespace {
 
-Result<design::Lane> profiled_at(const TypedGraph& graph, const ErrorAtPrecision& error) {
+/// `measured`: how many comparisons the error was measured on.
+Result<design::Lane> profiled_at(const TypedGraph& graph, const ErrorAtPrecision& error,
+                                 std::uint64_t measured) {
   if (error.f && error.g) return design::Lane(error::profiled_lane(graph, *error.f, *error.g));
-  return Error{.message = "no comparison has a relative error of f and of g"};
+  return Error{.message = measured == 0 ? "no relative error was measured"
+                                        : "no comparison has a relative error of f and of g"};
 }
 
 /// The counted bounds, those of the scene's own formats, and those asked for. Running ones are
@@ -111,7 +114,7 @@ std::vector<SchemeLanes> make_schemes(const scene::Scene& scene, const ErrorProf
     const TypedGraph graph = graph_at(scene, error.precision, errors.inputs);
     add(schemes, std::nullopt, SchemeKind::lanes_alone, design::Lane(lanes_alone(graph)));
     add(schemes, scene::BoundChoice{scene::BoundChoice::Kind::profiled}, SchemeKind::profiled,
-        profiled_at(graph, error));
+        profiled_at(graph, error, errors.comparisons));
     for (error::CandidateLane& candidate : error::candidate_lanes(graph, scene.ranges)) {
       add(schemes, scene::bound_choice(candidate), SchemeKind::certified,
           design::as_lane(std::move(candidate.lane)));

@@ -264,7 +264,8 @@ TEST_F(Api, NumbersBeyondTheirLimitsAreMistakes) {
                "first_precision", "received 9; accepted at most 8");
   expect_error([&] { profile(scene(), {.first_precision = 3}); }, "first precision, last precision",
                "L = 3..");
-  expect_error([&] { profile(scene(), {.error_samples = 0}); }, "error_samples", "1..");
+  expect_error([&] { profile(scene(), {.error_samples = ~std::uint64_t{0}}); }, "error_samples",
+               "0..");
   expect_error([&] { profile(scene(), {.threads = 1025}); }, "threads", "0..1024");
 }
 

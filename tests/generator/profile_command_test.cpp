@@ -105,6 +105,30 @@ TEST_F(ProfileCommand, EndsWithAdviceThatSaysWhatItStandsOn) {
   EXPECT_EQ(followed.exit_code, 0) << command << "\n" << followed.output;
 }
 
+/// The same rates, and no wait for errors that they do not need.
+TEST_F(ProfileCommand, FixedPointAloneMeasuresNoRelativeErrors) {
+  const Outcome without = profile("scene.toml --last 12 --bounds fixed_norm --json");
+  const Outcome with = profile("scene.toml --last 12 --bounds fixed_norm --samples 50 --json");
+  ASSERT_EQ(without.exit_code, 0) << without.output;
+  ASSERT_EQ(with.exit_code, 0) << with.output;
+  const auto report = nlohmann::json::parse(without.output);
+  const auto measured = nlohmann::json::parse(with.output);
+  EXPECT_EQ(report.at("recomputation_rates"), measured.at("recomputation_rates"));
+  EXPECT_EQ(measured.at("relative_errors")[0].at("comparisons"), 50);
+  for (const auto& errors : report.at("relative_errors")) {
+    EXPECT_EQ(errors.at("comparisons"), 0);
+    EXPECT_TRUE(errors.at("precisions")[0].at("f_error").is_null());
+  }
+}
+
+TEST_F(ProfileCommand, LanesThatNeedMeasuredErrorsSayThatNoneWas) {
+  const Outcome run = profile("scene.toml --last 12 --samples 0");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_NE(run.output.find("none was measured"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("profiled: no relative error was measured"), std::string::npos)
+      << run.output;
+}
+
 TEST_F(ProfileCommand, RefusesBoundsThatItDoesNotCount) {
   expect_profile_refused("scene.toml --bounds running_3", "running_3");
   expect_profile_refused("scene.toml --bounds norm", "fixed_norm");
@@ -220,7 +244,8 @@ TEST_F(ProfileCommand, RefusesWhatCannotBeProfiled) {
   expect_profile_refused("scene.toml --first 3", "--first: received 3; accepted 4..52");
   expect_profile_refused("scene.toml --first 9 --last 8", "L = 9..8");
   expect_profile_refused("scene.toml --last 53", "--last: received 53; accepted 4..52");
-  expect_profile_refused("scene.toml --samples 0", "--samples");
+  expect_profile_refused("scene.toml --samples -1", "--samples");
+  expect_profile_refused("scene.toml --samples 0 --bounds profiled", "samples: the constants of");
   expect_profile_refused("scene.toml --threads 0", "--threads");
   write_scene("wide.toml", "binary128", "[data]\nitems = \"uniform_spheres\"\npairs = \"all\"\n");
   expect_profile_refused("wide.toml", "wide.toml: reference.format");
