@@ -10,53 +10,17 @@ namespace {
 
 constexpr int choice_bits = 32;  // of a row's choice in the file of vectors
 
-/// Verilog of the nets and the connections of an engine's counters; those that the test bench does
-/// not look at stay open.
-struct CounterText {
-  std::string nets;
-  std::string connections;
-};
-
-CounterText counter_text(const emit::SignatureEngine& engine, int counter_bits) {
-  CounterText text;
-  if (counter_bits == 0) return text;
-  for (const emit::SignaturePort& port : engine.ports) {
-    const bool of_lanes = port.name == "comparisons" || port.name == "recomputations";
-    const bool of_engine = port.name == "reports" || port.name == "rows";
-    if (of_lanes || of_engine) {
-      text.nets += fmt::format("  wire [{}-1:0] {};\n",
-                               of_lanes ? "LANES*COUNTER_BITS" : "COUNTER_BITS", port.name);
-      text.connections += fmt::format("      .{0}({0}),\n", port.name);
-    } else if (port.name == "stalls" || port.name == "busy_cycles" ||
-               port.name == "stalled_cycles") {
-      text.connections += fmt::format("      .{}(),\n", port.name);
-    }
-  }
-  text.nets.pop_back();
-  text.connections.pop_back();
-  return text;
-}
-
-/// The values that the test benches of both kinds of engines have; `result_counter` counts what
-/// leaves.
-Values engine_values(const ProjectSpec& spec, const std::string& result_counter) {
+/// The values that the test benches of both kinds of engines have.
+Values engine_values(const ProjectSpec& spec) {
   const emit::SignatureEngine& engine = *spec.signature.engine;
   const int counter_bits = spec.signature.counter_bits;
   Values values = common_values(spec, "//");
-  values["ENGINE"] = engine.top;
+  values["DUT"] = engine.top;
   values["LANES"] = std::to_string(spec.signature.lanes);
   values["ITEM_BITS"] = std::to_string(8 * engine.item_bytes);
   values["FIELD_BITS"] = std::to_string((engine.index_bits + 7) / 8 * 8);
   values["COUNTER_BITS"] = std::to_string(counter_bits);
-  const CounterText counters = counter_text(engine, counter_bits);
-  values["COUNTER_NETS"] = counters.nets;
-  values["COUNTER_CONNECTIONS"] = counters.connections;
-  const bool counts = counter_bits > 0;
-  values["COUNTER_CHECK"] =
-      counts ? fill_template("testbench_engine_counters.v", {{"RESULT_COUNTER", result_counter}})
-             : "";
-  values["COUNTER_CALL"] = counts ? "    if (!stopped) check_counters;" : "";
-  values["COMMON_TASKS"] = fill_template("testbench_engine.v", {{"ENGINE", engine.top}});
+  values["COUNTS"] = counter_bits > 0 ? "yes" : "";
   return values;
 }
 
@@ -81,7 +45,7 @@ GeneratedFile vector_file(const ProjectSpec& spec, const std::string& descriptio
 }
 
 std::vector<GeneratedFile> pairwise_files(const ProjectSpec& spec, const PairwiseVectors& vectors) {
-  Values values = engine_values(spec, "reports");
+  Values values = engine_values(spec);
   values["ITEMS"] = std::to_string(vectors.items.size());
   values["REPORTED_VERDICTS"] = reported_verdicts(*spec.signature.engine);
   std::string lines;
@@ -106,7 +70,7 @@ std::string lanes_in_hexadecimal(const std::vector<bool>& lanes) {
 
 std::vector<GeneratedFile> arg_min_files(const ProjectSpec& spec, const ArgMinVectors& vectors) {
   const emit::SignatureEngine& engine = *spec.signature.engine;
-  Values values = engine_values(spec, "rows");
+  Values values = engine_values(spec);
   values["CANDIDATES"] = std::to_string(vectors.candidates.size());
   values["ROWS"] = std::to_string(vectors.rows.size());
   values["ROW_BITS"] = std::to_string(8 * engine.row_bytes);

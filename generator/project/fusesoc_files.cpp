@@ -26,24 +26,6 @@ YosysOptions yosys_options(const std::string& synthesis) {
   return result;
 }
 
-constexpr const char* constraint_fileset =
-    "  constraints:\n"
-    "    files:\n"
-    "      - fusesoc/clock.xdc: {file_type: xdc}\n";
-
-std::string vivado_target(const ProjectSpec& spec) {
-  return fmt::format(
-      "\n"
-      "  synth_vivado:\n"
-      "    description: Synthesis by Vivado, without placement\n"
-      "    default_tool: vivado\n"
-      "    filesets: [rtl, constraints]\n"
-      "    toplevel: {}\n"
-      "    tools:\n"
-      "      vivado: {{part: {}, pnr: none}}",
-      spec.build_top(), spec.device.vivado_part);
-}
-
 }  // namespace
 
 std::vector<GeneratedFile> fusesoc_files(const ProjectSpec& spec) {
@@ -53,12 +35,12 @@ std::vector<GeneratedFile> fusesoc_files(const ProjectSpec& spec) {
   values["DEVICE"] = spec.device.name;
   values["ARCHITECTURE"] = yosys.architecture;
   values["SYNTHESIS_OPTIONS"] = yosys.options;
-  const bool in_vivado = !spec.device.vivado_part.empty();
-  values["CONSTRAINTS"] = in_vivado ? constraint_fileset : "";
-  values["VIVADO_TARGET"] = in_vivado ? vivado_target(spec) : "";
+  values["VIVADO_PART"] = spec.device.vivado_part;
   std::vector<GeneratedFile> files = {
       file_from(spec.signature.top + ".core", "fusesoc.core", values)};
-  if (in_vivado) files.push_back(file_from("fusesoc/clock.xdc", "vivado_clock.xdc", values));
+  if (!spec.device.vivado_part.empty()) {
+    files.push_back(file_from("fusesoc/clock.xdc", "vivado_clock.xdc", values));
+  }
   return files;
 }
 

@@ -5,38 +5,6 @@
 namespace mixcmp::project {
 namespace {
 
-constexpr const char* counter_nets =
-    "  wire [LANES*COUNTER_BITS-1:0] comparisons;\n"
-    "  wire [LANES*COUNTER_BITS-1:0] recomputations;\n"
-    "  wire [LANES*COUNTER_BITS-1:0] stalls;";
-constexpr const char* counter_connections =
-    "      .comparisons(comparisons),\n"
-    "      .recomputations(recomputations),\n"
-    "      .stalls(stalls),";
-constexpr const char* counter_pause =
-    "        // Half way, lanes with idle cycles have taken different numbers of comparisons.\n"
-    "        if (!has_paused && (left_count >= COUNT / 2)) pausing = 1'b1;\n"
-    "        if (pausing && (left_count == taken_count) && !stopped) begin\n"
-    "          check_counters;\n"
-    "          pausing = 1'b0;\n"
-    "          has_paused = 1'b1;\n"
-    "        end";
-constexpr const char* refetch_nets =
-    "  localparam TAG_FIELD = 8 * ((TAG_BITS + 7) / 8);\n"
-    "  wire [REFERENCES-1:0]            m_refetch_tvalid;\n"
-    "  wire [REFERENCES-1:0]            m_refetch_tready;\n"
-    "  wire [REFERENCES*TAG_FIELD-1:0]  m_refetch_tdata;\n"
-    "  wire [REFERENCES-1:0]            s_refetch_tvalid;\n"
-    "  wire [REFERENCES-1:0]            s_refetch_tready;\n"
-    "  wire [REFERENCES*TDATA_BITS-1:0] s_refetch_tdata;";
-constexpr const char* refetch_connections =
-    "      .m_refetch_tvalid(m_refetch_tvalid),\n"
-    "      .m_refetch_tready(m_refetch_tready),\n"
-    "      .m_refetch_tdata(m_refetch_tdata),\n"
-    "      .s_refetch_tvalid(s_refetch_tvalid),\n"
-    "      .s_refetch_tready(s_refetch_tready),\n"
-    "      .s_refetch_tdata(s_refetch_tdata),";
-
 bool refetches(const emit::Signature& signature) {
   return signature.operands == scene::OperandStore::refetched && signature.references > 0;
 }
@@ -54,27 +22,17 @@ Values signature_values(const ProjectSpec& spec, const std::string& comment) {
   number("TAG_BITS", s.tag_bits);
   number("COUNTER_BITS", s.counter_bits);
   number("IN_ORDER", s.order == scene::ResultOrder::in_order ? 1 : 0);
-  number("REFETCHED", refetches(s) ? 1 : 0);
+  number("REFETCHES", refetches(s) ? 1 : 0);
   number("COUNT", spec.vectors.size());
   return values;
 }
 
 GeneratedFile verilog_testbench(const ProjectSpec& spec) {
-  const emit::Signature& s = spec.signature;
   Values values = signature_values(spec, "//");
-  const auto block = [&values](const char* name, bool is_there, const std::string& text) {
-    values[name] = is_there ? text : "";
-  };
-  const bool counts = s.counter_bits > 0;
-  block("COUNTER_NETS", counts, counter_nets);
-  block("COUNTER_CONNECTIONS", counts, counter_connections);
-  block("COUNTER_CHECK", counts, fill_template("testbench_counters.v", {}));
-  block("COUNTER_CALL", counts, "    if (!stopped) check_counters;");
-  block("COUNTER_PAUSE", counts, counter_pause);
-  block("REFETCH_NETS", refetches(s), refetch_nets);
-  block("REFETCH_CONNECTIONS", refetches(s), refetch_connections);
-  block("REFETCH_MEMORY", refetches(s), fill_template("testbench_refetch.v", {}));
-  return file_from(fmt::format("testbench/{}_tb.v", s.top), "testbench.v", values);
+  values["DUT"] = spec.signature.top;
+  values["COUNTS"] = spec.signature.counter_bits > 0 ? "yes" : "";
+  values["REFETCHED"] = refetches(spec.signature) ? "yes" : "";
+  return file_from(fmt::format("testbench/{}_tb.v", spec.signature.top), "testbench.v", values);
 }
 
 /// One line for each vector: the expected word, an underscore, and the operands, all hexadecimal.

@@ -1,6 +1,7 @@
 #include "generator/project/text_template.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "embedded/project_templates.hpp"
 #include "model/common/check.hpp"
@@ -23,43 +24,86 @@ bool is_name(std::string_view text) {
          text.find_first_not_of(all) == std::string_view::npos;
 }
 
-/// The end of the placeholder that begins with the @ at `begin`: the position of its second @. None
-/// where no placeholder begins.
-std::size_t end_of_placeholder(std::string_view text, std::size_t begin) {
-  const std::size_t end = text.find('@', begin + 1);
-  if (end == std::string_view::npos) return end;
-  return is_name(text.substr(begin + 1, end - begin - 1)) ? end : std::string_view::npos;
+const std::string& value_of(std::string_view name, const Values& values) {
+  const auto value = values.find(std::string(name));
+  MIXCMP_CHECK(value != values.end());
+  return value->second;
 }
 
-/// Appends what stands for the @ at `begin`, a placeholder's value or the @ itself, and returns the
-/// position behind it.
-std::size_t append_value(std::string_view text, std::size_t begin, const Values& values,
-                         std::string& filled) {
-  const std::size_t end = end_of_placeholder(text, begin);
-  if (end == std::string_view::npos) {
-    filled += '@';
-    return begin + 1;
+/// The line with its placeholders replaced; an @ that begins none stays.
+std::string filled_line(std::string_view line, const Values& values) {
+  std::string filled;
+  while (!line.empty()) {
+    const std::size_t begin = std::min(line.find('@'), line.size());
+    filled += line.substr(0, begin);
+    line.remove_prefix(begin);
+    if (line.empty()) break;
+    const std::size_t end = std::min(line.find('@', 1), line.size());
+    const std::string_view name = line.substr(1, end - 1);
+    const bool is_placeholder = end < line.size() && is_name(name);
+    filled += is_placeholder ? value_of(name, values) : "@";
+    line.remove_prefix(is_placeholder ? end + 1 : 1);
   }
-  const auto value = values.find(std::string(text.substr(begin + 1, end - begin - 1)));
-  MIXCMP_CHECK(value != values.end());
-  const bool fills_line =
-      (filled.empty() || filled.back() == '\n') && text.substr(end + 1, 1) == "\n";
-  if (value->second.empty() && fills_line) return end + 2;
-  filled += value->second;
-  return end + 1;
+  return filled;
 }
+
+/// What stands between `begin` and the @ that ends the line; empty for any other line.
+std::string_view argument(std::string_view line, std::string_view begin) {
+  if (!line.starts_with(begin) || !line.ends_with('@')) return {};
+  return line.substr(begin.size(), line.size() - begin.size() - 1);
+}
+
+/// The next line of `text`, without its end, which is taken off with it.
+std::string_view take_line(std::string_view& text) {
+  const std::size_t end = text.find('\n');
+  MIXCMP_CHECK(end != std::string_view::npos);
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(end + 1);
+  return line;
+}
+
+/// The lines that @IF, @END@ and @INCLUDE leave of a template.
+class Filler {
+public:
+  explicit Filler(const Values& values) : values_(values) {}
+
+  std::string fill(std::string_view text) {
+    const std::size_t outer = conditions_.size();
+    std::string filled;
+    while (!text.empty()) filled += fill_line(take_line(text));
+    MIXCMP_CHECK(conditions_.size() == outer);
+    return filled;
+  }
+
+private:
+  std::string fill_line(std::string_view line) {
+    if (line == "@END@") {
+      MIXCMP_CHECK(!conditions_.empty());
+      conditions_.pop_back();
+      return "";
+    }
+    if (const std::string_view name = argument(line, "@IF "); !name.empty()) {
+      conditions_.push_back(is_kept() && !value_of(name, values_).empty());
+      return "";
+    }
+    if (!is_kept()) return "";
+    const std::string_view file = argument(line, "@INCLUDE ");
+    if (!file.empty()) return fill(template_text(file));
+    std::string filled = filled_line(line, values_);
+    const bool held_empty_values = filled.empty() && !line.empty();
+    return held_empty_values ? "" : filled + "\n";
+  }
+
+  bool is_kept() const { return conditions_.empty() || conditions_.back(); }
+
+  const Values& values_;
+  std::vector<bool> conditions_;  ///< of the sections around the line, the innermost last
+};
 
 }  // namespace
 
 std::string fill_template(std::string_view file, const Values& values) {
-  const std::string_view text = template_text(file);
-  std::string filled;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t begin = std::min(text.find('@', at), text.size());
-    filled += text.substr(at, begin - at);
-    at = begin == text.size() ? begin : append_value(text, begin, values, filled);
-  }
-  return filled;
+  return Filler(values).fill(template_text(file));
 }
 
 }  // namespace mixcmp::project

@@ -15,6 +15,26 @@ TEST(TextTemplate, OnlyNamesInCapitalsArePlaceholders) {
   EXPECT_NE(text.find("always @(posedge aclk)"), std::string::npos);
 }
 
+TEST(TextTemplate, SectionsAreThereWhereTheirValueIsNotEmpty) {
+  project::Values values = {{"DUT", "spheres"}, {"COUNTS", ""}};
+  const std::string without = project::fill_template("testbench_common.v", values);
+  values["COUNTS"] = "yes";
+  const std::string with = project::fill_template("testbench_common.v", values);
+  EXPECT_EQ(without.find("check_counter"), std::string::npos);
+  EXPECT_NE(with.find("task check_counter("), std::string::npos);
+  EXPECT_NE(with.find("$dumpvars(0, spheres_tb);"), std::string::npos);
+  for (const std::string& text : {with, without}) {
+    EXPECT_EQ(text.find('@'), std::string::npos) << text;
+    EXPECT_EQ(text.find("\n\n\n"), std::string::npos) << text;
+  }
+}
+
+TEST(TextTemplate, AnIncludedTemplateHasTheSameValues) {
+  const project::Values values = {{"DUT", "spheres"}, {"COUNTS", "yes"}};
+  const std::string common = project::fill_template("testbench_common.v", values);
+  EXPECT_EQ(project::fill_template("testbench_engine.v", values).find(common), 0u);
+}
+
 TEST(TextTemplate, APlaceholderAloneInItsLineLeavesNoLine) {
   const project::Values values = {
       {"BUILD_TOP", "x"}, {"TARGET_MHZ", "200"}, {"PERIOD_NS", "5.000"}};

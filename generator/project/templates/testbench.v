@@ -1,4 +1,4 @@
-// Test bench of @TOP@ that checks itself, in plain Verilog-2001 for any simulator.
+// Test bench of @DUT@ that checks itself, in plain Verilog-2001 for any simulator.
 //
 // It sends @COUNT@ comparisons through the system, four times: at full rate, with idle cycles, with
 // backpressure, and with both. They are of the scene's data, the last ones with zeros, NaNs,
@@ -11,7 +11,7 @@
 // Verilog-2001 has no exit code. Verilator makes one of $stop, and Icarus has $fatal.
 //
 // Arguments of the simulation, all optional:
-//   +vectors=FILE  @TOP@_tb.hex in another place than the working folder
+//   +vectors=FILE  @DUT@_tb.hex in another place than the working folder
 //   +waves=FILE    write all signals there ($dumpfile)
 //   +seed=N        other idle cycles and other backpressure; N from 0 to 2147483647
 //
@@ -19,9 +19,9 @@
 
 `default_nettype none
 
-module @TOP@_tb;
+module @DUT@_tb;
 
-  // The system's signature, @TOP@.json.
+  // The system's signature, @DUT@.json.
   localparam LANES = @LANES@;
   localparam REFERENCES = @REFERENCES@;
   localparam TDATA_BITS = @TDATA_BITS@;
@@ -29,7 +29,8 @@ module @TOP@_tb;
   localparam COUNTER_BITS = @COUNTER_BITS@;
   localparam IN_ORDER = @IN_ORDER@;
 
-  localparam COUNT = @COUNT@;  // comparisons in the file of vectors
+  localparam COUNT = @COUNT@;
+  localparam VECTORS = COUNT;  // lines of the file: comparisons
   localparam PASSES = 4;
   localparam MAX_FAILURES = 10;       // so many are described, then the simulation ends
   localparam TIME_OUT_CYCLES = 5000;  // in which no lane takes or returns a comparison
@@ -48,14 +49,37 @@ module @TOP@_tb;
   reg  [LANES-1:0]            m_axis_tready;
   wire [LANES*8-1:0]          m_axis_tdata;
   wire [LANES*TAG_BITS-1:0]   m_axis_tuser;
-@COUNTER_NETS@
-@REFETCH_NETS@
+@IF COUNTS@
+  wire [LANES*COUNTER_BITS-1:0] comparisons;
+  wire [LANES*COUNTER_BITS-1:0] recomputations;
+  wire [LANES*COUNTER_BITS-1:0] stalls;
+@END@
+@IF REFETCHED@
+  localparam TAG_FIELD = 8 * ((TAG_BITS + 7) / 8);
+  wire [REFERENCES-1:0]            m_refetch_tvalid;
+  wire [REFERENCES-1:0]            m_refetch_tready;
+  wire [REFERENCES*TAG_FIELD-1:0]  m_refetch_tdata;
+  wire [REFERENCES-1:0]            s_refetch_tvalid;
+  wire [REFERENCES-1:0]            s_refetch_tready;
+  wire [REFERENCES*TDATA_BITS-1:0] s_refetch_tdata;
+@END@
 
-  @TOP@ system (
+  @DUT@ system (
       .aclk(aclk),
       .aresetn(aresetn),
-@COUNTER_CONNECTIONS@
-@REFETCH_CONNECTIONS@
+@IF COUNTS@
+      .comparisons(comparisons),
+      .recomputations(recomputations),
+      .stalls(stalls),
+@END@
+@IF REFETCHED@
+      .m_refetch_tvalid(m_refetch_tvalid),
+      .m_refetch_tready(m_refetch_tready),
+      .m_refetch_tdata(m_refetch_tdata),
+      .s_refetch_tvalid(s_refetch_tvalid),
+      .s_refetch_tready(s_refetch_tready),
+      .s_refetch_tdata(s_refetch_tdata),
+@END@
       .s_axis_tvalid(s_axis_tvalid),
       .s_axis_tready(s_axis_tready),
       .s_axis_tdata(s_axis_tdata),
@@ -71,7 +95,7 @@ module @TOP@_tb;
   localparam [1:0] LEFT = 2'd2;
 
   // A line of the file: the result that is expected, 8 bits, above the operands.
-  reg [TDATA_BITS+7:0] vectors [0:COUNT-1];
+  reg [TDATA_BITS+7:0] vectors [0:VECTORS-1];
   reg [1:0]            status [0:COUNT-1];
 
   integer              next_offer [0:LANES-1];   // the lane's next comparison, or the offered one
@@ -105,16 +129,7 @@ module @TOP@_tb;
   integer          recomputed_count;
   integer          failures;
 
-  // The next number of a xorshift generator: the same numbers in every simulator.
-  function [31:0] next_random(input [31:0] number);
-    reg [31:0] x;
-    begin
-      x = number ^ (number << 13);
-      x = x ^ (x >> 17);
-      next_random = x ^ (x << 5);
-    end
-  endfunction
-
+@INCLUDE testbench_common.v@
   function [TAG_BITS-1:0] tag_of(input integer index);
     reg [TAG_BITS+29:0] wide;
     begin
@@ -140,29 +155,7 @@ module @TOP@_tb;
     end
   endtask
 
-  task count_failure;
-    begin
-      failures = failures + 1;
-      if (failures >= MAX_FAILURES) stopped = 1'b1;
-    end
-  endtask
-
-  task write_result(input [7:0] word);
-    begin
-      if ((^word === 1'bx) || (word[7:4] != 4'd0)) $write("the impossible tdata %h", word);
-      else if (word[3]) $write("undecided");
-      else begin
-        case (word[1:0])
-          2'd0: $write("less");
-          2'd1: $write("equal");
-          2'd2: $write("greater");
-          default: $write("unordered");
-        endcase
-        if (word[2]) $write(", recomputed"); else $write(", decided by the lane");
-      end
-    end
-  endtask
-
+@INCLUDE testbench_verdict.v@
   task check_result(input integer index, input integer lane, input [7:0] tdata);
     reg [7:0] expected;
     reg [7:0] compared;  // the verdict of an undecided comparison has no meaning
@@ -172,9 +165,9 @@ module @TOP@_tb;
       if (((tdata ^ expected) & compared) !== 8'd0) begin
         $write("comparison %0d, lane %0d, pass %0d, cycle %0d: expected ",
                index, lane, pass, cycle);
-        write_result(expected);
+        write_word(expected);
         $write("; got ");
-        write_result(tdata);
+        write_word(tdata);
         $display("; operands %h", vectors[index][TDATA_BITS-1:0]);
         count_failure;
       end
@@ -340,7 +333,15 @@ module @TOP@_tb;
       while ((left_count < COUNT) && !stopped) begin
         clock_cycle;
         if (cycle - last_progress > TIME_OUT_CYCLES) report_time_out;
-@COUNTER_PAUSE@
+@IF COUNTS@
+        // Half way, lanes with idle cycles have taken different numbers of comparisons.
+        if (!has_paused && (left_count >= COUNT / 2)) pausing = 1'b1;
+        if (pausing && (left_count == taken_count) && !stopped) begin
+          check_counters;
+          pausing = 1'b0;
+          has_paused = 1'b1;
+        end
+@END@
       end
       for (k = 0; (k < 64) && !stopped; k = k + 1) clock_cycle;  // in which nothing may leave
     end
@@ -371,8 +372,23 @@ module @TOP@_tb;
     end
   endtask
 
-@COUNTER_CHECK@
-@REFETCH_MEMORY@
+@IF COUNTS@
+  task check_counters;
+    integer k;
+    begin
+      for (k = 0; k < LANES; k = k + 1) begin
+        check_counter("comparisons", k, comparisons[k*COUNTER_BITS +: COUNTER_BITS], accepted[k]);
+        check_counter("recomputations", k, recomputations[k*COUNTER_BITS +: COUNTER_BITS],
+                      recomputed[k]);
+        check_counter("stalls", k, stalls[k*COUNTER_BITS +: COUNTER_BITS], stalled[k]);
+      end
+    end
+  endtask
+
+@END@
+@IF REFETCHED@
+@INCLUDE testbench_refetch.v@
+@END@
   task finish;
     begin
       if (failures == 0) begin
@@ -382,12 +398,7 @@ module @TOP@_tb;
       end else begin
         $display("FAILED: %0d failure(s), %0d of %0d comparisons have left",
                  failures, results, PASSES * COUNT);
-`ifdef __ICARUS__
-        $fatal(0);  // whose exit code does not depend on options of vvp
-`else
-        $stop;
-`endif
-        $finish;  // for simulators whose $stop goes on
+        stop;
       end
     end
   endtask
@@ -401,19 +412,7 @@ module @TOP@_tb;
     failures = 0;
     stopped = 1'b0;
     oldest = 0;
-    random_state = 32'd2463534242;
-    if ($value$plusargs("seed=%d", random_state)) random_state = {random_state[30:0], 1'b1};
-    if ($value$plusargs("waves=%s", file_name)) begin
-      $dumpfile(file_name);
-      $dumpvars(0, @TOP@_tb);
-    end
-    if (!$value$plusargs("vectors=%s", file_name)) file_name = "@TOP@_tb.hex";
-    $readmemh(file_name, vectors);
-    if (^vectors[COUNT-1] === 1'bx) begin
-      $display("the file of vectors cannot be read, or is not whole");
-      count_failure;
-      stopped = 1'b1;
-    end
+    read_arguments;
     idle_cycles = 1'b0;
     backpressure = 1'b0;
     reset;
@@ -422,7 +421,9 @@ module @TOP@_tb;
       backpressure = (pass == 3) || (pass == 4);
       run_pass;
     end
-@COUNTER_CALL@
+@IF COUNTS@
+    if (!stopped) check_counters;
+@END@
     finish;
   end
 

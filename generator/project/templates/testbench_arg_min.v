@@ -1,4 +1,4 @@
-// Test bench of the arg-min engine @ENGINE@ that checks itself, in plain Verilog-2001 for any
+// Test bench of the arg-min engine @DUT@ that checks itself, in plain Verilog-2001 for any
 // simulator.
 //
 // It loads @CANDIDATES@ candidates of the scene's data and sends @ROWS@ rows, four times: at full
@@ -10,7 +10,7 @@
 // Verilog-2001 has no exit code. Verilator makes one of $stop, and Icarus has $fatal.
 //
 // Arguments of the simulation, all optional:
-//   +vectors=FILE  @ENGINE@_tb.hex in another place than the working folder
+//   +vectors=FILE  @DUT@_tb.hex in another place than the working folder
 //   +waves=FILE    write all signals there ($dumpfile)
 //   +seed=N        other idle cycles and other backpressure
 //
@@ -18,7 +18,7 @@
 
 `default_nettype none
 
-module @ENGINE@_tb;
+module @DUT@_tb;
 
   // The system's signature, @TOP@.json.
   localparam LANES = @LANES@;
@@ -54,12 +54,22 @@ module @ENGINE@_tb;
   wire [TAG_BITS-1:0]      m_axis_tuser;
   wire                     m_axis_tlast;
   wire                     overrun;
-@COUNTER_NETS@
+@IF COUNTS@
+  wire [LANES*COUNTER_BITS-1:0] comparisons;
+  wire [LANES*COUNTER_BITS-1:0] recomputations;
+  wire [COUNTER_BITS-1:0]       rows;
+@END@
 
-  @ENGINE@ engine (
+  @DUT@ engine (
       .aclk(aclk),
       .aresetn(aresetn),
-@COUNTER_CONNECTIONS@
+@IF COUNTS@
+      .comparisons(comparisons),
+      .recomputations(recomputations),
+      .rows(rows),
+      .stalls(),
+      .stalled_cycles(),
+@END@
       .s_candidate_tvalid(s_candidate_tvalid),
       .s_candidate_tready(s_candidate_tready),
       .s_candidate_tdata(s_candidate_tdata),
@@ -99,7 +109,7 @@ module @ENGINE@_tb;
   integer                      results;
   integer                      failures;
 
-@COMMON_TASKS@
+@INCLUDE testbench_engine.v@
   // The low bits of a row's number, which is its tag.
   function [TAG_BITS-1:0] tag_of(input integer row);
     reg [TAG_BITS+31:0] wide;
@@ -257,7 +267,20 @@ module @ENGINE@_tb;
     end
   endtask
 
-@COUNTER_CHECK@
+@IF COUNTS@
+  task check_counters;
+    integer k;
+    begin
+      for (k = 0; k < LANES; k = k + 1) begin
+        check_counter("comparisons", k, comparisons[k*COUNTER_BITS +: COUNTER_BITS], compared[k]);
+        check_counter("recomputations", k, recomputations[k*COUNTER_BITS +: COUNTER_BITS],
+                      recomputed[k]);
+      end
+      check_counter("rows", -1, rows, results);
+    end
+  endtask
+
+@END@
   initial begin
     start;
     count_comparisons;
@@ -267,9 +290,13 @@ module @ENGINE@_tb;
       backpressure = (pass == 3) || (pass == 4);
       run_pass;
     end
-@COUNTER_CALL@
-    if (failures != 0) fail;
-    else begin
+@IF COUNTS@
+    if (!stopped) check_counters;
+@END@
+    if (failures != 0) begin
+      $display("FAILED: %0d failure(s)", failures);
+      stop;
+    end else begin
       $display("PASSED: the engine's %0d rows (%0d, %0d times), %0d candidates, %0d cycles",
                results, ROWS, PASSES, CANDIDATES, cycle);
       $finish;

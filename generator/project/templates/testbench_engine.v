@@ -1,20 +1,4 @@
-  // The next number of a xorshift generator: the same numbers in every simulator.
-  function [31:0] next_random(input [31:0] number);
-    reg [31:0] x;
-    begin
-      x = number ^ (number << 13);
-      x = x ^ (x >> 17);
-      next_random = x ^ (x << 5);
-    end
-  endfunction
-
-  task count_failure;
-    begin
-      failures = failures + 1;
-      if (failures >= MAX_FAILURES) stopped = 1'b1;
-    end
-  endtask
-
+@INCLUDE testbench_common.v@
   // Draws the shares of cycles with an offer and with tready high anew every 64 cycles.
   task draw;
     begin
@@ -47,18 +31,6 @@
     end
   endtask
 
-  task fail;
-    begin
-      $display("FAILED: %0d failure(s)", failures);
-`ifdef __ICARUS__
-      $fatal(0);  // whose exit code does not depend on options of vvp
-`else
-      $stop;
-`endif
-      $finish;  // for simulators whose $stop goes on
-    end
-  endtask
-
   task start;
     begin
       aclk = 1'b1;
@@ -73,18 +45,6 @@
       backpressure = 1'b0;
       offer_density = 9'd256;
       ready_density = 9'd256;
-      random_state = 32'd2463534242;
-      if ($value$plusargs("seed=%d", random_state)) random_state = {random_state[30:0], 1'b1};
-      if ($value$plusargs("waves=%s", file_name)) begin
-        $dumpfile(file_name);
-        $dumpvars(0, @ENGINE@_tb);
-      end
-      if (!$value$plusargs("vectors=%s", file_name)) file_name = "@ENGINE@_tb.hex";
-      $readmemh(file_name, vectors);
-      if (^vectors[VECTORS-1] === 1'bx) begin
-        $display("the file of vectors cannot be read, or is not whole");
-        count_failure;
-        stopped = 1'b1;
-      end
+      read_arguments;
     end
   endtask

@@ -1,4 +1,4 @@
-// Test bench of the pairwise engine @ENGINE@ that checks itself, in plain Verilog-2001 for any
+// Test bench of the pairwise engine @DUT@ that checks itself, in plain Verilog-2001 for any
 // simulator.
 //
 // It sends a set of @ITEMS@ items of the scene's data, four times: at full rate, with idle cycles,
@@ -10,7 +10,7 @@
 // Verilog-2001 has no exit code. Verilator makes one of $stop, and Icarus has $fatal.
 //
 // Arguments of the simulation, all optional:
-//   +vectors=FILE  @ENGINE@_tb.hex in another place than the working folder
+//   +vectors=FILE  @DUT@_tb.hex in another place than the working folder
 //   +waves=FILE    write all signals there ($dumpfile)
 //   +seed=N        other idle cycles and other backpressure
 //
@@ -18,7 +18,7 @@
 
 `default_nettype none
 
-module @ENGINE@_tb;
+module @DUT@_tb;
 
   // The system's signature, @TOP@.json.
   localparam LANES = @LANES@;
@@ -47,12 +47,23 @@ module @ENGINE@_tb;
   wire [2*FIELD_BITS-1:0] m_axis_tdata;
   wire [7:0]              m_axis_tuser;
   wire                    m_axis_tlast;
-@COUNTER_NETS@
+@IF COUNTS@
+  wire [LANES*COUNTER_BITS-1:0] comparisons;
+  wire [LANES*COUNTER_BITS-1:0] recomputations;
+  wire [COUNTER_BITS-1:0]       reports;
+@END@
 
-  @ENGINE@ engine (
+  @DUT@ engine (
       .aclk(aclk),
       .aresetn(aresetn),
-@COUNTER_CONNECTIONS@
+@IF COUNTS@
+      .comparisons(comparisons),
+      .recomputations(recomputations),
+      .reports(reports),
+      .stalls(),
+      .busy_cycles(),
+      .stalled_cycles(),
+@END@
       .s_axis_tvalid(s_axis_tvalid),
       .s_axis_tready(s_axis_tready),
       .s_axis_tdata(s_axis_tdata),
@@ -87,7 +98,7 @@ module @ENGINE@_tb;
   integer                results;
   integer                failures;
 
-@COMMON_TASKS@
+@INCLUDE testbench_engine.v@
   // The number of the pair (i, j), i < j: (0,1), (0,2), ..., (1,2), ...
   function integer pair_of(input integer i, input integer j);
     pair_of = i * (2 * ITEMS - i - 1) / 2 + j - i - 1;
@@ -101,19 +112,10 @@ module @ENGINE@_tb;
     is_due = word[3] || REPORTED_VERDICTS[word[1:0]];
   endfunction
 
-  task write_word(input [7:0] word);
+@INCLUDE testbench_verdict.v@
+  task write_outcome(input [7:0] word);
     begin
-      if ((^word === 1'bx) || (word[7:4] != 4'd0)) $write("the impossible tuser %h", word);
-      else if (word[3]) $write("undecided");
-      else begin
-        case (word[1:0])
-          2'd0: $write("less");
-          2'd1: $write("equal");
-          2'd2: $write("greater");
-          default: $write("unordered");
-        endcase
-        if (word[2]) $write(", recomputed"); else $write(", decided by the lane");
-      end
+      write_word(word);
       if (!is_due(word)) $write(", not reported");
     end
   endtask
@@ -131,9 +133,9 @@ module @ENGINE@_tb;
       if (!is_due(expected) || (((word ^ expected) & compared_bits) !== 8'd0)) begin
         write_pair(i, j);
         $write("expected ");
-        write_word(expected);
+        write_outcome(expected);
         $write("; got ");
-        write_word(word);
+        write_outcome(word);
         $display("");
         count_failure;
       end
@@ -185,7 +187,7 @@ module @ENGINE@_tb;
           if (is_due(expected_word(pair_of(i, j))) && !reported[pair_of(i, j)] && !stopped) begin
             write_pair(i, j);
             $write("expected ");
-            write_word(expected_word(pair_of(i, j)));
+            write_outcome(expected_word(pair_of(i, j)));
             $display("; the set is closed without it");
             count_failure;
           end
@@ -298,7 +300,20 @@ module @ENGINE@_tb;
     end
   endtask
 
-@COUNTER_CHECK@
+@IF COUNTS@
+  task check_counters;
+    integer k;
+    begin
+      for (k = 0; k < LANES; k = k + 1) begin
+        check_counter("comparisons", k, comparisons[k*COUNTER_BITS +: COUNTER_BITS], compared[k]);
+        check_counter("recomputations", k, recomputations[k*COUNTER_BITS +: COUNTER_BITS],
+                      recomputed[k]);
+      end
+      check_counter("reports", -1, reports, results);
+    end
+  endtask
+
+@END@
   initial begin
     start;
     count_comparisons;
@@ -308,9 +323,13 @@ module @ENGINE@_tb;
       backpressure = (pass == 3) || (pass == 4);
       run_pass;
     end
-@COUNTER_CALL@
-    if (failures != 0) fail;
-    else begin
+@IF COUNTS@
+    if (!stopped) check_counters;
+@END@
+    if (failures != 0) begin
+      $display("FAILED: %0d failure(s)", failures);
+      stop;
+    end else begin
       $display("PASSED: the engine's %0d pairs (%0d items, %0d times), %0d reported, %0d cycles",
                PASSES * PAIRS, ITEMS, PASSES, results, cycle);
       $finish;
