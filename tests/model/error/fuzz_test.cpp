@@ -7,6 +7,7 @@
 #include "model/error/certified_lane.hpp"
 #include "model/error/error_analysis.hpp"
 #include "model/expression/text.hpp"
+#include "model/golden/enclosure.hpp"
 #include "model/golden/evaluate.hpp"
 #include "model/number/exact.hpp"
 #include "model/number/verdict.hpp"
@@ -361,6 +362,119 @@ TEST_P(RandomGraphs, OfSeveralPartsAreDecidedAsTheRealNumbersAre) {
   }
   EXPECT_GT(lanes, MIXCMP_FUZZED_GRAPHS / 20);
   EXPECT_GT(decided, 2 * lanes);
+}
+
+/// A comparison in which some operands are solved for: each is put between the value that the lane
+/// computes for a node and that node's true value, where a bound that is too small decides wrongly.
+struct Aimed {
+  Graph graph;
+  struct Shot {
+    int input;    ///< the operand that is solved for
+    NodeId node;  ///< what it is put beside
+  };
+  std::vector<Shot> shots;  ///< in order: a node needs no operand that is solved for later
+};
+
+/// u against z; or u - y, its root, or a quotient by it against z, where y brings u - y to zero.
+Aimed random_aim(Random& random) {
+  Aimed aimed{.graph = random_graph(random), .shots = {}};
+  Graph& graph = aimed.graph;
+  const auto last = [&] { return static_cast<int>(graph.inputs().size()) - 1; };
+  const NodeId u = graph.f(), v = graph.g();
+  const int form = below(random, 4);
+  NodeId side = u;
+  if (form > 0) {
+    const NodeId y = graph.input("y");
+    aimed.shots.push_back({last(), u});
+    side = graph.apply(Operation::subtract, u, y);
+    if (form == 2) side = graph.apply(Operation::square_root, side);
+    if (form == 3) side = graph.apply(Operation::divide, v, side);
+  }
+  const NodeId z = graph.input("z");
+  aimed.shots.push_back({last(), side});
+  graph.compare(side, z);
+  return aimed;
+}
+
+/// The middle of an interval of 200 digits around the true value of a node; none where there is no
+/// such value.
+std::optional<mpq_class> true_value(const Graph& graph, NodeId node, FloatFormat format,
+                                    const std::vector<Bits>& inputs) {
+  golden::Enclosure enclosure(graph, Sides{node, node}, 200);
+  if (enclosure.compute(format, inputs) != golden::Knowledge::enclosed) return std::nullopt;
+  mpq_class value;
+  mpfr_get_q(value.get_mpq_t(), enclosure.f().low.get());
+  return value;
+}
+
+/// What a lane computes for a node of the graph; none if that is no number.
+std::optional<mpq_class> computed_value(const Graph& graph, NodeId node, FloatFormat reference,
+                                        const Arithmetic& reduced, LaneInputs how,
+                                        const std::vector<Bits>& inputs) {
+  Graph alone = graph;
+  alone.compare(node, node);
+  const TypedGraph lane = lane_graph(alone, reference, reduced, how);
+  const Bits bits = golden::evaluate(lane, inputs)[lane.f()].bits;
+  const FloatFormat format = lane.nodes[lane.f()].format;
+  if (format.is_nan(bits) || format.is_infinite(bits)) return std::nullopt;
+  return to_rational(format, bits);
+}
+
+/// Puts the solved operands where the lane is most likely to be wrong. False where a node that
+/// they are put beside has no value.
+bool aim(const Aimed& aimed, FloatFormat reference, const Arithmetic& reduced, LaneInputs how,
+         std::vector<Bits>& inputs, Random& random) {
+  for (const Aimed::Shot& shot : aimed.shots) {
+    const auto truth = true_value(aimed.graph, shot.node, reference, inputs);
+    const auto computed = computed_value(aimed.graph, shot.node, reference, reduced, how, inputs);
+    Bits& operand = inputs[static_cast<size_t>(shot.input)];
+    if (!computed) return false;
+    // A root of a number below zero has no true value: any operand shows that it was decided.
+    if (!truth) {
+      operand = random_operand(reference, random);
+      continue;
+    }
+    const mpq_class part(below(random, 9), 8);
+    operand = from_rational(reference, mpq_class(*computed + (*truth - *computed) * part));
+    const int steps = one_in(random, 2) ? 0 : below(random, 5) - 2;
+    operand = (operand + static_cast<Bits>(steps)) & low_mask(reference.width());
+  }
+  return true;
+}
+
+/// Half of the lanes have the digits of the reference, whose operands they then take unrounded.
+Arithmetic aimed_arithmetic(Random& random, FloatFormat reference) {
+  if (one_in(random, 2)) return random_reduced(random, reference);
+  const FloatFormat format =
+      format_of(std::min(reference.precision(), 52), reference.exponent_bits());
+  return any_of(every_arithmetic(format), random);
+}
+
+TEST_P(RandomGraphs, AreDecidedAsTheRealNumbersAreBetweenComputedAndTrueValues) {
+  Random random(static_cast<unsigned>(GetParam()));
+  int lanes = 0, decided = 0;
+  for (int k = 0; k < MIXCMP_FUZZED_GRAPHS && !HasFailure(); ++k) {
+    const Aimed aimed = random_aim(random);
+    const FloatFormat reference = format_of(4 + below(random, 6), 4 + below(random, 3));
+    if (!holds_constants(aimed.graph, reference)) continue;
+    const CertifiedOptions options = random_options(random, aimed.graph.inputs().size());
+    const Arithmetic reduced = aimed_arithmetic(random, reference);
+    const LaneInputs how = any_inputs(reduced.format.precision(), reference.precision(), random);
+    const auto lane = certified_lane(lane_graph(aimed.graph, reference, reduced, how), options);
+    if (!lane.ok()) continue;
+    ++lanes;
+    for (int shot = 0; shot < 24 && !HasFailure(); ++shot) {
+      std::vector<Bits> inputs(aimed.graph.inputs().size());
+      for (Bits& input : inputs) input = random_operand(reference, random);
+      if (!aim(aimed, reference, reduced, how, inputs, random)) continue;
+      const LaneResult result = evaluate_lane(*lane, inputs);
+      if (!result.decided) continue;
+      ++decided;
+      hold({aimed.graph, *lane, how}, inputs, result.verdict);
+    }
+  }
+  EXPECT_GT(lanes, MIXCMP_FUZZED_GRAPHS / 8);
+  EXPECT_GT(decided, lanes / 4);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomGraphs, testing::Range(1, 5));

@@ -99,11 +99,17 @@ void SystemRun::drive(const SystemTraffic& traffic) {
 void SystemRun::drive_memories(const SystemTraffic& traffic) {
   for (int r = 0; r < spec_.references; ++r) {
     Memory& memory = memories_[r];
-    memory.giving = memory.giving || (!memory.asked.empty() && random_.chance(traffic.refetch));
-    (*dut_->s_refetch_operands)[r] =
-        memory.giving ? word_of_tag_.at(memory.asked.front()) : random_.word();
+    const bool ready = random_.chance(traffic.refetch);
+    set_bit(*dut_->m_refetch_ready, r, ready);
+    // A memory may answer in the cycle in which it is asked: before the sender is known.
+    const bool asked = ready && bit(*dut_->m_refetch_valid, r);
+    if (asked) memory.asked.push_back((*dut_->m_refetch_tags)[r]);
+    const bool at_once = asked && memory.asked.size() == 1;
+    memory.giving = memory.giving || (!memory.asked.empty() && random_.chance(traffic.refetch) &&
+                                      (!at_once || random_.chance(0.5)));
+    const bool known = memory.giving && word_of_tag_.count(memory.asked.front()) != 0;
+    (*dut_->s_refetch_operands)[r] = known ? word_of_tag_.at(memory.asked.front()) : random_.word();
     set_bit(*dut_->s_refetch_valid, r, memory.giving);
-    set_bit(*dut_->m_refetch_ready, r, random_.chance(traffic.refetch));
   }
 }
 
@@ -185,8 +191,7 @@ void SystemRun::serve_memory(int r) {
   memory.held = valid && !bit(*dut_->m_refetch_ready, r);
   memory.held_tag = tag;
   if (!valid || memory.held) return;
-  if (word_of_tag_.count(tag) == 0) return fail("refetch of " + hex(tag) + ", not outstanding");
-  memory.asked.push_back(tag);
+  if (word_of_tag_.count(tag) == 0) fail("refetch of " + hex(tag) + ", not outstanding");
 }
 
 void SystemRun::cycle(const SystemTraffic& traffic) {
