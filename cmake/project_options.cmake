@@ -30,6 +30,15 @@ if(MIXCMP_SANITIZE)
                          $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
 
+# tests/fuzz: libFuzzer, which clang brings, sees which branches an input takes.
+option(MIXCMP_FUZZ "Build the fuzzers of the readers, and no other tests" OFF)
+if(MIXCMP_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "MIXCMP_FUZZ needs clang++, which brings libFuzzer: cmake --preset fuzz")
+  endif()
+  target_compile_options(mixcmp_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
 find_program(CCACHE ccache)
 if(CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})

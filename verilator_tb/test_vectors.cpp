@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "model/expression/typed_graph.hpp"
 #include "model/number/double.hpp"
 #include "verilator_tb/expected_words.hpp"
 #include "verilator_tb/judgement.hpp"
@@ -75,12 +76,18 @@ std::vector<std::uint64_t> pick(WordFinder& finder, std::uint64_t available, std
 /// by a zero, a NaN, an infinity, or a number at an end of the format's range. They show faults in
 /// ties, in special values and in range checks. Most of them no lane decides, so one after the
 /// other they keep lanes, crossbar and references as busy with recomputations as they can be.
+/// Where a comparison has several parts, all operands of one part are zero in some cases, and those
+/// of the others as in the data: the parts' verdicts then differ, and one of them is a tie.
 class EdgeCases {
 public:
-  explicit EdgeCases(const data::Comparisons& comparisons)
-      : comparisons_(comparisons), values_(values_in(comparisons.format())) {}
+  EdgeCases(const design::Design& design, const data::Comparisons& comparisons)
+      : comparisons_(comparisons),
+        values_(values_in(comparisons.format())),
+        inputs_of_parts_(inputs_of_parts(design.reference)) {}
 
-  std::uint64_t available() const { return values_.size() * (comparisons_.input_count() + 1); }
+  std::uint64_t available() const {
+    return values_.size() * (comparisons_.input_count() + 1) + ties();
+  }
 
   /// The operands of case number `number` of `count`.
   std::vector<Bits> operands(std::uint64_t number, std::uint64_t count) const {
@@ -93,6 +100,10 @@ public:
       if (which == negative_zero) {  // as equal as zeros of one sign
         for (std::size_t k = 0; k < inputs; k += 2) operands[k] = values_[positive_zero];
       }
+    } else if (number < values_.size() + ties()) {
+      for (const int input : inputs_of_parts_[number % inputs_of_parts_.size()]) {
+        operands[input] = values_[positive_zero];
+      }
     } else {
       operands[(number / values_.size() + which) % inputs] = values_[which];
     }
@@ -101,6 +112,24 @@ public:
 
 private:
   static constexpr std::size_t positive_zero = 0, negative_zero = 1;
+  static constexpr std::size_t ties_of_a_part = 8;
+
+  std::uint64_t ties() const {
+    return inputs_of_parts_.size() > 1 ? ties_of_a_part * inputs_of_parts_.size() : 0;
+  }
+
+  static std::vector<std::vector<int>> inputs_of_parts(const TypedGraph& graph) {
+    std::vector<std::vector<int>> inputs;
+    for (const Sides& part : graph.parts) {
+      const std::vector<bool> needed = needed_nodes(graph, {part.f, part.g});
+      std::vector<int>& own = inputs.emplace_back();
+      for (std::size_t id = 0; id < needed.size(); ++id) {
+        const TypedNode& node = graph.nodes[id];
+        if (needed[id] && node.operation == Operation::input) own.push_back(node.input);
+      }
+    }
+    return inputs;
+  }
 
   static std::vector<Bits> values_in(FloatFormat format) {
     constexpr Bits smallest = 1;
@@ -117,6 +146,7 @@ private:
 
   const data::Comparisons& comparisons_;
   std::vector<Bits> values_;
+  std::vector<std::vector<int>> inputs_of_parts_;
 };
 
 }  // namespace
@@ -141,7 +171,7 @@ namespace {
 std::vector<std::vector<Bits>> all_operands(const design::Design& design,
                                             const data::Comparisons& comparisons,
                                             std::uint64_t count) {
-  const EdgeCases edges(comparisons);
+  const EdgeCases edges(design, comparisons);
   const std::uint64_t edge_count = std::min(count / 8, edges.available());
   const std::uint64_t chosen = count - edge_count;
   std::vector<std::vector<Bits>> all;

@@ -23,7 +23,8 @@ std::vector<std::uint64_t> choose_comparisons(const design::Design& design,
 /// Makes at most `count` comparisons for a test bench that runs without this program. Most are the
 /// scene's, spread over all data. Results that are rare among these, such as recomputed ones, are
 /// looked for, and get up to a quarter of the places. The last eighth of all are comparisons with
-/// zeros, NaNs, infinities and ends of the format's range in the place of operands of the data.
+/// zeros, NaNs, infinities and ends of the format's range in the place of operands of the data, and
+/// with ties in one part of several.
 /// Vector k is for lane k modulo the number of lanes; the golden model computes the word that this
 /// lane must return.
 std::vector<project::TestVector> test_vectors(const design::Design& design,

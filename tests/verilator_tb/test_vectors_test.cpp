@@ -8,6 +8,9 @@
 #include <set>
 
 #include "generator/emit/system.hpp"
+#include "model/error/certified_lane.hpp"
+#include "model/golden/evaluate.hpp"
+#include "tests/support/graphs.hpp"
 #include "tests/support/mixed_spheres.hpp"
 #include "verilator_tb/judgement.hpp"
 
@@ -92,6 +95,54 @@ TEST_F(TestVectors, HaveTheWordOfTheLaneThatTheyGoTo) {
     EXPECT_EQ(vectors[k].expected,
               verilator_tb::expected_word(design_, group, operands_of(vectors[k])))
         << k;
+  }
+}
+
+/// Two comparisons that share no operand, on data where the first is always less and the second
+/// always greater.
+struct TwoParts {
+  explicit TwoParts(Combination combination)
+      : graph(graph_of({{"a", "b"}, {"c", "d"}}, combination)),
+        design{.name = "two",
+               .inputs = graph.inputs(),
+               .lanes = {{.lane = error::certified_lane(
+                                      lane_graph(graph, format("s24e8"), {format("s8e8")},
+                                                 LaneInputs::rounded),
+                                      {.ranges = std::vector<std::optional<Range>>(4)})
+                                      .value(),
+                          .inputs = LaneInputs::rounded}},
+               .reference = reference_graph(graph, {format("s24e8")}),
+               .references = {{}},
+               .system = {}} {}
+
+  data::Comparisons data() const {
+    data::Table table{.format = format("s24e8"), .columns = design.inputs};
+    for (int row = 0; row < 4000; ++row) {
+      for (const float value : {1.0f, 9.0f + static_cast<float>(row), 7.0f, 2.0f}) {
+        table.values.push_back(Bits{std::bit_cast<std::uint32_t>(value)});
+      }
+    }
+    return data::Comparisons::rows(table, design.inputs).value();
+  }
+
+  Graph graph;
+  design::Design design;
+};
+
+TEST(TestVectorsOfParts, HaveATieInOnePartBesideEachOtherVerdict) {
+  for (const Combination combination : {Combination::all, Combination::any}) {
+    const TwoParts two(combination);
+    const auto signature = emit::generate_system(two.design, "").value().signature;
+    const Graph parts[] = {two.graph.part(0), two.graph.part(1)};
+    std::set<std::pair<Verdict, Verdict>> seen;
+    for (const auto& vector : verilator_tb::test_vectors(two.design, two.data(), signature, 400)) {
+      const auto of = [&](int part) {
+        return golden::true_verdict(parts[part], format("s24e8"), operands_of(vector)).value();
+      };
+      seen.insert({of(0), of(1)});
+    }
+    EXPECT_TRUE(seen.contains({Verdict::less, Verdict::equal})) << to_string(combination);
+    EXPECT_TRUE(seen.contains({Verdict::equal, Verdict::greater})) << to_string(combination);
   }
 }
 

@@ -1,0 +1,13 @@
+#include <nlohmann/json.hpp>
+
+#include "model/characterise/mapped_area.hpp"
+#include "tests/fuzz/input.hpp"
+
+using namespace mixcmp;
+
+/// The statistics that Yosys writes in JSON.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto json = nlohmann::json::parse(data, data + size, nullptr, false);
+  if (!json.is_discarded()) test::is_read(characterise::area_of_statistics(json));
+  return 0;
+}
