@@ -3,6 +3,7 @@
 #include <bit>
 
 #include "generator/rtl/connections.hpp"
+#include "generator/rtl/datapath_builder.hpp"
 
 namespace mixcmp::rtl {
 namespace {
