@@ -375,20 +375,46 @@ struct Aimed {
   std::vector<Shot> shots;  ///< in order: a node needs no operand that is solved for later
 };
 
-/// u against z; or u - y, its root, or a quotient by it against z, where y brings u - y to zero.
+/// A node of the graph, or a product of two or three of them, which is inexact.
+NodeId random_factor(Graph& graph, Random& random) {
+  const auto any = [&] { return below(random, static_cast<int>(graph.nodes().size())); };
+  NodeId node = any();
+  for (int more = below(random, 3); more > 0; --more) {
+    node = graph.apply(Operation::multiply, node, any());
+  }
+  return node;
+}
+
+/// What is made of u - y, which y brings to zero: itself, its square or root, a product or
+/// quotient.
+NodeId random_reader(Graph& graph, NodeId difference, Random& random) {
+  const NodeId other = random_factor(graph, random);
+  switch (below(random, 6)) {
+    case 0: return difference;
+    case 1: return graph.apply(Operation::square, difference);
+    case 2: return graph.apply(Operation::square_root, difference);
+    case 3: return graph.apply(Operation::divide, other, difference);
+    case 4: return graph.apply(Operation::divide, difference, other);
+    default: return graph.apply(Operation::multiply, difference, other);
+  }
+}
+
+/// u against z, a sum or difference of such against z, or a reader of u - y against z.
 Aimed random_aim(Random& random) {
   Aimed aimed{.graph = random_graph(random), .shots = {}};
   Graph& graph = aimed.graph;
   const auto last = [&] { return static_cast<int>(graph.inputs().size()) - 1; };
-  const NodeId u = graph.f(), v = graph.g();
-  const int form = below(random, 4);
+  const NodeId u = one_in(random, 2) ? graph.f() : random_factor(graph, random);
   NodeId side = u;
-  if (form > 0) {
-    const NodeId y = graph.input("y");
-    aimed.shots.push_back({last(), u});
-    side = graph.apply(Operation::subtract, u, y);
-    if (form == 2) side = graph.apply(Operation::square_root, side);
-    if (form == 3) side = graph.apply(Operation::divide, v, side);
+  switch (below(random, 5)) {
+    case 0: break;
+    case 1: side = graph.apply(Operation::add, u, random_factor(graph, random)); break;
+    case 2: side = graph.apply(Operation::subtract, u, random_factor(graph, random)); break;
+    default: {
+      const NodeId y = graph.input("y");
+      aimed.shots.push_back({last(), u});
+      side = random_reader(graph, graph.apply(Operation::subtract, u, y), random);
+    }
   }
   const NodeId z = graph.input("z");
   aimed.shots.push_back({last(), side});

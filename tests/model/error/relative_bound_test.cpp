@@ -110,6 +110,24 @@ TEST(RelativeBound, IsExactWhereNothingIsRounded) {
   expect_bound("3 * (a - b)^2", {}, power(1 - u, 4), power(1 + u, 4));
 }
 
+/// Operands of three digits, in lanes of fewer digits and of more.
+TEST(RelativeBound, IsExactOnlyWhereAllDigitsOfAResultAreKept) {
+  const auto is_exact = [](const std::string& f, int digits) {
+    const auto typed =
+        lane_graph(graph_of(f, "0"), format_of(3, 8), {format_of(digits, 8)}, LaneInputs::exact);
+    const std::vector<bool> nonnegative(static_cast<std::size_t>(typed.input_count), false);
+    return error::is_exact(*error::analyse_errors(typed, nonnegative).nodes[typed.f()].relative);
+  };
+  EXPECT_FALSE(is_exact("a^2", 5)) << "7^2 = 49 has six digits";
+  EXPECT_TRUE(is_exact("a^2", 6));
+  EXPECT_FALSE(is_exact("a * b", 5));
+  EXPECT_TRUE(is_exact("a * b", 6));
+  EXPECT_FALSE(is_exact("2 * a", 2)) << "2 * 7 has three digits";
+  EXPECT_TRUE(is_exact("2 * a", 3));
+  EXPECT_FALSE(is_exact("a / 4", 2));
+  EXPECT_TRUE(is_exact("a / 4", 3));
+}
+
 TEST(RelativeBound, ReplacesAConstantByItsEncoding) {
   const mpq_class u = unit(17);
   const mpq_class written(1, 10);
