@@ -181,6 +181,29 @@ TEST(RelativeBound, ChecksNoSignThatTheProofDoesNotNeed) {
   EXPECT_FALSE(certified_decision(*product).nonnegative) << "nobody checks the signs";
 }
 
+TEST(CertifiedLane, CountsOnMagnitudesOnlyWhereNoSideIsNegative) {
+  const auto of_magnitudes = [](const std::string& f, const std::string& g) {
+    return certified_decision(certify(graph_of(f, g), {}).value()).nonnegative;
+  };
+  EXPECT_TRUE(of_magnitudes("a^2", "abs(b)"));
+  EXPECT_FALSE(of_magnitudes("a^2", "b"));
+  EXPECT_FALSE(of_magnitudes("b", "a^2"));
+}
+
+TEST(CertifiedLane, GuardsTheFactorThatARunningBoundLeavesOut) {
+  const auto guard = [](const std::string& f) {
+    const auto graph =
+        lane_graph(graph_of(f, "d"), reference, {format_of(8, 8)}, LaneInputs::exact);
+    const std::vector<std::optional<Range>> ranges(static_cast<std::size_t>(graph.input_count));
+    const Lane lane =
+        error::certified_lane(graph, {.kind = error::ErrorBoundKind::running, .ranges = ranges})
+            .value();
+    return std::get<error::AbsoluteBoundCriterion>(lane.criterion()).guard_ulp;
+  };
+  EXPECT_GE(guard("(a * b - c)^2"), Bits{1}) << "the error of a * b, times one rounding";
+  EXPECT_EQ(guard("a"), Bits{0});
+}
+
 TEST(CertifiedLane, NamesTheOperationAndWhatHelps) {
   const auto rounded = certify(sphere_graph(), {.inputs = LaneInputs::rounded});
   ASSERT_FALSE(rounded.ok());
@@ -282,6 +305,8 @@ TEST(RelativeBounds, OfLongProductsAreRoundedOutward) {
   for (int k = 0; k < 511; ++k) exact *= low;
   EXPECT_LE(bound.relative->low, exact);
   EXPECT_GT(bound.relative->low, exact * (1 - mpq_class(1, mpz_class(1) << 400)));
+  const mpq_class high(131073, 131072);
+  EXPECT_GE(bound.relative->high, power(high, 511));
 }
 
 TEST(GuardUlp, OfTheSphereIsSeven) {
