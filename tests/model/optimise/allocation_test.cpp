@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "model/optimise/feasibility.hpp"
 #include "model/performance/performance.hpp"
 #include "tests/model/optimise/random_problems.hpp"
 
@@ -40,6 +41,17 @@ optimise::Infeasible shortage_of(const optimise::AllocationProblem& problem) {
   if (const auto* infeasible = std::get_if<optimise::Infeasible>(&result)) return *infeasible;
   ADD_FAILURE() << "there is a plan";
   return {};
+}
+
+TEST(PlanOf, KeepsTheMostLanesAndReferences) {
+  optimise::AllocationProblem problem =
+      problem_of({lane(100, 0.01, {.luts = 1})}, {reference(100, {.luts = 1})}, {.luts = 1000});
+  problem.max_lanes = 4;
+  problem.max_references = 2;
+  EXPECT_TRUE(optimise::plan_of(problem, {.lanes = {4}, .references = {2}}).has_value());
+  EXPECT_FALSE(optimise::plan_of(problem, {.lanes = {5}, .references = {2}}).has_value());
+  EXPECT_FALSE(optimise::plan_of(problem, {.lanes = {4}, .references = {3}}).has_value());
+  EXPECT_FALSE(optimise::plan_of(problem, {.lanes = {0}, .references = {1}}).has_value());
 }
 
 /// Lanes of different throughput may reach the same sum in two ways. With one clock they differ by

@@ -47,6 +47,22 @@ TEST(Streams, SlotsLimitAnEvenStream) {
                    1);
 }
 
+/// 19 cycles in the lane, 4 to ask, 1 in the crossbar, 26 in the reference, 2 back, 5 or 3 to
+/// retire.
+TEST(Streams, AnUndecidedComparisonHoldsItsSlotForItsWholeWay) {
+  EXPECT_EQ(performance::undecided_slot_cycles(streams(64, 1)), 57);
+  EXPECT_EQ(performance::undecided_slot_cycles(streams(64, 1, scene::ResultOrder::in_order)), 55);
+}
+
+TEST(Streams, AFoldedReferenceMakesTheSlotsWaitForItsNextStart) {
+  std::vector<bool> one_in_57(57, false);
+  one_in_57.front() = true;
+  performance::LaneStreams folded = streams(57, 1, scene::ResultOrder::in_order);
+  EXPECT_DOUBLE_EQ(performance::repeated_cycles(folded, one_in_57), 57);
+  folded.initiation_interval_cycles = 16;
+  EXPECT_GT(performance::repeated_cycles(folded, one_in_57), 60);
+}
+
 TEST(Streams, ChanceCostsNothingFarFromSaturationAndSomethingAtIt) {
   for (const scene::ResultOrder order :
        {scene::ResultOrder::tagged, scene::ResultOrder::in_order}) {
