@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "model/error/certified_lane.hpp"
+#include "model/error/hazards.hpp"
 #include "model/golden/bound_arithmetic.hpp"
 #include "model/golden/evaluate.hpp"
 #include "model/number/decimal.hpp"
@@ -274,6 +275,20 @@ TEST(ConstantBound, IsToldAsTheHardwareHasIt) {
   const std::string huge =
       told("a * b", "c", format_of(24, 15), format_of(8, 15), {1, power_of_two(6000)});
   EXPECT_NE(huge.find("e+3"), std::string::npos) << huge;
+}
+
+TEST(ConstantBound, IsMultipliedByTheInflation) {
+  const TypedGraph graph = lane_graph(graph_of("a * b - c", "0"), format_of(24, 8),
+                                      {format_of(8, 8)}, LaneInputs::exact);
+  const std::vector<error::RangeCheck> checks =
+      error::full_range_checks(graph, std::vector<std::optional<Range>>(3, Range{1, 2}));
+  const auto analysis = error::analyse_errors(graph, std::vector<bool>(3, true));
+  error::AbsoluteError bound = analysis.nodes[graph.f()].mixed->absolute;
+  const auto constant = error::constant_bound(graph, analysis, bound, checks);
+  bound.inflation *= 2;
+  const auto twice = error::constant_bound(graph, analysis, bound, checks);
+  EXPECT_GT(constant.value(), 0);
+  EXPECT_EQ(twice.value(), 2 * constant.value());
 }
 
 }  // namespace

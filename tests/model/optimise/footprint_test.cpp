@@ -38,6 +38,12 @@ TEST_F(FootprintTest, AddsUpWhatWasMeasured) {
   EXPECT_EQ(footprint.amounts[2], 10 * 2 + 20);
 }
 
+TEST_F(FootprintTest, CountsACrossbarOfNoMorePortsThanThereAre) {
+  const Footprint footprint = optimise::footprint_of(design(7), &table_, device_);
+  const int crossbar = 10;  // of 1 port: that of 8 was measured, too, and is larger
+  EXPECT_EQ(footprint.amounts[0], 7 * (240 + fifo_64_luts) + 3000 + crossbar);
+}
+
 TEST_F(FootprintTest, MeasuredAreasAreHeldAgainstWhatTheDeviceHas) {
   EXPECT_EQ(excess(design(15), &table_), "");  // 50 of 50 DSPs
   EXPECT_EQ(excess(design(16), &table_),
