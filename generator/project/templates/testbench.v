@@ -29,8 +29,8 @@ module @DUT@_tb;
   localparam COUNTER_BITS = @COUNTER_BITS@;
   localparam IN_ORDER = @IN_ORDER@;
 
-  localparam COUNT = @COUNT@;
-  localparam VECTORS = COUNT;  // lines of the file: comparisons
+  localparam COUNT = @COUNT@;  // comparisons in the file of vectors
+  localparam VECTORS = COUNT;  // its lines
   localparam PASSES = 4;
   localparam MAX_FAILURES = 10;       // so many are described, then the simulation ends
   localparam TIME_OUT_CYCLES = 5000;  // in which no lane takes or returns a comparison
