@@ -180,6 +180,7 @@ nlohmann::ordered_json json_of_row(const characterise::Measurement& row) {
                                  {"inputs", to_string(row.key.inputs)},
                                  {"bound", scene::to_string(row.key.bound)},
                                  {"multipliers", row.key.multipliers},
+                                 {"sums", to_string(row.key.sums)},
                                  {"initiation_interval", row.key.initiation_interval},
                                  {"ports", row.key.ports},
                                  {"latency_cycles", row.latency_cycles},

@@ -218,6 +218,7 @@ std::string label(const ComponentKey& key) {
                                   scene::to_string(key.bound), key.multipliers}) {
     if (!word.empty()) text += " " + word;
   }
+  if (key.sums == Sums::fused) text += " fused";
   if (key.initiation_interval > 1) text += fmt::format(" ii{}", key.initiation_interval);
   return key.ports == 0 ? text : fmt::format("{} {} ports", text, key.ports);
 }

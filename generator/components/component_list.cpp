@@ -119,7 +119,7 @@ private:
     for (const Multipliers multipliers : reference_multipliers(query_)) {
       for (const int interval : query_.initiation_intervals) {
         MIXCMP_TRY(visited,
-                   visit(reference_key(maker_.scene().reference.format, {multipliers, interval})));
+                   visit(reference_key(maker_.scene().reference, {multipliers, interval})));
       }
     }
     return Done{};

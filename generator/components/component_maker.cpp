@@ -61,6 +61,14 @@ bool any_product(const Nodes& nodes) {
   });
 }
 
+bool has_product(const TypedGraph& reference) {
+  return any_product(reference.nodes) ||
+         std::any_of(reference.nodes.begin(), reference.nodes.end(), [](const TypedNode& node) {
+           return std::any_of(node.terms.begin(), node.terms.end(),
+                              [](const FusedTerm& term) { return term.is_product(); });
+         });
+}
+
 bool has_product(const design::Lane& lane) {
   return std::visit(
       design::Cases{[](const error::Lane& made) { return any_product(made.graph.nodes); },
@@ -120,10 +128,12 @@ Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs, const design::L
   return LaneRtl{schedule.latency_cycles, rtl::lane_module("lane", inputs, lane, schedule)};
 }
 
-ComponentKey reference_key(FloatFormat format, const design::ReferenceStructure& structure) {
+ComponentKey reference_key(const Arithmetic& arithmetic,
+                           const design::ReferenceStructure& structure) {
   return {.kind = ComponentKind::reference,
-          .format = format.name(),
+          .format = arithmetic.format.name(),
           .multipliers = std::string(to_string(structure.multipliers)),
+          .sums = arithmetic.sums,
           .initiation_interval = structure.initiation_interval};
 }
 
@@ -178,6 +188,12 @@ Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {
                  .received = in_quotes(key.format),
                  .accepted = scene_.reference.format.name()};
   }
+  if (key.sums != scene_.reference.sums) {
+    return Error{.field = "reference.sums",
+                 .message = "not the scene's",
+                 .received = in_quotes(std::string(to_string(key.sums))),
+                 .accepted = std::string(to_string(scene_.reference.sums))};
+  }
   MIXCMP_TRY(multipliers, reference_multipliers_of(key));
   MIXCMP_TRY(delays, datapath::delays_of(scene_.system.device));
   const TypedGraph graph = reference_graph(scene_.graph, scene_.reference);
@@ -185,7 +201,7 @@ Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {
       graph, {multipliers, key.initiation_interval}, delays, scene_.system.target_mhz);
   const rtl::Module module =
       rtl::reference_module("reference", scene_.graph.inputs(), graph, schedule);
-  return datapath(key, schedule.latency_cycles, module, any_product(graph.nodes));
+  return datapath(key, schedule.latency_cycles, module, has_product(graph));
 }
 
 rtl::SystemShape ComponentMaker::stream_shape() const {

@@ -27,7 +27,7 @@ struct Component {
 };
 
 /// The key of a reference; its component is made without multipliers where it has no product.
-characterise::ComponentKey reference_key(FloatFormat format,
+characterise::ComponentKey reference_key(const Arithmetic& arithmetic,
                                          const design::ReferenceStructure& structure);
 
 /// The datapath of one lane alone.

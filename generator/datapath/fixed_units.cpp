@@ -149,7 +149,8 @@ Unit fixed_unit(const FixedLane& lane, const FixedNode& node, scene::Multipliers
     case Operation::square_root: return square_root_unit(node.format.width, delays);
     case Operation::convert: return common_cut_unit(node, delays);
     case Operation::constant:
-    case Operation::divide: break;
+    case Operation::divide:
+    case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(!"an operation that fixed point has no unit for");
 }

@@ -17,10 +17,11 @@ struct UnitKey {
   int exponent;  ///< of a scaling by a power of two
   FloatFormat operands;
   FloatFormat result;
+  NodeId alone = -1;  ///< of an operation that shares its unit with no other
 
   auto fields() const {
     return std::tuple(operation, exponent, operands.exponent_bits(), operands.precision(),
-                      result.exponent_bits(), result.precision());
+                      result.exponent_bits(), result.precision(), alone);
   }
   friend bool operator<(const UnitKey& a, const UnitKey& b) { return a.fields() < b.fields(); }
 };
@@ -54,7 +55,12 @@ public:
 private:
   std::size_t count() const { return graph_.nodes.size(); }
 
-  UnitKey key_of(const TypedNode& node) const {
+  UnitKey key_of(NodeId id) const {
+    const TypedNode& node = graph_.nodes[id];
+    // Its terms are all there at once, so that sharing it would take a register for each.
+    if (node.operation == Operation::fused_sum) {
+      return {node.operation, 0, node.operand_format, node.format, id};
+    }
     const auto scaling = scaling_of(graph_, node);
     if (scaling) {
       return {Operation::convert, scaling->exponent, node.operand_format, node.format};
@@ -79,7 +85,7 @@ private:
     for (NodeId id = 0; id < static_cast<NodeId>(count()); ++id) {
       const TypedNode& node = graph_.nodes[id];
       if (!error::has_unit(node.operation)) continue;
-      const auto [entry, is_new] = known.emplace(key_of(node), classes_.size());
+      const auto [entry, is_new] = known.emplace(key_of(id), classes_.size());
       if (is_new) classes_.push_back({});
       class_of_[id] = entry->second;
       classes_[entry->second].operations.push_back(id);

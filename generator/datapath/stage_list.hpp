@@ -9,6 +9,7 @@
 #include "generator/datapath/embedded_square.hpp"
 #include "generator/datapath/logic_product.hpp"
 #include "generator/datapath/units.hpp"
+#include "model/common/check.hpp"
 
 namespace mixcmp::datapath {
 
@@ -48,10 +49,14 @@ public:
     stages_.push_back({.name = std::move(name), .delay_ns = delay_ns, .registered = true});
   }
 
+  /// Adds stages that are cut at the same places as each of `lists`, which work side by side.
+  void add_slowest(const std::vector<StageList>& lists);
+
   void add_operand(FloatFormat operands, Subnormals subnormals);
   void add_embedded_product(int precision);
   void add_embedded_square(int precision);
   void add_logic_product(LogicProduct product);
+  void add_product(int precision, LogicProduct::Kind kind, scene::Multipliers multipliers);
   void add_round(FloatFormat result, bool denormalises, int dropped_bits);
 
   Unit unit(std::string module) && {
@@ -62,6 +67,22 @@ private:
   const DelayTable& delays_;
   std::vector<Stage> stages_;
 };
+
+inline void StageList::add_slowest(const std::vector<StageList>& lists) {
+  const int first = static_cast<int>(stages_.size());
+  for (std::size_t k = 0; k < lists.front().stages_.size(); ++k) {
+    Stage slowest = {.name = lists.front().stages_[k].name, .delay_ns = 0};
+    double alone_ns = 0;
+    for (const StageList& list : lists) {
+      const Stage& stage = list.stages_[k];
+      slowest.delay_ns = std::max(slowest.delay_ns, stage.delay_ns);
+      alone_ns = std::max(alone_ns, stage.delay_ns - stage.overlap_ns);
+      if (stage.cut_needs >= 0) slowest.cut_needs = first + stage.cut_needs;
+    }
+    slowest.overlap_ns = slowest.delay_ns - alone_ns;
+    stages_.push_back(std::move(slowest));
+  }
+}
 
 /// The stages of fp_operand; they are only wires where subnormals are flushed.
 inline void StageList::add_operand(FloatFormat operands, Subnormals subnormals) {
@@ -133,6 +154,19 @@ inline void StageList::add_logic_product(LogicProduct product) {
     bits_before = bits;
     shift_before = shift;
   }
+}
+
+/// The stages of fp_product.
+inline void StageList::add_product(int precision, LogicProduct::Kind kind,
+                                   scene::Multipliers multipliers) {
+  switch (multipliers) {
+    case scene::Multipliers::embedded:
+      return kind == LogicProduct::Kind::square ? add_embedded_square(precision)
+                                                : add_embedded_product(precision);
+    case scene::Multipliers::logic: return add_logic_product({precision, kind});
+    case scene::Multipliers::memory: break;  // only lanes in fixed point read memories
+  }
+  MIXCMP_CHECK(false);
 }
 
 /// The stages of fp_round. The last `dropped_bits` bits of a fraction that arrives too wide are

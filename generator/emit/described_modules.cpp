@@ -15,8 +15,9 @@ namespace {
 using design::Design;
 
 std::string arithmetic_fact(const Arithmetic& arithmetic) {
-  return fmt::format("Format: {}, rounding {}, subnormals {}.", arithmetic.format.name(),
-                     to_string(arithmetic.rounding), to_string(arithmetic.subnormals));
+  return fmt::format("Format: {}, rounding {}, subnormals {}{}.", arithmetic.format.name(),
+                     to_string(arithmetic.rounding), to_string(arithmetic.subnormals),
+                     arithmetic.sums == Sums::fused ? ", sums fused" : "");
 }
 
 /// The question that a comparison answers, in words: "the sign of f - g".

@@ -33,6 +33,9 @@ constexpr std::array multipliers_names = {
     Name<scene::Multipliers>{scene::Multipliers::logic, "logic"},
     Name<scene::Multipliers>{scene::Multipliers::memory, "memory"}};
 
+constexpr std::array sums_names = {Name<Sums>{Sums::composed, "composed"},
+                                   Name<Sums>{Sums::fused, "fused"}};
+
 constexpr std::array directions = {Name<rtl::Direction>{rtl::Direction::input, "input"},
                                    Name<rtl::Direction>{rtl::Direction::output, "output"}};
 
@@ -266,6 +269,7 @@ std::string to_json(const Signature& s) {
                {"generator_version", s.generator_version},
                {"spec_hash", s.spec_hash},
                {"reference_format", s.reference_format.name()},
+               {"reference_sums", text_of(sums_names, s.reference_sums)},
                {"certified", s.certified},
                {"inputs", s.inputs},
                {"lanes", s.lanes},
@@ -302,6 +306,7 @@ Result<Signature> read_signature(const std::filesystem::path& path) {
       .generator_version = reader.text("generator_version"),
       .spec_hash = reader.text("spec_hash"),
       .reference_format = reader.format("reference_format"),
+      .reference_sums = reader.choice("reference_sums", sums_names),
       .certified = reader.read<bool>("certified", "true or false"),
       .inputs = reader.read<std::vector<std::string>>("inputs", "a list of names"),
       .lanes = reader.number("lanes", settings::limits::lanes),

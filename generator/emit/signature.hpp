@@ -65,6 +65,7 @@ struct Signature {
   std::string generator_version;
   std::string spec_hash;  ///< hash of everything that decides the output's bytes
   FloatFormat reference_format;
+  Sums reference_sums = Sums::composed;
   bool certified = false;           ///< all lanes are
   std::vector<std::string> inputs;  ///< input k is tdata[k * width +: width]
   int lanes = 0;       ///< p_L: every per-lane port is a vector of `lanes` fields, lane 0 lowest

@@ -52,6 +52,7 @@ Signature signature_of(const Design& design, const rtl::SystemShape& shape) {
           .generator_version = std::string(version),
           .spec_hash = {},
           .reference_format = design.reference.arithmetic.format,
+          .reference_sums = design.reference.arithmetic.sums,
           .certified = design.certified(),
           .inputs = design.inputs,
           .lanes = shape.lanes,

@@ -57,6 +57,7 @@ nlohmann::json json_of(const DatapathSummary& datapath) {
   return {{"format", datapath.arithmetic.format.name()},
           {"rounding", to_string(datapath.arithmetic.rounding)},
           {"subnormals", to_string(datapath.arithmetic.subnormals)},
+          {"sums", to_string(datapath.arithmetic.sums)},
           {"operators", operators},
           {"events", events},
           {"leaves_out", datapath.savings ? json_of(*datapath.savings) : nlohmann::json()}};

@@ -36,8 +36,9 @@ std::string shown(const Range& range) {
 }
 
 std::string shown(const Arithmetic& arithmetic) {
-  return fmt::format("{}, {}, {}", arithmetic.format.name(), to_string(arithmetic.rounding),
-                     to_string(arithmetic.subnormals));
+  return fmt::format("{}, {}, {}{}", arithmetic.format.name(), to_string(arithmetic.rounding),
+                     to_string(arithmetic.subnormals),
+                     arithmetic.sums == Sums::fused ? ", sums fused" : "");
 }
 
 std::string formats_of(const OperatorCount& count) {

@@ -17,6 +17,19 @@ error::Hazards either(const error::Hazards& a, const error::Hazards& b) {
           .cancellation = a.cancellation || b.cancellation};
 }
 
+/// The masks that tell what the terms of a fused sum are; a mask of zeros is the default.
+void append_terms(const std::vector<FusedTerm>& terms, std::vector<Parameter>& parameters) {
+  const auto mask = [&](const char* name, auto has) {
+    Bits bits = 0;
+    for (std::size_t k = 0; k < terms.size(); ++k) bits |= Bits{has(terms[k])} << k;
+    if (bits != 0) parameters.push_back({name, Literal{static_cast<int>(terms.size()), bits}});
+  };
+  parameters.push_back({"TERMS", static_cast<long long>(terms.size())});
+  mask("SQUARES", [](const FusedTerm& term) { return term.is_square(); });
+  mask("PLAIN", [](const FusedTerm& term) { return !term.is_product(); });
+  mask("NEGATED", [](const FusedTerm& term) { return term.negated; });
+}
+
 }  // namespace
 
 std::vector<Parameter> format_parameters(FloatFormat format) {
@@ -116,7 +129,8 @@ void FloatNodes::build_node(NodeId id) {
     case Operation::divide:
     case Operation::square_root:
     case Operation::minimum:
-    case Operation::maximum: build_unit(id); break;
+    case Operation::maximum:
+    case Operation::fused_sum: build_unit(id); break;
   }
 }
 
@@ -184,11 +198,27 @@ std::vector<Operand> FloatNodes::unit_operands(NodeId id) {
     const Operand operand = datapath_.at(values_[scaling->operand], cycle);
     return {scaling->negated ? negated(id, operand) : operand};
   }
+  if (node.operation == Operation::fused_sum) return factors(node, cycle);
   std::vector<Operand> operands;
   for (int k = 0; k < arity(node.operation); ++k) {
     operands.push_back(datapath_.at(values_[node.operands[k]], cycle));
   }
   return operands;
+}
+
+/// The first and the second factors of a fused sum's terms, the first term in the lowest bits.
+std::vector<Operand> FloatNodes::factors(const TypedNode& node, int cycle) {
+  const int width = node.operand_format.width();
+  bool any_second = false;
+  std::vector<Operand> first, second;
+  for (auto term = node.terms.rbegin(); term != node.terms.rend(); ++term) {
+    first.push_back(datapath_.at(values_[term->a], cycle));
+    const bool has_second = term->is_product() && !term->is_square();
+    second.push_back(has_second ? datapath_.at(values_[term->b], cycle) : zeros(width));
+    any_second |= has_second;
+  }
+  const auto unread = zeros(width * static_cast<int>(node.terms.size()));
+  return {concatenation(std::move(first)), any_second ? concatenation(std::move(second)) : unread};
 }
 
 /// The operand of a scaling with its sign changed.
@@ -264,6 +294,7 @@ std::vector<Parameter> FloatNodes::unit_parameters(const TypedNode& node,
   if (node.operation == Operation::add || node.operation == Operation::subtract) {
     parameters.push_back({"SUBTRACT", node.operation == Operation::subtract ? 1 : 0});
   }
+  if (node.operation == Operation::fused_sum) append_terms(node.terms, parameters);
   if (chooses) parameters.push_back({"MAXIMUM", node.operation == Operation::maximum ? 1 : 0});
   if (const auto scaling = datapath::scaling_of(graph_, node)) {
     parameters.push_back({"SCALE", scaling->exponent});

@@ -46,6 +46,7 @@ private:
   void build_selecting_units();
   void build_selecting_unit(const SelectingUnits::Unit& unit, std::size_t index);
   std::vector<Operand> unit_operands(NodeId id);
+  std::vector<Operand> factors(const TypedNode& node, int cycle);
   Operand negated(NodeId id, const Operand& operand);
   Operand flag_output(NodeId id);
   void gather_flags(NodeId id);

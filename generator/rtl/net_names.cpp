@@ -17,25 +17,6 @@ using error::BoundOperation;
 /// The most characters of a spelled-out name: readers skip longer identifiers.
 constexpr std::size_t longest_spelled_name = 28;
 
-std::string spelled(Operation operation, const std::string& a, const std::string& b) {
-  switch (operation) {
-    case Operation::input: return a;
-    case Operation::constant: return "constant";
-    case Operation::convert: return a + "_rounded";
-    case Operation::negate: return a + "_negated";
-    case Operation::absolute: return a + "_magnitude";
-    case Operation::add: return a + "_plus_" + b;
-    case Operation::subtract: return a + "_minus_" + b;
-    case Operation::multiply: return a + "_times_" + b;
-    case Operation::square: return a + "_squared";
-    case Operation::divide: return a + "_over_" + b;
-    case Operation::square_root: return a + "_root";
-    case Operation::minimum: return a + "_min_" + b;
-    case Operation::maximum: return a + "_max_" + b;
-  }
-  MIXCMP_CHECK(false);
-}
-
 std::string role(Operation operation) {
   switch (operation) {
     case Operation::input: return "operand";
@@ -51,6 +32,27 @@ std::string role(Operation operation) {
     case Operation::square_root: return "root";
     case Operation::minimum: return "smaller";
     case Operation::maximum: return "larger";
+    case Operation::fused_sum: return "fused_sum";
+  }
+  MIXCMP_CHECK(false);
+}
+
+std::string spelled(Operation operation, const std::string& a, const std::string& b) {
+  switch (operation) {
+    case Operation::input: return a;
+    case Operation::constant: return "constant";
+    case Operation::convert: return a + "_rounded";
+    case Operation::negate: return a + "_negated";
+    case Operation::absolute: return a + "_magnitude";
+    case Operation::add: return a + "_plus_" + b;
+    case Operation::subtract: return a + "_minus_" + b;
+    case Operation::multiply: return a + "_times_" + b;
+    case Operation::square: return a + "_squared";
+    case Operation::divide: return a + "_over_" + b;
+    case Operation::square_root: return a + "_root";
+    case Operation::minimum: return a + "_min_" + b;
+    case Operation::maximum: return a + "_max_" + b;
+    case Operation::fused_sum: return role(operation);
   }
   MIXCMP_CHECK(false);
 }
@@ -179,20 +181,34 @@ std::string formula(Operation operation, const std::string& a, const std::string
     case Operation::square_root: return "sqrt(" + a + ")";
     case Operation::minimum: return "min(" + a + ", " + b + ")";
     case Operation::maximum: return "max(" + a + ", " + b + ")";
+    case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);
+}
+
+/// The terms of a fused sum; `text` gives the text of a node.
+template <class Text>
+std::string sum_formula(const std::vector<FusedTerm>& terms, const Text& text) {
+  std::string formula;
+  for (const FusedTerm& term : terms) {
+    const bool first = formula.empty();
+    formula += first ? (term.negated ? "-" : "") : (term.negated ? " - " : " + ");
+    formula += text(term.a);
+    if (term.is_product()) formula += term.is_square() ? "^2" : " * " + text(term.b);
+  }
+  return formula;
 }
 
 std::string formula(const TypedGraph& graph, NodeId id, const std::vector<std::string>& names) {
   const TypedNode& node = graph.nodes[id];
   const int count = arity(node.operation);
-  if (count == 0) return names[id];
-  const auto operand = [&](int k) {
-    const NodeId source = node.operands[k];
+  const auto text = [&](NodeId source) {
     const bool constant = graph.nodes[source].operation == Operation::constant;
     return constant ? to_text(graph.nodes[source].value) : names[source];
   };
-  return formula(node.operation, operand(0), count > 1 ? operand(1) : "");
+  if (node.operation == Operation::fused_sum) return sum_formula(node.terms, text);
+  if (count == 0) return names[id];
+  return formula(node.operation, text(node.operands[0]), count > 1 ? text(node.operands[1]) : "");
 }
 
 std::vector<std::string> name_bounds(const BoundGraph& bound, const std::string& suffix,

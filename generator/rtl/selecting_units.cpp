@@ -21,7 +21,8 @@ const char* unit_name(Operation operation) {
     case Operation::constant:
     case Operation::negate:
     case Operation::absolute:
-    case Operation::subtract: break;
+    case Operation::subtract:
+    case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);
 }

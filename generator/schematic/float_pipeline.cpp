@@ -51,7 +51,7 @@ private:
       return maker_.add_input(name_of(graph_, node.input), node.format.name());
     }
     std::vector<int> operands;
-    for (int k = 0; k < arity(node.operation); ++k) operands.push_back(box(node.operands[k]));
+    for (const NodeId operand : operands_of(node)) operands.push_back(box(operand));
     return maker_.add({.title = side_of(id) + title_of(graph_.nodes, graph_.input_names, id),
                        .format = node.format.name(),
                        .meaning = meaning_of(graph_.nodes, graph_.input_names, id)},

@@ -54,6 +54,7 @@ struct ComponentKey {
   std::optional<LaneInputs> inputs;         ///< of a lane in floating point
   std::optional<scene::BoundChoice> bound;  ///< of a lane
   std::string multipliers;                  ///< of lanes, references and units with a product
+  Sums sums = Sums::composed;               ///< of a reference; composed of everything else
   int initiation_interval = 0;              ///< of a reference, in cycles
   int ports = 0;                            ///< of a crossbar: lanes; of a fifo: slots
 

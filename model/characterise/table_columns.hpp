@@ -23,6 +23,26 @@ KeyColumn text_column(std::string_view name) {
           }};
 }
 
+/// The name of a unit; of a reference, whether its sums are fused: tables of composed references
+/// have no word for that.
+inline KeyColumn name_column() {
+  return {"name",
+          [](const ComponentKey& key) {
+            return key.sums == Sums::fused ? std::string(to_string(key.sums)) : key.name;
+          },
+          [](ComponentKey& key, const std::string& text) -> Result<Done> {
+            if (key.kind != ComponentKind::reference) {
+              key.name = text;
+              return Done{};
+            }
+            if (text == to_string(Sums::fused)) key.sums = Sums::fused;
+            if (text.empty() || key.sums == Sums::fused) return Done{};
+            return Error{.message = "not a kind of reference",
+                         .received = text,
+                         .accepted = "fused, or nothing"};
+          }};
+}
+
 inline KeyColumn inputs_column() {
   return {"inputs", [](const ComponentKey& key) { return to_string(key.inputs); },
           [](ComponentKey& key, const std::string& text) -> Result<Done> {
@@ -45,7 +65,7 @@ inline KeyColumn bound_column() {
 }
 
 inline const std::array<KeyColumn, 5> key_columns = {{
-    text_column<&ComponentKey::name>("name"),
+    name_column(),
     text_column<&ComponentKey::format>("format"),
     inputs_column(),
     bound_column(),

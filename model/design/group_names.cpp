@@ -109,6 +109,7 @@ std::vector<std::string> reference_group_names(const Design& design) {
   std::vector<std::string> names;
   for (const ReferenceGroup& group : groups) {
     std::string& name = names.emplace_back(design.reference.arithmetic.format.name());
+    if (design.reference.arithmetic.sums == Sums::fused) name += "_fused";
     if (!alike) name += fmt::format("_{}", to_string(group.structure.multipliers));
     const int interval = group.structure.initiation_interval;
     if (interval > 1) name += fmt::format("_ii{}", interval);

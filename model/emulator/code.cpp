@@ -55,7 +55,8 @@ bool rounds(Operation operation) {
     case Operation::square:
     case Operation::divide:
     case Operation::square_root:
-    case Operation::convert: return true;
+    case Operation::convert:
+    case Operation::fused_sum: return true;
     case Operation::input:
     case Operation::constant:
     case Operation::negate:
@@ -80,7 +81,8 @@ Kernel kernel_of(Operation operation) {
     case Operation::minimum: return Kernel::minimum;
     case Operation::maximum: return Kernel::maximum;
     case Operation::input:
-    case Operation::constant: break;
+    case Operation::constant:
+    case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);
 }
@@ -153,9 +155,11 @@ bool add_node(Code& code, const TypedGraph& graph, int column) {
   return true;
 }
 
+/// A fused sum has more digits on the way than double holds.
 bool fits_double(const TypedGraph& graph) {
   const auto fits = [](const TypedNode& node) {
-    return fits_double(node.format) && fits_double(node.operand_format);
+    return node.operation != Operation::fused_sum && fits_double(node.format) &&
+           fits_double(node.operand_format);
   };
   return fits_double(graph.input_format) &&
          std::all_of(graph.nodes.begin(), graph.nodes.end(), fits);

@@ -58,7 +58,8 @@ FixedKernel fixed_kernel_of(Operation operation) {
     case Operation::input:
     case Operation::constant:
     case Operation::convert:
-    case Operation::divide: break;
+    case Operation::divide:
+    case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);
 }
@@ -163,7 +164,8 @@ private:
       case Operation::divide:
       case Operation::square_root:
       case Operation::minimum:
-      case Operation::maximum: return of_column(id);
+      case Operation::maximum:
+      case Operation::fused_sum: return of_column(id);
     }
     MIXCMP_CHECK(false);
   }

@@ -54,7 +54,8 @@ bool would_be_exact(const TypedGraph& graph, NodeId id) {
     case Operation::multiply:
     case Operation::square:
     case Operation::divide:
-    case Operation::square_root: return false;
+    case Operation::square_root:
+    case Operation::fused_sum: return false;
   }
   MIXCMP_CHECK(false);
 }

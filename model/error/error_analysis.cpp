@@ -161,6 +161,7 @@ BeforeRounding ErrorAnalyser::exact(NodeId id) {
     case Operation::square: return {exact_square(a), ""};
     case Operation::divide: return {exact_quotient(id, a, b), ""};
     case Operation::square_root: return {exact_root(id, a), ""};
+    case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);
 }
@@ -299,7 +300,8 @@ bool ErrorAnalyser::rounds_nothing(const TypedNode& node) const {
     case Operation::maximum: return true;
     case Operation::add:
     case Operation::subtract:
-    case Operation::square_root: return false;
+    case Operation::square_root:
+    case Operation::fused_sum: return false;
   }
   MIXCMP_CHECK(false);
 }
@@ -439,7 +441,8 @@ std::optional<RelativeBound> ErrorAnalyser::before_rounding(NodeId id,
     case Operation::multiply:
     case Operation::square:
     case Operation::divide:
-    case Operation::square_root: return bound.relative;
+    case Operation::square_root:
+    case Operation::fused_sum: return bound.relative;
   }
   MIXCMP_CHECK(false);
 }

@@ -57,7 +57,8 @@ private:
       case Operation::multiply: return a && b ? Quantum(*a * *b) : none;
       case Operation::square: return a ? Quantum(*a * *a) : none;
       case Operation::divide: return quotient(a, graph_.nodes[node.operands[1]]);
-      case Operation::square_root: return none;
+      case Operation::square_root:
+      case Operation::fused_sum: return none;
     }
     MIXCMP_CHECK(false);
   }

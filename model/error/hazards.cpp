@@ -19,6 +19,9 @@ std::vector<bool> nonnegative(const std::vector<std::optional<Range>>& ranges) {
 /// sums have no logic for cancellation; true leaves their flag as it is by default.
 bool may_cancel(const TypedGraph& graph, const std::vector<Sign>& signs, NodeId id) {
   const TypedNode& node = graph.nodes[id];
+  if (node.operation == Operation::fused_sum) {
+    return !signs[id].nonnegative && !signs[id].nonpositive;
+  }
   const bool subtracts = node.operation == Operation::subtract;
   if (!subtracts && node.operation != Operation::add) return true;
   const Sign& second = signs[node.operands[1]];
@@ -105,7 +108,8 @@ private:
       case Operation::multiply:
       case Operation::square:
       case Operation::divide:
-      case Operation::square_root: return true;
+      case Operation::square_root:
+      case Operation::fused_sum: return true;
     }
     MIXCMP_CHECK(false);
   }
@@ -120,6 +124,7 @@ private:
 }  // namespace
 
 bool has_unit(Operation operation) {
+  if (operation == Operation::fused_sum) return true;
   return arity(operation) > 0 && operation != Operation::negate && operation != Operation::absolute;
 }
 

@@ -105,16 +105,31 @@ private:
         return (infinite(0) || infinite(1)) && (below_zero(0) || below_zero(1));
       case Operation::divide:
         return contains_zero(operand(node, 1)) || (infinite(0) && (below_zero(0) || below_zero(1)));
+      case Operation::fused_sum:
+        return std::any_of(node.terms.begin(), node.terms.end(),
+                           [&](const FusedTerm& term) { return passes_negative_infinity(term); });
     }
     MIXCMP_CHECK(false);
+  }
+
+  bool passes_negative_infinity(const FusedTerm& term) const {
+    const auto& a = nodes_[static_cast<std::size_t>(term.a)];
+    const auto& b = nodes_[static_cast<std::size_t>(term.is_product() ? term.b : term.a)];
+    if (term.negated) return a.may_be_infinite || b.may_be_infinite;
+    if (!term.is_product()) return a.may_be_negative_infinite;
+    const auto below_zero = [](const NodeRange& x) {
+      return x.may_be_negative_infinite || x.value.low < 0;
+    };
+    return !term.is_square() && (a.may_be_infinite || b.may_be_infinite) &&
+           (below_zero(a) || below_zero(b));
   }
 
   /// Adds what the node computes from infinite operands: a / inf is zero, and the smaller of x and
   /// inf is x.
   void follow_infinities(const TypedNode& node, NodeRange& result) const {
     bool infinite_operand = false;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(arity(node.operation)); ++k) {
-      infinite_operand = infinite_operand || below(node, k).may_be_infinite;
+    for (const NodeId operand : operands_of(node)) {
+      infinite_operand |= nodes_[static_cast<std::size_t>(operand)].may_be_infinite;
     }
     result.may_be_infinite =
         infinite_operand || result.may(Event::overflow) || result.may(Event::division_by_zero);
@@ -142,8 +157,8 @@ private:
       return declared ? std::vector<int>{} : std::vector<int>{node.input};
     }
     std::vector<int> inputs;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(arity(node.operation)); ++k) {
-      const auto& below = nodes_[static_cast<std::size_t>(node.operands[k])].rangeless_inputs;
+    for (const NodeId operand : operands_of(node)) {
+      const auto& below = nodes_[static_cast<std::size_t>(operand)].rangeless_inputs;
       inputs.insert(inputs.end(), below.begin(), below.end());
     }
     std::sort(inputs.begin(), inputs.end());
@@ -168,8 +183,34 @@ private:
       case Operation::divide:
       case Operation::minimum:
       case Operation::maximum: return exact(node, operand(node, 0), operand(node, 1));
+      case Operation::fused_sum: return cut_sum(node);
     }
     MIXCMP_CHECK(false);
+  }
+
+  Range exact(const FusedTerm& term) const {
+    const auto value = [&](NodeId id) { return nodes_[static_cast<std::size_t>(id)].value; };
+    Range range = value(term.a);
+    if (term.is_square()) range = square(range);
+    if (term.is_product() && !term.is_square()) range = product(range, value(term.b));
+    return term.negated ? negated(range) : range;
+  }
+
+  /// Encloses what a fused sum rounds: its terms are cut toward zero, each by less than a unit that
+  /// the largest term or the smallest normal number sets.
+  Range cut_sum(const TypedNode& node) const {
+    Range whole{0, 0}, with_zeros{0, 0};
+    mpq_class largest = power_of_two(node.format.min_exponent());
+    for (const FusedTerm& term : node.terms) {
+      const Range range = exact(term);
+      whole = sum(whole, range);
+      with_zeros = sum(with_zeros, mixcmp::hull({range.low, range.high, 0}));
+      largest = std::max<mpq_class>(largest, absolute(range).high);
+    }
+    const int digits = node.format.precision() + fused_guard_digits(node.terms.size());
+    const mpq_class lost = largest * power_of_two(-digits) * mpq_class(node.terms.size());
+    return {std::max<mpq_class>(whole.low - lost, with_zeros.low),
+            std::min<mpq_class>(whole.high + lost, with_zeros.high)};
   }
 
   Range exact(const TypedNode& node, const Range& a, const Range& b) const {
@@ -187,7 +228,8 @@ private:
       case Operation::negate:
       case Operation::absolute:
       case Operation::square:
-      case Operation::square_root: break;
+      case Operation::square_root:
+      case Operation::fused_sum: break;
     }
     MIXCMP_CHECK(false);
   }

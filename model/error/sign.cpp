@@ -17,6 +17,13 @@ Sign constant_sign(const mpq_class& value) {
           value <= 0 ? SignProof(nothing) : std::nullopt};
 }
 
+Sign term_sign(const FusedTerm& term, const std::vector<Sign>& signs) {
+  Sign sign = signs[term.a];
+  if (term.is_square()) sign = {nothing, std::nullopt};
+  if (term.is_product() && !term.is_square()) sign = product_sign(sign, signs[term.b]);
+  return term.negated ? sign.negated() : sign;
+}
+
 Sign sign_of(const TypedNode& node, const std::vector<Sign>& signs,
              const std::vector<bool>& input_nonnegative) {
   const Sign unknown;
@@ -40,6 +47,7 @@ Sign sign_of(const TypedNode& node, const std::vector<Sign>& signs,
       return {both(a.nonnegative, b.nonnegative), either(a.nonpositive, b.nonpositive)};
     case Operation::maximum:
       return {either(a.nonnegative, b.nonnegative), both(a.nonpositive, b.nonpositive)};
+    case Operation::fused_sum: return sum_sign(node.terms, signs);
   }
   MIXCMP_CHECK(false);
 }
@@ -60,6 +68,12 @@ SignProof either(const SignProof& a, const SignProof& b) {
 
 Sign sum_sign(const Sign& a, const Sign& b) {
   return {both(a.nonnegative, b.nonnegative), both(a.nonpositive, b.nonpositive)};
+}
+
+Sign sum_sign(const std::vector<FusedTerm>& terms, const std::vector<Sign>& signs) {
+  Sign sign = term_sign(terms.front(), signs);
+  for (const FusedTerm& term : terms) sign = sum_sign(sign, term_sign(term, signs));
+  return sign;
 }
 
 std::vector<Sign> analyse_signs(const TypedGraph& graph,

@@ -26,6 +26,9 @@ struct Sign {
 
 /// The sign of a sum; it is known if both operands lie on the same side of zero.
 Sign sum_sign(const Sign& a, const Sign& b);
+/// The sign of a fused sum; it is known if all terms lie on the same side of zero. `signs` has one
+/// Sign per node.
+Sign sum_sign(const std::vector<FusedTerm>& terms, const std::vector<Sign>& signs);
 
 /// Returns one Sign per node. `input_nonnegative[i]`: input i's range excludes negative values.
 std::vector<Sign> analyse_signs(const TypedGraph& graph,

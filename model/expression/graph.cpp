@@ -21,7 +21,8 @@ bool same(const Node& a, const Node& b) {
 int arity(Operation operation) {
   switch (operation) {
     case Operation::input:
-    case Operation::constant: return 0;
+    case Operation::constant:
+    case Operation::fused_sum: return 0;
     case Operation::convert:
     case Operation::negate:
     case Operation::absolute:
@@ -60,6 +61,7 @@ std::string_view to_string(Operation operation) {
     case Operation::square_root: return "square_root";
     case Operation::minimum: return "minimum";
     case Operation::maximum: return "maximum";
+    case Operation::fused_sum: return "fused_sum";
   }
   MIXCMP_CHECK(false);
 }
@@ -84,7 +86,7 @@ NodeId Graph::constant(const mpq_class& value) {
 }
 
 NodeId Graph::apply(Operation operation, NodeId first, NodeId second) {
-  MIXCMP_CHECK(operation != Operation::convert);
+  MIXCMP_CHECK(operation != Operation::convert && operation != Operation::fused_sum);
   MIXCMP_CHECK(arity(operation) == (second < 0 ? 1 : 2));
   if (operation == Operation::multiply && first == second) {
     return intern({.operation = Operation::square, .operands = {first, -1}, .value = {}});

@@ -27,9 +27,13 @@ enum class Operation {
   square_root,
   minimum,  ///< IEEE 754-2019 minimum: NaN wins, -0 < +0
   maximum,  ///< IEEE 754-2019 maximum
+  /// A sum of products that is rounded once, in graphs of references: its operands are
+  /// TypedNode::terms.
+  fused_sum,
 };
 
-/// Number of operands: 0 for input and constant, 1 or 2 otherwise.
+/// Number of operands: 0 for input and constant, 1 or 2 otherwise, and 0 for a fused sum, which
+/// has terms instead.
 int arity(Operation operation);
 
 /// Whether the result is one of two operands, unrounded: a minimum or a maximum.

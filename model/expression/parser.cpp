@@ -83,7 +83,8 @@ mpq_class fold(Operation operation, const mpq_class& a, const mpq_class& b) {
     case Operation::input:
     case Operation::constant:
     case Operation::convert:
-    case Operation::square_root: break;
+    case Operation::square_root:
+    case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);
 }

@@ -20,7 +20,8 @@ template <class AnyNode>
 Binding binding_of(const AnyNode& node) {
   switch (node.operation) {
     case Operation::add:
-    case Operation::subtract: return Binding::sum;
+    case Operation::subtract:
+    case Operation::fused_sum: return Binding::sum;
     case Operation::multiply:
     case Operation::divide: return Binding::product;
     case Operation::negate: return Binding::sign;
@@ -81,9 +82,25 @@ private:
       case Operation::square_root: return call(node, "sqrt");
       case Operation::minimum: return call(node, "min");
       case Operation::maximum: return call(node, "max");
+      case Operation::fused_sum: return terms(node);
       case Operation::convert: break;
     }
     MIXCMP_CHECK(false);
+  }
+
+  void terms(const Node& /*node*/) { MIXCMP_CHECK(!"rounding alone makes a sum a fused one"); }
+
+  void terms(const TypedNode& node) {
+    for (const FusedTerm& term : node.terms) {
+      const bool first = &term == &node.terms.front();
+      if (first) text_ += term.negated ? "-" : "";
+      if (!first) text_ += term.negated ? " - " : " + ";
+      expression(term.a, term.is_square() ? Binding::atom : Binding::product);
+      if (term.is_square()) text_ += "^2";
+      if (!term.is_product() || term.is_square()) continue;
+      text_ += " * ";
+      expression(term.b, Binding::sign);
+    }
   }
 
   void infix(const AnyNode& node, std::string_view sign, Binding left, Binding right) {

@@ -1,9 +1,11 @@
 #include "model/expression/typed_graph.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "model/common/check.hpp"
+#include "model/number/dyadic.hpp"
 #include "model/number/exact.hpp"
 
 namespace mixcmp::inline expression {
@@ -18,6 +20,70 @@ std::vector<bool> exact_nodes(const Graph& graph) {
     exact.push_back(value);
   }
   return exact;
+}
+
+/// Whether a term's product is exact in any case: by a power of two.
+bool is_scaling(const Graph& graph, const FusedTerm& term) {
+  const auto scales = [&](NodeId id) {
+    const Node& factor = graph.nodes()[id];
+    return factor.operation == Operation::constant && factor.value != 0 &&
+           is_power_of_two(abs(factor.value));
+  };
+  return term.is_product() && (scales(term.a) || scales(term.b));
+}
+
+/// Collects the terms of a sum, those of sums that it consists of included.
+class TermCollector {
+public:
+  explicit TermCollector(const Graph& graph) : graph_(graph) {}
+
+  std::vector<FusedTerm> collect(NodeId sum) {
+    add(sum, false);
+    return std::move(terms_);
+  }
+
+private:
+  void add(NodeId id, bool negated) {
+    if (terms_.size() > max_fused_terms) return;  // shared sums could double them many times
+    const Node& node = graph_.nodes()[id];
+    const auto [a, b] = node.operands;
+    switch (node.operation) {
+      case Operation::add:
+      case Operation::subtract:
+        add(a, negated);
+        return add(b, negated != (node.operation == Operation::subtract));
+      case Operation::negate: return add(a, !negated);
+      case Operation::square: terms_.push_back({a, a, negated}); return;
+      case Operation::multiply: terms_.push_back({a, b, negated}); return;
+      case Operation::input:
+      case Operation::constant:
+      case Operation::convert:
+      case Operation::absolute:
+      case Operation::divide:
+      case Operation::square_root:
+      case Operation::minimum:
+      case Operation::maximum:
+      case Operation::fused_sum: terms_.push_back({id, -1, negated}); return;
+    }
+    MIXCMP_CHECK(false);
+  }
+
+  const Graph& graph_;
+  std::vector<FusedTerm> terms_;
+};
+
+/// The terms of a node that is to be fused, in nodes of `graph`. None where the node is no sum, or
+/// one that is rounded once in composed arithmetic, too: of two operands or multiples of them by
+/// powers of two.
+std::vector<FusedTerm> fused_terms(const Graph& graph, NodeId id) {
+  const Operation operation = graph.nodes()[id].operation;
+  if (operation != Operation::add && operation != Operation::subtract) return {};
+  std::vector<FusedTerm> terms = TermCollector(graph).collect(id);
+  const bool saves_a_rounding =
+      terms.size() > 2 || std::any_of(terms.begin(), terms.end(), [&](const FusedTerm& term) {
+        return term.is_product() && !is_scaling(graph, term);
+      });
+  return saves_a_rounding ? terms : std::vector<FusedTerm>();
 }
 
 /// Emits the nodes that f and g need, operands first.
@@ -49,7 +115,8 @@ private:
   NodeId entering(NodeId id);
 
   NodeId emit_constant(const Node& node, FloatFormat format);
-  NodeId emit_in_reference(const Node& node);
+  NodeId emit_in_reference(NodeId id);
+  NodeId emit_fused(std::vector<FusedTerm> terms);
   NodeId emit_entering(NodeId id);
   NodeId emit_in_lane(NodeId id);
   NodeId emit_conversion(NodeId id, FloatFormat format);
@@ -89,7 +156,7 @@ TypedGraphBuilder::TypedGraphBuilder(const Graph& graph, FloatFormat reference,
 
 NodeId TypedGraphBuilder::in_reference(NodeId id) {
   NodeId& known = reference_ids_[id];
-  if (known < 0) known = emit_in_reference(graph_.nodes()[id]);
+  if (known < 0) known = emit_in_reference(id);
   return known;
 }
 
@@ -141,7 +208,26 @@ NodeId TypedGraphBuilder::emit_constant(const Node& node, FloatFormat format) {
                .value = node.value});
 }
 
-NodeId TypedGraphBuilder::emit_in_reference(const Node& node) {
+/// The terms are in nodes of the graph without formats.
+NodeId TypedGraphBuilder::emit_fused(std::vector<FusedTerm> terms) {
+  MIXCMP_CHECK(terms.size() <= max_fused_terms);
+  for (FusedTerm& term : terms) {
+    term.a = in_reference(term.a);
+    if (term.is_product()) term.b = in_reference(term.b);
+  }
+  return emit({.operation = Operation::fused_sum,
+               .operand_format = reference_,
+               .format = reference_,
+               .value = {},
+               .terms = std::move(terms)});
+}
+
+NodeId TypedGraphBuilder::emit_in_reference(NodeId id) {
+  const Node& node = graph_.nodes()[id];
+  if (typed_.arithmetic.sums == Sums::fused) {
+    std::vector<FusedTerm> terms = fused_terms(graph_, id);
+    if (!terms.empty()) return emit_fused(std::move(terms));
+  }
   if (node.operation == Operation::constant) return emit_constant(node, reference_);
   TypedNode typed{.operation = node.operation,
                   .operand_format = reference_,
@@ -216,12 +302,30 @@ NodeId TypedGraph::g() const {
   return parts.front().g;
 }
 
+int fused_guard_digits(std::size_t terms) {
+  constexpr int share_digits = 5;
+  return static_cast<int>(std::bit_width(terms - 1)) + share_digits;
+}
+
+std::vector<NodeId> operands_of(const TypedNode& node) {
+  std::vector<NodeId> operands;
+  const auto read = [&](NodeId id) {
+    if (std::find(operands.begin(), operands.end(), id) == operands.end()) operands.push_back(id);
+  };
+  for (int k = 0; k < arity(node.operation); ++k) read(node.operands[k]);
+  for (const FusedTerm& term : node.terms) {
+    read(term.a);
+    if (term.is_product()) read(term.b);
+  }
+  return operands;
+}
+
 std::vector<bool> needed_nodes(const TypedGraph& graph, const std::vector<NodeId>& roots) {
   std::vector<bool> needed(graph.nodes.size(), false);
   for (const NodeId root : roots) needed[root] = true;
   for (std::size_t id = graph.nodes.size(); id-- > 0;) {
-    const TypedNode& node = graph.nodes[id];
-    for (int k = 0; needed[id] && k < arity(node.operation); ++k) needed[node.operands[k]] = true;
+    if (!needed[id]) continue;
+    for (const NodeId operand : operands_of(graph.nodes[id])) needed[operand] = true;
   }
   return needed;
 }
@@ -238,6 +342,10 @@ GraphPart part_of(const TypedGraph& graph, std::size_t part) {
     for (int k = 0; k < arity(node.operation); ++k) {
       node.operands[k] = renumbered[node.operands[k]];
     }
+    for (FusedTerm& term : node.terms) {
+      term.a = renumbered[term.a];
+      if (term.is_product()) term.b = renumbered[term.b];
+    }
     renumbered[id] = static_cast<NodeId>(alone.graph.nodes.size());
     alone.graph.nodes.push_back(std::move(node));
     alone.ids.push_back(static_cast<NodeId>(id));
@@ -251,6 +359,14 @@ NodeId add_node(TypedGraph& graph, TypedNode node) {
   const auto id = static_cast<NodeId>(known - graph.nodes.begin());
   if (known == graph.nodes.end()) graph.nodes.push_back(std::move(node));
   return id;
+}
+
+std::size_t longest_fused_sum(const Graph& graph) {
+  std::size_t longest = 0;
+  for (NodeId id = 0; id < static_cast<NodeId>(graph.nodes().size()); ++id) {
+    longest = std::max(longest, fused_terms(graph, id).size());
+  }
+  return longest;
 }
 
 TypedGraph reference_graph(const Graph& graph, Arithmetic reference) {

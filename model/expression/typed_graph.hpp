@@ -9,6 +9,25 @@
 
 namespace mixcmp::inline expression {
 
+/// One term of a fused sum: the product of two nodes, or one node.
+struct FusedTerm {
+  NodeId a;
+  NodeId b;  ///< a itself in a square; -1: the term is no product
+  bool negated;
+
+  bool is_product() const { return b >= 0; }
+  bool is_square() const { return a == b; }
+  friend bool operator==(const FusedTerm&, const FusedTerm&) = default;
+};
+
+/// The most terms of a fused sum: rtl_templates/fp/fp_fused_sum.v takes no more.
+inline constexpr std::size_t max_fused_terms = 63;
+
+/// The digits that each term of a fused sum keeps beyond the format's precision, counted from the
+/// largest term's leading digits (docs/error_bounds.md). The sum of what is cut off all terms is
+/// then below 1/32 of a unit in the last place of the largest one.
+int fused_guard_digits(std::size_t terms);
+
 /// One operation with the formats it works in. Both operands of an operation share a format; the
 /// result may be narrower (an operator that takes reference-format inputs and rounds once).
 struct TypedNode {
@@ -20,7 +39,8 @@ struct TypedNode {
   /// For Operation::constant: `value`, rounded to nearest, ties to even. The golden model does not
   /// read this encoding; it rounds `value` itself.
   Bits constant = 0;
-  mpq_class value;  ///< for Operation::constant: exactly as written
+  mpq_class value;                    ///< for Operation::constant: exactly as written
+  std::vector<FusedTerm> terms = {};  ///< for Operation::fused_sum: two or more
 
   friend bool operator==(const TypedNode&, const TypedNode&) = default;
 };
@@ -43,6 +63,9 @@ struct TypedGraph {
   friend bool operator==(const TypedGraph&, const TypedGraph&) = default;
 };
 
+/// The nodes that a node reads, each once.
+std::vector<NodeId> operands_of(const TypedNode& node);
+
 /// Which nodes are needed to compute `roots`, these included.
 std::vector<bool> needed_nodes(const TypedGraph& graph, const std::vector<NodeId>& roots);
 
@@ -57,7 +80,12 @@ GraphPart part_of(const TypedGraph& graph, std::size_t part);
 /// Appends a node, unless the graph has an equal one. Returns the number of either.
 NodeId add_node(TypedGraph& graph, TypedNode node);
 
-/// The graph in the reference format alone: no conversion anywhere.
+/// The number of terms of the longest sum that `Sums::fused` would fuse; counting ends above
+/// max_fused_terms.
+std::size_t longest_fused_sum(const Graph& graph);
+
+/// The graph in the reference format alone: no conversion anywhere. With Sums::fused each sum that
+/// the composed arithmetic rounds more than once is a fused sum of at most max_fused_terms terms.
 TypedGraph reference_graph(const Graph& graph, Arithmetic reference);
 
 /// The graph in a lane's reduced format, with conversions where `inputs` asks for them. f and g are

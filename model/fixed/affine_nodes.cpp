@@ -36,7 +36,8 @@ bool is_affine(const Graph& graph, const Node& node, const std::vector<bool>& af
     case Operation::multiply: return is_shift(operand(0)) || is_shift(operand(1));
     case Operation::divide: return is_shift(operand(1));
     case Operation::square:
-    case Operation::square_root: return false;
+    case Operation::square_root:
+    case Operation::fused_sum: return false;
   }
   MIXCMP_CHECK(false);
 }

@@ -237,7 +237,8 @@ Result<FixedNode> FixedGraphBuilder::make(NodeId id) {
     case Operation::multiply:
     case Operation::square:
     case Operation::minimum:
-    case Operation::maximum: break;
+    case Operation::maximum:
+    case Operation::fused_sum: break;
   }
   const NodeId first = operand(id, 0);
   if (node.operation == Operation::square) return operation(node.operation, factor(first));

@@ -45,7 +45,8 @@ Range exact_error(Operation operation, const FixedNode& a, const FixedNode& b) {
     case Operation::constant:
     case Operation::convert:
     case Operation::divide:
-    case Operation::square_root: break;
+    case Operation::square_root:
+    case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);
 }
@@ -64,7 +65,8 @@ Range exact_value(Operation operation, const Range& a, const Range& b) {
     case Operation::constant:
     case Operation::convert:
     case Operation::divide:
-    case Operation::square_root: break;
+    case Operation::square_root:
+    case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);
 }

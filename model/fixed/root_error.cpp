@@ -41,7 +41,8 @@ bool is_nonnegative(const std::vector<FixedNode>& nodes, NodeId id) {
     case Operation::constant:
     case Operation::negate:
     case Operation::subtract:
-    case Operation::divide: return false;
+    case Operation::divide:
+    case Operation::fused_sum: return false;
   }
   MIXCMP_CHECK(false);
 }

@@ -90,6 +90,7 @@ private:
       case Operation::subtract:
       case Operation::minimum:
       case Operation::maximum: return common(id, operands[0], operands[1]);
+      case Operation::fused_sum: break;
     }
     MIXCMP_CHECK(false);
   }

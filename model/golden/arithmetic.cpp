@@ -1,7 +1,10 @@
 #include "model/golden/arithmetic.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <vector>
 
+#include "model/expression/typed_graph.hpp"
 #include "model/golden/encoding.hpp"
 
 namespace mixcmp::golden {
@@ -110,7 +113,81 @@ Rounded choose(const Arithmetic& result, Bits a, Bits b, Operate operate) {
                       });
 }
 
+/// A precision that holds a product of two significands, and a sum of cut terms.
+constexpr mpfr_prec_t product_precision = 2 * encoding_precision;
+
+/// A term of a fused sum as a number.
+struct Term {
+  BigFloat value{product_precision};
+  mpfr_exp_t exponent = 0;  ///< the sum of its factors'; meaningful where it is finite, not zero
+  bool exceptional = false;
+
+  bool is_zero() const { return mpfr_zero_p(value.get()) != 0; }
+  bool is_negative() const { return mpfr_signbit(value.get()) != 0; }
+};
+
+Term term_of(const Arithmetic& result, FloatFormat operands, const FusedOperands& term) {
+  BigFloat &a = scratch().a, &b = scratch().b;
+  Term made;
+  made.exceptional = load(a, operands, result.subnormals, term.a);
+  made.exceptional |= load(b, operands, result.subnormals, term.b);
+  mpfr_mul(made.value.get(), a.get(), b.get(), MPFR_RNDN);  // exact
+  if (term.negated) mpfr_neg(made.value.get(), made.value.get(), MPFR_RNDN);
+  if (mpfr_regular_p(made.value.get())) {
+    // MPFR's significands are in [1/2, 1): its exponents are one above ours.
+    made.exponent = mpfr_get_exp(a.get()) + mpfr_get_exp(b.get()) - 2;
+  }
+  return made;
+}
+
+/// The exponent of the last digit that terms keep.
+mpfr_exp_t cut_exponent(const Arithmetic& result, const std::vector<Term>& terms) {
+  std::optional<mpfr_exp_t> largest;
+  if (result.subnormals == Subnormals::gradual) largest = result.format.min_exponent();
+  for (const Term& term : terms) {
+    if (term.is_zero()) continue;
+    largest = largest ? std::max(*largest, term.exponent) : term.exponent;
+  }
+  return largest.value_or(0) - result.format.precision() - fused_guard_digits(terms.size());
+}
+
+/// The sum of the terms, each cut to a multiple of 2^exponent.
+BigFloat sum_of_cut(const std::vector<Term>& terms, mpfr_exp_t exponent) {
+  BigFloat sum(product_precision), cut(product_precision);
+  mpfr_set_zero(sum.get(), 1);
+  for (const Term& term : terms) {
+    mpfr_mul_2si(cut.get(), term.value.get(), -exponent, MPFR_RNDN);
+    mpfr_rint_trunc(cut.get(), cut.get(), MPFR_RNDN);
+    const int ternary = mpfr_add(sum.get(), sum.get(), cut.get(), MPFR_RNDN);
+    MIXCMP_CHECK(ternary == 0);
+  }
+  mpfr_mul_2si(sum.get(), sum.get(), exponent, MPFR_RNDN);
+  return sum;
+}
+
 }  // namespace
+
+Rounded fused_sum(const Arithmetic& result, FloatFormat operands,
+                  std::span<const FusedOperands> terms) {
+  MIXCMP_CHECK(terms.size() >= 2);
+  std::vector<Term> values;
+  bool exceptional = false;
+  for (const FusedOperands& term : terms) {
+    values.push_back(term_of(result, operands, term));
+    exceptional |= values.back().exceptional;
+  }
+  const BigFloat sum = sum_of_cut(values, cut_exponent(result, values));
+  if (mpfr_zero_p(sum.get())) {
+    const bool negative = std::all_of(values.begin(), values.end(),
+                                      [](const Term& term) { return term.is_negative(); });
+    return {result.format.zero(negative), exceptional};
+  }
+  BigFloat y(result.format.precision());
+  const int ternary = mpfr_set(y.get(), sum.get(), mpfr_rounding(result.rounding));
+  Rounded rounded = fit(result, y, ternary);
+  rounded.exceptional |= exceptional;
+  return rounded;
+}
 
 Rounded add(const Arithmetic& result, FloatFormat operands, Bits a, Bits b) {
   return apply_binary(result, operands, a, b, mpfr_add);

@@ -2,6 +2,8 @@
 
 #include <gmpxx.h>
 
+#include <span>
+
 #include "model/number/float_format.hpp"
 #include "model/number/verdict.hpp"
 
@@ -33,6 +35,21 @@ Rounded square(const Arithmetic& result, FloatFormat operands, Bits a);
 Rounded divide(const Arithmetic& result, FloatFormat operands, Bits a, Bits b);
 Rounded square_root(const Arithmetic& result, FloatFormat operands, Bits a);
 Rounded convert(const Arithmetic& result, FloatFormat operands, Bits a);
+
+/// One term of a fused sum: a * b, or -(a * b). A term that is no product has b = 1.
+struct FusedOperands {
+  Bits a;
+  Bits b;
+  bool negated = false;
+};
+
+/// A sum of two terms or more, rounded once. E is the largest exponent of a term that is not zero,
+/// the exponent of a term being the sum of its factors'; with gradual underflow it is at least
+/// min_exponent. Each term is cut toward zero to a multiple of 2^(E - P - fused_guard_digits); the
+/// sum of what is left is exact and is rounded, and `exceptional` speaks of it.
+/// A zero is negative if all terms are, zeros among them.
+Rounded fused_sum(const Arithmetic& result, FloatFormat operands,
+                  std::span<const FusedOperands> terms);
 
 /// IEEE 754-2019 minimum and maximum, operands and result in one format.
 Rounded minimum(const Arithmetic& result, Bits a, Bits b);

@@ -188,7 +188,8 @@ Separation Enclosure::find_separation(NodeId id) {
     case Operation::minimum:
     case Operation::maximum: return separation_of_either(a(), b());
     case Operation::input:  // always a point
-    case Operation::convert: break;
+    case Operation::convert:
+    case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);
 }
@@ -207,7 +208,8 @@ Knowledge Enclosure::compute_node(NodeId id, FloatFormat format, std::span<const
       mpfr_set_q(y.low.get(), node.value.get_mpq_t(), MPFR_RNDD);
       mpfr_set_q(y.high.get(), node.value.get_mpq_t(), MPFR_RNDU);
       break;
-    case Operation::convert: MIXCMP_CHECK(false); break;  // real numbers have no format
+    case Operation::convert:
+    case Operation::fused_sum: MIXCMP_CHECK(false); break;  // no real number is rounded
     case Operation::negate: negate(y, a); break;
     case Operation::absolute: absolute(y, a); break;
     case Operation::add: monotone(y, a, b, mpfr_add); break;

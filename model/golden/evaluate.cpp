@@ -13,6 +13,18 @@ Rounded change_sign(FloatFormat format, Bits bits, Bits changed) {
   return {changed, format.is_nan(bits) || format.is_infinite(bits)};
 }
 
+Rounded evaluate_sum(const TypedNode& node, const Arithmetic& result,
+                     const std::vector<Rounded>& values) {
+  const FloatFormat operands = node.operand_format;
+  const Bits one = operands.pack(false, operands.bias(), 0);
+  std::vector<FusedOperands> terms;
+  for (const FusedTerm& term : node.terms) {
+    const Bits factor = term.is_product() ? values[term.b].bits : one;
+    terms.push_back({values[term.a].bits, factor, term.negated});
+  }
+  return fused_sum(result, operands, terms);
+}
+
 Rounded evaluate_node(const TypedNode& node, const Arithmetic& arithmetic,
                       std::span<const Bits> inputs, const std::vector<Rounded>& values) {
   const Arithmetic result = {node.format, arithmetic.rounding, arithmetic.subnormals};
@@ -33,6 +45,7 @@ Rounded evaluate_node(const TypedNode& node, const Arithmetic& arithmetic,
     case Operation::square_root: return square_root(result, operands, a);
     case Operation::minimum: return minimum(result, a, b);
     case Operation::maximum: return maximum(result, a, b);
+    case Operation::fused_sum: return evaluate_sum(node, result, values);
   }
   MIXCMP_CHECK(false);
 }

@@ -72,7 +72,8 @@ mpz_class operate(Operation operation, const mpz_class& a, const mpz_class& b) {
     case Operation::input:
     case Operation::constant:
     case Operation::divide:
-    case Operation::square_root: break;
+    case Operation::square_root:
+    case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);
 }

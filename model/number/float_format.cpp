@@ -90,4 +90,12 @@ std::string_view to_string(Subnormals subnormals) {
   MIXCMP_CHECK(false);
 }
 
+std::string_view to_string(Sums sums) {
+  switch (sums) {
+    case Sums::composed: return "composed";
+    case Sums::fused: return "fused";
+  }
+  MIXCMP_CHECK(false);
+}
+
 }  // namespace mixcmp::inline number

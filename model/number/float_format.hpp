@@ -92,16 +92,24 @@ enum class Subnormals {
   gradual,  ///< IEEE 754
 };
 
+/// The rounding of sums of several terms.
+enum class Sums {
+  composed,  ///< each product and each sum of two is rounded
+  fused,     ///< the sum of all products is rounded once
+};
+
 /// A format together with how results are rounded into it.
 struct Arithmetic {
   FloatFormat format;
   Rounding rounding = Rounding::nearest_even;
   Subnormals subnormals = Subnormals::gradual;
+  Sums sums = Sums::composed;
 
   friend bool operator==(const Arithmetic&, const Arithmetic&) = default;
 };
 
 std::string_view to_string(Rounding rounding);
 std::string_view to_string(Subnormals subnormals);
+std::string_view to_string(Sums sums);
 
 }  // namespace mixcmp::inline number

@@ -34,7 +34,8 @@ std::string lane_name(const characterise::ComponentKey& key) {
 }
 
 std::string reference_name(const characterise::ComponentKey& key) {
-  const std::string name = key.format + (key.multipliers.empty() ? "" : " " + key.multipliers);
+  std::string name = key.format + (key.multipliers.empty() ? "" : " " + key.multipliers);
+  if (key.sums == Sums::fused) name += " fused";
   if (key.initiation_interval == 1) return name;
   return fmt::format("{} ii{}", name, key.initiation_interval);
 }
@@ -135,10 +136,12 @@ void ProblemMaker::sort_rows() {
   }
 }
 
-/// A reference of the scene's format, and of its initiation interval unless that is "auto".
+/// A reference of the scene's format and sums, and of its initiation interval unless that is
+/// "auto".
 bool ProblemMaker::is_wanted_reference(const characterise::Measurement& row) const {
   const std::optional<int> interval = scene_.reference_structure.initiation_interval;
   return format_of(row).floating == scene_.reference.format &&
+         row.key.sums == scene_.reference.sums &&
          (!interval || *interval == row.key.initiation_interval);
 }
 

@@ -33,6 +33,8 @@ constexpr Fit division = {20, 9, 1};
 constexpr Fit square_root = {5, 4, 0.45};
 constexpr Fit conversion = {37, 0.85, 0};
 constexpr Fit selection = {10, 3.5, 0};
+constexpr Fit aligned_term = {40, 6, 0};  ///< of a fused sum, its product aside
+constexpr Fit rounded_sum = {60, 4, 0};   ///< of a fused sum, its terms aside
 constexpr Fit comparison = {18, 1.1, 0};
 constexpr Fit ulp_distance = {8, 1.8, 0};
 constexpr Fit bound_decision = {11, 0.37, 0};
@@ -51,7 +53,18 @@ bool is_scale(const TypedGraph& graph, NodeId id) {
   return is_constant(graph, id) && is_power_of_two(mpq_class(abs(graph.nodes[id].value)));
 }
 
-double node_luts(const TypedGraph& graph, const TypedNode& node) {
+double fused_luts(const TypedNode& node, Products products) {
+  const int digits = node.format.precision();
+  double luts = rounded_sum(digits);
+  for (const FusedTerm& term : node.terms) {
+    luts += aligned_term(digits);
+    if (!term.is_product() || products == Products::left_out) continue;
+    luts += term.is_square() ? squaring(digits) : multiplication(digits);
+  }
+  return luts;
+}
+
+double node_luts(const TypedGraph& graph, const TypedNode& node, Products products) {
   const int operand = node.operand_format.precision(), result = node.format.precision();
   const double dropped = dropped_digit * std::max(operand - result, 0);
   switch (node.operation) {
@@ -75,6 +88,7 @@ double node_luts(const TypedGraph& graph, const TypedNode& node) {
     case Operation::square_root: return square_root(operand);
     case Operation::minimum:
     case Operation::maximum: return selection(operand);
+    case Operation::fused_sum: return fused_luts(node, products);
   }
   MIXCMP_CHECK(false);
 }
@@ -100,7 +114,7 @@ double graph_luts(const TypedGraph& graph, Products products) {
   double luts = 0;
   for (const TypedNode& node : graph.nodes) {
     if (products == Products::left_out && is_product(node)) continue;
-    luts += node_luts(graph, node);
+    luts += node_luts(graph, node, products);
   }
   return luts;
 }
@@ -227,7 +241,9 @@ int embedded_multipliers(const TypedGraph& reference, const devices::MultiplierS
   int count = 0;
   for (const TypedNode& node : reference.nodes) {
     const int digits = node.operand_format.precision();
-    if (multiplies(reference, node)) count += covering(digits, digits, size);
+    int products = multiplies(reference, node) ? 1 : 0;
+    for (const FusedTerm& term : node.terms) products += term.is_product() ? 1 : 0;
+    count += products * covering(digits, digits, size);
   }
   return count;
 }

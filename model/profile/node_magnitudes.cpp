@@ -70,7 +70,8 @@ NodeMagnitude exact_magnitude(const TypedNode& node, const NodeMagnitude& a,
               .grid = std::min(a.grid, b.grid),
               .least = std::min(a.least, b.least)};
     case Operation::input:
-    case Operation::constant: break;
+    case Operation::constant:
+    case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);
 }
@@ -95,7 +96,8 @@ bool rounds(Operation operation) {
     case Operation::multiply:
     case Operation::square:
     case Operation::divide:
-    case Operation::square_root: return true;
+    case Operation::square_root:
+    case Operation::fused_sum: return true;
     case Operation::input:
     case Operation::constant:
     case Operation::negate:

@@ -39,7 +39,8 @@ bool is_inexpressible(const TypedGraph& graph, const std::vector<NodeClaim>& cla
     case Operation::multiply:
     case Operation::square:
     case Operation::divide:
-    case Operation::square_root: return false;
+    case Operation::square_root:
+    case Operation::fused_sum: return false;
   }
   MIXCMP_CHECK(false);
 }
@@ -107,7 +108,8 @@ OwnRounding own_rounding(const TypedGraph& graph, const TypedNode& node) {
     case Operation::divide: return scales_by(1) ? OwnRounding::exact_by_hand : OwnRounding::rounds;
     case Operation::add:
     case Operation::subtract:
-    case Operation::square_root: return OwnRounding::rounds;
+    case Operation::square_root:
+    case Operation::fused_sum: return OwnRounding::rounds;
   }
   MIXCMP_CHECK(false);
 }

@@ -186,7 +186,8 @@ std::string CaseScript::expression(NodeId id, std::string Names::*name) const {
     case Operation::input:
     case Operation::constant:
     case Operation::minimum:
-    case Operation::maximum: break;
+    case Operation::maximum:
+    case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);
 }

@@ -155,7 +155,8 @@ private:
       case Operation::subtract:
       case Operation::minimum:
       case Operation::maximum: return own == std::min(unit(0), unit(1));
-      case Operation::divide: return false;
+      case Operation::divide:
+      case Operation::fused_sum: return false;
     }
     MIXCMP_CHECK(false);
   }

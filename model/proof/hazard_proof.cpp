@@ -116,7 +116,8 @@ bool HazardProof::is_finite(NodeId id) {
     case Operation::square:
     case Operation::divide:
     case Operation::minimum:
-    case Operation::maximum: break;
+    case Operation::maximum:
+    case Operation::fused_sum: break;
   }
   return never_overflows(id) && all_operands(id, [&](NodeId k) { return is_finite(k); });
 }
@@ -158,7 +159,8 @@ bool HazardProof::is_flushed(NodeId id) {
     case Operation::multiply:
     case Operation::square:
     case Operation::divide:
-    case Operation::square_root: return true;
+    case Operation::square_root:
+    case Operation::fused_sum: return true;
   }
   MIXCMP_CHECK(false);
 }

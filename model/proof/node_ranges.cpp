@@ -77,7 +77,8 @@ std::string result_text(const TypedNode& node, const std::string& a, const std::
     case Operation::input:
     case Operation::constant:
     case Operation::minimum:
-    case Operation::maximum: break;
+    case Operation::maximum:
+    case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);
 }

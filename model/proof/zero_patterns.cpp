@@ -47,7 +47,8 @@ void add_atoms(const Cone& cone, NodeId id, std::set<NodeId>& atoms) {
     case Operation::input:
     case Operation::constant:
     case Operation::minimum:
-    case Operation::maximum: MIXCMP_CHECK(false);
+    case Operation::maximum:
+    case Operation::fused_sum: MIXCMP_CHECK(false);
   }
   atoms.insert(id);
 }
@@ -79,7 +80,8 @@ bool zero_by_operands(const TypedNode& node, const Zeros& zeros) {
     case Operation::input:
     case Operation::constant:
     case Operation::minimum:
-    case Operation::maximum: break;
+    case Operation::maximum:
+    case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);
 }

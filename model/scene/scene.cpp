@@ -7,6 +7,7 @@
 #include <set>
 
 #include "model/common/nearest.hpp"
+#include "model/common/quote.hpp"
 #include "model/error/exponent_range.hpp"
 #include "model/expression/name.hpp"
 #include "model/expression/text.hpp"
@@ -250,6 +251,14 @@ Result<Done> check_constants(const settings::Settings& settings, const Graph& gr
   return Done{};
 }
 
+/// Refuses fused sums of more terms than a unit takes.
+Result<Done> check_sums(const settings::Settings& settings, const Graph& graph, Sums sums) {
+  if (sums == Sums::composed || longest_fused_sum(graph) <= max_fused_terms) return Done{};
+  const settings::Section section(settings, "reference");
+  return section.mistake("sums", fmt::format("a sum has more than {} terms", max_fused_terms),
+                         in_quotes(std::string(to_string(sums))), "\"composed\"");
+}
+
 /// Notes the ends of ranges that the reference format rounds out of the range: data with just that
 /// decimal are then out of range.
 void note_missed_ends(const std::vector<std::optional<Range>>& ranges, FloatFormat format,
@@ -296,6 +305,7 @@ Result<Scene> interpret(SceneSettings read) {
   MIXCMP_TRY(reference, read_reference(settings));
   const FloatFormat format = reference.arithmetic.format;
   MIXCMP_TRY(constants_checked, check_constants(settings, graph, reference.arithmetic, notes));
+  MIXCMP_TRY(sums_checked, check_sums(settings, graph, reference.arithmetic.sums));
   MIXCMP_TRY(data, read_data(settings));
   MIXCMP_TRY(measured,
              take_ranges_from_data(data ? &*data : nullptr, graph.inputs(), format, declared));

@@ -19,7 +19,7 @@ constexpr std::size_t max_expression_length = 60;
 std::vector<OperatorCount> count_operators(const TypedGraph& graph) {
   std::vector<OperatorCount> counts;
   for (const TypedNode& node : graph.nodes) {
-    if (arity(node.operation) == 0) continue;
+    if (node.operation == Operation::input || node.operation == Operation::constant) continue;
     const auto same = [&](const OperatorCount& known) {
       return known.operation == node.operation && known.format == node.format &&
              known.operand_format == node.operand_format;
@@ -304,6 +304,8 @@ std::string_view to_string(Possibility possibility) {
 
 Summary summarise(const Scene& scene, const data::Comparisons* data) {
   const TypedGraph reference = reference_graph(scene.graph, scene.reference);
+  Arithmetic composed = scene.reference;
+  composed.sums = Sums::composed;
   Summary summary{.scene = &scene};
   summary.sides = summarise_sides(scene, reference);
   summary.datapaths.push_back(summarise_datapath("reference", reference, scene.ranges));
@@ -313,7 +315,8 @@ Summary summarise(const Scene& scene, const data::Comparisons* data) {
     if (!groups[k].reduced.format) continue;
     summary.datapaths.push_back(summarise_lane(labels[k], scene, groups[k].reduced));
   }
-  summary.reference = summarise_exactness(scene, reference);
+  // Where no composed operation rounds, no digit of a fused sum is cut off or rounded either.
+  summary.reference = summarise_exactness(scene, reference_graph(scene.graph, composed));
   if (data != nullptr) summary.data = summarise_data(scene, *data);
   return summary;
 }

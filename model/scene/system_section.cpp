@@ -29,15 +29,17 @@ Result<ReferenceSpec> read_reference(const settings::Settings& settings) {
   settings::Section section(settings, "reference");
   std::optional<FloatFormat> format;
   Subnormals subnormals = Subnormals::gradual;
+  Sums sums = Sums::composed;
   section.require("format");
   constexpr settings::Limits precisions = settings::limits::reference_precision;
   section.format("format", format, precisions,
                  FloatFormat::accepted(precisions.least, precisions.most));
   section.choice("subnormals", subnormals, {Subnormals::flush, Subnormals::gradual});
+  section.choice("sums", sums, {Sums::composed, Sums::fused});
   ReferenceStructureSpec structure;
   read_structure(section, structure);
   if (const auto error = section.finish()) return *error;
-  return ReferenceSpec{{.format = *format, .subnormals = subnormals}, structure};
+  return ReferenceSpec{{.format = *format, .subnormals = subnormals, .sums = sums}, structure};
 }
 
 Result<SystemSpec> read_system(const settings::Settings& settings) {

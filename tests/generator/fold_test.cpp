@@ -18,6 +18,7 @@ struct Scene {
   const char* name;
   const char* f;
   const char* g;
+  Sums sums = Sums::composed;
 };
 
 constexpr Scene scenes[] = {
@@ -26,6 +27,7 @@ constexpr Scene scenes[] = {
     {"roots", "sqrt(a^2 + b^2) / (c + 1) - sqrt(d)", "abs(a) / 4 + b / 4 + d * 2"},
     {"late_operand", "((a + b) * c + b) * c + d", "a"},
     {"signs_alone", "-a", "abs(b)"},
+    {"fused_sums", "(a - b)^2 + (c - d)^2 + (a - d)^2", "(b + c) * d - a", Sums::fused},
 };
 
 std::ostream& operator<<(std::ostream& out, const Scene& scene) {
@@ -38,8 +40,9 @@ class Fold : public testing::TestWithParam<std::tuple<Scene, int>> {
 protected:
   int interval() const { return std::get<1>(GetParam()); }
 
-  TypedGraph graph_ = reference_graph(
-      graph_of(std::get<0>(GetParam()).f, std::get<0>(GetParam()).g), {format("s24e8")});
+  TypedGraph graph_ =
+      reference_graph(graph_of(std::get<0>(GetParam()).f, std::get<0>(GetParam()).g),
+                      {.format = format("s24e8"), .sums = std::get<0>(GetParam()).sums});
   datapath::Schedule schedule_ = datapath::schedule_reference(
       graph_, {.initiation_interval = interval()}, datapath::delays_of("ice40-hx8k").value(), 100);
 };
@@ -76,9 +79,8 @@ TEST_P(Fold, OperandsAreReadyAndResultsComeWhenTheUnitGivesThem) {
     }
   }
   for (std::size_t id = 0; id < graph_.nodes.size(); ++id) {
-    const TypedNode& node = graph_.nodes[id];
-    for (int k = 0; k < arity(node.operation); ++k) {
-      EXPECT_LE(schedule_.steps[node.operands[k]].ready_cycle, schedule_.steps[id].start_cycle);
+    for (const NodeId operand : operands_of(graph_.nodes[id])) {
+      EXPECT_LE(schedule_.steps[operand].ready_cycle, schedule_.steps[id].start_cycle);
     }
   }
   const datapath::Step& decision = schedule_.parts.front().decision;
@@ -108,9 +110,8 @@ TEST_P(Fold, OperandsStayAsLongAsTheyAreRead) {
   EXPECT_GE(schedule_.last_operand_phase, 0);
   EXPECT_LT(schedule_.last_operand_phase, interval());
   for (std::size_t id = 0; id < graph_.nodes.size(); ++id) {
-    const TypedNode& node = graph_.nodes[id];
-    for (int k = 0; k < arity(node.operation); ++k) {
-      if (graph_.nodes[node.operands[k]].operation != Operation::input) continue;
+    for (const NodeId operand : operands_of(graph_.nodes[id])) {
+      if (graph_.nodes[operand].operation != Operation::input) continue;
       EXPECT_LE(std::min(schedule_.steps[id].start_cycle, interval() - 1),
                 schedule_.last_operand_phase);
     }

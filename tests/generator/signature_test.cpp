@@ -14,6 +14,7 @@ emit::Signature some_signature() {
           .generator_version = "1.2.3",
           .spec_hash = "abc",
           .reference_format = *FloatFormat::parse("s53e11"),
+          .reference_sums = Sums::fused,
           .certified = true,
           .inputs = {"a", "b", "c"},
           .lanes = 87,
@@ -62,6 +63,7 @@ TEST(Signature, ReadsBackAsWritten) {
   EXPECT_EQ(to_json(*read), text);
   EXPECT_EQ(read->lanes, 87);
   EXPECT_EQ(read->reference_format, *FloatFormat::parse("s53e11"));
+  EXPECT_EQ(read->reference_sums, Sums::fused);
   EXPECT_EQ(read->order, scene::ResultOrder::in_order);
   EXPECT_EQ(read->operands, scene::OperandStore::refetched);
   EXPECT_EQ(read->files, some_signature().files);

@@ -1,6 +1,8 @@
 #include "tests/support/integer_float.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <vector>
 
 namespace mixcmp::test::integer_float {
 namespace {
@@ -238,6 +240,17 @@ bool is_below(const Value& a, const Value& b) {
   return by_value != 0 ? by_value < 0 : a.negative && !b.negative;
 }
 
+long leading_exponent(const Value& value) {
+  return value.exponent + bit_count(value.integer) - 1;
+}
+
+Value without_digits_below(Value value, long exponent) {
+  if (value.kind != Kind::finite || value.exponent >= exponent) return value;
+  value.integer >>= exponent - value.exponent;
+  value.exponent = exponent;
+  return value;
+}
+
 }  // namespace
 
 Rounded add(const Arithmetic& result, FloatFormat operands, Bits a, Bits b) {
@@ -267,6 +280,35 @@ Rounded square_root(const Arithmetic& result, FloatFormat operands, Bits a) {
 
 Rounded convert(const Arithmetic& result, FloatFormat operands, Bits a) {
   return apply(result, operands, a, a, [](const Value& value, const Value&) { return value; });
+}
+
+Rounded fused_sum(const Arithmetic& result, FloatFormat operands,
+                  std::span<const golden::FusedOperands> terms) {
+  std::vector<Value> values;
+  bool exceptional = false, all_down = true;
+  long largest = result.subnormals == Subnormals::gradual ? result.format.min_exponent()
+                                                          : std::numeric_limits<int>::min();
+  for (const auto& [a, b, minus] : terms) {
+    const Operand first = read(operands, result.subnormals, a);
+    const Operand second = read(operands, result.subnormals, b);
+    exceptional |= first.exceptional || second.exceptional;
+    values.push_back(product(first.value, second.value));
+    if (minus) values.back().negative = !values.back().negative;
+    all_down &= values.back().negative;
+    if (values.back().is_zero()) continue;
+    largest = std::max(largest, leading_exponent(first.value) + leading_exponent(second.value));
+  }
+  // Five digits and as many as count the terms.
+  const long guard = 5 + bit_count(mpz_class(static_cast<unsigned long>(terms.size()) - 1));
+  const long last = largest - result.format.precision() - guard;
+  Value total = values.front();
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const Value cut = without_digits_below(values[k], last);
+    total = k == 0 ? cut : sum(total, cut);
+  }
+  if (total.is_zero()) total.negative = all_down;
+  const Rounded rounded = finish(result, total);
+  return {rounded.bits, rounded.exceptional || exceptional};
 }
 
 Rounded minimum(const Arithmetic& result, Bits a, Bits b) {

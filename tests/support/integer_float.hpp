@@ -2,6 +2,8 @@
 
 #include <gmpxx.h>
 
+#include <span>
+
 #include "model/golden/arithmetic.hpp"
 #include "model/number/verdict.hpp"
 
@@ -18,6 +20,8 @@ Rounded square(const Arithmetic& result, FloatFormat operands, Bits a);
 Rounded divide(const Arithmetic& result, FloatFormat operands, Bits a, Bits b);
 Rounded square_root(const Arithmetic& result, FloatFormat operands, Bits a);
 Rounded convert(const Arithmetic& result, FloatFormat operands, Bits a);
+Rounded fused_sum(const Arithmetic& result, FloatFormat operands,
+                  std::span<const golden::FusedOperands> terms);
 Rounded minimum(const Arithmetic& result, Bits a, Bits b);
 Rounded maximum(const Arithmetic& result, Bits a, Bits b);
 Verdict compare(FloatFormat format, Subnormals subnormals, Bits a, Bits b);

@@ -172,6 +172,30 @@ TEST_F(Table, ReferencesAloneHaveAnInitiationInterval) {
   expect_refused("logic,0,", "logic,1,", 7, 35, "not an initiation interval");
 }
 
+TEST_F(Table, AReferencesNameSaysThatItsSumsAreFused) {
+  characterise::Characterisation table = example();
+  table.rows = {lane("s12e8", 700)};
+  table.rows.front().key = {.kind = characterise::ComponentKind::reference,
+                            .format = "s53e8",
+                            .multipliers = "logic",
+                            .sums = Sums::fused,
+                            .initiation_interval = 1};
+  table.rows.push_back(table.rows.front());
+  table.rows.back().key.sums = Sums::composed;
+  const std::string text = to_csv(table);
+  EXPECT_NE(text.find("\nreference,fused,s53e8,"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nreference,,s53e8,"), std::string::npos) << text;
+  const auto read_table = read(text);
+  ASSERT_TRUE(read_table.ok()) << read_table.error().to_string();
+  EXPECT_EQ(read_table->rows[0].key.sums, Sums::composed);
+  EXPECT_EQ(read_table->rows[1].key.sums, Sums::fused);
+  EXPECT_EQ(read_table->rows[1].key.name, "");
+  std::string other = text;
+  other.replace(other.find("reference,fused"), 15, "reference,woven");
+  const std::string refused = read(other).error().to_string();
+  EXPECT_NE(refused.find("not a kind of reference"), std::string::npos) << refused;
+}
+
 TEST_F(Table, OneRowForOneComponent) {
   characterise::Characterisation doubled = example();
   doubled.rows.push_back(crossbar(2));

@@ -173,7 +173,8 @@ private:
       }
       case Operation::input:
       case Operation::constant:
-      case Operation::convert: break;
+      case Operation::convert:
+      case Operation::fused_sum: break;
     }
     MIXCMP_CHECK(false);
   }

@@ -37,7 +37,8 @@ mpq_class evaluate(const Graph& graph, NodeId id, const Inputs& inputs) {
     case Operation::minimum: return std::min(operand(0), operand(1));
     case Operation::maximum: return std::max(operand(0), operand(1));
     case Operation::convert:
-    case Operation::square_root: break;
+    case Operation::square_root:
+    case Operation::fused_sum: break;
   }
   ADD_FAILURE() << "node " << id << " has no exact value";
   return 0;

@@ -1,7 +1,9 @@
 #include "model/expression/typed_graph.hpp"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "model/expression/text.hpp"
 #include "model/number/decimal.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
@@ -39,6 +41,61 @@ TEST(ReferenceGraph, ConvertsNothing) {
             "constant 1/2: s53e8\n"
             "multiply 0 4: s53e8\n"
             "f 3, g 5\n");
+}
+
+/// The terms of the fused sums in the order of their nodes, "+0*0 -1*2 +3", one sum a line.
+std::string fused(const std::string& f, const std::string& g) {
+  const TypedGraph graph = reference_graph(graph_of(f, g), {.format = wide, .sums = Sums::fused});
+  std::string text;
+  for (const TypedNode& node : graph.nodes) {
+    if (node.operation != Operation::fused_sum) continue;
+    std::string line;
+    for (const FusedTerm& term : node.terms) {
+      line += fmt::format("{}{}{}", line.empty() ? "" : " ", term.negated ? "-" : "+",
+                          to_text(graph.nodes, graph.input_names, term.a, 60));
+      if (!term.is_product()) continue;
+      line += "*" + to_text(graph.nodes, graph.input_names, term.b, 60);
+    }
+    text += line + "\n";
+  }
+  return text;
+}
+
+TEST(FusedSums, HaveTheTermsOfTheWholeSum) {
+  EXPECT_EQ(fused("a^2 + b * c - (d - a * b)", "a"), "+a*a +b*c -d +a*b\n");
+  EXPECT_EQ(fused("a - (b + c)", "-(a + b) + c^2"), "+a -b -c\n-a -b +c*c\n");
+  EXPECT_EQ(fused("(a - b)^2 + c^2", "a"), "+a - b*a - b +c*c\n");
+}
+
+TEST(FusedSums, AreThoseThatComposedArithmeticRoundsTwice) {
+  EXPECT_EQ(fused("a - b", "a * b"), "");
+  EXPECT_EQ(fused("a * 4 - b / 2", "a + 0.25 * b"), "");
+  EXPECT_EQ(fused("a * 3 - b", "a"), "+a*3 -b\n");
+  EXPECT_EQ(fused("sqrt(a^2 + b^2)", "(a + b + c) * d"), "+a*a +b*b\n+a +b +c\n");
+}
+
+TEST(FusedSums, OfSumsThatOthersReadTooAreRoundedForThose) {
+  EXPECT_EQ(fused("a * b + c + d", "max(a * b + c, d)"), "+a*b +c +d\n+a*b +c\n");
+}
+
+TEST(FusedSums, AreCountedUpToTheMostThatAUnitTakes) {
+  const Graph graph = graph_of("a * b + c + d", "a");
+  EXPECT_EQ(longest_fused_sum(graph), 3u);
+  std::string doubled = "a * b + c";
+  for (int k = 0; k < 100; ++k) doubled = "(" + doubled + ") + d";
+  EXPECT_EQ(longest_fused_sum(graph_of(doubled, "a")), max_fused_terms + 1);
+}
+
+TEST(FusedSums, StayInPartsTakenAlone) {
+  const TypedGraph graph =
+      reference_graph(graph_of({{"c", "d"}, {"a * b + c", "d"}}, Combination::all),
+                      {.format = wide, .sums = Sums::fused});
+  const GraphPart part = part_of(graph, 1);
+  const TypedNode& sum = part.graph.nodes[part.graph.f()];
+  ASSERT_EQ(sum.terms.size(), 2u);
+  EXPECT_EQ(part.graph.nodes[sum.terms[0].a].input,
+            graph.nodes[graph.nodes[graph.parts[1].f].terms[0].a].input);
+  EXPECT_EQ(to_text(part.graph.nodes, part.graph.input_names, part.graph.f(), 60), "c + a * b");
 }
 
 TEST(ReferenceGraph, MayCompareInputs) {

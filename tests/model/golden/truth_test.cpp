@@ -384,7 +384,8 @@ private:
         break;
       case Operation::minimum: y = std::min(a, b); break;
       case Operation::maximum: y = std::max(a, b); break;
-      case Operation::convert: return false;
+      case Operation::convert:
+      case Operation::fused_sum: return false;
     }
     return true;
   }
@@ -449,7 +450,8 @@ private:
         break;
       case Operation::minimum: mpfr_min(y, a, b, MPFR_RNDN); break;
       case Operation::maximum: mpfr_max(y, a, b, MPFR_RNDN); break;
-      case Operation::convert: return false;
+      case Operation::convert:
+      case Operation::fused_sum: return false;
     }
     clear_noise(y);
     return true;

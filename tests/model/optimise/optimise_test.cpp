@@ -193,6 +193,20 @@ TEST_F(Optimise, ATableWithoutAReferenceIsRefused) {
   EXPECT_NE(found.error().to_string().find("no reference"), std::string::npos);
 }
 
+TEST_F(Optimise, ReferencesRoundSumsAsTheSceneDoes) {
+  characterise::Measurement fused = reference_row("embedded", 10, 1);
+  fused.key.sums = Sums::fused;
+  table_.rows.push_back(fused);
+  const auto kinds = [&] {
+    std::vector<std::string> names;
+    for (const auto& reference : optimise_now().references) names.push_back(reference.kind.name);
+    return names;
+  };
+  for (const std::string& name : kinds()) EXPECT_EQ(name.find("fused"), std::string::npos) << name;
+  scene_.reference.sums = Sums::fused;
+  EXPECT_EQ(kinds(), std::vector<std::string>{"s53e8 embedded fused"});
+}
+
 TEST_F(Optimise, OneClockDomainRunsAtTheSlowestOfWhatIsUsed) {
   const Optimisation one = optimise_now();
   options_.clocks.domains = optimise::ClockDomains::separate;

@@ -1,0 +1,105 @@
+// fused_sums: fp_fused_sum in several shapes, for the regression alone. The slots are {shape, GRADUAL,
+// variant}, the shapes counting slowest. Variants: 0 without registers, of multipliers; 1 with
+// SOME_CUTS, of logic, CANCELLATION = 1 whatever the shape is.
+`default_nettype none
+
+module fused_sums #(
+    parameter        EXPONENT_BITS = 3,
+    parameter        PRECISION     = 3,
+    parameter [21:0] SOME_CUTS     = 22'h0,
+    parameter        SHAPES        = 7,
+    parameter        SLOTS         = 4 * SHAPES
+) (
+    input wire                               aclk,
+    input wire [EXPONENT_BITS+PRECISION-1:0] x0,
+    input wire [EXPONENT_BITS+PRECISION-1:0] x1,
+    input wire [EXPONENT_BITS+PRECISION-1:0] x2,
+    input wire [EXPONENT_BITS+PRECISION-1:0] x3,
+    input wire [EXPONENT_BITS+PRECISION-1:0] x4
+);
+
+  localparam PACKED = EXPONENT_BITS + PRECISION;
+
+  wire [PACKED-1:0] none = {PACKED{1'b0}};
+
+  // Read by hierarchical name, as in fp_units.
+  wire [63:0] y   [0:SLOTS-1]  /* verilator public_flat_rd */;
+  wire        flag[0:SLOTS-1]  /* verilator public_flat_rd */;
+
+  genvar slot;
+
+  generate
+    for (slot = 0; slot < SLOTS; slot = slot + 1) begin : built
+      localparam SHAPE   = slot / 4;
+      localparam GRADUAL = slot / 2 % 2;
+      localparam VARIANT = slot % 2;
+
+      localparam ONE_SIGN = (SHAPE == 0) || (SHAPE == 5);
+
+      // The shapes: x0^2 + x1^2 + x2^2, x0 x1 - x2 x3, x0 x1 + x2, x0^2 - x1 x2 + x3,
+      // x0 + x1 - x2, -x0^2 - ... - x4^2, -x0 x1 + x2 x3 - x4^2 + x1.
+      localparam TERMS = (SHAPE == 1) || (SHAPE == 2) ? 2 : (SHAPE == 5) ? 5 : (SHAPE == 6) ? 4 : 3;
+      localparam [TERMS-1:0] SQUARES = (SHAPE == 0) ? 7 : (SHAPE == 3) ? 1 : (SHAPE == 5) ? 31
+                                       : (SHAPE == 6) ? 4 : 0;
+      localparam [TERMS-1:0] PLAIN = (SHAPE == 2) ? 2 : (SHAPE == 3) ? 4 : (SHAPE == 4) ? 7
+                                     : (SHAPE == 6) ? 8 : 0;
+      localparam [TERMS-1:0] NEGATED = (SHAPE == 1) ? 2 : (SHAPE == 3) ? 2 : (SHAPE == 4) ? 4
+                                       : (SHAPE == 5) ? 31 : (SHAPE == 6) ? 5 : 0;
+
+      wire [TERMS*PACKED-1:0] a;
+      wire [TERMS*PACKED-1:0] b;
+      wire [PACKED-1:0]       sum;
+
+      case (SHAPE)
+        0, 4: begin : three
+          assign a = {x2, x1, x0};
+          assign b = {none, none, none};
+        end
+        1: begin : difference
+          assign a = {x2, x0};
+          assign b = {x3, x1};
+        end
+        2: begin : multiply_add
+          assign a = {x2, x0};
+          assign b = {none, x1};
+        end
+        3: begin : mixed
+          assign a = {x3, x1, x0};
+          assign b = {none, x2, none};
+        end
+        5: begin : five
+          assign a = {x4, x3, x2, x1, x0};
+          assign b = {none, none, none, none, none};
+        end
+        default: begin : four
+          assign a = {x1, x4, x2, x0};
+          assign b = {none, none, x3, x1};
+        end
+      endcase
+
+      fp_fused_sum #(
+          .EXPONENT_BITS(EXPONENT_BITS),
+          .PRECISION    (PRECISION),
+          .TERMS        (TERMS),
+          .SQUARES      (SQUARES),
+          .PLAIN        (PLAIN),
+          .NEGATED      (NEGATED),
+          .CANCELLATION (!ONE_SIGN || (VARIANT == 1)),
+          .GRADUAL      (GRADUAL),
+          .EMBEDDED     (VARIANT == 0),
+          .CUTS         ((VARIANT == 1) ? SOME_CUTS : 22'h0)
+      ) unit (
+          .aclk       (aclk),
+          .a          (a),
+          .b          (b),
+          .y          (sum),
+          .exceptional(flag[slot])
+      );
+
+      assign y[slot] = {{(64 - PACKED) {1'b0}}, sum};
+    end
+  endgenerate
+
+endmodule
+
+`default_nettype wire
