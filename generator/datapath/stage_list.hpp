@@ -58,12 +58,15 @@ public:
   void add_logic_product(LogicProduct product);
   void add_product(int precision, LogicProduct::Kind kind, scene::Multipliers multipliers);
   void add_round(FloatFormat result, bool denormalises, int dropped_bits);
+  void add_select_round(FloatFormat result, Subnormals subnormals, double sticky_ns);
 
   Unit unit(std::string module) && {
     return {.module = std::move(module), .stages = std::move(stages_)};
   }
 
 private:
+  void add_round_and_pack(FloatFormat result);
+
   const DelayTable& delays_;
   std::vector<Stage> stages_;
 };
@@ -177,6 +180,22 @@ inline void StageList::add_round(FloatFormat result, bool denormalises, int drop
   const double sticky = lut_delay_ns(reduction_levels(std::max(dropped_bits, 1)));
   add("denormalise",
       denormalises ? std::max(distance, sticky) + lut_delay_ns(shift_levels(amount_bits)) : sticky);
+  add_round_and_pack(result);
+}
+
+/// The stages of fp_select_round. Whether digits are lost below those that are kept is known
+/// `sticky_ns` after the start.
+inline void StageList::add_select_round(FloatFormat result, Subnormals subnormals,
+                                        double sticky_ns) {
+  const bool moves = subnormals == Subnormals::gradual;
+  const int amount_bits = bits_for(result.precision() + 3);
+  const double moving = moves ? lut_delay_ns(shift_levels(amount_bits - 2) + 1) : 0;
+  add("denormalise", std::max(sticky_ns, moving));
+  add("select", lut_delay_ns(moves ? 2 : 1));
+  add_round_and_pack(result);
+}
+
+inline void StageList::add_round_and_pack(FloatFormat result) {
   add("round", lut_delay_ns(1) + carry(result.width() + 2));
   add("pack", lut_delay_ns(1 + reduction_levels(result.exponent_bits()) + 1));
 }

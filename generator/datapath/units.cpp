@@ -30,12 +30,15 @@ Unit add_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
   StageList stages(delays);
   stages.add("compare", stages.carry(operands.width() - 1));
   stages.add("swap", stages.lut_delay_ns(1));
-  stages.add("align", stages.lut_delay_ns(1 + shift_levels(bits_for(aligned)) + 1));
+  stages.add("align by fours", stages.lut_delay_ns(1 + shift_levels(bits_for(aligned) - 2) + 1));
+  stages.add("align", stages.lut_delay_ns(shift_levels(2) + 1));
   stages.add("sum", stages.carry(aligned + 3));
   stages.add("count", stages.lut_delay_ns(count_levels(precision + 2)));
   const double limit =
       gradual ? stages.carry(operands.exponent_bits() + 2) + stages.lut_delay_ns(1) : 0;
-  stages.add("normalise", limit + stages.lut_delay_ns(shift_levels(amount_bits)));
+  stages.add("limit", limit);
+  stages.add("normalise by fours", stages.lut_delay_ns(shift_levels(amount_bits - 2)));
+  stages.add("normalise", stages.lut_delay_ns(shift_levels(2)));
   const bool denormalises = gradual && result.exponent_bits() < operands.exponent_bits();
   stages.add_round(result, denormalises, 0);
   return std::move(stages).unit("fp_add");
@@ -53,8 +56,8 @@ Unit multiply_unit(LogicProduct::Kind kind, FloatFormat operands, FloatFormat re
   const bool flushes = kind == LogicProduct::Kind::square && squares_vanish(operands, result);
   stages.add_operand(operands, flushes ? Subnormals::flush : subnormals);
   stages.add_product(operands.precision(), kind, multipliers);
-  stages.add("select", stages.lut_delay_ns(1 + reduction_levels(std::max(dropped_bits, 1))));
-  stages.add_round(result, subnormals == Subnormals::gradual, 0);
+  stages.add_select_round(result, subnormals,
+                          stages.lut_delay_ns(reduction_levels(std::max(dropped_bits, 1))));
   Unit unit =
       std::move(stages).unit(kind == LogicProduct::Kind::square ? "fp_square" : "fp_multiply");
   unit.multipliers = multipliers;
@@ -69,8 +72,8 @@ Unit divide_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals
   for (int digit = 0; digit < result.precision() + 2; ++digit) {
     stages.add("digit " + std::to_string(digit), stages.carry(operands.precision() + 2));
   }
-  stages.add("select", stages.lut_delay_ns(1 + reduction_levels(operands.precision())));
-  stages.add_round(result, subnormals == Subnormals::gradual, 0);
+  stages.add_select_round(result, subnormals,
+                          stages.lut_delay_ns(1 + reduction_levels(operands.precision())));
   return std::move(stages).unit("fp_divide");
 }
 

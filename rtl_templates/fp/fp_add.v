@@ -1,23 +1,23 @@
 // fp_add: a + b, or a - b with SUBTRACT, rounded once to the result format.
-// Latency: the population count of CUTS (nine bits); initiation interval 1; no reset.
+// Latency: the population count of CUTS (twelve bits); initiation interval 1; no reset.
 // Special values as IEEE 754: infinity - infinity is NaN, x - x is +0.
 // SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md.
 // CANCELLATION = 0 promises that what is added never has unlike signs, zeros aside.
 `default_nettype none
 
 module fp_add #(
-  parameter       EXPONENT_BITS        = 8,
-  parameter       PRECISION            = 24,
-  parameter       RESULT_EXPONENT_BITS = EXPONENT_BITS,
-  parameter       RESULT_PRECISION     = PRECISION,
-  parameter       SUBTRACT             = 0,
-  parameter       SPECIAL_OPERANDS     = 1,
-  parameter       OVERFLOW             = 1,
-  parameter       UNDERFLOW            = 1,
-  parameter       CANCELLATION         = 1,
-  parameter       GRADUAL              = 0,
-  parameter       TOWARD_ZERO          = 0,
-  parameter [8:0] CUTS                 = 9'b0
+  parameter        EXPONENT_BITS        = 8,
+  parameter        PRECISION            = 24,
+  parameter        RESULT_EXPONENT_BITS = EXPONENT_BITS,
+  parameter        RESULT_PRECISION     = PRECISION,
+  parameter        SUBTRACT             = 0,
+  parameter        SPECIAL_OPERANDS     = 1,
+  parameter        OVERFLOW             = 1,
+  parameter        UNDERFLOW            = 1,
+  parameter        CANCELLATION         = 1,
+  parameter        GRADUAL              = 0,
+  parameter        TOWARD_ZERO          = 0,
+  parameter [11:0] CUTS                 = 12'b0
 ) (
   input  wire                                             aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
@@ -55,10 +55,12 @@ module fp_add #(
   localparam CANCELLING = PRECISION + 2;
   localparam SUM        = ALIGNED + 2;
   localparam KEPT       = RESULT_PRECISION + 2;
+  // The last three places that it may move up are left to a stage of their own.
+  localparam MOVED      = (SUM < KEPT + 3) ? SUM : KEPT + 3;
 
   localparam AMOUNT_BITS    = bits_for(ALIGNED);
   localparam DISTANCE_WIDTH = larger(EXPONENT_BITS, AMOUNT_BITS) + 1;
-  localparam COUNT_BITS     = GROWING ? 1 : bits_for(CANCELLING);
+  localparam COUNT_BITS     = GROWING ? 3 : bits_for(CANCELLING);
   localparam EXPONENT_WIDTH =
       larger(larger(EXPONENT_BITS, RESULT_EXPONENT_BITS), bits_for(SUM)) + 2;
   localparam PACKED = EXPONENT_BITS + PRECISION;
@@ -89,7 +91,8 @@ module fp_add #(
   endgenerate
 
   // Stage compare: packed magnitudes order as integers; both exponent differences are at hand
-  // when the order is known.
+  // when the order is known. Where nothing is subtracted, exponents alone tell which significand is
+  // aligned on the other; the sign is not that of a zero.
   wire                     s0_a_sign;
   wire [EXPONENT_BITS-1:0] s0_a_exponent;
   wire [PRECISION-1:0]     s0_a_significand;
@@ -142,9 +145,17 @@ module fp_add #(
 
   wire                     s0_b_sign    = s0_b_packed_sign ^ (SUBTRACT != 0);
   wire                     s0_cancel    = s0_a_sign ^ s0_b_sign;
-  wire                     s0_swap      = a[PACKED-2:0] < b[PACKED-2:0];
+  wire                     s0_swap;
   wire [EXPONENT_BITS-1:0] s0_a_above_b = s0_a_exponent - s0_b_exponent;
   wire [EXPONENT_BITS-1:0] s0_b_above_a = s0_b_exponent - s0_a_exponent;
+
+  generate
+    if (CANCELLATION != 0) begin : g_by_magnitude
+      assign s0_swap = a[PACKED-2:0] < b[PACKED-2:0];
+    end else begin : g_by_exponent
+      assign s0_swap = (s0_a_exponent < s0_b_exponent) || s0_a_zero;
+    end
+  endgenerate
 
   wire s0_infinite = s0_a_infinite || s0_b_infinite;
   wire s0_nan      = s0_a_nan || s0_b_nan || (s0_a_infinite && s0_b_infinite && s0_cancel);
@@ -211,13 +222,13 @@ module fp_add #(
     .q   ({s2_exponent, s2_large, s2_small, s2_distance, s2_sign, s2_cancel, s2_flags})
   );
 
-  // Stage align: beyond its width the smaller operand is no more than a sticky bit.
+  // Stage align by fours: beyond its width the smaller operand is no more than a sticky bit.
   wire [DISTANCE_WIDTH-1:0] s2_wide_distance = {
     {(DISTANCE_WIDTH - EXPONENT_BITS) {1'b0}}, s2_distance
   };
   wire                   s2_far    = |s2_wide_distance[DISTANCE_WIDTH-1:AMOUNT_BITS];
   wire [AMOUNT_BITS-1:0] s2_amount = s2_wide_distance[AMOUNT_BITS-1:0] | {AMOUNT_BITS{s2_far}};
-  wire [ALIGNED-1:0]     s2_aligned;
+  wire [ALIGNED-1:0]     s2_moved;
   wire                   s2_sticky;
 
   fp_shift_right #(
@@ -225,149 +236,229 @@ module fp_add #(
     .AMOUNT_BITS(AMOUNT_BITS)
   ) s2_align (
     .value  ({s2_small, {(ALIGNED - PRECISION) {1'b0}}}),
-    .amount (s2_amount),
-    .shifted(s2_aligned),
+    .amount ({s2_amount[AMOUNT_BITS-1:2], 2'b00}),
+    .shifted(s2_moved),
     .sticky (s2_sticky)
   );
 
   wire [EXPONENT_BITS-1:0] s3_exponent;
   wire [PRECISION-1:0]     s3_large;
-  wire [ALIGNED:0]         s3_small;
+  wire [ALIGNED-1:0]       s3_moved;
+  wire                     s3_sticky;
+  wire [1:0]               s3_rest;
   wire                     s3_sign;
   wire                     s3_cancel;
   wire [3:0]               s3_flags;
 
   fp_rank #(
-    .WIDTH     (EXPONENT_BITS + PRECISION + ALIGNED + 7),
+    .WIDTH     (EXPONENT_BITS + PRECISION + ALIGNED + 9),
     .REGISTERED(CUTS[2])
   ) rank_2 (
     .aclk(aclk),
-    .d   ({s2_exponent, s2_large, s2_aligned, s2_sticky, s2_sign, s2_cancel, s2_flags}),
-    .q   ({s3_exponent, s3_large, s3_small, s3_sign, s3_cancel, s3_flags})
+    .d   ({s2_exponent, s2_large, s2_moved, s2_sticky, s2_amount[1:0], s2_sign, s2_cancel,
+           s2_flags}),
+    .q   ({s3_exponent, s3_large, s3_moved, s3_sticky, s3_rest, s3_sign, s3_cancel, s3_flags})
   );
 
-  // Stage sum: minus x is not x plus one; the one enters as a carry out of an extra last place.
-  wire           s3_subtract = (CANCELLATION != 0) && s3_cancel;
-  wire [SUM-1:0] s3_addend   = {1'b0, s3_small} ^ {SUM{s3_subtract}};
-  wire [SUM-1:0] s3_sum;
-  wire           s3_unused_place;
+  // Stage align: by the places left.
+  wire [ALIGNED-1:0] s3_aligned;
+  wire               s3_lost;
 
-  assign {s3_sum, s3_unused_place} =
-      {1'b0, s3_large, {(SUM - 1 - PRECISION) {1'b0}}, 1'b1} + {s3_addend, s3_subtract};
+  fp_shift_right #(
+    .WIDTH      (ALIGNED),
+    .AMOUNT_BITS(2)
+  ) s3_align (
+    .value  (s3_moved),
+    .amount (s3_rest),
+    .shifted(s3_aligned),
+    .sticky (s3_lost)
+  );
 
   wire [EXPONENT_BITS-1:0] s4_exponent;
-  wire [SUM-1:0]           s4_sum;
+  wire [PRECISION-1:0]     s4_large;
+  wire [ALIGNED:0]         s4_small;
   wire                     s4_sign;
   wire                     s4_cancel;
-  wire                     s4_nan;
-  wire                     s4_infinite;
-  wire                     s4_operands_zero;
-  wire                     s4_suspect;
+  wire [3:0]               s4_flags;
 
   fp_rank #(
-    .WIDTH     (EXPONENT_BITS + SUM + 6),
+    .WIDTH     (EXPONENT_BITS + PRECISION + ALIGNED + 7),
     .REGISTERED(CUTS[3])
   ) rank_3 (
     .aclk(aclk),
-    .d   ({s3_exponent, s3_sum, s3_sign, s3_cancel, s3_flags}),
-    .q   ({s4_exponent, s4_sum, s4_sign, s4_cancel,
-           s4_nan, s4_infinite, s4_operands_zero, s4_suspect})
+    .d   ({s3_exponent, s3_large, s3_aligned, s3_sticky || s3_lost, s3_sign, s3_cancel, s3_flags}),
+    .q   ({s4_exponent, s4_large, s4_small, s4_sign, s4_cancel, s4_flags})
+  );
+
+  // Stage sum: minus x is not x plus one; the one enters as a carry out of an extra last place.
+  wire           s4_subtract = (CANCELLATION != 0) && s4_cancel;
+  wire [SUM-1:0] s4_addend   = {1'b0, s4_small} ^ {SUM{s4_subtract}};
+  wire [SUM-1:0] s4_sum;
+  wire           s4_unused_place;
+
+  assign {s4_sum, s4_unused_place} =
+      {1'b0, s4_large, {(SUM - 1 - PRECISION) {1'b0}}, 1'b1} + {s4_addend, s4_subtract};
+
+  wire [EXPONENT_BITS-1:0] s5_exponent;
+  wire [SUM-1:0]           s5_sum;
+  wire                     s5_sign;
+  wire                     s5_cancel;
+  wire                     s5_nan;
+  wire                     s5_infinite;
+  wire                     s5_operands_zero;
+  wire                     s5_suspect;
+
+  fp_rank #(
+    .WIDTH     (EXPONENT_BITS + SUM + 6),
+    .REGISTERED(CUTS[4])
+  ) rank_4 (
+    .aclk(aclk),
+    .d   ({s4_exponent, s4_sum, s4_sign, s4_cancel, s4_flags}),
+    .q   ({s5_exponent, s5_sum, s5_sign, s5_cancel,
+           s5_nan, s5_infinite, s5_operands_zero, s5_suspect})
   );
 
   // Stage count: leading zeros of the sum, and the room above exponent 1 to move it up in.
-  wire [COUNT_BITS-1:0] s4_count;
-  wire                  s4_empty;
+  wire [COUNT_BITS-1:0] s5_count;
+  wire                  s5_empty;
 
   generate
     if (GROWING) begin : g_growing
-      assign s4_count = !s4_sum[SUM-1];
-      assign s4_empty = 1'b0;
+      assign s5_count = {{(COUNT_BITS - 1) {1'b0}}, !s5_sum[SUM-1]};
+      assign s5_empty = 1'b0;
     end else begin : g_cancelling
       localparam COUNTED = 1 << COUNT_BITS;
 
-      wire [COUNTED-1:0] s4_counted = {
-        s4_sum[SUM-1:SUM-CANCELLING], {(COUNTED - CANCELLING) {1'b0}}
+      wire [COUNTED-1:0] s5_counted = {
+        s5_sum[SUM-1:SUM-CANCELLING], {(COUNTED - CANCELLING) {1'b0}}
       };
 
       fp_leading_zeros #(
         .COUNT_BITS(COUNT_BITS)
-      ) s4_leading_zeros (
-        .value(s4_counted),
-        .count(s4_count),
-        .empty(s4_empty)
+      ) s5_leading_zeros (
+        .value(s5_counted),
+        .count(s5_count),
+        .empty(s5_empty)
       );
     end
   endgenerate
 
-  wire [EXPONENT_WIDTH-1:0] s4_room =
-      {{(EXPONENT_WIDTH - EXPONENT_BITS) {1'b0}}, s4_exponent} + REBIAS[EXPONENT_WIDTH-1:0];
-  wire                      s4_zero = s4_empty || s4_operands_zero;
+  wire [EXPONENT_WIDTH-1:0] s5_room =
+      {{(EXPONENT_WIDTH - EXPONENT_BITS) {1'b0}}, s5_exponent} + REBIAS[EXPONENT_WIDTH-1:0];
+  wire                      s5_zero = s5_empty || s5_operands_zero;
 
-  wire [EXPONENT_WIDTH-1:0] s5_room;
-  wire [COUNT_BITS-1:0]     s5_count;
-  wire [SUM-1:0]            s5_sum;
-  wire [4:0]                s5_flags;
+  wire [EXPONENT_WIDTH-1:0] s6_room;
+  wire [COUNT_BITS-1:0]     s6_count;
+  wire [SUM-1:0]            s6_sum;
+  wire [4:0]                s6_flags;
 
   fp_rank #(
     .WIDTH     (EXPONENT_WIDTH + COUNT_BITS + SUM + 5),
-    .REGISTERED(CUTS[4])
-  ) rank_4 (
-    .aclk(aclk),
-    .d   ({s4_room, s4_count, s4_sum, s4_sign && !(s4_zero && s4_cancel),
-           s4_nan, s4_infinite, s4_zero, s4_suspect}),
-    .q   ({s5_room, s5_count, s5_sum, s5_flags})
-  );
-
-  // Stage normalise: the sum's first bit is the carry, one above the larger operand's exponent.
-  wire [COUNT_BITS-1:0]     s5_amount;
-  wire [KEPT-1:0]           s5_significand;
-  wire                      s5_sticky;
-  wire [EXPONENT_WIDTH-1:0] s5_exponent =
-      s5_room + {{(EXPONENT_WIDTH - 1) {1'b0}}, 1'b1}
-      - {{(EXPONENT_WIDTH - COUNT_BITS) {1'b0}}, s5_amount};
-
-  generate
-    if (SUBNORMALS != 0) begin : g_gradual
-      wire s5_no_room = s5_room[EXPONENT_WIDTH-1];
-      wire s5_little_room =
-          s5_room[EXPONENT_WIDTH-2:0] < {{(EXPONENT_WIDTH - 1 - COUNT_BITS) {1'b0}}, s5_count};
-      wire [COUNT_BITS-1:0] s5_possible =
-          s5_little_room ? s5_room[COUNT_BITS-1:0] : s5_count;
-
-      assign s5_amount = s5_possible & {COUNT_BITS{!s5_no_room}};
-    end else begin : g_flush
-      assign s5_amount = s5_count;
-    end
-  endgenerate
-
-  fp_shift_left #(
-    .WIDTH      (SUM),
-    .KEPT       (KEPT),
-    .AMOUNT_BITS(COUNT_BITS)
-  ) s5_normalise (
-    .value  (s5_sum),
-    .amount (s5_amount),
-    .shifted(s5_significand),
-    .sticky (s5_sticky)
-  );
-
-  wire [EXPONENT_WIDTH-1:0] s6_exponent;
-  wire [KEPT-1:0]           s6_significand;
-  wire                      s6_sticky;
-  wire                      s6_sign;
-  wire                      s6_nan;
-  wire                      s6_infinite;
-  wire                      s6_zero;
-  wire                      s6_suspect;
-
-  fp_rank #(
-    .WIDTH     (EXPONENT_WIDTH + KEPT + 6),
     .REGISTERED(CUTS[5])
   ) rank_5 (
     .aclk(aclk),
-    .d   ({s5_exponent, s5_significand, s5_sticky, s5_flags}),
-    .q   ({s6_exponent, s6_significand, s6_sticky,
-           s6_sign, s6_nan, s6_infinite, s6_zero, s6_suspect})
+    .d   ({s5_room, s5_count, s5_sum, s5_sign && !(s5_zero && s5_cancel),
+           s5_nan, s5_infinite, s5_zero, s5_suspect}),
+    .q   ({s6_room, s6_count, s6_sum, s6_flags})
+  );
+
+  // Stage limit: a subnormal sum moves up no further than there is room.
+  wire [COUNT_BITS-1:0] s6_amount;
+
+  generate
+    if (SUBNORMALS != 0) begin : g_gradual
+      wire s6_no_room = s6_room[EXPONENT_WIDTH-1];
+      wire s6_little_room =
+          s6_room[EXPONENT_WIDTH-2:0] < {{(EXPONENT_WIDTH - 1 - COUNT_BITS) {1'b0}}, s6_count};
+      wire [COUNT_BITS-1:0] s6_possible =
+          s6_little_room ? s6_room[COUNT_BITS-1:0] : s6_count;
+
+      assign s6_amount = s6_possible & {COUNT_BITS{!s6_no_room}};
+    end else begin : g_flush
+      assign s6_amount = s6_count;
+    end
+  endgenerate
+
+  wire [EXPONENT_WIDTH-1:0] s7_room;
+  wire [COUNT_BITS-1:0]     s7_amount;
+  wire [SUM-1:0]            s7_sum;
+  wire [4:0]                s7_flags;
+
+  fp_rank #(
+    .WIDTH     (EXPONENT_WIDTH + COUNT_BITS + SUM + 5),
+    .REGISTERED(CUTS[6])
+  ) rank_6 (
+    .aclk(aclk),
+    .d   ({s6_room, s6_amount, s6_sum, s6_flags}),
+    .q   ({s7_room, s7_amount, s7_sum, s7_flags})
+  );
+
+  // Stage normalise by fours: the sum's first bit is the carry, one above the larger operand's
+  // exponent.
+  wire [EXPONENT_WIDTH-1:0] s7_exponent =
+      s7_room + {{(EXPONENT_WIDTH - 1) {1'b0}}, 1'b1}
+      - {{(EXPONENT_WIDTH - COUNT_BITS) {1'b0}}, s7_amount};
+  wire [MOVED-1:0]          s7_moved;
+  wire                      s7_sticky;
+
+  fp_shift_left #(
+    .WIDTH      (SUM),
+    .KEPT       (MOVED),
+    .AMOUNT_BITS(COUNT_BITS)
+  ) s7_normalise (
+    .value  (s7_sum),
+    .amount ({s7_amount[COUNT_BITS-1:2], 2'b00}),
+    .shifted(s7_moved),
+    .sticky (s7_sticky)
+  );
+
+  wire [EXPONENT_WIDTH-1:0] s8_exponent;
+  wire [MOVED-1:0]          s8_moved;
+  wire                      s8_sticky;
+  wire [1:0]                s8_rest;
+  wire [4:0]                s8_flags;
+
+  fp_rank #(
+    .WIDTH     (EXPONENT_WIDTH + MOVED + 8),
+    .REGISTERED(CUTS[7])
+  ) rank_7 (
+    .aclk(aclk),
+    .d   ({s7_exponent, s7_moved, s7_sticky, s7_amount[1:0], s7_flags}),
+    .q   ({s8_exponent, s8_moved, s8_sticky, s8_rest, s8_flags})
+  );
+
+  // Stage normalise: by the places left.
+  wire [KEPT-1:0] s8_significand;
+  wire            s8_lost;
+
+  fp_shift_left #(
+    .WIDTH      (MOVED),
+    .KEPT       (KEPT),
+    .AMOUNT_BITS(2)
+  ) s8_normalise (
+    .value  (s8_moved),
+    .amount (s8_rest),
+    .shifted(s8_significand),
+    .sticky (s8_lost)
+  );
+
+  wire [EXPONENT_WIDTH-1:0] s9_exponent;
+  wire [KEPT-1:0]           s9_significand;
+  wire                      s9_sticky;
+  wire                      s9_sign;
+  wire                      s9_nan;
+  wire                      s9_infinite;
+  wire                      s9_zero;
+  wire                      s9_suspect;
+
+  fp_rank #(
+    .WIDTH     (EXPONENT_WIDTH + KEPT + 6),
+    .REGISTERED(CUTS[8])
+  ) rank_8 (
+    .aclk(aclk),
+    .d   ({s8_exponent, s8_significand, s8_sticky || s8_lost, s8_flags}),
+    .q   ({s9_exponent, s9_significand, s9_sticky,
+           s9_sign, s9_nan, s9_infinite, s9_zero, s9_suspect})
   );
 
   // Stages denormalise, round, pack.
@@ -380,17 +471,17 @@ module fp_add #(
     .GRADUAL             (SUBNORMALS),
     .DENORMALISE         (DENORMALISE),
     .TOWARD_ZERO         (TOWARD_ZERO),
-    .CUTS                (CUTS[8:6])
-  ) s6_round (
+    .CUTS                (CUTS[11:9])
+  ) s9_round (
     .aclk       (aclk),
-    .sign       (s6_sign),
-    .exponent   (s6_exponent),
-    .significand(s6_significand),
-    .sticky     (s6_sticky),
-    .nan        (s6_nan),
-    .infinite   (s6_infinite),
-    .zero       (s6_zero),
-    .suspect    (s6_suspect),
+    .sign       (s9_sign),
+    .exponent   (s9_exponent),
+    .significand(s9_significand),
+    .sticky     (s9_sticky),
+    .nan        (s9_nan),
+    .infinite   (s9_infinite),
+    .zero       (s9_zero),
+    .suspect    (s9_suspect),
     .y          (y),
     .exceptional(exceptional)
   );

@@ -47,6 +47,7 @@ module fp_divide #(
   localparam EXPONENT_WIDTH =
       larger(larger(EXPONENT_BITS, RESULT_EXPONENT_BITS),
              bits_for(larger(2 * PRECISION, RESULT_PRECISION + 2))) + 2;
+  localparam AMOUNT_BITS = bits_for(RESULT_PRECISION + 3);
 
   // Of a quotient below 1.
   localparam integer REBIAS = (1 << (RESULT_EXPONENT_BITS - 1)) - 2;
@@ -140,10 +141,15 @@ module fp_divide #(
   genvar k;
   generate
     for (k = 0; k < DIGITS; k = k + 1) begin : g_digit
+      // What is known of the place of the result: its exponent, then fp_subnormal_shift's outputs.
+      localparam LAST  = k == DIGITS - 1;
+      localparam PLACE = LAST ? EXPONENT_WIDTH + 1 + AMOUNT_BITS : EXPONENT_WIDTH;
+
       wire [REMAINDER-1:0]      doubled;
       wire [PRECISION-1:0]      divisor;
       wire                      subtract;
       wire [EXPONENT_WIDTH-1:0] exponent;
+      wire [PLACE-1:0]          place;
       wire [FLAGS-1:0]          flags;
       wire [REMAINDER-1:0]      remainder;
       wire [k:0]                quotient;
@@ -160,8 +166,23 @@ module fp_divide #(
         assign divisor  = g_digit[k-1].next_divisor;
         assign quotient = {g_digit[k-1].next_quotient, !remainder[REMAINDER-1]};
         assign subtract = g_digit[k-1].next_quotient[0];
-        assign exponent = g_digit[k-1].next_exponent;
+        assign exponent = g_digit[k-1].next_place;
         assign flags    = g_digit[k-1].next_flags;
+      end
+
+      if (LAST) begin : g_tiny
+        fp_subnormal_shift #(
+          .EXPONENT_WIDTH(EXPONENT_WIDTH),
+          .AMOUNT_BITS   (AMOUNT_BITS),
+          .GRADUAL       (SUBNORMALS)
+        ) subnormal_shift (
+          .exponent(exponent),
+          .limited (place[PLACE-1:AMOUNT_BITS+1]),
+          .tiny    (place[AMOUNT_BITS]),
+          .amount  (place[AMOUNT_BITS-1:0])
+        );
+      end else begin : g_not_yet
+        assign place = exponent;
       end
 
       wire [REMAINDER-1:0] addend = {1'b0, divisor} ^ {REMAINDER{subtract}};
@@ -172,42 +193,47 @@ module fp_divide #(
       wire [REMAINDER-2:0]      next_remainder;
       wire [PRECISION-1:0]      next_divisor;
       wire [k:0]                next_quotient;
-      wire [EXPONENT_WIDTH-1:0] next_exponent;
+      wire [PLACE-1:0]          next_place;
       wire [FLAGS-1:0]          next_flags;
 
       fp_rank #(
-        .WIDTH     (REMAINDER - 1 + PRECISION + k + 1 + EXPONENT_WIDTH + FLAGS),
+        .WIDTH     (REMAINDER - 1 + PRECISION + k + 1 + PLACE + FLAGS),
         .REGISTERED(CUTS[2+k])
       ) rank (
         .aclk(aclk),
-        .d   ({remainder[REMAINDER-2:0], divisor, quotient, exponent, flags}),
-        .q   ({next_remainder, next_divisor, next_quotient, next_exponent, next_flags})
+        .d   ({remainder[REMAINDER-2:0], divisor, quotient, place, flags}),
+        .q   ({next_remainder, next_divisor, next_quotient, next_place, next_flags})
       );
     end
   endgenerate
 
-  // Stage select: the quotient is exact iff nothing remains, which after a 0 is to say that the
+  // Stage denormalise: the quotient is exact iff nothing remains, which after a 0 is to say that the
   // remainder is minus the divisor. Two numbers add up to zero iff there is a carry into each place
   // where their digits differ and none where they agree.
-  wire [PRECISION-1:0] last_remainder = g_digit[DIGITS-1].next_remainder;
-  wire [DIGITS-1:0]    last_quotient  = g_digit[DIGITS-1].next_quotient;
-  wire [PRECISION-1:0] last_restore   =
+  wire [PRECISION-1:0]      last_remainder = g_digit[DIGITS-1].next_remainder;
+  wire [DIGITS-1:0]         last_quotient  = g_digit[DIGITS-1].next_quotient;
+  wire [PRECISION-1:0]      last_restore   =
       g_digit[DIGITS-1].next_divisor & {PRECISION{!last_quotient[0]}};
-  wire [PRECISION-1:0] last_carry     = (last_remainder | last_restore) << 1;
-  wire                 last_sticky    = |(last_remainder ^ last_restore ^ last_carry);
-  wire                 last_sign;
-  wire                 last_nan;
-  wire                 last_infinite;
-  wire                 last_zero;
-  wire                 last_suspect;
+  wire [PRECISION-1:0]      last_carry     = (last_remainder | last_restore) << 1;
+  wire                      last_sticky    = |(last_remainder ^ last_restore ^ last_carry);
+  wire [EXPONENT_WIDTH-1:0] last_exponent;
+  wire                      last_tiny;
+  wire [AMOUNT_BITS-1:0]    last_amount;
+  wire                      last_sign;
+  wire                      last_nan;
+  wire                      last_infinite;
+  wire                      last_zero;
+  wire                      last_suspect;
 
+  assign {last_exponent, last_tiny, last_amount} = g_digit[DIGITS-1].next_place;
   assign {last_sign, last_nan, last_infinite, last_zero, last_suspect} =
       g_digit[DIGITS-1].next_flags;
 
-  // Stages denormalise, round, pack follow.
+  // Stages select, round, pack follow.
   fp_select_round #(
     .WIDTH               (DIGITS),
     .EXPONENT_WIDTH      (EXPONENT_WIDTH),
+    .AMOUNT_BITS         (AMOUNT_BITS),
     .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
     .RESULT_PRECISION    (RESULT_PRECISION),
     .OVERFLOW            (OVERFLOW),
@@ -218,7 +244,9 @@ module fp_divide #(
   ) last_select_round (
     .aclk       (aclk),
     .sign       (last_sign),
-    .exponent   (g_digit[DIGITS-1].next_exponent),
+    .exponent   (last_exponent),
+    .tiny       (last_tiny),
+    .amount     (last_amount),
     .value      (last_quotient),
     .sticky     (last_sticky),
     .nan        (last_nan),

@@ -49,6 +49,7 @@ module fp_multiply #(
   localparam EXPONENT_WIDTH =
       larger(larger(EXPONENT_BITS, RESULT_EXPONENT_BITS),
              bits_for(larger(PRODUCT, RESULT_PRECISION + 2))) + 2;
+  localparam AMOUNT_BITS = bits_for(RESULT_PRECISION + 3);
 
   localparam integer BIAS        = (1 << (EXPONENT_BITS - 1)) - 1;
   localparam integer RESULT_BIAS = (1 << (RESULT_EXPONENT_BITS - 1)) - 1;
@@ -175,7 +176,36 @@ module fp_multiply #(
 
   // The product's other stages.
   wire [EXPONENT_WIDTH-1:0] s3_exponent = s3_sum + REBIAS[EXPONENT_WIDTH-1:0];
+  wire [EXPONENT_WIDTH-1:0] s4_exponent;
+  wire [4:0]                s4_flags;
+
+  fp_rank #(
+    .WIDTH     (EXPONENT_WIDTH + 5),
+    .REGISTERED(CUTS[3])
+  ) rank_3 (
+    .aclk(aclk),
+    .d   ({s3_exponent, s3_flags}),
+    .q   ({s4_exponent, s4_flags})
+  );
+
+  wire [EXPONENT_WIDTH-1:0] s4_limited;
+  wire                      s4_tiny;
+  wire [AMOUNT_BITS-1:0]    s4_amount;
+
+  fp_subnormal_shift #(
+    .EXPONENT_WIDTH(EXPONENT_WIDTH),
+    .AMOUNT_BITS   (AMOUNT_BITS),
+    .GRADUAL       (SUBNORMALS)
+  ) s4_subnormal_shift (
+    .exponent(s4_exponent),
+    .limited (s4_limited),
+    .tiny    (s4_tiny),
+    .amount  (s4_amount)
+  );
+
   wire [EXPONENT_WIDTH-1:0] last_exponent;
+  wire                      last_tiny;
+  wire [AMOUNT_BITS-1:0]    last_amount;
   wire                      last_sign;
   wire                      last_nan;
   wire                      last_infinite;
@@ -183,19 +213,21 @@ module fp_multiply #(
   wire                      last_suspect;
 
   fp_ranks #(
-    .WIDTH(EXPONENT_WIDTH + 5),
-    .COUNT(ROUND - 3),
-    .CUTS (CUTS[ROUND-1:3])
-  ) ranks_3 (
+    .WIDTH(EXPONENT_WIDTH + AMOUNT_BITS + 6),
+    .COUNT(ROUND - 4),
+    .CUTS (CUTS[ROUND-1:4])
+  ) ranks_4 (
     .aclk(aclk),
-    .d   ({s3_exponent, s3_flags}),
-    .q   ({last_exponent, last_sign, last_nan, last_infinite, last_zero, last_suspect})
+    .d   ({s4_limited, s4_tiny, s4_amount, s4_flags}),
+    .q   ({last_exponent, last_tiny, last_amount,
+           last_sign, last_nan, last_infinite, last_zero, last_suspect})
   );
 
-  // Stages select, denormalise, round, pack.
+  // Stages denormalise, select, round, pack.
   fp_select_round #(
     .WIDTH               (PRODUCT),
     .EXPONENT_WIDTH      (EXPONENT_WIDTH),
+    .AMOUNT_BITS         (AMOUNT_BITS),
     .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
     .RESULT_PRECISION    (RESULT_PRECISION),
     .OVERFLOW            (OVERFLOW),
@@ -207,6 +239,8 @@ module fp_multiply #(
     .aclk       (aclk),
     .sign       (last_sign),
     .exponent   (last_exponent),
+    .tiny       (last_tiny),
+    .amount     (last_amount),
     .value      (last_product),
     .sticky     (1'b0),
     .nan        (last_nan),

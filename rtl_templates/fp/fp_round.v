@@ -82,12 +82,20 @@ module fp_round #(
     if (DENORMALISE != 0) begin : g_denormalise
       localparam AMOUNT_BITS = width_of(WIDTH);
 
-      wire [EXPONENT_WIDTH-1:0] distance = {{(EXPONENT_WIDTH - 1) {1'b0}}, 1'b1} - exponent;
-      wire                      tiny     = exponent[EXPONENT_WIDTH-1] || !(|exponent);
-      wire                      far      = |distance[EXPONENT_WIDTH-1:AMOUNT_BITS];
-      wire [AMOUNT_BITS-1:0]    amount   =
-          (distance[AMOUNT_BITS-1:0] | {AMOUNT_BITS{far}}) & {AMOUNT_BITS{tiny}};
+      wire [EXPONENT_WIDTH-1:0] unused_limited;
+      wire                      unused_tiny;
+      wire [AMOUNT_BITS-1:0]    amount;
       wire                      lost;
+
+      fp_subnormal_shift #(
+        .EXPONENT_WIDTH(EXPONENT_WIDTH),
+        .AMOUNT_BITS   (AMOUNT_BITS)
+      ) subnormal_shift (
+        .exponent(exponent),
+        .limited (unused_limited),
+        .tiny    (unused_tiny),
+        .amount  (amount)
+      );
 
       fp_shift_right #(
         .WIDTH      (WIDTH),
@@ -181,17 +189,17 @@ module fp_round #(
   wire s2_overflow_to_largest = s2_overflow && (TOWARD_ZERO != 0);
   wire s2_all_ones            = (!SPECIAL_FIRST && (s2_nan || s2_infinite)) || s2_overflow;
   wire s2_all_zeros           = (!SPECIAL_FIRST && s2_zero) || s2_vanished;
-  wire s2_keep_fraction       =
-      (SPECIAL_FIRST || s2_finite) && !s2_overflow && !s2_vanished;
+  wire s2_replaces            =
+      (!SPECIAL_FIRST && !s2_finite) || s2_overflow || s2_vanished;
 
   wire [RESULT_EXPONENT_BITS-1:0] s2_y_field =
       ((s2_field[RESULT_EXPONENT_BITS-1:0] & {RESULT_EXPONENT_BITS{!s2_all_zeros}})
        | {RESULT_EXPONENT_BITS{s2_all_ones}})
       & {{(RESULT_EXPONENT_BITS - 1) {1'b1}}, !s2_overflow_to_largest};
-  wire [FRACTION_BITS-1:0] s2_y_fraction =
-      (s2_fraction & {FRACTION_BITS{s2_keep_fraction}})
-      | {FRACTION_BITS{s2_overflow_to_largest}}
-      | (QUIET & {FRACTION_BITS{!SPECIAL_FIRST && s2_nan}});
+  // A choice with constants: where a register follows, its reset makes it.
+  wire [FRACTION_BITS-1:0] s2_replacement =
+      {FRACTION_BITS{s2_overflow_to_largest}} | (QUIET & {FRACTION_BITS{!SPECIAL_FIRST && s2_nan}});
+  wire [FRACTION_BITS-1:0] s2_y_fraction  = s2_replaces ? s2_replacement : s2_fraction;
 
   fp_rank #(
     .WIDTH     (RESULT_EXPONENT_BITS + RESULT_PRECISION + 1),

@@ -1,10 +1,13 @@
 // fp_select_round: rounds and packs a result whose leading one is in the first or second place.
 // Four cuts, initiation interval 1, no reset. Special values and promises as in fp_round.
+// `exponent`, `tiny` and `amount` are what fp_subnormal_shift says of the second place's exponent:
+// a subnormal result moves down on the same way on which another's leading one is selected.
 `default_nettype none
 
 module fp_select_round #(
   parameter       WIDTH                = 48,
   parameter       EXPONENT_WIDTH       = 10,  // above RESULT_EXPONENT_BITS + 1
+  parameter       AMOUNT_BITS          = 5,   // the width of RESULT_PRECISION + 3 in binary
   parameter       RESULT_EXPONENT_BITS = 8,
   parameter       RESULT_PRECISION     = 24,
   parameter       OVERFLOW             = 1,
@@ -15,7 +18,9 @@ module fp_select_round #(
 ) (
   input  wire                                             aclk,
   input  wire                                             sign,
-  input  wire [EXPONENT_WIDTH-1:0]                        exponent,  // of the second place
+  input  wire [EXPONENT_WIDTH-1:0]                        exponent,
+  input  wire                                             tiny,
+  input  wire [AMOUNT_BITS-1:0]                           amount,
   input  wire [WIDTH-1:0]                                 value,
   input  wire                                             sticky,
   input  wire                                             nan,
@@ -26,7 +31,9 @@ module fp_select_round #(
   output wire                                             exceptional
 );
 
-  localparam KEPT = RESULT_PRECISION + 2;
+  // The first place and what is kept if the leading one is in the second.
+  localparam MOVED = RESULT_PRECISION + 3;
+  localparam FLAGS = 5;
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
@@ -42,47 +49,97 @@ module fp_select_round #(
     if (EXPONENT_WIDTH <= RESULT_EXPONENT_BITS + 1) begin : g_refused_exponent_width
       EXPONENT_WIDTH_is_too_small_for_RESULT_EXPONENT_BITS refused ();
     end
+    if ((MOVED >> AMOUNT_BITS) != 0) begin : g_refused_amount_bits
+      AMOUNT_BITS_is_too_small_for_RESULT_PRECISION refused ();
+    end
     if ((GRADUAL != 0) && (UNDERFLOW == 0)) begin : g_refused_gradual
       GRADUAL_without_UNDERFLOW refused ();
     end
   endgenerate
 
-  // Stage select: a one in the first place is one exponent up.
-  wire                      s0_high     = value[WIDTH-1];
-  wire [WIDTH-1:0]          s0_value    = s0_high ? value : (value << 1);
-  wire [EXPONENT_WIDTH-1:0] s0_exponent = exponent + {{(EXPONENT_WIDTH - 1) {1'b0}}, s0_high};
-  wire [KEPT-1:0]           s0_significand;
-  wire                      s0_lost;
+  // Stage denormalise: by as many places as four divides.
+  wire [MOVED-1:0] s0_value;
+  wire             s0_below;
 
   fp_fit #(
     .FROM(WIDTH),
-    .TO  (KEPT)
+    .TO  (MOVED)
   ) s0_fit (
-    .value (s0_value),
-    .fitted(s0_significand),
-    .sticky(s0_lost)
+    .value (value),
+    .fitted(s0_value),
+    .sticky(s0_below)
+  );
+
+  wire [MOVED-1:0] s0_moved;
+  wire             s0_lost;
+
+  fp_shift_right #(
+    .WIDTH      (MOVED),
+    .AMOUNT_BITS(AMOUNT_BITS)
+  ) s0_shift (
+    .value  (s0_value),
+    .amount ({amount[AMOUNT_BITS-1:2], 2'b00}),
+    .shifted(s0_moved),
+    .sticky (s0_lost)
   );
 
   wire [EXPONENT_WIDTH-1:0] s1_exponent;
-  wire [KEPT-1:0]           s1_significand;
+  wire [MOVED-1:0]          s1_value;
   wire                      s1_sticky;
-  wire                      s1_sign;
-  wire                      s1_nan;
-  wire                      s1_infinite;
-  wire                      s1_zero;
-  wire                      s1_suspect;
+  wire                      s1_tiny;
+  wire [1:0]                s1_rest;
+  wire [FLAGS-1:0]          s1_flags;
 
   fp_rank #(
-    .WIDTH     (EXPONENT_WIDTH + KEPT + 6),
+    .WIDTH     (EXPONENT_WIDTH + MOVED + 4 + FLAGS),
     .REGISTERED(CUTS[0])
   ) rank_0 (
     .aclk(aclk),
-    .d   ({s0_exponent, s0_significand, sticky || s0_lost, sign, nan, infinite, zero, suspect}),
-    .q   ({s1_exponent, s1_significand, s1_sticky,
-           s1_sign, s1_nan, s1_infinite, s1_zero, s1_suspect})
+    .d   ({exponent, s0_moved, sticky || s0_below || s0_lost, tiny, amount[1:0],
+           sign, nan, infinite, zero, suspect}),
+    .q   ({s1_exponent, s1_value, s1_sticky, s1_tiny, s1_rest, s1_flags})
   );
 
-  // Stages denormalise, round, pack.
+  // Stage select: by the places left. A one in the first place is one exponent up and moves down by
+  // one; a tiny result's exponent is 1.
+  wire                      s1_high     = s1_value[MOVED-1];
+  wire [1:0]                s1_amount   = {s1_rest[1], s1_rest[0] || (s1_high && !s1_tiny)};
+  wire [EXPONENT_WIDTH-1:0] s1_selected =
+      s1_exponent + {{(EXPONENT_WIDTH - 1) {1'b0}}, s1_high || s1_tiny};
+  wire [MOVED-2:0]          s1_significand;
+  wire                      s1_unused_place;
+  wire                      s1_lost;
+
+  fp_shift_right #(
+    .WIDTH      (MOVED),
+    .AMOUNT_BITS(2)
+  ) s1_shift (
+    .value  (s1_value),
+    .amount (s1_amount),
+    .shifted({s1_unused_place, s1_significand}),
+    .sticky (s1_lost)
+  );
+
+  wire [EXPONENT_WIDTH-1:0] s2_exponent;
+  wire [MOVED-2:0]          s2_significand;
+  wire                      s2_sticky;
+  wire                      s2_sign;
+  wire                      s2_nan;
+  wire                      s2_infinite;
+  wire                      s2_zero;
+  wire                      s2_suspect;
+
+  fp_rank #(
+    .WIDTH     (EXPONENT_WIDTH + MOVED + FLAGS),
+    .REGISTERED(CUTS[1])
+  ) rank_1 (
+    .aclk(aclk),
+    .d   ({s1_selected, s1_significand, s1_sticky || s1_lost, s1_flags}),
+    .q   ({s2_exponent, s2_significand, s2_sticky,
+           s2_sign, s2_nan, s2_infinite, s2_zero, s2_suspect})
+  );
+
+  // Stages round, pack.
   fp_round #(
     .EXPONENT_WIDTH      (EXPONENT_WIDTH),
     .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
@@ -90,18 +147,19 @@ module fp_select_round #(
     .OVERFLOW            (OVERFLOW),
     .UNDERFLOW           (UNDERFLOW),
     .GRADUAL             (GRADUAL),
+    .DENORMALISE         (0),
     .TOWARD_ZERO         (TOWARD_ZERO),
-    .CUTS                (CUTS[3:1])
-  ) s1_round (
+    .CUTS                ({CUTS[3:2], 1'b0})
+  ) s2_round (
     .aclk       (aclk),
-    .sign       (s1_sign),
-    .exponent   (s1_exponent),
-    .significand(s1_significand),
-    .sticky     (s1_sticky),
-    .nan        (s1_nan),
-    .infinite   (s1_infinite),
-    .zero       (s1_zero),
-    .suspect    (s1_suspect),
+    .sign       (s2_sign),
+    .exponent   (s2_exponent),
+    .significand(s2_significand),
+    .sticky     (s2_sticky),
+    .nan        (s2_nan),
+    .infinite   (s2_infinite),
+    .zero       (s2_zero),
+    .suspect    (s2_suspect),
     .y          (y),
     .exceptional(exceptional)
   );

@@ -1,5 +1,5 @@
 // fp_shift_left: moves a value up and keeps its KEPT leading bits; `sticky` is the OR of the rest.
-// Combinational. KEPT is less than WIDTH; ones must not be moved out at the top.
+// Combinational. KEPT is at most WIDTH; ones must not be moved out at the top.
 `default_nettype none
 
 module fp_shift_left #(
@@ -18,8 +18,8 @@ module fp_shift_left #(
     if (KEPT < 1) begin : g_refused_kept
       KEPT_is_below_1 refused ();
     end
-    if (KEPT >= WIDTH) begin : g_refused_all_kept
-      KEPT_is_not_below_WIDTH refused ();
+    if (KEPT > WIDTH) begin : g_refused_more_kept
+      KEPT_is_above_WIDTH refused ();
     end
     if ((AMOUNT_BITS < 1) || (AMOUNT_BITS > 30)) begin : g_refused_amount_bits
       AMOUNT_BITS_is_not_1_to_30 refused ();
@@ -46,7 +46,7 @@ module fp_shift_left #(
   end
 
   assign shifted = moving[WIDTH-1:WIDTH-KEPT];
-  assign sticky  = lost || (|moving[WIDTH-KEPT-1:0]);
+  assign sticky  = lost || (|(moving & ~({WIDTH{1'b1}} << (WIDTH - KEPT))));
 
 endmodule
 

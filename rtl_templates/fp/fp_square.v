@@ -48,6 +48,7 @@ module fp_square #(
   localparam EXPONENT_WIDTH =
       larger(larger(EXPONENT_BITS, RESULT_EXPONENT_BITS),
              bits_for(larger(PRODUCT, RESULT_PRECISION + 2))) + 2;
+  localparam AMOUNT_BITS = bits_for(RESULT_PRECISION + 3);
 
   localparam integer BIAS        = (1 << (EXPONENT_BITS - 1)) - 1;
   localparam integer RESULT_BIAS = (1 << (RESULT_EXPONENT_BITS - 1)) - 1;
@@ -107,7 +108,7 @@ module fp_square #(
   );
 
   // Stage multiply: the square of a significand in [1, 2) lies in [1, 4).
-  wire [EXPONENT_WIDTH-1:0] s2_exponent = s2_a_exponent << 1;
+  wire [EXPONENT_WIDTH-1:0] s2_exponent = (s2_a_exponent << 1) + REBIAS[EXPONENT_WIDTH-1:0];
   wire                      s2_suspect  = s2_nan || s2_infinite || s2_flushed;
 
   wire [PRODUCT-1:0] last_product;
@@ -126,7 +127,7 @@ module fp_square #(
     .product(last_product)
   );
 
-  wire [EXPONENT_WIDTH-1:0] s3_sum;
+  wire [EXPONENT_WIDTH-1:0] s3_exponent;
   wire [3:0]                s3_flags;
 
   fp_rank #(
@@ -135,31 +136,49 @@ module fp_square #(
   ) rank_2 (
     .aclk(aclk),
     .d   ({s2_exponent, s2_nan, s2_infinite, s2_zero, s2_suspect}),
-    .q   ({s3_sum, s3_flags})
+    .q   ({s3_exponent, s3_flags})
   );
 
   // The product's other stages.
-  wire [EXPONENT_WIDTH-1:0] s3_exponent = s3_sum + REBIAS[EXPONENT_WIDTH-1:0];
+  wire [EXPONENT_WIDTH-1:0] s3_limited;
+  wire                      s3_tiny;
+  wire [AMOUNT_BITS-1:0]    s3_amount;
+
+  fp_subnormal_shift #(
+    .EXPONENT_WIDTH(EXPONENT_WIDTH),
+    .AMOUNT_BITS   (AMOUNT_BITS),
+    .GRADUAL       (SUBNORMALS)
+  ) s3_subnormal_shift (
+    .exponent(s3_exponent),
+    .limited (s3_limited),
+    .tiny    (s3_tiny),
+    .amount  (s3_amount)
+  );
+
   wire [EXPONENT_WIDTH-1:0] last_exponent;
+  wire                      last_tiny;
+  wire [AMOUNT_BITS-1:0]    last_amount;
   wire                      last_nan;
   wire                      last_infinite;
   wire                      last_zero;
   wire                      last_suspect;
 
   fp_ranks #(
-    .WIDTH(EXPONENT_WIDTH + 4),
+    .WIDTH(EXPONENT_WIDTH + AMOUNT_BITS + 5),
     .COUNT(ROUND - 3),
     .CUTS (CUTS[ROUND-1:3])
   ) ranks_3 (
     .aclk(aclk),
-    .d   ({s3_exponent, s3_flags}),
-    .q   ({last_exponent, last_nan, last_infinite, last_zero, last_suspect})
+    .d   ({s3_limited, s3_tiny, s3_amount, s3_flags}),
+    .q   ({last_exponent, last_tiny, last_amount,
+           last_nan, last_infinite, last_zero, last_suspect})
   );
 
-  // Stages select, denormalise, round, pack.
+  // Stages denormalise, select, round, pack.
   fp_select_round #(
     .WIDTH               (PRODUCT),
     .EXPONENT_WIDTH      (EXPONENT_WIDTH),
+    .AMOUNT_BITS         (AMOUNT_BITS),
     .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
     .RESULT_PRECISION    (RESULT_PRECISION),
     .OVERFLOW            (OVERFLOW),
@@ -171,6 +190,8 @@ module fp_square #(
     .aclk       (aclk),
     .sign       (1'b0),
     .exponent   (last_exponent),
+    .tiny       (last_tiny),
+    .amount     (last_amount),
     .value      (last_product),
     .sticky     (1'b0),
     .nan        (last_nan),

@@ -65,7 +65,7 @@ module fp_units #(
                 .CANCELLATION        (!PROMISED[3]),
                 .GRADUAL             (gradual),
                 .TOWARD_ZERO         (toward_zero),
-                .CUTS                (CUTS[8:0])
+                .CUTS                (CUTS[11:0])
             ) unit (
                 .aclk       (aclk),
                 .a          (x0),
