@@ -196,10 +196,23 @@ module fp_round #(
       ((s2_field[RESULT_EXPONENT_BITS-1:0] & {RESULT_EXPONENT_BITS{!s2_all_zeros}})
        | {RESULT_EXPONENT_BITS{s2_all_ones}})
       & {{(RESULT_EXPONENT_BITS - 1) {1'b1}}, !s2_overflow_to_largest};
-  // A choice with constants: where a register follows, its reset makes it.
-  wire [FRACTION_BITS-1:0] s2_replacement =
-      {FRACTION_BITS{s2_overflow_to_largest}} | (QUIET & {FRACTION_BITS{!SPECIAL_FIRST && s2_nan}});
-  wire [FRACTION_BITS-1:0] s2_y_fraction  = s2_replaces ? s2_replacement : s2_fraction;
+  // A choice with a constant: where a register follows, its reset makes it. A NaN's first bit has a
+  // choice of its own, since synthesis finds a reset where all bits have the same constant.
+  wire                     s2_y_quiet    =
+      s2_replaces ? (s2_overflow_to_largest || s2_nan) : s2_fraction[FRACTION_BITS-1];
+  wire [FRACTION_BITS-1:0] s2_y_fraction;
+
+  generate
+    if (FRACTION_BITS > 1) begin : g_fraction
+      assign s2_y_fraction = {
+        s2_y_quiet,
+        s2_replaces ? {(FRACTION_BITS - 1) {s2_overflow_to_largest}}
+                    : s2_fraction[FRACTION_BITS-2:0]
+      };
+    end else begin : g_one_bit
+      assign s2_y_fraction = s2_y_quiet;
+    end
+  endgenerate
 
   fp_rank #(
     .WIDTH     (RESULT_EXPONENT_BITS + RESULT_PRECISION + 1),
