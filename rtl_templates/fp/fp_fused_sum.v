@@ -26,8 +26,8 @@ module fp_fused_sum #(
   parameter [21:0]      CUTS          = 22'b0
 ) (
   input  wire                                         aclk,
-  input  wire [TERMS*(EXPONENT_BITS+PRECISION)-1:0] a,  // term 0 in the lowest bits
-  input  wire [TERMS*(EXPONENT_BITS+PRECISION)-1:0] b,
+  input  wire [TERMS*(EXPONENT_BITS+PRECISION)-1:0]   a,  // term 0 in the lowest bits
+  input  wire [TERMS*(EXPONENT_BITS+PRECISION)-1:0]   b,
   output wire [EXPONENT_BITS+PRECISION-1:0]           y,
   output wire                                         exceptional
 );
