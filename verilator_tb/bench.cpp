@@ -57,15 +57,19 @@ std::string system_ports(const emit::Signature& s) {
 
 std::string pairwise_ports(const emit::Signature& s, const emit::SignatureEngine& engine) {
   PortsHeader header;
+  const bool bitmap = engine.report_as == scene::ReportForm::bitmap;
   header.constant("int", "lanes", s.lanes)
       .constant("int", "item_bytes", engine.item_bytes)
       .constant("int", "index_bits", engine.index_bits)
       .constant("int", "counter_bits", s.counter_bits)
-      .ports({"aresetn", "s_axis_tvalid", "s_axis_tready", "s_axis_tdata", "s_axis_tlast",
-              "m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser", "m_axis_tlast"});
+      .constant("int", "output_streams", engine.report_streams)
+      .constant("int", "report_bytes", engine.report_bytes)
+      .constant("int", "flag_bits", bitmap ? engine.report_lanes : 0)
+      .ports({"aresetn", "s_axis_tvalid", "s_axis_tready", "s_axis_tdata", "s_axis_tuser",
+              "s_axis_tlast", "m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser",
+              "m_axis_tlast"});
   if (s.counter_bits > 0) {
-    header.ports(
-        {"comparisons", "recomputations", "stalls", "reports", "busy_cycles", "stalled_cycles"});
+    header.ports({"reports", "recomputations", "busy_cycles", "stalled_cycles"});
   }
   return header.text("PairwisePorts");
 }
@@ -78,6 +82,7 @@ std::string arg_min_ports(const emit::Signature& s, const emit::SignatureEngine&
       .constant("int", "index_bits", engine.index_bits)
       .constant("int", "tag_bits", engine.tag_bits)
       .constant("int", "counter_bits", s.counter_bits)
+      .constant("int", "output_streams", 1)
       .ports({"aresetn", "s_candidate_tvalid", "s_candidate_tready", "s_candidate_tdata",
               "s_candidate_tlast", "s_axis_tvalid", "s_axis_tready", "s_axis_tdata", "s_axis_tuser",
               "s_axis_tlast", "m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser",

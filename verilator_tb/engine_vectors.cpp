@@ -53,22 +53,60 @@ Indices choose_items(const design::Design& design, const data::Comparisons& comp
   return {chosen.begin(), chosen.end()};
 }
 
-PairwiseVectors pairwise_vectors(const design::Design& design, const data::Comparisons& comparisons,
-                                 const emit::Signature& signature, std::uint64_t count) {
-  const emit::SignatureEngine& engine = *signature.engine;
+/// The word of each pair of these items of one table, or of two.
+std::vector<ResultWord> expected_words(const design::Design& design,
+                                       const data::Comparisons& comparisons, const Indices& items,
+                                       const Indices* others) {
+  std::vector<ResultWord> expected;
+  std::vector<Bits> operands(comparisons.input_count());
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const std::size_t group =
+        design.group_of_lane(static_cast<int>(i % static_cast<std::size_t>(design.lane_count())));
+    const Indices& partners = others != nullptr ? *others : items;
+    for (std::size_t j = others != nullptr ? 0 : i + 1; j < partners.size(); ++j) {
+      comparisons.fetch({.row = 0, .first = items[i], .second = partners[j]}, operands);
+      expected.push_back(expected_word(design, group, operands));
+    }
+  }
+  return expected;
+}
+
+PairwiseVectors pairs_of_one_table(const design::Design& design,
+                                   const data::Comparisons& comparisons,
+                                   const emit::SignatureEngine& engine, std::uint64_t count) {
   const std::uint64_t most = std::min<std::uint64_t>(comparisons.table().rows(),
                                                      static_cast<std::uint64_t>(engine.capacity));
   const Indices items = choose_items(design, comparisons, std::min(items_for(count), most));
-  PairwiseVectors vectors{beats(comparisons.table(), engine.columns, engine.item_bytes, items), {}};
-  std::vector<Bits> operands(comparisons.input_count());
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const auto lane = static_cast<int>(i % static_cast<std::size_t>(signature.lanes));
-    for (std::size_t j = i + 1; j < items.size(); ++j) {
-      comparisons.fetch({.row = 0, .first = items[i], .second = items[j]}, operands);
-      vectors.expected.push_back(expected_word(design, design.group_of_lane(lane), operands));
-    }
+  return {.items = beats(comparisons.table(), engine.columns, engine.item_bytes, items),
+          .expected = expected_words(design, comparisons, items, nullptr)};
+}
+
+/// As many items of each table, spread: their pairs are at most `count`.
+PairwiseVectors pairs_of_two_tables(const design::Design& design,
+                                    const data::Comparisons& comparisons,
+                                    const emit::SignatureEngine& engine, std::uint64_t count) {
+  const auto half = static_cast<std::uint64_t>(engine.capacity) / 2;
+  std::uint64_t each = 1;
+  while (each < half && (each + 1) * (each + 1) <= count) ++each;
+  const auto choose = [&](const data::Table& table) {
+    return spread(table.rows(), std::min<std::uint64_t>(table.rows(), each));
+  };
+  const Indices targets = choose(comparisons.tables()[0]), others = choose(comparisons.tables()[1]);
+  PairwiseVectors vectors{
+      .items = beats(comparisons.tables()[0], engine.columns, engine.item_bytes, targets),
+      .targets = targets.size(),
+      .expected = expected_words(design, comparisons, targets, &others)};
+  for (auto& item : beats(comparisons.tables()[1], engine.columns, engine.item_bytes, others)) {
+    vectors.items.push_back(std::move(item));
   }
   return vectors;
+}
+
+PairwiseVectors pairwise_vectors(const design::Design& design, const data::Comparisons& comparisons,
+                                 const emit::Signature& signature, std::uint64_t count) {
+  return comparisons.pairing() == data::Pairing::cross
+             ? pairs_of_two_tables(design, comparisons, *signature.engine, count)
+             : pairs_of_one_table(design, comparisons, *signature.engine, count);
 }
 
 /// The chain of lanes, by the golden model: lane k compares the best candidate so far with

@@ -68,19 +68,35 @@ std::string pair_text(const harness::wire::ReportedPair& report) {
 PairwiseJudge::PairwiseJudge(const emit::Signature& signature, const design::Design& design,
                              const data::Comparisons& comparisons, const VerifyOptions& options)
     : EngineJudge(signature, design, comparisons, options) {
+  std::uint64_t items = 0;
+  for (const data::Table& table : comparisons.tables()) items += table.rows();
   report_.engine =
       PairwiseFigures{.top = signature.engine->top,
-                      .items = comparisons.table().rows(),
+                      .items = items,
                       .item_bytes = static_cast<std::uint64_t>(signature.engine->item_bytes),
                       .pair_bytes = static_cast<std::uint64_t>(signature.tdata_bytes)};
 }
 
+data::Items PairwiseJudge::rows_of(const SetRange& set, std::uint64_t i, std::uint64_t j) const {
+  const std::uint64_t second = set.others.count > 0 ? set.others.first + j - set.items.count
+                                                    : set.items.first + j;
+  return {.row = 0, .first = set.items.first + i, .second = second};
+}
+
+bool PairwiseJudge::is_pair(const SetRange& set, std::uint64_t i, std::uint64_t j) const {
+  return i < set.items.count && j >= set.first_partner(i) && j < set.size();
+}
+
 std::uint64_t PairwiseJudge::pair_of(const SetRange& set, std::uint64_t i, std::uint64_t j) const {
-  return data::pair_index(set.first + i, set.first + j, comparisons_.table().rows());
+  const data::Items rows = rows_of(set, i, j);
+  if (comparisons_.pairing() == data::Pairing::cross) {
+    return rows.first * comparisons_.tables()[1].rows() + rows.second;
+  }
+  return data::pair_index(rows.first, rows.second, comparisons_.table().rows());
 }
 
 ResultWord PairwiseJudge::expected(const SetRange& set, std::uint64_t i, std::uint64_t j) {
-  comparisons_.fetch({.row = 0, .first = set.first + i, .second = set.first + j}, operands_);
+  comparisons_.fetch(rows_of(set, i, j), operands_);
   return expected_word(design_, group_of_lane_[lane_of(i)], operands_);
 }
 
@@ -103,17 +119,20 @@ void PairwiseJudge::take(const SetRange& set, const SetAnswer& answer, Use use) 
 
 void PairwiseJudge::judge_closed(const SetRange& set, const SetAnswer& answer, Use use) {
   Reports reports(answer.reports);
-  for (std::uint64_t i = 0; i + 1 < set.count; ++i) {
-    for (std::uint64_t j = i + 1; j < set.count; ++j) judge_pair(set, i, j, reports, use);
+  due_ = 0;
+  for (std::uint64_t i = 0; i < set.items.count; ++i) {
+    for (std::uint64_t j = set.first_partner(i); j < set.size(); ++j) {
+      judge_pair(set, i, j, reports, use);
+    }
   }
   for (const harness::wire::ReportedPair& report : reports.rest()) {
     add_violation("report of no pair", report.cycle, pair_text(report));
   }
-  judge_closing_beat(answer, answer.reports.size());
+  judge_closing_beats(answer, due_);
   judge_counters(answer, use);
   if (use == Use::figures) {
     report_.cycles = answer.response.cycles;
-    report_.engine->reported = answer.reports.size();
+    report_.engine->reported = due_;
   }
 }
 
@@ -125,11 +144,11 @@ void PairwiseJudge::judge_pair(const SetRange& set, std::uint64_t i, std::uint64
         add_violation(again ? "pair reported twice" : "report of no pair", report.cycle,
                       pair_text(report));
       });
-  harness::wire::CounterValues& lane = lanes_[lane_of(i)];
-  ++lane.observed[0];
-  if (!word.is_decided_by_lane()) ++lane.observed[1];
+  if (word.is_recomputed()) ++recomputations_;
   const bool due = is_reported(word);
-  const bool as_due = got == nullptr ? !due : due && word_of(*got) == word;
+  if (due) ++due_;
+  const bool as_due = got == nullptr ? !due || counts_only()
+                                     : due && !counts_only() && word_of(*got) == word;
   if (!as_due) return add_mismatch(set, i, j, word, got);
   if (use == Use::figures) count(set, i, j, word);
 }
@@ -139,7 +158,7 @@ void PairwiseJudge::judge_interrupted(const SetRange& set, const SetAnswer& answ
   const Reports reports(answer.reports);
   const harness::wire::ReportedPair* before = nullptr;
   for (const harness::wire::ReportedPair& report : reports.all()) {
-    if (report.i >= report.j || report.j >= set.count) {
+    if (!is_pair(set, report.i, report.j)) {
       add_violation("report of no pair", report.cycle, pair_text(report));
       continue;
     }
@@ -152,16 +171,24 @@ void PairwiseJudge::judge_interrupted(const SetRange& set, const SetAnswer& answ
       add_mismatch(set, report.i, report.j, word, &report);
     }
   }
-  lanes_.assign(lanes_.size(), {});
+  recomputations_ = 0;
   stalled_before_ = 0;
 }
 
-void PairwiseJudge::judge_closing_beat(const SetAnswer& answer, std::uint64_t due) {
-  const harness::wire::SetResponse& response = answer.response;
-  if (response.closing_tdata == due && response.closing_tuser == closing_tuser) return;
-  add_violation("closing beat is wrong", 0,
-                fmt::format("{} reports, tuser 0x{:02x} instead of {}, 0x{:02x}",
-                            response.closing_tdata, response.closing_tuser, due, closing_tuser));
+/// Judges the closing beat of each stream: it counts the reports of its stream, or, where none
+/// leave, its share of those that are due.
+void PairwiseJudge::judge_closing_beats(const SetAnswer& answer, std::uint64_t due) {
+  std::uint64_t counted = 0;
+  for (const harness::wire::StreamEnd& end : answer.streams) {
+    counted += end.closing_tdata;
+    const bool right_count = counts_only() || end.closing_tdata == end.beats;
+    if (right_count && end.closing_tuser == closing_tuser) continue;
+    add_violation("closing beat is wrong", 0,
+                  fmt::format("{} reports, tuser 0x{:02x} instead of {}, 0x{:02x}",
+                              end.closing_tdata, end.closing_tuser, end.beats, closing_tuser));
+  }
+  if (!counts_only() || counted == due) return;
+  add_violation("count is wrong", 0, fmt::format("{} reports instead of {}", counted, due));
 }
 
 /// Judges, after each set, the counters, which run since reset. The report keeps the last totals.
@@ -170,11 +197,12 @@ void PairwiseJudge::judge_counters(const SetAnswer& answer, Use use) {
   const harness::wire::CounterValues& counters = answer.response.counters;
   const std::uint64_t stalled = stalls_gained(counters.counted[2]);
   if (use == Use::figures) report_.engine->stalled_cycles = stalled;
-  std::vector<CounterTotal> totals = check_lanes(answer.lanes);
-  totals.push_back({"reports"});
-  totals.push_back({"busy_cycles"});
-  check_counter("reports", counters.counted[0], counters.observed[0], totals[2]);
-  check_counter("busy_cycles", counters.counted[1], counters.observed[1], totals[3]);
+  std::vector<CounterTotal> totals = {{"reports"}, {"recomputations"}, {"busy_cycles"}};
+  for (const harness::wire::StreamEnd& end : answer.streams) {
+    check_counter("reports", end.counted_beats, end.observed_beats, totals[0]);
+  }
+  check_counter("recomputations", counters.counted[0], recomputations_, totals[1]);
+  check_counter("busy_cycles", counters.counted[1], counters.observed[1], totals[2]);
   report_.counters = std::move(totals);
 }
 

@@ -7,10 +7,24 @@
 
 namespace mixcmp::verilator_tb {
 
-/// A set that consists of items first .. first + count - 1 of the scene's table.
-struct SetRange {
+/// Consecutive rows of a table.
+struct RowRange {
   std::uint64_t first = 0;
   std::uint64_t count = 0;
+};
+
+/// A set of items: rows of the scene's table, where every two meet; or rows of its first table that
+/// meet rows of its second.
+struct SetRange {
+  RowRange items;
+  RowRange others = {};  ///< of the second table; none: all items meet
+
+  std::uint64_t size() const { return items.count + others.count; }
+  std::uint64_t targets() const { return others.count > 0 ? items.count : 0; }
+  /// The items in front of which the set's item i meets none.
+  std::uint64_t first_partner(std::uint64_t i) const {
+    return others.count > 0 ? items.count : i + 1;
+  }
 };
 
 /// Compares the reports of a pairwise engine with the golden model: each pair of a set must be
@@ -30,8 +44,10 @@ private:
   void judge_closed(const SetRange& set, const SetAnswer& answer, Use use);
   void judge_interrupted(const SetRange& set, const SetAnswer& answer);
   void judge_pair(const SetRange& set, std::uint64_t i, std::uint64_t j, Reports& reports, Use use);
-  void judge_closing_beat(const SetAnswer& answer, std::uint64_t due);
+  void judge_closing_beats(const SetAnswer& answer, std::uint64_t due);
   void judge_counters(const SetAnswer& answer, Use use);
+  data::Items rows_of(const SetRange& set, std::uint64_t i, std::uint64_t j) const;
+  bool is_pair(const SetRange& set, std::uint64_t i, std::uint64_t j) const;
   ResultWord expected(const SetRange& set, std::uint64_t i, std::uint64_t j);
   bool is_reported(ResultWord word) const;
   void add_mismatch(const SetRange& set, std::uint64_t i, std::uint64_t j, ResultWord expected,
@@ -39,6 +55,10 @@ private:
   void count(const SetRange& set, std::uint64_t i, std::uint64_t j, ResultWord word);
   std::uint64_t pair_of(const SetRange& set, std::uint64_t i, std::uint64_t j) const;
   std::size_t lane_of(std::uint64_t i) const { return i % group_of_lane_.size(); }
+  bool counts_only() const { return signature_.engine->report_as == scene::ReportForm::count; }
+
+  std::uint64_t recomputations_ = 0;  ///< by the golden model, since reset
+  std::uint64_t due_ = 0;             ///< reports of this set, by the golden model
 };
 
 }  // namespace mixcmp::verilator_tb

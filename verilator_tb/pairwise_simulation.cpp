@@ -8,25 +8,25 @@ Result<PairwiseSimulation> PairwiseSimulation::start(const Executable& executabl
   return PairwiseSimulation(std::move(process));
 }
 
-Result<SetAnswer> PairwiseSimulation::exchange(const ItemSet& set, int lanes) {
+Result<SetAnswer> PairwiseSimulation::exchange(const ItemSet& set, int streams) {
   SetAnswer answer;
-  if (send(set) && receive(answer, static_cast<std::size_t>(lanes))) return answer;
+  if (send(set) && receive(answer, static_cast<std::size_t>(streams))) return answer;
   return process_.ended_unexpectedly();
 }
 
 bool PairwiseSimulation::send(const ItemSet& set) {
-  const harness::wire::SetRequest request{set.items, set.reset_after, set.last ? 1u : 0u};
+  const harness::wire::SetRequest request{set.items, set.targets, set.reset_after, set.last ? 1u : 0u};
   return process_.send(std::span(&request, 1)) && process_.send(std::span(set.bytes));
 }
 
-bool PairwiseSimulation::receive(SetAnswer& answer, std::size_t lanes) {
+bool PairwiseSimulation::receive(SetAnswer& answer, std::size_t streams) {
   if (!process_.receive(std::span(&answer.response, 1))) return false;
   answer.reports.resize(answer.response.reports);
   answer.violations.resize(answer.response.violations);
-  answer.lanes.resize(lanes);
+  answer.streams.resize(streams);
   return process_.receive(std::span(answer.reports)) &&
          process_.receive(std::span(answer.violations)) &&
-         process_.receive(std::span(answer.lanes));
+         process_.receive(std::span(answer.streams));
 }
 
 }  // namespace mixcmp::verilator_tb

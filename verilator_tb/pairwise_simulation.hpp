@@ -11,6 +11,7 @@ namespace mixcmp::verilator_tb {
 /// One set for a pairwise engine.
 struct ItemSet {
   std::uint64_t items = 0;
+  std::uint64_t targets = 0;  ///< the first items, which meet the others alone; 0: all meet
   std::vector<std::uint8_t> bytes;  ///< of all items
   std::uint64_t reset_after = 0;    ///< not 0: reset in that cycle of the set
   bool last = false;
@@ -21,7 +22,7 @@ struct SetAnswer {
   harness::wire::SetResponse response = {};
   std::vector<harness::wire::ReportedPair> reports;
   std::vector<harness::wire::Violation> violations;
-  std::vector<harness::wire::CounterValues> lanes;
+  std::vector<harness::wire::StreamEnd> streams;
 };
 
 /// A verilated pairwise engine at work in its own process.
@@ -30,15 +31,15 @@ public:
   static Result<PairwiseSimulation> start(const Executable& executable,
                                           const SimulationOptions& options);
 
-  /// Sends a set and waits until its closing beat, or the reset.
-  Result<SetAnswer> exchange(const ItemSet& set, int lanes);
+  /// Sends a set and waits until the closing beats of all `streams`, or the reset.
+  Result<SetAnswer> exchange(const ItemSet& set, int streams);
   Result<Done> finish() { return process_.finish(); }
 
 private:
   explicit PairwiseSimulation(SimulatorProcess process) : process_(std::move(process)) {}
 
   bool send(const ItemSet& set);
-  bool receive(SetAnswer& answer, std::size_t lanes);
+  bool receive(SetAnswer& answer, std::size_t streams);
 
   SimulatorProcess process_;
 };

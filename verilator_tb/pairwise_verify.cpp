@@ -18,37 +18,75 @@ struct Trial {
   PairwiseJudge::Use use = PairwiseJudge::Use::check;
 };
 
-/// How many words (items, repeated for every block) pass the first lane for a set of `items`.
-std::uint64_t words_of(std::uint64_t items, std::uint64_t lanes) {
+/// How many words pass the first lane for a set: those of a block for every block.
+std::uint64_t words_of(const SetRange& set, std::uint64_t lanes) {
   std::uint64_t words = 0;
-  for (std::uint64_t base = 0; base < items; base += lanes) words += items - base;
+  for (std::uint64_t base = 0; base < set.items.count; base += lanes) {
+    words += set.others.count > 0 ? std::min(lanes, set.items.count - base) + set.others.count
+                                  : set.items.count - base;
+  }
   return words;
 }
 
-std::vector<Trial> plan_trials(const System& system, std::uint64_t items,
+/// Plans sets, with the seeds of their places.
+class TrialPlan {
+public:
+  TrialPlan(const data::Comparisons& comparisons, std::uint64_t seed)
+      : rows_(comparisons.table().rows()),
+        other_rows_(comparisons.tables().size() > 1 ? comparisons.tables()[1].rows() : 0),
+        seed_(seed) {}
+
+  SetRange whole() const { return {.items = {0, rows_}, .others = {0, other_rows_}}; }
+  std::uint64_t draw() const { return counter_random(seed_, trials_.size()); }
+  void add(Trial trial) { trials_.push_back(std::move(trial)); }
+
+  /// A set of `count` items at a random place; of two tables, with three others.
+  void add_small(std::uint64_t count) {
+    if (count >= rows_) return;
+    const std::uint64_t others = std::min<std::uint64_t>(other_rows_, 3);
+    const std::uint64_t place = draw() % (rows_ - count + 1);
+    add({.set = {.items = {place, count}, .others = {other_rows_ - others, others}}});
+  }
+  std::vector<Trial> take() { return std::move(trials_); }
+
+private:
+  std::uint64_t rows_, other_rows_;
+  std::uint64_t seed_;
+  std::vector<Trial> trials_;
+};
+
+std::vector<Trial> plan_trials(const System& system, const data::Comparisons& comparisons,
                                const VerifyOptions& options) {
   const auto lanes = static_cast<std::uint64_t>(system.signature.lanes);
-  std::vector<Trial> trials;
-  const std::uint64_t words = words_of(items, lanes);
+  TrialPlan plan(comparisons, options.traffic_seed);
+  const std::uint64_t words = words_of(plan.whole(), lanes);
   for (int k = 0; k < options.resets; ++k) {
-    const std::uint64_t after = 1 + counter_random(options.traffic_seed, trials.size()) % words;
-    trials.push_back({.set = {0, items}, .reset_after = after});
+    plan.add({.set = plan.whole(), .reset_after = 1 + plan.draw() % words});
   }
   for (const std::uint64_t count : std::set<std::uint64_t>{1, 2, 3, lanes, lanes + 1}) {
-    if (count >= items) continue;
-    const std::uint64_t places = items - count + 1;
-    trials.push_back(
-        {.set = {counter_random(options.traffic_seed, trials.size()) % places, count}});
+    plan.add_small(count);
   }
-  trials.push_back({.set = {0, items}, .use = PairwiseJudge::Use::figures});
-  trials.push_back({.set = {items - 2, 2}});
-  return trials;
+  plan.add({.set = plan.whole(), .use = PairwiseJudge::Use::figures});
+  plan.add_small(2);
+  return plan.take();
 }
 
 void tell(const VerifyOptions& options, const System& system, const Trial& trial) {
   if (!options.progress) return;
   options.progress(
-      fmt::format("{}: a set of {} items", system.signature.engine->top, trial.set.count));
+      fmt::format("{}: a set of {} items", system.signature.engine->top, trial.set.size()));
+}
+
+std::vector<std::uint8_t> bytes_of(const SetRange& set, const emit::SignatureEngine& engine,
+                                   const data::Comparisons& comparisons) {
+  std::vector<std::uint8_t> bytes = row_bytes(comparisons.table(), engine.columns,
+                                              engine.item_bytes, set.items.first, set.items.count);
+  if (set.others.count == 0) return bytes;
+  const std::vector<std::uint8_t> others =
+      row_bytes(comparisons.tables()[1], engine.columns, engine.item_bytes, set.others.first,
+                set.others.count);
+  bytes.insert(bytes.end(), others.begin(), others.end());
+  return bytes;
 }
 
 Result<Done> run_trials(const System& system, const data::Comparisons& comparisons,
@@ -56,17 +94,16 @@ Result<Done> run_trials(const System& system, const data::Comparisons& compariso
                         PairwiseJudge& judge) {
   MIXCMP_TRY(simulation, PairwiseSimulation::start(executable, simulation_options(options)));
   const emit::SignatureEngine& engine = *system.signature.engine;
-  const std::vector<Trial> trials = plan_trials(system, comparisons.table().rows(), options);
+  const std::vector<Trial> trials = plan_trials(system, comparisons, options);
   for (std::size_t k = 0; k < trials.size(); ++k) {
     const Trial& trial = trials[k];
     tell(options, system, trial);
-    MIXCMP_TRY(answer, simulation.exchange(
-                           {.items = trial.set.count,
-                            .bytes = row_bytes(comparisons.table(), engine.columns,
-                                               engine.item_bytes, trial.set.first, trial.set.count),
-                            .reset_after = trial.reset_after,
-                            .last = k + 1 == trials.size()},
-                           system.signature.lanes));
+    MIXCMP_TRY(answer, simulation.exchange({.items = trial.set.size(),
+                                            .targets = trial.set.targets(),
+                                            .bytes = bytes_of(trial.set, engine, comparisons),
+                                            .reset_after = trial.reset_after,
+                                            .last = k + 1 == trials.size()},
+                                           engine.report_streams));
     judge.take(trial.set, answer, trial.use);
     if (answer.response.state == harness::wire::SetState::stopped) break;
   }

@@ -62,7 +62,10 @@ void add_project(emit::GeneratedSystem& system, const ProjectOptions& options,
   std::vector<project::TestVector> vectors;
   project::EngineVectors engine_vectors;
   if (loaded.data) {
-    vectors = verilator_tb::test_vectors(design, *loaded.data, system.signature, options.vectors);
+    const bool has_system = !system.signature.ports.empty();  // not in a pairwise engine
+    if (has_system) {
+      vectors = verilator_tb::test_vectors(design, *loaded.data, system.signature, options.vectors);
+    }
     engine_vectors =
         verilator_tb::engine_vectors(design, *loaded.data, system.signature, options.vectors);
   }

@@ -45,8 +45,11 @@ public:
     }
     for (const FixedNode& node : lane_.nodes) place_node(node);
     for (const fixed::FixedPart& part : lane_.parts) place_decision(part);
+    outputs_cycle_ = ready_cycle(schedule_.steps, lane_.outputs);
     for (auto id = static_cast<NodeId>(lane_.nodes.size()); id-- > 0;) move_later(id);
-    return placer_.finish(std::move(schedule_));
+    Schedule schedule = placer_.finish(std::move(schedule_));
+    schedule.latency_cycles = std::max(schedule.latency_cycles, outputs_cycle_);
+    return schedule;
   }
 
 private:
@@ -63,7 +66,8 @@ private:
   }
 
   void place_node(const FixedNode& node) {
-    if (node.operation == Operation::constant) return schedule_.steps.push_back({});
+    const bool is_loaded = node.operation == Operation::input && !lane_.loaded_inputs.empty();
+    if (node.operation == Operation::constant || is_loaded) return schedule_.steps.push_back({});
     if (fixed::is_common_cut(node)) return place_common_cut(node);
     const int start = node.operation == Operation::input
                           ? schedule_.largest_exponent.ready_cycle
@@ -140,6 +144,7 @@ private:
   /// The cycles in which a node's result is read.
   std::vector<int> uses_of(NodeId id) const {
     std::vector<int> cycles = checks_of(id);
+    if (contains(lane_.outputs, id)) cycles.push_back(outputs_cycle_);
     if (contains(fixed::cut_in_common(lane_), id)) {
       cycles.push_back(schedule_.common_drop.start_cycle);
     }
@@ -176,6 +181,7 @@ private:
   scene::Multipliers multipliers_;
   UnitPlacer placer_;
   Schedule schedule_;
+  int outputs_cycle_ = 0;  ///< in which all outputs are read
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "generator/rtl/arg_min_module.hpp"
 #include "generator/rtl/lane_module.hpp"
 #include "generator/rtl/reference_module.hpp"
 
@@ -203,57 +204,181 @@ std::vector<std::string> describe_arg_min(const rtl::EngineShape& engine,
   return facts;
 }
 
-Described describe_engine(const rtl::EngineShape& engine, const rtl::SystemShape& shape) {
-  if (engine.spec.kind == scene::EngineKind::arg_min) {
-    return {rtl::engine_module(engine, shape), describe_arg_min(engine, shape)};
+/// "a beat a pair that is less or undecided".
+std::string report_fact(const rtl::PairwiseShape& shape) {
+  const scene::EngineSpec& spec = shape.engine.spec;
+  const std::string reported = fmt::format("{}", fmt::join(reported_verdicts(spec), ", "));
+  const char* join = reported.empty() ? "" : " or ";
+  switch (spec.report_as) {
+    case scene::ReportForm::pairs:
+      return fmt::format("m_axis: a beat a pair that is {}{}undecided;", reported, join);
+    case scene::ReportForm::bitmap:
+      return fmt::format("m_axis: a beat for an item j and {} items i in a row, of which some are {};",
+                         shape.lanes_per_segment(), reported);
+    case scene::ReportForm::count:
+      return fmt::format("m_axis: the number of pairs that are {}{}undecided;", reported, join);
   }
+  MIXCMP_CHECK(false);
+}
+
+std::vector<std::string> report_fields(const rtl::PairwiseShape& shape) {
+  const rtl::EngineShape& engine = shape.engine;
   const int field_bits = engine.index_field_bits();
+  std::vector<std::string> facts;
+  if (engine.spec.report_as != scene::ReportForm::count) {
+    facts.push_back(fmt::format(
+        "  tdata: i in [{}:0], j in [{}:{}], from 0; tuser: {{4'b0, undecided, recomputed, "
+        "verdict[1:0]}};",
+        engine.index_bits() - 1, field_bits + engine.index_bits() - 1, field_bits));
+  }
+  if (engine.spec.report_as == scene::ReportForm::bitmap) {
+    facts.push_back(fmt::format("  flags in [{}:{}]: bit k is about i + k and j;",
+                                2 * field_bits + shape.lanes_per_segment() - 1, 2 * field_bits));
+  }
+  if (engine.spec.report_as != scene::ReportForm::count) {
+    facts.emplace_back("  verdict: 0 less, 1 equal, 2 greater, 3 unordered.");
+  }
+  return facts;
+}
+
+Described describe_pairwise(const rtl::PairwiseShape& shape, const rtl::SystemShape& system) {
+  const rtl::EngineShape& engine = shape.engine;
   std::vector<std::string> facts = {
       fmt::format("{}: every pair i < j of up to {} items,", engine.top, engine.capacity),
-      fmt::format("  through the lanes of {}.", shape.top),
+      fmt::format("  past p_L = {} lanes in {} segments, undecided pairs by p_H = {} references.",
+                  system.lanes, shape.segment_count(), system.references),
       fmt::format("s_axis: a beat an item, tlast with the last; columns {} bits each, the first "
                   "lowest:",
                   engine.column_width),
       fmt::format("  {}.", fmt::join(engine.columns, ", ")),
-      fmt::format("m_axis: a beat a pair that is {} or undecided;",
-                  fmt::join(reported_verdicts(engine.spec), ", ")),
-      fmt::format("  tdata: i in [{}:0], j in [{}:{}], from 0; tuser: {{4'b0, undecided, "
-                  "recomputed, verdict[1:0]}};",
-                  engine.index_bits() - 1, field_bits + engine.index_bits() - 1, field_bits),
-      "  verdict: 0 less, 1 equal, 2 greater, 3 unordered.",
-      "A set ends with a beat with tlast: tdata is the number of its reports, tuser",
-      "  {1'b1, overrun, 6'b0}; overrun: more items came than fit, and the others were left out."};
-  if (shape.counter_bits > 0) {
+      "  A set that begins with items with tuser compares each of these with each of the others "
+      "alone.",
+      report_fact(shape)};
+  for (std::string& fact : report_fields(shape)) facts.push_back(std::move(fact));
+  if (shape.streams() > 1) {
+    facts.push_back(fmt::format("  {} streams side by side; each ends every set.", shape.streams()));
+  }
+  facts.emplace_back(
+      "A set ends with a beat with tlast: tdata is the number of its reports, tuser");
+  facts.emplace_back(
+      "  {1'b1, overrun, 6'b0}; overrun: more items came than fit, and the others were left out.");
+  if (system.counter_bits > 0) {
     facts.emplace_back(
-        "Counters since reset, they wrap: of each lane comparisons, recomputations, "
-        "stalls;");
-    facts.emplace_back(
-        "  reports, busy_cycles (from an item to the closing beat), stalled_cycles.");
+        "Counters since reset, they wrap: reports, recomputations, busy_cycles (from an item to "
+        "the");
+    facts.emplace_back("  closing beat), stalled_cycles.");
   }
   facts.emplace_back("Reset: aresetn, synchronous, active low.");
-  return {rtl::engine_module(engine, shape), std::move(facts)};
+  return {rtl::pairwise_module(shape, system), std::move(facts)};
+}
+
+Described describe_conversion(const rtl::PairwiseShape& shape) {
+  std::vector<std::string> facts = {
+      fmt::format("{}: what the lanes know of an item, computed when it is loaded.",
+                  shape.word_module),
+      fmt::format("Columns: {} bits each, {}.", shape.engine.column_width,
+                  fmt::join(shape.engine.columns, ", ")),
+      "word, the first field lowest:"};
+  for (const rtl::ItemWords::Field& field : shape.words.fields) {
+    facts.push_back(fmt::format("  {} in [{}:{}]", field.name, field.low + field.width - 1,
+                                field.low));
+  }
+  for (std::string& fact : timing_facts(shape.words.schedule)) facts.push_back(std::move(fact));
+  return {rtl::item_word_module(shape.word_module, shape.words, shape.engine), std::move(facts)};
+}
+
+Described describe_word_lane(const Design& design, const rtl::PairwiseShape& shape,
+                             const rtl::SystemShape& system, std::size_t group) {
+  const rtl::DatapathGroup& lanes = system.lane_groups[group];
+  const rtl::WordLane& lane = shape.words.lanes[group];
+  std::vector<std::string> ports;
+  for (const rtl::LanePort& port : lane.ports) ports.push_back(port.name);
+  Described described = {
+      rtl::word_lane_module(lanes.datapath, lane, lanes.schedule),
+      {fmt::format("{}: decides {} in reduced precision, or says it cannot.", lanes.datapath,
+                   what_is_asked(design)),
+       fmt::format("Operands: of the words of items i and j, {}.", fmt::join(ports, ", ")),
+       arithmetic_fact(design.lanes[group].lane)}};
+  for (std::string& fact : decision_facts(design.lanes[group].lane)) {
+    described.facts.push_back(std::move(fact));
+  }
+  for (std::string& fact : timing_facts(lanes.schedule)) {
+    described.facts.push_back(std::move(fact));
+  }
+  return described;
+}
+
+Described describe_segment(const rtl::PairwiseShape& shape, const rtl::SystemShape& system,
+                           const rtl::SegmentGroup& segments) {
+  return {rtl::segment_module(system, shape.engine, shape.words, segments),
+          {fmt::format("{}: {} lanes in lock step, a link of the engine's chain.", segments.module,
+                       segments.lanes),
+           "Reset: aresetn, synchronous, active low."}};
+}
+
+/// Adds each module once, whatever number of groups have it.
+class ModuleList {
+public:
+  template <class Describe>
+  void add(const std::string& name, Describe describe) {
+    if (written_.insert(name).second) modules_.push_back(describe());
+  }
+  std::vector<Described> take() { return std::move(modules_); }
+
+private:
+  std::set<std::string> written_;
+  std::vector<Described> modules_;
+};
+
+void add_references(const Design& design, const rtl::SystemShape& shape, ModuleList& modules) {
+  for (const rtl::DatapathGroup& group : shape.reference_groups) {
+    modules.add(group.datapath,
+                [&] { return describe_reference(design, group.datapath, group.schedule); });
+    modules.add(group.channel, [&] { return describe_reference_channel(shape, group); });
+  }
+}
+
+std::vector<Described> describe_pairwise_modules(const Design& design,
+                                                 const rtl::PairwiseShape& shape,
+                                                 const rtl::SystemShape& system) {
+  ModuleList modules;
+  if (shape.words.converts()) {
+    modules.add(shape.word_module, [&] { return describe_conversion(shape); });
+  }
+  for (std::size_t k = 0; k < system.lane_groups.size(); ++k) {
+    modules.add(system.lane_groups[k].datapath,
+                [&] { return describe_word_lane(design, shape, system, k); });
+  }
+  for (const rtl::SegmentGroup& segments : shape.segments) {
+    modules.add(segments.module, [&] { return describe_segment(shape, system, segments); });
+  }
+  add_references(design, rtl::reference_shape(system), modules);
+  modules.add(shape.engine.top, [&] { return describe_pairwise(shape, system); });
+  return modules.take();
 }
 
 }  // namespace
 
 std::vector<Described> describe_modules(const Design& design, const ScheduledSystem& scheduled) {
   const rtl::SystemShape& shape = scheduled.shape;
-  std::vector<Described> modules;
-  std::set<std::string> written;
+  if (scheduled.pairwise) return describe_pairwise_modules(design, *scheduled.pairwise, shape);
+  ModuleList modules;
   for (std::size_t k = 0; k < shape.lane_groups.size(); ++k) {
     const rtl::DatapathGroup& group = shape.lane_groups[k];
-    if (!written.insert(group.datapath).second) continue;
-    modules.push_back(describe_lane(design, group.datapath, design.lanes[k], group.schedule));
-    modules.push_back(describe_lane_channel(shape, group));
+    modules.add(group.datapath, [&] {
+      return describe_lane(design, group.datapath, design.lanes[k], group.schedule);
+    });
+    modules.add(group.channel, [&] { return describe_lane_channel(shape, group); });
   }
-  for (const rtl::DatapathGroup& group : shape.reference_groups) {
-    if (!written.insert(group.datapath).second) continue;
-    modules.push_back(describe_reference(design, group.datapath, group.schedule));
-    modules.push_back(describe_reference_channel(shape, group));
+  add_references(design, shape, modules);
+  modules.add(shape.top, [&] { return describe_top(design, shape); });
+  if (scheduled.engine) {
+    modules.add(scheduled.engine->top, [&] {
+      return Described{rtl::arg_min_module(*scheduled.engine, shape),
+                       describe_arg_min(*scheduled.engine, shape)};
+    });
   }
-  modules.push_back(describe_top(design, shape));
-  if (scheduled.engine) modules.push_back(describe_engine(*scheduled.engine, shape));
-  return modules;
+  return modules.take();
 }
 
 }  // namespace mixcmp::emit

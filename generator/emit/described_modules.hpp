@@ -14,7 +14,9 @@ struct Described {
 };
 
 /// Every module of a system once: lanes, references and their channels, then the top module, then
-/// the engine, if there is one. Groups of the same hardware share their modules.
+/// an arg-min engine, if there is one. A pairwise engine is a system of its own: the conversion of
+/// items, lanes and their segments, references and their channels, then the engine. Groups of the
+/// same hardware share their modules.
 std::vector<Described> describe_modules(const design::Design& design,
                                         const ScheduledSystem& scheduled);
 

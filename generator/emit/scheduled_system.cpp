@@ -38,7 +38,9 @@ void add_group(std::vector<rtl::DatapathGroup>& groups, rtl::DatapathGroup group
   groups.push_back(std::move(group));
 }
 
+/// The groups of a design's lanes; of a pairwise engine, of what is left of them behind `words`.
 std::vector<rtl::DatapathGroup> lane_groups(const design::Design& design,
+                                            const std::optional<rtl::ItemWords>& words,
                                             const datapath::DelayTable& delays) {
   const std::vector<std::string> names = lane_group_names(design);
   ModuleNames modules;
@@ -47,9 +49,11 @@ std::vector<rtl::DatapathGroup> lane_groups(const design::Design& design,
   for (std::size_t k = 0; k < names.size(); ++k) {
     const design::LaneGroup& lanes = design.lanes[k];
     datapath::Schedule schedule =
-        datapath::schedule_lane(lanes.lane, lanes.multipliers, delays, design.system.target_mhz);
-    const std::string name = fmt::format("{}{}_lane_{}_l{}", design.system.prefix, design.name,
-                                         names[k], schedule.latency_cycles);
+        datapath::schedule_lane(words ? words->lanes[k].lane : lanes.lane, lanes.multipliers,
+                                delays, design.system.target_mhz);
+    const std::string name =
+        fmt::format("{}{}_{}_{}_l{}", design.system.prefix, design.name,
+                    words ? "pair_lane" : "lane", names[k], schedule.latency_cycles);
     add_group(groups, {.datapath = modules.unique(name, lanes),
                        .channel = {},
                        .label = names.size() == 1 ? "lanes" : labels.unique("lanes_" + names[k]),
@@ -106,6 +110,17 @@ int slots_of(const rtl::SystemShape& shape) {
   return slots;
 }
 
+rtl::PairwiseShape pairwise_shape(const design::Design& design, const rtl::SystemShape& shape,
+                                  const rtl::EngineShape& engine, rtl::ItemWords words) {
+  const std::string word_module = fmt::format("{}{}_item_l{}", design.system.prefix, design.name,
+                                              words.schedule.latency_cycles);
+  const bool converts = words.converts();
+  return {.engine = engine,
+          .words = std::move(words),
+          .word_module = converts ? word_module : "",
+          .segments = rtl::segment_groups(shape, engine.spec.lanes_per_group)};
+}
+
 }  // namespace
 
 rtl::SystemShape stream_shape(const std::vector<std::string>& inputs, FloatFormat format,
@@ -125,13 +140,22 @@ Result<ScheduledSystem> schedule_system(const design::Design& design) {
   rtl::SystemShape shape =
       stream_shape(design.inputs, design.reference.input_format, design.system);
   shape.top = top_name(design);
-  shape.lane_groups = lane_groups(design, delays);
-  shape.reference_groups = reference_groups(design, delays);
   shape.lanes = design.lane_count();
   shape.references = design.reference_count();
+  ScheduledSystem scheduled;
+  scheduled.engine = rtl::engine_shape(shape, design.inputs, design.system.engine);
+  std::optional<rtl::ItemWords> words;
+  if (design.system.engine.kind == scene::EngineKind::pairwise) {
+    words = rtl::item_words(design, *scheduled.engine, delays);
+  }
+  shape.lane_groups = lane_groups(design, words, delays);
+  shape.reference_groups = reference_groups(design, delays);
   shape.slot_bits = std::countr_zero(static_cast<unsigned>(slots_of(shape)));
-  auto engine = rtl::engine_shape(shape, design.inputs, design.system.engine);
-  return ScheduledSystem{.shape = std::move(shape), .engine = std::move(engine)};
+  if (words) {
+    scheduled.pairwise = pairwise_shape(design, shape, *scheduled.engine, std::move(*words));
+  }
+  scheduled.shape = std::move(shape);
+  return scheduled;
 }
 
 }  // namespace mixcmp::emit

@@ -3,7 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "generator/rtl/engine_module.hpp"
+#include "generator/rtl/engine_shape.hpp"
+#include "generator/rtl/pairwise_module.hpp"
 #include "generator/rtl/system_modules.hpp"
 #include "model/design/design.hpp"
 
@@ -14,6 +15,9 @@ namespace mixcmp::emit {
 struct ScheduledSystem {
   rtl::SystemShape shape;
   std::optional<rtl::EngineShape> engine;
+  /// What else a pairwise engine is made of. Its lanes are those of the shape, behind the conversion
+  /// of their operands.
+  std::optional<rtl::PairwiseShape> pairwise;
 };
 
 /// The part of a SystemShape that the streams alone decide; names, counts and latencies are left to

@@ -43,6 +43,11 @@ constexpr std::array engine_kinds = {
     Name<scene::EngineKind>{scene::EngineKind::pairwise, "pairwise"},
     Name<scene::EngineKind>{scene::EngineKind::arg_min, "arg_min"}};
 
+constexpr std::array report_forms = {
+    Name<scene::ReportForm>{scene::ReportForm::pairs, "pairs"},
+    Name<scene::ReportForm>{scene::ReportForm::bitmap, "bitmap"},
+    Name<scene::ReportForm>{scene::ReportForm::count, "count"}};
+
 template <class Value, std::size_t count>
 const char* text_of(const std::array<Name<Value>, count>& names, Value value) {
   for (const auto& name : names) {
@@ -202,6 +207,10 @@ Json to_json(const SignatureEngine& engine) {
     json["tag_bits"] = engine.tag_bits;
   } else {
     json["report"] = engine.report;
+    json["report_as"] = text_of(report_forms, engine.report_as);
+    json["report_streams"] = engine.report_streams;
+    json["report_lanes"] = engine.report_lanes;
+    json["report_bytes"] = engine.report_bytes;
   }
   json["ports"] = ports_to_json(engine.ports);
   return json;
@@ -258,6 +267,10 @@ SignatureEngine read_engine(Reader& reader) {
     engine.tag_bits = reader.number("tag_bits", settings::limits::tag_bits);
   } else {
     engine.report = reader.read<std::vector<std::string>>("report", "a list of verdicts");
+    engine.report_as = reader.choice("report_as", report_forms);
+    engine.report_streams = reader.number("report_streams", settings::limits::report_streams);
+    engine.report_lanes = reader.number("report_lanes", settings::limits::lanes_per_group);
+    engine.report_bytes = reader.number("report_bytes", 1, many);
   }
   return engine;
 }

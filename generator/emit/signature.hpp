@@ -53,6 +53,10 @@ struct SignatureEngine {
   std::vector<std::string> columns;           ///< column k of an item is tdata[k * width +: width]
   int item_bytes = 0;                         ///< bytes of an item, padded
   std::vector<std::string> report;            ///< pairwise: the verdicts whose pairs are reported
+  scene::ReportForm report_as = scene::ReportForm::pairs;  ///< pairwise
+  int report_streams = 1;                     ///< pairwise: streams m_axis side by side
+  int report_lanes = 1;                       ///< pairwise: flags of a beat of a bitmap
+  int report_bytes = 0;                       ///< pairwise: tdata of one stream
   std::vector<std::string> row_columns = {};  ///< arg_min: of a row, packed as `columns`
   int row_bytes = 0;                          ///< arg_min: bytes of a row, padded
   int tag_bits = 0;                           ///< arg_min: width of a row's tag

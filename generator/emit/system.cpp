@@ -18,11 +18,14 @@ using design::Design;
 using rtl::Module;
 
 std::vector<SignatureLanes> lanes_of(const Design& design, const rtl::SystemShape& shape) {
+  // A pairwise engine's lanes share a segment in the place of channels.
+  const bool in_channels = design.system.engine.kind != scene::EngineKind::pairwise;
   std::vector<SignatureLanes> lanes;
   for (std::size_t k = 0; k < design.lanes.size(); ++k) {
     const design::LaneGroup& group = design.lanes[k];
     lanes.push_back({.count = group.count,
-                     .module = shape.lane_groups[k].channel,
+                     .module = in_channels ? shape.lane_groups[k].channel
+                                           : shape.lane_groups[k].datapath,
                      .format = design::format_name(group.lane),
                      .latency_cycles = shape.lane_groups[k].schedule.latency_cycles,
                      .certified = design::is_certified(group.lane),
@@ -97,7 +100,8 @@ std::vector<SignaturePort> signature_ports(const Module& top) {
   return ports;
 }
 
-SignatureEngine signature_engine(const rtl::EngineShape& engine, const Module& top) {
+SignatureEngine signature_engine(const ScheduledSystem& scheduled, const Module& top) {
+  const rtl::EngineShape& engine = *scheduled.engine;
   SignatureEngine signature{.kind = engine.spec.kind,
                             .top = engine.top,
                             .capacity = engine.capacity,
@@ -115,6 +119,10 @@ SignatureEngine signature_engine(const rtl::EngineShape& engine, const Module& t
   for (const std::string_view verdict : reported_verdicts(engine.spec)) {
     signature.report.emplace_back(verdict);
   }
+  signature.report_as = engine.spec.report_as;
+  signature.report_streams = scheduled.pairwise->streams();
+  signature.report_lanes = scheduled.pairwise->lanes_per_segment();
+  signature.report_bytes = scheduled.pairwise->report_bytes();
   return signature;
 }
 
@@ -237,10 +245,12 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
   GeneratedSystem system = {
       signature_of(design, scheduled.shape), {}, slow_stages(scheduled.shape)};
   system.signature.spec_hash = spec_hash(modules, templates);
-  system.signature.ports = signature_ports(find_module(modules, scheduled.shape.top));
+  if (!scheduled.pairwise) {
+    system.signature.ports = signature_ports(find_module(modules, scheduled.shape.top));
+  }
   if (scheduled.engine) {
     system.signature.engine =
-        signature_engine(*scheduled.engine, find_module(modules, scheduled.engine->top));
+        signature_engine(scheduled, find_module(modules, scheduled.engine->top));
   }
   for (const std::string& name : templates) system.files.push_back(template_file(name, prefix));
   for (Described& described : modules) {

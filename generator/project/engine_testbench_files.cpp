@@ -45,9 +45,16 @@ GeneratedFile vector_file(const ProjectSpec& spec, const std::string& descriptio
 }
 
 std::vector<GeneratedFile> pairwise_files(const ProjectSpec& spec, const PairwiseVectors& vectors) {
+  const emit::SignatureEngine& engine = *spec.signature.engine;
   Values values = engine_values(spec);
+  const bool bitmap = engine.report_as == scene::ReportForm::bitmap;
+  values["FLAG_BITS"] = std::to_string(bitmap ? engine.report_lanes : 0);
+  values["COUNT_ONLY"] = engine.report_as == scene::ReportForm::count ? "1" : "0";
+  values["STREAMS"] = std::to_string(engine.report_streams);
+  values["TDATA_BITS"] = std::to_string(8 * engine.report_bytes);
+  values["TARGETS"] = std::to_string(vectors.targets);
   values["ITEMS"] = std::to_string(vectors.items.size());
-  values["REPORTED_VERDICTS"] = reported_verdicts(*spec.signature.engine);
+  values["REPORTED_VERDICTS"] = reported_verdicts(engine);
   std::string lines;
   for (const auto& item : vectors.items) lines += hexadecimal(item) + "\n";
   for (const ResultWord word : vectors.expected) lines += fmt::format("{:02x}\n", word.bits());

@@ -29,7 +29,7 @@ std::string start_command(Tool tool, const std::string& top, const std::string& 
 struct ProjectSpec {
   const emit::Signature& signature;
   const devices::Device& device;
-  /// Vector k is for lane k modulo the number of lanes. Empty: there is no test bench.
+  /// Vector k is for lane k modulo the number of lanes. Empty: there is no test bench of the system.
   const std::vector<TestVector>& vectors;
   /// For the test bench of the engine, where there is one and there are vectors.
   const EngineVectors& engine_vectors;
@@ -38,15 +38,17 @@ struct ProjectSpec {
 
   /// The module to build, which is the engine's where there is one.
   const std::string& build_top() const;
-  /// Whether there is a test bench of the engine beside that of the system inside it.
+  /// Whether there is a test bench of the engine, alone or beside that of the system inside it.
   bool tests_engine() const { return !std::holds_alternative<std::monostate>(engine_vectors); }
+  /// The test benches: of the system, unless its engine has none inside, and of the engine.
+  std::vector<std::string> benches() const;
   /// The ports of that module.
   const std::vector<emit::SignaturePort>& build_ports() const;
 };
 
 /// The files for these tools, and the test bench and the templates for integration that come with
-/// any tool. Error: a tool does not support the device. `spec.vectors` must be there for a tool
-/// that runs the test bench.
+/// any tool. Error: a tool does not support the device. There must be vectors for a tool that
+/// runs test benches.
 Result<std::vector<emit::GeneratedFile>> project_files(const ProjectSpec& spec,
                                                        const std::set<Tool>& tools);
 

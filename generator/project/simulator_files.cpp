@@ -1,4 +1,5 @@
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include "generator/project/builders.hpp"
 
@@ -8,19 +9,21 @@ namespace {
 /// From this number of lanes on, Icarus takes longer than half a minute to compile a system.
 constexpr int large_system_lanes = 24;
 
+std::string tested(const ProjectSpec& spec) {
+  const std::string& top = spec.signature.top;
+  if (!spec.tests_engine()) return "the test bench of " + top;
+  if (spec.vectors.empty()) return "the test bench of " + spec.signature.engine->top;
+  return fmt::format("the test benches of {} and of its engine", top);
+}
+
 /// The values of the scripts that run test benches: that of the system, then that of the engine
 /// around it.
 Values simulator_values(const ProjectSpec& spec) {
-  const std::string& top = spec.signature.top;
   Values values = common_values(spec, "#");
-  values["BENCHES"] = top + "_tb";
-  values["TESTED"] = "the test bench of " + top;
-  values["WAVES_REMARK"] = "";
-  if (!spec.tests_engine()) return values;
-  const std::string& engine = spec.signature.engine->top;
-  values["BENCHES"] += fmt::format(" {}_tb", engine);
-  values["TESTED"] = fmt::format("the test benches of {} and of its engine", top);
-  values["WAVES_REMARK"] = " Waves are those of the engine.";
+  const std::vector<std::string> benches = spec.benches();
+  values["BENCHES"] = fmt::format("{}", fmt::join(benches, " "));
+  values["TESTED"] = tested(spec);
+  values["WAVES_REMARK"] = benches.size() > 1 ? " Waves are those of the engine." : "";
   return values;
 }
 

@@ -44,7 +44,12 @@ struct Packaged {
 Packaged packaged(const ProjectSpec& spec) {
   Packaged packaged{spec.build_top(), {}, {}};
   if (spec.signature.engine) {
-    for (const emit::SignaturePort& port : spec.build_ports()) packaged.ports.push_back(port.name);
+    // Several streams in one vector are no interface of their own.
+    const bool has_vectors = spec.signature.engine->report_streams > 1;
+    for (const emit::SignaturePort& port : spec.build_ports()) {
+      if (has_vectors && port.name.starts_with("m_axis")) continue;
+      packaged.ports.push_back(port.name);
+    }
     return packaged;
   }
   const rtl::Module wrapper = stream_wrapper(spec);

@@ -6,7 +6,6 @@
 namespace mixcmp::rtl {
 namespace {
 
-constexpr int result_bits = 8;
 const std::vector<std::string> engine_counters = {"rows", "stalled_cycles"};
 
 std::vector<Port> arg_min_ports(const EngineShape& engine, const SystemShape& system) {
@@ -57,7 +56,7 @@ void declare_lane_streams(const EngineShape& engine, const SystemShape& system,
       Wire{engine.item_bits(), "own", indexed("pair_own", "lane", engine.item_bits())});
   map_operands(engine, system, {"row", "best", "own"},
                indexed("operands", "lane", system.tdata_bytes() * 8), mapping);
-  items.push_back(loop("lane", system.lanes, "lane_operands", std::move(mapping)));
+  items.push_back(loop("lane", 0, system.lanes, "lane_operands", std::move(mapping)));
 }
 
 Instance arg_min_instance(const EngineShape& engine, const SystemShape& system,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "generator/rtl/engine_module.hpp"
+#include "generator/rtl/engine_shape.hpp"
 
 namespace mixcmp::rtl {
 

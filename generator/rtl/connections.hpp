@@ -8,6 +8,9 @@
 /// Shorthands for the ports and connections of modules with streams.
 namespace mixcmp::rtl {
 
+inline constexpr int verdict_bits = 2;
+inline constexpr int result_bits = 8;  ///< a verdict with its flags, see ResultWord
+
 inline void add_input(std::vector<Port>& ports, int width, const std::string& name,
                       bool vector = false) {
   ports.push_back({Direction::input, width, name, vector});

@@ -21,12 +21,30 @@ std::set<std::string> taken_names(const std::vector<std::string>& ports) {
   return taken;
 }
 
+std::vector<std::string> names_of(const std::vector<InputPort>& inputs) {
+  std::vector<std::string> names;
+  for (const InputPort& input : inputs) names.push_back(input.name);
+  return names;
+}
+
+std::vector<int> widths_of(const std::vector<InputPort>& inputs) {
+  std::vector<int> widths;
+  for (const InputPort& input : inputs) widths.push_back(input.width);
+  return widths;
+}
+
 }  // namespace
 
-DatapathBuilder::DatapathBuilder(const std::vector<std::string>& inputs, int operand_width,
-                                 int initiation_interval, DelayPlan plan)
-    : ports_(input_ports(inputs)),
-      operand_width_(operand_width),
+std::vector<InputPort> operands_of_width(const std::vector<std::string>& names, int width) {
+  std::vector<InputPort> ports;
+  for (const std::string& name : names) ports.push_back({name, width});
+  return ports;
+}
+
+DatapathBuilder::DatapathBuilder(const std::vector<InputPort>& inputs, int initiation_interval,
+                                 DelayPlan plan)
+    : ports_(input_ports(names_of(inputs))),
+      widths_(widths_of(inputs)),
       initiation_interval_(initiation_interval),
       pool_(taken_names(ports_)),
       plan_(std::move(plan)) {}
@@ -36,8 +54,8 @@ std::vector<Port> DatapathBuilder::data_ports() const {
   if (initiation_interval_ > 1) {
     ports.push_back({Direction::input, phase_bits(initiation_interval_), "phase", true});
   }
-  for (const std::string& port : ports_) {
-    ports.push_back({Direction::input, operand_width_, port});
+  for (std::size_t k = 0; k < ports_.size(); ++k) {
+    ports.push_back({Direction::input, widths_[k], ports_[k]});
   }
   return ports;
 }
@@ -102,13 +120,13 @@ Operand DatapathBuilder::held(const Signal& signal, int cycle) {
   return source;
 }
 
-Module datapath_module(std::string name, const std::vector<std::string>& inputs, int operand_width,
+Module datapath_module(std::string name, const std::vector<InputPort>& inputs,
                        const std::vector<Port>& outputs,
                        const std::function<void(DatapathBuilder&)>& build,
                        int initiation_interval) {
-  DatapathBuilder first(inputs, operand_width, initiation_interval, {});
+  DatapathBuilder first(inputs, initiation_interval, {});
   build(first);
-  DatapathBuilder second(inputs, operand_width, initiation_interval, first.plan());
+  DatapathBuilder second(inputs, initiation_interval, first.plan());
   build(second);
   std::vector<Port> ports = second.data_ports();
   ports.insert(ports.end(), outputs.begin(), outputs.end());

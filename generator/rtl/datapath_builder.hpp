@@ -22,6 +22,14 @@ struct Signal {
   int lasts = 0;          ///< cycles after `cycle` in which the net still carries the value
 };
 
+/// An operand that a datapath takes.
+struct InputPort {
+  std::string name;
+  int width;
+};
+/// Operands of one width.
+std::vector<InputPort> operands_of_width(const std::vector<std::string>& names, int width);
+
 /// The later cycles in which each signal is needed.
 using DelayPlan = std::map<std::string, std::set<int>>;
 
@@ -33,8 +41,7 @@ using DelayPlan = std::map<std::string, std::set<int>>;
 /// instead, each for one interval.
 class DatapathBuilder {
 public:
-  DatapathBuilder(const std::vector<std::string>& inputs, int operand_width,
-                  int initiation_interval, DelayPlan plan);
+  DatapathBuilder(const std::vector<InputPort>& inputs, int initiation_interval, DelayPlan plan);
 
   /// The ports aclk, phase where the datapath is folded, and one per operand.
   std::vector<Port> data_ports() const;
@@ -60,7 +67,7 @@ private:
   Operand held(const Signal& signal, int cycle);
 
   std::vector<std::string> ports_;
-  int operand_width_;
+  std::vector<int> widths_;
   int initiation_interval_;
   NamePool pool_;
   DelayPlan plan_;
@@ -70,7 +77,7 @@ private:
 
 /// Makes a module that has the ports of a datapath, then `outputs`. `build` adds everything else;
 /// it is called twice, the second time with all delays known.
-Module datapath_module(std::string name, const std::vector<std::string>& inputs, int operand_width,
+Module datapath_module(std::string name, const std::vector<InputPort>& inputs,
                        const std::vector<Port>& outputs,
                        const std::function<void(DatapathBuilder&)>& build,
                        int initiation_interval = 1);

@@ -33,8 +33,8 @@ std::vector<Operand> unused_columns(const EngineShape& engine, const ItemNets& n
 
 }  // namespace
 
-void map_operands(const EngineShape& engine, const SystemShape& system, const ItemNets& nets,
-                  const Operand& target, std::vector<ModuleItem>& items) {
+Operand packed_operands(const EngineShape& engine, const SystemShape& system, const ItemNets& nets,
+                        std::vector<ModuleItem>& items) {
   NamePool names({"pair", nets[0], nets[1], nets[2], "unused_columns"});
   std::vector<Operand> operands;
   for (std::size_t k = 0; k < engine.sources.size(); ++k) {
@@ -45,19 +45,26 @@ void map_operands(const EngineShape& engine, const SystemShape& system, const It
              column_of(engine, nets[static_cast<std::size_t>(source.item)], source.column)});
     operands.insert(operands.begin(), net(name));
   }
-  const int padding = system.tdata_bytes() * 8 - system.operand_bits();
-  if (padding > 0) operands.insert(operands.begin(), literal(padding, 0));
-  items.push_back(Assignment{target, concatenation(std::move(operands))});
   std::vector<Operand> unused = unused_columns(engine, nets);
-  if (unused.empty()) return;
-  unused.insert(unused.begin(), literal(1, 0));
-  items.push_back(Wire{1, "unused_columns", all_bits(concatenation(std::move(unused)))});
+  if (!unused.empty()) {
+    unused.insert(unused.begin(), literal(1, 0));
+    items.push_back(Wire{1, "unused_columns", all_bits(concatenation(std::move(unused)))});
+  }
+  return concatenation(std::move(operands));
 }
 
-std::shared_ptr<const ForGenerate> loop(const std::string& variable, int count,
+void map_operands(const EngineShape& engine, const SystemShape& system, const ItemNets& nets,
+                  const Operand& target, std::vector<ModuleItem>& items) {
+  Operand operands = packed_operands(engine, system, nets, items);
+  const int padding = system.tdata_bytes() * 8 - system.operand_bits();
+  if (padding > 0) operands = concatenation({literal(padding, 0), std::move(operands)});
+  items.push_back(Assignment{target, std::move(operands)});
+}
+
+std::shared_ptr<const ForGenerate> loop(const std::string& variable, int first, int count,
                                         const std::string& label, std::vector<ModuleItem> items) {
   return std::make_shared<const ForGenerate>(
-      ForGenerate{variable, 0, count, label, std::move(items)});
+      ForGenerate{variable, first, count, label, std::move(items)});
 }
 
 void consume_padding(const std::string& port, int bits, int port_bits,

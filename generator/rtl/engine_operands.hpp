@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/rtl/engine_module.hpp"
+#include "generator/rtl/engine_shape.hpp"
 
 /// Parts that the modules of all engines share: operands taken out of items, counters, and the
 /// instance of the system.
@@ -14,13 +14,16 @@ namespace mixcmp::rtl {
 /// The nets that hold the items of a comparison, by data::Item; empty where there is none.
 using ItemNets = std::array<std::string, 3>;
 
-/// Assigns the operands of a comparison of these items to `target`, and consumes the columns that
-/// it does not read.
+/// The operands of a comparison of these items, the first lowest. Adds the nets that name them, and
+/// consumes the columns that it does not read.
+Operand packed_operands(const EngineShape& engine, const SystemShape& system, const ItemNets& nets,
+                        std::vector<ModuleItem>& items);
+/// Assigns the operands, padded to bytes, to `target`.
 void map_operands(const EngineShape& engine, const SystemShape& system, const ItemNets& nets,
                   const Operand& target, std::vector<ModuleItem>& items);
 
-/// A generate loop with `variable` from 0 to count - 1.
-std::shared_ptr<const ForGenerate> loop(const std::string& variable, int count,
+/// A generate loop with `variable` from `first` to first + count - 1.
+std::shared_ptr<const ForGenerate> loop(const std::string& variable, int first, int count,
                                         const std::string& label, std::vector<ModuleItem> items);
 
 /// Consumes the bits of `port` above its lowest `bits`, if there are any.

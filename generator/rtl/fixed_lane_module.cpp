@@ -158,9 +158,9 @@ void build_lane(DatapathBuilder& datapath, const FixedLane& lane,
 
 }  // namespace
 
-Module lane_module(std::string name, const std::vector<std::string>& inputs, const FixedLane& lane,
+Module lane_module(std::string name, const std::vector<InputPort>& ports, const FixedLane& lane,
                    const datapath::Schedule& schedule) {
-  return datapath_module(std::move(name), inputs, lane.input_format.width(), lane_outputs(),
+  return datapath_module(std::move(name), ports, lane_outputs(),
                          [&](DatapathBuilder& datapath) { build_lane(datapath, lane, schedule); });
 }
 

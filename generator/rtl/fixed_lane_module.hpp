@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "generator/datapath/schedule.hpp"
+#include "generator/rtl/datapath_builder.hpp"
 #include "generator/rtl/module.hpp"
 #include "model/fixed/fixed_lane.hpp"
 
@@ -11,7 +12,9 @@ namespace mixcmp::rtl {
 
 /// A lane in fixed point. Ports and timing are those of a lane in floating point; `header` is left
 /// to the caller.
-Module lane_module(std::string name, const std::vector<std::string>& inputs,
+/// `ports`: one per input; of operands that were loaded, one per loaded input and then one per flag
+/// that is read.
+Module lane_module(std::string name, const std::vector<InputPort>& ports,
                    const fixed::FixedLane& lane, const datapath::Schedule& schedule);
 
 }  // namespace mixcmp::rtl

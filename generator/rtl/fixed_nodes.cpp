@@ -8,6 +8,7 @@
 #include "generator/datapath/fixed_units.hpp"
 #include "model/common/check.hpp"
 #include "model/expression/text.hpp"
+#include "model/fixed/item_split.hpp"
 #include "model/number/dyadic.hpp"
 #include "model/number/exact.hpp"
 
@@ -29,9 +30,7 @@ void FixedNodes::build() {
     values_.push_back(
         {net(names_[id]), names_[id], node.format.width, schedule_.steps[id].ready_cycle});
     switch (node.operation) {
-      case Operation::input:
-        lane_.format.is_block ? build_aligned_operand(id) : build_operand(id);
-        break;
+      case Operation::input: build_input(id); break;
       case Operation::constant: build_constant(id); break;
       case Operation::convert:
         fixed::is_common_cut(node) ? build_common_cut(id) : build_conversion(id);
@@ -41,6 +40,11 @@ void FixedNodes::build() {
   }
 }
 
+void FixedNodes::build_input(NodeId id) {
+  if (!lane_.loaded_inputs.empty()) return build_loaded(id);
+  lane_.format.is_block ? build_aligned_operand(id) : build_operand(id);
+}
+
 Signal FixedNodes::out_of_range(NodeId node) {
   std::vector<Signal> flags;
   bool reads_inputs = false;
@@ -48,7 +52,10 @@ Signal FixedNodes::out_of_range(NodeId node) {
     reads_inputs = reads_inputs || lane_.nodes[id].operation == Operation::input;
     const auto misfit = misfits_.find(id);
     if (misfit == misfits_.end() || fixed::is_reach(lane_.nodes[id])) continue;
-    flags.push_back(misfit->second);
+    const bool known = std::any_of(flags.begin(), flags.end(), [&](const Signal& flag) {
+      return flag.name == misfit->second.name;
+    });
+    if (!known) flags.push_back(misfit->second);
   }
   if (lane_.format.is_block && reads_inputs) flags.insert(flags.begin(), not_finite_);
   return any_of("out_of_range", flags);
@@ -172,6 +179,21 @@ void FixedNodes::build_operand(NodeId id) {
                           {"y", net(names_[id])},
                           {"out_of_range", net(misfit)}}});
   misfits_[id] = {net(misfit), misfit, 1, step.ready_cycle};
+}
+
+/// A field of an item's word is a port, and so are its flags, which stand behind all fields.
+void FixedNodes::build_loaded(NodeId id) {
+  const fixed::LoadedInput& loaded = lane_.loaded_inputs[lane_.nodes[id].input];
+  const std::vector<fixed::LoadedFlag> ports = fixed::flags_read(lane_);
+  std::vector<Signal> flags;
+  for (const std::size_t flag : loaded.flags) {
+    const auto port = std::find(ports.begin(), ports.end(),
+                                fixed::LoadedFlag{.second = loaded.second, .flag = flag});
+    const auto index = static_cast<int>(lane_.loaded_inputs.size()) +
+                       static_cast<int>(port - ports.begin());
+    flags.push_back({net(datapath_.port(index)), datapath_.port(index), 1, 0});
+  }
+  if (!flags.empty()) misfits_[id] = any_of("out_of_range", flags);
 }
 
 void FixedNodes::build_constant(NodeId id) {

@@ -35,7 +35,9 @@ public:
 
 private:
   void build_largest_exponent();
+  void build_input(NodeId id);
   void build_operand(NodeId id);
+  void build_loaded(NodeId id);
   void build_aligned_operand(NodeId id);
   Signal leading_bits(int input);
   void build_constant(NodeId id);

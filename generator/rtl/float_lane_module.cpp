@@ -132,9 +132,9 @@ void build_lane(DatapathBuilder& datapath, const error::Lane& lane,
 
 }  // namespace
 
-Module lane_module(std::string name, const std::vector<std::string>& inputs,
-                   const error::Lane& lane, const datapath::Schedule& schedule) {
-  return datapath_module(std::move(name), inputs, lane.graph.input_format.width(), lane_outputs(),
+Module lane_module(std::string name, const std::vector<InputPort>& ports, const error::Lane& lane,
+                   const datapath::Schedule& schedule) {
+  return datapath_module(std::move(name), ports, lane_outputs(),
                          [&](DatapathBuilder& datapath) { build_lane(datapath, lane, schedule); });
 }
 

@@ -4,10 +4,21 @@
 #include "generator/rtl/float_lane_module.hpp"
 
 namespace mixcmp::rtl {
+namespace {
+
+FloatFormat input_format(const design::Lane& lane) {
+  return std::visit(
+      design::Cases{[](const error::Lane& made) { return made.graph.input_format; },
+                    [](const fixed::FixedLane& made) { return made.input_format; }},
+      lane);
+}
+
+}  // namespace
 
 Module lane_module(const std::string& name, const std::vector<std::string>& inputs,
                    const design::Lane& lane, const datapath::Schedule& schedule) {
-  return std::visit([&](const auto& made) { return lane_module(name, inputs, made, schedule); },
+  const std::vector<InputPort> ports = operands_of_width(inputs, input_format(lane).width());
+  return std::visit([&](const auto& made) { return lane_module(name, ports, made, schedule); },
                     lane);
 }
 

@@ -148,8 +148,9 @@ std::vector<std::string> name_nodes(const fixed::FixedLane& lane,
   for (NodeId id = 0; id < static_cast<NodeId>(lane.nodes.size()); ++id) {
     const fixed::FixedNode& node = lane.nodes[id];
     if (node.operation == Operation::input) {
-      spellings.push_back(ports[node.input]);
-      names.push_back(pool.unique(ports[node.input] + "_fixed"));
+      const std::string& port = ports[node.input];
+      spellings.push_back(port);
+      names.push_back(lane.loaded_inputs.empty() ? pool.unique(port + "_fixed") : port);
       continue;
     }
     const int count = arity(node.operation);

@@ -1,160 +1,295 @@
 #include "generator/rtl/pairwise_module.hpp"
 
+#include <algorithm>
+
 #include "generator/rtl/connections.hpp"
+#include "generator/rtl/datapath_builder.hpp"
 #include "generator/rtl/engine_operands.hpp"
 
 namespace mixcmp::rtl {
 namespace {
 
-constexpr int result_bits = 8;
-const std::vector<std::string> engine_counters = {"reports", "busy_cycles", "stalled_cycles"};
+/// The counters of the engine, with their number where it is not 1.
+std::vector<std::pair<std::string, int>> counters(const PairwiseShape& shape) {
+  return {{"reports", shape.streams()},
+          {"recomputations", 1},
+          {"busy_cycles", 1},
+          {"stalled_cycles", 1}};
+}
 
-std::vector<Port> pairwise_ports(const EngineShape& engine, const SystemShape& system) {
+std::vector<Port> pairwise_ports(const PairwiseShape& shape, const SystemShape& system) {
+  const int streams = shape.streams();
+  const bool vector = streams > 1;
   std::vector<Port> ports;
   add_input(ports, 1, "aclk");
   add_input(ports, 1, "aresetn");
   add_input(ports, 1, "s_axis_tvalid");
   add_output(ports, 1, "s_axis_tready");
-  add_input(ports, engine.item_bytes() * 8, "s_axis_tdata");
+  add_input(ports, shape.engine.item_bytes() * 8, "s_axis_tdata");
+  add_input(ports, 1, "s_axis_tuser");
   add_input(ports, 1, "s_axis_tlast");
-  add_output(ports, 1, "m_axis_tvalid");
-  add_input(ports, 1, "m_axis_tready");
-  add_output(ports, 2 * engine.index_field_bits(), "m_axis_tdata");
-  add_output(ports, result_bits, "m_axis_tuser");
-  add_output(ports, 1, "m_axis_tlast");
-  add_counters(system, engine_counters, ports);
+  add_output(ports, streams, "m_axis_tvalid", vector);
+  add_input(ports, streams, "m_axis_tready", vector);
+  add_output(ports, streams * 8 * shape.report_bytes(), "m_axis_tdata");
+  add_output(ports, streams * result_bits, "m_axis_tuser");
+  add_output(ports, streams, "m_axis_tlast", vector);
+  if (system.counter_bits == 0) return ports;
+  for (const auto& [counter, count] : counters(shape)) {
+    add_output(ports, count * system.counter_bits, counter);
+  }
   return ports;
 }
 
-/// Assigns to `target` the operands of the two items in `pair`; item i is in its lower half.
-void map_pair(const EngineShape& engine, const SystemShape& system, const Operand& pair,
-              const Operand& target, std::vector<ModuleItem>& items) {
-  const int bits = engine.item_bits();
-  items.push_back(Wire{2 * bits, "pair", pair});
-  items.push_back(Wire{bits, "item_i", slice("pair", bits - 1, 0)});
-  items.push_back(Wire{bits, "item_j", slice("pair", 2 * bits - 1, bits)});
-  map_operands(engine, system, {"", "item_i", "item_j"}, target, items);
-}
+using Nets = std::vector<std::pair<int, std::string>>;
 
-void declare_lane_streams(const EngineShape& engine, const SystemShape& system,
-                          std::vector<ModuleItem>& items) {
-  const int lanes = system.lanes;
-  items.push_back(Comment{"Pairs from the engine, their operands to the lanes, results back."});
-  for (const auto& [width, name] :
-       std::vector<std::pair<int, std::string>>{{1, "pair_tvalid"},
-                                                {1, "pair_tready"},
-                                                {2 * engine.item_bits(), "pair_items"},
-                                                {system.tag_bits, "pair_tag"},
-                                                {system.tdata_bytes() * 8, "operands"},
-                                                {1, "result_tvalid"},
-                                                {1, "result_tready"},
-                                                {result_bits, "result_tdata"},
-                                                {system.tag_bits, "result_tag"}}) {
-    items.push_back(Wire{lanes * width, name, nullptr, true});
+void declare(const Nets& nets, int count, std::vector<ModuleItem>& items) {
+  for (const auto& [width, name] : nets) {
+    items.push_back(Wire{count * width, name, nullptr, true});
   }
-  std::vector<ModuleItem> mapping;
-  map_pair(engine, system, indexed("pair_items", "lane", 2 * engine.item_bits()),
-           indexed("operands", "lane", system.tdata_bytes() * 8), mapping);
-  items.push_back(loop("lane", lanes, "lane_operands", std::move(mapping)));
 }
 
-void declare_refetch_streams(const EngineShape& engine, const SystemShape& system,
-                             std::vector<ModuleItem>& items) {
+/// `wide` fields of a vector, the lowest but one up, with another net below them or above them.
+Operand shifted_up(const std::string& vector, int count, int width, const std::string& lowest) {
+  if (count == 1) return net(lowest);
+  return concatenation({slice(vector, (count - 1) * width - 1, 0), net(lowest)});
+}
+
+/// The chain of segments: what leaves one arrives at the next; what leaves the last has met all.
+void declare_chain(const PairwiseShape& shape, std::vector<ModuleItem>& items) {
+  const int count = shape.segment_count();
+  const int bits = chain_bits(shape.engine, shape.words);
+  items.push_back(Comment{"Words from the engine, past one segment after the other."});
+  items.push_back(Wire{1, "word_tvalid", nullptr});
+  items.push_back(Wire{1, "word_tready", nullptr});
+  items.push_back(Wire{bits, "word_tdata", nullptr});
+  declare({{1, "passed_tvalid"}, {1, "passed_tready"}, {bits, "passed_tdata"}}, count, items);
+  items.push_back(Wire{
+      count, "arriving_tvalid", shifted_up("passed_tvalid", count, 1, "word_tvalid"), true});
+  items.push_back(Wire{count, "arriving_tready", nullptr, true});
+  items.push_back(Wire{
+      count * bits, "arriving_tdata", shifted_up("passed_tdata", count, bits, "word_tdata"), true});
+  items.push_back(Assignment{net("word_tready"), bit("arriving_tready", 0)});
+  Operand ready = literal(1, 1);
+  if (count > 1) ready = concatenation({ready, slice("arriving_tready", count - 1, 1)});
+  items.push_back(Assignment{net("passed_tready"), std::move(ready)});
+  items.push_back(Wire{1, "unused_passed",
+                       all_bits(concatenation({literal(1, 0), bit("passed_tvalid", count - 1),
+                                               slice("passed_tdata", count * bits - 1,
+                                                     (count - 1) * bits)}))});
+  items.push_back(Comment{"Exceptions of each segment, back to the engine."});
+  declare({{1, "entry_tvalid"},
+           {1, "entry_tready"},
+           {entry_bits(shape.engine, shape.lanes_per_segment()), "entry_tdata"},
+           {1, "entry_tlast"}},
+          count, items);
+}
+
+ModuleItem segment_loop(const PairwiseShape& shape, const SegmentGroup& segments) {
+  std::vector<ModuleItem> items;
+  std::vector<Connection> connections = clock_and_reset();
+  const auto connect = [&](const std::string& port, const std::string& name, int width) {
+    connections.push_back({port, indexed(name, "s", width)});
+  };
+  const int bits = chain_bits(shape.engine, shape.words);
+  connect("s_word_tvalid", "arriving_tvalid", 1);
+  connect("s_word_tready", "arriving_tready", 1);
+  connect("s_word_tdata", "arriving_tdata", bits);
+  connect("m_word_tvalid", "passed_tvalid", 1);
+  connect("m_word_tready", "passed_tready", 1);
+  connect("m_word_tdata", "passed_tdata", bits);
+  connect("m_axis_tvalid", "entry_tvalid", 1);
+  connect("m_axis_tready", "entry_tready", 1);
+  const int own_bits = entry_bits(shape.engine, segments.lanes);
+  const int common_bits = entry_bits(shape.engine, shape.lanes_per_segment());
+  if (own_bits == common_bits) {
+    connect("m_axis_tdata", "entry_tdata", common_bits);
+  } else {  // lanes that are not there have nothing to tell
+    items.push_back(Wire{own_bits, "entry", nullptr});
+    items.push_back(Assignment{indexed("entry_tdata", "s", common_bits),
+                               concatenation({zeros(common_bits - own_bits), net("entry")})});
+    connections.push_back({"m_axis_tdata", net("entry")});
+  }
+  connect("m_axis_tlast", "entry_tlast", 1);
+  items.push_back(Instance{segments.module, "segment", {}, std::move(connections)});
+  return loop("s", segments.first, segments.count, segments.label, std::move(items));
+}
+
+/// The datapath that computes an item's word, or wires where the word is columns.
+void add_conversion(const PairwiseShape& shape, std::vector<ModuleItem>& items) {
+  const EngineShape& engine = shape.engine;
+  items.push_back(Comment{"What the lanes know of an item."});
+  items.push_back(Wire{shape.words.bits(), "item_word", nullptr});
+  const auto column = [&](std::size_t k) {
+    const int low = static_cast<int>(k) * engine.column_width;
+    return slice("s_axis_tdata", low + engine.column_width - 1, low);
+  };
+  if (!shape.words.converts()) {
+    std::vector<Operand> fields;
+    for (const std::size_t k : shape.words.columns) fields.insert(fields.begin(), column(k));
+    items.push_back(Assignment{net("item_word"), concatenation(std::move(fields))});
+    return;
+  }
+  std::vector<Connection> connections = {by_name("aclk")};
+  const std::vector<std::string> ports = input_ports(engine.columns);
+  for (std::size_t k = 0; k < ports.size(); ++k) connections.push_back({ports[k], column(k)});
+  connections.push_back({"word", net("item_word")});
+  items.push_back(Instance{shape.word_module, "conversion", {}, std::move(connections)});
+}
+
+void declare_requests(const PairwiseShape& shape, const SystemShape& system,
+                      std::vector<ModuleItem>& items) {
   const int references = system.references;
-  items.push_back(Comment{
-      "References send tags; the engine answers with the operands of the items that a tag names."});
-  for (const auto& [width, name] :
-       std::vector<std::pair<int, std::string>>{{1, "refetch_tvalid"},
-                                                {1, "refetch_tready"},
-                                                {system.refetch_bits(), "refetch_tdata"},
-                                                {system.tag_bits, "refetch_tag"},
-                                                {1, "answer_tvalid"},
-                                                {1, "answer_tready"},
-                                                {system.tdata_bytes() * 8, "answer_operands"}}) {
-    items.push_back(Wire{references * width, name, nullptr, true});
-  }
-  items.push_back(Wire{2 * engine.item_bits(), "answer_items", nullptr});
-  std::vector<ModuleItem> mapping;
-  mapping.push_back(Wire{system.refetch_bits(), "padded_tag",
-                         indexed("refetch_tdata", "reference", system.refetch_bits())});
-  if (system.refetch_bits() > system.tag_bits) {
-    mapping.push_back(Wire{
-        1, "unused_padding",
-        all_bits(concatenation(
-            {literal(1, 0), slice("padded_tag", system.refetch_bits() - 1, system.tag_bits)}))});
-  }
-  mapping.push_back(Assignment{indexed("refetch_tag", "reference", system.tag_bits),
-                               slice("padded_tag", system.tag_bits - 1, 0)});
-  map_pair(engine, system, net("answer_items"),
-           indexed("answer_operands", "reference", system.tdata_bytes() * 8), mapping);
-  items.push_back(loop("reference", references, "reference_operands", std::move(mapping)));
+  items.push_back(Comment{"Undecided pairs with their items to the references, verdicts back."});
+  items.push_back(Wire{system.tag_bits, "request_tag", nullptr});
+  items.push_back(Wire{2 * shape.engine.item_bits(), "request_items", nullptr});
+  declare({{1, "request_tvalid"},
+           {1, "request_tready"},
+           {1, "answer_valid"},
+           {system.tag_bits + verdict_bits, "answer_tdata"}},
+          references, items);
+  const int bits = shape.engine.item_bits();
+  items.push_back(Wire{bits, "item_i", slice("request_items", bits - 1, 0)});
+  items.push_back(Wire{bits, "item_j", slice("request_items", 2 * bits - 1, bits)});
+  Operand operands = packed_operands(shape.engine, system, {"", "item_i", "item_j"}, items);
+  items.push_back(Wire{system.operand_bits(), "request_operands", nullptr});
+  items.push_back(Assignment{net("request_operands"), std::move(operands)});
 }
 
-/// Connects the refetch ports of the engine to the references, or ties them off if there is none.
-void connect_refetch(const EngineShape& engine, const SystemShape& system,
-                     std::vector<ModuleItem>& items, std::vector<Connection>& connections) {
+ModuleItem reference_loop(const SystemShape& system, const DatapathGroup& group) {
+  std::vector<Connection> connections = clock_and_reset();
+  const auto connect = [&](const std::string& port, const std::string& name, int width) {
+    connections.push_back({port, indexed(name, "reference", width)});
+  };
+  connect("s_request_tvalid", "request_tvalid", 1);
+  connect("s_request_tready", "request_tready", 1);
+  connections.push_back(
+      {"s_request_tdata", concatenation({net("request_tag"), net("request_operands")})});
+  connect("m_answer_valid", "answer_valid", 1);
+  connect("m_answer_tdata", "answer_tdata", system.tag_bits + verdict_bits);
+  return loop("reference", group.first, group.count, group.label,
+              {Instance{group.channel, "channel", {}, std::move(connections)}});
+}
+
+/// Connects the engine's ports for references, or ties them off if there is none.
+void connect_references(const PairwiseShape& shape, const SystemShape& system,
+                        std::vector<ModuleItem>& items, std::vector<Connection>& connections) {
   if (system.recomputes()) {
     for (const auto& [port, name] :
-         std::vector<std::pair<std::string, std::string>>{{"s_refetch_tvalid", "refetch_tvalid"},
-                                                          {"s_refetch_tready", "refetch_tready"},
-                                                          {"s_refetch_tdata", "refetch_tag"},
-                                                          {"m_answer_tvalid", "answer_tvalid"},
-                                                          {"m_answer_tready", "answer_tready"},
-                                                          {"m_answer_tdata", "answer_items"}}) {
+         std::vector<std::pair<std::string, std::string>>{{"m_request_tvalid", "request_tvalid"},
+                                                          {"m_request_tready", "request_tready"},
+                                                          {"m_request_tag", "request_tag"},
+                                                          {"m_request_items", "request_items"},
+                                                          {"s_answer_valid", "answer_valid"},
+                                                          {"s_answer_tdata", "answer_tdata"}}) {
       connections.push_back({port, net(name)});
     }
     return;
   }
-  items.push_back(Comment{"No reference: nothing is fetched again."});
-  items.push_back(Wire{1, "unused_refetch_tready", nullptr});
-  items.push_back(Wire{1, "unused_answer_tvalid", nullptr});
-  items.push_back(Wire{2 * engine.item_bits(), "unused_answer_tdata", nullptr});
-  connections.push_back({"s_refetch_tvalid", literal(1, 0)});
-  connections.push_back({"s_refetch_tready", net("unused_refetch_tready")});
-  connections.push_back({"s_refetch_tdata", zeros(system.tag_bits)});
-  connections.push_back({"m_answer_tvalid", net("unused_answer_tvalid")});
-  connections.push_back({"m_answer_tready", literal(1, 0)});
-  connections.push_back({"m_answer_tdata", net("unused_answer_tdata")});
+  items.push_back(Comment{"No reference: undecided pairs leave as undecided."});
+  items.push_back(Wire{1, "unused_request_tvalid", nullptr});
+  items.push_back(Wire{system.tag_bits, "unused_request_tag", nullptr});
+  items.push_back(Wire{2 * shape.engine.item_bits(), "unused_request_items", nullptr});
+  connections.push_back({"m_request_tvalid", net("unused_request_tvalid")});
+  connections.push_back({"m_request_tready", literal(1, 0)});
+  connections.push_back({"m_request_tag", net("unused_request_tag")});
+  connections.push_back({"m_request_items", net("unused_request_items")});
+  connections.push_back({"s_answer_valid", literal(1, 0)});
+  connections.push_back({"s_answer_tdata", zeros(system.tag_bits + verdict_bits)});
 }
 
-Instance pairwise_instance(const EngineShape& engine, const SystemShape& system,
-                           std::vector<ModuleItem>& items) {
+void connect_counters(const PairwiseShape& shape, const SystemShape& system,
+                      std::vector<ModuleItem>& items, std::vector<Connection>& connections) {
+  for (const auto& [counter, count] : counters(shape)) {
+    if (system.counter_bits > 0) {
+      connections.push_back(by_name(counter));
+      continue;
+    }
+    items.push_back(Wire{count, "unused_" + counter, nullptr});
+    connections.push_back({counter, net("unused_" + counter)});
+  }
+}
+
+Instance engine_instance(const PairwiseShape& shape, const SystemShape& system,
+                         std::vector<ModuleItem>& items) {
   std::vector<Connection> connections = clock_and_reset();
   append(connections, {"s_axis_tvalid", "s_axis_tready"});
-  connections.push_back({"s_axis_tdata", slice("s_axis_tdata", engine.item_bits() - 1, 0)});
-  append(connections, {"s_axis_tlast", "pair_tvalid", "pair_tready", "pair_items", "pair_tag",
-                       "result_tvalid", "result_tready", "result_tdata", "result_tag"});
-  connect_refetch(engine, system, items, connections);
+  connections.push_back({"s_axis_tdata", slice("s_axis_tdata", shape.engine.item_bits() - 1, 0)});
+  append(connections, {"s_axis_tuser", "s_axis_tlast", "item_word"});
+  for (const char* part : {"tvalid", "tready", "tdata"}) {
+    connections.push_back({std::string("m_word_") + part, net(std::string("word_") + part)});
+  }
+  for (const char* part : {"tvalid", "tready", "tdata", "tlast"}) {
+    connections.push_back({std::string("s_entry_") + part, net(std::string("entry_") + part)});
+  }
+  connect_references(shape, system, items, connections);
   append(connections,
          {"m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser", "m_axis_tlast"});
-  connect_counters(system, engine_counters, items, connections);
-  TemplateInstance around = pairwise_template(engine, system);
+  connect_counters(shape, system, items, connections);
+  TemplateInstance around = pairwise_template(shape, system);
   return {around.module, "engine", std::move(around.parameters), std::move(connections)};
 }
 
 }  // namespace
 
-TemplateInstance pairwise_template(const EngineShape& engine, const SystemShape& system) {
+int PairwiseShape::lanes_per_segment() const {
+  const auto widest = std::max_element(
+      segments.begin(), segments.end(),
+      [](const SegmentGroup& a, const SegmentGroup& b) { return a.lanes < b.lanes; });
+  return widest->lanes;
+}
+
+int PairwiseShape::streams() const {
+  return std::min(engine.spec.report_streams, segment_count());
+}
+
+int PairwiseShape::report_bytes() const {
+  const bool bitmap = engine.spec.report_as == scene::ReportForm::bitmap;
+  const int flag_bits = bitmap ? lanes_per_segment() : 0;
+  return (flag_bits + 7) / 8 + 2 * engine.index_field_bits() / 8;
+}
+
+SystemShape reference_shape(SystemShape system) {
+  system.operands = scene::OperandStore::carried;
+  system.lanes = 1;
+  system.slot_bits = system.tag_bits - system.lane_bits();
+  return system;
+}
+
+TemplateInstance pairwise_template(const PairwiseShape& shape, const SystemShape& system) {
+  const scene::EngineSpec& spec = shape.engine.spec;
   return {"pairwise_engine",
-          {{"LANES", system.lanes},
+          {{"SEGMENTS", shape.segment_count()},
+           {"LANES_PER_SEGMENT", shape.lanes_per_segment()},
+           {"LANES", system.lanes},
+           {"STREAMS", shape.streams()},
            {"REFERENCES", system.references},
-           {"CAPACITY", engine.capacity},
-           {"ITEM_BITS", engine.item_bits()},
-           {"INDEX_BITS", engine.index_bits()},
-           {"SLOT_BITS", system.slot_bits},
-           {"REPORT", engine.spec.report.mask()},
+           {"CAPACITY", shape.engine.capacity},
+           {"ITEM_BITS", shape.engine.item_bits()},
+           {"WORD_BITS", shape.words.bits()},
+           {"WORD_LATENCY", shape.words.schedule.latency_cycles},
+           {"INDEX_BITS", shape.engine.index_bits()},
+           {"REPORT", spec.report.mask()},
+           {"CODE_BITS", code_bits(spec)},
+           {"BITMAP", spec.report_as == scene::ReportForm::bitmap ? 1 : 0},
+           {"COUNT", spec.report_as == scene::ReportForm::count ? 1 : 0},
            {"COUNTER_BITS", system.counter_bits}}};
 }
 
-Module pairwise_module(const EngineShape& engine, const SystemShape& system) {
-  Module module = {engine.top, {}, pairwise_ports(engine, system), {}};
+Module pairwise_module(const PairwiseShape& shape, const SystemShape& system) {
+  Module module = {shape.engine.top, {}, pairwise_ports(shape, system), {}};
   std::vector<ModuleItem>& items = module.items;
-  declare_lane_streams(engine, system, items);
-  if (system.refetches()) declare_refetch_streams(engine, system, items);
-  consume_padding("s_axis_tdata", engine.item_bits(), engine.item_bytes() * 8, items);
-  Instance around = pairwise_instance(engine, system, items);
+  consume_padding("s_axis_tdata", shape.engine.item_bits(), shape.engine.item_bytes() * 8, items);
+  add_conversion(shape, items);
+  declare_chain(shape, items);
+  if (system.recomputes()) declare_requests(shape, system, items);
+  Instance around = engine_instance(shape, system, items);
   items.push_back(std::move(around));
-  items.push_back(system_instance(system, net("pair_tag")));
+  for (const SegmentGroup& segments : shape.segments) {
+    items.push_back(segment_loop(shape, segments));
+  }
+  for (const DatapathGroup& group : system.reference_groups) {
+    items.push_back(reference_loop(system, group));
+  }
   return module;
 }
 

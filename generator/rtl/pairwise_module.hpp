@@ -1,13 +1,36 @@
 #pragma once
 
-#include "generator/rtl/engine_module.hpp"
+#include "generator/rtl/engine_shape.hpp"
+#include "generator/rtl/item_words.hpp"
+#include "generator/rtl/segment_module.hpp"
 
 namespace mixcmp::rtl {
 
-/// The template pairwise_engine, which makes the comparisons, with its parameters; unconnected.
-TemplateInstance pairwise_template(const EngineShape& engine, const SystemShape& system);
+/// A pairwise engine: what its modules agree on.
+struct PairwiseShape {
+  EngineShape engine;
+  ItemWords words;
+  std::string word_module;  ///< computes an item's word; empty where nothing is computed
+  std::vector<SegmentGroup> segments;
 
-/// The engine's top module around the system: it takes items and returns reports of pairs.
-Module pairwise_module(const EngineShape& engine, const SystemShape& system);
+  int segment_count() const { return segments.back().first + segments.back().count; }
+  /// Lanes of the widest segment.
+  int lanes_per_segment() const;
+  /// Reports cannot leave by more streams than there are segments.
+  int streams() const;
+  /// Bytes of a beat of one report stream.
+  int report_bytes() const;
+};
+
+/// What the references of an engine agree on with the modules around them: a request carries its
+/// operands, and its sender is the pair's tag.
+SystemShape reference_shape(SystemShape system);
+
+/// The template pairwise_engine, everything but lanes and references, with its parameters;
+/// unconnected.
+TemplateInstance pairwise_template(const PairwiseShape& shape, const SystemShape& system);
+
+/// The engine's top module: it takes items and returns reports of pairs.
+Module pairwise_module(const PairwiseShape& shape, const SystemShape& system);
 
 }  // namespace mixcmp::rtl

@@ -45,7 +45,8 @@ void build_reference(DatapathBuilder& datapath, const TypedGraph& reference,
 Module reference_module(std::string name, const std::vector<std::string>& inputs,
                         const TypedGraph& reference, const datapath::Schedule& schedule) {
   return datapath_module(
-      std::move(name), inputs, reference.input_format.width(), {{Direction::output, 2, "verdict"}},
+      std::move(name), operands_of_width(inputs, reference.input_format.width()),
+      {{Direction::output, 2, "verdict"}},
       [&](DatapathBuilder& datapath) { build_reference(datapath, reference, schedule); },
       schedule.initiation_interval);
 }

@@ -8,8 +8,6 @@
 namespace mixcmp::rtl {
 namespace {
 
-constexpr int verdict_bits = 2;
-constexpr int result_bits = 8;
 /// OUTSTANDING_BITS of reference_port: the operands of 2^4 comparisons may be on their way from the
 /// user's memory to each reference.
 constexpr int outstanding_bits = 4;

@@ -10,7 +10,8 @@ namespace mixcmp::design {
 namespace {
 
 Result<Done> check_items(int capacity, const data::Comparisons& data) {
-  const std::uint64_t items = data.table().rows();
+  std::uint64_t items = 0;
+  for (const data::Table& table : data.tables()) items += table.rows();
   if (items <= static_cast<std::uint64_t>(capacity)) return Done{};
   return Error{.field = "engine.capacity",
                .message = "the data have more items than the engine holds",

@@ -118,6 +118,16 @@ struct FixedPart {
   friend bool operator==(const FixedPart&, const FixedPart&) = default;
 };
 
+/// An input of a lane whose operands were loaded before, see ItemSplit: an integer of its node's
+/// format, which is a field of the word of one of the two items.
+struct LoadedInput {
+  bool second;                     ///< of item j; else of item i
+  std::size_t field;               ///< of the word
+  std::vector<std::size_t> flags;  ///< of the word; any: what the field was made of does not fit
+
+  friend bool operator==(const LoadedInput&, const LoadedInput&) = default;
+};
+
 /// In q13 an input in [0, 100], below 2^7, counts units of 2^(7 - 13). In block13 the lane computes
 /// on x / 2^e instead of each operand x that it reads, where 2^e is the least power of two above
 /// all their magnitudes, but no less than `least_block_exponent` says. So all are below 1 and count
@@ -131,6 +141,11 @@ struct FixedLane {
   FloatFormat input_format;  ///< in which operands arrive
   std::vector<FixedPart> parts;
   Combination combination = Combination::all;  ///< meaningful only where there are several parts
+  /// One per input of a lane that was split by item; empty elsewhere, where operands arrive in
+  /// `input_format`.
+  std::vector<LoadedInput> loaded_inputs = {};
+  /// The nodes that a graph without parts is for; empty elsewhere.
+  std::vector<NodeId> outputs = {};
 
   friend bool operator==(const FixedLane&, const FixedLane&) = default;
 };

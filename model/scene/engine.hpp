@@ -18,6 +18,14 @@ enum class EngineKind {
 };
 std::string_view to_string(EngineKind kind);
 
+/// How the pairs that a pairwise engine reports leave it.
+enum class ReportForm {
+  pairs,   ///< one by one
+  bitmap,  ///< those of an item with the lanes of a group together, as flags
+  count,   ///< not at all: the closing beat has their number
+};
+std::string_view to_string(ReportForm form);
+
 struct EngineSpec {
   static constexpr int max_capacity = settings::limits::engine_capacity.most;
 
@@ -27,6 +35,9 @@ struct EngineSpec {
   /// Which verdicts leave a pairwise engine, indexed by Verdict. By default these are all but
   /// `greater`, that is, all pairs that are not certainly apart.
   VerdictSet report = {Verdict::less, Verdict::equal, Verdict::unordered};
+  ReportForm report_as = ReportForm::pairs;
+  int report_streams = 1;   ///< streams by which reports leave side by side
+  int lanes_per_group = 8;  ///< lanes of a pairwise engine that work in lock step
 
   /// Width in bits of a comparison's tag inside the system. The tag of a pair is {j, i}. An arg_min
   /// engine keeps the row's tag (row_tag_bits) to itself: its comparisons have a tag of one bit,

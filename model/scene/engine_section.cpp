@@ -98,14 +98,28 @@ Result<Done> check_arg_min_inputs(const settings::Section& section,
 }
 
 Result<Done> check_data(const settings::Settings& settings,
-                        const std::optional<data::DataSpec>& data, data::Pairing wanted,
-                        const char* message) {
-  if (!data || data->pairing == wanted) return Done{};
+                        const std::optional<data::DataSpec>& data,
+                        const std::vector<data::Pairing>& wanted, const char* message) {
+  if (!data || std::find(wanted.begin(), wanted.end(), data->pairing) != wanted.end()) {
+    return Done{};
+  }
+  std::vector<std::string> accepted;
+  for (const data::Pairing pairing : wanted) {
+    accepted.push_back(fmt::format("pairs = \"{}\"", to_string(pairing)));
+  }
   const settings::Section section(settings, "data");
   const bool absent = data->pairing == data::Pairing::rows;
   return section.mistake("pairs", message,
                          absent ? "nothing" : fmt::format("\"{}\"", to_string(data->pairing)),
-                         fmt::format("pairs = \"{}\"", to_string(wanted)));
+                         fmt::format("{}", fmt::join(accepted, " or ")));
+}
+
+Result<Done> check_report_form(const settings::Section& section, const EngineSpec& engine) {
+  const std::vector<std::string_view> reported = reported_verdicts(engine);
+  if (engine.report_as != ReportForm::bitmap || reported.size() == 1) return Done{};
+  return section.mistake("report_as", "a flag says of a pair that it is reported, not why",
+                         fmt::format("\"bitmap\" with {}", fmt::join(reported, ", ")),
+                         "\"bitmap\" with one verdict in report");
 }
 
 Result<Done> check_pairwise(const settings::Settings& settings, const settings::Section& section,
@@ -113,8 +127,9 @@ Result<Done> check_pairwise(const settings::Settings& settings, const settings::
                             const std::optional<data::DataSpec>& data) {
   MIXCMP_TRY(system_checked, check_pairwise_system(settings, engine));
   MIXCMP_TRY(inputs_checked, check_pairwise_inputs(section, inputs));
-  return check_data(settings, data, data::Pairing::all,
-                    "the pairwise engine compares every two items");
+  MIXCMP_TRY(form_checked, check_report_form(section, engine));
+  return check_data(settings, data, {data::Pairing::all, data::Pairing::cross},
+                    "the pairwise engine compares every two items, or those of two tables");
 }
 
 Result<Done> check_arg_min(const settings::Settings& settings, const settings::Section& section,
@@ -122,7 +137,7 @@ Result<Done> check_arg_min(const settings::Settings& settings, const settings::S
                            const std::optional<data::DataSpec>& data) {
   MIXCMP_TRY(system_checked, check_arg_min_system(settings, engine));
   MIXCMP_TRY(inputs_checked, check_arg_min_inputs(section, inputs));
-  return check_data(settings, data, data::Pairing::arg_min,
+  return check_data(settings, data, {data::Pairing::arg_min},
                     "the arg-min engine compares candidates for each row");
 }
 
@@ -133,6 +148,10 @@ void read_pairwise_keys(settings::Section& section, EngineSpec& engine) {
                   {Verdict::less, Verdict::equal, Verdict::greater, Verdict::unordered});
   if (!report.empty()) engine.report = {};
   for (const Verdict verdict : report) engine.report.insert(verdict);
+  section.choice("report_as", engine.report_as,
+                 {ReportForm::pairs, ReportForm::bitmap, ReportForm::count});
+  section.integer("report_streams", engine.report_streams, settings::limits::report_streams);
+  section.integer("lanes_per_group", engine.lanes_per_group, settings::limits::lanes_per_group);
 }
 
 }  // namespace
@@ -164,6 +183,15 @@ std::string_view to_string(EngineKind kind) {
     case EngineKind::none: return "none";
     case EngineKind::pairwise: return "pairwise";
     case EngineKind::arg_min: return "arg_min";
+  }
+  MIXCMP_CHECK(false);
+}
+
+std::string_view to_string(ReportForm form) {
+  switch (form) {
+    case ReportForm::pairs: return "pairs";
+    case ReportForm::bitmap: return "bitmap";
+    case ReportForm::count: return "count";
   }
   MIXCMP_CHECK(false);
 }

@@ -34,6 +34,8 @@ inline constexpr Limits initiation_interval{1, 64};
 inline constexpr Limits tag_bits{1, 64};
 inline constexpr Limits counter_bits{8, 64};  ///< or 0: no counters
 inline constexpr Limits engine_capacity{2, 65'536};
+inline constexpr Limits lanes_per_group{1, 64};
+inline constexpr Limits report_streams{1, 64};
 inline constexpr Limits items{1, 1 << 24};  ///< rows of generated data
 inline constexpr Limits threads{1, 1024};   ///< threads, and tools that run at a time
 inline constexpr Limits seeds{1, 1000};     ///< router seeds

@@ -1,8 +1,5 @@
-// item_memory: the items of one set. Port a writes or reads, port b reads.
-// Latency 1; an output holds its word until its port reads again. No reset, so that it becomes
-// block RAM with two ports. A read at port b of the address that port a writes in the same cycle
-// returns no word: nobody reads so, simulation answers with unknown bits, and the attributes keep
-// synthesis from building logic that would answer.
+// item_memory: the items of one set, behind one port that writes or reads.
+// Latency 1; the output holds its word until the next read. No reset, so that it becomes block RAM.
 `default_nettype none
 
 module item_memory #(
@@ -10,14 +7,11 @@ module item_memory #(
   parameter ADDRESS_BITS = 4
 ) (
   input  wire                    aclk,
-  input  wire                    a_enable,
-  input  wire                    a_write,
-  input  wire [ADDRESS_BITS-1:0] a_address,
-  input  wire [WIDTH-1:0]        a_write_data,
-  output wire [WIDTH-1:0]        a_read_data,
-  input  wire                    b_enable,
-  input  wire [ADDRESS_BITS-1:0] b_address,
-  output wire [WIDTH-1:0]        b_read_data
+  input  wire                    enable,
+  input  wire                    write,
+  input  wire [ADDRESS_BITS-1:0] address,
+  input  wire [WIDTH-1:0]        write_data,
+  output wire [WIDTH-1:0]        read_data
 );
 
   // Parameters that do not fit: an instance of a module that does not exist.
@@ -33,34 +27,20 @@ module item_memory #(
     end
   endgenerate
 
-  (* no_rw_check, ramstyle = "no_rw_check", rw_addr_collision = "no" *)
   reg [WIDTH-1:0] words [0:(1<<ADDRESS_BITS)-1];
-  reg [WIDTH-1:0] a_read_data_q;
-  reg [WIDTH-1:0] b_read_data_q;
+  reg [WIDTH-1:0] read_data_q;
 
   always @(posedge aclk) begin
-    if (a_enable) begin
-      if (a_write) begin
-        words[a_address] <= a_write_data;
+    if (enable) begin
+      if (write) begin
+        words[address] <= write_data;
       end else begin
-        a_read_data_q <= words[a_address];
+        read_data_q <= words[address];
       end
     end
   end
 
-  always @(posedge aclk) begin
-    if (b_enable) begin
-      b_read_data_q <= words[b_address];
-`ifndef SYNTHESIS
-      if (a_enable && a_write && (a_address == b_address)) begin
-        b_read_data_q <= {WIDTH{1'bx}};
-      end
-`endif
-    end
-  end
-
-  assign a_read_data = a_read_data_q;
-  assign b_read_data = b_read_data_q;
+  assign read_data = read_data_q;
 
 endmodule
 

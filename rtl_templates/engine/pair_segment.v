@@ -1,89 +1,97 @@
-// pair_segment: a link of the chain that carries items past the lanes; it feeds LANES lanes by the
-// ports pair_* and collects their results at result_*.
-// Of a block's words the first LANES stay, one in each lane; every word behind meets those that its
-// lanes hold, and from then on is passed to the next segment, where the same happens. So lane k of
-// the chain holds item base + k and meets each later one once, and no pair needs a counter. A word
-// goes on once all lanes that it meets have taken their pair; whoever is ready early takes it early.
-// Results whose verdict is in REPORT (bit v: verdict v) and all undecided ones leave as reports;
-// the others end here. A word that says `close` waits until nothing is inside, and takes the number
-// of reports with it: its payload is their sum. Interval 1, latency 2. Reset empties it.
+// pair_segment: a link of the chain that carries words past the lanes, with LANES lanes in lock
+// step. A word is what the lanes need to know of an item.
+// The first words of a block that may stay do so, one in each lane, on held_words; a word behind
+// that meets them is on passing_word one cycle after it was taken, and LANE_LATENCY cycles later
+// the lanes answer for all of its pairs at once. What has not stayed goes on to the next segment,
+// where the same happens. So the lanes of the whole chain hold the words base, base + 1, ..., and
+// each later word meets each of them once.
+// Only exceptions leave, by a queue: a beat for a word with at least one pair that is undecided or
+// whose verdict is in REPORT (bit v: verdict v). Its code for lane k: the top bit says that the
+// pair is reported, the bits below give its verdict (if CODE_BITS = 3; with 2 there is one verdict
+// that is reported, and they are 0); without the top bit, 1 says undecided and 0 nothing.
+// The word that closes a set goes through the lanes as all others do, and leaves as the beat with
+// tlast. COUNT = 1: reported pairs do not leave; that beat carries their number in place of a tag.
+// Lanes never wait: no word is taken unless the queue has room for all that may still come.
+// Interval 1, latency 3 to the next segment. Reset forgets all.
 `default_nettype none
 
 module pair_segment #(
-  parameter LANES = 4,
-  parameter ITEM_BITS = 32,
+  parameter LANES = 8,
+  parameter WORD_BITS = 32,
   parameter INDEX_BITS = 10,
-  parameter PAYLOAD_BITS = 42,     // of a word: {item, index}, or a count of 2 * INDEX_BITS
-  parameter IN_FLIGHT_BITS = 10,   // to count the pairs that may be inside
+  parameter LANE_LATENCY = 8,
   parameter REPORT = 11,
-  parameter REPORT_DEPTH_BITS = 3
+  parameter CODE_BITS = 3,
+  parameter COUNT = 0,
+  parameter QUEUE_BITS = 5     // the queue holds 2^QUEUE_BITS beats, more than LANE_LATENCY + 3
 ) (
-  input  wire                              aclk,
-  input  wire                              aresetn,
-  input  wire                              s_word_tvalid,
-  output wire                              s_word_tready,
-  input  wire [PAYLOAD_BITS+1:0]           s_word_tdata,
-  output wire                              m_word_tvalid,
-  input  wire                              m_word_tready,
-  output wire [PAYLOAD_BITS+1:0]           m_word_tdata,
-  output wire [LANES-1:0]                  pair_tvalid,
-  input  wire [LANES-1:0]                  pair_tready,
-  output wire [LANES*2*ITEM_BITS-1:0]      pair_items,
-  output wire [LANES*2*INDEX_BITS-1:0]     pair_tag,
-  input  wire [LANES-1:0]                  result_tvalid,
-  output wire [LANES-1:0]                  result_tready,
-  input  wire [LANES*4-1:0]                result_tdata,
-  input  wire [LANES*2*INDEX_BITS-1:0]     result_tag,
-  output wire [LANES-1:0]                  report_tvalid,
-  input  wire [LANES-1:0]                  report_tready,
-  output wire [LANES*(2*INDEX_BITS+4)-1:0] report_tdata
+  input  wire                                  aclk,
+  input  wire                                  aresetn,
+  input  wire                                  s_word_tvalid,
+  output wire                                  s_word_tready,
+  input  wire [WORD_BITS+INDEX_BITS+3:0]       s_word_tdata,
+  output wire                                  m_word_tvalid,
+  input  wire                                  m_word_tready,
+  output wire [WORD_BITS+INDEX_BITS+3:0]       m_word_tdata,
+  output wire [WORD_BITS-1:0]                  passing_word,
+  output wire [LANES*WORD_BITS-1:0]            held_words,
+  input  wire [LANES*2-1:0]                    verdicts,
+  input  wire [LANES-1:0]                      decided,
+  output wire                                  m_axis_tvalid,
+  input  wire                                  m_axis_tready,
+  output wire [2*INDEX_BITS+LANES*CODE_BITS-1:0] m_axis_tdata,  // {codes, index j, index base}
+  output wire                                  m_axis_tlast
 );
 
-  localparam TAG_BITS        = 2 * INDEX_BITS;
-  localparam WAITING_REPORTS = LANES * ((1 << REPORT_DEPTH_BITS) + 1);  // in the lanes' FIFOs
+  localparam TAG_BITS   = 2 * INDEX_BITS;
+  localparam CODES_BITS = LANES * CODE_BITS;
+  // A beat may come of each word in the lanes, of the one before them, and of the one that is taken
+  // while the occupancy is late by a cycle.
+  localparam MOST_QUEUED = (1 << QUEUE_BITS) - (LANE_LATENCY + 3);
+  localparam [QUEUE_BITS+1:0] MOST = MOST_QUEUED[QUEUE_BITS+1:0];
+  localparam [QUEUE_BITS+1:0] NONE = 0;
+  localparam [QUEUE_BITS+1:0] ONE  = 1;
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
     if (LANES < 1) begin : g_refused_lanes
       LANES_is_below_1 refused ();
     end
-    if (ITEM_BITS < 1) begin : g_refused_item_bits
-      ITEM_BITS_is_below_1 refused ();
+    if (WORD_BITS < 1) begin : g_refused_word_bits
+      WORD_BITS_is_below_1 refused ();
     end
     if (INDEX_BITS < 1) begin : g_refused_index_bits
       INDEX_BITS_is_below_1 refused ();
     end
-    if (PAYLOAD_BITS < INDEX_BITS + ITEM_BITS) begin : g_refused_item
-      PAYLOAD_BITS_is_too_small_for_an_item refused ();
-    end
-    if (PAYLOAD_BITS < 2 * INDEX_BITS) begin : g_refused_count
-      PAYLOAD_BITS_is_too_small_for_a_count refused ();
-    end
-    if (IN_FLIGHT_BITS < 1) begin : g_refused_in_flight_bits
-      IN_FLIGHT_BITS_is_below_1 refused ();
-    end
-    if ((WAITING_REPORTS >>> IN_FLIGHT_BITS) > 0) begin : g_refused_waiting_reports
-      IN_FLIGHT_BITS_is_too_small_for_the_reports refused ();
+    if (LANE_LATENCY < 0) begin : g_refused_lane_latency
+      LANE_LATENCY_is_below_0 refused ();
     end
     if ((REPORT >> 4) != 0) begin : g_refused_report
       REPORT_is_not_0_to_15 refused ();
     end
-    if (REPORT_DEPTH_BITS < 1) begin : g_refused_report_depth_bits
-      REPORT_DEPTH_BITS_is_below_1 refused ();
+    if ((CODE_BITS != 3) && ((CODE_BITS != 2) || ((REPORT & (REPORT - 1)) != 0)))
+    begin : g_refused_code_bits
+      CODE_BITS_is_not_3_nor_2_for_one_verdict refused ();
+    end
+    if ((QUEUE_BITS < 1) || (QUEUE_BITS > 30)) begin : g_refused_queue_bits
+      QUEUE_BITS_is_not_1_to_30 refused ();
+    end else if ((1 << QUEUE_BITS) <= LANE_LATENCY + 3) begin : g_refused_queue
+      QUEUE_BITS_is_too_small_for_LANE_LATENCY refused ();
     end
   endgenerate
 
-  // The word at hand: {close, first of its block, payload}.
-  wire                    word_valid;
-  wire                    word_close;
-  wire                    word_first;
-  wire [PAYLOAD_BITS-1:0] payload;
-  wire [INDEX_BITS-1:0]   word_index = payload[INDEX_BITS-1:0];
-  wire [ITEM_BITS-1:0]    word_item  = payload[INDEX_BITS +: ITEM_BITS];
-  wire                    step;
+  // The word at hand.
+  wire                  word_valid;
+  wire                  word_close;
+  wire                  word_first;  // of its block, in this segment
+  wire                  word_stays;
+  wire                  word_meets;
+  wire [INDEX_BITS-1:0] word_index;
+  wire [WORD_BITS-1:0]  word;
+  wire                  step;
 
   stream_fifo #(
-    .WIDTH     (PAYLOAD_BITS + 2),
+    .WIDTH     (WORD_BITS + INDEX_BITS + 4),
     .DEPTH_BITS(1)
   ) link (
     .aclk         (aclk),
@@ -93,147 +101,193 @@ module pair_segment #(
     .s_axis_tdata (s_word_tdata),
     .m_axis_tvalid(word_valid),
     .m_axis_tready(step),
-    .m_axis_tdata ({word_close, word_first, payload})
+    .m_axis_tdata ({word_close, word_first, word_stays, word_meets, word_index, word})
   );
 
-  // Lanes hold items from the lowest up. Once all do, words are passed on.
+  // Lanes are filled from the lowest up.
   reg  [LANES-1:0] holds_q;
-  reg  [LANES-1:0] taken_q;        // lanes that have taken the word at hand
-  reg              sent_q;         // the next segment has taken it, too
-  reg              passed_q;       // a word of this block was sent to the next segment
-  wire             is_item = word_valid && !word_close;
-  wire [LANES-1:0] holds   = holds_q & {LANES{!word_first}};
-  wire [LANES:0]   filled  = {holds, 1'b1};  // bit k: all lanes below k hold an item
-  wire             idle;
-  wire             passes  = word_close ? idle : filled[LANES];
-  wire [LANES-1:0] late    = pair_tvalid & ~pair_tready;
-  wire             gone    = sent_q || m_word_tready;
+  reg              passed_q;  // the word before went on to the next segment
+  reg              room_q;    // in the queue
+  wire [LANES-1:0] holds  = holds_q & {LANES{!word_first}};
+  wire [LANES:0]   filled = {holds, 1'b1};  // bit k: all lanes below k hold a word
+  wire             stays  = word_stays && !word_close && !filled[LANES];
+  wire [LANES-1:0] fills  = filled[LANES-1:0] & ~holds & {LANES{stays}};
 
-  assign pair_tvalid   = holds & ~taken_q & {LANES{is_item}};
-  assign m_word_tvalid = word_valid && passes && !sent_q;
-  assign step = word_valid && (late == {LANES{1'b0}}) && (passes ? gone : !word_close);
+  assign step          = word_valid && room_q && (stays || m_word_tready);
+  assign m_word_tvalid = word_valid && room_q && !stays;
+  assign m_word_tdata  =
+      {word_close, word_first || !passed_q, word_stays, word_meets, word_index, word};
 
   always @(posedge aclk) begin
     if (!aresetn) begin
       holds_q  <= {LANES{1'b0}};
-      taken_q  <= {LANES{1'b0}};
-      sent_q   <= 1'b0;
       passed_q <= 1'b0;
     end else if (step) begin
-      holds_q  <= filled[LANES-1:0];
-      taken_q  <= {LANES{1'b0}};
-      sent_q   <= 1'b0;
-      passed_q <= passes;
-    end else begin
-      taken_q <= taken_q | (pair_tvalid & pair_tready);
-      sent_q  <= sent_q || (m_word_tvalid && m_word_tready);
+      holds_q  <= holds | fills;
+      passed_q <= !stays;
     end
   end
-
-  // Pairs out, results back.
-  wire [LANES-1:0] dropped;
 
   genvar k;
   generate
-    for (k = 0; k < LANES; k = k + 1) begin : g_lane
-      reg  [ITEM_BITS-1:0]  own_item_q;
-      reg  [INDEX_BITS-1:0] own_index_q;
+    for (k = 0; k < LANES; k = k + 1) begin : g_held
+      reg [WORD_BITS-1:0] word_q;
 
       always @(posedge aclk) begin
-        if (is_item && filled[k] && !holds[k]) begin
-          own_item_q  <= word_item;
-          own_index_q <= word_index;
+        if (step && fills[k]) begin
+          word_q <= word;
         end
       end
 
-      assign pair_items[k*2*ITEM_BITS +: 2*ITEM_BITS] = {word_item, own_item_q};
-      assign pair_tag[k*TAG_BITS +: TAG_BITS]         = {word_index, own_index_q};
-
-      wire [3:0]          reported = REPORT[3:0];
-      wire [3:0]          result   = result_tdata[k*4 +: 4];
-      wire [TAG_BITS-1:0] tag      = result_tag[k*TAG_BITS +: TAG_BITS];
-      wire                keep     = reported[result[1:0]] || result[3];
-      wire                fifo_ready;
-
-      stream_fifo #(
-        .WIDTH     (TAG_BITS + 4),
-        .DEPTH_BITS(REPORT_DEPTH_BITS)
-      ) reports (
-        .aclk         (aclk),
-        .aresetn      (aresetn),
-        .s_axis_tvalid(result_tvalid[k] && keep),
-        .s_axis_tready(fifo_ready),
-        .s_axis_tdata ({result, tag}),
-        .m_axis_tvalid(report_tvalid[k]),
-        .m_axis_tready(report_tready[k]),
-        .m_axis_tdata (report_tdata[k*(TAG_BITS+4) +: TAG_BITS+4])
-      );
-
-      assign result_tready[k] = fifo_ready || !keep;
-      assign dropped[k]       = result_tvalid[k] && !keep;
+      assign held_words[k*WORD_BITS +: WORD_BITS] = word_q;
     end
   endgenerate
 
-  // Pairs inside, from the lane's entry to the end of the result or the departure of the report.
-  // The counter is a cycle late: it adds registered events.
-  reg  [LANES-1:0]          entered_q;
-  reg  [LANES-1:0]          dropped_q;
-  reg  [LANES-1:0]          left_q;
-  reg  [IN_FLIGHT_BITS-1:0] in_flight_q;
-  reg  [TAG_BITS-1:0]       reports_q;  // that have left since the last close
+  // The word at the lanes, and beside them what is to be known of it when they answer.
+  reg                   taken_q;
+  reg                   close_q;
+  reg                   first_q;
+  reg  [LANES-1:0]      meets_q;
+  reg  [INDEX_BITS-1:0] index_q;
+  reg  [WORD_BITS-1:0]  passing_q;
+  wire                  answered;
+  wire                  closes;
+  wire                  starts;
+  wire [LANES-1:0]      met;
+  wire [INDEX_BITS-1:0] index;
 
-  reg  [IN_FLIGHT_BITS-1:0] entered;
-  reg  [IN_FLIGHT_BITS-1:0] ended;
-  reg  [TAG_BITS-1:0]       left;
-  integer                   lane;
-
-  assign idle = (in_flight_q == {IN_FLIGHT_BITS{1'b0}}) && (entered_q == {LANES{1'b0}});
-
-  always @* begin
-    entered = {IN_FLIGHT_BITS{1'b0}};
-    ended   = {IN_FLIGHT_BITS{1'b0}};
-    left    = {TAG_BITS{1'b0}};
-    for (lane = 0; lane < LANES; lane = lane + 1) begin
-      entered = entered + {{(IN_FLIGHT_BITS-1){1'b0}}, entered_q[lane]};
-      ended   = ended + {{(IN_FLIGHT_BITS-1){1'b0}}, dropped_q[lane]};
-      ended   = ended + {{(IN_FLIGHT_BITS-1){1'b0}}, left_q[lane]};
-      left    = left + {{(TAG_BITS-1){1'b0}}, left_q[lane]};
-    end
-  end
+  assign passing_word = passing_q;
 
   always @(posedge aclk) begin
     if (!aresetn) begin
-      entered_q   <= {LANES{1'b0}};
-      dropped_q   <= {LANES{1'b0}};
-      left_q      <= {LANES{1'b0}};
-      in_flight_q <= {IN_FLIGHT_BITS{1'b0}};
+      taken_q <= 1'b0;
     end else begin
-      entered_q   <= pair_tvalid & pair_tready;
-      dropped_q   <= dropped;
-      left_q      <= report_tvalid & report_tready;
-      in_flight_q <= in_flight_q + entered - ended;
+      taken_q <= step;
     end
   end
 
   always @(posedge aclk) begin
-    if (!aresetn || (step && word_close)) begin
-      reports_q <= {TAG_BITS{1'b0}};
+    if (step) begin
+      close_q   <= word_close;
+      first_q   <= word_first;
+      meets_q   <= holds & {LANES{word_meets && !word_close}};
+      index_q   <= word_index;
+      passing_q <= word;
+    end
+  end
+
+  valid_delay_line #(
+    .LENGTH(LANE_LATENCY)
+  ) taken_beside_lanes (
+    .aclk   (aclk),
+    .aresetn(aresetn),
+    .d      (taken_q),
+    .q      (answered)
+  );
+
+  delay_line #(
+    .WIDTH (INDEX_BITS + LANES + 2),
+    .LENGTH(LANE_LATENCY)
+  ) word_beside_lanes (
+    .aclk(aclk),
+    .d   ({close_q, first_q, meets_q, index_q}),
+    .q   ({closes, starts, met, index})
+  );
+
+  // The first word of a block is the one that the lowest lane holds from then on.
+  reg [INDEX_BITS-1:0] base_q;
+
+  always @(posedge aclk) begin
+    if (answered && starts) begin
+      base_q <= index;
+    end
+  end
+
+  // Exceptions.
+  wire [LANES-1:0]      reported;
+  wire [CODES_BITS-1:0] codes;
+  wire [3:0]            reports = REPORT[3:0];
+
+  generate
+    for (k = 0; k < LANES; k = k + 1) begin : g_code
+      wire [1:0] verdict   = verdicts[2*k +: 2];
+      wire       undecided = met[k] && !decided[k];
+      wire       leaves    = reported[k] && (COUNT == 0);
+
+      assign reported[k] = met[k] && decided[k] && reports[verdict];
+
+      if (CODE_BITS == 2) begin : g_one_verdict
+        assign codes[2*k +: 2] = {leaves, undecided};
+      end else begin : g_any_verdict
+        assign codes[3*k +: 3] = leaves ? {1'b1, verdict} : {2'b00, undecided};
+      end
+    end
+  endgenerate
+
+  // The closing beat has no pair: a number may stand in the place of its tag.
+  wire [TAG_BITS-1:0] tag;
+
+  generate
+    if (COUNT == 0) begin : g_no_count
+      assign tag = {index, base_q};
+    end else begin : g_count
+      reg [TAG_BITS-1:0] count_q;
+      reg [TAG_BITS-1:0] more;
+      integer            lane;
+
+      always @* begin
+        more = {TAG_BITS{1'b0}};
+        for (lane = 0; lane < LANES; lane = lane + 1) begin
+          more = more + {{(TAG_BITS-1){1'b0}}, reported[lane]};
+        end
+      end
+
+      always @(posedge aclk) begin
+        if (!aresetn || (answered && closes)) begin
+          count_q <= {TAG_BITS{1'b0}};
+        end else if (answered) begin
+          count_q <= count_q + more;
+        end
+      end
+
+      assign tag = closes ? count_q : {index, base_q};
+    end
+  endgenerate
+
+  wire push = answered && (closes || (codes != {CODES_BITS{1'b0}}));
+  wire pop  = m_axis_tvalid && m_axis_tready;
+  wire unused_ready;
+
+  stream_fifo #(
+    .WIDTH     (1 + CODES_BITS + TAG_BITS),
+    .DEPTH_BITS(QUEUE_BITS)
+  ) exceptions (
+    .aclk         (aclk),
+    .aresetn      (aresetn),
+    .s_axis_tvalid(push),
+    .s_axis_tready(unused_ready),
+    .s_axis_tdata ({closes, codes, tag}),
+    .m_axis_tvalid(m_axis_tvalid),
+    .m_axis_tready(m_axis_tready),
+    .m_axis_tdata ({m_axis_tlast, m_axis_tdata})
+  );
+
+  reg [QUEUE_BITS+1:0] queued_q;
+
+  always @(posedge aclk) begin
+    if (!aresetn) begin
+      queued_q <= NONE;
+      room_q   <= 1'b1;
     end else begin
-      reports_q <= reports_q + left;
+      if (push && !pop) begin
+        queued_q <= queued_q + ONE;
+      end
+      if (pop && !push) begin
+        queued_q <= queued_q - ONE;
+      end
+      room_q <= (queued_q <= MOST);
     end
   end
-
-  // On to the next segment.
-  reg [PAYLOAD_BITS-1:0] passed_payload;
-
-  always @* begin
-    passed_payload = payload;
-    if (word_close) begin
-      passed_payload[TAG_BITS-1:0] = payload[TAG_BITS-1:0] + reports_q;
-    end
-  end
-
-  assign m_word_tdata = {word_close, !passed_q, passed_payload};
 
 endmodule
 

@@ -1,295 +1,461 @@
-// pairwise_engine: loads N items once and sends every pair i < j of them through LANES lanes.
-// Items come on s_axis, tlast with the set's last; the reports of a set leave on m_axis, a closing
-// beat behind them (report_stream tells their fields), and then the next set is taken. Lane k meets
-// the items i with i mod LANES = k, each with all later ones: {item j, item i} with the tag {j, i}
-// on pair_*, the verdicts back with that tag on result_*. A set takes about N^2 / (2 LANES) + N / 2
-// cycles.
-// A chain of segments of RADIX lanes carries the items past the lanes; a lane that is not ready
-// holds up its segment, and those behind it only once the words between them are used up.
-// References read items again by tag on s_refetch_*, two cycles a pair; a set's items stay until
-// its closing beat. REFERENCES = 0: nobody does. Counters wrap: reports that have left, cycles
-// between a set's first item and its closing beat, and those of them in which the chain took no
-// word. Reset forgets the set.
+// pairwise_engine: everything of an engine but its arithmetic. It loads a set of items once, sends
+// their words past the lanes of SEGMENTS segments in lock step, so that every pair i < j of items
+// meets in a lane once, and gives out the pairs of interest; see docs/ports.md.
+// Items come on s_axis, tlast with the set's last, tuser set for targets: a set that begins with
+// targets makes pairs of these with the others alone. `item_word`, what the lanes need to know of
+// an item, comes WORD_LATENCY cycles behind s_axis_tdata; full items stay in a memory of their own,
+// from which recomputations read them by number.
+// Words leave to the first segment on m_word, their exceptions come back from each segment on
+// s_entry (pair_segment tells what both carry). The pairs of interest leave on STREAMS streams
+// m_axis, of which each serves its own segments and the first the references, too; each ends a set
+// with a closing beat, and the next set is taken when all have. REFERENCES = 0: undecided pairs
+// leave. BITMAP, COUNT: see pair_expander, report_output.
+// Counters wrap: of each stream the beats that have left; recomputations; cycles between a set's
+// first item and its last closing beat, and those of them in which the chain took no word.
+// Reset forgets the set; segments and references have to be reset, too.
 `default_nettype none
 
 module pairwise_engine #(
-  parameter LANES = 8,
+  parameter SEGMENTS = 2,
+  parameter LANES_PER_SEGMENT = 4,
+  parameter LANES = 8,                // of all segments
+  parameter STREAMS = 1,
   parameter REFERENCES = 1,
   parameter CAPACITY = 1024,
   parameter ITEM_BITS = 32,
+  parameter WORD_BITS = 32,
+  parameter WORD_LATENCY = 0,
   parameter INDEX_BITS = 10,
-  parameter SLOT_BITS = 5,      // 2^SLOT_BITS + 1 pairs may be inside one lane
-  parameter REPORT = 11,        // bit v: verdict v leaves
-  parameter COUNTER_BITS = 32,
-  parameter RADIX = 4
+  parameter REPORT = 11,
+  parameter CODE_BITS = 3,
+  parameter BITMAP = 0,
+  parameter COUNT = 0,
+  parameter COUNTER_BITS = 32
 ) (
-  input  wire                                                                aclk,
-  input  wire                                                                aresetn,
-  input  wire                                                                s_axis_tvalid,
-  output wire                                                                s_axis_tready,
-  input  wire [ITEM_BITS-1:0]                                                s_axis_tdata,
-  input  wire                                                                s_axis_tlast,
-  output wire [LANES-1:0]                                                    pair_tvalid,
-  input  wire [LANES-1:0]                                                    pair_tready,
-  output wire [LANES*2*ITEM_BITS-1:0]                                        pair_items,
-  output wire [LANES*2*INDEX_BITS-1:0]                                       pair_tag,
-  input  wire [LANES-1:0]                                                    result_tvalid,
-  output wire [LANES-1:0]                                                    result_tready,
-  input  wire [LANES*8-1:0]                                                  result_tdata,
-  input  wire [LANES*2*INDEX_BITS-1:0]                                       result_tag,
-  input  wire [(REFERENCES > 0 ? REFERENCES : 1)-1:0]                        s_refetch_tvalid,
-  output wire [(REFERENCES > 0 ? REFERENCES : 1)-1:0]                        s_refetch_tready,
-  input  wire [(REFERENCES > 0 ? REFERENCES : 1)*2*INDEX_BITS-1:0]           s_refetch_tdata,
-  output wire [(REFERENCES > 0 ? REFERENCES : 1)-1:0]                        m_answer_tvalid,
-  input  wire [(REFERENCES > 0 ? REFERENCES : 1)-1:0]                        m_answer_tready,
-  output wire [2*ITEM_BITS-1:0]                                              m_answer_tdata,
-  output wire                                                                m_axis_tvalid,
-  input  wire                                                                m_axis_tready,
-  output wire [16*((INDEX_BITS+7)/8)-1:0]                                    m_axis_tdata,
-  output wire [7:0]                                                          m_axis_tuser,
-  output wire                                                                m_axis_tlast,
-  output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]                    reports,
-  output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]                    busy_cycles,
-  output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]                    stalled_cycles
+  input  wire                                                       aclk,
+  input  wire                                                       aresetn,
+  input  wire                                                       s_axis_tvalid,
+  output wire                                                       s_axis_tready,
+  input  wire [ITEM_BITS-1:0]                                       s_axis_tdata,
+  input  wire                                                       s_axis_tuser,
+  input  wire                                                       s_axis_tlast,
+  input  wire [WORD_BITS-1:0]                                       item_word,
+  output wire                                                       m_word_tvalid,
+  input  wire                                                       m_word_tready,
+  output wire [WORD_BITS+INDEX_BITS+3:0]                            m_word_tdata,
+  input  wire [SEGMENTS-1:0]                                        s_entry_tvalid,
+  output wire [SEGMENTS-1:0]                                        s_entry_tready,
+  input  wire [SEGMENTS*(2*INDEX_BITS+LANES_PER_SEGMENT*CODE_BITS)-1:0] s_entry_tdata,
+  input  wire [SEGMENTS-1:0]                                        s_entry_tlast,
+  output wire [(REFERENCES > 0 ? REFERENCES : 1)-1:0]               m_request_tvalid,
+  input  wire [(REFERENCES > 0 ? REFERENCES : 1)-1:0]               m_request_tready,
+  output wire [2*INDEX_BITS-1:0]                                    m_request_tag,
+  output wire [2*ITEM_BITS-1:0]                                     m_request_items,
+  input  wire [(REFERENCES > 0 ? REFERENCES : 1)-1:0]               s_answer_valid,
+  input  wire [(REFERENCES > 0 ? REFERENCES : 1)*(2*INDEX_BITS+2)-1:0] s_answer_tdata,
+  output wire [STREAMS-1:0]                                         m_axis_tvalid,
+  input  wire [STREAMS-1:0]                                         m_axis_tready,
+  output wire [STREAMS*(8*((BITMAP*LANES_PER_SEGMENT+7)/8)+16*((INDEX_BITS+7)/8))-1:0] m_axis_tdata,
+  output wire [STREAMS*8-1:0]                                       m_axis_tuser,
+  output wire [STREAMS-1:0]                                         m_axis_tlast,
+  output wire [STREAMS*(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]   reports,
+  output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]           recomputations,
+  output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]           busy_cycles,
+  output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]           stalled_cycles
 );
 
-  localparam TAG_BITS       = 2 * INDEX_BITS;
-  localparam SEGMENTS       = (RADIX > 0) ? (LANES + RADIX - 1) / RADIX : 1;
-  localparam PAYLOAD_BITS   = INDEX_BITS + ((ITEM_BITS > INDEX_BITS) ? ITEM_BITS : INDEX_BITS);
-  localparam WORD_BITS      = PAYLOAD_BITS + 2;
-  localparam REPORT_BITS    = TAG_BITS + 4;
-  localparam FIFO_BITS      = 3;  // 2^FIFO_BITS + 1 reports may wait behind a lane
-  localparam IN_FLIGHT_BITS = SLOT_BITS + FIFO_BITS + RADIX;  // for RADIX lanes and their FIFOs
+  localparam TAG_BITS     = 2 * INDEX_BITS;
+  localparam ENTRY_BITS   = TAG_BITS + LANES_PER_SEGMENT * CODE_BITS;
+  localparam RECOMPUTE    = (REFERENCES > 0) ? 1 : 0;
+  localparam FLAG_BITS    = (BITMAP != 0) ? LANES_PER_SEGMENT : 1;
+  localparam REPORT_BITS  = FLAG_BITS + 4 + TAG_BITS;
+  localparam OUTPUT_FLAGS = (BITMAP != 0) ? LANES_PER_SEGMENT : 0;
+  localparam TDATA_BITS   = 8 * ((OUTPUT_FLAGS + 7) / 8) + 16 * ((INDEX_BITS + 7) / 8);
+  localparam COUNT_BITS   = (COUNT != 0) ? TAG_BITS : 0;
+  localparam COUNTER_PORT = (COUNTER_BITS > 0) ? COUNTER_BITS : 1;
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (LANES < 1) begin : g_refused_lanes
-      LANES_is_below_1 refused ();
+    if (SEGMENTS < 1) begin : g_refused_segments
+      SEGMENTS_is_below_1 refused ();
+    end else if (STREAMS < 1) begin : g_refused_streams
+      STREAMS_is_below_1 refused ();
+    end else if (STREAMS > SEGMENTS) begin : g_refused_idle_streams
+      STREAMS_is_above_SEGMENTS refused ();
     end
     if (REFERENCES < 0) begin : g_refused_references
       REFERENCES_is_below_0 refused ();
     end
-    if (CAPACITY < 2) begin : g_refused_capacity
-      CAPACITY_is_below_2 refused ();
-    end
-    if (ITEM_BITS < 1) begin : g_refused_item_bits
-      ITEM_BITS_is_below_1 refused ();
-    end
-    if (INDEX_BITS < 1) begin : g_refused_index_bits
-      INDEX_BITS_is_below_1 refused ();
-    end
-    if (INDEX_BITS > 30) begin : g_refused_index_shift
-      INDEX_BITS_is_above_30 refused ();
-    end
-    if (((CAPACITY - 1) >>> INDEX_BITS) > 0) begin : g_refused_last_item
-      INDEX_BITS_is_too_small_for_CAPACITY refused ();
-    end
-    if (SLOT_BITS < 1) begin : g_refused_slot_bits
-      SLOT_BITS_is_below_1 refused ();
-    end
-    if ((REPORT >> 4) != 0) begin : g_refused_report
-      REPORT_is_not_0_to_15 refused ();
+    if ((BITMAP != 0) && (BITMAP != 1)) begin : g_refused_bitmap
+      BITMAP_is_not_0_or_1 refused ();
     end
     if (COUNTER_BITS < 0) begin : g_refused_counter_bits
       COUNTER_BITS_is_below_0 refused ();
     end
-    if (RADIX < 1) begin : g_refused_radix
-      RADIX_is_below_1 refused ();
-    end
   endgenerate
 
-  // The memory: written and refetched through port a, streamed through port b.
-  wire                  write_enable;
-  wire [INDEX_BITS-1:0] write_address;
-  wire                  refetch_enable;
-  wire [INDEX_BITS-1:0] refetch_address;
-  wire [ITEM_BITS-1:0]  refetched_item;
-  wire                  read_enable;
-  wire [INDEX_BITS-1:0] read_address;
-  wire [ITEM_BITS-1:0]  read_item;
-
-  item_memory #(
-    .WIDTH       (ITEM_BITS),
-    .ADDRESS_BITS(INDEX_BITS)
-  ) items (
-    .aclk        (aclk),
-    .a_enable    (refetch_enable || write_enable),
-    .a_write     (!refetch_enable),
-    .a_address   (refetch_enable ? refetch_address : write_address),
-    .a_write_data(s_axis_tdata),
-    .a_read_data (refetched_item),
-    .b_enable    (read_enable),
-    .b_address   (read_address),
-    .b_read_data (read_item)
-  );
-
-  // Words into the chain.
+  // The set: counted as it comes, words written WORD_LATENCY cycles later.
+  wire                  kept;
+  wire [INDEX_BITS-1:0] kept_index;
+  wire                  ended;
   wire                  set_closed;
   wire                  busy;
   wire                  overrun;
-  wire                  word_valid;
-  wire                  word_ready;
-  wire                  word_first;
-  wire                  word_close;
-  wire [INDEX_BITS-1:0] word_index;
+  wire                  fetch_enable;
 
-  block_reader #(
-    .LANES     (LANES),
+  item_loader #(
     .CAPACITY  (CAPACITY),
     .INDEX_BITS(INDEX_BITS)
-  ) reader (
+  ) loader (
     .aclk         (aclk),
     .aresetn      (aresetn),
     .s_axis_tvalid(s_axis_tvalid),
     .s_axis_tready(s_axis_tready),
     .s_axis_tlast (s_axis_tlast),
-    .write_enable (write_enable),
-    .write_ready  (!refetch_enable),
-    .write_address(write_address),
-    .read_enable  (read_enable),
-    .read_address (read_address),
-    .m_word_tvalid(word_valid),
-    .m_word_tready(word_ready),
-    .m_word_first (word_first),
-    .m_word_close (word_close),
-    .m_word_index (word_index),
+    .write_ready  (!fetch_enable),
+    .kept         (kept),
+    .kept_index   (kept_index),
+    .ended        (ended),
     .set_closed   (set_closed),
     .busy         (busy),
     .overrun      (overrun)
   );
 
-  reg [PAYLOAD_BITS-1:0] word_payload;  // of the closing word the count so far, none
+  wire                  stored;
+  wire                  stored_end;
+  wire                  stored_target;
+  wire [INDEX_BITS-1:0] stored_index;
 
-  always @* begin
-    word_payload = {PAYLOAD_BITS{1'b0}};
-    if (!word_close) begin
-      word_payload[INDEX_BITS+ITEM_BITS-1:0] = {read_item, word_index};
-    end
-  end
+  valid_delay_line #(
+    .LENGTH(WORD_LATENCY)
+  ) kept_beside_word (
+    .aclk   (aclk),
+    .aresetn(aresetn),
+    .d      (kept),
+    .q      (stored)
+  );
 
-  // The chain.
-  wire [SEGMENTS:0]                 chain_valid;
-  wire [SEGMENTS:0]                 chain_ready;
-  wire [(SEGMENTS+1)*WORD_BITS-1:0] chain_data;
-  wire [LANES-1:0]                  report_valid;
-  wire [LANES-1:0]                  report_ready;
-  wire [LANES*REPORT_BITS-1:0]      report_data;
-  wire [LANES*4-1:0]                result_flags;
+  valid_delay_line #(
+    .LENGTH(WORD_LATENCY)
+  ) ended_beside_word (
+    .aclk   (aclk),
+    .aresetn(aresetn),
+    .d      (ended),
+    .q      (stored_end)
+  );
 
-  assign chain_valid[0]            = word_valid;
-  assign chain_data[WORD_BITS-1:0] = {word_close, word_first, word_payload};
-  assign word_ready                = chain_ready[0];
+  delay_line #(
+    .WIDTH (INDEX_BITS + 1),
+    .LENGTH(WORD_LATENCY)
+  ) index_beside_word (
+    .aclk(aclk),
+    .d   ({s_axis_tuser, kept_index}),
+    .q   ({stored_target, stored_index})
+  );
 
-  genvar lane;
+  // Words into the chain.
+  wire                  read_enable;
+  wire [INDEX_BITS-1:0] read_address;
+  wire [WORD_BITS-1:0]  read_word;
+  wire                  word_close;
+  wire                  word_first;
+  wire                  word_stays;
+  wire                  word_meets;
+  wire [INDEX_BITS-1:0] word_index;
+
+  dual_port_memory #(
+    .WIDTH       (WORD_BITS),
+    .ADDRESS_BITS(INDEX_BITS)
+  ) word_memory (
+    .aclk         (aclk),
+    .write_enable (stored),
+    .write_address(stored_index),
+    .write_data   (item_word),
+    .read_enable  (read_enable),
+    .read_address (read_address),
+    .read_data    (read_word)
+  );
+
+  pair_walker #(
+    .LANES     (LANES),
+    .CAPACITY  (CAPACITY),
+    .INDEX_BITS(INDEX_BITS)
+  ) walker (
+    .aclk         (aclk),
+    .aresetn      (aresetn),
+    .stored       (stored),
+    .stored_target(stored_target),
+    .ended        (stored_end),
+    .set_closed   (set_closed),
+    .read_enable  (read_enable),
+    .read_address (read_address),
+    .m_word_tvalid(m_word_tvalid),
+    .m_word_tready(m_word_tready),
+    .m_word_close (word_close),
+    .m_word_first (word_first),
+    .m_word_stays (word_stays),
+    .m_word_meets (word_meets),
+    .m_word_index (word_index)
+  );
+
+  assign m_word_tdata = {word_close, word_first, word_stays, word_meets, word_index, read_word};
+
+  // Exceptions of each stream's segments, one pair after the other.
+  wire [STREAMS-1:0]             report_valid;
+  wire [STREAMS-1:0]             report_ready;
+  wire [STREAMS*REPORT_BITS-1:0] report_data;
+  wire [STREAMS-1:0]             report_last;
+  wire [STREAMS-1:0]             undecided_valid;
+  wire [STREAMS-1:0]             undecided_ready;
+  wire [STREAMS*TAG_BITS-1:0]    undecided_tag;
+  wire [STREAMS-1:0]             undecided_last;
+
   genvar s;
   generate
-    for (lane = 0; lane < LANES; lane = lane + 1) begin : g_result
-      wire unused_zeros = &result_tdata[lane*8+4 +: 4];
+    for (s = 0; s < STREAMS; s = s + 1) begin : g_stream
+      localparam FIRST = (s * SEGMENTS) / STREAMS;
+      localparam INPUTS = ((s + 1) * SEGMENTS) / STREAMS - FIRST;
 
-      assign result_flags[lane*4 +: 4] = result_tdata[lane*8 +: 4];
-    end
+      wire                  entry_valid;
+      wire                  entry_ready;
+      wire [ENTRY_BITS-1:0] entry;
+      wire                  entry_last;
+      wire [TAG_BITS-1:0]   tag;
+      wire [FLAG_BITS-1:0]  flags;
+      wire [1:0]            verdict;
+      wire                  undecided;
 
-    for (s = 0; s < SEGMENTS; s = s + 1) begin : g_segment
-      localparam FIRST = (s * LANES) / SEGMENTS;
-      localparam COUNT = ((s + 1) * LANES) / SEGMENTS - FIRST;
-
-      pair_segment #(
-        .LANES            (COUNT),
-        .ITEM_BITS        (ITEM_BITS),
-        .INDEX_BITS       (INDEX_BITS),
-        .PAYLOAD_BITS     (PAYLOAD_BITS),
-        .IN_FLIGHT_BITS   (IN_FLIGHT_BITS),
-        .REPORT           (REPORT),
-        .REPORT_DEPTH_BITS(FIFO_BITS)
-      ) segment (
+      closing_tree #(
+        .INPUTS    (INPUTS),
+        .WIDTH     (ENTRY_BITS),
+        .COUNT_BITS(COUNT_BITS)
+      ) merge (
         .aclk         (aclk),
         .aresetn      (aresetn),
-        .s_word_tvalid(chain_valid[s]),
-        .s_word_tready(chain_ready[s]),
-        .s_word_tdata (chain_data[s*WORD_BITS +: WORD_BITS]),
-        .m_word_tvalid(chain_valid[s+1]),
-        .m_word_tready(chain_ready[s+1]),
-        .m_word_tdata (chain_data[(s+1)*WORD_BITS +: WORD_BITS]),
-        .pair_tvalid  (pair_tvalid[FIRST +: COUNT]),
-        .pair_tready  (pair_tready[FIRST +: COUNT]),
-        .pair_items   (pair_items[FIRST*2*ITEM_BITS +: COUNT*2*ITEM_BITS]),
-        .pair_tag     (pair_tag[FIRST*TAG_BITS +: COUNT*TAG_BITS]),
-        .result_tvalid(result_tvalid[FIRST +: COUNT]),
-        .result_tready(result_tready[FIRST +: COUNT]),
-        .result_tdata (result_flags[FIRST*4 +: COUNT*4]),
-        .result_tag   (result_tag[FIRST*TAG_BITS +: COUNT*TAG_BITS]),
-        .report_tvalid(report_valid[FIRST +: COUNT]),
-        .report_tready(report_ready[FIRST +: COUNT]),
-        .report_tdata (report_data[FIRST*REPORT_BITS +: COUNT*REPORT_BITS])
+        .s_axis_tvalid(s_entry_tvalid[FIRST +: INPUTS]),
+        .s_axis_tready(s_entry_tready[FIRST +: INPUTS]),
+        .s_axis_tdata (s_entry_tdata[FIRST*ENTRY_BITS +: INPUTS*ENTRY_BITS]),
+        .s_axis_tlast (s_entry_tlast[FIRST +: INPUTS]),
+        .m_axis_tvalid(entry_valid),
+        .m_axis_tready(entry_ready),
+        .m_axis_tdata (entry),
+        .m_axis_tlast (entry_last)
+      );
+
+      pair_expander #(
+        .LANES     (LANES_PER_SEGMENT),
+        .INDEX_BITS(INDEX_BITS),
+        .REPORT    (REPORT),
+        .CODE_BITS (CODE_BITS),
+        .BITMAP    (BITMAP),
+        .RECOMPUTE (RECOMPUTE)
+      ) expander (
+        .aclk              (aclk),
+        .aresetn           (aresetn),
+        .s_axis_tvalid     (entry_valid),
+        .s_axis_tready     (entry_ready),
+        .s_axis_tdata      (entry),
+        .s_axis_tlast      (entry_last),
+        .m_report_tvalid   (report_valid[s]),
+        .m_report_tready   (report_ready[s]),
+        .m_report_tag      (tag),
+        .m_report_flags    (flags),
+        .m_report_verdict  (verdict),
+        .m_report_undecided(undecided),
+        .m_report_tlast    (report_last[s]),
+        .m_pair_tvalid     (undecided_valid[s]),
+        .m_pair_tready     (undecided_ready[s]),
+        .m_pair_tag        (undecided_tag[s*TAG_BITS +: TAG_BITS]),
+        .m_pair_tlast      (undecided_last[s])
+      );
+
+      assign report_data[s*REPORT_BITS +: REPORT_BITS] = {flags, undecided, 1'b0, verdict, tag};
+    end
+  endgenerate
+
+  // Undecided pairs to the references; what they find leaves with the reports of stream 0.
+  wire                   first_valid;
+  wire                   first_ready;
+  wire [REPORT_BITS-1:0] first_data;
+  wire                   first_last;
+  wire                   recomputed;
+
+  generate
+    if (REFERENCES == 0) begin : g_no_references
+      wire unused_inputs = &{undecided_valid, undecided_tag, undecided_last, m_request_tready,
+                             s_answer_valid, s_answer_tdata, s_axis_tdata};
+
+      assign undecided_ready  = {STREAMS{1'b1}};
+      assign m_request_tvalid = 1'b0;
+      assign m_request_tag    = {TAG_BITS{1'b0}};
+      assign m_request_items  = {(2*ITEM_BITS){1'b0}};
+      assign fetch_enable     = 1'b0;
+      assign recomputed       = 1'b0;
+      assign first_valid      = report_valid[0];
+      assign first_data       = report_data[REPORT_BITS-1:0];
+      assign first_last       = report_last[0];
+      assign report_ready[0]  = first_ready;
+    end else begin : g_references
+      localparam [FLAG_BITS-1:0] ONE_FLAG = 1;
+
+      wire                 pair_valid;
+      wire                 pair_ready;
+      wire [TAG_BITS-1:0]  pair_tag;
+      wire                 pair_last;
+      wire                 verdict_valid;
+      wire                 verdict_ready;
+      wire [TAG_BITS+1:0]  verdict;
+      wire                 verdict_last;
+      wire [INDEX_BITS-1:0] fetch_address;
+      wire [ITEM_BITS-1:0]  fetched_item;
+      wire [REPORT_BITS-1:0] verdict_data =
+          {ONE_FLAG, 2'b01, verdict[1:0], verdict[2 +: TAG_BITS]};
+
+      item_memory #(
+        .WIDTH       (ITEM_BITS),
+        .ADDRESS_BITS(INDEX_BITS)
+      ) items (
+        .aclk      (aclk),
+        .enable    (fetch_enable || kept),
+        .write     (!fetch_enable),
+        .address   (fetch_enable ? fetch_address : kept_index),
+        .write_data(s_axis_tdata),
+        .read_data (fetched_item)
+      );
+
+      closing_tree #(
+        .INPUTS(STREAMS),
+        .WIDTH (TAG_BITS)
+      ) merge_undecided (
+        .aclk         (aclk),
+        .aresetn      (aresetn),
+        .s_axis_tvalid(undecided_valid),
+        .s_axis_tready(undecided_ready),
+        .s_axis_tdata (undecided_tag),
+        .s_axis_tlast (undecided_last),
+        .m_axis_tvalid(pair_valid),
+        .m_axis_tready(pair_ready),
+        .m_axis_tdata (pair_tag),
+        .m_axis_tlast (pair_last)
+      );
+
+      pair_recomputation #(
+        .REFERENCES(REFERENCES),
+        .ITEM_BITS (ITEM_BITS),
+        .INDEX_BITS(INDEX_BITS),
+        .REPORT    (REPORT)
+      ) recomputation (
+        .aclk            (aclk),
+        .aresetn         (aresetn),
+        .s_pair_tvalid   (pair_valid),
+        .s_pair_tready   (pair_ready),
+        .s_pair_tag      (pair_tag),
+        .s_pair_tlast    (pair_last),
+        .memory_enable   (fetch_enable),
+        .memory_address  (fetch_address),
+        .memory_read_data(fetched_item),
+        .m_request_tvalid(m_request_tvalid),
+        .m_request_tready(m_request_tready),
+        .m_request_tag   (m_request_tag),
+        .m_request_items (m_request_items),
+        .s_answer_valid  (s_answer_valid),
+        .s_answer_tdata  (s_answer_tdata),
+        .m_axis_tvalid   (verdict_valid),
+        .m_axis_tready   (verdict_ready),
+        .m_axis_tdata    (verdict),
+        .m_axis_tlast    (verdict_last),
+        .answered        (recomputed)
+      );
+
+      closing_tree #(
+        .INPUTS    (2),
+        .WIDTH     (REPORT_BITS),
+        .COUNT_BITS(COUNT_BITS)
+      ) merge_verdicts (
+        .aclk         (aclk),
+        .aresetn      (aresetn),
+        .s_axis_tvalid({verdict_valid, report_valid[0]}),
+        .s_axis_tready({verdict_ready, report_ready[0]}),
+        .s_axis_tdata ({verdict_data, report_data[REPORT_BITS-1:0]}),
+        .s_axis_tlast ({verdict_last, report_last[0]}),
+        .m_axis_tvalid(first_valid),
+        .m_axis_tready(first_ready),
+        .m_axis_tdata (first_data),
+        .m_axis_tlast (first_last)
       );
     end
   endgenerate
 
-  // What leaves the chain has met every lane; only the closing word still says something.
-  wire                 end_valid = chain_valid[SEGMENTS];
-  wire [WORD_BITS-1:0] end_word  = chain_data[SEGMENTS*WORD_BITS +: WORD_BITS];
-  wire                 end_close = end_word[WORD_BITS-1];
-  wire                 unused_end_word = &end_word[WORD_BITS-2:TAG_BITS];
+  // Out. The set is over when every stream has given its closing beat.
+  reg  [STREAMS-1:0] closed_q;
+  wire [STREAMS-1:0] closes = m_axis_tvalid & m_axis_tready & m_axis_tlast;
 
-  assign chain_ready[SEGMENTS] = !end_close || set_closed;
+  assign set_closed = ((closed_q | closes) == {STREAMS{1'b1}});
 
-  report_stream #(
-    .LANES     (LANES),
-    .INDEX_BITS(INDEX_BITS)
-  ) out (
-    .aclk         (aclk),
-    .aresetn      (aresetn),
-    .report_tvalid(report_valid),
-    .report_tready(report_ready),
-    .report_tdata (report_data),
-    .close_valid  (end_valid && end_close),
-    .close_ready  (set_closed),
-    .close_count  (end_word[TAG_BITS-1:0]),
-    .overrun      (overrun),
-    .m_axis_tvalid(m_axis_tvalid),
-    .m_axis_tready(m_axis_tready),
-    .m_axis_tdata (m_axis_tdata),
-    .m_axis_tuser (m_axis_tuser),
-    .m_axis_tlast (m_axis_tlast)
-  );
+  always @(posedge aclk) begin
+    if (!aresetn || set_closed) begin
+      closed_q <= {STREAMS{1'b0}};
+    end else begin
+      closed_q <= closed_q | closes;
+    end
+  end
 
   generate
-    if (REFERENCES == 0) begin : g_no_references
-      wire unused_inputs = &{s_refetch_tvalid, s_refetch_tdata, m_answer_tready, refetched_item};
+    for (s = 0; s < STREAMS; s = s + 1) begin : g_output
+      wire                   out_valid;
+      wire                   out_ready;
+      wire [REPORT_BITS-1:0] out_data;
+      wire                   out_last;
 
-      assign s_refetch_tready = 1'b0;
-      assign m_answer_tvalid  = 1'b0;
-      assign m_answer_tdata   = {(2*ITEM_BITS){1'b0}};
-      assign refetch_enable   = 1'b0;
-      assign refetch_address  = {INDEX_BITS{1'b0}};
-    end else begin : g_references
-      item_refetch #(
-        .REFERENCES(REFERENCES),
-        .ITEM_BITS (ITEM_BITS),
-        .INDEX_BITS(INDEX_BITS)
-      ) refetch (
-        .aclk            (aclk),
-        .aresetn         (aresetn),
-        .s_refetch_tvalid(s_refetch_tvalid),
-        .s_refetch_tready(s_refetch_tready),
-        .s_refetch_tdata (s_refetch_tdata),
-        .memory_enable   (refetch_enable),
-        .memory_address  (refetch_address),
-        .memory_read_data(refetched_item),
-        .m_answer_tvalid (m_answer_tvalid),
-        .m_answer_tready (m_answer_tready),
-        .m_answer_tdata  (m_answer_tdata)
+      if (s == 0) begin : g_first
+        assign out_valid   = first_valid;
+        assign out_data    = first_data;
+        assign out_last    = first_last;
+        assign first_ready = out_ready;
+      end else begin : g_other
+        assign out_valid       = report_valid[s];
+        assign out_data        = report_data[s*REPORT_BITS +: REPORT_BITS];
+        assign out_last        = report_last[s];
+        assign report_ready[s] = out_ready;
+      end
+
+      report_output #(
+        .INDEX_BITS(INDEX_BITS),
+        .FLAG_BITS (OUTPUT_FLAGS),
+        .COUNT     (COUNT)
+      ) out (
+        .aclk         (aclk),
+        .aresetn      (aresetn),
+        .s_axis_tvalid(out_valid),
+        .s_axis_tready(out_ready),
+        .s_axis_tdata (out_data),
+        .s_axis_tlast (out_last),
+        .overrun      (overrun),
+        .m_axis_tvalid(m_axis_tvalid[s]),
+        .m_axis_tready(m_axis_tready[s]),
+        .m_axis_tdata (m_axis_tdata[s*TDATA_BITS +: TDATA_BITS]),
+        .m_axis_tuser (m_axis_tuser[s*8 +: 8]),
+        .m_axis_tlast (m_axis_tlast[s])
+      );
+
+      event_counter #(
+        .COUNTER_BITS(COUNTER_BITS)
+      ) report_counter (
+        .aclk   (aclk),
+        .aresetn(aresetn),
+        .step   (m_axis_tvalid[s] && m_axis_tready[s] && !m_axis_tlast[s]),
+        .count  (reports[s*COUNTER_PORT +: COUNTER_PORT])
       );
     end
   endgenerate
 
   event_counter #(
     .COUNTER_BITS(COUNTER_BITS)
-  ) report_counter (
+  ) recomputation_counter (
     .aclk   (aclk),
     .aresetn(aresetn),
-    .step   (m_axis_tvalid && m_axis_tready && !m_axis_tlast),
-    .count  (reports)
+    .step   (recomputed),
+    .count  (recomputations)
   );
 
   event_counter #(
@@ -306,7 +472,7 @@ module pairwise_engine #(
   ) stall_counter (
     .aclk   (aclk),
     .aresetn(aresetn),
-    .step   (word_valid && !word_ready),
+    .step   (m_word_tvalid && !m_word_tready),
     .count  (stalled_cycles)
   );
 

@@ -75,8 +75,8 @@ TEST(Engine, SignatureTellsItsStreams) {
   EXPECT_EQ(engine.report, std::vector<std::string>{"less"});
   EXPECT_EQ(width_of(engine, "s_axis_tdata"), 248);
   EXPECT_EQ(width_of(engine, "m_axis_tdata"), 32);
-  EXPECT_EQ(width_of(engine, "comparisons"), 8 * 32);
   EXPECT_EQ(width_of(engine, "reports"), 32);
+  EXPECT_EQ(width_of(engine, "s_axis_tuser"), 1);
   EXPECT_EQ(system.signature.tag_bits, 20);
   EXPECT_EQ(system.signature.operands, scene::OperandStore::refetched);
 }
@@ -106,8 +106,10 @@ TEST(Engine, EachOperandComesFromItsItem) {
 TEST(Engine, TemplateIsToldWhatTheSystemIs) {
   const std::string text = verilog_of(generated(spheres(8, 1)), "sphere_s17e8_8x1_pairwise");
   for (const char* parameter :
-       {".LANES       (8)", ".REFERENCES  (1)", ".CAPACITY    (1000)", ".ITEM_BITS   (244)",
-        ".INDEX_BITS  (10)", ".REPORT      (1)", ".COUNTER_BITS(32)"}) {
+       {".SEGMENTS         (1)", ".LANES_PER_SEGMENT(8)", ".LANES            (8)",
+        ".REFERENCES       (1)", ".CAPACITY         (1000)", ".ITEM_BITS        (244)",
+        ".WORD_BITS        (244)", ".WORD_LATENCY     (0)", ".INDEX_BITS       (10)",
+        ".REPORT           (1)", ".CODE_BITS        (2)", ".COUNTER_BITS     (32)"}) {
     EXPECT_NE(text.find(parameter), std::string::npos) << parameter << "\n" << text;
   }
 }

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "generator/datapath/delays.hpp"
-#include "generator/rtl/float_lane_module.hpp"
+#include "generator/rtl/lane_module.hpp"
 #include "generator/rtl/reference_module.hpp"
 #include "model/error/certified_lane.hpp"
 #include "tests/support/graphs.hpp"
@@ -25,7 +25,7 @@ std::vector<rtl::Instance> instances(
       datapath::schedule_lane(lane, multipliers, datapath::delays_of("virtex6-lx760").value(), 250);
   std::vector<rtl::Instance> found;
   for (const rtl::ModuleItem& item :
-       rtl::lane_module("lane", graph.inputs(), lane, schedule).items) {
+       rtl::lane_module("lane", graph.inputs(), design::Lane(lane), schedule).items) {
     if (const auto* instance = std::get_if<rtl::Instance>(&item)) found.push_back(*instance);
   }
   return found;
@@ -181,7 +181,7 @@ std::vector<rtl::Module> modules_with_input(const std::string& name) {
   const Lane lane = lane_of(graph, ErrorBoundKind::running, Subnormals::gradual, Range{0, 1});
   const TypedGraph reference = reference_graph(graph, {format("s24e8")});
   const auto embedded = scene::Multipliers::embedded;
-  return {rtl::lane_module("lane", graph.inputs(), lane,
+  return {rtl::lane_module("lane", graph.inputs(), design::Lane(lane),
                            datapath::schedule_lane(lane, embedded, delays, 250)),
           rtl::reference_module("reference", graph.inputs(), reference,
                                 datapath::schedule_reference(reference, {embedded}, delays, 250))};

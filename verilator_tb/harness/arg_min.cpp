@@ -141,7 +141,7 @@ private:
     const std::uint64_t index = ports_.m_axis_tdata.field(0, index_field_bits);
     const std::uint64_t tag = ports_.m_axis_tuser.field(0, system::tag_bits);
     const bool last = ports_.m_axis_tlast.bit(0);
-    if (const auto fault = hold_.observe(valid, ready_, index << 1 | (last ? 1 : 0), tag)) {
+    if (const auto fault = hold_[0].observe(valid, ready_, index << 1 | (last ? 1 : 0), tag)) {
       violate(*fault, tag);
     }
     if (!valid || !ready_) return;
@@ -160,6 +160,19 @@ private:
     observed_rows_ = 0;
     inside_.clear();
     reset_engine({&ports_.s_candidate_tvalid, &ports_.s_axis_tvalid});
+  }
+
+  std::vector<wire::CounterValues> lane_counters() const {
+    std::vector<wire::CounterValues> ends(system::lanes);
+    if (system::counter_bits == 0) return ends;
+    const Port* const counters[] = {&ports_.comparisons, &ports_.recomputations, &ports_.stalls};
+    for (std::size_t lane = 0; lane < ends.size(); ++lane) {
+      for (int k = 0; k < 3; ++k) {
+        ends[lane].counted[k] =
+            counters[k]->field(lane * system::counter_bits, system::counter_bits);
+      }
+    }
+    return ends;
   }
 
   void respond(Channel& channel) {

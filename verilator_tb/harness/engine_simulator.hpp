@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <initializer_list>
 #include <utility>
@@ -32,15 +33,17 @@ protected:
 
   /// Resets the engine. `entering`: the tvalid of each input stream; they are low meanwhile.
   void reset_engine(std::initializer_list<Port*> entering) {
-    hold_.reset();
+    for (HoldChecker& hold : hold_) hold.reset();
     for (Port* tvalid : entering) tvalid->set_bit(0, false);
-    ports_.m_axis_tready.set_bit(0, false);
+    for (std::size_t s = 0; s < hold_.size(); ++s) ports_.m_axis_tready.set_bit(s, false);
     ports_.aresetn.set_bit(0, false);
     for (int k = 0; k < reset_cycles; ++k) {
       clocked_.settle(cycle_);
       rise();
     }
-    if (ports_.m_axis_tvalid.bit(0)) violate(wire::Fault::valid_in_reset, 0);
+    for (std::size_t s = 0; s < hold_.size(); ++s) {
+      if (ports_.m_axis_tvalid.bit(s)) violate(wire::Fault::valid_in_reset, 0);
+    }
     ports_.aresetn.set_bit(0, true);
   }
 
@@ -64,19 +67,6 @@ protected:
     stopped_ = true;
   }
 
-  std::vector<wire::CounterValues> lane_counters() const {
-    std::vector<wire::CounterValues> ends(system::lanes);
-    if (system::counter_bits == 0) return ends;
-    const Port* const counters[] = {&ports_.comparisons, &ports_.recomputations, &ports_.stalls};
-    for (std::size_t lane = 0; lane < ends.size(); ++lane) {
-      for (int k = 0; k < 3; ++k) {
-        ends[lane].counted[k] =
-            counters[k]->field(lane * system::counter_bits, system::counter_bits);
-      }
-    }
-    return ends;
-  }
-
   /// Reads the engine's own counters into end.counted, from its first place on.
   void read_counters(wire::CounterValues& end, std::initializer_list<const Port*> counters) const {
     if (system::counter_bits == 0) return;
@@ -90,7 +80,7 @@ protected:
   Traffic traffic_;
   ClockedModel clocked_;
   EnginePorts ports_;
-  HoldChecker hold_;
+  std::array<HoldChecker, system::output_streams> hold_;  ///< of each stream that leaves
   std::vector<wire::Violation> violations_;  ///< since the last response
   std::uint64_t cycle_ = 0;
   bool stopped_ = false;  ///< the engine hung, or max_violations were seen

@@ -11,6 +11,7 @@ namespace mixcmp::harness::wire {
 /// The head of a request, followed by the items, item_bytes for each.
 struct SetRequest {
   std::uint64_t items;
+  std::uint64_t targets;  ///< the first items, which meet the others alone; 0: all meet
   /// Not 0: reset the engine so many cycles after the first item was offered.
   std::uint64_t reset_after;
   std::uint64_t last;  ///< not 0: the simulator ends after it
@@ -22,25 +23,32 @@ enum class SetState : std::uint64_t {
   stopped,      ///< the engine stands still, or max_violations were seen; the simulator ends
 };
 
-/// The head of a response, followed by the reports, the violations and one CounterValues for each
-/// lane, of which only `counted` is set.
+/// The head of a response, followed by the reports, the violations and a StreamEnd for each stream.
 struct SetResponse {
   std::uint64_t reports;
   std::uint64_t violations;
-  std::uint64_t cycles;         ///< from the first item's acceptance to the closing beat's
-  std::uint64_t closing_tdata;  ///< of the closing beat
-  std::uint64_t closing_tuser;
-  /// The engine's counters since reset: reports, busy cycles, stalled cycles; of the last only
-  /// `counted` is set.
+  std::uint64_t cycles;  ///< from the first item's acceptance to the last closing beat's
+  /// The engine's counters since reset: recomputations, busy cycles, stalled cycles; only of the
+  /// busy cycles `observed` is set.
   CounterValues counters;
   SetState state;
 };
 
+/// One pair of a report; a beat of a bitmap has several.
 struct ReportedPair {
   std::uint64_t cycle;
   std::uint32_t i;
   std::uint32_t j;
   std::uint64_t tuser;
+};
+
+/// What one stream of reports gave.
+struct StreamEnd {
+  std::uint64_t closing_tdata;  ///< of the closing beat
+  std::uint64_t closing_tuser;
+  std::uint64_t beats;           ///< reports of this set
+  std::uint64_t counted_beats;   ///< since reset, by the hardware
+  std::uint64_t observed_beats;  ///< since reset, by the harness
 };
 
 }  // namespace mixcmp::harness::wire

@@ -69,13 +69,12 @@ struct Ports {
   Port s_refetch_tvalid, s_refetch_tready, s_refetch_tdata;
 };
 
-/// The ports of a pairwise engine; the first three counters are vectors of the lanes'.
+/// The ports of a pairwise engine; m_axis and the counter of reports are vectors of the streams'.
 struct PairwisePorts {
   Port aresetn;
-  Port s_axis_tvalid, s_axis_tready, s_axis_tdata, s_axis_tlast;
+  Port s_axis_tvalid, s_axis_tready, s_axis_tdata, s_axis_tuser, s_axis_tlast;
   Port m_axis_tvalid, m_axis_tready, m_axis_tdata, m_axis_tuser, m_axis_tlast;
-  Port comparisons, recomputations, stalls;
-  Port reports, busy_cycles, stalled_cycles;
+  Port reports, recomputations, busy_cycles, stalled_cycles;
 };
 
 /// The ports of an arg-min engine; the first three counters are vectors of the lanes'.

@@ -27,6 +27,10 @@ module @DUT@_tb;
   localparam TAG_BITS = @TAG_BITS@;
   localparam CHOICE_BITS = @FIELD_BITS@;  // of a candidate's number in m_axis_tdata
   localparam COUNTER_BITS = @COUNTER_BITS@;
+  localparam STREAMS = 1;  // m_axis
+  localparam TDATA_BITS = CHOICE_BITS;
+  localparam TUSER_BITS = TAG_BITS;
+  localparam BEAT_BITS = TDATA_BITS + TUSER_BITS + 1;
 
   localparam CANDIDATES = @CANDIDATES@;
   localparam ROWS = @ROWS@;
@@ -48,11 +52,11 @@ module @DUT@_tb;
   reg  [ROW_BITS-1:0]      s_axis_tdata;
   reg  [TAG_BITS-1:0]      s_axis_tuser;
   reg                      s_axis_tlast;
-  wire                     m_axis_tvalid;
-  reg                      m_axis_tready;
+  wire [STREAMS-1:0]       m_axis_tvalid;
+  reg  [STREAMS-1:0]       m_axis_tready;
   wire [CHOICE_BITS-1:0]   m_axis_tdata;
   wire [TAG_BITS-1:0]      m_axis_tuser;
-  wire                     m_axis_tlast;
+  wire [STREAMS-1:0]       m_axis_tlast;
   wire                     overrun;
 @IF COUNTS@
   wire [LANES*COUNTER_BITS-1:0] comparisons;
@@ -90,9 +94,9 @@ module @DUT@_tb;
   reg [LINE_BITS-1:0]          vectors [0:VECTORS-1];
   reg [31:0]                   compared [0:LANES-1];
   reg [31:0]                   recomputed [0:LANES-1];
-  reg                          waiting;  // a row waits for tready
-  reg [CHOICE_BITS+TAG_BITS:0] waiting_beat;
-  reg                          valid_before;  // m_axis_tvalid before tready takes its value
+  reg [STREAMS-1:0]            waiting;  // a row waits for tready
+  reg [STREAMS*BEAT_BITS-1:0]  waiting_beats;
+  reg [STREAMS-1:0]            valid_before;  // m_axis_tvalid before tready takes its value
   reg [8*1024-1:0]             file_name;
   reg [31:0]                   random_state;
   reg [8:0]                    offer_density;  // of 256 cycles, those with an offer

@@ -11,23 +11,32 @@
     end
   endtask
 
+  // What stream s offers.
+  function [BEAT_BITS-1:0] beat_of(input integer s);
+    beat_of = {m_axis_tdata[s*TDATA_BITS +: TDATA_BITS], m_axis_tuser[s*TUSER_BITS +: TUSER_BITS],
+               m_axis_tlast[s]};
+  endfunction
+
   task check_held;
+    integer s;
     begin
-      if (m_axis_tvalid === 1'bx || s_axis_tready === 1'bx
-          || (m_axis_tvalid && (^{m_axis_tdata, m_axis_tuser, m_axis_tlast} === 1'bx))) begin
-        $display("pass %0d, cycle %0d: x or z on a handshake or on a result", pass, cycle);
-        count_failure;
-      end else if (waiting && (!m_axis_tvalid || ({m_axis_tdata, m_axis_tuser, m_axis_tlast}
-                                                  != waiting_beat))) begin
-        $display("pass %0d, cycle %0d: a result changed before tready rose", pass, cycle);
-        count_failure;
+      for (s = 0; s < STREAMS; s = s + 1) begin
+        if (m_axis_tvalid[s] === 1'bx || s_axis_tready === 1'bx
+            || (m_axis_tvalid[s] && (^beat_of(s) === 1'bx))) begin
+          $display("pass %0d, cycle %0d: x or z on a handshake or on a result", pass, cycle);
+          count_failure;
+        end else if (waiting[s] && (!m_axis_tvalid[s] || (beat_of(s)
+                                    != waiting_beats[s*BEAT_BITS +: BEAT_BITS]))) begin
+          $display("pass %0d, cycle %0d: a result changed before tready rose", pass, cycle);
+          count_failure;
+        end
+        waiting[s] = m_axis_tvalid[s] && !m_axis_tready[s];
+        waiting_beats[s*BEAT_BITS +: BEAT_BITS] = beat_of(s);
       end
       if (m_axis_tvalid !== valid_before) begin
         $display("pass %0d, cycle %0d: m_axis_tvalid follows m_axis_tready", pass, cycle);
         count_failure;
       end
-      waiting = m_axis_tvalid && !m_axis_tready;
-      waiting_beat = {m_axis_tdata, m_axis_tuser, m_axis_tlast};
     end
   endtask
 
@@ -40,7 +49,7 @@
       results = 0;
       failures = 0;
       stopped = 1'b0;
-      waiting = 1'b0;
+      waiting = {STREAMS{1'b0}};
       idle_cycles = 1'b0;
       backpressure = 1'b0;
       offer_density = 9'd256;

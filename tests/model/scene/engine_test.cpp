@@ -136,8 +136,8 @@ TEST_F(EngineSection, MistakesAreToldInOneLine) {
             "numbers of two of 1024 items, or no key");
   EXPECT_EQ(
       error(engine + data),
-      ":9: data.pairs: the pairwise engine compares every two items: received nothing; accepted "
-      "pairs = \"all\"");
+      ":9: data.pairs: the pairwise engine compares every two items, or those of two tables: "
+      "received nothing; accepted pairs = \"all\" or pairs = \"cross\"");
 }
 
 TEST_F(EngineSection, InputsMustBeColumnsOfTwoItems) {

@@ -1,9 +1,7 @@
-#include "generator/rtl/engine_module.hpp"
+#include "generator/rtl/engine_shape.hpp"
 
 #include <algorithm>
 
-#include "generator/rtl/arg_min_module.hpp"
-#include "generator/rtl/pairwise_module.hpp"
 #include "model/common/check.hpp"
 
 namespace mixcmp::rtl {
@@ -39,15 +37,6 @@ std::optional<EngineShape> engine_shape(const SystemShape& system,
       .column_width = system.input_width};
   for (const std::string& input : inputs) engine.sources.push_back(source_of(input, engine));
   return engine;
-}
-
-Module engine_module(const EngineShape& engine, const SystemShape& system) {
-  switch (engine.spec.kind) {
-    case scene::EngineKind::none: break;
-    case scene::EngineKind::pairwise: return pairwise_module(engine, system);
-    case scene::EngineKind::arg_min: return arg_min_module(engine, system);
-  }
-  MIXCMP_CHECK(false);
 }
 
 }  // namespace mixcmp::rtl

@@ -44,7 +44,4 @@ std::optional<EngineShape> engine_shape(const SystemShape& system,
                                         const std::vector<std::string>& inputs,
                                         const scene::EngineSpec& spec);
 
-/// The engine's top module, with the system inside. Each kind of engine has its own source file.
-Module engine_module(const EngineShape& engine, const SystemShape& system);
-
 }  // namespace mixcmp::rtl

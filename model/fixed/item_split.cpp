@@ -1,0 +1,206 @@
+#include "model/fixed/item_split.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "model/common/check.hpp"
+
+namespace mixcmp::fixed {
+namespace {
+
+/// What a node is computed from.
+enum class Reads { constants, first_item, second_item, both };
+
+Reads joined(Reads a, Reads b) {
+  if (a == b || b == Reads::constants) return a;
+  return a == Reads::constants ? b : Reads::both;
+}
+
+bool is_of_one_item(Reads reads) {
+  return reads == Reads::first_item || reads == Reads::second_item;
+}
+
+/// The parts of all lanes that an operand matters to, where it is one of item i and one of item j.
+using Affected = std::array<std::set<std::pair<std::size_t, std::size_t>>, 2>;
+
+/// The nodes that a criterion reads, to be renumbered.
+std::vector<NodeId*> nodes_of(FixedPart& part) {
+  std::vector<NodeId*> nodes = {&part.difference};
+  if (auto* norm = std::get_if<NormThresholds>(&part.criterion)) nodes.push_back(&norm->radius);
+  if (auto* running = std::get_if<RunningThresholds>(&part.criterion)) {
+    for (NodeId& id : running->watched) nodes.push_back(&id);
+  }
+  return nodes;
+}
+
+class Splitter {
+public:
+  Splitter(const std::vector<const FixedLane*>& lanes, const std::vector<ItemInput>& inputs,
+           const std::vector<std::string>& columns)
+      : inputs_(inputs),
+        split_{.loader = {.format = lanes.front()->format,
+                          .nodes = {},
+                          .input_names = columns,
+                          .input_format = lanes.front()->input_format,
+                          .parts = {}},
+               .flags = {},
+               .lanes = {}} {
+    for (const FixedLane* lane : lanes) split_.lanes.push_back(split_lane(*lane));
+  }
+
+  ItemSplit run() {
+    make_flags();
+    return std::move(split_);
+  }
+
+private:
+  /// The rest of a lane, whose loaded inputs have no flags yet.
+  FixedLane split_lane(const FixedLane& lane) {
+    MIXCMP_CHECK(!lane.format.is_block);
+    const std::vector<Reads> reads = reads_of(lane);
+    FixedLane rest = lane;
+    rest.nodes.clear();
+    rest.input_names.clear();
+    std::vector<NodeId> new_id(lane.nodes.size(), -1);
+    for (const NodeId id : nodes_left(lane, reads)) {
+      FixedNode node = lane.nodes[id];
+      if (is_of_one_item(reads[id])) {
+        node = loaded(lane, id, reads[id] == Reads::second_item, rest);
+      } else {
+        for (int k = 0; k < arity(node.operation); ++k) node.operands[k] = new_id[node.operands[k]];
+      }
+      rest.nodes.push_back(std::move(node));
+      new_id[id] = static_cast<NodeId>(rest.nodes.size()) - 1;
+    }
+    for (FixedPart& part : rest.parts) {
+      for (NodeId* id : nodes_of(part)) *id = new_id[*id];
+    }
+    note_affected(lane);
+    return rest;
+  }
+
+  /// A node that is checked is left to the pair: its check belongs to a part, not to an item.
+  std::vector<Reads> reads_of(const FixedLane& lane) const {
+    std::vector<Reads> reads;
+    for (const FixedNode& node : lane.nodes) {
+      Reads now = Reads::constants;
+      if (node.operation == Operation::input) {
+        now = inputs_[node.input].second ? Reads::second_item : Reads::first_item;
+      }
+      for (int k = 0; k < arity(node.operation); ++k) now = joined(now, reads[node.operands[k]]);
+      const bool stays = is_checked(node) || is_common_cut(node);
+      reads.push_back(stays ? Reads::both : now);
+    }
+    return reads;
+  }
+
+  /// What the rest of the lane consists of, in order: the nodes of no item alone that its parts
+  /// need, and what these read.
+  std::vector<NodeId> nodes_left(const FixedLane& lane, const std::vector<Reads>& reads) const {
+    std::vector<bool> needed(lane.nodes.size(), false);
+    for (FixedPart part : lane.parts) {
+      for (const NodeId* id : nodes_of(part)) needed[*id] = true;
+    }
+    for (auto id = static_cast<NodeId>(lane.nodes.size()); id-- > 0;) {
+      if (!needed[id] || is_of_one_item(reads[id])) continue;
+      const FixedNode& node = lane.nodes[id];
+      for (int k = 0; k < arity(node.operation); ++k) needed[node.operands[k]] = true;
+    }
+    std::vector<NodeId> left;
+    for (NodeId id = 0; id < static_cast<NodeId>(lane.nodes.size()); ++id) {
+      if (needed[id]) left.push_back(id);
+    }
+    return left;
+  }
+
+  /// The node that stands for a field of the word.
+  FixedNode loaded(const FixedLane& lane, NodeId id, bool second, FixedLane& rest) {
+    const NodeId made = loader_node(lane, id);
+    std::vector<NodeId>& fields = split_.loader.outputs;
+    auto field = std::find(fields.begin(), fields.end(), made);
+    if (field == fields.end()) field = fields.insert(fields.end(), made);
+    FixedNode node = lane.nodes[id];
+    node.operation = Operation::input;
+    node.operands = {-1, -1};
+    node.conversion = {};
+    node.dropped_bits = 0;
+    node.input = static_cast<int>(rest.loaded_inputs.size());
+    rest.loaded_inputs.push_back(
+        {.second = second, .field = static_cast<std::size_t>(field - fields.begin()), .flags = {}});
+    return node;
+  }
+
+  /// The node of the loader that computes of an item's columns what `id` computes; one for all that
+  /// compute the same.
+  NodeId loader_node(const FixedLane& lane, NodeId id) {
+    FixedNode node = lane.nodes[id];
+    if (node.operation == Operation::input) node.input = inputs_[node.input].column;
+    for (int k = 0; k < arity(node.operation); ++k) {
+      node.operands[k] = loader_node(lane, node.operands[k]);
+    }
+    std::vector<FixedNode>& nodes = split_.loader.nodes;
+    const auto known = std::find(nodes.begin(), nodes.end(), node);
+    if (known != nodes.end()) return static_cast<NodeId>(known - nodes.begin());
+    nodes.push_back(std::move(node));
+    return static_cast<NodeId>(nodes.size()) - 1;
+  }
+
+  /// Notes for each operand that is loaded which parts of this lane it matters to.
+  void note_affected(const FixedLane& lane) {
+    const std::size_t number = split_.lanes.size();
+    for (std::size_t part = 0; part < lane.parts.size(); ++part) {
+      for (const NodeId id : fan_in(lane, lane.parts[part].difference)) {
+        const FixedNode& node = lane.nodes[id];
+        if (node.operation != Operation::input) continue;
+        affected_[loader_node(lane, id)][inputs_[node.input].second ? 1 : 0].emplace(number, part);
+      }
+    }
+  }
+
+  /// One flag for all operands that matter to the same parts.
+  void make_flags() {
+    std::map<Affected, std::size_t> known;
+    std::map<NodeId, std::size_t> flag_of;  // [input of the loader]
+    for (const auto& [input, affected] : affected_) {
+      const auto flag = known.emplace(affected, split_.flags.size()).first->second;
+      if (flag == split_.flags.size()) split_.flags.emplace_back();
+      split_.flags[flag].push_back(input);
+      flag_of[input] = flag;
+    }
+    for (FixedLane& lane : split_.lanes) {
+      for (LoadedInput& loaded : lane.loaded_inputs) {
+        std::set<std::size_t> flags;
+        for (const NodeId id : fan_in(split_.loader, split_.loader.outputs[loaded.field])) {
+          const auto flag = flag_of.find(id);
+          if (flag != flag_of.end()) flags.insert(flag->second);
+        }
+        loaded.flags.assign(flags.begin(), flags.end());
+      }
+    }
+  }
+
+  const std::vector<ItemInput>& inputs_;
+  ItemSplit split_;
+  std::map<NodeId, Affected> affected_;  ///< [input of the loader]
+};
+
+}  // namespace
+
+ItemSplit split_by_item(const std::vector<const FixedLane*>& lanes,
+                        const std::vector<ItemInput>& inputs,
+                        const std::vector<std::string>& columns) {
+  return Splitter(lanes, inputs, columns).run();
+}
+
+std::vector<LoadedFlag> flags_read(const FixedLane& lane) {
+  std::set<LoadedFlag> flags;
+  for (const LoadedInput& loaded : lane.loaded_inputs) {
+    for (const std::size_t flag : loaded.flags) flags.insert({loaded.second, flag});
+  }
+  return {flags.begin(), flags.end()};
+}
+
+}  // namespace mixcmp::fixed

@@ -1,0 +1,182 @@
+// pair_expander: turns the beats of segments into pairs, one a cycle: first those of a beat that are
+// reported, to m_report, then the undecided ones, to m_pair.
+// A beat is {codes, index j, index base}, as pair_segment makes it; lane k's code is about the pair
+// (base + k, j). BITMAP = 1: all reported pairs of a beat leave together, as {flags, j, base}, one
+// flag a lane; else as {1, j, i}. RECOMPUTE = 0: undecided pairs leave as reports, too, one by one,
+// with the flag `undecided`.
+// The beat with tlast leaves on both streams; its tag goes with the report. Interval 1 for each
+// pair, latency 1. Reset empties it.
+`default_nettype none
+
+module pair_expander #(
+  parameter LANES = 8,
+  parameter INDEX_BITS = 10,
+  parameter REPORT = 11,
+  parameter CODE_BITS = 3,
+  parameter BITMAP = 0,
+  parameter RECOMPUTE = 1
+) (
+  input  wire                                    aclk,
+  input  wire                                    aresetn,
+  input  wire                                    s_axis_tvalid,
+  output wire                                    s_axis_tready,
+  input  wire [2*INDEX_BITS+LANES*CODE_BITS-1:0] s_axis_tdata,
+  input  wire                                    s_axis_tlast,
+  output wire                                    m_report_tvalid,
+  input  wire                                    m_report_tready,
+  output wire [2*INDEX_BITS-1:0]                 m_report_tag,
+  output wire [(BITMAP != 0 ? LANES : 1)-1:0]    m_report_flags,
+  output wire [1:0]                              m_report_verdict,
+  output wire                                    m_report_undecided,
+  output wire                                    m_report_tlast,
+  output wire                                    m_pair_tvalid,
+  input  wire                                    m_pair_tready,
+  output wire [2*INDEX_BITS-1:0]                 m_pair_tag,
+  output wire                                    m_pair_tlast
+);
+
+  localparam FLAG_BITS  = (BITMAP != 0) ? LANES : 1;
+  localparam [FLAG_BITS-1:0] ONE_FLAG = 1;
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (LANES < 1) begin : g_refused_lanes
+      LANES_is_below_1 refused ();
+    end
+    if (INDEX_BITS < 1) begin : g_refused_index_bits
+      INDEX_BITS_is_below_1 refused ();
+    end
+    if ((REPORT >> 4) != 0) begin : g_refused_report
+      REPORT_is_not_0_to_15 refused ();
+    end
+    if ((CODE_BITS != 3) && ((CODE_BITS != 2) || ((REPORT & (REPORT - 1)) != 0)))
+    begin : g_refused_code_bits
+      CODE_BITS_is_not_3_nor_2_for_one_verdict refused ();
+    end
+    if ((BITMAP != 0) && (CODE_BITS != 2)) begin : g_refused_bitmap
+      BITMAP_is_for_one_verdict refused ();
+    end
+  endgenerate
+
+  // The beat at hand, with the codes of the lanes that have not left.
+  reg                        valid_q;
+  reg                        last_q;
+  reg                        report_sent_q;  // of the last beat
+  reg                        pair_sent_q;    // likewise
+  reg  [LANES*CODE_BITS-1:0] codes_q;
+  reg  [INDEX_BITS-1:0]      base_q;
+  reg  [INDEX_BITS-1:0]      index_j_q;
+
+  wire [LANES-1:0]           reported;
+  wire [LANES-1:0]           undecided;
+  wire                       reports = (reported != {LANES{1'b0}});
+  wire [LANES-1:0]           waiting = reports ? reported : undecided;
+
+  // The lowest of those that wait.
+  reg  [LANES-1:0]      lowest;
+  reg  [INDEX_BITS-1:0] lane;
+  reg  [1:0]            verdict;
+  integer               l;
+
+  always @* begin
+    lowest = {LANES{1'b0}};
+    lane   = {INDEX_BITS{1'b0}};
+    for (l = LANES - 1; l >= 0; l = l - 1) begin
+      if (waiting[l]) begin
+        lowest    = {LANES{1'b0}};
+        lowest[l] = 1'b1;
+        lane      = l[INDEX_BITS-1:0];
+      end
+    end
+  end
+
+  wire [LANES-1:0]      leaving = (reports && (BITMAP != 0)) ? reported : lowest;
+  wire                  is_report = reports || (RECOMPUTE == 0);
+  wire                  left = is_report ? m_report_tready : m_pair_tready;
+  wire                  final_one = ((reported | undecided) == leaving);
+  wire                  last_left = (report_sent_q || m_report_tready) &&
+                                    (pair_sent_q || m_pair_tready);
+  wire [INDEX_BITS-1:0] index_i = (reports && (BITMAP != 0)) ? base_q : base_q + lane;
+
+  assign s_axis_tready = !valid_q || (last_q ? last_left : (left && final_one));
+
+  genvar k;
+  generate
+    for (k = 0; k < LANES; k = k + 1) begin : g_lane
+      wire [CODE_BITS-1:0] code = codes_q[k*CODE_BITS +: CODE_BITS];
+
+      assign reported[k]  = code[CODE_BITS-1];
+      assign undecided[k] = !code[CODE_BITS-1] && code[0];
+    end
+  endgenerate
+
+  generate
+    if (CODE_BITS == 2) begin : g_one_verdict
+      wire [1:0] only = REPORT[3] ? 2'd3 : (REPORT[2] ? 2'd2 : {1'b0, REPORT[1]});
+
+      always @* begin
+        verdict = only;
+      end
+    end else begin : g_any_verdict
+      integer v;
+
+      always @* begin
+        verdict = 2'b00;
+        for (v = 0; v < LANES; v = v + 1) begin
+          if (lowest[v]) begin
+            verdict = codes_q[v*CODE_BITS +: 2];
+          end
+        end
+      end
+    end
+  endgenerate
+
+  always @(posedge aclk) begin
+    if (!aresetn) begin
+      valid_q       <= 1'b0;
+      report_sent_q <= 1'b0;
+      pair_sent_q   <= 1'b0;
+    end else begin
+      if (s_axis_tready) begin
+        valid_q <= s_axis_tvalid;
+      end
+      report_sent_q <= valid_q && last_q && !s_axis_tready && (report_sent_q || m_report_tready);
+      pair_sent_q   <= valid_q && last_q && !s_axis_tready && (pair_sent_q || m_pair_tready);
+    end
+  end
+
+  integer c;
+
+  always @(posedge aclk) begin
+    if (s_axis_tready) begin
+      {codes_q, index_j_q, base_q} <= s_axis_tdata;
+      last_q                       <= s_axis_tlast;
+    end else if (left && !last_q) begin
+      for (c = 0; c < LANES; c = c + 1) begin
+        if (leaving[c]) begin
+          codes_q[c*CODE_BITS +: CODE_BITS] <= {CODE_BITS{1'b0}};
+        end
+      end
+    end
+  end
+
+  assign m_report_tvalid    = valid_q && (last_q ? !report_sent_q : is_report);
+  assign m_report_tlast     = last_q;
+  assign m_report_tag       = {index_j_q, last_q ? base_q : index_i};
+  assign m_report_verdict   = reports ? verdict : 2'b00;
+  assign m_report_undecided = !reports;
+  assign m_pair_tvalid      = valid_q && (last_q ? !pair_sent_q : !is_report);
+  assign m_pair_tlast       = last_q;
+  assign m_pair_tag         = {index_j_q, index_i};
+
+  generate
+    if (BITMAP != 0) begin : g_flags
+      assign m_report_flags = reports ? reported : ONE_FLAG;
+    end else begin : g_pairs
+      assign m_report_flags = ONE_FLAG;
+    end
+  endgenerate
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,161 @@
+#include "model/fixed/item_split.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "model/data/pairing.hpp"
+#include "tests/model/fixed/lanes.hpp"
+#include "tests/support/float_samples.hpp"
+#include "tests/support/graphs.hpp"
+
+namespace mixcmp::test::item_split_test {
+namespace {
+
+using fixed::FixedLane;
+using fixed::ItemInput;
+using fixed::ItemSplit;
+
+/// A lane, its split, and the columns that its inputs stand for.
+struct Split {
+  FixedLane lane;
+  std::vector<std::string> columns;
+  std::vector<ItemInput> inputs;
+  ItemSplit split;
+};
+
+Split split_of(const Graph& graph, int bits, const Range& range) {
+  FixedLane lane = lane_of(graph, bits, range);
+  std::vector<std::string> columns;
+  std::vector<ItemInput> inputs;
+  for (const std::string& input : graph.inputs()) {
+    const auto column = data::item_column(input).value();
+    const auto known = std::find(columns.begin(), columns.end(), column.name);
+    inputs.push_back({static_cast<int>(known - columns.begin()), column.second});
+    if (known == columns.end()) columns.push_back(column.name);
+  }
+  ItemSplit split = fixed::split_by_item({&lane}, inputs, columns);
+  return {std::move(lane), std::move(columns), std::move(inputs), std::move(split)};
+}
+
+std::vector<std::string> fields_of(const Split& made) {
+  std::vector<std::string> fields;
+  const FixedLane& loader = made.split.loader;
+  for (const NodeId id : loader.outputs) {
+    fields.push_back(std::string(to_string(loader.nodes[id].operation)) + " " +
+                     loader.nodes[id].format.name());
+  }
+  return fields;
+}
+
+TEST(ItemSplit, OperandsOfASphereAreFields) {
+  const Split made = split_of(graph_of(spheres, "(ri + rj)^2"), 13, {0, 100});
+  EXPECT_EQ(fields_of(made), (std::vector<std::string>(4, "input ufix13_En6")));
+  EXPECT_EQ(made.split.flags, (std::vector<std::vector<NodeId>>{{0, 1, 2, 3}}));
+  const FixedLane& rest = made.split.lanes.front();
+  EXPECT_EQ(rest.loaded_inputs.size(), 8u);
+  EXPECT_EQ(fixed::flags_read(rest).size(), 2u) << "one of each item";
+}
+
+TEST(ItemSplit, WhatOneItemDecidesIsComputedOnce) {
+  const Split made = split_of(graph_of("(ai^2 + bi) - 2 * aj", "bj * bj"), 7, {0, 4});
+  EXPECT_EQ(fields_of(made).size(), 3u) << "a^2 + b, 2 a or a, b^2";
+  for (const fixed::FixedNode& node : made.split.lanes.front().nodes) {
+    EXPECT_NE(node.operation, Operation::square);
+    EXPECT_NE(node.operation, Operation::multiply);
+  }
+}
+
+TEST(ItemSplit, EachSetOfPartsHasAFlag) {
+  const Split made =
+      split_of(graph_of({{"ai", "aj"}, {"bi", "bj"}, {"ai + ci", "bj"}}, Combination::any), 6, {0, 9});
+  // a of item i matters to parts 0 and 2, of item j to part 0; b: 1, and 1 and 2; c: 2.
+  EXPECT_EQ(made.split.flags.size(), 3u);
+}
+
+/// The flags of an item's word: whether some operand of each does not fit.
+std::vector<bool> flags_of(const Split& made,
+                           const std::vector<std::optional<mpz_class>>& loaded) {
+  std::vector<bool> flags;
+  for (const std::vector<NodeId>& inputs : made.split.flags) {
+    flags.push_back(std::any_of(inputs.begin(), inputs.end(),
+                                [&](NodeId id) { return !loaded[id].has_value(); }));
+  }
+  return flags;
+}
+
+/// The nodes of the whole lane in the order in which the rest has them.
+class Walk {
+public:
+  Walk(const Split& made, const std::vector<Bits>& item_i, const std::vector<Bits>& item_j)
+      : made_(made) {
+    words_[0] = golden::evaluate(made.split.loader, item_i);
+    words_[1] = golden::evaluate(made.split.loader, item_j);
+    std::vector<Bits> operands;
+    for (const ItemInput& input : made.inputs) {
+      operands.push_back((input.second ? item_j : item_i)[input.column]);
+    }
+    whole_ = golden::evaluate(made.lane, operands);
+  }
+
+  /// Whether each part sees the operands that do not fit, and loaded values are those of the lane.
+  void check() const {
+    const FixedLane& rest = made_.split.lanes.front();
+    for (std::size_t part = 0; part < rest.parts.size(); ++part) {
+      EXPECT_EQ(is_out_of_range(rest, part), !whole_[made_.lane.parts[part].difference].has_value());
+    }
+    for (const fixed::FixedNode& node : rest.nodes) {
+      if (node.operation == Operation::input) check_loaded(rest, node);
+    }
+  }
+
+private:
+  bool is_out_of_range(const FixedLane& rest, std::size_t part) const {
+    for (const NodeId id : fixed::fan_in(rest, rest.parts[part].difference)) {
+      if (rest.nodes[id].operation != Operation::input) continue;
+      const fixed::LoadedInput& loaded = rest.loaded_inputs[rest.nodes[id].input];
+      const std::vector<bool> flags = flags_of(made_, words_[loaded.second ? 1 : 0]);
+      for (const std::size_t flag : loaded.flags) {
+        if (flags[flag]) return true;
+      }
+    }
+    return false;
+  }
+
+  /// The lane has a node with the value of the field.
+  void check_loaded(const FixedLane& rest, const fixed::FixedNode& node) const {
+    const fixed::LoadedInput& loaded = rest.loaded_inputs[node.input];
+    const NodeId field = made_.split.loader.outputs[loaded.field];
+    const auto& value = words_[loaded.second ? 1 : 0][field];
+    const bool known = std::find(whole_.begin(), whole_.end(), value) != whole_.end();
+    EXPECT_TRUE(known);
+  }
+
+  const Split& made_;
+  std::vector<std::optional<mpz_class>> words_[2];
+  std::vector<std::optional<mpz_class>> whole_;
+};
+
+TEST(ItemSplit, PartsSeeTheOperandsThatDoNotFit) {
+  std::mt19937_64 random(5);
+  const std::vector<const char*> texts = {"0", "-0", "1", "3.5", "8", "16", "-1", "nan", "inf", "7.9"};
+  const std::vector<Graph> graphs = {
+      graph_of(spheres, "(ri + rj)^2"),
+      graph_of({{"ai", "aj"}, {"bi", "bj"}, {"ai + ci", "bj"}}, Combination::any),
+      graph_of({{"(ai - aj)^2", "bi^2"}, {"max(ai, ci)", "bj + cj"}}, Combination::all)};
+  for (const Graph& graph : graphs) {
+    const Split made = split_of(graph, 6, {0, 8});
+    const auto item = [&] {
+      std::vector<Bits> columns;
+      for (std::size_t k = 0; k < made.columns.size(); ++k) {
+        const char* text = random() % 3 > 0 ? "2.5" : texts[random() % texts.size()];
+        columns.push_back(from_text(made.lane.input_format, text).value());
+      }
+      return columns;
+    };
+    for (int k = 0; k < 500; ++k) Walk(made, item(), item()).check();
+  }
+}
+
+}  // namespace
+}  // namespace mixcmp::test::item_split_test
