@@ -78,8 +78,8 @@ PairwiseJudge::PairwiseJudge(const emit::Signature& signature, const design::Des
 }
 
 data::Items PairwiseJudge::rows_of(const SetRange& set, std::uint64_t i, std::uint64_t j) const {
-  const std::uint64_t second = set.others.count > 0 ? set.others.first + j - set.items.count
-                                                    : set.items.first + j;
+  const std::uint64_t second =
+      set.others.count > 0 ? set.others.first + j - set.items.count : set.items.first + j;
   return {.row = 0, .first = set.items.first + i, .second = second};
 }
 
@@ -147,8 +147,8 @@ void PairwiseJudge::judge_pair(const SetRange& set, std::uint64_t i, std::uint64
   if (word.is_recomputed()) ++recomputations_;
   const bool due = is_reported(word);
   if (due) ++due_;
-  const bool as_due = got == nullptr ? !due || counts_only()
-                                     : due && !counts_only() && word_of(*got) == word;
+  const bool as_due =
+      got == nullptr ? !due || counts_only() : due && !counts_only() && word_of(*got) == word;
   if (!as_due) return add_mismatch(set, i, j, word, got);
   if (use == Use::figures) count(set, i, j, word);
 }

@@ -15,7 +15,8 @@ Result<SetAnswer> PairwiseSimulation::exchange(const ItemSet& set, int streams) 
 }
 
 bool PairwiseSimulation::send(const ItemSet& set) {
-  const harness::wire::SetRequest request{set.items, set.targets, set.reset_after, set.last ? 1u : 0u};
+  const harness::wire::SetRequest request{set.items, set.targets, set.reset_after,
+                                          set.last ? 1u : 0u};
   return process_.send(std::span(&request, 1)) && process_.send(std::span(set.bytes));
 }
 

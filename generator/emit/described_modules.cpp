@@ -213,8 +213,9 @@ std::string report_fact(const rtl::PairwiseShape& shape) {
     case scene::ReportForm::pairs:
       return fmt::format("m_axis: a beat a pair that is {}{}undecided;", reported, join);
     case scene::ReportForm::bitmap:
-      return fmt::format("m_axis: a beat for an item j and {} items i in a row, of which some are {};",
-                         shape.lanes_per_segment(), reported);
+      return fmt::format(
+          "m_axis: a beat for an item j and {} items i in a row, of which some are {};",
+          shape.lanes_per_segment(), reported);
     case scene::ReportForm::count:
       return fmt::format("m_axis: the number of pairs that are {}{}undecided;", reported, join);
   }
@@ -256,7 +257,8 @@ Described describe_pairwise(const rtl::PairwiseShape& shape, const rtl::SystemSh
       report_fact(shape)};
   for (std::string& fact : report_fields(shape)) facts.push_back(std::move(fact));
   if (shape.streams() > 1) {
-    facts.push_back(fmt::format("  {} streams side by side; each ends every set.", shape.streams()));
+    facts.push_back(
+        fmt::format("  {} streams side by side; each ends every set.", shape.streams()));
   }
   facts.emplace_back(
       "A set ends with a beat with tlast: tdata is the number of its reports, tuser");
@@ -280,8 +282,8 @@ Described describe_conversion(const rtl::PairwiseShape& shape) {
                   fmt::join(shape.engine.columns, ", ")),
       "word, the first field lowest:"};
   for (const rtl::ItemWords::Field& field : shape.words.fields) {
-    facts.push_back(fmt::format("  {} in [{}:{}]", field.name, field.low + field.width - 1,
-                                field.low));
+    facts.push_back(
+        fmt::format("  {} in [{}:{}]", field.name, field.low + field.width - 1, field.low));
   }
   for (std::string& fact : timing_facts(shape.words.schedule)) facts.push_back(std::move(fact));
   return {rtl::item_word_module(shape.word_module, shape.words, shape.engine), std::move(facts)};

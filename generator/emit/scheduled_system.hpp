@@ -15,8 +15,8 @@ namespace mixcmp::emit {
 struct ScheduledSystem {
   rtl::SystemShape shape;
   std::optional<rtl::EngineShape> engine;
-  /// What else a pairwise engine is made of. Its lanes are those of the shape, behind the conversion
-  /// of their operands.
+  /// What else a pairwise engine is made of. Its lanes are those of the shape, behind the
+  /// conversion of their operands.
   std::optional<rtl::PairwiseShape> pairwise;
 };
 

@@ -43,10 +43,9 @@ constexpr std::array engine_kinds = {
     Name<scene::EngineKind>{scene::EngineKind::pairwise, "pairwise"},
     Name<scene::EngineKind>{scene::EngineKind::arg_min, "arg_min"}};
 
-constexpr std::array report_forms = {
-    Name<scene::ReportForm>{scene::ReportForm::pairs, "pairs"},
-    Name<scene::ReportForm>{scene::ReportForm::bitmap, "bitmap"},
-    Name<scene::ReportForm>{scene::ReportForm::count, "count"}};
+constexpr std::array report_forms = {Name<scene::ReportForm>{scene::ReportForm::pairs, "pairs"},
+                                     Name<scene::ReportForm>{scene::ReportForm::bitmap, "bitmap"},
+                                     Name<scene::ReportForm>{scene::ReportForm::count, "count"}};
 
 template <class Value, std::size_t count>
 const char* text_of(const std::array<Name<Value>, count>& names, Value value) {

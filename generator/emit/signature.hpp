@@ -47,12 +47,12 @@ struct SignatureReferences {
 /// The engine around the system: it generates the comparisons that the system's lanes take.
 struct SignatureEngine {
   scene::EngineKind kind = scene::EngineKind::none;
-  std::string top;                            ///< the module; the system is inside
-  int capacity = 0;                           ///< the most items of a set, or candidates
-  int index_bits = 0;                         ///< width of an item's or candidate's number
-  std::vector<std::string> columns;           ///< column k of an item is tdata[k * width +: width]
-  int item_bytes = 0;                         ///< bytes of an item, padded
-  std::vector<std::string> report;            ///< pairwise: the verdicts whose pairs are reported
+  std::string top;                   ///< the module; the system is inside
+  int capacity = 0;                  ///< the most items of a set, or candidates
+  int index_bits = 0;                ///< width of an item's or candidate's number
+  std::vector<std::string> columns;  ///< column k of an item is tdata[k * width +: width]
+  int item_bytes = 0;                ///< bytes of an item, padded
+  std::vector<std::string> report;   ///< pairwise: the verdicts whose pairs are reported
   scene::ReportForm report_as = scene::ReportForm::pairs;  ///< pairwise
   int report_streams = 1;                     ///< pairwise: streams m_axis side by side
   int report_lanes = 1;                       ///< pairwise: flags of a beat of a bitmap

@@ -23,15 +23,15 @@ std::vector<SignatureLanes> lanes_of(const Design& design, const rtl::SystemShap
   std::vector<SignatureLanes> lanes;
   for (std::size_t k = 0; k < design.lanes.size(); ++k) {
     const design::LaneGroup& group = design.lanes[k];
-    lanes.push_back({.count = group.count,
-                     .module = in_channels ? shape.lane_groups[k].channel
-                                           : shape.lane_groups[k].datapath,
-                     .format = design::format_name(group.lane),
-                     .latency_cycles = shape.lane_groups[k].schedule.latency_cycles,
-                     .certified = design::is_certified(group.lane),
-                     .decision = design::describe_criterion(group.lane),
-                     .inputs = group.inputs,
-                     .multipliers = group.multipliers});
+    lanes.push_back(
+        {.count = group.count,
+         .module = in_channels ? shape.lane_groups[k].channel : shape.lane_groups[k].datapath,
+         .format = design::format_name(group.lane),
+         .latency_cycles = shape.lane_groups[k].schedule.latency_cycles,
+         .certified = design::is_certified(group.lane),
+         .decision = design::describe_criterion(group.lane),
+         .inputs = group.inputs,
+         .multipliers = group.multipliers});
   }
   return lanes;
 }

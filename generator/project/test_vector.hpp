@@ -17,7 +17,7 @@ struct TestVector {
 /// A set of items for a pairwise engine, and the word that the lane of each pair must find.
 struct PairwiseVectors {
   std::vector<std::vector<std::uint8_t>> items;  ///< s_axis_tdata of each, at least two
-  std::size_t targets = 0;  ///< the first items, which meet the others alone; 0: all meet
+  std::size_t targets = 0;           ///< the first items, which meet the others alone; 0: all meet
   std::vector<ResultWord> expected;  ///< of the pairs, in the order of the first item, then of the
                                      ///< second: (0,1), (0,2), ..., (1,2), ...
 };

@@ -13,7 +13,7 @@ namespace mixcmp::rtl {
 /// A lane in floating point: ports aclk, one per input, verdict[1:0], decided. Free-running,
 /// initiation interval 1, latency schedule.latency_cycles, no reset. `header` is left to the
 /// caller.
-Module lane_module(std::string name, const std::vector<InputPort>& ports,
-                   const error::Lane& lane, const datapath::Schedule& schedule);
+Module lane_module(std::string name, const std::vector<InputPort>& ports, const error::Lane& lane,
+                   const datapath::Schedule& schedule);
 
 }  // namespace mixcmp::rtl

@@ -46,8 +46,8 @@ private:
     if (lanes.empty()) return;
     std::vector<fixed::ItemInput> inputs;
     for (const EngineShape::Source& source : engine_.sources) {
-      inputs.push_back({.column = static_cast<int>(source.column),
-                        .second = source.item == data::Item::second});
+      inputs.push_back(
+          {.column = static_cast<int>(source.column), .second = source.item == data::Item::second});
     }
     words_.split = fixed::split_by_item(lanes, inputs, engine_.columns);
   }

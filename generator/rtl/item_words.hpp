@@ -30,7 +30,8 @@ struct WordLane {
 };
 
 struct ItemWords {
-  /// Bits of the word, the first field lowest: what was computed, its flags, columns as they arrive.
+  /// Bits of the word, the first field lowest: what was computed, its flags, columns as they
+  /// arrive.
   struct Field {
     std::string name;
     int width;

@@ -7,10 +7,9 @@ namespace mixcmp::rtl {
 namespace {
 
 FloatFormat input_format(const design::Lane& lane) {
-  return std::visit(
-      design::Cases{[](const error::Lane& made) { return made.graph.input_format; },
-                    [](const fixed::FixedLane& made) { return made.input_format; }},
-      lane);
+  return std::visit(design::Cases{[](const error::Lane& made) { return made.graph.input_format; },
+                                  [](const fixed::FixedLane& made) { return made.input_format; }},
+                    lane);
 }
 
 }  // namespace

@@ -63,19 +63,19 @@ void declare_chain(const PairwiseShape& shape, std::vector<ModuleItem>& items) {
   items.push_back(Wire{1, "word_tready", nullptr});
   items.push_back(Wire{bits, "word_tdata", nullptr});
   declare({{1, "passed_tvalid"}, {1, "passed_tready"}, {bits, "passed_tdata"}}, count, items);
-  items.push_back(Wire{
-      count, "arriving_tvalid", shifted_up("passed_tvalid", count, 1, "word_tvalid"), true});
+  items.push_back(
+      Wire{count, "arriving_tvalid", shifted_up("passed_tvalid", count, 1, "word_tvalid"), true});
   items.push_back(Wire{count, "arriving_tready", nullptr, true});
-  items.push_back(Wire{
-      count * bits, "arriving_tdata", shifted_up("passed_tdata", count, bits, "word_tdata"), true});
+  items.push_back(Wire{count * bits, "arriving_tdata",
+                       shifted_up("passed_tdata", count, bits, "word_tdata"), true});
   items.push_back(Assignment{net("word_tready"), bit("arriving_tready", 0)});
   Operand ready = literal(1, 1);
   if (count > 1) ready = concatenation({ready, slice("arriving_tready", count - 1, 1)});
   items.push_back(Assignment{net("passed_tready"), std::move(ready)});
-  items.push_back(Wire{1, "unused_passed",
-                       all_bits(concatenation({literal(1, 0), bit("passed_tvalid", count - 1),
-                                               slice("passed_tdata", count * bits - 1,
-                                                     (count - 1) * bits)}))});
+  items.push_back(
+      Wire{1, "unused_passed",
+           all_bits(concatenation({literal(1, 0), bit("passed_tvalid", count - 1),
+                                   slice("passed_tdata", count * bits - 1, (count - 1) * bits)}))});
   items.push_back(Comment{"Exceptions of each segment, back to the engine."});
   declare({{1, "entry_tvalid"},
            {1, "entry_tready"},

@@ -11,8 +11,8 @@
 namespace mixcmp::rtl {
 namespace {
 
-/// Bits of the address of a queue with room for all beats that may still come when it says stop, and
-/// for four that wait.
+/// Bits of the address of a queue with room for all beats that may still come when it says stop,
+/// and for four that wait.
 int queue_bits(int lane_latency_cycles) {
   const int may_come = lane_latency_cycles + 3;
   return std::bit_width(static_cast<unsigned>(may_come + 3));
@@ -49,8 +49,8 @@ void add_lane(const SystemShape& system, const ItemWords& words, const SegmentGr
   }
   std::vector<Connection> connections = {by_name("aclk")};
   for (const LanePort& port : lane.ports) {
-    connections.push_back({port.name, slice(port.second ? "item_j" : "item_i",
-                                            port.low + port.width - 1, port.low)});
+    connections.push_back(
+        {port.name, slice(port.second ? "item_j" : "item_i", port.low + port.width - 1, port.low)});
   }
   connections.push_back({"verdict", indexed("verdicts", "k", verdict_bits)});
   connections.push_back({"decided", indexed("decided", "k", 1)});

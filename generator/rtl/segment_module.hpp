@@ -10,10 +10,10 @@ namespace mixcmp::rtl {
 /// Equal segments of a pairwise engine that follow each other in its chain.
 struct SegmentGroup {
   std::string module;
-  std::string label;            ///< of the loop that instantiates them
-  std::size_t lane_group = 0;   ///< of the system: what their lanes are
-  int lanes = 0;                ///< of each
-  int first = 0;                ///< the number of the first segment
+  std::string label;           ///< of the loop that instantiates them
+  std::size_t lane_group = 0;  ///< of the system: what their lanes are
+  int lanes = 0;               ///< of each
+  int first = 0;               ///< the number of the first segment
   int count = 0;
 };
 

@@ -19,8 +19,8 @@ struct ItemInput {
 };
 
 struct ItemSplit {
-  /// Computes the word. Its inputs are the columns of an item, its `outputs` the word's fields, each
-  /// once, though pairs may read it of both items. It has no parts.
+  /// Computes the word. Its inputs are the columns of an item, its `outputs` the word's fields,
+  /// each once, though pairs may read it of both items. It has no parts.
   FixedLane loader;
   /// The word's flags, behind its fields: each the inputs of the loader whose operands do not fit.
   std::vector<std::vector<NodeId>> flags;
@@ -29,8 +29,8 @@ struct ItemSplit {
 };
 
 /// Splits one or more lanes of the same comparison, none in block floating point, so that all of
-/// them read one word. `inputs`: one for each input of the comparison. A lane decides as before: for the same
-/// operands it gives the same verdict, and is undecided where it was.
+/// them read one word. `inputs`: one for each input of the comparison. A lane decides as before:
+/// for the same operands it gives the same verdict, and is undecided where it was.
 ItemSplit split_by_item(const std::vector<const FixedLane*>& lanes,
                         const std::vector<ItemInput>& inputs,
                         const std::vector<std::string>& columns);

@@ -1,3 +1,5 @@
+#include "generator/rtl/lane_module.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -5,7 +7,6 @@
 #include <optional>
 
 #include "generator/datapath/delays.hpp"
-#include "generator/rtl/lane_module.hpp"
 #include "generator/rtl/reference_module.hpp"
 #include "model/error/certified_lane.hpp"
 #include "tests/support/graphs.hpp"

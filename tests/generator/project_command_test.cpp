@@ -174,8 +174,7 @@ protected:
       data += fmt::format("{:.7f},{:.7f}\n", a, k % 3 == 0 ? a : a * (1 + 0.003 * (k % 5)));
     }
     write("data.csv", data);
-    write_engine("ai - aj", "bi - bj", "[engine]\nkind = \"pairwise\"\ncapacity = 16\n",
-                 pairing);
+    write_engine("ai - aj", "bi - bj", "[engine]\nkind = \"pairwise\"\ncapacity = 16\n", pairing);
   }
 
   /// Points between centres, some of them in the middle of two.

@@ -165,7 +165,8 @@ TEST_P(BrokenEngine, IsFoundOut) {
 INSTANTIATE_TEST_SUITE_P(
     Faults, BrokenEngine,
     testing::Values(
-        Fault{"last_block", "mixcmp_pair_walker.v", ": next_base_q + ONE;", ": next_base_q + STEP;"},
+        Fault{"last_block", "mixcmp_pair_walker.v", ": next_base_q + ONE;",
+              ": next_base_q + STEP;"},
         Fault{"report_kind", "mixcmp_pair_segment.v", "reports[verdict]", "reports[2'b01]"},
         Fault{"refetched_items", "mixcmp_pair_recomputation.v", "second_q ? index_j : index_i",
               "second_q ? index_j : index_j"},

@@ -81,7 +81,7 @@ protected:
   ClockedModel clocked_;
   EnginePorts ports_;
   std::array<HoldChecker, system::output_streams> hold_;  ///< of each stream that leaves
-  std::vector<wire::Violation> violations_;  ///< since the last response
+  std::vector<wire::Violation> violations_;               ///< since the last response
   std::uint64_t cycle_ = 0;
   bool stopped_ = false;  ///< the engine hung, or max_violations were seen
 

@@ -67,15 +67,14 @@ TEST(ItemSplit, WhatOneItemDecidesIsComputedOnce) {
 }
 
 TEST(ItemSplit, EachSetOfPartsHasAFlag) {
-  const Split made =
-      split_of(graph_of({{"ai", "aj"}, {"bi", "bj"}, {"ai + ci", "bj"}}, Combination::any), 6, {0, 9});
+  const Split made = split_of(
+      graph_of({{"ai", "aj"}, {"bi", "bj"}, {"ai + ci", "bj"}}, Combination::any), 6, {0, 9});
   // a of item i matters to parts 0 and 2, of item j to part 0; b: 1, and 1 and 2; c: 2.
   EXPECT_EQ(made.split.flags.size(), 3u);
 }
 
 /// The flags of an item's word: whether some operand of each does not fit.
-std::vector<bool> flags_of(const Split& made,
-                           const std::vector<std::optional<mpz_class>>& loaded) {
+std::vector<bool> flags_of(const Split& made, const std::vector<std::optional<mpz_class>>& loaded) {
   std::vector<bool> flags;
   for (const std::vector<NodeId>& inputs : made.split.flags) {
     flags.push_back(std::any_of(inputs.begin(), inputs.end(),
@@ -102,7 +101,8 @@ public:
   void check() const {
     const FixedLane& rest = made_.split.lanes.front();
     for (std::size_t part = 0; part < rest.parts.size(); ++part) {
-      EXPECT_EQ(is_out_of_range(rest, part), !whole_[made_.lane.parts[part].difference].has_value());
+      EXPECT_EQ(is_out_of_range(rest, part),
+                !whole_[made_.lane.parts[part].difference].has_value());
     }
     for (const fixed::FixedNode& node : rest.nodes) {
       if (node.operation == Operation::input) check_loaded(rest, node);
@@ -138,7 +138,8 @@ private:
 
 TEST(ItemSplit, PartsSeeTheOperandsThatDoNotFit) {
   std::mt19937_64 random(5);
-  const std::vector<const char*> texts = {"0", "-0", "1", "3.5", "8", "16", "-1", "nan", "inf", "7.9"};
+  const std::vector<const char*> texts = {"0",  "-0", "1",   "3.5", "8",
+                                          "16", "-1", "nan", "inf", "7.9"};
   const std::vector<Graph> graphs = {
       graph_of(spheres, "(ri + rj)^2"),
       graph_of({{"ai", "aj"}, {"bi", "bj"}, {"ai + ci", "bj"}}, Combination::any),

@@ -134,10 +134,9 @@ TEST_F(EngineSection, MistakesAreToldInOneLine) {
   EXPECT_EQ(error(engine + "[system]\ntag_bits = 26\n"),
             ":10: system.tag_bits: the pairwise engine decides it: received 26; accepted 20, the "
             "numbers of two of 1024 items, or no key");
-  EXPECT_EQ(
-      error(engine + data),
-      ":9: data.pairs: the pairwise engine compares every two items, or those of two tables: "
-      "received nothing; accepted pairs = \"all\" or pairs = \"cross\"");
+  EXPECT_EQ(error(engine + data),
+            ":9: data.pairs: the pairwise engine compares every two items, or those of two tables: "
+            "received nothing; accepted pairs = \"all\" or pairs = \"cross\"");
 }
 
 TEST_F(EngineSection, InputsMustBeColumnsOfTwoItems) {

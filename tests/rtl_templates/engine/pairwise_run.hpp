@@ -57,11 +57,11 @@ inline void PrintTo(const EngineSpec& spec, std::ostream* stream) {
 /// Chances per cycle.
 struct EngineTraffic {
   const char* name = "";
-  double offer = 1.0;    ///< that an item is offered
-  double answer = 1.0;   ///< that a reference takes a pair
-  double accept = 1.0;   ///< that a report is taken
+  double offer = 1.0;   ///< that an item is offered
+  double answer = 1.0;  ///< that a reference takes a pair
+  double accept = 1.0;  ///< that a report is taken
   double reset = 0.0;
-  bool wary = false;     ///< a report is taken only once it was seen
+  bool wary = false;  ///< a report is taken only once it was seen
   /// Of a set, in which `accept` counts; from then on reports are always taken.
   std::uint64_t slow_cycles = ~std::uint64_t{0};
 };
@@ -134,7 +134,7 @@ private:
   ItemSet set_;
   std::uint32_t loaded_ = 0;
   bool offering_ = false;
-  bool open_ = false;  ///< a closing beat is still to come
+  bool open_ = false;                 ///< a closing beat is still to come
   std::map<Tag, std::uint32_t> due_;  ///< reports of this set: {undecided, recomputed, verdict}
   std::map<Tag, std::uint32_t> reports_;
   std::uint64_t asked_ = 0;  ///< recomputations that this set needs
