@@ -87,17 +87,31 @@ Result<Done> check_memories(const components::ComponentQuery& query) {
                  "embedded, logic, or --bounds with fixed_norm or another of fixed point");
 }
 
-Result<std::set<ComponentKind>> component_kinds(const std::string& text) {
-  constexpr std::array<ComponentKind, 5> all = {ComponentKind::lane, ComponentKind::reference,
-                                                ComponentKind::fifo, ComponentKind::crossbar,
-                                                ComponentKind::unit};
+/// The parts of the systems that a scene makes: of a pairwise engine, or of a system whose lanes
+/// take streams.
+std::set<ComponentKind> parts_of_system(const scene::Scene& scene) {
+  if (scene.system.engine.kind == scene::EngineKind::pairwise) {
+    return {ComponentKind::segment, ComponentKind::conversion, ComponentKind::engine,
+            ComponentKind::reference, ComponentKind::reference_port};
+  }
+  return {ComponentKind::lane, ComponentKind::fifo, ComponentKind::crossbar,
+          ComponentKind::reference, ComponentKind::reference_port};
+}
+
+Result<std::set<ComponentKind>> component_kinds(const std::string& text,
+                                                const scene::Scene& scene) {
+  std::set<ComponentKind> possible = parts_of_system(scene);
+  if (text.empty()) return possible;
+  possible.insert({ComponentKind::lane, ComponentKind::unit});
   std::set<ComponentKind> kinds;
   for (const std::string& word : words(text)) {
-    const auto* found = std::find_if(all.begin(), all.end(),
-                                     [&](ComponentKind kind) { return word == to_string(kind); });
-    if (found == all.end()) {
-      return mistake("--components", "not a component", word,
-                     "lane, reference, fifo, crossbar, unit");
+    const auto found = std::find_if(possible.begin(), possible.end(),
+                                    [&](ComponentKind kind) { return word == to_string(kind); });
+    if (found == possible.end()) {
+      std::vector<std::string_view> accepted;
+      for (const ComponentKind kind : possible) accepted.push_back(to_string(kind));
+      return mistake("--components", "not a component of this scene's systems", word,
+                     fmt::format("{}", fmt::join(accepted, ", ")));
     }
     kinds.insert(*found);
   }
@@ -165,7 +179,7 @@ Result<components::ComponentQuery> query_of(const CharacteriseCommand& command,
   MIXCMP_TRY(ports, number_list("--ports", few_ports ? std::string(quick_ports) : command.ports,
                                 components::measured_ports));
   query.ports = ports;
-  MIXCMP_TRY(kinds, component_kinds(command.components));
+  MIXCMP_TRY(kinds, component_kinds(command.components, scene));
   query.kinds = kinds;
   MIXCMP_TRY(chosen, exponents(command.exponents));
   query.exponents = chosen;
@@ -221,7 +235,9 @@ void add_characterise_options(const Verb& verb, CharacteriseCommand& command) {
               "of references, in cycles: 16 or 1,4,16 (default: as reference.initiation_interval "
               "says; 1,4,16 where that is \"auto\")");
   verb.option("--components", command.components,
-              "what to measure, besides these unit (default: " + command.components + ")");
+              "what to measure: lane, fifo, crossbar; of a pairwise engine segment, conversion, "
+              "engine; reference, reference_port; unit (default: all that the scene's systems "
+              "have)");
   verb.option("--ports", command.ports,
               "lanes at one reference's crossbar (default: " + command.ports + ")");
   verb.flag("--quick", command.quick,

@@ -15,7 +15,7 @@ struct CharacteriseCommand {
       "block_constant";
   std::string inputs = "exact,rounded";
   std::string multipliers = "both";
-  std::string components = "lane,reference,fifo,crossbar";
+  std::string components;  ///< empty: all that the scene's systems have
   std::string ports = "1-8,12,16,24,32,48,64,96,128";
   std::string exponents;             ///< empty: as the scene says
   std::string initiation_intervals;  ///< of references; empty: as the scene says

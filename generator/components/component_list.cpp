@@ -2,6 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
+
+#include "generator/components/engine_components.hpp"
 #include "model/design/slots.hpp"
 #include "model/error/exponent_range.hpp"
 #include "model/scene/bound_choice.hpp"
@@ -67,7 +71,7 @@ public:
     }
     MIXCMP_TRY(references, visit_references());
     MIXCMP_TRY(fifos, visit_all(ComponentKind::fifo, slots_));
-    if (recomputes()) {
+    if (recomputes() && !maker_.is_pairwise()) {
       MIXCMP_TRY(crossbars,
                  visit_all(ComponentKind::crossbar, {query_.ports.begin(), query_.ports.end()}));
     }
@@ -82,7 +86,10 @@ public:
 private:
   bool asked(ComponentKind kind) const { return query_.kinds.contains(kind); }
   bool needs_lanes() const {
-    return asked(ComponentKind::lane) || asked(ComponentKind::fifo) || asked(ComponentKind::unit);
+    constexpr std::array kinds = {ComponentKind::lane,       ComponentKind::fifo,
+                                  ComponentKind::unit,       ComponentKind::segment,
+                                  ComponentKind::conversion, ComponentKind::engine};
+    return std::any_of(kinds.begin(), kinds.end(), [this](auto kind) { return asked(kind); });
   }
   bool recomputes() const { return maker_.scene().system.references.value_or(1) > 0; }
 
@@ -106,20 +113,52 @@ private:
         missing_.push_back({key, lane.error()});
         continue;
       }
-      slots_.insert(design::slots_for(lane->latency_cycles, recomputes()));
+      if (!maker_.is_pairwise()) {
+        slots_.insert(design::slots_for(lane->latency_cycles, recomputes()));
+      }
       take(*lane);
+      if (maker_.is_pairwise()) {
+        MIXCMP_TRY(visited, visit_engine_parts(key));
+      }
     }
     return Done{};
   }
 
-  Result<Done> visit_references() {
-    if (!recomputes() || !(asked(ComponentKind::reference) || asked(ComponentKind::unit))) {
-      return Done{};
+  /// What a pairwise engine of such lanes has. Lanes in floating point and in block floating point
+  /// have no conversion.
+  Result<Done> visit_engine_parts(ComponentKey key) {
+    const scene::EngineSpec& engine = maker_.scene().system.engine;
+    if (asked(ComponentKind::segment)) {
+      key.kind = ComponentKind::segment;
+      key.ports = engine.lanes_per_group;
+      MIXCMP_TRY(visited, visit(key));
     }
+    if (asked(ComponentKind::engine)) {
+      key.kind = ComponentKind::engine;
+      for (const int segments : measured_segments(engine)) {
+        key.ports = segments;
+        MIXCMP_TRY(visited, visit(key));
+      }
+    }
+    const LaneFormat format = LaneFormat::parse(key.format).value();
+    const bool converts = format.fixed_point && !format.fixed_point->is_block;
+    if (!asked(ComponentKind::conversion) || !converts) return Done{};
+    key.kind = ComponentKind::conversion;
+    key.ports = 0;
+    return visit(key);
+  }
+
+  Result<Done> visit_references() {
+    const bool wanted = asked(ComponentKind::reference) || asked(ComponentKind::unit) ||
+                        asked(ComponentKind::reference_port);
+    if (!recomputes() || !wanted) return Done{};
     for (const Multipliers multipliers : reference_multipliers(query_)) {
       for (const int interval : query_.initiation_intervals) {
-        MIXCMP_TRY(visited,
-                   visit(reference_key(maker_.scene().reference, {multipliers, interval})));
+        ComponentKey key = reference_key(maker_.scene().reference, {multipliers, interval});
+        MIXCMP_TRY(visited, visit(key));
+        if (!asked(ComponentKind::reference_port)) continue;
+        key.kind = ComponentKind::reference_port;
+        MIXCMP_TRY(port_visited, visit(key));
       }
     }
     return Done{};

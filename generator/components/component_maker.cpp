@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "generator/components/engine_components.hpp"
 #include "generator/components/synthesis_jobs.hpp"
 #include "generator/datapath/delays.hpp"
 #include "generator/datapath/lane_schedule.hpp"
@@ -150,6 +151,10 @@ Result<Component> ComponentMaker::make(const ComponentKey& key) {
     case ComponentKind::reference: return make_reference(key);
     case ComponentKind::fifo: return make_fifo(key);
     case ComponentKind::crossbar: return make_crossbar(key);
+    case ComponentKind::reference_port: return make_reference_port(key);
+    case ComponentKind::segment: return make_segment(key);
+    case ComponentKind::conversion: return make_conversion(key);
+    case ComponentKind::engine: return make_engine(key);
   }
   MIXCMP_CHECK(false);
 }
@@ -181,7 +186,7 @@ Result<Component> ComponentMaker::make_lane(const ComponentKey& key) {
   return datapath(key, built.latency_cycles, built.module, has_product(lane));
 }
 
-Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {
+Result<Done> ComponentMaker::check_reference(const ComponentKey& key) const {
   if (key.format != scene_.reference.format.name()) {
     return Error{.field = "reference.format",
                  .message = "not the scene's",
@@ -194,6 +199,11 @@ Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {
                  .received = in_quotes(std::string(to_string(key.sums))),
                  .accepted = std::string(to_string(scene_.reference.sums))};
   }
+  return Done{};
+}
+
+Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {
+  MIXCMP_TRY(possible, check_reference(key));
   MIXCMP_TRY(multipliers, reference_multipliers_of(key));
   MIXCMP_TRY(delays, datapath::delays_of(scene_.system.device));
   const TypedGraph graph = reference_graph(scene_.graph, scene_.reference);
@@ -204,17 +214,32 @@ Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {
   return datapath(key, schedule.latency_cycles, module, has_product(graph));
 }
 
+Result<Component> ComponentMaker::make_reference_port(const ComponentKey& key) {
+  MIXCMP_TRY(possible, check_reference(key));
+  MIXCMP_TRY(multipliers, reference_multipliers_of(key));
+  MIXCMP_TRY(delays, datapath::delays_of(scene_.system.device));
+  const TypedGraph graph = reference_graph(scene_.graph, scene_.reference);
+  const datapath::Schedule schedule = datapath::schedule_reference(
+      graph, {multipliers, key.initiation_interval}, delays, scene_.system.target_mhz);
+  Component port{key, 0, template_job(rtl::reference_port_template(request_shape(), schedule)), {}};
+  if (!has_product(graph)) port.key.multipliers.clear();
+  return port;
+}
+
 rtl::SystemShape ComponentMaker::stream_shape() const {
-  const scene::SystemSpec& system = scene_.system;
-  rtl::SystemShape shape;
-  shape.input_ports = rtl::input_ports(scene_.graph.inputs());
-  shape.input_width = scene_.reference.format.width();
+  rtl::SystemShape shape =
+      emit::stream_shape(scene_.graph.inputs(), scene_.reference.format, scene_.system);
   shape.lanes = 1;
-  shape.references = system.references.value_or(1) > 0 ? 1 : 0;
-  shape.tag_bits = system.tag_bits;
-  shape.counter_bits = system.counter_bits;
-  shape.order = system.order;
-  shape.operands = system.operands;
+  shape.references = scene_.system.references.value_or(1) > 0 ? 1 : 0;
+  return shape;
+}
+
+rtl::SystemShape ComponentMaker::request_shape() const {
+  rtl::SystemShape shape = stream_shape();
+  shape.references = 1;
+  if (is_pairwise()) return rtl::reference_shape(shape);
+  shape.lanes = scene::max_lanes;  // numbered as in the largest system: a few bits more than most
+  shape.slot_bits = std::countr_zero(static_cast<unsigned>(crossbar_slots));
   return shape;
 }
 
@@ -233,15 +258,57 @@ Result<Component> ComponentMaker::make_crossbar(const ComponentKey& key) {
   if (!measured_ports.allow(key.ports)) {
     return out_of_range("ports", key.ports, to_string(measured_ports));
   }
-  rtl::SystemShape shape = stream_shape();
-  shape.references = 1;
-  shape.lanes = scene::max_lanes;  // numbered as in the largest system: a few bits more than most
-  shape.slot_bits = std::countr_zero(static_cast<unsigned>(crossbar_slots));
+  const rtl::SystemShape shape = request_shape();
   rtl::TemplateInstance crossbar = rtl::crossbar_template(shape);
   for (rtl::Parameter& parameter : crossbar.parameters) {
     if (parameter.name == "LANES") parameter.value = key.ports;
   }
   return Component{key, tree_levels(key.ports) + answer_cycles, template_job(crossbar), {}};
+}
+
+Result<design::LaneGroup> ComponentMaker::lane_group(const ComponentKey& key, int count) {
+  MIXCMP_TRY(multipliers, multipliers_of(key));
+  MIXCMP_TRY(lane, this->lane(key));
+  return design::LaneGroup{.lane = std::move(lane),
+                           .inputs = key.inputs.value_or(LaneInputs::exact),
+                           .multipliers = multipliers,
+                           .count = count};
+}
+
+Result<Component> ComponentMaker::make_segment(const ComponentKey& key) {
+  if (key.ports != scene_.system.engine.lanes_per_group) {
+    return out_of_range(
+        "ports", key.ports,
+        fmt::format("{}, as engine.lanes_per_group says", scene_.system.engine.lanes_per_group));
+  }
+  MIXCMP_TRY(lanes, lane_group(key, key.ports));
+  MIXCMP_TRY(parts, EngineParts::make(scene_, lanes));
+  Component segment{key, parts.lane_latency_cycles(), parts.segment(), {}};
+  if (!has_product(lanes.lane)) segment.key.multipliers.clear();
+  return segment;
+}
+
+Result<Component> ComponentMaker::make_conversion(const ComponentKey& key) {
+  MIXCMP_TRY(lanes, lane_group(key, scene_.system.engine.lanes_per_group));
+  MIXCMP_TRY(parts, EngineParts::make(scene_, lanes));
+  if (!parts.converts()) {
+    return Error{.field = "format",
+                 .message = "lanes of this format take items as they arrive",
+                 .received = in_quotes(key.format),
+                 .accepted = "lanes in fixed point, such as q13"};
+  }
+  Component conversion{key, parts.conversion_latency_cycles(), parts.conversion(), {}};
+  if (!has_product(lanes.lane)) conversion.key.multipliers.clear();
+  return conversion;
+}
+
+Result<Component> ComponentMaker::make_engine(const ComponentKey& key) {
+  const int segments_of = scene_.system.engine.lanes_per_group;
+  MIXCMP_TRY(lanes, lane_group(key, key.ports * segments_of));
+  MIXCMP_TRY(parts, EngineParts::make(scene_, lanes));
+  Component engine{key, 0, parts.engine(), {}};
+  if (!has_product(lanes.lane)) engine.key.multipliers.clear();
+  return engine;
 }
 
 Result<Done> ComponentMaker::give_constants(scene::ReducedSpec& lane) {

@@ -8,6 +8,7 @@
 #include "generator/rtl/system_modules.hpp"
 #include "model/characterise/synthesis.hpp"
 #include "model/data/comparisons.hpp"
+#include "model/design/design.hpp"
 #include "model/design/lane.hpp"
 #include "model/design/reference_structure.hpp"
 #include "model/scene/scene.hpp"
@@ -53,6 +54,7 @@ public:
   Result<design::Lane> lane(const characterise::ComponentKey& key);
 
   const scene::Scene& scene() const { return scene_; }
+  bool is_pairwise() const { return scene_.system.engine.kind == scene::EngineKind::pairwise; }
 
 private:
   using Constants = std::pair<std::optional<mpq_class>, std::optional<mpq_class>>;  ///< RE_f, RE_g
@@ -61,11 +63,20 @@ private:
   Result<Component> make_reference(const characterise::ComponentKey& key);
   Result<Component> make_fifo(const characterise::ComponentKey& key);
   Result<Component> make_crossbar(const characterise::ComponentKey& key);
+  Result<Component> make_reference_port(const characterise::ComponentKey& key);
+  Result<Component> make_segment(const characterise::ComponentKey& key);
+  Result<Component> make_conversion(const characterise::ComponentKey& key);
+  Result<Component> make_engine(const characterise::ComponentKey& key);
+  /// Lanes of a key, as a group of a design.
+  Result<design::LaneGroup> lane_group(const characterise::ComponentKey& key, int count);
+  Result<Done> check_reference(const characterise::ComponentKey& key) const;
   Result<Done> give_constants(scene::ReducedSpec& lane);
   Result<Done> measure_constants(LaneInputs inputs);
   /// The streams of one lane and one reference, which do not depend on what is computed between
   /// them.
   rtl::SystemShape stream_shape() const;
+  /// What a request for recomputation carries in the largest system, or in the scene's engine.
+  rtl::SystemShape request_shape() const;
 
   scene::Scene scene_;
   const data::Comparisons* data_;

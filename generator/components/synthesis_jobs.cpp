@@ -91,9 +91,18 @@ std::string without_comments(std::string_view verilog) {
 }
 
 SynthesisJob module_job(const rtl::Module& module) {
-  SynthesisJob job{.sources = {}, .top = module.name};
-  add_templates(job, instantiated_modules(module));
-  job.sources.push_back({module.name + ".v", without_comments(emit::to_verilog(module))});
+  return modules_job({module});
+}
+
+SynthesisJob modules_job(const std::vector<rtl::Module>& modules) {
+  SynthesisJob job{.sources = {}, .top = modules.back().name};
+  std::set<std::string> templates;
+  for (const rtl::Module& module : modules) templates.merge(instantiated_modules(module));
+  for (const rtl::Module& module : modules) templates.erase(module.name);
+  add_templates(job, templates);
+  for (const rtl::Module& module : modules) {
+    job.sources.push_back({module.name + ".v", without_comments(emit::to_verilog(module))});
+  }
   return job;
 }
 

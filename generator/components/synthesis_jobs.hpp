@@ -12,6 +12,9 @@ namespace mixcmp::components {
 /// have no comments, so that only the hardware decides their hash.
 characterise::SynthesisJob module_job(const rtl::Module& module);
 
+/// The same for the last of these modules, which instantiates the others.
+characterise::SynthesisJob modules_job(const std::vector<rtl::Module>& modules);
+
 /// The job that synthesises a template alone: its parameters' defaults are replaced by the
 /// instance's values.
 characterise::SynthesisJob template_job(const rtl::TemplateInstance& instance);

@@ -231,7 +231,7 @@ SignaturePort read_port(Reader& reader) {
 }
 
 SignatureLanes read_lanes(Reader& reader) {
-  return {.count = reader.number("count", settings::limits::lanes),
+  return {.count = reader.number("count", settings::limits::engine_lanes),
           .module = reader.text("module"),
           .format = reader.lane_format("format"),
           .latency_cycles = reader.number("latency_cycles", 0, many),
@@ -321,7 +321,7 @@ Result<Signature> read_signature(const std::filesystem::path& path) {
       .reference_sums = reader.choice("reference_sums", sums_names),
       .certified = reader.read<bool>("certified", "true or false"),
       .inputs = reader.read<std::vector<std::string>>("inputs", "a list of names"),
-      .lanes = reader.number("lanes", settings::limits::lanes),
+      .lanes = reader.number("lanes", settings::limits::engine_lanes),
       .references = reader.number("references", settings::limits::references),
       .lane_groups = reader.groups("lane_groups", read_lanes),
       .reference_groups = reader.groups("reference_groups", read_references),

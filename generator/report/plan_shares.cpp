@@ -30,10 +30,12 @@ std::vector<PartShare> shares_of(const optimise::PrecisionPlan& plan) {
     const optimise::LaneImplementation& lane = plan.lanes[k];
     const int count = chosen->lanes[k];
     if (count == 0) continue;
-    parts.push_back({fmt::format("{} x {}", count, lane.kind.name), count * lane.measured.area});
-    streams += count * difference(lane.with_streams, lane.measured.area);
+    parts.push_back({fmt::format("{} x {}", count, lane.kind.name), count * lane.datapath()});
+    streams += count * difference(lane.with_streams, lane.datapath());
   }
-  parts.push_back({"scoreboards of the lanes", streams});
+  const bool in_engine =
+      plan.lanes.front().measured.key.kind == characterise::ComponentKind::segment;
+  if (!in_engine) parts.push_back({"scoreboards of the lanes", streams});
   for (std::size_t k = 0; k < chosen->references.size(); ++k) {
     const int count = chosen->references[k];
     if (count == 0) continue;
@@ -42,7 +44,7 @@ std::vector<PartShare> shares_of(const optimise::PrecisionPlan& plan) {
         {fmt::format("{} x reference {}", count, reference.name), count * reference.area});
   }
   for (const PartShare& part : parts) sum += part.area;
-  parts.push_back({"crossbar", difference(chosen->used, sum)});
+  parts.push_back({in_engine ? "engine" : "crossbar", difference(chosen->used, sum)});
   return parts;
 }
 

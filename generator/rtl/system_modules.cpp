@@ -322,6 +322,21 @@ Module lane_channel_module(const SystemShape& shape, const DatapathGroup& group)
   return module;
 }
 
+TemplateInstance reference_port_template(const SystemShape& shape,
+                                         const datapath::Schedule& reference) {
+  return {"reference_port",
+          {{"OPERAND_BITS", shape.operand_bits()},
+           {"TAG_BITS", shape.tag_bits},
+           {"LANE_BITS", shape.lane_bits()},
+           {"SLOT_BITS", shape.slot_bits},
+           {"REFERENCE_LATENCY", reference.latency_cycles},
+           {"INITIATION_INTERVAL", reference.initiation_interval},
+           {"LAST_OPERAND_PHASE", reference.last_operand_phase},
+           {"PHASE_BITS", phase_bits(reference.initiation_interval)},
+           {"CARRIED", shape.refetches() ? 0 : 1},
+           {"OUTSTANDING_BITS", outstanding_bits}}};
+}
+
 Module reference_channel_module(const SystemShape& shape, const DatapathGroup& group) {
   Module module = {group.channel, {}, {}, {}};
   add_input(module.ports, 1, "aclk");
@@ -352,19 +367,8 @@ Module reference_channel_module(const SystemShape& shape, const DatapathGroup& g
   port.push_back({"reference_phase", net(phase)});
   append(port, {"reference_operands", "reference_verdict"});
   connect_refetch(shape, items, port);
-  items.push_back(Instance{"reference_port",
-                           "port",
-                           {{"OPERAND_BITS", shape.operand_bits()},
-                            {"TAG_BITS", shape.tag_bits},
-                            {"LANE_BITS", shape.lane_bits()},
-                            {"SLOT_BITS", shape.slot_bits},
-                            {"REFERENCE_LATENCY", schedule.latency_cycles},
-                            {"INITIATION_INTERVAL", schedule.initiation_interval},
-                            {"LAST_OPERAND_PHASE", schedule.last_operand_phase},
-                            {"PHASE_BITS", bits},
-                            {"CARRIED", shape.refetches() ? 0 : 1},
-                            {"OUTSTANDING_BITS", outstanding_bits}},
-                           std::move(port)});
+  TemplateInstance around = reference_port_template(shape, schedule);
+  items.push_back(Instance{around.module, "port", std::move(around.parameters), std::move(port)});
   return module;
 }
 

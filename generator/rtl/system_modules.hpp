@@ -56,6 +56,9 @@ struct TemplateInstance {
 TemplateInstance tracker_template(const SystemShape& shape, int lane_latency_cycles);
 /// The crossbar between all lanes and all references.
 TemplateInstance crossbar_template(const SystemShape& shape);
+/// The streams around a reference with this schedule.
+TemplateInstance reference_port_template(const SystemShape& shape,
+                                         const datapath::Schedule& reference);
 
 /// A lane with its scoreboard or reorder buffer. It takes a stream of comparisons and the answers
 /// of the references; it gives a stream of results and one of requests for recomputation.

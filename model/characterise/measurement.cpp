@@ -31,8 +31,31 @@ std::string_view to_string(ComponentKind kind) {
     case ComponentKind::reference: return "reference";
     case ComponentKind::fifo: return "fifo";
     case ComponentKind::crossbar: return "crossbar";
+    case ComponentKind::reference_port: return "reference_port";
+    case ComponentKind::segment: return "segment";
+    case ComponentKind::conversion: return "conversion";
+    case ComponentKind::engine: return "engine";
   }
   MIXCMP_CHECK(false);
+}
+
+bool depends_on_lane(ComponentKind kind) {
+  switch (kind) {
+    case ComponentKind::lane:
+    case ComponentKind::segment:
+    case ComponentKind::conversion:
+    case ComponentKind::engine: return true;
+    case ComponentKind::unit:
+    case ComponentKind::reference:
+    case ComponentKind::fifo:
+    case ComponentKind::crossbar:
+    case ComponentKind::reference_port: return false;
+  }
+  MIXCMP_CHECK(false);
+}
+
+bool depends_on_reference(ComponentKind kind) {
+  return kind == ComponentKind::reference || kind == ComponentKind::reference_port;
 }
 
 const Measurement* Characterisation::find(const ComponentKey& key) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <compare>
 #include <filesystem>
 #include <optional>
@@ -43,8 +44,23 @@ enum class ComponentKind {
   reference,  ///< one reference datapath alone
   fifo,       ///< the scoreboard or reorder buffer around one lane
   crossbar,   ///< the share of the crossbar that one reference has when it serves `ports` lanes
+  reference_port,  ///< the streams around one reference
+  segment,         ///< of a pairwise engine: `ports` lanes in lock step with all that they share
+  conversion,      ///< of a pairwise engine: what computes an item's word when it is loaded
+  engine,          ///< of a pairwise engine: all else that it has with `ports` segments
 };
 std::string_view to_string(ComponentKind kind);
+
+inline constexpr std::array component_kinds = {
+    ComponentKind::unit,    ComponentKind::lane,       ComponentKind::reference,
+    ComponentKind::fifo,    ComponentKind::crossbar,   ComponentKind::reference_port,
+    ComponentKind::segment, ComponentKind::conversion, ComponentKind::engine};
+
+/// Whether components of this kind depend on what a lane is: on its format, inputs, bound and
+/// multipliers.
+bool depends_on_lane(ComponentKind kind);
+/// Whether components of this kind depend on what a reference is.
+bool depends_on_reference(ComponentKind kind);
 
 /// Identifies a synthesised component in a table. A field that does not apply is empty or 0.
 struct ComponentKey {
@@ -56,7 +72,8 @@ struct ComponentKey {
   std::string multipliers;                  ///< of lanes, references and units with a product
   Sums sums = Sums::composed;               ///< of a reference; composed of everything else
   int initiation_interval = 0;              ///< of a reference, in cycles
-  int ports = 0;                            ///< of a crossbar: lanes; of a fifo: slots
+  /// Of a crossbar and of a segment: lanes; of a fifo: slots; of an engine: segments.
+  int ports = 0;
 
   friend auto operator<=>(const ComponentKey&, const ComponentKey&) = default;
 };

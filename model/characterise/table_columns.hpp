@@ -31,7 +31,7 @@ inline KeyColumn name_column() {
             return key.sums == Sums::fused ? std::string(to_string(key.sums)) : key.name;
           },
           [](ComponentKey& key, const std::string& text) -> Result<Done> {
-            if (key.kind != ComponentKind::reference) {
+            if (!depends_on_reference(key.kind)) {
               key.name = text;
               return Done{};
             }

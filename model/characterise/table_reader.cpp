@@ -147,11 +147,11 @@ private:
     return error(field, "no clock", "a clock in MHz, above 0");
   }
 
-  template <class Choice>
-  Result<Choice> choice(std::initializer_list<Choice> choices) {
+  template <class Choices>
+  Result<typename Choices::value_type> choice(const Choices& choices) {
     MIXCMP_TRY(field, next());
     std::string accepted;
-    for (const Choice each : choices) {
+    for (const auto each : choices) {
       if (field.text == to_string(each)) return each;
       accepted += (accepted.empty() ? "" : ", ") + std::string(to_string(each));
     }
@@ -161,8 +161,7 @@ private:
   Result<Measurement> read_row() {
     fields_read_ = 0;
     Measurement row;
-    MIXCMP_TRY(kind, choice({ComponentKind::unit, ComponentKind::lane, ComponentKind::reference,
-                             ComponentKind::fifo, ComponentKind::crossbar}));
+    MIXCMP_TRY(kind, choice(component_kinds));
     row.key.kind = kind;
     for (const auto& column : key_columns) {
       MIXCMP_TRY(text, next());
@@ -185,10 +184,10 @@ private:
     return read_provenance(std::move(row));
   }
 
-  /// A reference has one; all else has 0.
+  /// A reference and its port have one; all else has 0.
   Result<int> initiation_interval(ComponentKind kind) {
     Field field = start_field();
-    const bool is_reference = kind == ComponentKind::reference;
+    const bool is_reference = depends_on_reference(kind);
     constexpr settings::Limits limits = settings::limits::initiation_interval;
     MIXCMP_TRY(value, integer());
     if (is_reference ? limits.allow(value) : value == 0) return value;
@@ -200,8 +199,8 @@ private:
   /// `characterise` writes are accepted.
   Result<Done> check_word(const ComponentKey& key, const KeyColumn& column,
                           const Field& field) const {
-    const bool is_lane = key.kind == ComponentKind::lane;
-    if (!is_lane && key.kind != ComponentKind::reference) return Done{};
+    const bool is_lane = depends_on_lane(key.kind);
+    if (!is_lane && !depends_on_reference(key.kind)) return Done{};
     if (column.name == "format") {
       const Result<LaneFormat> format = LaneFormat::parse(field.text);
       if (!format.ok()) return error(field, format.error().message, format.error().accepted);
@@ -253,8 +252,8 @@ private:
     MIXCMP_TRY(tools, next());
     row.tools = tools.text;
     if (!has_stages_) return row;
-    MIXCMP_TRY(stage, choice({AreaStage::mapped, AreaStage::synthesised, AreaStage::placed,
-                              AreaStage::routed}));
+    MIXCMP_TRY(stage, choice(std::array{AreaStage::mapped, AreaStage::synthesised,
+                                        AreaStage::placed, AreaStage::routed}));
     row.stage = stage;
     return row;
   }
@@ -270,7 +269,8 @@ private:
     MIXCMP_TRY(low, mhz());
     MIXCMP_TRY(high, mhz());
     MIXCMP_TRY(seeds, integer());
-    MIXCMP_TRY(source, choice({ClockSource::estimate_before_routing, ClockSource::routed}));
+    MIXCMP_TRY(source,
+               choice(std::array{ClockSource::estimate_before_routing, ClockSource::routed}));
     return std::optional<Clock>(
         Clock{.mhz = median, .low_mhz = low, .high_mhz = high, .seeds = seeds, .source = source});
   }

@@ -245,6 +245,10 @@ private:
 
 }  // namespace
 
+double asked_per_cycle(const LaneKind& lane) {
+  return lane.recomputation_rate / lane.initiation_interval;
+}
+
 int Allocation::lane_count() const {
   return std::accumulate(lanes.begin(), lanes.end(), 0);
 }

@@ -32,6 +32,9 @@ struct ReferenceKind {
   devices::Area area;           ///< C(H)
 };
 
+/// Recomputations per cycle that a lane asks for: R_R divided by its initiation interval.
+double asked_per_cycle(const LaneKind& lane);
+
 inline constexpr double any_clock = std::numeric_limits<double>::infinity();
 
 /// T(L) or T(H), in comparisons per second, in a system that runs at `system_hz` at most.
@@ -71,6 +74,9 @@ struct AllocationProblem {
   double slack = 0.2;       ///< R_S
   ClockDomains clocks = ClockDomains::single;
   ReferenceSharing sharing = ReferenceSharing::round_robin;
+  /// Recomputations per cycle of the lanes' clock that the whole system can start, however many
+  /// references it has.
+  double recomputations_per_cycle = std::numeric_limits<double>::infinity();
   int max_lanes = settings::limits::lanes.most;
   int max_references = settings::limits::references.most;
 };

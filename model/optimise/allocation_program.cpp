@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "model/optimise/kinds_at_clock.hpp"
 #include "model/optimise/round_robin_rows.hpp"
@@ -112,6 +113,7 @@ private:
   }
 
   void add_equation_10() {
+    add_recomputations_per_cycle();
     add_total_load();
     if (fixed_.references == 0) return;
     add_lanes_per_reference();
@@ -119,6 +121,16 @@ private:
     if (round_robin && fixed_.references.value_or(1) > 1) {
       add_round_robin_rows(program(), kinds_, *fixed_.references, lane_kinds(), problem_.max_lanes);
     }
+  }
+
+  void add_recomputations_per_cycle() {
+    const double most = problem_.recomputations_per_cycle;
+    if (most == std::numeric_limits<double>::infinity()) return;
+    Sum sum;
+    for (int k = 0; k < lane_kinds(); ++k) {
+      sum.push_back({lane_column(k), asked_per_cycle(problem_.lanes[k]) / most});
+    }
+    program().add_row("recomputations_per_cycle", std::move(sum), Relation::at_most, 1);
   }
 
   void add_total_load() {

@@ -9,11 +9,6 @@
 namespace mixcmp::optimise {
 namespace {
 
-void add(Amounts& sum, int count, const devices::Area& area) {
-  const Amounts one = amounts_of(area);
-  for (std::size_t r = 0; r < sum.size(); ++r) sum[r] += count * one[r];
-}
-
 int total(const std::vector<int>& counts) {
   return std::accumulate(counts.begin(), counts.end(), 0);
 }
@@ -85,6 +80,14 @@ bool keeps_equation_10(const AllocationProblem& problem,
   return false;
 }
 
+bool starts_all_recomputations(const AllocationProblem& problem, const Counts& counts) {
+  double asked = 0;
+  for (std::size_t k = 0; k < counts.lanes.size(); ++k) {
+    asked += counts.lanes[k] * asked_per_cycle(problem.lanes[k]);
+  }
+  return performance::is_within(asked, problem.recomputations_per_cycle);
+}
+
 bool fits(const AllocationProblem& problem, const Amounts& demand) {
   const Amounts room = amounts_of(performance::usable(problem.available, problem.slack));
   return std::equal(demand.begin(), demand.end(), room.begin(), std::less_equal<>());
@@ -140,6 +143,11 @@ Amounts amounts_of(const devices::Area& area) {
   return amounts;
 }
 
+void add(Amounts& sum, int count, const devices::Area& area) {
+  const Amounts one = amounts_of(area);
+  for (std::size_t r = 0; r < sum.size(); ++r) sum[r] += count * one[r];
+}
+
 std::optional<Amounts> demand_of(const AllocationProblem& problem, const Counts& counts) {
   Amounts demand = amounts_of(problem.communication.fixed);
   for (std::size_t k = 0; k < counts.lanes.size(); ++k) {
@@ -164,6 +172,7 @@ std::optional<Allocation> plan_of(const AllocationProblem& problem, const Counts
   if (total(counts.references) > problem.max_references) return std::nullopt;
   const std::optional<Amounts> demand = demand_of(problem, counts);
   if (!demand || !fits(problem, *demand)) return std::nullopt;
+  if (!starts_all_recomputations(problem, counts)) return std::nullopt;
   const double limit = clock_limit(problem, counts);
   const std::vector<performance::Datapaths> lanes = lanes_of(problem, counts, limit);
   if (!keeps_equation_10(problem, lanes, references_of(problem, counts, limit))) {

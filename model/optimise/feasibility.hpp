@@ -20,6 +20,8 @@ struct Counts {
 /// An amount of each of `bounded_resources`, in their order; sums of Areas may exceed an int.
 using Amounts = std::array<std::int64_t, std::size(devices::bounded_resources)>;
 Amounts amounts_of(const devices::Area& area);
+/// Adds `count` times an area.
+void add(Amounts& sum, int count, const devices::Area& area);
 
 /// Left side of equation 11: lanes, references, the crossbar's shares and what is fixed. None where
 /// a reference serves more lanes than `Communication::crossbar` has shares for.

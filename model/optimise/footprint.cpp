@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "model/common/check.hpp"
 #include "model/design/slots.hpp"
+#include "model/optimise/engine_area.hpp"
 #include "model/performance/performance.hpp"
 #include "model/profile/cost_model.hpp"
 
@@ -15,11 +17,6 @@ namespace {
 
 /// A rough estimate up to this multiple of the device counts as one that may fit.
 constexpr double rough_margin = 1.5;
-
-void add(Amounts& sum, int count, const devices::Area& area) {
-  const Amounts one = amounts_of(area);
-  for (std::size_t r = 0; r < sum.size(); ++r) sum[r] += count * one[r];
-}
 
 /// Finds the row of a datapath with these multipliers. The row of a datapath without products names
 /// none.
@@ -46,16 +43,24 @@ std::optional<LaneInputs> inputs_of(const design::LaneGroup& group) {
   return floating ? std::optional(group.inputs) : std::nullopt;
 }
 
+bool is_pairwise(const design::Design& design) {
+  return design.system.engine.kind == scene::EngineKind::pairwise;
+}
+
+/// The row of a lane, or of the segment that a pairwise engine has it in.
 const characterise::Measurement* row_of(const characterise::Characterisation& table,
+                                        const design::Design& design,
                                         const design::LaneGroup& group) {
+  const bool in_segment = is_pairwise(design);
   return find(table,
-              {.kind = characterise::ComponentKind::lane,
+              {.kind = in_segment ? characterise::ComponentKind::segment
+                                  : characterise::ComponentKind::lane,
                .name = {},
                .format = design::format_name(group.lane),
                .inputs = inputs_of(group),
                .bound = bound_of(group.lane),
                .multipliers = {},
-               .ports = 0},
+               .ports = in_segment ? design.system.engine.lanes_per_group : 0},
               group.multipliers);
 }
 
@@ -84,22 +89,51 @@ const characterise::Measurement* largest(const characterise::Characterisation& t
   return found;
 }
 
-std::optional<Amounts> measured_amounts(const design::Design& design,
-                                        const characterise::Characterisation& table) {
+/// Adds the references, and the streams around them where the table has them; false where it lacks
+/// a reference.
+bool add_references(Amounts& sum, const design::Design& design,
+                    const characterise::Characterisation& table) {
+  const FloatFormat format = design.reference.arithmetic.format;
+  for (const design::ReferenceGroup& group : design.references) {
+    const characterise::Measurement* row = row_of(table, group, format);
+    if (row == nullptr) return false;
+    add(sum, group.count, row->area);
+    characterise::ComponentKey port = row->key;
+    port.kind = characterise::ComponentKind::reference_port;
+    if (const auto* measured = table.find(port)) add(sum, group.count, measured->area);
+  }
+  return true;
+}
+
+std::optional<Amounts> measured_engine(const design::Design& design,
+                                       const characterise::Characterisation& table) {
+  Amounts lanes{}, own{};
+  for (const design::LaneGroup& group : design.lanes) {
+    const characterise::Measurement* segment = row_of(table, design, group);
+    if (segment == nullptr) return std::nullopt;
+    std::set<std::string> missing;
+    const std::optional<EngineArea> engine = engine_area(table, *segment, missing);
+    if (!engine) return std::nullopt;
+    add(lanes, group.count, engine->lane);
+    const Amounts needed = amounts_of(engine->own);
+    for (std::size_t r = 0; r < own.size(); ++r) own[r] = std::max(own[r], needed[r]);
+  }
+  for (std::size_t r = 0; r < own.size(); ++r) lanes[r] += own[r];
+  if (!add_references(lanes, design, table)) return std::nullopt;
+  return lanes;
+}
+
+std::optional<Amounts> measured_system(const design::Design& design,
+                                       const characterise::Characterisation& table) {
   Amounts sum{};
   int slowest = 0;
   for (const design::LaneGroup& group : design.lanes) {
-    const characterise::Measurement* row = row_of(table, group);
+    const characterise::Measurement* row = row_of(table, design, group);
     if (row == nullptr) return std::nullopt;
     add(sum, group.count, row->area);
     slowest = std::max(slowest, row->latency_cycles);
   }
-  const FloatFormat format = design.reference.arithmetic.format;
-  for (const design::ReferenceGroup& group : design.references) {
-    const characterise::Measurement* row = row_of(table, group, format);
-    if (row == nullptr) return std::nullopt;
-    add(sum, group.count, row->area);
-  }
+  if (!add_references(sum, design, table)) return std::nullopt;
   const int references = design.reference_count();
   const int slots = design::slots_for(slowest, references > 0);
   const characterise::Measurement* fifo = largest(table, characterise::ComponentKind::fifo, slots);
@@ -110,6 +144,11 @@ std::optional<Amounts> measured_amounts(const design::Design& design,
     if (share != nullptr) add(sum, 1, share->area);
   }
   return sum;
+}
+
+std::optional<Amounts> measured_amounts(const design::Design& design,
+                                        const characterise::Characterisation& table) {
+  return is_pairwise(design) ? measured_engine(design, table) : measured_system(design, table);
 }
 
 /// Products cost no LUTs where embedded multipliers may take them.

@@ -13,14 +13,16 @@
 namespace mixcmp::optimise {
 namespace {
 
-/// Solves the baseline: the references take the place of lanes and need no recomputation.
+/// Solves the baseline: the references take the place of lanes, have no streams around them and
+/// need no recomputation.
 AllocationResult fill_with_references(const scene::Scene& scene, const devices::Device& device,
                                       const std::vector<ReferenceImplementation>& references,
                                       ClockDomains domains) {
   AllocationProblem problem;
   for (const ReferenceImplementation& reference : references) {
     const ReferenceKind& kind = reference.kind;
-    problem.lanes.push_back({kind.name, kind.clock_hz, kind.initiation_interval, 0, kind.area});
+    problem.lanes.push_back(
+        {kind.name, kind.clock_hz, kind.initiation_interval, 0, reference.measured.area});
   }
   problem.available = device.available;
   problem.slack = scene.system.slack;
@@ -33,7 +35,7 @@ std::optional<int> crossover_of(const Optimisation& found) {
   std::map<int, std::vector<devices::Area>> lanes;
   for (const PrecisionPlan& plan : found.plans) {
     for (const LaneImplementation& lane : plan.lanes) {
-      lanes[plan.precision].push_back(lane.measured.area);
+      lanes[plan.precision].push_back(lane.datapath());
     }
   }
   std::vector<devices::Area> references;
@@ -67,7 +69,7 @@ Error incomplete(const scene::Scene& scene, const std::set<std::string>& missing
           .message = fmt::format("the characterisation lacks what the systems have: {}",
                                  fmt::join(missing, ", ")),
           .received = "a table without it",
-          .accepted = "one that `mixcmp characterise --components fifo,crossbar` completed"};
+          .accepted = "one that `mixcmp characterise` without --components completed"};
 }
 
 Result<Done> check_precision(int precision, const std::string& name) {
@@ -106,6 +108,11 @@ std::string describe_clocks(const Optimisation& optimisation) {
   if (lanes == references) return basis;
   return lanes ? "given for lanes; for references: " + basis
                : "given for references; for lanes: " + basis;
+}
+
+const devices::Area& LaneImplementation::datapath() const {
+  const bool alone = measured.key.kind == characterise::ComponentKind::lane;
+  return alone ? measured.area : with_streams;
 }
 
 double PrecisionPlan::throughput_per_s() const {

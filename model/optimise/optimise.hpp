@@ -61,9 +61,12 @@ std::string_view to_string(ClockBasis basis);
 /// program.
 struct LaneImplementation {
   characterise::Measurement measured;
-  devices::Area with_streams;  ///< C(L): the lane and the scoreboard around it
+  devices::Area with_streams;  ///< C(L): the lane and the scoreboard, or its share of a segment
   Rate rate;
   LaneKind kind;
+
+  /// The lane alone, where it was measured alone; a segment's lanes share what is around them.
+  const devices::Area& datapath() const;
 };
 struct ReferenceImplementation {
   characterise::Measurement measured;

@@ -7,6 +7,7 @@
 #include "model/common/check.hpp"
 #include "model/design/slots.hpp"
 #include "model/number/lane_format.hpp"
+#include "model/optimise/engine_area.hpp"
 #include "model/performance/performance.hpp"
 #include "model/performance/streams.hpp"
 #include "model/profile/schemes.hpp"
@@ -72,10 +73,8 @@ ProblemMaker::ProblemMaker(const scene::Scene& scene, const characterise::Charac
   communication_.fixed = options.fixed_communication.value_or(devices::Area{});
   sort_rows();
   leave_out_untimed();
-  if (!options_.fixed_communication && scene.system.references != 0) add_crossbar();
-  if (scene_.system.engine.kind == scene::EngineKind::pairwise) {
-    notes_.insert("the pairwise engine around the system is not counted");
-  }
+  const bool has_crossbar = scene.system.references != 0 && !is_pairwise();
+  if (!options_.fixed_communication && has_crossbar) add_crossbar();
 }
 
 std::vector<int> ProblemMaker::precisions() const {
@@ -87,9 +86,10 @@ std::vector<int> ProblemMaker::precisions() const {
 std::vector<ReferenceImplementation> ProblemMaker::references() {
   std::vector<ReferenceImplementation> all;
   for (const characterise::Measurement* row : references_) {
-    const double mhz = clock_of(*row, options_.clocks.reference_mhz, nullptr);
+    const double mhz = clock_of(*row, options_.clocks.reference_mhz, {});
     const int interval = row->key.initiation_interval;
-    all.push_back({*row, {reference_name(row->key), mhz * hertz_per_mhz, interval, row->area}});
+    all.push_back(
+        {*row, {reference_name(row->key), mhz * hertz_per_mhz, interval, area_with_port(*row)}});
   }
   return all;
 }
@@ -100,10 +100,12 @@ std::optional<PrecisionPlan> ProblemMaker::plan(
   PrecisionPlan plan{.precision = precision, .lanes = {}, .problem = {}, .result = Infeasible{}};
   left_out_.clear();
   const Rows& rows = lanes_.at(precision);
+  plan.problem.communication = communication_;
   const int slots = slots_for(rows);
   const characterise::Measurement* fifo = fifo_of(slots);
   for (const characterise::Measurement* row : rows) add_lane(plan, *row, fifo);
-  if (!plan.lanes.empty() && fifo == nullptr && !options_.fixed_communication) {
+  const bool has_fifos = !is_pairwise() && !options_.fixed_communication;
+  if (!plan.lanes.empty() && fifo == nullptr && has_fifos) {
     missing_.insert(fmt::format("a fifo of {} slots", slots));
   }
   for (const LaneImplementation& lane : plan.lanes) plan.problem.lanes.push_back(lane.kind);
@@ -112,7 +114,11 @@ std::optional<PrecisionPlan> ProblemMaker::plan(
     double& clock = plan.problem.references.back().clock_hz;
     if (!options_.clocks.reference_mhz) clock = std::min(clock, crossbar_mhz_ * hertz_per_mhz);
   }
-  plan.problem.communication = communication_;
+  if (is_pairwise()) {
+    plan.problem.sharing = ReferenceSharing::pooled;  // whichever is free takes the next pair
+    plan.problem.recomputations_per_cycle = engine_recomputations_per_cycle;
+    plan.problem.max_lanes = settings::limits::engine_lanes.most;
+  }
   plan.problem.available = device.available;
   plan.problem.slack = scene_.system.slack;
   plan.problem.clocks = options_.clocks.domains;
@@ -130,10 +136,17 @@ void ProblemMaker::sort_rows() {
     if (key.kind == characterise::ComponentKind::reference && is_wanted_reference(row)) {
       references_.push_back(&row);
     }
-    if (key.kind == characterise::ComponentKind::lane && is_wanted(row)) {
+    if (is_lane(key) && is_wanted(row)) {
       lanes_[format_of(row).precision()].push_back(&row);
     }
   }
+}
+
+/// Whether this is a row of lanes as the scene's systems have them: in segments, or one by one.
+bool ProblemMaker::is_lane(const characterise::ComponentKey& key) const {
+  if (!is_pairwise()) return key.kind == characterise::ComponentKind::lane;
+  return key.kind == characterise::ComponentKind::segment &&
+         key.ports == scene_.system.engine.lanes_per_group;
 }
 
 /// A reference of the scene's format and sums, and of its initiation interval unless that is
@@ -249,16 +262,16 @@ const characterise::Measurement* ProblemMaker::fifo_of(int slots) const {
 }
 
 /// The clock of a row in MHz: the given one, else the measured one, else the target. A lane without
-/// a given clock is no faster than its scoreboard and the slowest crossbar. `basis_` keeps the
-/// least reliable source of all.
+/// a given clock is no faster than the streams around it and the slowest crossbar. `basis_` keeps
+/// the least reliable source of all.
 double ProblemMaker::clock_of(const characterise::Measurement& row,
                               const std::optional<double>& given,
-                              const characterise::Measurement* fifo) {
+                              const std::optional<double>& streams_mhz) {
   if (given) return *given;
   basis_ = std::max(basis_, row.clock ? basis_of(*row.clock) : ClockBasis::target);
   double mhz = row.clock ? row.clock->mhz : scene_.system.target_mhz;
   if (row.key.kind == characterise::ComponentKind::reference) return mhz;
-  if (fifo != nullptr && fifo->clock) mhz = std::min(mhz, fifo->clock->mhz);
+  mhz = std::min(mhz, streams_mhz.value_or(mhz));
   if (crossbar_mhz_ < mhz) {
     notes_.insert(fmt::format("clocks are limited by the slowest crossbar measured, {:.4g} MHz",
                               crossbar_mhz_));
@@ -280,11 +293,46 @@ void ProblemMaker::add_lane(PrecisionPlan& plan, const characterise::Measurement
     return;
   }
   if (!has_enough_exponents(row)) return;
-  devices::Area area = row.area;
-  if (fifo != nullptr) area += fifo->area;
-  const double mhz = clock_of(row, options_.clocks.lane_mhz, fifo);
-  plan.lanes.push_back(
-      {row, area, *rate, {lane_name(row.key), mhz * hertz_per_mhz, 1, rate->value(), area}});
+  const std::optional<Surrounded> lane =
+      is_pairwise() ? in_segment(plan, row) : with_fifo(row, fifo);
+  if (!lane) return;
+  const double mhz = clock_of(row, options_.clocks.lane_mhz, lane->streams_mhz);
+  plan.lanes.push_back({row,
+                        lane->area,
+                        *rate,
+                        {lane_name(row.key), mhz * hertz_per_mhz, 1, rate->value(), lane->area}});
+}
+
+std::optional<ProblemMaker::Surrounded> ProblemMaker::with_fifo(
+    const characterise::Measurement& lane, const characterise::Measurement* fifo) {
+  if (fifo == nullptr) return Surrounded{lane.area, {}};
+  const auto mhz = fifo->clock ? std::optional(fifo->clock->mhz) : std::nullopt;
+  return Surrounded{lane.area + fifo->area, mhz};
+}
+
+/// What an engine takes by itself goes into the plan's communication: the most that any of the
+/// plan's lanes needs.
+std::optional<ProblemMaker::Surrounded> ProblemMaker::in_segment(
+    PrecisionPlan& plan, const characterise::Measurement& segment) {
+  const std::optional<EngineArea> engine = engine_area(table_, segment, missing_);
+  if (!engine) return std::nullopt;
+  devices::Area& own = plan.problem.communication.fixed;
+  for (const devices::Resource& resource : devices::bounded_resources) {
+    if (options_.fixed_communication) break;
+    own.*resource.amount = std::max(own.*resource.amount, engine->own.*resource.amount);
+  }
+  return Surrounded{engine->lane, engine->mhz};
+}
+
+/// A reference with the streams around it. Tables of systems whose lanes take streams may lack
+/// them.
+devices::Area ProblemMaker::area_with_port(const characterise::Measurement& reference) {
+  characterise::ComponentKey key = reference.key;
+  key.kind = characterise::ComponentKind::reference_port;
+  const characterise::Measurement* port = table_.find(key);
+  if (port != nullptr) return reference.area + port->area;
+  if (is_pairwise()) missing_.insert("the port of a reference");
+  return reference.area;
 }
 
 }  // namespace mixcmp::optimise

@@ -34,6 +34,7 @@ private:
   using Rows = std::vector<const characterise::Measurement*>;
 
   void sort_rows();
+  bool is_lane(const characterise::ComponentKey& key) const;
   bool is_wanted_reference(const characterise::Measurement& row) const;
   bool is_wanted(const characterise::Measurement& lane) const;
   bool is_trusted(const characterise::Measurement& lane) const;
@@ -47,9 +48,21 @@ private:
   const characterise::Measurement* fifo_of(int slots) const;
 
   double clock_of(const characterise::Measurement& row, const std::optional<double>& given,
-                  const characterise::Measurement* fifo);
+                  const std::optional<double>& streams_mhz);
   void add_lane(PrecisionPlan& plan, const characterise::Measurement& row,
                 const characterise::Measurement* fifo);
+  /// A lane with the streams around it, or its share of a segment.
+  struct Surrounded {
+    devices::Area area;
+    std::optional<double> streams_mhz;  ///< the clock of what is around it, where that is measured
+  };
+  std::optional<Surrounded> in_segment(PrecisionPlan& plan,
+                                       const characterise::Measurement& segment);
+  static std::optional<Surrounded> with_fifo(const characterise::Measurement& lane,
+                                             const characterise::Measurement* fifo);
+  devices::Area area_with_port(const characterise::Measurement& reference);
+
+  bool is_pairwise() const { return scene_.system.engine.kind == scene::EngineKind::pairwise; }
 
   const scene::Scene& scene_;
   const characterise::Characterisation& table_;

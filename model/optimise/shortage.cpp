@@ -18,6 +18,9 @@ std::optional<int> references_needed(const LaneKind& lane, const ReferenceKind* 
                                      const AllocationProblem& problem) {
   if (lane.recomputation_rate == 0) return reference == nullptr ? std::optional(0) : std::nullopt;
   if (reference == nullptr) return std::nullopt;
+  if (!performance::is_within(asked_per_cycle(lane), problem.recomputations_per_cycle)) {
+    return std::nullopt;
+  }
   const bool one_clock = problem.clocks == ClockDomains::single;
   const double clock = one_clock ? std::min(lane.clock_hz, reference->clock_hz) : any_clock;
   const double asked = throughput_per_s(lane, clock) * lane.recomputation_rate;

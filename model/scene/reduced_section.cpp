@@ -178,7 +178,7 @@ Result<std::vector<LaneGroupSpec>> read_lane_groups(const settings::Settings& se
     LaneGroupSpec& group = groups.emplace_back(LaneGroupSpec{
         .count = {}, .reduced = defaults, .place = {settings::file_of(table), table.line}});
     settings::Section section("lanes", table);
-    read_count(section, group.count, total, max_lanes);
+    read_count(section, group.count, total, lane_limits(settings).most);
     read_lane_keys(section, reference, group.reduced);
     if (const auto error = section.finish()) return *error;
   }

@@ -77,6 +77,8 @@ Result<std::vector<ReferenceGroupSpec>> read_reference_groups(
 std::vector<std::string> overridden_keys(const settings::Settings& settings);
 
 Result<SystemSpec> read_system(const settings::Settings& settings);
+/// The numbers of lanes that a scene may have: more with a pairwise engine, where lanes are cheap.
+settings::Limits lane_limits(const settings::Settings& settings);
 
 /// Reads [engine] and checks that it fits the inputs, [data] and [system]. Where the section is
 /// absent, the kind is EngineKind::none.

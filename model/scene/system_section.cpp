@@ -42,11 +42,19 @@ Result<ReferenceSpec> read_reference(const settings::Settings& settings) {
   return ReferenceSpec{{.format = *format, .subnormals = subnormals, .sums = sums}, structure};
 }
 
+settings::Limits lane_limits(const settings::Settings& settings) {
+  EngineKind kind = EngineKind::none;
+  settings::Section section(settings, "engine");  // whose mistakes read_engine tells
+  section.choice("kind", kind, {EngineKind::none, EngineKind::pairwise, EngineKind::arg_min});
+  const bool pairwise = kind == EngineKind::pairwise;
+  return pairwise ? settings::limits::engine_lanes : settings::limits::lanes;
+}
+
 Result<SystemSpec> read_system(const settings::Settings& settings) {
   SystemSpec spec;
   settings::Section section(settings, "system");
   section.text("device", spec.device);
-  section.integer_or_auto("lanes", spec.lanes, settings::limits::lanes);
+  section.integer_or_auto("lanes", spec.lanes, lane_limits(settings));
   section.integer_or_auto("references", spec.references, settings::limits::references);
   section.number("slack", spec.slack, 0, 0.95);
   section.number("target_mhz", spec.target_mhz, 1, 2000);

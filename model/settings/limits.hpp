@@ -27,9 +27,10 @@ inline constexpr Limits fixed_bits{2, 48};      ///< W of fixed point; likewise,
 inline constexpr Limits reference_precision{11, FloatFormat::max_precision};
 inline constexpr Limits exponent_bits{FloatFormat::min_exponent_bits,
                                       FloatFormat::max_exponent_bits};
-inline constexpr Limits bound_digits{1, 8};  ///< digits of a running bound; 1: exponents alone
-inline constexpr Limits lanes{1, 512};       ///< p_L, in all groups together
-inline constexpr Limits references{0, 16};   ///< p_H, likewise; a group has at least 1
+inline constexpr Limits bound_digits{1, 8};     ///< digits of a running bound; 1: exponents alone
+inline constexpr Limits lanes{1, 512};          ///< p_L, in all groups together
+inline constexpr Limits engine_lanes{1, 4096};  ///< p_L of a pairwise engine, likewise
+inline constexpr Limits references{0, 16};      ///< p_H, likewise; a group has at least 1
 inline constexpr Limits initiation_interval{1, 64};
 inline constexpr Limits tag_bits{1, 64};
 inline constexpr Limits counter_bits{8, 64};  ///< or 0: no counters

@@ -352,7 +352,8 @@ TEST_F(CharacteriseCommand, RefusesWhatItCannotDo) {
   refused("--multipliers some", "both, embedded, logic, memory");
   refused("--multipliers logic,logic", "given twice");
   refused("--multipliers memory --bounds relative", "by lanes in fixed point alone");
-  refused("--components gate", "lane, reference, fifo, crossbar, unit");
+  refused("--components gate", "unit, lane, reference, fifo, crossbar, reference_port");
+  refused("--components segment", "not a component of this scene's systems");
   refused("--ports 0", "--ports");
   refused("--exponents some", "reference, ranges");
   refused("--device nothing", "system.device");

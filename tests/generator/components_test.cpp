@@ -1,8 +1,10 @@
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <fstream>
 #include <map>
+#include <regex>
 
 #include "generator/components/characterise.hpp"
 #include "generator/components/component_list.hpp"
@@ -134,6 +136,52 @@ TEST_F(Components, AreWhatGenerateWrites) {
       EXPECT_EQ(key.ports, system->signature.slots);
     }
   }
+}
+
+const std::string one_engine =
+    "[reduced]\nformat = \"q12\"\n[system]\nlanes = 24\nreferences = 1\nprefix = \"\"\n"
+    "[engine]\nkind = \"pairwise\"\nreport_streams = 2\n";
+
+TEST_F(Components, OfAnEngineAreWhatGenerateWrites) {
+  const scene::Scene engine_scene = scene(one_engine);
+  const auto system = emit::generate_system(design::make_design(engine_scene, nullptr).value(), "");
+  ASSERT_TRUE(system.ok());
+  components::ComponentQuery query = lanes({12}, {"fixed_norm"});
+  query.kinds = {characterise::ComponentKind::segment, characterise::ComponentKind::conversion,
+                 characterise::ComponentKind::engine, characterise::ComponentKind::reference_port};
+  const Found found = find(engine_scene, query);
+  EXPECT_EQ(found.count(characterise::ComponentKind::segment), 1);
+  EXPECT_EQ(found.count(characterise::ComponentKind::conversion), 1);
+  EXPECT_EQ(found.count(characterise::ComponentKind::reference_port), 1);
+  EXPECT_EQ(found.count(characterise::ComponentKind::engine), 2);
+  const auto written_of = [](const components::Component& component) {
+    return from_ports(source(component, component.job.top + ".v"));
+  };
+  for (const auto& [key, component] : found.components) {
+    if (key.kind == characterise::ComponentKind::segment) {
+      EXPECT_EQ(key.ports, 8);
+      const std::regex lane("engine_pair_lane");  // components have no scene's name
+      EXPECT_EQ(std::regex_replace(written_of(component), lane, "spheres_pair_lane"),
+                from_ports(generated(*system, "_segment_of_8")));
+    }
+    if (key.kind == characterise::ComponentKind::conversion) {
+      EXPECT_EQ(written_of(component), from_ports(generated(*system, "_item_l")));
+    }
+    if (key.kind == characterise::ComponentKind::engine) {
+      const std::string parameter = fmt::format("parameter SEGMENTS = {},", key.ports);
+      EXPECT_NE(source(component, "pairwise_engine.v").find(parameter), std::string::npos);
+      EXPECT_NE(source(component, "pairwise_engine.v").find("parameter STREAMS = 2,"),
+                std::string::npos);
+    }
+  }
+}
+
+TEST_F(Components, LanesInFloatingPointHaveNoConversion) {
+  components::ComponentQuery query = lanes({12}, {"relative"});
+  query.kinds = {characterise::ComponentKind::segment, characterise::ComponentKind::conversion};
+  const Found found = find(scene("[system]\nlanes = 8\n[engine]\nkind = \"pairwise\"\n"), query);
+  EXPECT_EQ(found.count(characterise::ComponentKind::segment), 1);
+  EXPECT_EQ(found.count(characterise::ComponentKind::conversion), 0);
 }
 
 TEST_F(Components, ExponentBitsFollowTheScene) {

@@ -95,12 +95,6 @@ TEST_F(Optimise, ASmallCrossbarIsToldWhereItLimits) {
   EXPECT_TRUE(notes_say(optimise_now(), "a reference serves 8 lanes"));
 }
 
-TEST_F(Optimise, AnEngineThatIsNotCountedIsTold) {
-  EXPECT_FALSE(notes_say(optimise_now(), "engine"));
-  scene_.system.engine.kind = scene::EngineKind::pairwise;
-  EXPECT_TRUE(notes_say(optimise_now(), "the pairwise engine around the system is not counted"));
-}
-
 TEST_F(Optimise, CrossbarSharesBetweenMeasuredPortCountsAreInterpolatedUpward) {
   const Optimisation found = optimise_now();
   const auto& shares = found.plans.front().problem.communication.crossbar;

@@ -17,6 +17,7 @@ public:
         chance(0.5) ? optimise::ClockDomains::single : optimise::ClockDomains::separate;
     problem.sharing =
         chance(0.7) ? optimise::ReferenceSharing::round_robin : optimise::ReferenceSharing::pooled;
+    if (chance(0.3)) problem.recomputations_per_cycle = pick({0.1, 0.3, 0.5, 1});
     problem.max_lanes = number(1, 9);
     problem.max_references = number(0, 4);
     problem.slack = pick({0.0, 0.0, 0.1, 0.2, 0.2, 0.9});

@@ -50,6 +50,19 @@ TEST_F(EngineSection, DecidesOperandsAndTag) {
   EXPECT_EQ(load("[engine]\nkind = \"pairwise\"\ncapacity = 65536\n")->system.tag_bits, 32);
 }
 
+TEST_F(EngineSection, APairwiseEngineMayHaveMoreLanes) {
+  const auto with = [](const std::string& kind, int lanes) {
+    return "[system]\nlanes = " + std::to_string(lanes) + "\n[engine]\nkind = \"" + kind + "\"\n";
+  };
+  EXPECT_TRUE(load(with("pairwise", 513)).ok());
+  EXPECT_TRUE(load(with("pairwise", 4096)).ok());
+  EXPECT_NE(error(with("pairwise", 4097)).find("1..4096"), std::string::npos);
+  EXPECT_NE(error(with("none", 513)).find("1..512"), std::string::npos);
+  EXPECT_TRUE(load("[engine]\nkind = \"pairwise\"\n[[lanes]]\ncount = 4096\n").ok());
+  EXPECT_NE(error("[[lanes]]\ncount = 300\n[[lanes]]\ncount = 213\n").find("at most 512"),
+            std::string::npos);
+}
+
 TEST_F(EngineSection, ReportsAllButGreaterUnlessToldOtherwise) {
   const auto report = [this](const std::string& more) {
     return load("[engine]\nkind = \"pairwise\"\n" + more)->system.engine.report;

@@ -1,0 +1,63 @@
+#include "generator/components/engine_components.hpp"
+
+#include <algorithm>
+
+#include "generator/components/synthesis_jobs.hpp"
+#include "generator/rtl/segment_module.hpp"
+#include "model/common/check.hpp"
+
+namespace mixcmp::components {
+namespace {
+
+/// Below this number a merge is one multiplexer, which says little of larger ones.
+constexpr int fewest_segments = 4;
+
+/// A design of these lanes alone, with one reference: what an engine's parts depend on.
+design::Design design_of(const scene::Scene& scene, const design::LaneGroup& lanes) {
+  return {.name = "engine",  // not the scene's: equal hardware has equal names
+          .inputs = scene.graph.inputs(),
+          .lanes = {lanes},
+          .reference = reference_graph(scene.graph, scene.reference),
+          .references = {{.structure = {scene::Multipliers::embedded, 1}, .count = 1}},
+          .system = scene.system};
+}
+
+}  // namespace
+
+std::vector<int> measured_segments(const scene::EngineSpec& engine) {
+  const int fewest = std::max(fewest_segments, engine.report_streams);
+  return {fewest, 4 * fewest};
+}
+
+Result<EngineParts> EngineParts::make(const scene::Scene& scene, const design::LaneGroup& lanes) {
+  MIXCMP_CHECK(scene.system.engine.kind == scene::EngineKind::pairwise);
+  MIXCMP_TRY(scheduled, emit::schedule_system(design_of(scene, lanes)));
+  return EngineParts(std::move(scheduled));
+}
+
+int EngineParts::lane_latency_cycles() const {
+  return scheduled_.shape.lane_groups.front().schedule.latency_cycles;
+}
+
+characterise::SynthesisJob EngineParts::segment() const {
+  const rtl::PairwiseShape& shape = *scheduled_.pairwise;
+  const rtl::DatapathGroup& lanes = scheduled_.shape.lane_groups.front();
+  return modules_job(
+      {rtl::word_lane_module(lanes.datapath, shape.words.lanes.front(), lanes.schedule),
+       rtl::segment_module(scheduled_.shape, shape.engine, shape.words, shape.segments.front())});
+}
+
+int EngineParts::conversion_latency_cycles() const {
+  return scheduled_.pairwise->words.schedule.latency_cycles;
+}
+
+characterise::SynthesisJob EngineParts::conversion() const {
+  const rtl::PairwiseShape& shape = *scheduled_.pairwise;
+  return module_job(rtl::item_word_module(shape.word_module, shape.words, shape.engine));
+}
+
+characterise::SynthesisJob EngineParts::engine() const {
+  return template_job(rtl::pairwise_template(*scheduled_.pairwise, scheduled_.shape));
+}
+
+}  // namespace mixcmp::components
