@@ -30,12 +30,20 @@ void tell_progress(int finished, int jobs, double seconds) {
   show_progress(fmt::format("{} of {} jobs, {}{}", finished, jobs, duration(seconds), left));
 }
 
+/// What the parts of a pairwise engine depend on, in words.
+std::string engine_text(const scene::EngineSpec& engine) {
+  return fmt::format("pairwise, {} items, segments of {}, {} as {} by {} stream{}", engine.capacity,
+                     engine.lanes_per_group, fmt::join(reported_verdicts(engine), " "),
+                     to_string(engine.report_as), engine.report_streams,
+                     engine.report_streams == 1 ? "" : "s");
+}
+
 /// The settings on which the components' RTL and its measurement depend, by name.
 std::vector<std::pair<std::string, std::string>> spec_of(const scene::Scene& scene,
                                                          const std::string& tools) {
   const scene::ReducedSpec& reduced = scene.reduced;
   const scene::SystemSpec& system = scene.system;
-  return {
+  std::vector<std::pair<std::string, std::string>> spec = {
       {"f", scene.f_text()},
       {"g", scene.g_text()},
       {"reference",
@@ -48,6 +56,10 @@ std::vector<std::pair<std::string, std::string>> spec_of(const scene::Scene& sce
       {"tag_bits", std::to_string(system.tag_bits)},
       {"counter_bits", std::to_string(system.counter_bits)},
       {"tools", tools}};
+  if (system.engine.kind == scene::EngineKind::pairwise) {
+    spec.insert(spec.end() - 1, {"engine", engine_text(system.engine)});
+  }
+  return spec;
 }
 
 /// Refuses a table that was measured for another target_mhz: it decides where registers go in all

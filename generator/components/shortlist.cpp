@@ -58,8 +58,16 @@ int request_bits(const scene::Scene& scene) {
   return (carried ? operands * scene.reference.format.width() : 0) + scene.system.tag_bits;
 }
 
-/// The streams around one lane, if a LUT of memory keeps one bit of each of 64 comparisons.
+/// Lanes that are measured together: those of a pairwise engine's segment.
+int lanes_at_once(const scene::Scene& scene) {
+  const scene::EngineSpec& engine = scene.system.engine;
+  return engine.kind == scene::EngineKind::pairwise ? engine.lanes_per_group : 1;
+}
+
+/// The streams around one lane, if a LUT of memory keeps one bit of each of 64 comparisons; of a
+/// pairwise engine the share of a segment.
 devices::Area rough_streams(const scene::Scene& scene, int slots) {
+  if (scene.system.engine.kind == scene::EngineKind::pairwise) return {.luts = 30};
   return {.luts = 100 + request_bits(scene) * std::max(slots, 64) / 64};
 }
 
@@ -145,7 +153,8 @@ private:
     const devices::Area all = area + rough_streams(maker_.scene(), slots);
     const double share = optimise::device_share(all, device_.available) + *rate * reference_share_;
     const LaneEstimate estimate{key, format.precision(), area, *rate, share};
-    candidates_[{*key.bound, key.inputs}].push_back({estimate, seconds_for(area)});
+    const double seconds = seconds_for(lanes_at_once(maker_.scene()) * area);
+    candidates_[{*key.bound, key.inputs}].push_back({estimate, seconds});
     ++result_.candidates;
     return Done{};
   }

@@ -1,0 +1,32 @@
+#include "model/performance/pairwise.hpp"
+
+#include <algorithm>
+
+namespace mixcmp::performance {
+namespace {
+
+constexpr double cycles_per_segment = 3;
+constexpr double fetch_cycles = 2;  ///< of the items' memory, for a pair
+
+}  // namespace
+
+std::uint64_t pairwise_word_cycles(std::uint64_t items, int lanes) {
+  const auto block = static_cast<std::uint64_t>(lanes);
+  std::uint64_t cycles = 0;
+  for (std::uint64_t first = 0; first < items; first += block) cycles += items - first;
+  return cycles;
+}
+
+double pairwise_cycles(const PairwiseSet& set) {
+  const auto words = static_cast<double>(pairwise_word_cycles(set.items, set.lanes));
+  const auto exceptions = static_cast<double>(set.exceptions);
+  double recomputing = 0;
+  if (set.references > 0) {
+    const double each = std::max(fetch_cycles, double(set.initiation_interval) / set.references);
+    recomputing = static_cast<double>(set.recomputations) * each;
+  }
+  const double latency = cycles_per_segment * set.segments + set.lane_latency_cycles;
+  return std::max({words, exceptions, recomputing}) + latency;
+}
+
+}  // namespace mixcmp::performance

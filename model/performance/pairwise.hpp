@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+
+namespace mixcmp::performance {
+
+/// What a pairwise engine has to do with one set of items, and with what.
+struct PairwiseSet {
+  std::uint64_t items = 0;  ///< N
+  int lanes = 1;            ///< p_L
+  int segments = 1;
+  int lane_latency_cycles = 0;
+  /// Reported and undecided pairs of the report stream that has most of them.
+  std::uint64_t exceptions = 0;
+  std::uint64_t recomputations = 0;
+  int references = 0;           ///< p_H; with 0 nothing is recomputed
+  int initiation_interval = 1;  ///< of the references
+};
+
+/// Cycles in which words enter the chain: block b of p_L items meets the N - b p_L items from its
+/// first one on, a word a cycle.
+std::uint64_t pairwise_word_cycles(std::uint64_t items, int lanes);
+
+/// Cycles from a set's first item to its closing beat, about: the longest of what words, exceptions (a
+/// cycle each) and recomputations need (two cycles each of the items' memory, N / p_H each of the
+/// references), and the way of a word through all segments and the last one's lanes.
+double pairwise_cycles(const PairwiseSet& set);
+
+}  // namespace mixcmp::performance

@@ -1,0 +1,80 @@
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "model/data/uniform_spheres.hpp"
+#include "model/performance/pairwise.hpp"
+#include "tests/support/simulated_system.hpp"
+#include "tests/support/sphere.hpp"
+
+/// The cycles that a whole engine takes for a set, beside those of the performance model.
+namespace mixcmp::test::pairwise_throughput_test {
+namespace {
+
+constexpr std::uint64_t items = 700;
+constexpr double tolerance = 0.05;
+
+/// An engine and data that give it something to do.
+struct Load {
+  const char* name;
+  int lanes;
+  int streams;
+  int interval;  ///< of the reference
+  const char* lane_format;
+  double radius_max;
+};
+
+design::Design design_of(const Load& load) {
+  design::Design design = sphere_design(format(load.lane_format), format("s24e8"), load.lanes, 1);
+  design.references.front().structure.initiation_interval = load.interval;
+  design.system = with_engine(design.system, {.kind = scene::EngineKind::pairwise,
+                                              .capacity = 1024,
+                                              .report = {Verdict::less},
+                                              .report_streams = load.streams});
+  return design;
+}
+
+performance::PairwiseSet set_of(const Load& load, const verilator_tb::VerifyReport& report) {
+  const int segments = (load.lanes + 7) / 8;
+  // Streams share the segments, and reports are spread evenly over these.
+  const double share = double((segments + load.streams - 1) / load.streams) / segments;
+  const double exceptions =
+      static_cast<double>(report.engine->reported + report.recomputations) * share;
+  return {.items = items,
+          .lanes = load.lanes,
+          .segments = segments,
+          .lane_latency_cycles = 20,
+          .exceptions = static_cast<std::uint64_t>(exceptions),
+          .recomputations = report.recomputations,
+          .references = 1,
+          .initiation_interval = load.interval};
+}
+
+class PairwiseThroughput : public testing::TestWithParam<Load> {};
+
+TEST_P(PairwiseThroughput, IsThePredictedOne) {
+  const Load& load = GetParam();
+  const design::Design design = design_of(load);
+  const data::Table table =
+      data::uniform_spheres({.count = items, .side = 100, .radius_max = load.radius_max, .seed = 3},
+                            design.reference.input_format);
+  const auto report =
+      simulate(design, data::Comparisons::all_pairs(table, design.inputs).value(), {});
+  ASSERT_TRUE(report.passed()) << to_text(report);
+  const double predicted = performance::pairwise_cycles(set_of(load, report));
+  EXPECT_NEAR(static_cast<double>(report.cycles), predicted, tolerance * predicted)
+      << to_text(report);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Loads, PairwiseThroughput,
+    testing::Values(Load{"FewExceptions", 16, 1, 1, "s12e8", 10},  // words limit
+                    Load{"ManyReports", 16, 1, 1, "s12e8", 40},    // the report stream
+                    Load{"ManyReportsBesideEachOther", 16, 2, 1, "s12e8", 25},
+                    Load{"ManyRecomputations", 16, 2, 1, "s4e8", 30},  // the items' memory
+                    Load{"AFoldedReference", 16, 2, 16, "s8e8", 20}),  // the reference
+    [](const auto& info) { return info.param.name; });
+
+}  // namespace
+}  // namespace mixcmp::test::pairwise_throughput_test
