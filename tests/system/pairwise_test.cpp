@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -104,6 +106,50 @@ TEST(PairwiseSystemOf, LanesOfSeveralKindsAndThreeReferences) {
                {.traffic = verilator_tb::TrafficKind::stressed, .resets = 1});
   expect_passed(report, capacity);
   for (const verilator_tb::GroupReport& group : report.groups) EXPECT_GT(group.recomputations, 0u);
+}
+
+/// Rows `first` to first + count - 1 of a table.
+data::Table part_of(const data::Table& table, std::size_t first, std::size_t count) {
+  const std::size_t width = table.columns.size();
+  data::Table part{table.format, table.columns};
+  part.values.assign(table.values.begin() + static_cast<std::ptrdiff_t>(first * width),
+                     table.values.begin() + static_cast<std::ptrdiff_t>((first + count) * width));
+  return part;
+}
+
+/// Three times as many items as the memory holds: each part alone, and each two of them as targets
+/// and others (docs/scale.md). Together that is every pair once, with the verdicts that it has in
+/// an engine that holds all items.
+TEST(PairwiseSystemOf, ItemsBeyondTheMemoryComeInParts) {
+  constexpr std::size_t parts = 6, part_items = capacity / 2;
+  const design::Design design = spheres(8, 2);
+  const data::Table table =
+      data::uniform_spheres({.count = parts * part_items, .side = 100, .radius_max = 30, .seed = 5},
+                            design.reference.input_format);
+  std::array<std::uint64_t, 4> verdicts{};
+  std::uint64_t comparisons = 0;
+  const auto add = [&](const data::Comparisons& set) {
+    const verilator_tb::VerifyReport report = simulate(design, set, {});
+    EXPECT_TRUE(report.passed()) << to_text(report);
+    comparisons += report.comparisons;
+    for (std::size_t v = 0; v < verdicts.size(); ++v) verdicts[v] += report.verdicts[v];
+  };
+  for (std::size_t i = 0; i < parts; ++i) {
+    const data::Table targets = part_of(table, i * part_items, part_items);
+    add(data::Comparisons::all_pairs(targets, design.inputs).value());
+    for (std::size_t j = i + 1; j < parts; ++j) {
+      const data::Table others = part_of(table, j * part_items, part_items);
+      add(data::Comparisons::cross(targets, others, design.inputs).value());
+    }
+  }
+  design::Design large = design;
+  large.system = with_engine(large.system, {.kind = scene::EngineKind::pairwise,
+                                            .capacity = static_cast<int>(table.rows())});
+  const verilator_tb::VerifyReport whole =
+      simulate(large, data::Comparisons::all_pairs(table, large.inputs).value(), {});
+  EXPECT_TRUE(whole.passed()) << to_text(whole);
+  EXPECT_EQ(comparisons, whole.comparisons);
+  EXPECT_TRUE(std::equal(verdicts.begin(), verdicts.end(), whole.verdicts.begin()));
 }
 
 TEST(PairwiseSystemOf, IcarusSaysWhatVerilatorSays) {
