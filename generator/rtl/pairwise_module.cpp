@@ -1,6 +1,7 @@
 #include "generator/rtl/pairwise_module.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "generator/rtl/connections.hpp"
 #include "generator/rtl/datapath_builder.hpp"
@@ -229,6 +230,17 @@ Instance engine_instance(const PairwiseShape& shape, const SystemShape& system,
   return {around.module, "engine", std::move(around.parameters), std::move(connections)};
 }
 
+/// Bits of the number of pairs that may be on their way to the references: as many as come while
+/// the slowest of these computes one, if one comes in each cycle.
+int outstanding_bits(const SystemShape& system) {
+  constexpr int around = 12;  // cycles from memory to reference, and from there to the verdicts
+  int slowest = 0;
+  for (const DatapathGroup& references : system.reference_groups) {
+    slowest = std::max(slowest, references.schedule.latency_cycles);
+  }
+  return std::bit_width(static_cast<unsigned>(slowest + around));
+}
+
 }  // namespace
 
 int PairwiseShape::lanes_per_segment() const {
@@ -272,6 +284,7 @@ TemplateInstance pairwise_template(const PairwiseShape& shape, const SystemShape
            {"CODE_BITS", code_bits(spec)},
            {"BITMAP", spec.report_as == scene::ReportForm::bitmap ? 1 : 0},
            {"COUNT", spec.report_as == scene::ReportForm::count ? 1 : 0},
+           {"OUTSTANDING_BITS", outstanding_bits(system)},
            {"COUNTER_BITS", system.counter_bits}}};
 }
 

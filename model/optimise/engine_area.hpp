@@ -25,8 +25,7 @@ std::optional<EngineArea> engine_area(const characterise::Characterisation& tabl
                                       const characterise::Measurement& segment,
                                       std::set<std::string>& missing);
 
-/// Recomputations that a pairwise engine can start per cycle: its memory gives one item a cycle,
-/// and a pair has two.
-inline constexpr double engine_recomputations_per_cycle = 0.5;
+/// Recomputations that a pairwise engine can start per cycle: its memory gives both items of a pair.
+inline constexpr double engine_recomputations_per_cycle = 1;
 
 }  // namespace mixcmp::optimise

@@ -6,7 +6,7 @@ namespace mixcmp::performance {
 namespace {
 
 constexpr double cycles_per_segment = 3;
-constexpr double fetch_cycles = 2;  ///< of the items' memory, for a pair
+constexpr double fetch_cycles = 1;  ///< of the items' memory, for a pair
 
 }  // namespace
 

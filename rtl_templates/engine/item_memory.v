@@ -1,5 +1,9 @@
-// item_memory: the items of one set, behind one port that writes or reads.
-// Latency 1; the output holds its word until the next read. No reset, so that it becomes block RAM.
+// item_memory: the items of one set. Port i writes or reads, port j reads, so that both items of a
+// pair are read at once.
+// Latency 1; an output holds its word until its port's next read. No reset, so that it becomes block
+// RAM. A read on port j of the address that is written in the same cycle returns no word: nobody
+// reads so, simulation answers with unknown bits, and the attributes keep synthesis from building
+// logic that would answer (Yosys: no_rw_check, Quartus: ramstyle, Vivado: rw_addr_collision).
 `default_nettype none
 
 module item_memory #(
@@ -7,11 +11,14 @@ module item_memory #(
   parameter ADDRESS_BITS = 4
 ) (
   input  wire                    aclk,
-  input  wire                    enable,
-  input  wire                    write,
-  input  wire [ADDRESS_BITS-1:0] address,
-  input  wire [WIDTH-1:0]        write_data,
-  output wire [WIDTH-1:0]        read_data
+  input  wire                    i_enable,
+  input  wire                    i_write,
+  input  wire [ADDRESS_BITS-1:0] i_address,
+  input  wire [WIDTH-1:0]        i_write_data,
+  output wire [WIDTH-1:0]        i_read_data,
+  input  wire                    j_enable,
+  input  wire [ADDRESS_BITS-1:0] j_address,
+  output wire [WIDTH-1:0]        j_read_data
 );
 
   // Parameters that do not fit: an instance of a module that does not exist.
@@ -27,20 +34,34 @@ module item_memory #(
     end
   endgenerate
 
+  (* no_rw_check, ramstyle = "no_rw_check", rw_addr_collision = "no" *)
   reg [WIDTH-1:0] words [0:(1<<ADDRESS_BITS)-1];
-  reg [WIDTH-1:0] read_data_q;
+  reg [WIDTH-1:0] i_read_data_q;
+  reg [WIDTH-1:0] j_read_data_q;
 
   always @(posedge aclk) begin
-    if (enable) begin
-      if (write) begin
-        words[address] <= write_data;
+    if (i_enable) begin
+      if (i_write) begin
+        words[i_address] <= i_write_data;
       end else begin
-        read_data_q <= words[address];
+        i_read_data_q <= words[i_address];
       end
     end
   end
 
-  assign read_data = read_data_q;
+  always @(posedge aclk) begin
+    if (j_enable) begin
+      j_read_data_q <= words[j_address];
+`ifndef SYNTHESIS
+      if (i_enable && i_write && (i_address == j_address)) begin
+        j_read_data_q <= {WIDTH{1'bx}};
+      end
+`endif
+    end
+  end
+
+  assign i_read_data = i_read_data_q;
+  assign j_read_data = j_read_data_q;
 
 endmodule
 

@@ -2,8 +2,8 @@
 // REFERENCES references in turn, and gives out the verdicts that are in REPORT (bit v: verdict v).
 // A request is the pair's tag {j, i} and its items {item j, item i}, the same for all references,
 // one of which it is valid for; the answer is {tag, verdict} and is always taken. 2^OUTSTANDING_BITS
-// pairs may be on their way. One pair in two cycles. `memory_read_data` is the word read in the
-// cycle before. The beat with tlast leaves when all verdicts before it have.
+// pairs may be on their way. Interval 1. `memory_items` are the words {item j, item i} that were read
+// in the cycle before. The beat with tlast leaves when all verdicts before it have.
 // Verdicts may leave in any order. Reset forgets all: the references have to be reset, too.
 `default_nettype none
 
@@ -21,8 +21,8 @@ module pair_recomputation #(
   input  wire [2*INDEX_BITS-1:0]                s_pair_tag,
   input  wire                                   s_pair_tlast,
   output wire                                   memory_enable,
-  output wire [INDEX_BITS-1:0]                  memory_address,
-  input  wire [ITEM_BITS-1:0]                   memory_read_data,
+  output wire [2*INDEX_BITS-1:0]                memory_addresses,  // {j, i}
+  input  wire [2*ITEM_BITS-1:0]                 memory_items,
   output wire [REFERENCES-1:0]                  m_request_tvalid,
   input  wire [REFERENCES-1:0]                  m_request_tready,
   output wire [2*INDEX_BITS-1:0]                m_request_tag,
@@ -62,11 +62,10 @@ module pair_recomputation #(
   endgenerate
 
   // Pairs that wait.
-  wire                  pair_valid;
-  wire                  pair_ready;
-  wire                  pair_last;
-  wire [INDEX_BITS-1:0] index_i;
-  wire [INDEX_BITS-1:0] index_j;
+  wire                pair_valid;
+  wire                pair_ready;
+  wire                pair_last;
+  wire [TAG_BITS-1:0] pair_tag;
 
   stream_fifo #(
     .WIDTH     (1 + TAG_BITS),
@@ -79,46 +78,39 @@ module pair_recomputation #(
     .s_axis_tdata ({s_pair_tlast, s_pair_tag}),
     .m_axis_tvalid(pair_valid),
     .m_axis_tready(pair_ready),
-    .m_axis_tdata ({pair_last, index_j, index_i})
+    .m_axis_tdata ({pair_last, pair_tag})
   );
 
-  // Cycle 0 reads item i, cycle 1 item j; item i has come by then, item j comes in cycle 2. All of
-  // it waits for as long as the reference whose turn it is does not take what it is offered.
+  // Cycle 0 reads the items, which come in cycle 1 and are offered from cycle 2 on. All of it waits
+  // for as long as the reference whose turn it is does not take what it is offered.
   reg  [OUTSTANDING_BITS:0] outstanding_q;
-  reg                       second_q;      // item i was read: now item j
-  reg                       i_comes_q;
-  reg                       j_comes_q;
+  reg                       comes_q;
   reg                       offered_q;
   reg  [REFERENCES-1:0]     turn_q;        // one bit
   reg  [TAG_BITS-1:0]       coming_tag_q;
   reg  [TAG_BITS-1:0]       tag_q;
-  reg  [ITEM_BITS-1:0]      item_i_q;
-  reg  [ITEM_BITS-1:0]      item_j_q;
+  reg  [2*ITEM_BITS-1:0]    items_q;
 
   wire taken   = offered_q && ((turn_q & m_request_tready) != {REFERENCES{1'b0}});
   wire advance = !offered_q || taken;
   wire fetches = pair_valid && !pair_last && !outstanding_q[OUTSTANDING_BITS];
-  wire starts  = advance && fetches && second_q;  // the pair is on its way
+  wire starts  = advance && fetches;  // the pair is on its way
   wire closes  = pair_valid && pair_last && (outstanding_q == NONE);
   wire closed;
 
-  assign memory_enable  = advance && fetches;
-  assign memory_address = second_q ? index_j : index_i;
-  assign pair_ready     = starts || closed;
+  assign memory_enable    = starts;
+  assign memory_addresses = pair_tag;
+  assign pair_ready       = starts || closed;
 
   always @(posedge aclk) begin
     if (!aresetn) begin
-      second_q  <= 1'b0;
-      i_comes_q <= 1'b0;
-      j_comes_q <= 1'b0;
+      comes_q   <= 1'b0;
       offered_q <= 1'b0;
       turn_q    <= FIRST;
     end else begin
       if (advance) begin
-        second_q  <= fetches && !second_q;
-        i_comes_q <= fetches && !second_q;
-        j_comes_q <= fetches && second_q;
-        offered_q <= j_comes_q;
+        comes_q   <= fetches;
+        offered_q <= comes_q;
       end
       if (taken) begin
         turn_q <= (turn_q << 1) | (turn_q >> (REFERENCES - 1));
@@ -128,20 +120,17 @@ module pair_recomputation #(
 
   always @(posedge aclk) begin
     if (starts) begin
-      coming_tag_q <= {index_j, index_i};
+      coming_tag_q <= pair_tag;
     end
-    if (advance && i_comes_q) begin
-      item_i_q <= memory_read_data;
-    end
-    if (advance && j_comes_q) begin
-      item_j_q <= memory_read_data;
-      tag_q    <= coming_tag_q;
+    if (advance && comes_q) begin
+      items_q <= memory_items;
+      tag_q   <= coming_tag_q;
     end
   end
 
   assign m_request_tvalid = turn_q & {REFERENCES{offered_q}};
   assign m_request_tag    = tag_q;
-  assign m_request_items  = {item_j_q, item_i_q};
+  assign m_request_items  = items_q;
 
   // Verdicts. The queue of each reference has room for all pairs that are on their way.
   wire [REFERENCES-1:0]             answer_valid;

@@ -30,6 +30,7 @@ module pairwise_engine #(
   parameter CODE_BITS = 3,
   parameter BITMAP = 0,
   parameter COUNT = 0,
+  parameter OUTSTANDING_BITS = 5,     // 2^OUTSTANDING_BITS recomputations may be on their way
   parameter COUNTER_BITS = 32
 ) (
   input  wire                                                       aclk,
@@ -216,6 +217,10 @@ module pairwise_engine #(
       localparam FIRST = (s * SEGMENTS) / STREAMS;
       localparam INPUTS = ((s + 1) * SEGMENTS) / STREAMS - FIRST;
 
+      wire                  merged_valid;
+      wire                  merged_ready;
+      wire [ENTRY_BITS-1:0] merged;
+      wire                  merged_last;
       wire                  entry_valid;
       wire                  entry_ready;
       wire [ENTRY_BITS-1:0] entry;
@@ -236,10 +241,25 @@ module pairwise_engine #(
         .s_axis_tready(s_entry_tready[FIRST +: INPUTS]),
         .s_axis_tdata (s_entry_tdata[FIRST*ENTRY_BITS +: INPUTS*ENTRY_BITS]),
         .s_axis_tlast (s_entry_tlast[FIRST +: INPUTS]),
+        .m_axis_tvalid(merged_valid),
+        .m_axis_tready(merged_ready),
+        .m_axis_tdata (merged),
+        .m_axis_tlast (merged_last)
+      );
+
+      // Cuts the way of tready from the report port to the segments.
+      stream_fifo #(
+        .WIDTH     (ENTRY_BITS + 1),
+        .DEPTH_BITS(1)
+      ) entries (
+        .aclk         (aclk),
+        .aresetn      (aresetn),
+        .s_axis_tvalid(merged_valid),
+        .s_axis_tready(merged_ready),
+        .s_axis_tdata ({merged_last, merged}),
         .m_axis_tvalid(entry_valid),
         .m_axis_tready(entry_ready),
-        .m_axis_tdata (entry),
-        .m_axis_tlast (entry_last)
+        .m_axis_tdata ({entry_last, entry})
       );
 
       pair_expander #(
@@ -306,8 +326,8 @@ module pairwise_engine #(
       wire                 verdict_ready;
       wire [TAG_BITS+1:0]  verdict;
       wire                 verdict_last;
-      wire [INDEX_BITS-1:0] fetch_address;
-      wire [ITEM_BITS-1:0]  fetched_item;
+      wire [TAG_BITS-1:0]    fetch_addresses;
+      wire [2*ITEM_BITS-1:0] fetched_items;
       wire [REPORT_BITS-1:0] verdict_data =
           {ONE_FLAG, 2'b01, verdict[1:0], verdict[2 +: TAG_BITS]};
 
@@ -315,12 +335,15 @@ module pairwise_engine #(
         .WIDTH       (ITEM_BITS),
         .ADDRESS_BITS(INDEX_BITS)
       ) items (
-        .aclk      (aclk),
-        .enable    (fetch_enable || kept),
-        .write     (!fetch_enable),
-        .address   (fetch_enable ? fetch_address : kept_index),
-        .write_data(s_axis_tdata),
-        .read_data (fetched_item)
+        .aclk        (aclk),
+        .i_enable    (fetch_enable || kept),
+        .i_write     (!fetch_enable),
+        .i_address   (fetch_enable ? fetch_addresses[INDEX_BITS-1:0] : kept_index),
+        .i_write_data(s_axis_tdata),
+        .i_read_data (fetched_items[ITEM_BITS-1:0]),
+        .j_enable    (fetch_enable),
+        .j_address   (fetch_addresses[INDEX_BITS +: INDEX_BITS]),
+        .j_read_data (fetched_items[ITEM_BITS +: ITEM_BITS])
       );
 
       closing_tree #(
@@ -340,10 +363,11 @@ module pairwise_engine #(
       );
 
       pair_recomputation #(
-        .REFERENCES(REFERENCES),
-        .ITEM_BITS (ITEM_BITS),
-        .INDEX_BITS(INDEX_BITS),
-        .REPORT    (REPORT)
+        .REFERENCES      (REFERENCES),
+        .ITEM_BITS       (ITEM_BITS),
+        .INDEX_BITS      (INDEX_BITS),
+        .REPORT          (REPORT),
+        .OUTSTANDING_BITS(OUTSTANDING_BITS)
       ) recomputation (
         .aclk            (aclk),
         .aresetn         (aresetn),
@@ -352,8 +376,8 @@ module pairwise_engine #(
         .s_pair_tag      (pair_tag),
         .s_pair_tlast    (pair_last),
         .memory_enable   (fetch_enable),
-        .memory_address  (fetch_address),
-        .memory_read_data(fetched_item),
+        .memory_addresses(fetch_addresses),
+        .memory_items    (fetched_items),
         .m_request_tvalid(m_request_tvalid),
         .m_request_tready(m_request_tready),
         .m_request_tag   (m_request_tag),

@@ -104,7 +104,7 @@ TEST_F(EnginePlan, LanesAskForNoMoreRecomputationsThanTheMemoryStarts) {
   const Optimisation found = optimise_now();
   const auto& plan = found.plans.front();
   ASSERT_NE(plan.allocation(), nullptr);
-  EXPECT_EQ(plan.allocation()->lane_count(), 12);  // 12 x 0.04 <= 0.5 < 13 x 0.04
+  EXPECT_EQ(plan.allocation()->lane_count(), 25);  // 25 x 0.04 <= 1 < 26 x 0.04
 }
 
 TEST_F(EnginePlan, MayHaveMoreLanesThanASystemOfStreams) {
