@@ -391,6 +391,26 @@ module pairwise_engine #(
         .answered        (recomputed)
       );
 
+      // Whether a verdict is there decides nothing at the expander in the same cycle.
+      wire                   decided_valid;
+      wire                   decided_ready;
+      wire [REPORT_BITS-1:0] decided_data;
+      wire                   decided_last;
+
+      stream_fifo #(
+        .WIDTH     (REPORT_BITS + 1),
+        .DEPTH_BITS(1)
+      ) decided (
+        .aclk         (aclk),
+        .aresetn      (aresetn),
+        .s_axis_tvalid(report_valid[0]),
+        .s_axis_tready(report_ready[0]),
+        .s_axis_tdata ({report_last[0], report_data[REPORT_BITS-1:0]}),
+        .m_axis_tvalid(decided_valid),
+        .m_axis_tready(decided_ready),
+        .m_axis_tdata ({decided_last, decided_data})
+      );
+
       closing_tree #(
         .INPUTS    (2),
         .WIDTH     (REPORT_BITS),
@@ -398,10 +418,10 @@ module pairwise_engine #(
       ) merge_verdicts (
         .aclk         (aclk),
         .aresetn      (aresetn),
-        .s_axis_tvalid({verdict_valid, report_valid[0]}),
-        .s_axis_tready({verdict_ready, report_ready[0]}),
-        .s_axis_tdata ({verdict_data, report_data[REPORT_BITS-1:0]}),
-        .s_axis_tlast ({verdict_last, report_last[0]}),
+        .s_axis_tvalid({verdict_valid, decided_valid}),
+        .s_axis_tready({verdict_ready, decided_ready}),
+        .s_axis_tdata ({verdict_data, decided_data}),
+        .s_axis_tlast ({verdict_last, decided_last}),
         .m_axis_tvalid(first_valid),
         .m_axis_tready(first_ready),
         .m_axis_tdata (first_data),
