@@ -97,9 +97,9 @@ private:
         fmt::format("{} m_axis, each with a closing beat after every set.",
                     counted(engine_.report_streams, "stream")));
     canvas_.arrow({{reports_.right(), reports_.middle()}, {850, reports_.middle()}});
-    canvas_.text(reports_.right() + 6, reports_.middle() - 8, "detail", "m_axis");
+    canvas_.text(reports_.right() + 16, reports_.middle() - 8, "detail", "m_axis");
     if (engine_.report_streams > 1) {
-      canvas_.text(reports_.right() + 6, reports_.middle() + 17, "detail",
+      canvas_.text(reports_.right() + 16, reports_.middle() + 17, "detail",
                    fmt::format("{} streams", engine_.report_streams));
     }
   }

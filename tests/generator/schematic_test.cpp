@@ -4,7 +4,9 @@
 
 #include "generator/datapath/delays.hpp"
 #include "generator/datapath/lane_schedule.hpp"
+#include "generator/emit/scheduled_system.hpp"
 #include "generator/emit/system.hpp"
+#include "generator/rtl/item_words.hpp"
 #include "generator/rtl/lane_module.hpp"
 #include "generator/rtl/reference_module.hpp"
 #include "generator/schematic/datapath_pipeline.hpp"
