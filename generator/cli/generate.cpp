@@ -13,6 +13,7 @@
 #include "generator/emit/system.hpp"
 #include "generator/report/json_text.hpp"
 #include "generator/report/proof_report.hpp"
+#include "model/common/check.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -70,6 +71,20 @@ void print_parts(const emit::Signature& s) {
   }
 }
 
+/// What leaves a pairwise engine, and by how many streams.
+std::string what_leaves(const emit::SignatureEngine& engine) {
+  const std::string pairs = fmt::format("pairs that are {}", fmt::join(engine.report, ", "));
+  const std::string streams =
+      engine.report_streams == 1 ? "" : fmt::format(" by {} streams", engine.report_streams);
+  switch (engine.report_as) {
+    case scene::ReportForm::pairs: return fmt::format("{} leave{}", pairs, streams);
+    case scene::ReportForm::bitmap:
+      return fmt::format("{} leave{} as flags of {}", pairs, streams, engine.report_lanes);
+    case scene::ReportForm::count: return fmt::format("the number of {} leaves{}", pairs, streams);
+  }
+  MIXCMP_CHECK(!"a form of no enumerator");
+}
+
 void print_engine(const emit::Signature& signature) {
   if (!signature.engine) return;
   const emit::SignatureEngine& engine = *signature.engine;
@@ -79,8 +94,8 @@ void print_engine(const emit::Signature& signature) {
         engine.top, engine.capacity, engine.item_bytes, engine.row_bytes));
     return;
   }
-  print(fmt::format("{}: up to {} items of {} bytes, pairs that are {} leave\n", engine.top,
-                    engine.capacity, engine.item_bytes, fmt::join(engine.report, ", ")));
+  print(fmt::format("{}: up to {} items of {} bytes, {}\n", engine.top, engine.capacity,
+                    engine.item_bytes, what_leaves(engine)));
 }
 
 void print_text(const emit::GeneratedSystem& system, const std::vector<GroupProof>& proofs,

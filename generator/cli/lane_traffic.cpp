@@ -20,8 +20,8 @@ constexpr std::uint64_t simulated = 120, before = 3;
 /// How many comparisons are looked through for one that a lane leaves undecided.
 constexpr std::uint64_t looked_through = 1 << 22;
 
-/// The design with one of its lanes and one reference, and without the engine around them: what a
-/// lane does with a comparison is the same there.
+/// The design with one of its lanes and one reference, as a system without an engine: what a lane
+/// does with a comparison is the same there.
 design::Design small_system(design::Design design) {
   design.lanes.erase(design.lanes.begin() + 1, design.lanes.end());
   design.lanes.front().count = 1;
@@ -33,10 +33,12 @@ design::Design small_system(design::Design design) {
   return design;
 }
 
+/// What is simulated in the place of `design`.
 std::string describe(const design::Design& design) {
-  return fmt::format("one lane in {} and {} reference",
-                     design::format_name(design.lanes.front().lane),
-                     design.reference_count() == 0 ? "no" : "one");
+  const bool has_engine = design.system.engine.kind != scene::EngineKind::none;
+  return fmt::format(
+      "one lane in {} and {} reference{}", design::format_name(design.lanes.front().lane),
+      design.reference_count() == 0 ? "no" : "one", has_engine ? ", without the engine" : "");
 }
 
 /// The index of the first comparison that the emulated lane leaves undecided; 0 where there is none
@@ -78,7 +80,7 @@ Result<report::LaneTraffic> lane_traffic(const design::Design& design,
   MIXCMP_TRY(scratch, ScratchFolder::make());
   const std::filesystem::path rtl = scratch.path() / "rtl";
   MIXCMP_TRY(written, emit::write_system(system, rtl));
-  report::LaneTraffic traffic{.system = describe(small), .simulator = {}, .transfers = {}};
+  report::LaneTraffic traffic{.system = describe(design), .simulator = {}, .transfers = {}};
   verilator_tb::VerifyOptions options{.work_dir = scratch.path() / "build"};
   const std::uint64_t followed = find_undecided(small, data);
   options.selection.limit = simulated;

@@ -62,6 +62,7 @@ public:
       : maker_(scene, data), design_(design), reports_(reports) {}
 
   Result<std::vector<ImportedRow>> run() {
+    if (design_.system.engine.kind == scene::EngineKind::pairwise) return no_rows_of_an_engine();
     MIXCMP_TRY(scheduled, emit::schedule_system(design_));
     shape_ = std::move(scheduled.shape);
     inside_ = scheduled.engine ? "system/" : "";
@@ -75,6 +76,15 @@ public:
   }
 
 private:
+  /// Its lanes have no streams of their own and begin behind the conversion, as no row's do.
+  static Error no_rows_of_an_engine() {
+    return {
+        .field = "engine.kind",
+        .message = "the lanes of a pairwise engine share segments, of which a table has no rows",
+        .received = "pairwise",
+        .accepted = "none: generate and compile the system with --set engine.kind=none"};
+  }
+
   std::string path(const rtl::DatapathGroup& group, int number, const std::string& part) const {
     return fmt::format("{}g_{}[{}].channel/{}", inside_, group.label, number, part);
   }

@@ -36,7 +36,8 @@ std::vector<GeneratedFile> engine_testbench_files(const ProjectSpec& spec);
 /// The bytes as one hexadecimal number, whose lowest byte is the first.
 std::string hexadecimal(const std::vector<std::uint8_t>& bytes);
 
-/// A wrapper with one AXI4-Stream a lane, an instantiation template and VHDL declarations.
+/// A wrapper with streams of their own where the top has vectors of streams, an instantiation
+/// template and VHDL declarations.
 std::vector<GeneratedFile> integration_files(const ProjectSpec& spec);
 
 std::vector<GeneratedFile> icarus_files(const ProjectSpec& spec);

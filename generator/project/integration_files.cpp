@@ -78,7 +78,7 @@ GeneratedFile vhdl_package(const ProjectSpec& spec, const std::vector<Unit>& uni
 std::vector<GeneratedFile> integration_files(const ProjectSpec& spec) {
   std::vector<Unit> units = {build_unit(spec)};
   std::vector<GeneratedFile> files;
-  if (!spec.signature.engine) {
+  if (has_stream_wrapper(spec.signature)) {
     const rtl::Module wrapper = stream_wrapper(spec);
     files.push_back({fmt::format("integration/{}.v", wrapper.name), emit::to_verilog(wrapper)});
     units.push_back(wrapper_unit(wrapper));

@@ -2,15 +2,21 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace mixcmp::project {
 namespace {
 
 using rtl::Operand;
 
-/// Ports of the wrapper, lane by lane: those of one stream stand together.
+/// Ports of the wrapper, field by field: those of one stream stand together.
 void add_ports_of_fields(rtl::Module& module, const std::vector<FieldPort>& ports,
-                         bool (*belongs)(const FieldPort&), int count) {
-  for (int k = 0; k < count; ++k) {
+                         bool (*belongs)(const FieldPort&)) {
+  int most_fields = 0;
+  for (const FieldPort& each : ports) {
+    if (belongs(each)) most_fields = std::max(most_fields, each.count);
+  }
+  for (int k = 0; k < most_fields; ++k) {
     for (const FieldPort& each : ports) {
       if (!belongs(each)) continue;
       module.ports.push_back({each.port->direction, each.field_width(), each.field_name(k)});
@@ -20,6 +26,22 @@ void add_ports_of_fields(rtl::Module& module, const std::vector<FieldPort>& port
 
 bool is_refetch(const FieldPort& port) {
   return port.port->name.find("_refetch_") != std::string::npos;
+}
+
+/// The ports of the top but aclk and aresetn.
+std::vector<FieldPort> field_ports(const ProjectSpec& spec) {
+  std::vector<FieldPort> ports;
+  for (const emit::SignaturePort& port : spec.build_ports()) {
+    if (port.is_clock_or_reset()) continue;
+    FieldPort field{.port = &port, .count = spec.signature.lanes};
+    if (is_refetch(field)) field.count = spec.signature.references;
+    if (spec.signature.engine) {
+      field.is_single = !port.name.starts_with("m_axis_") && port.name != "reports";
+      field.count = field.is_single ? 1 : spec.signature.engine->report_streams;
+    }
+    ports.push_back(field);
+  }
+  return ports;
 }
 
 void connect_input(rtl::Module& module, const FieldPort& port) {
@@ -38,20 +60,29 @@ void connect_output(rtl::Module& module, const FieldPort& port) {
   }
 }
 
-rtl::Instance system_instance(const emit::Signature& signature) {
-  rtl::Instance instance{
-      .module = signature.top, .name = "system", .parameters = {}, .connections = {}};
-  for (const emit::SignaturePort& port : signature.ports) {
+rtl::Instance wrapped_instance(const ProjectSpec& spec) {
+  rtl::Instance instance{.module = spec.build_top(),
+                         .name = spec.signature.engine ? "engine" : "system",
+                         .parameters = {},
+                         .connections = {}};
+  for (const emit::SignaturePort& port : spec.build_ports()) {
     instance.connections.push_back({port.name, rtl::net(port.name)});
   }
   return instance;
 }
 
+std::string wrapper_name(const ProjectSpec& spec) {
+  return spec.build_top() + "_streams";
+}
+
 std::vector<std::string> header(const ProjectSpec& spec) {
+  const bool is_engine = spec.signature.engine.has_value();
   std::vector<std::string> lines = {
-      stream_wrapper_name(spec.signature) + ": " + spec.signature.top +
-          " with an AXI4-Stream of its own for each lane.",
-      "Lane k has s_axis_k_*, m_axis_k_* and its counters; reference k has its refetch streams.",
+      fmt::format("{}: {} with an AXI4-Stream of its own for each {}.", wrapper_name(spec),
+                  spec.build_top(), is_engine ? "stream of reports" : "lane"),
+      is_engine ? "Stream k is m_axis_k_* with the counter reports_k."
+                : "Lane k has s_axis_k_*, m_axis_k_* and its counters; reference k has its refetch "
+                  "streams.",
       ""};
   for (std::string& line : emit::provenance(spec.signature, spec.command)) {
     lines.push_back(std::move(line));
@@ -62,42 +93,33 @@ std::vector<std::string> header(const ProjectSpec& spec) {
 }  // namespace
 
 std::string FieldPort::field_name(int k) const {
+  if (is_single) return port->name;
   const std::size_t last_part = port->name.rfind("_t");
   if (last_part == std::string::npos) return fmt::format("{}_{}", port->name, k);
   return fmt::format("{}_{}{}", port->name.substr(0, last_part), k, port->name.substr(last_part));
 }
 
-std::vector<FieldPort> field_ports(const emit::Signature& signature) {
-  std::vector<FieldPort> ports;
-  for (const emit::SignaturePort& port : signature.ports) {
-    if (port.is_clock_or_reset()) continue;
-    FieldPort field{.port = &port, .count = signature.lanes};
-    if (is_refetch(field)) field.count = signature.references;
-    ports.push_back(field);
-  }
-  return ports;
-}
-
-std::string stream_wrapper_name(const emit::Signature& signature) {
-  return signature.top + "_streams";
+bool has_stream_wrapper(const emit::Signature& signature) {
+  return !signature.engine || signature.engine->report_streams > 1;
 }
 
 rtl::Module stream_wrapper(const ProjectSpec& spec) {
-  const emit::Signature& signature = spec.signature;
-  rtl::Module module{
-      .name = stream_wrapper_name(signature), .header = header(spec), .ports = {}, .items = {}};
+  rtl::Module module{.name = wrapper_name(spec), .header = header(spec), .ports = {}, .items = {}};
   for (const char* name : {"aclk", "aresetn"}) {
     module.ports.push_back({rtl::Direction::input, 1, name});
   }
-  const std::vector<FieldPort> ports = field_ports(signature);
-  const auto of_lane = [](const FieldPort& port) { return !is_refetch(port); };
-  add_ports_of_fields(module, ports, of_lane, signature.lanes);
-  add_ports_of_fields(module, ports, is_refetch, signature.references);
+  const std::vector<FieldPort> ports = field_ports(spec);
+  add_ports_of_fields(module, ports, [](const FieldPort& port) { return port.is_single; });
+  add_ports_of_fields(module, ports,
+                      [](const FieldPort& port) { return !port.is_single && !is_refetch(port); });
+  add_ports_of_fields(module, ports, is_refetch);
   for (const FieldPort& port : ports) {
+    if (port.is_single) continue;
     module.items.emplace_back(rtl::Wire{port.port->width, port.port->name, nullptr, true});
   }
-  module.items.emplace_back(system_instance(signature));
+  module.items.emplace_back(wrapped_instance(spec));
   for (const FieldPort& port : ports) {
+    if (port.is_single) continue;
     port.port->direction == rtl::Direction::input ? connect_input(module, port)
                                                   : connect_output(module, port);
   }

@@ -8,24 +8,24 @@
 
 namespace mixcmp::project {
 
-/// A port of the system's top that has one field for each lane or, of a refetch stream, for each
-/// reference.
+/// A port of the top. Of a system it has one field for each lane or, of a refetch stream, for each
+/// reference; of a pairwise engine one for each stream of reports, or is no vector of streams.
 struct FieldPort {
   const emit::SignaturePort* port;
-  int count = 0;  ///< fields
+  int count = 0;           ///< fields
+  bool is_single = false;  ///< of no stream beside which there are others: it keeps its name
 
   int field_width() const { return port->width / count; }
   /// The port of field k alone: "s_axis_3_tdata", "comparisons_3".
   std::string field_name(int k) const;
 };
 
-/// The ports of the system's top but aclk and aresetn.
-std::vector<FieldPort> field_ports(const emit::Signature& signature);
+/// Whether the top has vectors of streams, around which there is a wrapper: that of a system, or of
+/// a pairwise engine with several streams of reports.
+bool has_stream_wrapper(const emit::Signature& signature);
 
-/// The wrapper's name; there is one where the scene has no engine, whose streams are single.
-std::string stream_wrapper_name(const emit::Signature& signature);
-
-/// A module around the system that has ports of their own for each lane and each refetch stream.
+/// A module around the top that has ports of their own for each lane and each refetch stream or,
+/// around a pairwise engine, for each stream of reports.
 rtl::Module stream_wrapper(const ProjectSpec& spec);
 
 }  // namespace mixcmp::project

@@ -34,22 +34,17 @@ std::vector<Stream> streams_of(const std::vector<std::string>& ports) {
   return streams;
 }
 
-/// What is packaged as IP: the engine, or else the system with a stream for each lane.
+/// What is packaged as IP: the wrapper with streams of their own, or an engine that needs none.
 struct Packaged {
   std::string top;
   std::vector<std::string> ports;
-  std::vector<std::string> sources;  ///< beside those of the system
+  std::vector<std::string> sources;  ///< beside those of the top
 };
 
 Packaged packaged(const ProjectSpec& spec) {
   Packaged packaged{spec.build_top(), {}, {}};
-  if (spec.signature.engine) {
-    // Several streams in one vector are no interface of their own.
-    const bool has_vectors = spec.signature.engine->report_streams > 1;
-    for (const emit::SignaturePort& port : spec.build_ports()) {
-      if (has_vectors && port.name.starts_with("m_axis")) continue;
-      packaged.ports.push_back(port.name);
-    }
+  if (!has_stream_wrapper(spec.signature)) {
+    for (const emit::SignaturePort& port : spec.build_ports()) packaged.ports.push_back(port.name);
     return packaged;
   }
   const rtl::Module wrapper = stream_wrapper(spec);

@@ -60,6 +60,7 @@ page::Section request_section(const scene::Summary& summary,
   page::Element more("div");
   bool has_more = false;
   for (const SummaryLines& lines : lines_of(summary)) {
+    if (lines.lines.empty()) continue;  // a plan that changes nothing that is counted
     if (is_shown(lines)) {
       add_shown(section, lines);
       continue;

@@ -73,9 +73,9 @@ nlohmann::json json_of(const EngineSpec& engine) {
   if (engine.kind == EngineKind::arg_min) {
     return {{"kind", to_string(engine.kind)}, {"tag_bits", engine.row_tag_bits}};
   }
-  return {{"kind", to_string(engine.kind)},
-          {"capacity", engine.capacity},
-          {"report", reported_verdicts(engine)}};
+  return {{"kind", to_string(engine.kind)},          {"capacity", engine.capacity},
+          {"report", reported_verdicts(engine)},     {"report_as", to_string(engine.report_as)},
+          {"report_streams", engine.report_streams}, {"lanes_per_group", engine.lanes_per_group}};
 }
 
 nlohmann::json json_of_system(const Scene& scene) {

@@ -174,9 +174,13 @@ void print_understood(SectionList& page, const Scene& scene) {
                      fmt::format("{}, a candidate more than lanes, row tags of {} bits",
                                  to_string(system.engine.kind), system.engine.row_tag_bits));
   }
-  page.line("engine",
-            fmt::format("{}, {} items, reports {}", to_string(system.engine.kind),
-                        system.engine.capacity, fmt::join(reported_verdicts(system.engine), ", ")));
+  page.line(
+      "engine",
+      fmt::format("{}, {} items, reports {} as {} by {} stream{}, {} lanes in lock step",
+                  to_string(system.engine.kind), system.engine.capacity,
+                  fmt::join(reported_verdicts(system.engine), ", "),
+                  to_string(system.engine.report_as), system.engine.report_streams,
+                  system.engine.report_streams == 1 ? "" : "s", system.engine.lanes_per_group));
 }
 
 void print_data(SectionList& page, const DataSummary& data) {

@@ -7,18 +7,47 @@
 namespace mixcmp::report {
 namespace {
 
-std::string size_of(const page::Pipeline& pipeline) {
-  return fmt::format("{} cycles from the operands to the verdict, one comparison in each.",
-                     pipeline.cycles);
+std::string size_of(const page::Pipeline& pipeline, std::string_view from) {
+  return fmt::format("{} cycles from {} to the verdict, one comparison in each.", pipeline.cycles,
+                     from);
+}
+
+/// The lanes of group k as they are built; the inputs of those that read words are named as their
+/// ports.
+design::Lane built_lane(const BuiltSystem& system, std::size_t k) {
+  if (!system.scheduled.pairwise) return system.design.lanes[k].lane;
+  const rtl::WordLane& reading = system.scheduled.pairwise->words.lanes[k];
+  design::Lane lane = reading.lane;
+  auto* const fixed = std::get_if<fixed::FixedLane>(&lane);
+  if (fixed == nullptr) return lane;
+  for (std::size_t input = 0; input < fixed->loaded_inputs.size(); ++input) {
+    fixed->input_names.push_back(reading.ports[input].name);
+  }
+  return lane;
+}
+
+/// The conversion of items, which lanes in fixed point leave to the engine around them.
+void add_conversion(page::Section& section, const BuiltSystem& system) {
+  if (!system.scheduled.pairwise || !system.scheduled.pairwise->words.converts()) return;
+  const rtl::ItemWords& words = system.scheduled.pairwise->words;
+  const page::Pipeline pipeline = schematic::item_pipeline(words.split->loader, words.schedule);
+  section.content.push_back(page::heading("The conversion of an item"));
+  section.content.push_back(page::figure(
+      draw(pipeline),
+      fmt::format(
+          "What lanes know of an item, a word of {} bits, computed once, when it is loaded: "
+          "{} cycles.",
+          words.bits(), pipeline.cycles)));
 }
 
 void add_lanes(page::Section& section, const BuiltSystem& system) {
   const std::vector<std::string> names = lane_group_names(system.design);
+  const char* const from = system.scheduled.pairwise ? "the words of two items" : "the operands";
   for (std::size_t k = 0; k < names.size(); ++k) {
     const page::Pipeline pipeline = schematic::lane_pipeline(
-        system.design.lanes[k].lane, system.scheduled.shape.lane_groups[k].schedule);
+        built_lane(system, k), system.scheduled.shape.lane_groups[k].schedule);
     section.content.push_back(page::heading("A lane in " + names[k]));
-    section.content.push_back(page::figure(draw(pipeline), size_of(pipeline)));
+    section.content.push_back(page::figure(draw(pipeline), size_of(pipeline, from)));
   }
 }
 
@@ -29,8 +58,22 @@ void add_references(page::Section& section, const BuiltSystem& system) {
     const page::Pipeline pipeline = schematic::reference_pipeline(
         system.design.reference, system.scheduled.shape.reference_groups[k].schedule);
     section.content.push_back(page::heading("A reference in " + names[k]));
-    section.content.push_back(page::figure(draw(pipeline), size_of(pipeline)));
+    section.content.push_back(page::figure(draw(pipeline), size_of(pipeline, "the operands")));
   }
+}
+
+std::string caption_of(const emit::Signature& signature) {
+  const std::string numbers =
+      fmt::format("p_L = {}, p_H = {}.", signature.lanes, signature.references);
+  if (!signature.engine) return fmt::format("The top module {}: {}", signature.top, numbers);
+  const std::string& top = signature.engine->top;
+  if (signature.engine->kind == scene::EngineKind::pairwise) {
+    return fmt::format("The top module {}, which makes all pairs of its items: {}", top, numbers);
+  }
+  return fmt::format(
+      "The system {} inside the top module {}, an engine that finds the least of {} "
+      "candidates: {}",
+      signature.top, top, signature.engine->capacity, numbers);
 }
 
 }  // namespace
@@ -43,14 +86,13 @@ page::Section system_section(const IfThere<BuiltSystem>& there) {
   }
   const auto& system = std::get<BuiltSystem>(there);
   section.content.push_back(
-      page::figure(schematic::system_picture(system.signature),
-                   fmt::format("The top module {}: p_L = {}, p_H = {}.", system.signature.top,
-                               system.signature.lanes, system.signature.references)));
+      page::figure(schematic::system_picture(system.signature), caption_of(system.signature)));
   for (const std::string& note : system.notes)
     section.content.push_back(page::note("Note: " + note));
   section.content.push_back(page::paragraph(
       "In the pictures of datapaths time runs downwards, a row of registers a line. A box is a "
       "unit with the format of its result; a dashed line is a value that waits in registers."));
+  add_conversion(section, system);
   add_lanes(section, system);
   add_references(section, system);
   return section;

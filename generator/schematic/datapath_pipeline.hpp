@@ -11,6 +11,9 @@ namespace mixcmp::schematic {
 /// works.
 page::Pipeline lane_pipeline(const design::Lane& lane, const datapath::Schedule& schedule);
 
+/// What computes the words of a pairwise engine's items, as it is scheduled.
+page::Pipeline item_pipeline(const fixed::FixedLane& loader, const datapath::Schedule& schedule);
+
 /// A reference as it is scheduled.
 page::Pipeline reference_pipeline(const TypedGraph& reference, const datapath::Schedule& schedule);
 

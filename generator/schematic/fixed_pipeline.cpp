@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "generator/schematic/datapath_pipeline.hpp"
 #include "generator/schematic/pipeline_maker.hpp"
 
 namespace mixcmp::schematic {
@@ -67,7 +68,9 @@ private:
   void add_operands() {
     for (const FixedNode& node : lane_.nodes) {
       if (node.operation != Operation::input) continue;
-      operands_.push_back(maker_.add_input(name_of(node), lane_.input_format.name()));
+      const bool loaded = !lane_.loaded_inputs.empty();
+      operands_.push_back(
+          maker_.add_input(name_of(node), loaded ? node.format.name() : lane_.input_format.name()));
     }
     if (schedule_.largest_exponent.unit.module.empty()) return;
     exponent_ = maker_.add({.title = "largest exponent",
@@ -81,6 +84,9 @@ private:
     const FixedNode& node = lane_.nodes[id];
     const Step& step = schedule_.steps[static_cast<std::size_t>(id)];
     if (node.operation == Operation::constant) return boxes_.push_back(PipelineMaker::none);
+    if (node.operation == Operation::input && !lane_.loaded_inputs.empty()) {
+      return boxes_.push_back(operands_[next_operand_++]);  // converted when it was loaded
+    }
     std::vector<int> operands;
     for (int k = 0; k < arity(node.operation); ++k) operands.push_back(box(node.operands[k]));
     if (node.operation == Operation::input) {
@@ -160,6 +166,12 @@ page::Pipeline fixed_lane_pipeline(const FixedLane& lane, const datapath::Schedu
   }
   return maker.finish(fmt::format("Units of a lane in {}", lane.format.name()), schedule, decisions,
                       lane.combination);
+}
+
+page::Pipeline item_pipeline(const FixedLane& loader, const datapath::Schedule& schedule) {
+  PipelineMaker maker;
+  FixedBoxes(maker, loader, schedule).add_nodes();
+  return maker.finish("Units of the conversion of an item", schedule, {}, loader.combination);
 }
 
 }  // namespace mixcmp::schematic

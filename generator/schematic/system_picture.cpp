@@ -6,95 +6,20 @@
 #include <string>
 #include <vector>
 
+#include "generator/schematic/canvas.hpp"
+#include "generator/schematic/pairwise_picture.hpp"
+
 namespace mixcmp::schematic {
 namespace {
 
 using emit::Signature;
 using emit::SignatureLanes;
 using emit::SignatureReferences;
-using page::coordinate;
 using page::Element;
-using page::Path;
-using page::text_at;
 
-constexpr double width = 860, lane_pitch = 142, reference_pitch = 74;
+constexpr double lane_pitch = 142, reference_pitch = 74;
 constexpr double lanes_top = 26;                  // of the first group of lanes
 constexpr double lane_x = 292, lane_width = 200;  // of lanes, and of the crossbar below them
-
-struct Box {
-  double x, y, width, height;
-
-  double right() const { return x + width; }
-  double bottom() const { return y + height; }
-  double center() const { return x + width / 2; }
-  double middle() const { return y + height / 2; }
-};
-
-struct Corner {
-  double x, y;
-};
-
-std::string counted(int count, const char* what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
-/// Draws boxes and arrows.
-class Canvas {
-public:
-  explicit Canvas(Element& picture) : picture_(picture) {}
-
-  /// A box with up to three lines; behind it the edges of further ones where it stands for several.
-  void box(const Box& box, const std::string& style, const std::vector<std::string>& lines,
-           int count, const std::string& tip) {
-    for (int behind = std::min(count, 3) - 1; behind > 0; --behind) {
-      rectangle({box.x + 5 * behind, box.y - 5 * behind, box.width, box.height}, "block " + style,
-                "");
-    }
-    rectangle(box, "block point " + style, tip);
-    const double first = box.middle() + 4 - 8.0 * static_cast<double>(lines.size() - 1);
-    for (std::size_t k = 0; k < lines.size(); ++k) {
-      text(box.center(), first + 16 * static_cast<double>(k),
-           k == 0 ? "name middle" : "detail middle", lines[k]);
-    }
-  }
-
-  void frame(const Box& box) { rectangle(box, "frame", ""); }
-
-  void text(double x, double y, const std::string& style, const std::string& words) {
-    picture_.add(text_at(x, y, style, words));
-  }
-
-  /// A line through the corners, with an arrowhead at the last.
-  void arrow(const std::vector<Corner>& corners) {
-    Path path;
-    path.move_to(corners[0].x, corners[0].y);
-    for (std::size_t k = 1; k < corners.size(); ++k) path.line_to(corners[k].x, corners[k].y);
-    picture_.add(path.element("wire"));
-    const Corner& end = corners.back();
-    const Corner& before = corners[corners.size() - 2];
-    const double dx = end.x == before.x ? 0 : (end.x > before.x ? 1 : -1);
-    const double dy = end.y == before.y ? 0 : (end.y > before.y ? 1 : -1);
-    Path head;
-    head.move_to(end.x, end.y);
-    head.line_to(end.x - 8 * dx - 4 * dy, end.y - 8 * dy - 4 * dx);
-    head.line_to(end.x - 8 * dx + 4 * dy, end.y - 8 * dy + 4 * dx).close();
-    picture_.add(head.element("arrowhead"));
-  }
-
-private:
-  void rectangle(const Box& box, const std::string& style, const std::string& tip) {
-    Element rect("rect", {{"class", style},
-                          {"x", coordinate(box.x)},
-                          {"y", coordinate(box.y)},
-                          {"width", coordinate(box.width)},
-                          {"height", coordinate(box.height)},
-                          {"rx", "4"}});
-    if (!tip.empty()) rect.add(page::tip(tip));
-    picture_.add(rect);
-  }
-
-  Element& picture_;
-};
 
 class SystemPicture {
 public:
@@ -198,16 +123,12 @@ private:
 }  // namespace
 
 Element system_picture(const Signature& signature) {
-  Element picture("svg",
-                  {{"xmlns", "http://www.w3.org/2000/svg"},
-                   {"class", "chart wide"},
-                   {"viewBox", fmt::format("0 0 {} {}", width, SystemPicture::height(signature))},
-                   {"role", "group"},
-                   {"tabindex", "0"},
-                   {"aria-label", "Block diagram of " + signature.top}});
+  const bool is_pairwise =
+      signature.engine && signature.engine->kind == scene::EngineKind::pairwise;
+  if (is_pairwise) return pairwise_picture(signature);
+  Element picture = block_diagram(SystemPicture::height(signature), signature.top);
   SystemPicture(picture, signature).draw();
-  Element whole("div", {{"class", "picture wide"}}), scrolling("div", {{"class", "scroll"}});
-  return whole.add(scrolling.add(picture));
+  return framed(picture);
 }
 
 }  // namespace mixcmp::schematic

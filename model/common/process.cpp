@@ -192,7 +192,8 @@ bool names_a_version(std::string_view line) {
 
 Result<std::string> tool_version(const Command& command, const std::string& package) {
   const Command tool(command.begin(), command.end() - 1);
-  const Result<Captured> run = capture(command);
+  // On a machine with much else to do even this takes longer than ten seconds.
+  const Result<Captured> run = capture(command, {.seconds = 60});
   if (!run.ok() && run.error().kind == ErrorKind::missing_tool) {
     return Error{.message = fmt::format("{} does not run", shell_line(tool)),
                  .accepted = fmt::format("{}, on Debian: apt-get install {}", tool.back(), package),

@@ -199,27 +199,42 @@ TEST_F(Import, ACrossbarsShareIsThatOfTheLanesItServes) {
 }
 
 TEST_F(Import, TheSystemInsideAnEngineIsFound) {
-  std::string scene =
-      replaced(replaced(read("scene.toml"), "\"a\"", "\"ai - aj\""), "\"b\"", "\"bi - bj\"");
-  write("scene.toml", replaced(scene, "[data]\n",
-                               "[engine]\nkind = \"pairwise\"\ncapacity = 64\n"
-                               "[data]\npairs = \"all\"\n"));
+  write("centres.csv", "c\n0\n2\n4\n");
+  write("scene.toml", replaced(replaced(replaced(read("scene.toml"), "\"a\"", "\"(a - ci)^2\""),
+                                        "\"b\"", "\"(a - cj)^2\""),
+                               "[data]\n",
+                               "[engine]\nkind = \"arg_min\"\n"
+                               "[data]\nwith = \"centres.csv\"\npairs = \"arg_min\"\n"));
   leave_signature();
   std::string text =
-      replaced(vivado_areas(), "Design       : " + top, "Design       : " + top + "_pairwise");
+      replaced(vivado_areas(), "Design       : " + top, "Design       : " + top + "_arg_min");
   const std::string first = "| " + top + " | module |";
   for (std::size_t at = text.find(first); at != std::string::npos; at = text.find("\n| ", at + 3)) {
     text.insert(text.find("| ", at) + 2, "  ");
   }
-  write(
-      "r/utilisation_by_instance.rpt",
-      replaced(text, "|   " + top + " | module |",
-               "| " + top +
-                   "_pairwise | module | 9 | 9 | 0 | 0 | 9 | 0 | 0 | 0 |\n|   system | module |"));
+  write("r/utilisation_by_instance.rpt",
+        replaced(text, "|   " + top + " | module |",
+                 "| " + top +
+                     "_arg_min | module | 9 | 9 | 0 | 0 | 9 | 0 | 0 | 0 |\n|   system | module |"));
   const Outcome run = import("r/utilisation_by_instance.rpt");
   ASSERT_EQ(run.exit_code, 0) << run.output;
   EXPECT_EQ(row(ComponentKind::lane).area, area(203, 301, 0, 3, 16));
   EXPECT_EQ(row(ComponentKind::crossbar).area, area(77, 88, 0, 0, 0));
+}
+
+TEST_F(Import, APairwiseEngineHasNoRows) {
+  write("scene.toml",
+        replaced(
+            replaced(replaced(read("scene.toml"), "\"a\"", "\"ai - aj\""), "\"b\"", "\"bi - bj\""),
+            "[data]\n", "[engine]\nkind = \"pairwise\"\n[data]\npairs = \"all\"\n"));
+  leave_signature();
+  write("r/utilisation_by_instance.rpt",
+        replaced(vivado_areas(), "Design       : " + top, "Design       : " + top + "_pairwise"));
+  const Outcome run = import("r/utilisation_by_instance.rpt");
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  EXPECT_NE(run.output.find("engine.kind: the lanes of a pairwise engine share segments"),
+            std::string::npos)
+      << run.output;
 }
 
 TEST_F(Import, OptimisePlansWithTheImportedAreas) {

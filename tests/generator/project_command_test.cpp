@@ -250,6 +250,19 @@ TEST_F(EngineProject, TheArgMinEngineIsTested) {
   }
 }
 
+TEST_F(EngineProject, ItIsToldWhatLeaves) {
+  write_pairs();
+  const std::string command =
+      "generate scene.toml --no-prove -o rtl --set 'engine.report=[\"less\"]' ";
+  expect_in(mixcmp(command).output, ": up to 16 items of 8 bytes, pairs that are less leave\n");
+  expect_in(mixcmp(command + "--set engine.report_as=count").output,
+            ", the number of pairs that are less leaves\n");
+  expect_in(mixcmp(command + "--set engine.report_as=bitmap --set engine.report_streams=2 "
+                             "--set engine.lanes_per_group=1")
+                .output,
+            ", pairs that are less leave by 2 streams as flags of 1\n");
+}
+
 /// What Verilator says, but for the statistics with which Debian 13's ends: lines that begin "- ".
 std::string without_report(const std::string& output) {
   std::string said;
@@ -326,6 +339,24 @@ TEST_F(Project, VerilatorFindsNoFaultAndNoWarning) {
   expect_in(run.output, "PASSED: 400 comparisons (100, 4 times)");
 }
 
+TEST_F(EngineProject, StreamsOfReportsHaveAWrapper) {
+  write_pairs();
+  generate("--project yosys");
+  EXPECT_FALSE(fs::exists(path("rtl/integration/near_s8e8_2x1_pairwise_streams.v")));
+  generate("--project yosys --set engine.report_streams=2 --set engine.lanes_per_group=1");
+  const std::string wrapper = read("rtl/integration/near_s8e8_2x1_pairwise_streams.v");
+  for (const char* port :
+       {"wire [7:0]  m_axis_1_tuser", "[31:0] reports_1", "[31:0] busy_cycles"}) {
+    expect_in(wrapper, port);
+  }
+  const Outcome lint = in_folder(
+      "verilator --lint-only -Wall --top-module near_s8e8_2x1_pairwise_streams "
+      "-F rtl/near_s8e8_2x1.f rtl/integration/near_s8e8_2x1_pairwise_streams.v");
+  EXPECT_EQ(lint.exit_code, 0) << lint.output;
+  EXPECT_EQ(without_report(lint.output), "");
+  expect_in(read("rtl/integration/near_s8e8_2x1_pairwise.veo"), ".m_axis_1_tvalid");
+}
+
 TEST_F(Project, VerilatorTakesFoldersOfAnyNameButBuildsInNoneWithBlanks) {
   generate("--project verilator --vectors 5");
   fs::rename(path("rtl"), path("o ut $x [y]"));
@@ -366,7 +397,7 @@ TEST_F(Project, NextpnrIsOfItsDevicesAlone) {
   EXPECT_FALSE(fs::exists(path("rtl")));
 }
 
-class VendorScript : public Project {
+class VendorScript : public EngineProject {
 protected:
   void SetUp() override {
     if (!is_installed("tclsh")) GTEST_SKIP() << "tclsh is not installed (Debian: tcl)";
@@ -398,6 +429,21 @@ TEST_F(VendorScript, VivadoSynthesisesAndPackages) {
                                             "{0}_tuser xilinx.com:interface:axis_rtl:1.0",
                                             stream));
     expect_in(packaging.output, fmt::format("-busif {} -clock aclk", stream));
+  }
+}
+
+TEST_F(VendorScript, StreamsOfReportsArePackagedEach) {
+  write_pairs();
+  generate(
+      "--project vivado --device artix7-200t --set engine.report_streams=2 "
+      "--set engine.lanes_per_group=1");
+  const Outcome packaging = tcl("rtl/vivado/package_ip.tcl");
+  EXPECT_EQ(packaging.exit_code, 0) << packaging.output;
+  expect_in(packaging.output, "set_property top near_s8e8_2x1_pairwise_streams sources_1\n");
+  for (const char* stream : {"s_axis", "m_axis_0", "m_axis_1"}) {
+    expect_in(packaging.output, fmt::format("infer_bus_interface {0}_tvalid {0}_tready {0}_tdata "
+                                            "{0}_tuser {0}_tlast xilinx.com",
+                                            stream));
   }
 }
 
@@ -485,6 +531,14 @@ TEST_F(Project, TheCocotbTestIsPython) {
 TEST_F(Project, GhdlTakesTheComponents) {
   if (!is_installed("ghdl")) GTEST_SKIP() << "ghdl is not installed";
   generate("--project vivado --set comparison.name=a__b");
+  const Outcome run = in_folder("ghdl -s --std=93 rtl/integration/*_components.vhd");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+}
+
+TEST_F(EngineProject, GhdlTakesTheComponents) {
+  if (!is_installed("ghdl")) GTEST_SKIP() << "ghdl is not installed";
+  write_pairs();
+  generate("--project vivado --set engine.report_streams=2 --set engine.lanes_per_group=1");
   const Outcome run = in_folder("ghdl -s --std=93 rtl/integration/*_components.vhd");
   EXPECT_EQ(run.exit_code, 0) << run.output;
 }

@@ -101,6 +101,21 @@ TEST_F(Report, WithoutReferencesAComparisonOfTheWavesStaysUndecided) {
             std::string::npos);
 }
 
+TEST_F(Report, ShowsAPairwiseEngineAsItIsBuilt) {
+  write_scene("lanes = 4\nreferences = 1\n[engine]\nkind = \"pairwise\"\n");
+  for (const char* lanes : {"q13", "s8e8"}) {
+    const std::string html = page(std::string("--without profile,plan --format ") + lanes);
+    EXPECT_EQ(fault_of_markup(html), "");
+    EXPECT_EQ(html.find("The conversion of an item") != std::string::npos,
+              lanes == std::string("q13"));
+    EXPECT_NE(html.find(fmt::format("The top module spheres_{}_4x1_pairwise", lanes)),
+              std::string::npos);
+    EXPECT_NE(html.find("from the words of two items to the verdict"), std::string::npos);
+    EXPECT_NE(html.find("and one reference, without the engine, simulated"), std::string::npos);
+    EXPECT_EQ(html.find("crossbar"), std::string::npos);
+  }
+}
+
 TEST_F(Report, SaysWhatIsMissingAndTheCommandThatMakesIt) {
   write_scene();
   const Outcome run = mixcmp("report scene.toml -o page.html --without profile,waves");

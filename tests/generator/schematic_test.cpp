@@ -4,7 +4,9 @@
 
 #include "generator/datapath/delays.hpp"
 #include "generator/datapath/lane_schedule.hpp"
+#include "generator/emit/scheduled_system.hpp"
 #include "generator/emit/system.hpp"
+#include "generator/rtl/item_words.hpp"
 #include "generator/rtl/lane_module.hpp"
 #include "generator/rtl/reference_module.hpp"
 #include "generator/schematic/datapath_pipeline.hpp"
@@ -115,6 +117,47 @@ TEST(Schematic, AReferenceHasABoxForEachUnitOfItsModule) {
   EXPECT_EQ(boxes(pipeline), unit_instances(rtl::reference_module(
                                  "reference", sphere_graph().inputs(), reference, schedule)));
   expect_whole(pipeline);
+}
+
+/// Spheres in q13, each pair of which is made on the chip: 5 lanes in groups of 2.
+design::Design pairwise_design() {
+  design::Design design = sphere_design(format("s17e8"), format("s53e8"), 5, 2);
+  design.lanes[0].lane = fixed_lane({.bits = 13});
+  design.system = with_engine(design.system, {.kind = scene::EngineKind::pairwise,
+                                              .capacity = 1000,
+                                              .report = {Verdict::less},
+                                              .report_streams = 3,
+                                              .lanes_per_group = 2});
+  return design;
+}
+
+TEST(Schematic, APairwiseEnginesConversionAndLanesHaveABoxForEachUnit) {
+  const emit::ScheduledSystem scheduled = emit::schedule_system(pairwise_design()).value();
+  const rtl::ItemWords& words = scheduled.pairwise->words;
+  const Pipeline conversion = schematic::item_pipeline(words.split->loader, words.schedule);
+  EXPECT_EQ(boxes(conversion),
+            unit_instances(rtl::item_word_module("item", words, *scheduled.engine)));
+  EXPECT_EQ(conversion.cycles, words.schedule.latency_cycles);
+  EXPECT_EQ(conversion.units.front().title, "cx");
+  const Schedule& schedule = scheduled.shape.lane_groups[0].schedule;
+  fixed::FixedLane lane = std::get<fixed::FixedLane>(words.lanes[0].lane);
+  for (const rtl::LanePort& port : words.lanes[0].ports) lane.input_names.push_back(port.name);
+  const Pipeline pipeline = schematic::lane_pipeline(lane, schedule);
+  EXPECT_EQ(boxes(pipeline),
+            unit_instances(rtl::word_lane_module("lane", words.lanes[0], schedule)));
+  EXPECT_EQ(pipeline.units.front().title, "cx_i");
+  expect_whole(pipeline);
+}
+
+TEST(Schematic, APairwiseEngineIsDrawnWithItsStreamsAndReferences) {
+  const emit::Signature signature = emit::generate_system(pairwise_design(), "")->signature;
+  const std::string picture = schematic::system_picture(signature).to_text();
+  for (const char* words : {"5 lanes, q13", "2 in lock step", "up to 1000", "3 streams",
+                            "2 references in s53e8", "reads both items of a pair"}) {
+    EXPECT_NE(picture.find(words), std::string::npos) << words;
+  }
+  EXPECT_EQ(picture.find("crossbar"), std::string::npos);
+  EXPECT_EQ(fault_of_markup(picture), "");
 }
 
 TEST(Schematic, ASystemShowsItsOwnNumbers) {
