@@ -86,6 +86,7 @@ module pair_recomputation #(
   reg  [OUTSTANDING_BITS:0] outstanding_q;
   reg                       comes_q;
   reg                       offered_q;
+  reg                       closes_q;      // nothing is left but the closing beat
   reg  [REFERENCES-1:0]     turn_q;        // one bit
   reg  [TAG_BITS-1:0]       coming_tag_q;
   reg  [TAG_BITS-1:0]       tag_q;
@@ -95,7 +96,7 @@ module pair_recomputation #(
   wire advance = !offered_q || taken;
   wire fetches = pair_valid && !pair_last && !outstanding_q[OUTSTANDING_BITS];
   wire starts  = advance && fetches;  // the pair is on its way
-  wire closes  = pair_valid && pair_last && (outstanding_q == NONE);
+  wire ends    = pair_valid && pair_last && (outstanding_q == NONE);
   wire closed;
 
   assign memory_enable    = starts;
@@ -106,8 +107,10 @@ module pair_recomputation #(
     if (!aresetn) begin
       comes_q   <= 1'b0;
       offered_q <= 1'b0;
+      closes_q  <= 1'b0;
       turn_q    <= FIRST;
     end else begin
+      closes_q <= ends && !closed;
       if (advance) begin
         comes_q   <= fetches;
         offered_q <= comes_q;
@@ -178,10 +181,10 @@ module pair_recomputation #(
 
   assign verdict_ready = !keep || m_axis_tready;
   assign answered      = verdict_valid && verdict_ready;
-  assign closed        = closes && m_axis_tready;
-  assign m_axis_tvalid = (verdict_valid && keep) || closes;
-  assign m_axis_tdata  = closes ? {ANSWER_BITS{1'b0}} : verdict;
-  assign m_axis_tlast  = closes;
+  assign closed        = closes_q && m_axis_tready;
+  assign m_axis_tvalid = (verdict_valid && keep) || closes_q;
+  assign m_axis_tdata  = closes_q ? {ANSWER_BITS{1'b0}} : verdict;
+  assign m_axis_tlast  = closes_q;
 
   always @(posedge aclk) begin
     if (!aresetn) begin
