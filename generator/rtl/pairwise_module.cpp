@@ -156,19 +156,62 @@ void declare_requests(const PairwiseShape& shape, const SystemShape& system,
   items.push_back(Assignment{net("request_operands"), std::move(operands)});
 }
 
-ModuleItem reference_loop(const SystemShape& system, const DatapathGroup& group) {
+bool takes_every_cycle(const DatapathGroup& references) {
+  return references.schedule.initiation_interval == 1;
+}
+
+/// A bit for each reference that takes a request in every cycle.
+long long every_cycle_mask(const SystemShape& system) {
+  long long mask = 0;
+  for (const DatapathGroup& references : system.reference_groups) {
+    if (!takes_every_cycle(references)) continue;
+    mask |= ((1LL << references.count) - 1) << references.first;
+  }
+  return mask;
+}
+
+/// A register that keeps a request for a folded reference, which reads its operands over several
+/// cycles: the engine goes on with others. Returns the nets of its output stream.
+std::vector<Connection> add_request_register(const std::vector<Connection>& request, int bits,
+                                             std::vector<ModuleItem>& items) {
+  items.push_back(Wire{1, "waiting_tvalid", nullptr});
+  items.push_back(Wire{1, "waiting_tready", nullptr});
+  items.push_back(Wire{bits, "waiting_tdata", nullptr});
   std::vector<Connection> connections = clock_and_reset();
-  const auto connect = [&](const std::string& port, const std::string& name, int width) {
-    connections.push_back({port, indexed(name, "reference", width)});
+  const std::vector<std::string> parts = {"tvalid", "tready", "tdata"};
+  std::vector<Connection> waiting;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    connections.push_back({"s_axis_" + parts[k], request[k].value});
+    waiting.push_back({request[k].port, net("waiting_" + parts[k])});
+  }
+  for (const std::string& part : parts) {
+    connections.push_back({"m_axis_" + part, net("waiting_" + part)});
+  }
+  items.push_back(Instance{"stream_arbiter",
+                           "request",
+                           {{"INPUTS", 1}, {"WIDTH", bits}, {"HALF_RATE", 1}},
+                           std::move(connections)});
+  return waiting;
+}
+
+ModuleItem reference_loop(const SystemShape& system, const DatapathGroup& group) {
+  std::vector<ModuleItem> items;
+  const auto one = [](const std::string& name, int width) {
+    return indexed(name, "reference", width);
   };
-  connect("s_request_tvalid", "request_tvalid", 1);
-  connect("s_request_tready", "request_tready", 1);
-  connections.push_back(
-      {"s_request_tdata", concatenation({net("request_tag"), net("request_operands")})});
-  connect("m_answer_valid", "answer_valid", 1);
-  connect("m_answer_tdata", "answer_tdata", system.tag_bits + verdict_bits);
-  return loop("reference", group.first, group.count, group.label,
-              {Instance{group.channel, "channel", {}, std::move(connections)}});
+  std::vector<Connection> request = {
+      {"s_request_tvalid", one("request_tvalid", 1)},
+      {"s_request_tready", one("request_tready", 1)},
+      {"s_request_tdata", concatenation({net("request_tag"), net("request_operands")})}};
+  if (!takes_every_cycle(group)) {
+    request = add_request_register(request, system.tag_bits + system.operand_bits(), items);
+  }
+  std::vector<Connection> connections = clock_and_reset();
+  connections.insert(connections.end(), request.begin(), request.end());
+  connections.push_back({"m_answer_valid", one("answer_valid", 1)});
+  connections.push_back({"m_answer_tdata", one("answer_tdata", system.tag_bits + verdict_bits)});
+  items.push_back(Instance{group.channel, "channel", {}, std::move(connections)});
+  return loop("reference", group.first, group.count, group.label, std::move(items));
 }
 
 /// Connects the engine's ports for references, or ties them off if there is none.
@@ -284,6 +327,7 @@ TemplateInstance pairwise_template(const PairwiseShape& shape, const SystemShape
            {"CODE_BITS", code_bits(spec)},
            {"BITMAP", spec.report_as == scene::ReportForm::bitmap ? 1 : 0},
            {"COUNT", spec.report_as == scene::ReportForm::count ? 1 : 0},
+           {"EVERY_CYCLE", every_cycle_mask(system)},
            {"OUTSTANDING_BITS", outstanding_bits(system)},
            {"COUNTER_BITS", system.counter_bits}}};
 }

@@ -1,7 +1,9 @@
-// pair_recomputation: reads the items of undecided pairs from the memory again, hands them to
-// REFERENCES references in turn, and gives out the verdicts that are in REPORT (bit v: verdict v).
+// pair_recomputation: reads the items of undecided pairs from the memory again, hands each to the
+// next of REFERENCES references that is ready, and gives out the verdicts that are in REPORT (bit v:
+// verdict v).
 // A request is the pair's tag {j, i} and its items {item j, item i}, the same for all references,
-// one of which it is valid for; the answer is {tag, verdict} and is always taken. 2^OUTSTANDING_BITS
+// one of which it is valid for; the answer is {tag, verdict} and is always taken. Bit r of
+// EVERY_CYCLE says that reference r takes a request in every cycle. 2^OUTSTANDING_BITS
 // pairs may be on their way. Interval 1. `memory_items` are the words {item j, item i} that were read
 // in the cycle before. The beat with tlast leaves when all verdicts before it have.
 // Verdicts may leave in any order. Reset forgets all: the references have to be reset, too.
@@ -12,6 +14,7 @@ module pair_recomputation #(
   parameter ITEM_BITS = 32,
   parameter INDEX_BITS = 10,
   parameter REPORT = 11,
+  parameter EVERY_CYCLE = -1,
   parameter OUTSTANDING_BITS = 5
 ) (
   input  wire                                   aclk,
@@ -46,6 +49,8 @@ module pair_recomputation #(
   generate
     if (REFERENCES < 1) begin : g_refused_references
       REFERENCES_is_below_1 refused ();
+    end else if (REFERENCES > 32) begin : g_refused_many_references
+      REFERENCES_is_above_32 refused ();
     end
     if (ITEM_BITS < 1) begin : g_refused_item_bits
       ITEM_BITS_is_below_1 refused ();
@@ -82,12 +87,12 @@ module pair_recomputation #(
   );
 
   // Cycle 0 reads the items, which come in cycle 1 and are offered from cycle 2 on. All of it waits
-  // for as long as the reference whose turn it is does not take what it is offered.
+  // for as long as the reference that was chosen does not take what it is offered.
   reg  [OUTSTANDING_BITS:0] outstanding_q;
   reg                       comes_q;
   reg                       offered_q;
   reg                       closes_q;      // nothing is left but the closing beat
-  reg  [REFERENCES-1:0]     turn_q;        // one bit
+  reg  [REFERENCES-1:0]     turn_q;        // one bit: the reference that was chosen last
   reg  [TAG_BITS-1:0]       coming_tag_q;
   reg  [TAG_BITS-1:0]       tag_q;
   reg  [2*ITEM_BITS-1:0]    items_q;
@@ -98,6 +103,16 @@ module pair_recomputation #(
   wire starts  = advance && fetches;  // the pair is on its way
   wire ends    = pair_valid && pair_last && (outstanding_q == NONE);
   wire closed;
+
+  // The next reference behind the last one that is ready and stays so; if there is none, the next.
+  wire [REFERENCES-1:0] busy   =
+      turn_q & ~EVERY_CYCLE[REFERENCES-1:0] & {REFERENCES{offered_q}};
+  wire [REFERENCES-1:0] free   = m_request_tready & ~busy;
+  wire [REFERENCES-1:0] behind = free & ~((turn_q << 1) - FIRST);
+  wire [REFERENCES-1:0] choice = (behind != {REFERENCES{1'b0}}) ? behind : free;
+  wire [REFERENCES-1:0] after  = (turn_q << 1) | (turn_q >> (REFERENCES - 1));
+  wire [REFERENCES-1:0] next   =
+      (choice != {REFERENCES{1'b0}}) ? (choice & (~choice + FIRST)) : after;
 
   assign memory_enable    = starts;
   assign memory_addresses = pair_tag;
@@ -115,8 +130,8 @@ module pair_recomputation #(
         comes_q   <= fetches;
         offered_q <= comes_q;
       end
-      if (taken) begin
-        turn_q <= (turn_q << 1) | (turn_q >> (REFERENCES - 1));
+      if (advance && comes_q) begin
+        turn_q <= next;
       end
     end
   end

@@ -30,6 +30,7 @@ module pairwise_engine #(
   parameter CODE_BITS = 3,
   parameter BITMAP = 0,
   parameter COUNT = 0,
+  parameter EVERY_CYCLE = -1,         // bit r: reference r takes a request in every cycle
   parameter OUTSTANDING_BITS = 5,     // 2^OUTSTANDING_BITS recomputations may be on their way
   parameter COUNTER_BITS = 32
 ) (
@@ -367,6 +368,7 @@ module pairwise_engine #(
         .ITEM_BITS       (ITEM_BITS),
         .INDEX_BITS      (INDEX_BITS),
         .REPORT          (REPORT),
+        .EVERY_CYCLE     (EVERY_CYCLE),
         .OUTSTANDING_BITS(OUTSTANDING_BITS)
       ) recomputation (
         .aclk            (aclk),

@@ -108,6 +108,21 @@ TEST(PairwiseSystemOf, LanesOfSeveralKindsAndThreeReferences) {
   for (const verilator_tb::GroupReport& group : report.groups) EXPECT_GT(group.recomputations, 0u);
 }
 
+/// Folded references keep a request in a register of their own; whichever is ready takes the next.
+TEST(PairwiseSystemOf, FoldedReferencesBesideAWholeOne) {
+  design::Design design = spheres(8, 3);
+  design::ReferenceGroup folded = design.references.front();
+  folded.structure.initiation_interval = 4;
+  folded.count = 2;
+  design.references.front().count = 1;
+  design.references.push_back(folded);
+  expect_passed(simulate(design, random_spheres(design, capacity), {}), capacity);
+  expect_passed(
+      simulate(design, random_spheres(design, capacity - 1),
+               {.traffic = verilator_tb::TrafficKind::stressed, .traffic_seed = 4, .resets = 4}),
+      capacity - 1);
+}
+
 /// Rows `first` to first + count - 1 of a table.
 data::Table part_of(const data::Table& table, std::size_t first, std::size_t count) {
   const std::size_t width = table.columns.size();

@@ -20,13 +20,15 @@ struct Load {
   const char* name;
   int lanes;
   int streams;
-  int interval;  ///< of the reference
+  int references;
+  int interval;  ///< of the references
   const char* lane_format;
   double radius_max;
 };
 
 design::Design design_of(const Load& load) {
-  design::Design design = sphere_design(format(load.lane_format), format("s24e8"), load.lanes, 1);
+  design::Design design =
+      sphere_design(format(load.lane_format), format("s24e8"), load.lanes, load.references);
   design.references.front().structure.initiation_interval = load.interval;
   design.system = with_engine(design.system, {.kind = scene::EngineKind::pairwise,
                                               .capacity = 1024,
@@ -47,7 +49,7 @@ performance::PairwiseSet set_of(const Load& load, const verilator_tb::VerifyRepo
           .lane_latency_cycles = 20,
           .exceptions = static_cast<std::uint64_t>(exceptions),
           .recomputations = report.recomputations,
-          .references = 1,
+          .references = load.references,
           .initiation_interval = load.interval};
 }
 
@@ -69,11 +71,13 @@ TEST_P(PairwiseThroughput, IsThePredictedOne) {
 
 INSTANTIATE_TEST_SUITE_P(
     Loads, PairwiseThroughput,
-    testing::Values(Load{"FewExceptions", 16, 1, 1, "s12e8", 10},  // words limit
-                    Load{"ManyReports", 16, 1, 1, "s12e8", 40},    // the report stream
-                    Load{"ManyReportsBesideEachOther", 16, 2, 1, "s12e8", 25},
-                    Load{"ManyRecomputations", 16, 2, 1, "s4e8", 30},  // the items' memory
-                    Load{"AFoldedReference", 16, 2, 16, "s8e8", 20}),  // the reference
+    testing::Values(Load{"FewExceptions", 16, 1, 1, 1, "s12e8", 10},  // words limit
+                    Load{"ManyReports", 16, 1, 1, 1, "s12e8", 40},    // the report stream
+                    Load{"ManyReportsBesideEachOther", 16, 2, 1, 1, "s12e8", 25},
+                    Load{"ManyRecomputations", 16, 1, 1, 1, "s4e8", 30},  // the items' memory
+                    Load{"AFoldedReference", 16, 2, 1, 16, "s8e8", 20},
+                    Load{"FoldedReferencesBesideEachOther", 16, 2, 3, 16, "s6e8",
+                         20}),  // the reference
     [](const auto& info) { return info.param.name; });
 
 }  // namespace
