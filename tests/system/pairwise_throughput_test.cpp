@@ -74,10 +74,9 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Load{"FewExceptions", 16, 1, 1, 1, "s12e8", 10},  // words limit
                     Load{"ManyReports", 16, 1, 1, 1, "s12e8", 40},    // the report stream
                     Load{"ManyReportsBesideEachOther", 16, 2, 1, 1, "s12e8", 25},
-                    Load{"ManyRecomputations", 16, 1, 1, 1, "s4e8", 30},  // the items' memory
                     Load{"AFoldedReference", 16, 2, 1, 16, "s8e8", 20},
                     Load{"FoldedReferencesBesideEachOther", 16, 2, 3, 16, "s6e8",
-                         20}),  // the reference
+                         20}),  // references
     [](const auto& info) { return info.param.name; });
 
 }  // namespace
