@@ -26,6 +26,7 @@ struct Run {
   const fs::path& directory;
 
   bool is_ice40() const { return device.synthesis.starts_with("synth_ice40"); }
+  bool is_xilinx() const { return device.synthesis.starts_with("synth_xilinx"); }
 };
 
 Result<Done> write_sources(const Run& run) {
@@ -53,13 +54,17 @@ Result<Done> run_yosys(const Run& run, const std::string& name, const std::strin
   return run_in(run.directory, command, name + ".log", run.options.each_tool);
 }
 
+/// synth_xilinx of Yosys 0.23 gives each register with an inverted reset an inverter of its own and
+/// leaves them so. One inverter serves all registers of a reset.
+constexpr const char* share_inverters = "opt_merge -share_all t:INV\nopt_clean\n";
+
 /// Maps the module alone. Leaves map.json, the netlist, and map.il, the same for Yosys.
 Result<devices::Area> map_alone(const Run& run) {
   const std::string& top = run.job.top;
   const std::string script = fmt::format(
-      "{}{} -top {}\ntee -q -o area.json stat -json\nwrite_json map.json\n"
+      "{}{} -top {}\n{}tee -q -o area.json stat -json\nwrite_json map.json\n"
       "select {}\nwrite_rtlil -selected map.il\n",
-      read_sources(run), run.device.synthesis, top, top);
+      read_sources(run), run.device.synthesis, top, run.is_xilinx() ? share_inverters : "", top);
   MIXCMP_TRY(ran, run_yosys(run, "map", script));
   MIXCMP_TRY(statistics, read_json(run.directory / "area.json"));
   MIXCMP_TRY(area, in_file(area_of_statistics(statistics), run.directory / "area.json"));

@@ -39,7 +39,7 @@ module lane_reorder #(
   output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]              stalls
 );
 
-  localparam PAYLOAD_BITS = (CARRIED != 0) ? OPERAND_BITS : TAG_BITS;
+  localparam REQUEST_BITS = SLOT_BITS + ((CARRIED != 0) ? OPERAND_BITS : TAG_BITS);
   localparam [SLOT_BITS:0] ONE = 1;
 
   // Parameters that do not fit: an instance of a module that does not exist.
@@ -87,41 +87,26 @@ module lane_reorder #(
   end
 
   // Through the lane.
-  wire                    exit_valid;
-  wire [SLOT_BITS-1:0]    unused_exit_slot;
-  wire [1:0]              exit_verdict;
-  wire                    exit_decided;
-  wire [PAYLOAD_BITS-1:0] payload;
+  wire                 exit_valid;
+  wire [SLOT_BITS-1:0] exit_slot;
+  wire [1:0]           exit_verdict;
+  wire                 exit_decided;
 
   lane_tracker #(
-    .PAYLOAD_BITS(PAYLOAD_BITS),
     .SLOT_BITS   (SLOT_BITS),
-    .LANE_LATENCY(LANE_LATENCY),
-    .RECOMPUTE   (RECOMPUTE)
+    .LANE_LATENCY(LANE_LATENCY)
   ) tracker (
-    .aclk            (aclk),
-    .aresetn         (aresetn),
-    .start_valid     (accept),
-    .start_slot      (next_q[SLOT_BITS-1:0]),
-    .start_payload   (payload),
-    .lane_verdict    (lane_verdict),
-    .lane_decided    (lane_decided),
-    .exit_valid      (exit_valid),
-    .exit_slot       (unused_exit_slot),
-    .exit_verdict    (exit_verdict),
-    .exit_decided    (exit_decided),
-    .m_request_tvalid(m_request_tvalid),
-    .m_request_tready(m_request_tready),
-    .m_request_tdata (m_request_tdata)
+    .aclk        (aclk),
+    .aresetn     (aresetn),
+    .start_valid (accept),
+    .start_slot  (next_q[SLOT_BITS-1:0]),
+    .lane_verdict(lane_verdict),
+    .lane_decided(lane_decided),
+    .exit_valid  (exit_valid),
+    .exit_slot   (exit_slot),
+    .exit_verdict(exit_verdict),
+    .exit_decided(exit_decided)
   );
-
-  generate
-    if (CARRIED != 0) begin : g_carried
-      assign payload = s_axis_tdata;
-    end else begin : g_refetched
-      assign payload = s_axis_tuser;
-    end
-  endgenerate
 
   // Direct verdicts wait as {decided, verdict} in the order of acceptance.
   wire       direct_valid;
@@ -178,41 +163,88 @@ module lane_reorder #(
     end
   endgenerate
 
-  // Out: the tag of the oldest slot is read, and with that the slot is free.
-  reg       m_valid_q;
-  reg [3:0] m_result_q;
+  // Out: the tag of the oldest slot is read, and with that the slot is free. Where the tag is also
+  // the request, a comparison that asks comes first.
+  wire                          asks;
+  wire [SLOT_BITS-1:0]          asking_slot;
+  wire                          read_ready;
+  wire                          tag_request_valid;
+  wire [SLOT_BITS+TAG_BITS-1:0] tag_request_data;
 
-  assign retire = head_valid && (!m_valid_q || m_axis_tready);
+  assign retire = head_valid && !asks && read_ready;
 
-  always @(posedge aclk) begin
-    if (!aresetn) begin
-      m_valid_q <= 1'b0;
-    end else begin
-      m_valid_q <= retire || (m_valid_q && !m_axis_tready);
-    end
-  end
-
-  always @(posedge aclk) begin
-    if (retire) begin
-      m_result_q <= head_result;
-    end
-  end
-
-  dual_port_memory #(
-    .WIDTH       (TAG_BITS),
-    .ADDRESS_BITS(SLOT_BITS)
+  lane_tags #(
+    .TAG_BITS (TAG_BITS),
+    .SLOT_BITS(SLOT_BITS)
   ) tags (
-    .aclk         (aclk),
-    .write_enable (accept),
-    .write_address(next_q[SLOT_BITS-1:0]),
-    .write_data   (s_axis_tuser),
-    .read_enable  (retire),
-    .read_address (oldest_q[SLOT_BITS-1:0]),
-    .read_data    (m_axis_tuser)
+    .aclk            (aclk),
+    .aresetn         (aresetn),
+    .start_valid     (accept),
+    .start_slot      (next_q[SLOT_BITS-1:0]),
+    .start_tag       (s_axis_tuser),
+    .s_result_valid  (head_valid || asks),
+    .s_result_ready  (read_ready),
+    .s_result_slot   (asks ? asking_slot : oldest_q[SLOT_BITS-1:0]),
+    .s_result_asks   (asks),
+    .s_result        (head_result),
+    .m_request_tvalid(tag_request_valid),
+    .m_request_tready(m_request_tready),
+    .m_request_tdata (tag_request_data),
+    .m_axis_tvalid   (m_axis_tvalid),
+    .m_axis_tready   (m_axis_tready),
+    .m_axis_tdata    (m_axis_tdata),
+    .m_axis_tuser    (m_axis_tuser)
   );
 
-  assign m_axis_tvalid = m_valid_q;
-  assign m_axis_tdata  = {4'b0000, m_result_q};
+  generate
+    if ((RECOMPUTE != 0) && (CARRIED == 0)) begin : g_refetched
+      wire unused_ready;
+
+      stream_fifo #(
+        .WIDTH     (SLOT_BITS),
+        .DEPTH_BITS(SLOT_BITS)
+      ) asking_slots (
+        .aclk         (aclk),
+        .aresetn      (aresetn),
+        .s_axis_tvalid(exit_valid && !exit_decided),
+        .s_axis_tready(unused_ready),
+        .s_axis_tdata (exit_slot),
+        .m_axis_tvalid(asks),
+        .m_axis_tready(read_ready),
+        .m_axis_tdata (asking_slot)
+      );
+
+      assign m_request_tvalid = tag_request_valid;
+      assign m_request_tdata  = tag_request_data;
+    end else begin : g_no_tag_requests
+      wire unused_tag_request = &{tag_request_valid, tag_request_data};
+
+      assign asks        = 1'b0;
+      assign asking_slot = {SLOT_BITS{1'b0}};
+    end
+    if (RECOMPUTE == 0) begin : g_no_requests
+      wire unused_exit = &{exit_slot, m_request_tready};
+
+      assign m_request_tvalid = 1'b0;
+      assign m_request_tdata  = {REQUEST_BITS{1'b0}};
+    end else if (CARRIED != 0) begin : g_carried
+      lane_operands #(
+        .OPERAND_BITS(OPERAND_BITS),
+        .SLOT_BITS   (SLOT_BITS)
+      ) operands (
+        .aclk            (aclk),
+        .aresetn         (aresetn),
+        .start_valid     (accept),
+        .start_slot      (next_q[SLOT_BITS-1:0]),
+        .start_operands  (s_axis_tdata),
+        .undecided_valid (exit_valid && !exit_decided),
+        .undecided_slot  (exit_slot),
+        .m_request_tvalid(m_request_tvalid),
+        .m_request_tready(m_request_tready),
+        .m_request_tdata (m_request_tdata)
+      );
+    end
+  endgenerate
 
   lane_counters #(
     .COUNTER_BITS(COUNTER_BITS)
@@ -222,7 +254,7 @@ module lane_reorder #(
     .s_axis_tvalid   (s_axis_tvalid),
     .s_axis_tready   (s_axis_tready),
     .request_sent    (m_request_tvalid && m_request_tready),
-    .undecided_result(m_axis_tvalid && m_axis_tready && m_result_q[3]),
+    .undecided_result(m_axis_tvalid && m_axis_tready && m_axis_tdata[3]),
     .comparisons     (comparisons),
     .recomputations  (recomputations),
     .stalls          (stalls)

@@ -39,8 +39,11 @@ module lane_scoreboard #(
   output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]              stalls
 );
 
-  localparam PAYLOAD_BITS = (CARRIED != 0) ? OPERAND_BITS : TAG_BITS;
-  localparam [SLOT_BITS:0] ONE = 1;
+  localparam REQUEST_BITS   = SLOT_BITS + ((CARRIED != 0) ? OPERAND_BITS : TAG_BITS);
+  // What becomes of an undecided comparison: its operands leave at once, or it waits among the
+  // results until its tag is read, which then is its request or its result.
+  localparam SENDS_OPERANDS = ((RECOMPUTE != 0) && (CARRIED != 0)) ? 1 : 0;
+  localparam SENDS_TAG      = ((RECOMPUTE != 0) && (CARRIED == 0)) ? 1 : 0;
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
@@ -61,116 +64,92 @@ module lane_scoreboard #(
     end
   endgenerate
 
-  // Free slots: after reset a counter hands out each once, then they come back as they retire.
-  reg  [SLOT_BITS:0]   fresh_q;
-  wire                 recycled_valid;
-  wire [SLOT_BITS-1:0] recycled_slot;
-  wire                 fresh  = !fresh_q[SLOT_BITS];
-  wire [SLOT_BITS-1:0] slot   = fresh ? fresh_q[SLOT_BITS-1:0] : recycled_slot;
-  wire                 accept = s_axis_tvalid && s_axis_tready;
+  // A slot is taken with each comparison, and free again when its result leaves.
+  wire                 slot_valid;
+  wire [SLOT_BITS-1:0] slot;
+  wire                 accept = s_axis_tvalid && slot_valid;
   wire                 retire;
   wire [SLOT_BITS-1:0] retire_slot;
-  wire                 unused_recycled_ready;
 
-  assign s_axis_tready = fresh || recycled_valid;
+  assign s_axis_tready = slot_valid;
   assign lane_operands = s_axis_tdata;
 
-  always @(posedge aclk) begin
-    if (!aresetn) begin
-      fresh_q <= {(SLOT_BITS+1){1'b0}};
-    end else if (accept && fresh) begin
-      fresh_q <= fresh_q + ONE;
-    end
-  end
-
-  stream_fifo #(
-    .WIDTH     (SLOT_BITS),
-    .DEPTH_BITS(SLOT_BITS)
-  ) recycled_slots (
-    .aclk         (aclk),
-    .aresetn      (aresetn),
-    .s_axis_tvalid(retire),
-    .s_axis_tready(unused_recycled_ready),
-    .s_axis_tdata (retire_slot),
-    .m_axis_tvalid(recycled_valid),
-    .m_axis_tready(accept && !fresh),
-    .m_axis_tdata (recycled_slot)
+  slot_pool #(
+    .SLOT_BITS(SLOT_BITS)
+  ) slots (
+    .aclk        (aclk),
+    .aresetn     (aresetn),
+    .m_slot_valid(slot_valid),
+    .m_slot_ready(s_axis_tvalid),
+    .m_slot      (slot),
+    .s_free_valid(retire),
+    .s_free_slot (retire_slot)
   );
 
   // Through the lane.
-  wire                    exit_valid;
-  wire [SLOT_BITS-1:0]    exit_slot;
-  wire [1:0]              exit_verdict;
-  wire                    exit_decided;
-  wire [PAYLOAD_BITS-1:0] payload;
+  wire                 exit_valid;
+  wire [SLOT_BITS-1:0] exit_slot;
+  wire [1:0]           exit_verdict;
+  wire                 exit_decided;
 
   lane_tracker #(
-    .PAYLOAD_BITS(PAYLOAD_BITS),
     .SLOT_BITS   (SLOT_BITS),
-    .LANE_LATENCY(LANE_LATENCY),
-    .RECOMPUTE   (RECOMPUTE)
+    .LANE_LATENCY(LANE_LATENCY)
   ) tracker (
-    .aclk            (aclk),
-    .aresetn         (aresetn),
-    .start_valid     (accept),
-    .start_slot      (slot),
-    .start_payload   (payload),
-    .lane_verdict    (lane_verdict),
-    .lane_decided    (lane_decided),
-    .exit_valid      (exit_valid),
-    .exit_slot       (exit_slot),
-    .exit_verdict    (exit_verdict),
-    .exit_decided    (exit_decided),
-    .m_request_tvalid(m_request_tvalid),
-    .m_request_tready(m_request_tready),
-    .m_request_tdata (m_request_tdata)
+    .aclk        (aclk),
+    .aresetn     (aresetn),
+    .start_valid (accept),
+    .start_slot  (slot),
+    .lane_verdict(lane_verdict),
+    .lane_decided(lane_decided),
+    .exit_valid  (exit_valid),
+    .exit_slot   (exit_slot),
+    .exit_verdict(exit_verdict),
+    .exit_decided(exit_decided)
   );
 
-  generate
-    if (CARRIED != 0) begin : g_carried
-      assign payload = s_axis_tdata;
-    end else begin : g_refetched
-      assign payload = s_axis_tuser;
-    end
-  endgenerate
-
-  // Results wait as {slot, undecided, recomputed, verdict}.
-  wire                   direct_valid;
-  wire                   direct_ready;
-  wire [SLOT_BITS+4-1:0] direct_data;
-  wire                   merged_valid;
-  wire                   merged_ready;
-  wire [3:0]             merged_result;
-  wire                   unused_direct_ready;
+  // What the lane says waits as {slot, undecided, verdict}.
+  wire                 direct_valid;
+  wire                 direct_ready;
+  wire [SLOT_BITS-1:0] direct_slot;
+  wire                 direct_undecided;
+  wire [1:0]           direct_verdict;
+  wire                 unused_direct_ready;
 
   stream_fifo #(
-    .WIDTH     (SLOT_BITS + 4),
+    .WIDTH     (SLOT_BITS + 3),
     .DEPTH_BITS(SLOT_BITS)
   ) direct_results (
     .aclk         (aclk),
     .aresetn      (aresetn),
-    .s_axis_tvalid(exit_valid && (exit_decided || (RECOMPUTE == 0))),
+    .s_axis_tvalid(exit_valid && (exit_decided || (SENDS_OPERANDS == 0))),
     .s_axis_tready(unused_direct_ready),
-    .s_axis_tdata ({exit_slot, !exit_decided, 1'b0, exit_verdict}),
+    .s_axis_tdata ({exit_slot, !exit_decided && (SENDS_OPERANDS == 0), exit_verdict}),
     .m_axis_tvalid(direct_valid),
     .m_axis_tready(direct_ready),
-    .m_axis_tdata (direct_data)
+    .m_axis_tdata ({direct_slot, direct_undecided, direct_verdict})
   );
+
+  // Results on their way out are {undecided, recomputed, verdict}.
+  wire                 merged_valid;
+  wire                 merged_ready;
+  wire [SLOT_BITS-1:0] merged_slot;
+  wire [3:0]           merged_result;
 
   generate
     if (RECOMPUTE == 0) begin : g_direct
       wire unused_answer = &{s_answer_valid, s_answer_slot, s_answer_verdict};
 
-      assign merged_valid                 = direct_valid;
-      assign direct_ready                 = merged_ready;
-      assign {retire_slot, merged_result} = direct_data;
+      assign merged_valid  = direct_valid;
+      assign direct_ready  = merged_ready;
+      assign merged_slot   = direct_slot;
+      assign merged_result = {direct_undecided, 1'b0, direct_verdict};
     end else begin : g_merge
-      wire                   answer_valid;
-      wire                   answer_ready;
-      wire [SLOT_BITS+2-1:0] answer_data;
-      wire                   unused_answer_ready;
-      wire [SLOT_BITS-1:0]   answer_slot    = answer_data[2 +: SLOT_BITS];
-      wire [1:0]             answer_verdict = answer_data[1:0];
+      wire                 answer_valid;
+      wire                 answer_ready;
+      wire [SLOT_BITS-1:0] answer_slot;
+      wire [1:0]           answer_verdict;
+      wire                 unused_answer_ready;
 
       stream_fifo #(
         .WIDTH     (SLOT_BITS + 2),
@@ -183,7 +162,7 @@ module lane_scoreboard #(
         .s_axis_tdata ({s_answer_slot, s_answer_verdict}),
         .m_axis_tvalid(answer_valid),
         .m_axis_tready(answer_ready),
-        .m_axis_tdata (answer_data)
+        .m_axis_tdata ({answer_slot, answer_verdict})
       );
 
       stream_arbiter #(
@@ -194,50 +173,75 @@ module lane_scoreboard #(
         .aresetn      (aresetn),
         .s_axis_tvalid({answer_valid, direct_valid}),
         .s_axis_tready({answer_ready, direct_ready}),
-        .s_axis_tdata ({answer_slot, 2'b01, answer_verdict, direct_data}),
+        .s_axis_tdata ({answer_slot, 2'b01, answer_verdict,
+                        direct_slot, direct_undecided, 1'b0, direct_verdict}),
         .m_axis_tvalid(merged_valid),
         .m_axis_tready(merged_ready),
-        .m_axis_tdata ({retire_slot, merged_result})
+        .m_axis_tdata ({merged_slot, merged_result})
       );
     end
   endgenerate
 
-  // Out: the tag is read by slot, and with that the slot is free.
-  reg       m_valid_q;
-  reg [3:0] m_result_q;
+  // Out: the tag is read by slot, and with that the slot is free, unless the comparison only asks.
+  wire                          asks = merged_result[3] && (SENDS_TAG != 0);
+  wire                          tag_request_valid;
+  wire [SLOT_BITS+TAG_BITS-1:0] tag_request_data;
 
-  assign merged_ready = !m_valid_q || m_axis_tready;
-  assign retire       = merged_valid && merged_ready;
+  assign retire      = merged_valid && merged_ready && !asks;
+  assign retire_slot = merged_slot;
 
-  always @(posedge aclk) begin
-    if (!aresetn) begin
-      m_valid_q <= 1'b0;
-    end else begin
-      m_valid_q <= retire || (m_valid_q && !m_axis_tready);
-    end
-  end
-
-  always @(posedge aclk) begin
-    if (retire) begin
-      m_result_q <= merged_result;
-    end
-  end
-
-  dual_port_memory #(
-    .WIDTH       (TAG_BITS),
-    .ADDRESS_BITS(SLOT_BITS)
+  lane_tags #(
+    .TAG_BITS (TAG_BITS),
+    .SLOT_BITS(SLOT_BITS)
   ) tags (
-    .aclk         (aclk),
-    .write_enable (accept),
-    .write_address(slot),
-    .write_data   (s_axis_tuser),
-    .read_enable  (retire),
-    .read_address (retire_slot),
-    .read_data    (m_axis_tuser)
+    .aclk            (aclk),
+    .aresetn         (aresetn),
+    .start_valid     (accept),
+    .start_slot      (slot),
+    .start_tag       (s_axis_tuser),
+    .s_result_valid  (merged_valid),
+    .s_result_ready  (merged_ready),
+    .s_result_slot   (merged_slot),
+    .s_result_asks   (asks),
+    .s_result        (merged_result),
+    .m_request_tvalid(tag_request_valid),
+    .m_request_tready(m_request_tready),
+    .m_request_tdata (tag_request_data),
+    .m_axis_tvalid   (m_axis_tvalid),
+    .m_axis_tready   (m_axis_tready),
+    .m_axis_tdata    (m_axis_tdata),
+    .m_axis_tuser    (m_axis_tuser)
   );
 
-  assign m_axis_tvalid = m_valid_q;
-  assign m_axis_tdata  = {4'b0000, m_result_q};
+  generate
+    if (SENDS_TAG != 0) begin : g_refetched
+      assign m_request_tvalid = tag_request_valid;
+      assign m_request_tdata  = tag_request_data;
+    end else begin : g_no_tag_requests
+      wire unused_tag_request = &{tag_request_valid, tag_request_data};
+    end
+    if (SENDS_OPERANDS != 0) begin : g_carried
+      lane_operands #(
+        .OPERAND_BITS(OPERAND_BITS),
+        .SLOT_BITS   (SLOT_BITS)
+      ) operands (
+        .aclk            (aclk),
+        .aresetn         (aresetn),
+        .start_valid     (accept),
+        .start_slot      (slot),
+        .start_operands  (s_axis_tdata),
+        .undecided_valid (exit_valid && !exit_decided),
+        .undecided_slot  (exit_slot),
+        .m_request_tvalid(m_request_tvalid),
+        .m_request_tready(m_request_tready),
+        .m_request_tdata (m_request_tdata)
+      );
+    end
+    if (RECOMPUTE == 0) begin : g_no_requests
+      assign m_request_tvalid = 1'b0;
+      assign m_request_tdata  = {REQUEST_BITS{1'b0}};
+    end
+  endgenerate
 
   lane_counters #(
     .COUNTER_BITS(COUNTER_BITS)
@@ -247,7 +251,7 @@ module lane_scoreboard #(
     .s_axis_tvalid   (s_axis_tvalid),
     .s_axis_tready   (s_axis_tready),
     .request_sent    (m_request_tvalid && m_request_tready),
-    .undecided_result(m_axis_tvalid && m_axis_tready && m_result_q[3]),
+    .undecided_result(m_axis_tvalid && m_axis_tready && m_axis_tdata[3]),
     .comparisons     (comparisons),
     .recomputations  (recomputations),
     .stalls          (stalls)

@@ -55,6 +55,13 @@ module dut (input wire aclk, input wire [7:0] a, output wire [7:0] y);
 endmodule
 )";
 
+/// Eight registers with one reset, active low: one inverter on Xilinx.
+constexpr const char* resets = R"(
+module dut (input wire aclk, input wire aresetn, input wire [7:0] a, output reg [7:0] y);
+  always @(posedge aclk) y <= aresetn ? a : 8'd0;
+endmodule
+)";
+
 /// 1024 words of 18 bits, read and written once a cycle.
 constexpr const char* memory = R"(
 module dut (input wire aclk, input wire write, input wire [9:0] to, input wire [9:0] from,
@@ -174,6 +181,11 @@ TEST_F(Synthesis, Virtex6CountsLutsAndWhatTheyServeAs) {
                            .memories = 1,
                            .carries = 4,
                            .shift_luts = 8 + 12}));
+}
+
+TEST_F(Synthesis, RegistersOfOneResetShareItsInverter) {
+  SKIP_WITHOUT_YOSYS();
+  EXPECT_EQ(area(resets, "virtex6-lx760").luts, 1);
 }
 
 TEST_F(Synthesis, ThePapersSmallerDeviceMultipliesInLuts) {
