@@ -216,7 +216,7 @@ module segment_proof #(
     if (take && s_first) begin
       base <= s_index;
     end
-    if (take && (s_index == watched_j)) begin
+    if (take && (s_index == watched_j) && (codes != {CODES_BITS{1'b0}})) begin
       due_codes <= codes;
       due_base  <= base;
     end
