@@ -15,7 +15,8 @@ module pair_recomputation #(
   parameter INDEX_BITS = 10,
   parameter REPORT = 11,
   parameter EVERY_CYCLE = -1,
-  parameter OUTSTANDING_BITS = 5
+  parameter OUTSTANDING_BITS = 5,
+  parameter QUEUE_BITS = 4        // 2^QUEUE_BITS pairs may wait
 ) (
   input  wire                                   aclk,
   input  wire                                   aresetn,
@@ -64,6 +65,9 @@ module pair_recomputation #(
     if (OUTSTANDING_BITS < 1) begin : g_refused_outstanding_bits
       OUTSTANDING_BITS_is_below_1 refused ();
     end
+    if (QUEUE_BITS < 1) begin : g_refused_queue_bits
+      QUEUE_BITS_is_below_1 refused ();
+    end
   endgenerate
 
   // Pairs that wait.
@@ -74,7 +78,7 @@ module pair_recomputation #(
 
   stream_fifo #(
     .WIDTH     (1 + TAG_BITS),
-    .DEPTH_BITS(4)
+    .DEPTH_BITS(QUEUE_BITS)
   ) pairs (
     .aclk         (aclk),
     .aresetn      (aresetn),

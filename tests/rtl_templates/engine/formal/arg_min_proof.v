@@ -1,6 +1,7 @@
 // arg_min_proof: whatever stalls, rows leave in the order in which they came, none is lost or made up, and
-// each lane compares the best candidate so far with its own. One row, chosen by the solver, is watched on
-// its way past candidates 0, 1 and 2; both lanes hold one pair each for as long as they like.
+// each lane compares the best candidate so far with its own. One row at a time, chosen by the solver, is
+// watched on its way past candidates 0, 1 and 2; its tag is 1, and the rows ahead of it are counted. Both
+// lanes hold one pair each for as long as they like.
 `default_nettype none
 
 module arg_min_proof (
@@ -12,14 +13,16 @@ module arg_min_proof (
   input wire       s_valid,
   input wire       s_last,
   input wire       s_data,
-  input wire       s_user,
+  input wire       choose,     // the row that enters is watched, if no other is
   input wire       m_ready,
   input wire [1:0] willing,    // a lane without a pair takes one
   input wire [1:0] finishing,  // a lane with a pair offers its verdict
   input wire [3:0] verdicts    // and this is it
 );
 
-  (* anyconst *) reg [2:0] watched;  // the number of the row
+  localparam [3:0] NONE = 0;
+  localparam [3:0] ONE  = 1;
+  localparam MOST_QUIET = 10;
 
   wire       c_ready;
   wire       s_ready;
@@ -38,8 +41,10 @@ module arg_min_proof (
   wire       m_last;
   wire       overrun;
 
-  reg        started = 1'b0;
-  wire       aresetn = started && aresetn_later;
+  reg        started  = 1'b0;
+  wire       aresetn  = started && aresetn_later;
+  reg        watching = 1'b0;
+  wire       chosen   = choose && !watching;
 
   arg_min_engine #(
     .CANDIDATES    (3),
@@ -59,7 +64,7 @@ module arg_min_proof (
     .s_axis_tvalid     (s_valid),
     .s_axis_tready     (s_ready),
     .s_axis_tdata      (s_data),
-    .s_axis_tuser      (s_user),
+    .s_axis_tuser      (chosen),
     .s_axis_tlast      (s_last),
     .pair_tvalid       (pair_valid),
     .pair_tready       (pair_ready),
@@ -113,13 +118,18 @@ module arg_min_proof (
     end
   end
 
-  // Rows, numbered where they enter, where they meet a lane, and where they leave.
-  reg  [2:0] entered = 3'd0;
-  reg  [2:0] met_1   = 3'd0;
-  reg  [2:0] met_2   = 3'd0;
-  reg  [2:0] left    = 3'd0;
+  // Rows: how many are before a lane or inside at all, and how many of these ahead of the watched one.
+  reg  [3:0] before_1 = NONE;
+  reg  [3:0] before_2 = NONE;
+  reg  [3:0] inside   = NONE;
+  reg  [3:0] ahead_1;
+  reg  [3:0] ahead_2;
+  reg  [3:0] ahead;
+  reg        meets_1  = 1'b0;  // the watched row has to meet lane 1
+  reg        meets_2  = 1'b0;
+  reg  [3:0] quiet    = NONE;  // cycles in which nothing moves though everybody would
+  reg        again    = 1'b0;  // a row left before
   reg        row;
-  reg        tag;
   reg        last;
   reg        better_1;  // candidate 1 costs the watched row less than candidate 0
   reg        better_2;  // and candidate 2 less than the better of them
@@ -127,28 +137,56 @@ module arg_min_proof (
   wire       leaves  = m_valid && m_ready;
   wire [1:0] takes   = pair_valid & pair_ready;
   wire [1:0] best    = better_1 ? candidate_1 : candidate_0;
+  wire       watched_1 = meets_1 && (ahead_1 == NONE);
+  wire       watched_2 = meets_2 && (ahead_2 == NONE);
+  wire       watched_m = watching && (ahead == NONE);
+  wire       calm;
 
   always @(posedge aclk) begin
     if (!aresetn) begin
-      entered <= 3'd0;
-      met_1   <= 3'd0;
-      met_2   <= 3'd0;
-      left    <= 3'd0;
+      before_1 <= NONE;
+      before_2 <= NONE;
+      inside   <= NONE;
+      meets_1  <= 1'b0;
+      meets_2  <= 1'b0;
+      watching <= 1'b0;
+      quiet    <= NONE;
+      again    <= 1'b0;
     end else begin
-      entered <= entered + {2'b00, enters};
-      met_1   <= met_1 + {2'b00, takes[0]};
-      met_2   <= met_2 + {2'b00, takes[1]};
-      left    <= left + {2'b00, leaves};
+      before_1 <= before_1 + {3'b000, enters} - {3'b000, takes[0]};
+      before_2 <= before_2 + {3'b000, enters} - {3'b000, takes[1]};
+      inside   <= inside + {3'b000, enters} - {3'b000, leaves};
+      quiet    <= (calm && (takes == 2'b00) && !leaves && (inside != NONE)) ? quiet + ONE : NONE;
+      again    <= again || leaves;
+      if (takes[0]) begin
+        ahead_1 <= ahead_1 - ONE;
+        meets_1 <= meets_1 && (ahead_1 != NONE);
+      end
+      if (takes[1]) begin
+        ahead_2 <= ahead_2 - ONE;
+        meets_2 <= meets_2 && (ahead_2 != NONE);
+      end
+      if (leaves) begin
+        ahead    <= ahead - ONE;
+        watching <= watching && (ahead != NONE);
+      end
+      if (enters && chosen) begin
+        watching <= 1'b1;
+        meets_1  <= 1'b1;
+        meets_2  <= 1'b1;
+        ahead_1  <= before_1 - {3'b000, takes[0]};
+        ahead_2  <= before_2 - {3'b000, takes[1]};
+        ahead    <= inside - {3'b000, leaves};
+      end
     end
-    if (enters && (entered == watched)) begin
+    if (enters && chosen) begin
       row  <= s_data;
-      tag  <= s_user;
       last <= s_last;
     end
-    if (takes[0] && (met_1 == watched)) begin
+    if (takes[0] && watched_1) begin
       better_1 <= (verdicts[1:0] == 2'd2);
     end
-    if (takes[1] && (met_2 == watched)) begin
+    if (takes[1] && watched_2) begin
       better_2 <= (verdicts[3:2] == 2'd2);
     end
   end
@@ -160,6 +198,7 @@ module arg_min_proof (
   reg  [1:0] verdict_2_q;
 
   assign pair_ready   = willing & ~holds;
+  assign calm         = m_ready && ((willing | holds) == 2'b11) && ((finishing | ~holds) == 2'b11);
   assign result_valid = offered;
   assign verdict_1    = verdict_1_q;
   assign verdict_2    = verdict_2_q;
@@ -193,25 +232,30 @@ module arg_min_proof (
       assume(!c_valid);
       assume(!s_valid);
     end
-    assume(entered != 3'd7);
     if (started && aresetn) begin
-      nothing_made_up: assert(!leaves || (left != entered));
-      meets_0_and_1: assert(!takes[0] || (met_1 != watched) ||
+      nothing_made_up: assert(!m_valid || (inside != NONE));
+      few_inside: assert(inside < 4'd12);
+      lane_1_takes_what_came: assert(!takes[0] || (before_1 != NONE));
+      lane_2_takes_what_came: assert(!takes[1] || (before_2 != NONE));
+      meets_0_and_1: assert(!takes[0] || !watched_1 ||
                             ({pair_row[0], pair_best[1:0], pair_own[1:0]} ==
                              {row, candidate_0, candidate_1}));
-      meets_best_and_2: assert(!takes[1] || (met_2 != watched) ||
+      meets_best_and_2: assert(!takes[1] || !watched_2 ||
                                ({pair_row[1], pair_best[3:2], pair_own[3:2]} ==
                                 {row, best, candidate_2}));
-      leaves_as_it_came: assert(!m_valid || (left != watched) || ({m_user, m_last} == {tag, last}));
-      names_the_best: assert(!m_valid || (left != watched) ||
-                             (m_data == (better_2 ? 8'd2 : {7'd0, better_1})));
+      leaves_once_in_order: assert(!m_valid || (m_user == watched_m));
+      leaves_as_it_came: assert(!m_valid || !watched_m || (m_last == last));
+      leaves_behind_its_lanes: assert(!m_valid || !watched_m || (!meets_1 && !meets_2));
+      names_the_best: assert(!m_valid || !watched_m || (m_data == (better_2 ? 8'd2 : {7'd0, better_1})));
       holds_still: assert(!held || (m_valid && ({m_data, m_user, m_last} == held_result)));
-      loads_when_empty: assert(!c_accept || !ended || (entered == left));
+      loads_when_empty: assert(!c_accept || !ended || (inside == NONE));
       rows_meet_whole_loads: assert(!enters || ended);
       overrun_told: assert(!enters || (overrun == too_many));
-      can_choose_2_of_many: cover(leaves && (left == watched) && better_2 && (entered == 3'd3));
-      can_choose_1_of_few: cover(leaves && (left == watched) && better_1 && !better_2 && short);
-      can_load_again: cover(enters && (left != 3'd0) && too_many);
+      keeps_moving: assert(quiet < MOST_QUIET);
+      can_choose_2_of_many: cover(leaves && watched_m && better_2 && (inside == 4'd3));
+      can_choose_1_of_few: cover(leaves && watched_m && better_1 && !better_2 && short);
+      can_load_again: cover(enters && again && too_many);
+      can_hold: cover(held && watched_m);
     end
   end
 

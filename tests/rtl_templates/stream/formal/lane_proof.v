@@ -1,6 +1,7 @@
-// lane_proof: of comparisons with a watched tag, accepted once, exactly one result leaves, it is the
-// right one, and it does leave; after a reset it never does. For lane_scoreboard and lane_reorder
-// around a lane of one rank, with a reference that answers when it likes, in order.
+// lane_proof: of comparisons with a watched tag, one inside at a time, exactly one result leaves, it is
+// the right one, and it does leave: at most MOST_CALM cycles in which nobody stalls pass before.
+// What a reset forgets does not leave. For lane_scoreboard and lane_reorder around a lane of one rank,
+// with a reference that answers when it likes, in order. With IN_ORDER = 1 a follower, too, is watched.
 // Operands: {verdict, decided}; the reference's verdict is the complement of the lane's.
 `default_nettype none
 
@@ -8,8 +9,7 @@ module lane_proof #(
   parameter IN_ORDER = 0,
   parameter RECOMPUTE = 1,
   parameter CARRIED = 1,
-  parameter QUIET = 8,  // from this step on nothing is reset or stalled
-  parameter LEFT_BY = 22
+  parameter MOST_CALM = 14
 ) (
   input wire       aclk,
   input wire       aresetn_later,
@@ -18,18 +18,17 @@ module lane_proof #(
   input wire [1:0] s_tag,
   input wire       m_ready,
   input wire       request_ready,
-  input wire       answer_now,
-  input wire [1:0] watched,
-  input wire [1:0] follower
+  input wire       answer_now
 );
 
   localparam SLOT_BITS    = 1;
   localparam PAYLOAD_BITS = (CARRIED != 0) ? 3 : 2;
 
+  (* anyconst *) reg [1:0] watched;
+  (* anyconst *) reg [1:0] follower;
 
-  reg  [3:0] last_watched;
-  reg  [5:0] step    = 6'd0;
-  wire       aresetn = (step != 6'd0) && aresetn_later;
+  reg        started = 1'b0;
+  wire       aresetn = started && aresetn_later;
 
   wire                              s_ready;
   wire [2:0]                        lane_operands;
@@ -91,14 +90,18 @@ module lane_proof #(
   wire accept = aresetn && s_valid && s_ready;
   wire leave  = aresetn && m_valid && m_ready;
 
-  reg        used      = 1'b0;  // the watched tag was accepted, before or after a reset
-  reg        inside    = 1'b0;  // and has neither left nor been reset away
+  reg        inside        = 1'b0;  // the watched one was accepted and has not left
   reg  [2:0] operands;
-  reg  [5:0] accepted_at;
-  reg        follows   = 1'b0;  // the follower was accepted while the watched tag was inside
-  reg        follower_used = 1'b0;
-  reg        held      = 1'b0;
+  reg        follower_in   = 1'b0;
+  reg        follows       = 1'b0;  // the follower inside was accepted behind the watched one inside
+  reg  [3:0] calm          = 4'd0;  // cycles that the watched one has been inside, all of them calm
+  reg        was_reset     = 1'b0;  // while it was inside
+  reg        held          = 1'b0;
   reg  [9:0] held_result;
+
+  wire       watched_enters = accept && (s_tag == watched);
+  wire       watched_leaves = leave && (m_tag == watched);
+  wire       is_calm        = m_ready && request_ready && (answer_now || !asked);
 
   wire       undecided      = !operands[0];
   wire       recomputed     = undecided && (RECOMPUTE != 0);
@@ -117,65 +120,46 @@ module lane_proof #(
   endgenerate
 
   always @(posedge aclk) begin
-    step   <= step + 6'd1;
-    last_watched <= {watched, follower};
-    lane_q <= lane_operands;
-    asked  <= aresetn && (take_request || (asked && !answer));
+    started <= 1'b1;
+    lane_q  <= lane_operands;
+    asked   <= aresetn && (take_request || (asked && !answer));
     if (take_request) begin
       asked_slot     <= request[PAYLOAD_BITS +: SLOT_BITS];
       asked_operands <= request_operands;
     end
-    if (accept && (s_tag == watched)) begin
-      used        <= 1'b1;
-      operands    <= s_operands;
-      accepted_at <= step;
+    if (watched_enters) begin
+      operands <= s_operands;
     end
-    if (accept && (s_tag == follower)) begin
-      follower_used <= 1'b1;
-    end
-    inside  <= aresetn && ((accept && (s_tag == watched)) || (inside && !(leave && (m_tag == watched))));
-    follows <= aresetn && (follows || (inside && accept && (s_tag == follower)));
-    held    <= aresetn && m_valid && !m_ready;
+    inside      <= aresetn && (watched_enters || (inside && !watched_leaves));
+    follower_in <= aresetn && ((accept && (s_tag == follower)) ||
+                               (follower_in && !(leave && (m_tag == follower))));
+    follows     <= aresetn && !watched_leaves &&
+                   (follows || (inside && accept && (s_tag == follower)));
+    calm        <= (aresetn && inside && !watched_leaves && is_calm) ? calm + 4'd1 : 4'd0;
+    was_reset   <= (inside && !aresetn) || (was_reset && !watched_enters);
+    held        <= aresetn && m_valid && !m_ready;
     held_result <= {m_tag, m_result};
   end
 
   always @* begin
     assume(watched != follower);
-    if (step != 6'd0) begin
-      constants: assume({watched, follower} == last_watched);
-    end
     if (!aresetn) begin
       assume(!s_valid);
     end
-    if (s_valid && (s_tag == watched)) begin
-      assume(!used);
-    end
-    if (s_valid && (s_tag == follower)) begin
-      assume(!follower_used);
-    end
-    if (step >= QUIET) begin
-      assume(aresetn_later && m_ready && request_ready && answer_now);
-    end
-    if (aresetn) begin
-      if (m_valid && (m_tag == watched)) begin
-        only_once: assert(inside);
-        right_result: assert(m_result == expected);
-      end
-      if ((IN_ORDER != 0) && m_valid && (m_tag == follower) && follows) begin
-        in_order: assert(!inside);
-      end
-      if (held) begin
-        holds_until_taken: assert(m_valid && ({m_tag, m_result} == held_result));
-      end
-      if ((step >= LEFT_BY) && used) begin
-        not_lost: assert(!inside || (accepted_at > QUIET));
-      end
-      can_leave_decided: cover(leave && (m_tag == watched) && operands[0]);
-      can_leave_undecided: cover(leave && (m_tag == watched) && !operands[0]);
-      can_be_reset_away: cover(used && !inside && leave && (accepted_at > 6'd3) && (m_tag == follower)
-                               && (comparisons == 4'd1));
+    one_at_a_time: assume(!s_valid || (s_tag != watched) || !inside);
+    one_follower: assume(!s_valid || (s_tag != follower) || !follower_in);
+    if (started && aresetn) begin
+      only_once: assert(!m_valid || (m_tag != watched) || inside);
+      right_result: assert(!m_valid || (m_tag != watched) || (m_result == expected));
+      in_order: assert((IN_ORDER == 0) || !m_valid || (m_tag != follower) || !follows);
+      holds_until_taken: assert(!held || (m_valid && ({m_tag, m_result} == held_result)));
+      not_lost: assert(calm < MOST_CALM);
+      can_leave_decided: cover(watched_leaves && operands[0]);
+      can_leave_undecided: cover(watched_leaves && !operands[0]);
+      can_be_reset_away: cover(was_reset && !inside && leave && (comparisons == 4'd1));
+      can_take_long: cover(calm > 4'd3);
       can_hold: cover(held);
-      can_be_followed: cover(follows && leave && (m_tag == follower));
+      can_be_followed: cover(follows && watched_leaves);
     end
   end
 
