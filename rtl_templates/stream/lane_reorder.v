@@ -228,7 +228,7 @@ module lane_reorder #(
       assign m_request_tvalid = 1'b0;
       assign m_request_tdata  = {REQUEST_BITS{1'b0}};
     end else if (CARRIED != 0) begin : g_carried
-      lane_operands #(
+      carried_operands #(
         .OPERAND_BITS(OPERAND_BITS),
         .SLOT_BITS   (SLOT_BITS)
       ) operands (

@@ -221,7 +221,7 @@ module lane_scoreboard #(
       wire unused_tag_request = &{tag_request_valid, tag_request_data};
     end
     if (SENDS_OPERANDS != 0) begin : g_carried
-      lane_operands #(
+      carried_operands #(
         .OPERAND_BITS(OPERAND_BITS),
         .SLOT_BITS   (SLOT_BITS)
       ) operands (

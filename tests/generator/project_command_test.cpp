@@ -83,32 +83,35 @@ TEST_F(Project, TheTestBenchPassesInIcarusFromAnyFolder) {
 }
 
 struct Fault {
-  const char* change;   ///< of the module around a lane, for sed
+  const char* file;     ///< of a module around a lane, or inside that
+  const char* change;   ///< for sed
   const char* message;  ///< of the test bench
 };
 
+constexpr const char* scoreboard = "mixcmp_lane_scoreboard.v";
+constexpr const char* tags = "mixcmp_lane_tags.v";
+
 constexpr Fault faults[] = {
-    {"s/retire || (m_valid_q \\&\\& !m_axis_tready)/retire/", "changed before tready rose"},
-    {"s/{4.b0000, m_result_q}/{4'\\''b0000, m_result_q ^ 4'\\''b0010}/",
+    {tags, "s/!s_result_asks) || result_waits/!s_result_asks)/", "changed before tready rose"},
+    {tags, "s/{4.b0000, result_q}/{4'\\''b0000, result_q ^ 4'\\''b0010}/",
      "expected less, decided by the lane; got greater, decided by the lane"},
-    {"s/answer_slot, 2.b01/answer_slot, 2'\\''b00/",
+    {scoreboard, "s/answer_slot, 2.b01/answer_slot, 2'\\''b00/",
      "expected less, recomputed; got less, decided by the lane"},
-    {"s/write_data   (s_axis_tuser)/write_data   (s_axis_tuser ^ 2)/", "expected "},
-    {"s/write_data   (s_axis_tuser)/write_data   (s_axis_tuser | 1)/",
+    {tags, "s/write_data   (start_tag)/write_data   (start_tag ^ 2)/", "expected "},
+    {tags, "s/write_data   (start_tag)/write_data   (start_tag | 1)/",
      "a result of comparison 1, which is not inside"},
-    {"s/request_sent    (m_request_tvalid/request_sent    (m_request_tready/",
+    {scoreboard, "s/request_sent    (m_request_tvalid/request_sent    (m_request_tready/",
      "recomputations of lane 0: the counter is"},
-    {"s/assign s_axis_tready = fresh || recycled_valid/assign s_axis_tready = fresh/",
-     "time-out: nothing has moved"},
-    {"s/assign m_axis_tvalid = m_valid_q/assign m_axis_tvalid = m_valid_q \\&\\& m_axis_tready/",
+    {scoreboard, "s/s_free_valid(retire)/s_free_valid(1'\\''b0)/", "time-out: nothing has moved"},
+    {tags, "s/= m_valid_q;/= m_valid_q \\&\\& m_axis_tready;/",
      "m_axis_tvalid follows m_axis_tready"},
-    {"s/tvalid({answer_valid, direct_valid})/tvalid({1'\\''b0, direct_valid})/",
+    {scoreboard, "s/tvalid({answer_valid, direct_valid})/tvalid({1'\\''b0, direct_valid})/",
      "the result has not left"}};
 
 TEST_F(Project, TheTestBenchFindsFaultsOfTheHardware) {
   generate("--project icarus --vectors 100");
   for (const Fault& fault : faults) {
-    const Outcome run = run_changed("mixcmp_lane_scoreboard.v", fault.change);
+    const Outcome run = run_changed(fault.file, fault.change);
     EXPECT_NE(run.exit_code, 0) << fault.change << "\n" << run.output;
     expect_in(run.output, fault.message);
     expect_in(run.output, "FAILED: ");

@@ -132,11 +132,10 @@ TEST(ClockedBlock, OfCombinationalOutputsIsRefused) {
   const fs::path folder = generate(design, "combinational");
   const fs::path scoreboard = folder / "mixcmp_lane_scoreboard.v";
   std::string text = read_file(scoreboard).value();
-  const std::string ready = "assign s_axis_tready = fresh || recycled_valid;";
+  const std::string ready = "assign s_axis_tready = slot_valid;";
   const auto at = text.find(ready);
   ASSERT_NE(at, std::string::npos);
-  text.replace(at, ready.size(),
-               "assign s_axis_tready = m_axis_tready && (fresh || recycled_valid);");
+  text.replace(at, ready.size(), "assign s_axis_tready = m_axis_tready && slot_valid;");
   std::ofstream(scoreboard) << text;
   const auto system = verilator_tb::load_system(folder);
   ASSERT_TRUE(system.ok()) << system.error().to_string();

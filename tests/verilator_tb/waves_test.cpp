@@ -130,10 +130,10 @@ TEST(Waves, ShowTheInsideOfEveryLane) {
                                    .directory = "/",
                                    .log = waves.string() + ".log"});
   ASSERT_TRUE(converted.ok()) << converted.error().to_string();
-  std::map<std::string, int> inside;  // registers of the scoreboard, by the instance they are in
+  std::map<std::string, int> inside;  // registers of results, by the instance they are in
   for (const std::string& name : declared(read(vcd))) {
     const std::string scope = "TOP.sphere_s5e8_2x1.";
-    if (name.find(".tracker.m_result_q") == std::string::npos) continue;
+    if (name.find(".tracker.tags.result_q") == std::string::npos) continue;
     ASSERT_TRUE(name.starts_with(scope)) << name;
     ++inside[name.substr(scope.size(), name.find('.', scope.size()) - scope.size())];
   }

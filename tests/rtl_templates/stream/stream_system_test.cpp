@@ -120,6 +120,11 @@ bool is_carried(const SystemSpec& spec) {
   return spec.carried;
 }
 
+/// These lanes have slots enough to stall for nothing but the one port at which tags are read.
+bool is_limited_by_tags(const SystemSpec& spec) {
+  return !spec.carried && !spec.in_order && spec.initiation_interval == 1;
+}
+
 /// A request that finds the reference free starts at once.
 bool starts_at_once(const SystemSpec& spec) {
   return spec.carried && spec.initiation_interval == 1;
@@ -138,6 +143,7 @@ bool is_saturable(const SystemSpec& spec) {
 
 class System : public ::testing::TestWithParam<SystemSpec> {};
 class CarriedSystem : public System {};
+class RefetchedSystem : public System {};
 class UnfoldedSystem : public System {};
 class SharedReference : public System {};
 class SaturableReference : public System {};
@@ -230,6 +236,21 @@ TEST_P(CarriedSystem, ThroughputUnderRandomRecomputationIsTheModels) {
   }
 }
 
+/// A recomputed comparison reads its tag twice, for its request and for its result, at one port.
+TEST_P(RefetchedSystem, RecomputationTakesOneMoreCycleOfATaggedLane) {
+  for (const double undecided : {0.01, 0.05}) {
+    SystemRun run(GetParam(), 30);
+    const SystemTraffic traffic{"Random", 1.0, 1.0, undecided};
+    for (int cycle = 0; cycle < 1000; ++cycle) run.cycle(traffic);
+    const std::uint64_t before = run.received();
+    constexpr int cycles = 6000;
+    for (int cycle = 0; cycle < cycles; ++cycle) run.cycle(traffic);
+    const double measured = static_cast<double>(run.received() - before) / cycles;
+    EXPECT_NEAR(measured, GetParam().lanes / (1 + undecided), 0.01 * measured) << undecided;
+    EXPECT_FALSE(run.failed()) << run.failure();
+  }
+}
+
 TEST_P(System, NoSlotIsLostOverTime) {
   SystemRun run(GetParam(), 28);
   const SystemTraffic sparse{"Sparse", 0.1, 1.0, 0.1};
@@ -283,6 +304,8 @@ std::string name_of(const ::testing::TestParamInfo<SystemSpec>& info) {
 using ::testing::ValuesIn;
 INSTANTIATE_TEST_SUITE_P(Streams, System, ValuesIn(systems), name_of);
 INSTANTIATE_TEST_SUITE_P(Streams, CarriedSystem, ValuesIn(systems_with(is_carried)), name_of);
+INSTANTIATE_TEST_SUITE_P(Streams, RefetchedSystem, ValuesIn(systems_with(is_limited_by_tags)),
+                         name_of);
 INSTANTIATE_TEST_SUITE_P(Streams, UnfoldedSystem, ValuesIn(systems_with(starts_at_once)), name_of);
 INSTANTIATE_TEST_SUITE_P(Streams, SharedReference, ValuesIn(systems_with(is_shared)), name_of);
 INSTANTIATE_TEST_SUITE_P(Streams, SaturableReference, ValuesIn(systems_with(is_saturable)),

@@ -1,11 +1,11 @@
-// lane_operands: the operands of the comparisons inside a lane; those of the undecided leave.
+// carried_operands: the operands of the comparisons inside a lane; those of the undecided leave.
 // A slot that is named on `undecided` leaves on m_request as {slot, operands}, first come first
 // served, latency 3, in every second cycle at most: the request register loads only when empty, so
 // that no path leads on from m_request_tready in the same cycle. All slots may wait: `undecided` is
 // never refused. Reset forgets what waits.
 `default_nettype none
 
-module lane_operands #(
+module carried_operands #(
   parameter OPERAND_BITS = 128,
   parameter SLOT_BITS = 5
 ) (
