@@ -148,6 +148,7 @@ module expander_proof #(
       nothing_left_behind: assert(!take || (((reported & ~(told & {LANES{reports}})) == {LANES{1'b0}}) &&
                                             (!report_close || reports) && (!pair_close || pairs)));
       nothing_made_up: assert(!nothing || (!report_valid && !pair_valid));
+      takes_the_next: assert(!nothing || s_ready);
       always_on_offer: assert(nothing || report_valid || pair_valid);
       each_on_its_stream: assert((RECOMPUTE != 0) || !pair_valid || pair_last);
       undecided_told_apart: assert(!report_valid || report_last || !report_undecided || (RECOMPUTE == 0));
