@@ -25,7 +25,8 @@ std::optional<EngineArea> engine_area(const characterise::Characterisation& tabl
                                       const characterise::Measurement& segment,
                                       std::set<std::string>& missing);
 
-/// Recomputations that a pairwise engine can start per cycle: its memory gives both items of a pair.
+/// Recomputations that a pairwise engine can start per cycle: its memory gives both items of a
+/// pair.
 inline constexpr double engine_recomputations_per_cycle = 1;
 
 }  // namespace mixcmp::optimise
