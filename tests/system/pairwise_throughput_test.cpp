@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Load{"AFoldedReference", 16, 2, 1, 16, "s8e8", 20},
                     Load{"FoldedReferencesBesideEachOther", 16, 2, 3, 16, "s6e8",
                          20}),  // references
-    [](const auto& info) { return info.param.name; });
+    [](const auto& load) { return std::string(load.param.name); });
 
 }  // namespace
 }  // namespace mixcmp::test::pairwise_throughput_test
