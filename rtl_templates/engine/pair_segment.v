@@ -11,7 +11,8 @@
 // that is reported, and they are 0); without the top bit, 1 says undecided and 0 nothing.
 // The word that closes a set goes through the lanes as all others do, and leaves as the beat with
 // tlast. COUNT = 1: reported pairs do not leave; that beat carries their number in place of a tag.
-// Lanes never wait: no word is taken unless the queue has room for all that may still come.
+// Lanes never wait: no word is taken unless the queue has room for all that may still come. A word
+// that is on offer to the next segment has had its room set aside, and stays on offer.
 // Interval 1, latency 3 to the next segment. Reset forgets all.
 `default_nettype none
 
@@ -285,7 +286,7 @@ module pair_segment #(
       if (pop && !push) begin
         queued_q <= queued_q - ONE;
       end
-      room_q <= (queued_q <= MOST);
+      room_q <= (queued_q <= MOST) || (m_word_tvalid && !m_word_tready);
     end
   end
 

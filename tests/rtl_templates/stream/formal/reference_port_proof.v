@@ -107,12 +107,12 @@ module reference_port_proof #(
   reg  [3:0] ahead   = NONE;
   reg        lane;
   reg  [1:0] expected;
-  reg  [3:0] quiet   = NONE;
+  reg  [4:0] quiet   = 5'd0;
   reg  [1:0] first_operands;  // of the interval
   reg        held    = 1'b0;
   reg  [1:0] held_tag;
   reg        offered = 1'b0;
-  reg  [2:0] offered_request;
+  reg  [3:0] offered_request;
   reg        busy    = 1'b0;  // an answer left in the cycle before
 
   always @(posedge aclk) begin
@@ -121,7 +121,7 @@ module reference_port_proof #(
     held            <= aresetn && refetch_valid && !(refetch_ready && queue_ready);
     held_tag        <= refetch_tag;
     offered         <= aresetn && s_valid && !s_ready;
-    offered_request <= {s_lane, s_payload};
+    offered_request <= {s_lane, chosen, s_payload};
     busy            <= aresetn && answer_valid;
     if (phase == 2'd0) begin
       first_operands <= operands;
@@ -129,10 +129,11 @@ module reference_port_proof #(
     if (!aresetn) begin
       inside   <= NONE;
       watching <= 1'b0;
-      quiet    <= NONE;
+      quiet    <= 5'd0;
     end else begin
       inside <= inside + {3'b000, enter} - {3'b000, answer_valid};
-      quiet  <= ((inside != NONE) && !answer_valid && refetch_ready && grant) ? quiet + ONE : NONE;
+      quiet  <= ((inside != NONE) && !answer_valid && refetch_ready && grant) ? quiet + 5'd1
+                                                                                  : 5'd0;
       if (answer_valid && watching) begin
         ahead    <= ahead - ONE;
         watching <= (ahead != NONE);
@@ -148,7 +149,7 @@ module reference_port_proof #(
 
   always @* begin
     if (offered) begin
-      assume(s_valid && ({s_lane, s_payload} == offered_request));
+      assume(s_valid && ({s_lane, chosen, s_payload} == offered_request));
     end
     if (!aresetn) begin
       assume(!s_valid);
