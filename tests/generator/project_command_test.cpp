@@ -298,15 +298,16 @@ TEST_F(EngineProject, FaultsOfThePairwiseEngineAreFound) {
   generate("--project icarus");
   const char* const output = "mixcmp_report_output.v";
   const Fault faults_of_output[] = {
-      {"s/{4.b0000, undecided, recomputed, verdict}/{6'\\''b000000, ~verdict}/", "; got "},
-      {"s/undecided, recomputed, verdict}/undecided, !recomputed, verdict}/", ", recomputed; got "},
-      {"s/fields\\[TAG_BITS-1:0\\] = count/fields[TAG_BITS-1:0] = count + ONE/",
+      {output, "s/{4.b0000, undecided, recomputed, verdict}/{6'\\''b000000, ~verdict}/", "; got "},
+      {output, "s/undecided, recomputed, verdict}/undecided, !recomputed, verdict}/",
+       ", recomputed; got "},
+      {output, "s/fields\\[TAG_BITS-1:0\\] = count/fields[TAG_BITS-1:0] = count + ONE/",
        "a wrong closing beat"},
-      {"s/:0\\]           = index_i/:0]           = index_j/", "a report of no pair"},
-      {"s/m_axis_tvalid = m_valid_q/m_axis_tvalid = m_valid_q \\&\\& m_axis_tready/",
+      {output, "s/:0\\]           = index_i/:0]           = index_j/", "a report of no pair"},
+      {output, "s/m_axis_tvalid = m_valid_q/m_axis_tvalid = m_valid_q \\&\\& m_axis_tready/",
        "m_axis_tvalid follows m_axis_tready"}};
   for (const Fault& fault : faults_of_output) {
-    expect_in(run_engine_changed(output, fault.change).output, fault.message);
+    expect_in(run_engine_changed(fault.file, fault.change).output, fault.message);
   }
   expect_in(run_engine_changed("mixcmp_pair_segment.v",
                                "s/&& reports\\[verdict\\]/\\&\\& reports[verdict] \\&\\& (k != 1)/")
