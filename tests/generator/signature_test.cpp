@@ -75,7 +75,7 @@ TEST(Signature, NamesTheFieldThatDoesNotFit) {
   ASSERT_FALSE(lanes.ok());
   EXPECT_EQ(lanes.error().field, "lanes");
   EXPECT_EQ(lanes.error().received, "0");
-  EXPECT_EQ(lanes.error().accepted, "an integer in 1..512");
+  EXPECT_EQ(lanes.error().accepted, "an integer in 1..4096");
 
   const auto order = read_text(without(text, "\"in_order\"", "\"sorted\""));
   ASSERT_FALSE(order.ok());
