@@ -214,13 +214,18 @@ TEST_P(BrokenEngine, IsFoundOut) {
   const std::size_t place = text.find(fault.from);
   ASSERT_NE(place, std::string::npos);
   std::ofstream(rtl / fault.file) << text.replace(place, std::string(fault.from).size(), fault.to);
-  const auto report = verilator_tb::verify(design, random_spheres(design, 41), rtl,
-                                           {.simulator = fault.simulator,
-                                            .work_dir = test_work_dir("builds"),
-                                            .traffic = verilator_tb::TrafficKind::stressed,
-                                            .hang_cycles = 2'000});
-  ASSERT_TRUE(report.ok()) << report.error().to_string();
-  EXPECT_FALSE(report->passed()) << to_text(*report);
+  // Of the grid the last pairs of a set are recomputed, of the other spheres they are reported.
+  bool found = false;
+  for (const data::Comparisons& spheres : {random_spheres(design, 41), grid_spheres(design, 41)}) {
+    const auto report = verilator_tb::verify(design, spheres, rtl,
+                                             {.simulator = fault.simulator,
+                                              .work_dir = test_work_dir("builds"),
+                                              .traffic = verilator_tb::TrafficKind::stressed,
+                                              .hang_cycles = 2'000});
+    ASSERT_TRUE(report.ok()) << report.error().to_string();
+    found = found || !report->passed();
+  }
+  EXPECT_TRUE(found);
 }
 
 INSTANTIATE_TEST_SUITE_P(
