@@ -202,25 +202,26 @@ Result<Done> ComponentMaker::check_reference(const ComponentKey& key) const {
   return Done{};
 }
 
-Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {
+Result<datapath::Schedule> ComponentMaker::reference_schedule(const ComponentKey& key,
+                                                              const TypedGraph& graph) const {
   MIXCMP_TRY(possible, check_reference(key));
   MIXCMP_TRY(multipliers, reference_multipliers_of(key));
   MIXCMP_TRY(delays, datapath::delays_of(scene_.system.device));
+  return datapath::schedule_reference(graph, {multipliers, key.initiation_interval}, delays,
+                                      scene_.system.target_mhz);
+}
+
+Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {
   const TypedGraph graph = reference_graph(scene_.graph, scene_.reference);
-  const datapath::Schedule schedule = datapath::schedule_reference(
-      graph, {multipliers, key.initiation_interval}, delays, scene_.system.target_mhz);
+  MIXCMP_TRY(schedule, reference_schedule(key, graph));
   const rtl::Module module =
       rtl::reference_module("reference", scene_.graph.inputs(), graph, schedule);
   return datapath(key, schedule.latency_cycles, module, has_product(graph));
 }
 
 Result<Component> ComponentMaker::make_reference_port(const ComponentKey& key) {
-  MIXCMP_TRY(possible, check_reference(key));
-  MIXCMP_TRY(multipliers, reference_multipliers_of(key));
-  MIXCMP_TRY(delays, datapath::delays_of(scene_.system.device));
   const TypedGraph graph = reference_graph(scene_.graph, scene_.reference);
-  const datapath::Schedule schedule = datapath::schedule_reference(
-      graph, {multipliers, key.initiation_interval}, delays, scene_.system.target_mhz);
+  MIXCMP_TRY(schedule, reference_schedule(key, graph));
   Component port{key, 0, template_job(rtl::reference_port_template(request_shape(), schedule)), {}};
   if (!has_product(graph)) port.key.multipliers.clear();
   return port;
@@ -303,8 +304,8 @@ Result<Component> ComponentMaker::make_conversion(const ComponentKey& key) {
 }
 
 Result<Component> ComponentMaker::make_engine(const ComponentKey& key) {
-  const int segments_of = scene_.system.engine.lanes_per_group;
-  MIXCMP_TRY(lanes, lane_group(key, key.ports * segments_of));
+  const int lanes_per_segment = scene_.system.engine.lanes_per_group;
+  MIXCMP_TRY(lanes, lane_group(key, key.ports * lanes_per_segment));
   MIXCMP_TRY(parts, EngineParts::make(scene_, lanes));
   Component engine{key, 0, parts.engine(), {}};
   if (!has_product(lanes.lane)) engine.key.multipliers.clear();

@@ -70,6 +70,8 @@ private:
   /// Lanes of a key, as a group of a design.
   Result<design::LaneGroup> lane_group(const characterise::ComponentKey& key, int count);
   Result<Done> check_reference(const characterise::ComponentKey& key) const;
+  Result<datapath::Schedule> reference_schedule(const characterise::ComponentKey& key,
+                                                const TypedGraph& graph) const;
   Result<Done> give_constants(scene::ReducedSpec& lane);
   Result<Done> measure_constants(LaneInputs inputs);
   /// The streams of one lane and one reference, which do not depend on what is computed between

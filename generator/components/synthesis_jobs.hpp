@@ -12,7 +12,8 @@ namespace mixcmp::components {
 /// have no comments, so that only the hardware decides their hash.
 characterise::SynthesisJob module_job(const rtl::Module& module);
 
-/// The same for the last of these modules, which instantiates the others.
+/// The job that synthesises the last of these modules, which instantiates the others, with their
+/// templates.
 characterise::SynthesisJob modules_job(const std::vector<rtl::Module>& modules);
 
 /// The job that synthesises a template alone: its parameters' defaults are replaced by the
