@@ -71,9 +71,10 @@ private:
     return words_.fields.size() - 1;
   }
 
-  LanePort port_of(std::size_t field, bool second) const {
+  LanePort port_of(std::size_t field, bool second, int dropped_bits = 0) const {
     const ItemWords::Field& bits = words_.fields[field];
-    return {bits.name + (second ? "_j" : "_i"), second, bits.low, bits.width};
+    return {bits.name + (second ? "_j" : "_i"), second, bits.low + dropped_bits,
+            bits.width - dropped_bits};
   }
 
   /// The lanes come in the order in which they were split.
@@ -85,7 +86,7 @@ private:
   WordLane lane_of_fields(const fixed::FixedLane& lane) const {
     WordLane made{lane, {}};
     for (const fixed::LoadedInput& loaded : lane.loaded_inputs) {
-      made.ports.push_back(port_of(loaded.field, loaded.second));
+      made.ports.push_back(port_of(loaded.field, loaded.second, loaded.dropped_bits));
     }
     const std::size_t first_flag = words_.split->loader.outputs.size();
     for (const fixed::LoadedFlag& flag : fixed::flags_read(lane)) {

@@ -11,8 +11,10 @@ namespace mixcmp::optimise {
 /// Collects the rows of a characterisation into one allocation problem per precision.
 class ProblemMaker {
 public:
+  /// `second_tier`: the lanes of the engine's second tier; none where it has none.
   ProblemMaker(const scene::Scene& scene, const characterise::Characterisation& table,
-               const Rates& rates, const OptimiseOptions& options);
+               const Rates& rates, const OptimiseOptions& options,
+               const std::optional<RateKey>& second_tier);
 
   /// The precisions for which the table has lanes, with the options at hand.
   std::vector<int> precisions() const;
@@ -49,6 +51,7 @@ private:
 
   double clock_of(const characterise::Measurement& row, const std::optional<double>& given,
                   const std::optional<double>& streams_mhz);
+  std::optional<Rate> rate_of(const RateKey& lane);
   void add_lane(PrecisionPlan& plan, const characterise::Measurement& row,
                 const characterise::Measurement* fifo);
   /// A lane with the streams around it, or its share of a segment.
@@ -68,6 +71,7 @@ private:
   const characterise::Characterisation& table_;
   const Rates& rates_;
   const OptimiseOptions& options_;
+  const std::optional<RateKey> second_tier_;
   std::map<int, Rows> lanes_;
   Rows references_;
   Communication communication_;
