@@ -74,4 +74,12 @@ Result<Done> check_multipliers(const Lane& lane, scene::Multipliers multipliers)
 std::vector<std::string> lane_group_names(const Design& design);
 std::vector<std::string> reference_group_names(const Design& design);
 
+/// A lane of a design by the name of its group; "second_tier_q13" is that of the second tier.
+struct NamedLane {
+  std::string name;
+  const Lane* lane;
+};
+/// One for each group of lanes, then the second tier's, if there is one.
+std::vector<NamedLane> named_lanes(const Design& design);
+
 }  // namespace mixcmp::design

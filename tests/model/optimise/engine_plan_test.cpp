@@ -48,6 +48,28 @@ protected:
               [](const auto& a, const auto& b) { return a.key < b.key; });
   }
 
+  void give_second_tier() {
+    scene_.ranges.assign(8, Range{0, 100});
+    scene_.second_tier = scene::ReducedSpec{.fixed_point = FixedPoint{.bits = 13}};
+  }
+
+  /// Undecided of a million: by lanes of 8 and 10 digits, and by the second tier of 13.
+  static optimise::Rates rates_of_tiers(const std::map<int, std::uint64_t>& undecided) {
+    optimise::Rates rates = rates_of(undecided);
+    profile::RateProfile tier{.comparisons = 1'000'000};
+    tier.schemes.push_back({.name = "fixed_norm",
+                            .bound = scene::parse_bound_choice("fixed_norm").value(),
+                            .kind = profile::SchemeKind::certified,
+                            .counts = {},
+                            .reason = {}});
+    for (int precision = 4; precision <= 16; ++precision) {
+      tier.schemes.back().counts.push_back(
+          {.exists = precision == 13, .undecided = undecided.at(13)});
+    }
+    rates.raise_to(optimise::Rates::of({tier}));
+    return rates;
+  }
+
   std::string refusal() const {
     const auto found = optimise::optimise(scene_, device_, table_, rates_, options_);
     return found.ok() ? "nothing" : found.error().to_string();
@@ -135,6 +157,31 @@ TEST_F(EnginePlan, ATableWithoutAPartIsRefused) {
     std::erase_if(table_.rows, [&](const auto& row) { return row.key.kind == kind; });
     EXPECT_NE(refusal().find(words), std::string::npos) << refusal();
   }
+}
+
+/// The second tier asks references for one pair in a million, whatever its first lanes leave.
+TEST_F(EnginePlan, ReferencesAreAskedAtTheRateOfTheSecondTier) {
+  give_second_tier();
+  rates_ = rates_of_tiers({{8, 20'000}, {10, 100}, {13, 1}});
+  device_.available = {.luts = 1'000'000, .registers = 1'000'000, .dsps = 10'000};
+  const Optimisation found = optimise_now();
+  const optimise::PrecisionPlan& plan = *found.best();
+  EXPECT_EQ(plan.precision, 8) << "its lanes are the smaller ones";
+  EXPECT_DOUBLE_EQ(plan.recomputation_rate(), 1e-6);
+  EXPECT_GT(plan.allocation()->lane_count(), 1000) << "50 would ask for a pair a cycle";
+}
+
+TEST_F(EnginePlan, AFirstTierThatLeavesTooMuchIsLeftOut) {
+  give_second_tier();
+  rates_ = rates_of_tiers({{8, 101'000}, {10, 99'000}, {13, 1}});
+  const Optimisation found = optimise_now();
+  EXPECT_EQ(found.best()->precision, 10) << "8 x 0.099 < 0.8 < 8 x 0.101";
+}
+
+TEST_F(EnginePlan, ASecondTierNeedsAKnownRate) {
+  give_second_tier();
+  rates_ = rates_of({{8, 20'000}, {10, 100}});
+  EXPECT_NE(refusal(), "nothing");
 }
 
 TEST_F(EnginePlan, TheEnginesClockLimitsItsLanes) {
