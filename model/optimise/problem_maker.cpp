@@ -322,14 +322,20 @@ void ProblemMaker::add_lane(PrecisionPlan& plan, const characterise::Measurement
   plan.lanes.push_back({row,
                         lane->area,
                         *rate,
-                        {lane_name(row.key), mhz * hertz_per_mhz, 1, rate->value(), lane->area}});
+                        {.name = lane_name(row.key),
+                         .clock_hz = mhz * hertz_per_mhz,
+                         .initiation_interval = 1,
+                         .recomputation_rate = rate->value(),
+                         .area = lane->group,
+                         .group = lane->lanes}});
 }
 
 std::optional<ProblemMaker::Surrounded> ProblemMaker::with_fifo(
     const characterise::Measurement& lane, const characterise::Measurement* fifo) {
-  if (fifo == nullptr) return Surrounded{lane.area, {}};
+  if (fifo == nullptr) return Surrounded{lane.area, lane.area, 1, {}};
   const auto mhz = fifo->clock ? std::optional(fifo->clock->mhz) : std::nullopt;
-  return Surrounded{lane.area + fifo->area, mhz};
+  const devices::Area area = lane.area + fifo->area;
+  return Surrounded{area, area, 1, mhz};
 }
 
 /// What an engine takes by itself goes into the plan's communication: the most that any of the
@@ -343,7 +349,7 @@ std::optional<ProblemMaker::Surrounded> ProblemMaker::in_segment(
     if (options_.fixed_communication) break;
     own.*resource.amount = std::max(own.*resource.amount, engine->own.*resource.amount);
   }
-  return Surrounded{engine->lane, engine->mhz};
+  return Surrounded{engine->lane, engine->group, segment.key.ports, engine->mhz};
 }
 
 /// A reference with the streams around it. Tables of systems whose lanes take streams may lack

@@ -56,7 +56,9 @@ private:
                 const characterise::Measurement* fifo);
   /// A lane with the streams around it, or its share of a segment.
   struct Surrounded {
-    devices::Area area;
+    devices::Area area;                 ///< of a lane, rounded up
+    devices::Area group;                ///< of the lanes that share it
+    int lanes;                          ///< of a group
     std::optional<double> streams_mhz;  ///< the clock of what is around it, where that is measured
   };
   std::optional<Surrounded> in_segment(PrecisionPlan& plan,
