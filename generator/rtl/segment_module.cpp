@@ -11,11 +11,20 @@
 namespace mixcmp::rtl {
 namespace {
 
-/// Bits of the address of a queue with room for all beats that may still come when it says stop,
-/// and for four that wait.
-int queue_bits(int lane_latency_cycles) {
-  const int may_come = lane_latency_cycles + 3;
-  return std::bit_width(static_cast<unsigned>(may_come + 3));
+/// Beats that may wait in a queue. Before a second tier they come in bursts, which hold up the
+/// whole chain of segments where the queue is short (docs/performance.md).
+constexpr int few_beats = 4;
+constexpr int many_beats = 16;
+
+/// Cycles beside the lanes' latency in which a segment, or a second tier, may send beats after its
+/// queue has said stop.
+constexpr int segment_cycles = 3;
+constexpr int tier_cycles = 4;
+
+/// Bits of the address of a queue with room for the beats that may still come when it says stop,
+/// and for `waiting` beats.
+int queue_bits(int may_come, int waiting) {
+  return std::bit_width(static_cast<unsigned>(may_come + waiting - 1));
 }
 
 /// Bits of a word that no port of a lane reads.
@@ -80,8 +89,7 @@ std::vector<Parameter> common_parameters(const EngineShape& engine, int lanes, i
           {"LANE_LATENCY", lane_latency_cycles},
           {"REPORT", engine.spec.report.mask()},
           {"CODE_BITS", code_bits(engine.spec)},
-          {"COUNT", engine.spec.report_as == scene::ReportForm::count ? 1 : 0},
-          {"QUEUE_BITS", queue_bits(lane_latency_cycles)}};
+          {"COUNT", engine.spec.report_as == scene::ReportForm::count ? 1 : 0}};
 }
 
 /// The lane of more precision behind the segment's own ones, with what remembers their words.
@@ -99,6 +107,8 @@ void add_second_tier(const SystemShape& system, const EngineShape& engine, const
   consume_unread("tier_item_j", *words.second_tier, true, bits, items);
   std::vector<Parameter> parameters =
       common_parameters(engine, lanes, bits, tier.schedule.latency_cycles);
+  parameters.push_back(
+      {"QUEUE_BITS", queue_bits(tier.schedule.latency_cycles + tier_cycles, few_beats)});
   parameters.push_back({"LANE_BITS", scene::index_bits_for(std::max(lanes, 2))});
   std::vector<Connection> connections = clock_and_reset();
   for (const char* part : {"tvalid", "tready", "tdata", "tlast"}) {
@@ -200,8 +210,10 @@ Module segment_module(const SystemShape& system, const EngineShape& engine, cons
                        "m_word_tready", "m_word_tdata"});
   connections.push_back({"passing_word", net("item_j")});
   append(connections, {"held_words", "verdicts", "decided"});
-  std::vector<Parameter> parameters = common_parameters(
-      engine, lanes, bits, system.lane_groups[segments.lane_group].schedule.latency_cycles);
+  const int latency_cycles = system.lane_groups[segments.lane_group].schedule.latency_cycles;
+  std::vector<Parameter> parameters = common_parameters(engine, lanes, bits, latency_cycles);
+  parameters.push_back({"QUEUE_BITS", queue_bits(latency_cycles + segment_cycles,
+                                                 system.second_tier ? many_beats : few_beats)});
   if (system.second_tier) {
     constexpr int flags = 2;  // first, stays
     parameters.push_back({"TIERED", 1});
