@@ -14,8 +14,8 @@ namespace mixcmp::optimise {
 Result<std::optional<RateKey>> second_tier_rate_key(const scene::Scene& scene);
 
 /// The most undecided pairs that a group of lanes may leave in a cycle, on average: the second tier
-/// takes one a cycle, and a queue before it evens out what comes at once. Measured: at 0.8 the
-/// lanes wait in 1.6 % of the cycles (docs/performance.md).
+/// takes one a cycle, and a queue before it evens out what comes at once. At 0.8 lanes wait in 1 %
+/// of the cycles or less (measured, docs/performance.md).
 inline constexpr double most_undecided_per_cycle = 0.8;
 
 /// Whether the second tier keeps up with a group of lanes of this rate.
