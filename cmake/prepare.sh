@@ -1,11 +1,16 @@
 # Sourced by tests/run and examples/run, from the repository's root: installs what is missing from
 # Debian packages, configures and builds into build/release.
 
-# What the build, the tests and `mixcmp verify` need, on Debian 12 and 13.
-packages="g++ cmake ninja-build ccache pkg-config make git ca-certificates
-  libmpfr-dev libgmp-dev libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
-  tao-pegtl-dev libgtest-dev libbenchmark-dev libhwy-dev zlib1g-dev libsqlite3-dev coinor-libcbc-dev verilator iverilog yosys nextpnr-ice40 gappa glpk-utils
-  gnuplot-nox gtkwave jq"
+# What the build, the tests and `mixcmp verify` need, on Debian 12 and 13. tests/release writes into
+# a release's SBOM what each package is for.
+build_tools="g++ cmake ninja-build ccache pkg-config make git ca-certificates"
+libraries="libmpfr-dev libgmp-dev libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
+  tao-pegtl-dev libhwy-dev zlib1g-dev libsqlite3-dev coinor-libcbc-dev"
+test_packages="libgtest-dev libbenchmark-dev jq"
+called_tools="verilator iverilog yosys nextpnr-ice40 gappa glpk-utils gnuplot-nox gtkwave"
+packages="$build_tools $libraries $test_packages $called_tools"
+# The Python module is built where these are installed, and always for Debian packages.
+python_packages="pybind11-dev python3-dev python3-numpy"
 
 say() { printf '== %s\n' "$*"; }
 

@@ -1,5 +1,7 @@
 #include "verilator_tb/answer_emulator.hpp"
 
+#include <utility>
+
 #include "model/common/check.hpp"
 
 namespace mixcmp::verilator_tb {
@@ -16,32 +18,48 @@ Verdict verdict_of(Decision decision) {
   MIXCMP_CHECK(!"a comparison that is decided");
 }
 
+using LaneEmulator = std::variant<emulator::Emulator, emulator::FixedEmulator>;
+
+LaneEmulator emulator_of(const design::Lane& lane) {
+  return std::visit(
+      design::Cases{
+          [](const error::Lane& made) { return LaneEmulator(emulator::Emulator(made)); },
+          [](const fixed::FixedLane& made) { return LaneEmulator(emulator::FixedEmulator(made)); }},
+      lane);
+}
+
+bool is_exact(const LaneEmulator& lane) {
+  const auto* fixed_point = std::get_if<emulator::FixedEmulator>(&lane);
+  return fixed_point == nullptr || fixed_point->is_exact_in_double();
+}
+
+void decide_all(const LaneEmulator& lane, const data::OperandBlock& operands, std::size_t count,
+                std::vector<Decision>& decisions) {
+  std::visit([&](const auto& emulator) { emulator.decide(operands.columns(), count, decisions); },
+             lane);
+}
+
 }  // namespace
 
 AnswerEmulator::AnswerEmulator(const design::Design& design) {
-  for (const design::LaneGroup& group : design.lanes) {
-    std::visit(design::Cases{[&](const error::Lane& lane) {
-                               lanes_.emplace_back(std::in_place_type<emulator::Emulator>, lane);
-                             },
-                             [&](const fixed::FixedLane& lane) {
-                               lanes_.emplace_back(std::in_place_type<emulator::FixedEmulator>,
-                                                   lane);
-                             }},
-               group.lane);
-  }
+  for (const design::LaneGroup& group : design.lanes) lanes_.push_back(emulator_of(group.lane));
+  if (design.second_tier) second_tier_.emplace(emulator_of(design.second_tier->lane));
   if (!design.references.empty()) reference_.emplace(design.reference);
 }
 
 bool AnswerEmulator::emulates(std::size_t group) const {
-  const auto* fixed_point = std::get_if<emulator::FixedEmulator>(&lanes_[group]);
-  return fixed_point == nullptr || fixed_point->is_exact_in_double();
+  return is_exact(lanes_[group]) && (!second_tier_ || is_exact(*second_tier_));
 }
 
 void AnswerEmulator::find(std::size_t group, Batch& batch, std::span<ResultWord> words) const {
-  const auto decide = [&](const auto& emulator) {
-    emulator.decide(batch.operands.columns(), words.size(), batch.decisions_);
-  };
-  std::visit(decide, lanes_[group]);
+  decide(lanes_[group], batch, words);
+  if (second_tier_ && !batch.positions_.empty()) decide_again(batch, words);
+  if (reference_ && !batch.positions_.empty()) recompute(batch, words);
+}
+
+void AnswerEmulator::decide(const LaneEmulator& lane, Batch& batch,
+                            std::span<ResultWord> words) const {
+  decide_all(lane, batch.operands, words.size(), batch.decisions_);
   batch.undecided_.resize(0);
   batch.positions_.clear();
   for (std::size_t k = 0; k < words.size(); ++k) {
@@ -53,7 +71,20 @@ void AnswerEmulator::find(std::size_t group, Batch& batch, std::span<ResultWord>
     batch.undecided_.append(batch.operands, k);
     batch.positions_.push_back(k);
   }
-  if (reference_ && !batch.positions_.empty()) recompute(batch, words);
+}
+
+void AnswerEmulator::decide_again(Batch& batch, std::span<ResultWord> words) const {
+  decide_all(*second_tier_, batch.undecided_, batch.positions_.size(), batch.decisions_);
+  const std::vector<std::size_t> asked = std::exchange(batch.positions_, {});
+  batch.undecided_.resize(0);
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    if (batch.decisions_[k] != Decision::undecided) {
+      words[asked[k]] = ResultWord::decided(verdict_of(batch.decisions_[k]));
+      continue;
+    }
+    batch.undecided_.append(batch.operands, asked[k]);
+    batch.positions_.push_back(asked[k]);
+  }
 }
 
 void AnswerEmulator::recompute(Batch& batch, std::span<ResultWord> words) const {

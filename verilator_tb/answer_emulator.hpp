@@ -49,9 +49,14 @@ public:
 private:
   using LaneEmulator = std::variant<emulator::Emulator, emulator::FixedEmulator>;
 
+  /// Takes over what a lane decided, and gathers in `batch` what it left undecided.
+  void decide(const LaneEmulator& lane, Batch& batch, std::span<ResultWord> words) const;
+  /// Asks the second tier; `batch` then has what it left undecided, too.
+  void decide_again(Batch& batch, std::span<ResultWord> words) const;
   void recompute(Batch& batch, std::span<ResultWord> words) const;
 
   std::vector<LaneEmulator> lanes_;  ///< one a group
+  std::optional<LaneEmulator> second_tier_;
   std::optional<emulator::Emulator> reference_;
 };
 

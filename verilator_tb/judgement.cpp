@@ -29,11 +29,20 @@ VerifyReport empty_report(const emit::Signature& signature, const design::Design
   return report;
 }
 
+namespace {
+
+golden::LaneResult decide(const design::Lane& lane, std::span<const Bits> operands) {
+  return std::visit([&](const auto& made) { return golden::evaluate_lane(made, operands); }, lane);
+}
+
+}  // namespace
+
 ResultWord expected_word(const design::Design& design, std::size_t group,
                          std::span<const Bits> operands) {
-  const golden::LaneResult decision =
-      std::visit([&](const auto& lane) { return golden::evaluate_lane(lane, operands); },
-                 design.lanes[group].lane);
+  golden::LaneResult decision = decide(design.lanes[group].lane, operands);
+  if (!decision.decided && design.second_tier) {
+    decision = decide(design.second_tier->lane, operands);
+  }
   if (decision.decided) return ResultWord::decided(decision.verdict);
   if (design.references.empty()) return ResultWord::undecided();
   return ResultWord::recomputed(golden::evaluate_reference(design.reference, operands));

@@ -31,11 +31,17 @@ void tell_progress(int finished, int jobs, double seconds) {
 }
 
 /// What the parts of a pairwise engine depend on, in words.
-std::string engine_text(const scene::EngineSpec& engine) {
-  return fmt::format("pairwise, {} items, segments of {}, {} as {} by {} stream{}", engine.capacity,
-                     engine.lanes_per_group, fmt::join(reported_verdicts(engine), " "),
-                     to_string(engine.report_as), engine.report_streams,
-                     engine.report_streams == 1 ? "" : "s");
+std::string engine_text(const scene::Scene& scene) {
+  const scene::EngineSpec& engine = scene.system.engine;
+  std::string text = fmt::format(
+      "pairwise, {} items, segments of {}, {} as {} by {} stream{}", engine.capacity,
+      engine.lanes_per_group, fmt::join(reported_verdicts(engine), " "),
+      to_string(engine.report_as), engine.report_streams, engine.report_streams == 1 ? "" : "s");
+  if (scene.second_tier) {
+    text += fmt::format(", second tier {} {}", scene.second_tier->format_name(),
+                        to_string(scene.second_tier->multipliers));
+  }
+  return text;
 }
 
 /// The settings on which the components' RTL and its measurement depend, by name.
@@ -57,7 +63,7 @@ std::vector<std::pair<std::string, std::string>> spec_of(const scene::Scene& sce
       {"counter_bits", std::to_string(system.counter_bits)},
       {"tools", tools}};
   if (system.engine.kind == scene::EngineKind::pairwise) {
-    spec.insert(spec.end() - 1, {"engine", engine_text(system.engine)});
+    spec.insert(spec.end() - 1, {"engine", engine_text(scene)});
   }
   return spec;
 }

@@ -134,11 +134,10 @@ void print_json(const emit::GeneratedSystem& system, const std::vector<GroupProo
 /// Proves every kind of lane that claims a proof.
 std::vector<GroupProof> prove_groups(const std::filesystem::path& scene,
                                      const design::Design& design) {
-  const std::vector<std::string> names = lane_group_names(design);
   std::vector<GroupProof> proofs;
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    const design::Lane& lane = design.lanes[k].lane;
-    if (design::is_certified(lane)) proofs.push_back({names[k], prove_quickly(scene, lane)});
+  for (const design::NamedLane& named : named_lanes(design)) {
+    const design::Lane& lane = *named.lane;
+    if (design::is_certified(lane)) proofs.push_back({named.name, prove_quickly(scene, lane)});
   }
   return proofs;
 }

@@ -61,11 +61,10 @@ std::vector<LaneCandidate> candidates(scene::Scene scene, const data::Comparison
     }
     return found;
   }
-  const std::vector<std::string> names = lane_group_names(*design);
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    const auto same = [&](const LaneCandidate& earlier) { return earlier.name == names[k]; };
+  for (const design::NamedLane& named : named_lanes(*design)) {
+    const auto same = [&](const LaneCandidate& earlier) { return earlier.name == named.name; };
     const bool known = std::any_of(found.begin(), found.end(), same);
-    if (!known) found.push_back({names[k], design->lanes[k].lane});
+    if (!known) found.push_back({named.name, *named.lane});
   }
   return found;
 }

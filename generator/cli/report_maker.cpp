@@ -119,12 +119,11 @@ Missing ReportMaker::no_system(const Error& error) {
 IfThere<std::vector<report::ProvenLanes>> ReportMaker::proofs() const {
   const auto* system = std::get_if<report::BuiltSystem>(&system_);
   if (system == nullptr) return std::get<Missing>(system_);
-  const std::vector<std::string> names = lane_group_names(system->design);
   std::vector<report::ProvenLanes> proven;
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    const design::Lane& lane = system->design.lanes[k].lane;
+  for (const design::NamedLane& named : named_lanes(system->design)) {
+    const design::Lane& lane = *named.lane;
     report::ProvenLanes& each = proven.emplace_back();
-    each.name = names[k];
+    each.name = named.name;
     each.decision = design::describe_criterion(lane);
     each.certified = design::is_certified(lane);
     if (!each.certified) continue;

@@ -13,10 +13,12 @@ namespace {
 constexpr int fewest_segments = 4;
 
 /// A design of these lanes alone, with one reference: what an engine's parts depend on.
-design::Design design_of(const scene::Scene& scene, const design::LaneGroup& lanes) {
+design::Design design_of(const scene::Scene& scene, const design::LaneGroup& lanes,
+                         std::optional<design::LaneGroup> second_tier) {
   return {.name = "engine",  // not the scene's: equal hardware has equal names
           .inputs = scene.graph.inputs(),
           .lanes = {lanes},
+          .second_tier = std::move(second_tier),
           .reference = reference_graph(scene.graph, scene.reference),
           .references = {{.structure = {scene::Multipliers::embedded, 1}, .count = 1}},
           .system = scene.system};
@@ -31,7 +33,8 @@ std::vector<int> measured_segments(const scene::EngineSpec& engine) {
 
 Result<EngineParts> EngineParts::make(const scene::Scene& scene, const design::LaneGroup& lanes) {
   MIXCMP_CHECK(scene.system.engine.kind == scene::EngineKind::pairwise);
-  MIXCMP_TRY(scheduled, emit::schedule_system(design_of(scene, lanes)));
+  MIXCMP_TRY(second_tier, design::design_second_tier(scene));
+  MIXCMP_TRY(scheduled, emit::schedule_system(design_of(scene, lanes, std::move(second_tier))));
   return EngineParts(std::move(scheduled));
 }
 
@@ -42,9 +45,16 @@ int EngineParts::lane_latency_cycles() const {
 characterise::SynthesisJob EngineParts::segment() const {
   const rtl::PairwiseShape& shape = *scheduled_.pairwise;
   const rtl::DatapathGroup& lanes = scheduled_.shape.lane_groups.front();
-  return modules_job(
-      {rtl::word_lane_module(lanes.datapath, shape.words.lanes.front(), lanes.schedule),
-       rtl::segment_module(scheduled_.shape, shape.engine, shape.words, shape.segments.front())});
+  std::vector<rtl::Module> modules;
+  modules.push_back(
+      rtl::word_lane_module(lanes.datapath, shape.words.lanes.front(), lanes.schedule));
+  if (const auto& tier = scheduled_.shape.second_tier) {
+    modules.push_back(
+        rtl::word_lane_module(tier->datapath, *shape.words.second_tier, tier->schedule));
+  }
+  modules.push_back(
+      rtl::segment_module(scheduled_.shape, shape.engine, shape.words, shape.segments.front()));
+  return modules_job(std::move(modules));
 }
 
 int EngineParts::conversion_latency_cycles() const {

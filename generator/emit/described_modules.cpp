@@ -289,10 +289,9 @@ Described describe_conversion(const rtl::PairwiseShape& shape) {
   return {rtl::item_word_module(shape.word_module, shape.words, shape.engine), std::move(facts)};
 }
 
-Described describe_word_lane(const Design& design, const rtl::PairwiseShape& shape,
-                             const rtl::SystemShape& system, std::size_t group) {
-  const rtl::DatapathGroup& lanes = system.lane_groups[group];
-  const rtl::WordLane& lane = shape.words.lanes[group];
+/// A lane that reads words; `made` is what it was before its inputs were.
+Described describe_word_lane(const Design& design, const design::Lane& made,
+                             const rtl::WordLane& lane, const rtl::DatapathGroup& lanes) {
   std::vector<std::string> ports;
   for (const rtl::LanePort& port : lane.ports) ports.push_back(port.name);
   Described described = {
@@ -300,8 +299,8 @@ Described describe_word_lane(const Design& design, const rtl::PairwiseShape& sha
       {fmt::format("{}: decides {} in reduced precision, or says it cannot.", lanes.datapath,
                    what_is_asked(design)),
        fmt::format("Operands: of the words of items i and j, {}.", fmt::join(ports, ", ")),
-       arithmetic_fact(design.lanes[group].lane)}};
-  for (std::string& fact : decision_facts(design.lanes[group].lane)) {
+       arithmetic_fact(made)}};
+  for (std::string& fact : decision_facts(made)) {
     described.facts.push_back(std::move(fact));
   }
   for (std::string& fact : timing_facts(lanes.schedule)) {
@@ -312,10 +311,15 @@ Described describe_word_lane(const Design& design, const rtl::PairwiseShape& sha
 
 Described describe_segment(const rtl::PairwiseShape& shape, const rtl::SystemShape& system,
                            const rtl::SegmentGroup& segments) {
-  return {rtl::segment_module(system, shape.engine, shape.words, segments),
-          {fmt::format("{}: {} lanes in lock step, a link of the engine's chain.", segments.module,
-                       segments.lanes),
-           "Reset: aresetn, synchronous, active low."}};
+  Described segment = {rtl::segment_module(system, shape.engine, shape.words, segments),
+                       {fmt::format("{}: {} lanes in lock step, a link of the engine's chain.",
+                                    segments.module, segments.lanes)}};
+  if (system.second_tier) {
+    segment.facts.push_back(fmt::format("A pair that they leave undecided goes to {}, one a cycle.",
+                                        system.second_tier->datapath));
+  }
+  segment.facts.emplace_back("Reset: aresetn, synchronous, active low.");
+  return segment;
 }
 
 /// Adds each module once, whatever number of groups have it.
@@ -348,8 +352,16 @@ std::vector<Described> describe_pairwise_modules(const Design& design,
     modules.add(shape.word_module, [&] { return describe_conversion(shape); });
   }
   for (std::size_t k = 0; k < system.lane_groups.size(); ++k) {
-    modules.add(system.lane_groups[k].datapath,
-                [&] { return describe_word_lane(design, shape, system, k); });
+    modules.add(system.lane_groups[k].datapath, [&] {
+      return describe_word_lane(design, design.lanes[k].lane, shape.words.lanes[k],
+                                system.lane_groups[k]);
+    });
+  }
+  if (system.second_tier) {
+    modules.add(system.second_tier->datapath, [&] {
+      return describe_word_lane(design, design.second_tier->lane, *shape.words.second_tier,
+                                *system.second_tier);
+    });
   }
   for (const rtl::SegmentGroup& segments : shape.segments) {
     modules.add(segments.module, [&] { return describe_segment(shape, system, segments); });

@@ -65,6 +65,23 @@ std::vector<rtl::DatapathGroup> lane_groups(const design::Design& design,
   return groups;
 }
 
+/// The lane behind each segment, which reads `words`, too.
+std::optional<rtl::DatapathGroup> second_tier(const design::Design& design,
+                                              const std::optional<rtl::ItemWords>& words,
+                                              const datapath::DelayTable& delays) {
+  if (!words || !words->second_tier) return std::nullopt;
+  const design::LaneGroup& tier = *design.second_tier;
+  datapath::Schedule schedule = datapath::schedule_lane(words->second_tier->lane, tier.multipliers,
+                                                        delays, design.system.target_mhz);
+  return rtl::DatapathGroup{
+      .datapath = fmt::format("{}{}_second_lane_{}_l{}", design.system.prefix, design.name,
+                              design::format_name(tier.lane), schedule.latency_cycles),
+      .channel = {},
+      .label = "second_tier",
+      .schedule = std::move(schedule),
+      .count = 1};
+}
+
 std::vector<rtl::DatapathGroup> reference_groups(const design::Design& design,
                                                  const datapath::DelayTable& delays) {
   const std::vector<std::string> names = reference_group_names(design);
@@ -164,6 +181,7 @@ Result<ScheduledSystem> schedule_system(const design::Design& design) {
     words = rtl::item_words(design, *scheduled.engine, delays);
   }
   shape.lane_groups = lane_groups(design, words, delays);
+  shape.second_tier = second_tier(design, words, delays);
   shape.reference_groups = reference_groups(design, delays);
   shape.slot_bits = std::countr_zero(static_cast<unsigned>(slots_of(shape)));
   if (words) {

@@ -326,6 +326,7 @@ std::string to_json(const Signature& s) {
                {"initiation_interval_cycles", 1},
                {"ports", ports_to_json(s.ports)}};
   if (!s.counter_map.empty()) json["counter_map"] = groups_to_json(s.counter_map);
+  if (s.second_tier) json["second_tier"] = to_json(*s.second_tier);
   if (s.engine) json["engine"] = to_json(*s.engine);
   json["files"] = s.files;
   if (!s.cells.empty()) json["cells"] = s.cells;
@@ -360,6 +361,7 @@ Result<Signature> read_signature(const std::filesystem::path& path) {
       .operands = reader.choice("operands", stores),
       .target_mhz = reader.read<double>("target_mhz", "a number"),
       .ports = reader.groups("ports", read_port),
+      .second_tier = reader.part("second_tier", read_lanes),
       .engine = reader.part("engine", read_engine),
       .files = reader.read<std::vector<std::string>>("files", "a list of Verilog files"),
       .cells = {}};

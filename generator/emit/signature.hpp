@@ -99,6 +99,8 @@ struct Signature {
   /// The ports in the order of the module's header. The clock is aclk; aresetn is synchronous and
   /// active low; the initiation interval of a lane is one cycle.
   std::vector<SignaturePort> ports;
+  /// The lane behind each group of a pairwise engine; `count` is the number of such groups.
+  std::optional<SignatureLanes> second_tier = {};
   std::optional<SignatureEngine> engine;
   std::vector<std::string> files;  ///< Verilog, in compile order, relative to the signature
   /// Verilog that Yosys takes in place of some of `files` on the design's device.

@@ -17,23 +17,38 @@ namespace {
 using design::Design;
 using rtl::Module;
 
+SignatureLanes signature_lanes(const design::LaneGroup& group, const std::string& module,
+                               int latency_cycles) {
+  return {.count = group.count,
+          .module = module,
+          .format = design::format_name(group.lane),
+          .latency_cycles = latency_cycles,
+          .certified = design::is_certified(group.lane),
+          .decision = design::describe_criterion(group.lane),
+          .inputs = group.inputs,
+          .multipliers = group.multipliers};
+}
+
 std::vector<SignatureLanes> lanes_of(const Design& design, const rtl::SystemShape& shape) {
   // A pairwise engine's lanes share a segment in the place of channels.
   const bool in_channels = design.system.engine.kind != scene::EngineKind::pairwise;
   std::vector<SignatureLanes> lanes;
   for (std::size_t k = 0; k < design.lanes.size(); ++k) {
-    const design::LaneGroup& group = design.lanes[k];
-    lanes.push_back(
-        {.count = group.count,
-         .module = in_channels ? shape.lane_groups[k].channel : shape.lane_groups[k].datapath,
-         .format = design::format_name(group.lane),
-         .latency_cycles = shape.lane_groups[k].schedule.latency_cycles,
-         .certified = design::is_certified(group.lane),
-         .decision = design::describe_criterion(group.lane),
-         .inputs = group.inputs,
-         .multipliers = group.multipliers});
+    const rtl::DatapathGroup& built = shape.lane_groups[k];
+    lanes.push_back(signature_lanes(design.lanes[k], in_channels ? built.channel : built.datapath,
+                                    built.schedule.latency_cycles));
   }
   return lanes;
+}
+
+std::optional<SignatureLanes> second_tier_of(const Design& design,
+                                             const ScheduledSystem& scheduled) {
+  if (!design.second_tier) return std::nullopt;
+  const rtl::DatapathGroup& built = *scheduled.shape.second_tier;
+  SignatureLanes tier =
+      signature_lanes(*design.second_tier, built.datapath, built.schedule.latency_cycles);
+  tier.count = scheduled.pairwise->segment_count();
+  return tier;
 }
 
 std::vector<SignatureReferences> references_of(const Design& design,
@@ -255,6 +270,7 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
 
   GeneratedSystem system = {signature_of(design, scheduled), {}, slow_stages(scheduled.shape)};
   system.signature.spec_hash = spec_hash(modules, templates);
+  system.signature.second_tier = second_tier_of(design, scheduled);
   if (!scheduled.pairwise) {
     system.signature.ports = signature_ports(find_module(modules, scheduled.shape.top));
   }

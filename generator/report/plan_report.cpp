@@ -86,7 +86,7 @@ Json json_of(const PrecisionPlan& plan) {
                      {"lanes", plan.allocation()->lanes[k]},
                      {"throughput_per_s", optimise::throughput_per_s(lane.kind)},
                      {"recomputation_rate", lane.kind.recomputation_rate},
-                     {"area", json_of(lane.kind.area)}});
+                     {"area", json_of(lane.with_streams)}});
   }
   return {{"precision", s.precision},
           {"lanes", s.lanes},

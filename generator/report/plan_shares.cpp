@@ -24,17 +24,18 @@ Area difference(const Area& whole, const Area& part) {
 std::vector<PartShare> shares_of(const optimise::PrecisionPlan& plan) {
   const optimise::Allocation* chosen = plan.allocation();
   MIXCMP_CHECK(chosen != nullptr);
+  const bool in_engine =
+      plan.lanes.front().measured.key.kind == characterise::ComponentKind::segment;
   std::vector<PartShare> parts;
   Area streams, sum;
   for (std::size_t k = 0; k < plan.lanes.size(); ++k) {
     const optimise::LaneImplementation& lane = plan.lanes[k];
     const int count = chosen->lanes[k];
     if (count == 0) continue;
-    parts.push_back({fmt::format("{} x {}", count, lane.kind.name), count * lane.datapath()});
-    streams += count * difference(lane.with_streams, lane.datapath());
+    const Area datapaths = in_engine ? area_of(lane.kind, count) : count * lane.measured.area;
+    parts.push_back({fmt::format("{} x {}", count, lane.kind.name), datapaths});
+    streams += difference(area_of(lane.kind, count), datapaths);
   }
-  const bool in_engine =
-      plan.lanes.front().measured.key.kind == characterise::ComponentKind::segment;
   if (!in_engine) parts.push_back({"scoreboards of the lanes", streams});
   for (std::size_t k = 0; k < chosen->references.size(); ++k) {
     const int count = chosen->references[k];

@@ -151,6 +151,7 @@ nlohmann::json to_json(const Summary& summary) {
                          {"system", json_of_system(scene)},
                          {"lane_groups", json_of_groups(scene)},
                          {"notes", scene.notes}};
+  if (scene.second_tier) json["second_tier"] = json_of(*scene.second_tier);
   for (std::size_t k = 0; k < scene.ranges.size(); ++k) {
     json["inputs"].push_back({{"name", scene.graph.inputs()[k]},
                               {"range", json_of(scene.ranges[k])},

@@ -158,6 +158,7 @@ void print_understood(SectionList& page, const Scene& scene) {
   for (std::size_t k = 0; k < groups.size(); ++k) {
     print_reduced(page, groups.size() == 1 ? "reduced" : labels[k], groups[k].reduced);
   }
+  if (scene.second_tier) print_reduced(page, "second tier", *scene.second_tier);
   const SystemSpec& system = scene.system;
   page.section("system");
   page.line("device", fmt::format("{}, slack {}", system.device, system.slack));

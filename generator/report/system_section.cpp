@@ -12,11 +12,8 @@ std::string size_of(const page::Pipeline& pipeline, std::string_view from) {
                      from);
 }
 
-/// The lanes of group k as they are built; the inputs of those that read words are named as their
-/// ports.
-design::Lane built_lane(const BuiltSystem& system, std::size_t k) {
-  if (!system.scheduled.pairwise) return system.design.lanes[k].lane;
-  const rtl::WordLane& reading = system.scheduled.pairwise->words.lanes[k];
+/// A lane that reads words, its inputs named as its ports.
+design::Lane with_named_inputs(const rtl::WordLane& reading) {
   design::Lane lane = reading.lane;
   auto* const fixed = std::get_if<fixed::FixedLane>(&lane);
   if (fixed == nullptr) return lane;
@@ -24,6 +21,12 @@ design::Lane built_lane(const BuiltSystem& system, std::size_t k) {
     fixed->input_names.push_back(reading.ports[input].name);
   }
   return lane;
+}
+
+/// The lanes of group k as they are built.
+design::Lane built_lane(const BuiltSystem& system, std::size_t k) {
+  if (!system.scheduled.pairwise) return system.design.lanes[k].lane;
+  return with_named_inputs(system.scheduled.pairwise->words.lanes[k]);
 }
 
 /// The conversion of items, which lanes in fixed point leave to the engine around them.
@@ -49,6 +52,19 @@ void add_lanes(page::Section& section, const BuiltSystem& system) {
     section.content.push_back(page::heading("A lane in " + names[k]));
     section.content.push_back(page::figure(draw(pipeline), size_of(pipeline, from)));
   }
+}
+
+void add_second_tier(page::Section& section, const BuiltSystem& system) {
+  if (!system.design.second_tier) return;
+  const page::Pipeline pipeline =
+      schematic::lane_pipeline(with_named_inputs(*system.scheduled.pairwise->words.second_tier),
+                               system.scheduled.shape.second_tier->schedule);
+  const int lanes = system.design.system.engine.lanes_per_group;
+  section.content.push_back(page::heading("The second tier, a lane in " +
+                                          design::format_name(system.design.second_tier->lane)));
+  section.content.push_back(page::figure(
+      draw(pipeline), fmt::format("It decides again what a group of {} lanes leaves undecided. {}",
+                                  lanes, size_of(pipeline, "the words of two items"))));
 }
 
 void add_references(page::Section& section, const BuiltSystem& system) {
@@ -94,6 +110,7 @@ page::Section system_section(const IfThere<BuiltSystem>& there) {
       "unit with the format of its result; a dashed line is a value that waits in registers."));
   add_conversion(section, system);
   add_lanes(section, system);
+  add_second_tier(section, system);
   add_references(section, system);
   return section;
 }

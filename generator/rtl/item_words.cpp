@@ -28,12 +28,10 @@ public:
   ItemWords run() {
     split_lanes();
     if (words_.converts()) add_converted_fields();
-    std::size_t split = 0;
     for (const design::LaneGroup& group : design_.lanes) {
-      words_.lanes.push_back(splittable(group.lane) != nullptr
-                                 ? lane_of_fields(words_.split->lanes[split++])
-                                 : lane_of_columns(group.lane));
+      words_.lanes.push_back(word_lane(group.lane));
     }
+    if (design_.second_tier) words_.second_tier = word_lane(design_.second_tier->lane);
     return std::move(words_);
   }
 
@@ -43,6 +41,7 @@ private:
     for (const design::LaneGroup& group : design_.lanes) {
       if (const auto* lane = splittable(group.lane)) lanes.push_back(lane);
     }
+    if (design_.second_tier) lanes.push_back(splittable(design_.second_tier->lane));
     if (lanes.empty()) return;
     std::vector<fixed::ItemInput> inputs;
     for (const EngineShape::Source& source : engine_.sources) {
@@ -72,15 +71,22 @@ private:
     return words_.fields.size() - 1;
   }
 
-  LanePort port_of(std::size_t field, bool second) const {
+  LanePort port_of(std::size_t field, bool second, int dropped_bits = 0) const {
     const ItemWords::Field& bits = words_.fields[field];
-    return {bits.name + (second ? "_j" : "_i"), second, bits.low, bits.width};
+    return {bits.name + (second ? "_j" : "_i"), second, bits.low + dropped_bits,
+            bits.width - dropped_bits};
+  }
+
+  /// The lanes come in the order in which they were split.
+  WordLane word_lane(const design::Lane& lane) {
+    return splittable(lane) != nullptr ? lane_of_fields(words_.split->lanes[next_split_++])
+                                       : lane_of_columns(lane);
   }
 
   WordLane lane_of_fields(const fixed::FixedLane& lane) const {
     WordLane made{lane, {}};
     for (const fixed::LoadedInput& loaded : lane.loaded_inputs) {
-      made.ports.push_back(port_of(loaded.field, loaded.second));
+      made.ports.push_back(port_of(loaded.field, loaded.second, loaded.dropped_bits));
     }
     const std::size_t first_flag = words_.split->loader.outputs.size();
     for (const fixed::LoadedFlag& flag : fixed::flags_read(lane)) {
@@ -115,6 +121,7 @@ private:
   const EngineShape& engine_;
   NamePool names_;
   ItemWords words_;
+  std::size_t next_split_ = 0;
 };
 
 /// The multipliers of the conversion: those of the first lanes that are split. It has one datapath

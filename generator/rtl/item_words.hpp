@@ -42,6 +42,7 @@ struct ItemWords {
   datapath::Schedule schedule;
   std::vector<std::size_t> columns;  ///< those that the word holds as they arrive
   std::vector<WordLane> lanes;       ///< one per group of the design's lanes
+  std::optional<WordLane> second_tier;
 
   int bits() const { return fields.back().low + fields.back().width; }
   bool converts() const { return split.has_value(); }

@@ -11,11 +11,20 @@
 namespace mixcmp::rtl {
 namespace {
 
-/// Bits of the address of a queue with room for all beats that may still come when it says stop,
-/// and for four that wait.
-int queue_bits(int lane_latency_cycles) {
-  const int may_come = lane_latency_cycles + 3;
-  return std::bit_width(static_cast<unsigned>(may_come + 3));
+/// Beats that may wait in a queue. Before a second tier they come in bursts, which hold up the
+/// whole chain of segments where the queue is short (docs/performance.md).
+constexpr int few_beats = 4;
+constexpr int many_beats = 16;
+
+/// Cycles beside the lanes' latency in which a segment, or a second tier, may send beats after its
+/// queue has said stop.
+constexpr int segment_cycles = 3;
+constexpr int tier_cycles = 4;
+
+/// Bits of the address of a queue with room for the beats that may still come when it says stop,
+/// and for `waiting` beats.
+int queue_bits(int may_come, int waiting) {
+  return std::bit_width(static_cast<unsigned>(may_come + waiting - 1));
 }
 
 /// Bits of a word that no port of a lane reads.
@@ -35,28 +44,99 @@ std::vector<Operand> unread(const std::string& word, const WordLane& lane, bool 
   return slices;
 }
 
-/// One lane between the word that it holds and the one that passes.
-void add_lane(const SystemShape& system, const ItemWords& words, const SegmentGroup& segments,
-              std::vector<ModuleItem>& items) {
+/// Consumes the bits of a word that no port of a lane reads.
+void consume_unread(const std::string& word, const WordLane& lane, bool second, int bits,
+                    std::vector<ModuleItem>& items) {
+  std::vector<Operand> unused = unread(word, lane, second, bits);
+  if (unused.empty()) return;
+  unused.insert(unused.begin(), literal(1, 0));
+  items.push_back(Wire{1, "unused_" + word, all_bits(concatenation(std::move(unused)))});
+}
+
+/// A lane between the words `item_i` and `item_j`.
+Instance lane_instance(const std::string& module, const WordLane& lane, const std::string& item_i,
+                       const std::string& item_j, Operand verdict, Operand decided) {
+  std::vector<Connection> connections = {by_name("aclk")};
+  for (const LanePort& port : lane.ports) {
+    connections.push_back(
+        {port.name, slice(port.second ? item_j : item_i, port.low + port.width - 1, port.low)});
+  }
+  connections.push_back({"verdict", std::move(verdict)});
+  connections.push_back({"decided", std::move(decided)});
+  return {module, "lane", {}, std::move(connections)};
+}
+
+/// The segment's own lanes, each between the word that it holds and the one that passes.
+void add_lanes(const SystemShape& system, const ItemWords& words, const SegmentGroup& segments,
+               std::vector<ModuleItem>& items) {
   const int bits = words.bits();
   const WordLane& lane = words.lanes[segments.lane_group];
   std::vector<ModuleItem> body;
   body.push_back(Wire{bits, "item_i", indexed("held_words", "k", bits)});
-  std::vector<Operand> unused = unread("item_i", lane, false, bits);
-  if (!unused.empty()) {
-    unused.insert(unused.begin(), literal(1, 0));
-    body.push_back(Wire{1, "unused_item_i", all_bits(concatenation(std::move(unused)))});
-  }
-  std::vector<Connection> connections = {by_name("aclk")};
-  for (const LanePort& port : lane.ports) {
-    connections.push_back(
-        {port.name, slice(port.second ? "item_j" : "item_i", port.low + port.width - 1, port.low)});
-  }
-  connections.push_back({"verdict", indexed("verdicts", "k", verdict_bits)});
-  connections.push_back({"decided", indexed("decided", "k", 1)});
-  body.push_back(Instance{
-      system.lane_groups[segments.lane_group].datapath, "lane", {}, std::move(connections)});
+  consume_unread("item_i", lane, false, bits, body);
+  body.push_back(lane_instance(system.lane_groups[segments.lane_group].datapath, lane, "item_i",
+                               "item_j", indexed("verdicts", "k", verdict_bits),
+                               indexed("decided", "k", 1)));
   items.push_back(loop("k", 0, segments.lanes, "lanes", std::move(body)));
+}
+
+/// What the templates of a segment and of its second tier agree on.
+std::vector<Parameter> common_parameters(const EngineShape& engine, int lanes, int word_bits,
+                                         int lane_latency_cycles) {
+  return {{"LANES", lanes},
+          {"WORD_BITS", word_bits},
+          {"INDEX_BITS", engine.index_bits()},
+          {"LANE_LATENCY", lane_latency_cycles},
+          {"REPORT", engine.spec.report.mask()},
+          {"CODE_BITS", code_bits(engine.spec)},
+          {"COUNT", engine.spec.report_as == scene::ReportForm::count ? 1 : 0}};
+}
+
+/// The lane of more precision behind the segment's own ones, with what remembers their words.
+void add_second_tier(const SystemShape& system, const EngineShape& engine, const ItemWords& words,
+                     int lanes, std::vector<ModuleItem>& items) {
+  const int bits = words.bits();
+  const DatapathGroup& tier = *system.second_tier;
+  items.push_back(Comment{"What they leave undecided is decided again with more precision."});
+  for (const char* word : {"tier_item_i", "tier_item_j"}) {
+    items.push_back(Wire{bits, word, nullptr});
+  }
+  items.push_back(Wire{verdict_bits, "tier_verdict", nullptr});
+  items.push_back(Wire{1, "tier_decided", nullptr});
+  consume_unread("tier_item_i", *words.second_tier, false, bits, items);
+  consume_unread("tier_item_j", *words.second_tier, true, bits, items);
+  std::vector<Parameter> parameters =
+      common_parameters(engine, lanes, bits, tier.schedule.latency_cycles);
+  parameters.push_back(
+      {"QUEUE_BITS", queue_bits(tier.schedule.latency_cycles + tier_cycles, few_beats)});
+  parameters.push_back({"LANE_BITS", scene::index_bits_for(std::max(lanes, 2))});
+  std::vector<Connection> connections = clock_and_reset();
+  for (const char* part : {"tvalid", "tready", "tdata", "tlast"}) {
+    connections.push_back({std::string("s_axis_") + part, net(std::string("beat_") + part)});
+  }
+  connections.push_back({"item_i", net("tier_item_i")});
+  connections.push_back({"item_j", net("tier_item_j")});
+  connections.push_back({"verdict", net("tier_verdict")});
+  connections.push_back({"decided", net("tier_decided")});
+  append(connections, {"m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tlast"});
+  items.push_back(
+      Instance{"pair_tier", "second_tier", std::move(parameters), std::move(connections)});
+  Instance lane = lane_instance(tier.datapath, *words.second_tier, "tier_item_i", "tier_item_j",
+                                net("tier_verdict"), net("tier_decided"));
+  lane.name = "second_lane";
+  items.push_back(std::move(lane));
+}
+
+/// Declares the beats between a segment and its second tier, and names them in `connections`.
+void connect_tier(int beat_bits, std::vector<ModuleItem>& items,
+                  std::vector<Connection>& connections) {
+  items.push_back(Wire{1, "beat_tvalid", nullptr});
+  items.push_back(Wire{1, "beat_tready", nullptr});
+  items.push_back(Wire{beat_bits, "beat_tdata", nullptr});
+  items.push_back(Wire{1, "beat_tlast", nullptr});
+  for (const char* part : {"tvalid", "tready", "tdata", "tlast"}) {
+    connections.push_back({std::string("m_axis_") + part, net(std::string("beat_") + part)});
+  }
 }
 
 std::vector<Port> segment_ports(const EngineShape& engine, const ItemWords& words, int lanes) {
@@ -119,34 +199,32 @@ Module segment_module(const SystemShape& system, const EngineShape& engine, cons
   Module module = {segments.module, {}, segment_ports(engine, words, segments.lanes), {}};
   std::vector<ModuleItem>& items = module.items;
   const int bits = words.bits();
-  const int latency_cycles = system.lane_groups[segments.lane_group].schedule.latency_cycles;
+  const int lanes = segments.lanes;
   items.push_back(Wire{bits, "item_j", nullptr});
-  items.push_back(Wire{segments.lanes * bits, "held_words", nullptr, true});
-  items.push_back(Wire{segments.lanes * verdict_bits, "verdicts", nullptr, true});
-  items.push_back(Wire{segments.lanes, "decided", nullptr, true});
-  std::vector<Operand> unused = unread("item_j", words.lanes[segments.lane_group], true, bits);
-  if (!unused.empty()) {
-    unused.insert(unused.begin(), literal(1, 0));
-    items.push_back(Wire{1, "unused_item_j", all_bits(concatenation(std::move(unused)))});
-  }
+  items.push_back(Wire{lanes * bits, "held_words", nullptr, true});
+  items.push_back(Wire{lanes * verdict_bits, "verdicts", nullptr, true});
+  items.push_back(Wire{lanes, "decided", nullptr, true});
+  consume_unread("item_j", words.lanes[segments.lane_group], true, bits, items);
   std::vector<Connection> connections = clock_and_reset();
   append(connections, {"s_word_tvalid", "s_word_tready", "s_word_tdata", "m_word_tvalid",
                        "m_word_tready", "m_word_tdata"});
   connections.push_back({"passing_word", net("item_j")});
-  append(connections, {"held_words", "verdicts", "decided", "m_axis_tvalid", "m_axis_tready",
-                       "m_axis_tdata", "m_axis_tlast"});
-  items.push_back(Instance{"pair_segment",
-                           "segment",
-                           {{"LANES", segments.lanes},
-                            {"WORD_BITS", bits},
-                            {"INDEX_BITS", engine.index_bits()},
-                            {"LANE_LATENCY", latency_cycles},
-                            {"REPORT", engine.spec.report.mask()},
-                            {"CODE_BITS", code_bits(engine.spec)},
-                            {"COUNT", engine.spec.report_as == scene::ReportForm::count ? 1 : 0},
-                            {"QUEUE_BITS", queue_bits(latency_cycles)}},
-                           std::move(connections)});
-  add_lane(system, words, segments, items);
+  append(connections, {"held_words", "verdicts", "decided"});
+  const int latency_cycles = system.lane_groups[segments.lane_group].schedule.latency_cycles;
+  std::vector<Parameter> parameters = common_parameters(engine, lanes, bits, latency_cycles);
+  parameters.push_back({"QUEUE_BITS", queue_bits(latency_cycles + segment_cycles,
+                                                 system.second_tier ? many_beats : few_beats)});
+  if (system.second_tier) {
+    constexpr int flags = 2;  // first, stays
+    parameters.push_back({"TIERED", 1});
+    connect_tier(entry_bits(engine, lanes) + bits + flags, items, connections);
+  } else {
+    append(connections, {"m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tlast"});
+  }
+  items.push_back(
+      Instance{"pair_segment", "segment", std::move(parameters), std::move(connections)});
+  add_lanes(system, words, segments, items);
+  if (system.second_tier) add_second_tier(system, engine, words, lanes, items);
   return module;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,10 +25,12 @@ struct SystemShape {
   std::string top;
   std::vector<DatapathGroup> lane_groups;
   std::vector<DatapathGroup> reference_groups;  ///< none where p_H = 0
-  std::vector<std::string> input_ports;         ///< the datapaths' operand ports, in packing order
-  int input_width = 0;                          ///< bits of one operand
-  int lanes = 0;                                ///< p_L
-  int references = 0;                           ///< p_H
+  /// The lane behind each segment of a pairwise engine; none: undecided pairs leave the segment.
+  std::optional<DatapathGroup> second_tier;
+  std::vector<std::string> input_ports;  ///< the datapaths' operand ports, in packing order
+  int input_width = 0;                   ///< bits of one operand
+  int lanes = 0;                         ///< p_L
+  int references = 0;                    ///< p_H
   int tag_bits = 0;
   int slot_bits = 0;
   int counter_bits = 0;       ///< of each counter's output; 0: no counters

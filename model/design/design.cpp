@@ -267,6 +267,7 @@ Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
   Design design{.name = scene.name,
                 .inputs = scene.graph.inputs(),
                 .lanes = {},
+                .second_tier = {},
                 .reference = reference_graph(scene.graph, scene.reference),
                 .references = {},
                 .system = scene.system};
@@ -274,6 +275,8 @@ Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
     MIXCMP_TRY(group, design_group(scene, spec, data, measure));
     design.lanes.push_back(std::move(group));
   }
+  MIXCMP_TRY(second_tier, design_second_tier(scene));
+  design.second_tier = std::move(second_tier);
   for (const scene::ReferenceGroupSpec& spec : scene.reference_groups()) {
     if (!spec.count) {
       const int fewest = scene.system.engine.kind == scene::EngineKind::arg_min ? 1 : 0;
@@ -319,6 +322,7 @@ std::size_t Design::group_of_lane(int lane) const {
 }
 
 bool Design::certified() const {
+  if (second_tier && !is_certified(second_tier->lane)) return false;
   return std::all_of(lanes.begin(), lanes.end(),
                      [](const LaneGroup& group) { return is_certified(group.lane); });
 }
@@ -340,6 +344,19 @@ Result<Lane> design_lane(const scene::Scene& scene, const scene::ReducedSpec& re
       return as_lane(design_profiled_lane(scene, reduced, graph, data, measure));
   }
   MIXCMP_CHECK(false);
+}
+
+Result<std::optional<LaneGroup>> design_second_tier(const scene::Scene& scene) {
+  if (!scene.second_tier) return std::optional<LaneGroup>();
+  Result<LaneGroup> tier = design_group(
+      scene, {.count = 1, .reduced = *scene.second_tier, .place = {}}, nullptr, nullptr);
+  if (tier.ok()) return std::optional<LaneGroup>(std::move(tier).value());
+  constexpr std::string_view section = "reduced.";
+  Error error = tier.error();
+  if (error.field.starts_with(section)) {
+    error.field = "second_tier." + error.field.substr(section.size());
+  }
+  return error;
 }
 
 Result<Done> check_multipliers(const Lane& lane, scene::Multipliers multipliers) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "model/data/comparisons.hpp"
 #include "model/design/lane.hpp"
@@ -30,6 +31,9 @@ struct Design {
   std::string name;
   std::vector<std::string> inputs;  ///< names in the order in which operands are packed
   std::vector<LaneGroup> lanes;     ///< at least one
+  /// The lane that each group of a pairwise engine asks about a pair that its own lanes leave
+  /// undecided; none: a reference is asked at once.
+  std::optional<LaneGroup> second_tier;
   TypedGraph reference;
   std::vector<ReferenceGroup> references;  ///< empty: p_H = 0
   scene::SystemSpec system;
@@ -57,6 +61,9 @@ Result<Design> make_design(const scene::Scene& scene, const data::Comparisons* d
 Result<Lane> design_lane(const scene::Scene& scene, const scene::ReducedSpec& reduced,
                          const data::Comparisons* data, MeasureErrors measure = nullptr);
 
+/// Makes the lane of a scene's [second_tier]; none where it has no such section.
+Result<std::optional<LaneGroup>> design_second_tier(const scene::Scene& scene);
+
 /// Checks that a lane can have such multipliers: one that reads squares from memories is in fixed
 /// point, and its squares are narrow.
 Result<Done> check_multipliers(const Lane& lane, scene::Multipliers multipliers);
@@ -66,5 +73,13 @@ Result<Done> check_multipliers(const Lane& lane, scene::Multipliers multipliers)
 /// none.
 std::vector<std::string> lane_group_names(const Design& design);
 std::vector<std::string> reference_group_names(const Design& design);
+
+/// A lane of a design by the name of its group; "second_tier_q13" is that of the second tier.
+struct NamedLane {
+  std::string name;
+  const Lane* lane;
+};
+/// One for each group of lanes, then the second tier's, if there is one.
+std::vector<NamedLane> named_lanes(const Design& design);
 
 }  // namespace mixcmp::design

@@ -117,4 +117,15 @@ std::vector<std::string> reference_group_names(const Design& design) {
   return names;
 }
 
+std::vector<NamedLane> named_lanes(const Design& design) {
+  std::vector<NamedLane> lanes;
+  const std::vector<std::string> names = lane_group_names(design);
+  for (std::size_t k = 0; k < names.size(); ++k) lanes.push_back({names[k], &design.lanes[k].lane});
+  if (design.second_tier) {
+    const Lane& lane = design.second_tier->lane;
+    lanes.push_back({"second_tier_" + format_name(lane), &lane});
+  }
+  return lanes;
+}
+
 }  // namespace mixcmp::design

@@ -119,10 +119,11 @@ struct FixedPart {
 };
 
 /// An input of a lane whose operands were loaded before, see ItemSplit: an integer of its node's
-/// format, which is a field of the word of one of the two items.
+/// format, which is a field of the word of one of the two items, or the upper bits of one.
 struct LoadedInput {
   bool second;                     ///< of item j; else of item i
   std::size_t field;               ///< of the word
+  int dropped_bits;                ///< low bits of the field that are not the input's
   std::vector<std::size_t> flags;  ///< of the word; any: what the field was made of does not fit
 
   friend bool operator==(const LoadedInput&, const LoadedInput&) = default;

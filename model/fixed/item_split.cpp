@@ -48,6 +48,7 @@ public:
                           .parts = {}},
                .flags = {},
                .lanes = {}} {
+    for (const FixedLane* lane : lanes) note_finest(*lane);
     for (const FixedLane* lane : lanes) split_.lanes.push_back(split_lane(*lane));
   }
 
@@ -57,6 +58,31 @@ public:
   }
 
 private:
+  /// Operands of one column that are below the same power of two, with the same sign: rounded down
+  /// to whatever unit, each is the upper bits of a finer one.
+  struct Operand {
+    int column;
+    int top;
+    bool is_signed;
+
+    friend auto operator<=>(const Operand&, const Operand&) = default;
+  };
+
+  Operand operand_of(const FixedNode& input) const {
+    const FixedFormat& format = input.format;
+    return {inputs_[input.input].column, format.unit_exponent + format.magnitude_bits(),
+            format.is_signed};
+  }
+
+  void note_finest(const FixedLane& lane) {
+    for (const FixedNode& node : lane.nodes) {
+      if (node.operation != Operation::input) continue;
+      FixedNode& finest = finest_.emplace(operand_of(node), node).first->second;
+      if (node.format.width > finest.format.width) finest = node;
+      finest.input = inputs_[node.input].column;
+    }
+  }
+
   /// The rest of a lane, whose loaded inputs have no flags yet.
   FixedLane split_lane(const FixedLane& lane) {
     MIXCMP_CHECK(!lane.format.is_block);
@@ -118,7 +144,7 @@ private:
 
   /// The node that stands for a field of the word.
   FixedNode loaded(const FixedLane& lane, NodeId id, bool second, FixedLane& rest) {
-    const NodeId made = loader_node(lane, id);
+    const NodeId made = is_input(lane, id) ? finest_input(lane.nodes[id]) : loader_node(lane, id);
     std::vector<NodeId>& fields = split_.loader.outputs;
     auto field = std::find(fields.begin(), fields.end(), made);
     if (field == fields.end()) field = fields.insert(fields.end(), made);
@@ -129,18 +155,44 @@ private:
     node.dropped_bits = 0;
     node.input = static_cast<int>(rest.loaded_inputs.size());
     rest.loaded_inputs.push_back(
-        {.second = second, .field = static_cast<std::size_t>(field - fields.begin()), .flags = {}});
+        {.second = second,
+         .field = static_cast<std::size_t>(field - fields.begin()),
+         .dropped_bits = split_.loader.nodes[made].format.width - node.format.width,
+         .flags = {}});
     return node;
+  }
+
+  static bool is_input(const FixedLane& lane, NodeId id) {
+    return lane.nodes[id].operation == Operation::input;
   }
 
   /// The node of the loader that computes of an item's columns what `id` computes; one for all that
   /// compute the same.
   NodeId loader_node(const FixedLane& lane, NodeId id) {
     FixedNode node = lane.nodes[id];
-    if (node.operation == Operation::input) node.input = inputs_[node.input].column;
+    if (node.operation == Operation::input) return upper_bits(finest_input(node), node);
     for (int k = 0; k < arity(node.operation); ++k) {
       node.operands[k] = loader_node(lane, node.operands[k]);
     }
+    return add_once(std::move(node));
+  }
+
+  NodeId finest_input(const FixedNode& input) { return add_once(finest_.at(operand_of(input))); }
+
+  /// The loader's node that has the format of `input`, of an operand in its finest format.
+  NodeId upper_bits(NodeId finest, const FixedNode& input) {
+    const int dropped = split_.loader.nodes[finest].format.width - input.format.width;
+    if (dropped == 0) return finest;
+    FixedNode cut = input;
+    cut.operation = Operation::convert;
+    cut.operands = {finest, -1};
+    cut.input = -1;
+    cut.conversion = Conversion::cut;
+    cut.dropped_bits = dropped;
+    return add_once(std::move(cut));
+  }
+
+  NodeId add_once(FixedNode node) {
     std::vector<FixedNode>& nodes = split_.loader.nodes;
     const auto known = std::find(nodes.begin(), nodes.end(), node);
     if (known != nodes.end()) return static_cast<NodeId>(known - nodes.begin());
@@ -155,7 +207,7 @@ private:
       for (const NodeId id : fan_in(lane, lane.parts[part].difference)) {
         const FixedNode& node = lane.nodes[id];
         if (node.operation != Operation::input) continue;
-        affected_[loader_node(lane, id)][inputs_[node.input].second ? 1 : 0].emplace(number, part);
+        affected_[finest_input(node)][inputs_[node.input].second ? 1 : 0].emplace(number, part);
       }
     }
   }
@@ -184,6 +236,7 @@ private:
 
   const std::vector<ItemInput>& inputs_;
   ItemSplit split_;
+  std::map<Operand, FixedNode> finest_;
   std::map<NodeId, Affected> affected_;  ///< [input of the loader]
 };
 

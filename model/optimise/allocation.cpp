@@ -29,6 +29,8 @@ void check(const AllocationProblem& problem) {
   for (const LaneKind& lane : problem.lanes) {
     MIXCMP_CHECK(is_possible(lane));
     MIXCMP_CHECK(lane.recomputation_rate >= 0 && lane.recomputation_rate <= 1);
+    // Only pooled references serve groups: others count the lanes of each.
+    MIXCMP_CHECK(lane.group == 1 || problem.sharing == ReferenceSharing::pooled);
   }
   for (const ReferenceKind& reference : problem.references) {
     MIXCMP_CHECK(is_possible(reference));
@@ -219,7 +221,8 @@ private:
     for (int references = 0; references <= found.reference_count(); ++references) {
       AllocationProgram wanted = exact_program(problem_, {clock, references, lanes});
       for (std::size_t k = 0; !alike && k < found.lanes.size(); ++k) {
-        wanted.program.columns[k].lower = wanted.program.columns[k].upper = found.lanes[k];
+        const int groups = found.lanes[k] / problem_.lanes[k].group;
+        wanted.program.columns[k].lower = wanted.program.columns[k].upper = groups;
       }
       if (const auto plan = cheapest(wanted)) return *plan;
     }
@@ -244,6 +247,10 @@ private:
 };
 
 }  // namespace
+
+devices::Area area_of(const LaneKind& kind, int lanes) {
+  return lanes / kind.group * kind.area;
+}
 
 double asked_per_cycle(const LaneKind& lane) {
   return lane.recomputation_rate / lane.initiation_interval;

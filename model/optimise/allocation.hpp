@@ -16,14 +16,18 @@
 /// highest throughput.
 namespace mixcmp::optimise {
 
-/// One way to build a lane. Its area includes the scoreboard around the lane.
+/// One way to build a lane. Its area includes the scoreboard around the lane. Lanes of an engine
+/// come in whole groups, which share what is around them.
 struct LaneKind {
   std::string name;               ///< "s12e8 exact relative embedded"
   double clock_hz = 0;            ///< the highest that it runs at
   int initiation_interval = 1;    ///< cycles from one comparison to the next
   double recomputation_rate = 0;  ///< R_R
-  devices::Area area;             ///< C(L)
+  devices::Area area;             ///< C(L), of a whole group
+  int group = 1;                  ///< lanes of a group: a plan has a multiple of them
 };
+/// The area of `lanes` such lanes, a multiple of the group.
+devices::Area area_of(const LaneKind& kind, int lanes);
 
 struct ReferenceKind {
   std::string name;             ///< "s53e8 embedded ii16"

@@ -65,8 +65,12 @@ private:
 
   Sum all_lanes() const {
     Sum sum;
-    for (int k = 0; k < lane_kinds(); ++k) sum.push_back({lane_column(k), 1});
+    for (int k = 0; k < lane_kinds(); ++k) sum.push_back(of_group(k, 1));
     return sum;
+  }
+  /// The term of a kind of lanes, each of which counts `one`: a column counts groups.
+  IntegerProgram::Term of_group(int kind, double one) const {
+    return {lane_column(kind), problem_.lanes[kind].group * one};
   }
   Sum all_references(double coefficient) const {
     Sum sum;
@@ -80,7 +84,8 @@ private:
       const bool usable =
           kinds_.has_lane(k) && (most_references > 0 || lane.recomputation_rate == 0);
       program().comments.push_back(fmt::format("lanes_{}: {}", k, lane.name));
-      program().add_column(fmt::format("lanes_{}", k), 0, usable ? problem_.max_lanes : 0);
+      program().add_column(fmt::format("lanes_{}", k), 0,
+                           usable ? problem_.max_lanes / lane.group : 0);
     }
     for (int k = 0; k < reference_kinds(); ++k) {
       program().comments.push_back(
@@ -108,7 +113,7 @@ private:
     result_.objective_per_s = fastest / objective_scale;
     for (int k = 0; k < lane_kinds(); ++k) {
       program().objective.push_back(
-          {lane_column(k), kinds_.lane_throughput_per_s(k) / result_.objective_per_s});
+          of_group(k, kinds_.lane_throughput_per_s(k) / result_.objective_per_s));
     }
   }
 
@@ -128,7 +133,7 @@ private:
     if (most == std::numeric_limits<double>::infinity()) return;
     Sum sum;
     for (int k = 0; k < lane_kinds(); ++k) {
-      sum.push_back({lane_column(k), asked_per_cycle(problem_.lanes[k]) / most});
+      sum.push_back(of_group(k, asked_per_cycle(problem_.lanes[k]) / most));
     }
     program().add_row("recomputations_per_cycle", std::move(sum), Relation::at_most, 1);
   }
@@ -136,7 +141,7 @@ private:
   void add_total_load() {
     if (!kinds_.some_reference()) return;
     Sum sum;
-    for (int k = 0; k < lane_kinds(); ++k) sum.push_back({lane_column(k), kinds_.load(k)});
+    for (int k = 0; k < lane_kinds(); ++k) sum.push_back(of_group(k, kinds_.load(k)));
     for (int k = 0; k < reference_kinds(); ++k)
       sum.push_back({reference_column(k), -kinds_.capacity(k)});
     program().add_row("equation_10", std::move(sum), Relation::at_most, 0);
@@ -183,7 +188,8 @@ private:
       Sum sum;
       for (const auto& [column, coefficient] : used_[r]) {
         const bool lane = column < lane_kinds();
-        sum.push_back({column, coefficient + (lane ? tangent.slope : tangent.offset)});
+        const double lanes = lane ? problem_.lanes[column].group : 0;
+        sum.push_back({column, coefficient + (lane ? lanes * tangent.slope : tangent.offset)});
       }
       program().add_row(fmt::format("{}_{}", devices::bounded_resources[r].name, number++),
                         std::move(sum), Relation::at_most, static_cast<double>(room_[r]));
@@ -257,7 +263,9 @@ private:
 Counts AllocationProgram::counts(const AllocationProblem& problem,
                                  const std::vector<int>& columns) const {
   const auto lanes_end = columns.begin() + static_cast<std::ptrdiff_t>(problem.lanes.size());
-  return {{columns.begin(), lanes_end},
+  std::vector<int> lanes;
+  for (const LaneKind& kind : problem.lanes) lanes.push_back(kind.group * columns[lanes.size()]);
+  return {std::move(lanes),
           {lanes_end, lanes_end + static_cast<std::ptrdiff_t>(problem.references.size())}};
 }
 

@@ -76,7 +76,8 @@ std::optional<EngineArea> engine_area(const characterise::Characterisation& tabl
   area.own = changed(small, [&](int amount, auto resource) {
     return std::max(0, amount - fewest * (each.*resource));
   });
-  area.lane = share(segment.area + each, segment.key.ports);
+  area.group = segment.area + each;
+  area.lane = share(area.group, segment.key.ports);
   limit(area.mhz, *engines.largest);
   if (!is_converted(segment.key)) return area;
   ComponentKey key = segment.key;

@@ -11,9 +11,9 @@ namespace mixcmp::optimise {
 
 /// What a pairwise engine takes of a device beside its references.
 struct EngineArea {
-  devices::Area own;  ///< conversion, loading, recomputation, reports: whatever its lanes
-  devices::Area
-      lane;  ///< a lane with its share of a segment and of the merge behind it, rounded up
+  devices::Area own;          ///< conversion, loading, recomputation, reports: whatever its lanes
+  devices::Area group;        ///< a segment with its share of the merge behind it
+  devices::Area lane;         ///< a lane with its share of both, rounded up
   std::optional<double> mhz;  ///< the lowest clock of these parts; none if none was measured
 };
 

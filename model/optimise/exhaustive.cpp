@@ -5,17 +5,17 @@
 namespace mixcmp::optimise {
 namespace {
 
-/// The next vector of counts whose sum is at most `most`, in the order of an odometer; false after
-/// the last.
-bool advance(std::vector<int>& counts, int& sum, int most) {
-  for (int& count : counts) {
-    if (sum < most) {
-      ++count;
-      ++sum;
+/// The next vector of counts, each a multiple of its step, whose sum is at most `most`, in the
+/// order of an odometer; false after the last.
+bool advance(std::vector<int>& counts, const std::vector<int>& steps, int& sum, int most) {
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    if (sum + steps[k] <= most) {
+      counts[k] += steps[k];
+      sum += steps[k];
       return true;
     }
-    sum -= count;
-    count = 0;
+    sum -= counts[k];
+    counts[k] = 0;
   }
   return false;
 }
@@ -24,6 +24,9 @@ bool advance(std::vector<int>& counts, int& sum, int most) {
 
 AllocationResult allocate_exhaustively(const AllocationProblem& problem) {
   std::optional<Allocation> best;
+  std::vector<int> groups;
+  for (const LaneKind& kind : problem.lanes) groups.push_back(kind.group);
+  const std::vector<int> ones(problem.references.size(), 1);
   Counts counts{std::vector<int>(problem.lanes.size(), 0), {}};
   int lanes = 0;
   do {
@@ -32,8 +35,8 @@ AllocationResult allocate_exhaustively(const AllocationProblem& problem) {
     do {
       const std::optional<Allocation> plan = plan_of(problem, counts);
       if (plan && (!best || is_better(*plan, *best))) best = plan;
-    } while (advance(counts.references, references, problem.max_references));
-  } while (advance(counts.lanes, lanes, problem.max_lanes));
+    } while (advance(counts.references, ones, references, problem.max_references));
+  } while (advance(counts.lanes, groups, lanes, problem.max_lanes));
   if (!best) return explain_infeasible(problem);
   return *best;
 }

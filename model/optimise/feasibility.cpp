@@ -96,7 +96,7 @@ bool fits(const AllocationProblem& problem, const Amounts& demand) {
 devices::Area area_used(const AllocationProblem& problem, const Counts& counts) {
   devices::Area used = problem.communication.fixed;
   for (std::size_t k = 0; k < counts.lanes.size(); ++k) {
-    used += counts.lanes[k] * problem.lanes[k].area;
+    used += area_of(problem.lanes[k], counts.lanes[k]);
   }
   for (std::size_t k = 0; k < counts.references.size(); ++k) {
     used += counts.references[k] * problem.references[k].area;
@@ -151,7 +151,7 @@ void add(Amounts& sum, int count, const devices::Area& area) {
 std::optional<Amounts> demand_of(const AllocationProblem& problem, const Counts& counts) {
   Amounts demand = amounts_of(problem.communication.fixed);
   for (std::size_t k = 0; k < counts.lanes.size(); ++k) {
-    add(demand, counts.lanes[k], problem.lanes[k].area);
+    add(demand, counts.lanes[k] / problem.lanes[k].group, problem.lanes[k].area);
   }
   for (std::size_t k = 0; k < counts.references.size(); ++k) {
     add(demand, counts.references[k], problem.references[k].area);

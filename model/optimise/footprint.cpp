@@ -114,7 +114,8 @@ std::optional<Amounts> measured_engine(const design::Design& design,
     std::set<std::string> missing;
     const std::optional<EngineArea> engine = engine_area(table, *segment, missing);
     if (!engine) return std::nullopt;
-    add(lanes, group.count, engine->lane);
+    const int groups = (group.count + segment->key.ports - 1) / segment->key.ports;
+    add(lanes, groups, engine->group);
     const Amounts needed = amounts_of(engine->own);
     for (std::size_t r = 0; r < own.size(); ++r) own[r] = std::max(own[r], needed[r]);
   }

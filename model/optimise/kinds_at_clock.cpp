@@ -49,6 +49,7 @@ KindsAtClock::KindsAtClock(const AllocationProblem& problem, double clock_per_s)
     return lanes_[a].throughput_per_s >= lanes_[b].throughput_per_s &&
            lanes_[a].asked_per_s <= lanes_[b].asked_per_s &&
            asked_per_cycle(problem.lanes[a]) <= asked_per_cycle(problem.lanes[b]) &&
+           problem.lanes[a].group == problem.lanes[b].group &&
            takes_no_more(problem.lanes[a].area, problem.lanes[b].area);
   });
   drop_replaceable(references_, [&](std::size_t a, std::size_t b) {

@@ -8,6 +8,7 @@
 
 #include "model/optimise/crossover.hpp"
 #include "model/optimise/problem_maker.hpp"
+#include "model/optimise/second_tier.hpp"
 #include "model/performance/performance.hpp"
 
 namespace mixcmp::optimise {
@@ -165,7 +166,8 @@ Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& 
                               const characterise::Characterisation& table, const Rates& rates,
                               const OptimiseOptions& options) {
   MIXCMP_TRY(possible, check_options(options));
-  ProblemMaker maker(scene, table, rates, options);
+  MIXCMP_TRY(second_tier, second_tier_rate_key(scene));
+  ProblemMaker maker(scene, table, rates, options, second_tier);
   if (maker.precisions().empty()) return no_lane(scene);
   if (!maker.has_references()) return nothing_to_choose_from(scene, "reference");
   Optimisation all{.scene = scene.name,

@@ -8,6 +8,7 @@
 #include "model/design/slots.hpp"
 #include "model/number/lane_format.hpp"
 #include "model/optimise/engine_area.hpp"
+#include "model/optimise/second_tier.hpp"
 #include "model/performance/performance.hpp"
 #include "model/performance/streams.hpp"
 #include "model/profile/schemes.hpp"
@@ -32,6 +33,12 @@ std::string lane_name(const characterise::ComponentKey& key) {
     if (!trait.empty()) name += " " + trait;
   }
   return name;
+}
+
+/// Lanes in fixed point have one rate for all kinds of inputs, so theirs are not named.
+std::string name_of(const RateKey& key) {
+  const std::string bound = scene::to_string(key.bound);
+  return key.bound.is_fixed_point() ? bound : fmt::format("{} {}", to_string(key.inputs), bound);
 }
 
 std::string reference_name(const characterise::ComponentKey& key) {
@@ -68,8 +75,9 @@ devices::Area between(const devices::Area& low, const devices::Area& high, int p
 }  // namespace
 
 ProblemMaker::ProblemMaker(const scene::Scene& scene, const characterise::Characterisation& table,
-                           const Rates& rates, const OptimiseOptions& options)
-    : scene_(scene), table_(table), rates_(rates), options_(options) {
+                           const Rates& rates, const OptimiseOptions& options,
+                           const std::optional<RateKey>& second_tier)
+    : scene_(scene), table_(table), rates_(rates), options_(options), second_tier_(second_tier) {
   communication_.fixed = options.fixed_communication.value_or(devices::Area{});
   sort_rows();
   leave_out_untimed();
@@ -279,15 +287,29 @@ double ProblemMaker::clock_of(const characterise::Measurement& row,
   return std::min(mhz, crossbar_mhz_);
 }
 
+/// How often a lane asks a reference, itself or by the second tier behind it; none where that is
+/// not known, or where the second tier would not keep up.
+std::optional<Rate> ProblemMaker::rate_of(const RateKey& lane) {
+  const auto known = [&](const RateKey& key) {
+    const std::optional<Rate> rate = rates_.find(key);
+    if (!rate) notes_.insert(fmt::format("{}: no recomputation rate is known", name_of(key)));
+    return rate;
+  };
+  const std::optional<Rate> rate = known(lane);
+  if (!rate || !second_tier_) return rate;
+  const int lanes = scene_.system.engine.lanes_per_group;
+  if (keeps_up(*rate, lanes)) return known(*second_tier_);
+  left_out_ = fmt::format(
+      "{} lanes leave more than {} pairs a cycle undecided, too many for one of the second tier",
+      lanes, most_undecided_per_cycle);
+  return std::nullopt;
+}
+
 void ProblemMaker::add_lane(PrecisionPlan& plan, const characterise::Measurement& row,
                             const characterise::Measurement* fifo) {
   const RateKey key{row.key.inputs.value_or(LaneInputs::exact), *row.key.bound, plan.precision};
-  const std::optional<Rate> rate = rates_.find(key);
-  if (!rate) {
-    notes_.insert(fmt::format("{}{}{}: no recomputation rate is known", to_string(row.key.inputs),
-                              row.key.inputs ? " " : "", scene::to_string(row.key.bound)));
-    return;
-  }
+  const std::optional<Rate> rate = rate_of(key);
+  if (!rate) return;
   if (performance::highest_lane_throughput(rate->value()) < 1) {
     left_out_ = "every lane leaves more than half undecided: references alone are faster";
     return;
@@ -300,14 +322,20 @@ void ProblemMaker::add_lane(PrecisionPlan& plan, const characterise::Measurement
   plan.lanes.push_back({row,
                         lane->area,
                         *rate,
-                        {lane_name(row.key), mhz * hertz_per_mhz, 1, rate->value(), lane->area}});
+                        {.name = lane_name(row.key),
+                         .clock_hz = mhz * hertz_per_mhz,
+                         .initiation_interval = 1,
+                         .recomputation_rate = rate->value(),
+                         .area = lane->group,
+                         .group = lane->lanes}});
 }
 
 std::optional<ProblemMaker::Surrounded> ProblemMaker::with_fifo(
     const characterise::Measurement& lane, const characterise::Measurement* fifo) {
-  if (fifo == nullptr) return Surrounded{lane.area, {}};
+  if (fifo == nullptr) return Surrounded{lane.area, lane.area, 1, {}};
   const auto mhz = fifo->clock ? std::optional(fifo->clock->mhz) : std::nullopt;
-  return Surrounded{lane.area + fifo->area, mhz};
+  const devices::Area area = lane.area + fifo->area;
+  return Surrounded{area, area, 1, mhz};
 }
 
 /// What an engine takes by itself goes into the plan's communication: the most that any of the
@@ -321,7 +349,7 @@ std::optional<ProblemMaker::Surrounded> ProblemMaker::in_segment(
     if (options_.fixed_communication) break;
     own.*resource.amount = std::max(own.*resource.amount, engine->own.*resource.amount);
   }
-  return Surrounded{engine->lane, engine->mhz};
+  return Surrounded{engine->lane, engine->group, segment.key.ports, engine->mhz};
 }
 
 /// A reference with the streams around it. Tables of systems whose lanes take streams may lack

@@ -11,8 +11,10 @@ namespace mixcmp::optimise {
 /// Collects the rows of a characterisation into one allocation problem per precision.
 class ProblemMaker {
 public:
+  /// `second_tier`: the lanes of the engine's second tier; none where it has none.
   ProblemMaker(const scene::Scene& scene, const characterise::Characterisation& table,
-               const Rates& rates, const OptimiseOptions& options);
+               const Rates& rates, const OptimiseOptions& options,
+               const std::optional<RateKey>& second_tier);
 
   /// The precisions for which the table has lanes, with the options at hand.
   std::vector<int> precisions() const;
@@ -49,11 +51,14 @@ private:
 
   double clock_of(const characterise::Measurement& row, const std::optional<double>& given,
                   const std::optional<double>& streams_mhz);
+  std::optional<Rate> rate_of(const RateKey& lane);
   void add_lane(PrecisionPlan& plan, const characterise::Measurement& row,
                 const characterise::Measurement* fifo);
   /// A lane with the streams around it, or its share of a segment.
   struct Surrounded {
-    devices::Area area;
+    devices::Area area;                 ///< of a lane, rounded up
+    devices::Area group;                ///< of the lanes that share it
+    int lanes;                          ///< of a group
     std::optional<double> streams_mhz;  ///< the clock of what is around it, where that is measured
   };
   std::optional<Surrounded> in_segment(PrecisionPlan& plan,
@@ -68,6 +73,7 @@ private:
   const characterise::Characterisation& table_;
   const Rates& rates_;
   const OptimiseOptions& options_;
+  const std::optional<RateKey> second_tier_;
   std::map<int, Rows> lanes_;
   Rows references_;
   Communication communication_;

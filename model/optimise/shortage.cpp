@@ -39,7 +39,7 @@ Counts smallest_system(const AllocationProblem& problem, std::size_t lane,
                        const ReferenceKind* reference, int references) {
   Counts counts{std::vector<int>(problem.lanes.size(), 0),
                 std::vector<int>(problem.references.size(), 0)};
-  counts.lanes[lane] = 1;
+  counts.lanes[lane] = problem.lanes[lane].group;
   if (reference != nullptr) counts.references[reference - problem.references.data()] = references;
   return counts;
 }

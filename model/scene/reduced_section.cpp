@@ -185,6 +185,27 @@ Result<std::vector<LaneGroupSpec>> read_lane_groups(const settings::Settings& se
   return groups;
 }
 
+Result<std::optional<ReducedSpec>> read_second_tier(const settings::Settings& settings,
+                                                    FloatFormat reference, EngineKind engine) {
+  settings::Section section(settings, "second_tier");
+  if (!section.present()) return std::optional<ReducedSpec>();
+  ReducedSpec spec;
+  section.require("format");
+  read_lane_keys(section, reference, spec);
+  if (const auto error = section.finish()) return *error;
+  if (!spec.fixed_point || spec.fixed_point->is_block) {
+    return section.mistake("format", "a second tier is a lane in fixed point", spec.format_name(),
+                           "qW, such as q13");
+  }
+  switch (engine) {
+    case EngineKind::none: return std::optional<ReducedSpec>();
+    case EngineKind::pairwise: return std::optional<ReducedSpec>(std::move(spec));
+    case EngineKind::arg_min: break;
+  }
+  return section.mistake("format", "the arg-min engine has lanes of one tier", spec.format_name(),
+                         "no [second_tier], or engine.kind = \"pairwise\"");
+}
+
 Result<std::vector<ReferenceGroupSpec>> read_reference_groups(
     const settings::Settings& settings, const ReferenceStructureSpec& defaults) {
   MIXCMP_TRY(tables, read_groups(settings, "references"));

@@ -25,9 +25,9 @@ namespace mixcmp::scene {
 namespace {
 
 Result<Done> check_section_names(const settings::Settings& settings) {
-  const std::vector<std::string> names = {"comparison", "variant", "let",   "inputs",
-                                          "reference",  "reduced", "lanes", "references",
-                                          "system",     "engine",  "data"};
+  const std::vector<std::string> names = {"comparison", "variant", "let",    "inputs",
+                                          "reference",  "reduced", "lanes",  "second_tier",
+                                          "references", "system",  "engine", "data"};
   for (const settings::Setting& entry : settings.root.entries) {
     if (std::find(names.begin(), names.end(), entry.key) != names.end()) continue;
     const bool is_section = std::holds_alternative<settings::Setting::Table>(entry.value);
@@ -317,6 +317,7 @@ Result<Scene> interpret(SceneSettings read) {
     for (std::string& note : pairing_notes(graph, data->pairing)) notes.push_back(std::move(note));
   }
   MIXCMP_TRY(engine, read_engine(settings, graph.inputs(), data));
+  MIXCMP_TRY(second_tier, read_second_tier(settings, format, engine.kind));
   Scene scene{.path = settings.path,
               .name = comparison.name,
               .variant = formulations.all[formulations.chosen].variant,
@@ -330,6 +331,7 @@ Result<Scene> interpret(SceneSettings read) {
               .reference_structure = reference.structure,
               .reduced = std::move(lanes.reduced),
               .lanes = std::move(lanes.groups),
+              .second_tier = std::move(second_tier),
               .references = std::move(references),
               .system = with_engine(std::move(system), engine),
               .data = std::move(data),

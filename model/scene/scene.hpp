@@ -154,7 +154,10 @@ struct Scene {
   Arithmetic reference;           ///< rounds to nearest even
   ReferenceStructureSpec reference_structure;  ///< of the references without [[references]]
   ReducedSpec reduced;
-  std::vector<LaneGroupSpec> lanes;            ///< [[lanes]]; empty: system.lanes times `reduced`
+  std::vector<LaneGroupSpec> lanes;  ///< [[lanes]]; empty: system.lanes times `reduced`
+  /// [second_tier]: the lane that each group of a pairwise engine asks before a reference; none:
+  /// undecided pairs go to a reference at once.
+  std::optional<ReducedSpec> second_tier;
   std::vector<ReferenceGroupSpec> references;  ///< [[references]]; empty: system.references
   SystemSpec system;
   std::optional<data::DataSpec> data;

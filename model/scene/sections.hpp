@@ -66,6 +66,11 @@ Result<std::vector<LaneGroupSpec>> read_lane_groups(const settings::Settings& se
                                                     FloatFormat reference,
                                                     const ReducedSpec& defaults);
 
+/// Reads [second_tier], which has the keys of [reduced]; none where there is no such section, or no
+/// engine that could have it.
+Result<std::optional<ReducedSpec>> read_second_tier(const settings::Settings& settings,
+                                                    FloatFormat reference, EngineKind engine);
+
 /// Reads the keys that [reference] and [[references]] share.
 void read_structure(settings::Section& section, ReferenceStructureSpec& structure);
 

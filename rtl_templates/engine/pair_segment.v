@@ -6,11 +6,11 @@
 // where the same happens. So the lanes of the whole chain hold the words base, base + 1, ..., and
 // each later word meets each of them once.
 // Only exceptions leave, by a queue: a beat for a word with at least one pair that is undecided or
-// whose verdict is in REPORT (bit v: verdict v). Its code for lane k: the top bit says that the
-// pair is reported, the bits below give its verdict (if CODE_BITS = 3; with 2 there is one verdict
-// that is reported, and they are 0); without the top bit, 1 says undecided and 0 nothing.
+// whose verdict is in REPORT (bit v: verdict v). It has a code for each lane (pair_code).
 // The word that closes a set goes through the lanes as all others do, and leaves as the beat with
 // tlast. COUNT = 1: reported pairs do not leave; that beat carries their number in place of a tag.
+// TIERED = 1: a beat carries its word, too, and each word that is the first of its block or that
+// stays leaves a beat, so that a pair_tier knows what the lanes hold.
 // Lanes never wait: no word is taken unless the queue has room for all that may still come. A word
 // that is on offer to the next segment has had its room set aside, and stays on offer.
 // Interval 1, latency 3 to the next segment. Reset forgets all.
@@ -24,6 +24,7 @@ module pair_segment #(
   parameter REPORT = 11,
   parameter CODE_BITS = 3,
   parameter COUNT = 0,
+  parameter TIERED = 0,
   parameter QUEUE_BITS = 5     // the queue holds 2^QUEUE_BITS beats, more than LANE_LATENCY + 3
 ) (
   input  wire                                  aclk,
@@ -40,18 +41,14 @@ module pair_segment #(
   input  wire [LANES-1:0]                      decided,
   output wire                                  m_axis_tvalid,
   input  wire                                  m_axis_tready,
-  output wire [2*INDEX_BITS+LANES*CODE_BITS-1:0] m_axis_tdata,  // {codes, index j, index base}
+  // {codes, index j, index base}; TIERED: {first, stays, word j} above
+  output wire [2*INDEX_BITS+LANES*CODE_BITS+TIERED*(WORD_BITS+2)-1:0] m_axis_tdata,
   output wire                                  m_axis_tlast
 );
 
   localparam TAG_BITS   = 2 * INDEX_BITS;
   localparam CODES_BITS = LANES * CODE_BITS;
-  // A beat may come of each word in the lanes, of the one before them, and of the one that is taken
-  // while the occupancy is late by a cycle.
-  localparam MOST_QUEUED = (1 << QUEUE_BITS) - (LANE_LATENCY + 3);
-  localparam [QUEUE_BITS+1:0] MOST = MOST_QUEUED[QUEUE_BITS+1:0];
-  localparam [QUEUE_BITS+1:0] NONE = 0;
-  localparam [QUEUE_BITS+1:0] ONE  = 1;
+  localparam WORD_PART  = (TIERED != 0) ? WORD_BITS + 2 : 0;
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
@@ -67,17 +64,8 @@ module pair_segment #(
     if (LANE_LATENCY < 0) begin : g_refused_lane_latency
       LANE_LATENCY_is_below_0 refused ();
     end
-    if ((REPORT >> 4) != 0) begin : g_refused_report
-      REPORT_is_not_0_to_15 refused ();
-    end
-    if ((CODE_BITS != 3) && ((CODE_BITS != 2) || ((REPORT & (REPORT - 1)) != 0)))
-    begin : g_refused_code_bits
-      CODE_BITS_is_not_3_nor_2_for_one_verdict refused ();
-    end
-    if ((QUEUE_BITS < 1) || (QUEUE_BITS > 30)) begin : g_refused_queue_bits
-      QUEUE_BITS_is_not_1_to_30 refused ();
-    end else if ((1 << QUEUE_BITS) <= LANE_LATENCY + 3) begin : g_refused_queue
-      QUEUE_BITS_is_too_small_for_LANE_LATENCY refused ();
+    if ((TIERED != 0) && (TIERED != 1)) begin : g_refused_tiered
+      TIERED_is_not_0_or_1 refused ();
     end
   endgenerate
 
@@ -108,14 +96,14 @@ module pair_segment #(
   // Lanes are filled from the lowest up.
   reg  [LANES-1:0] holds_q;
   reg              passed_q;  // the word before went on to the next segment
-  reg              room_q;    // in the queue
+  wire             room;      // in the queue
   wire [LANES-1:0] holds  = holds_q & {LANES{!word_first}};
   wire [LANES:0]   filled = {holds, 1'b1};  // bit k: all lanes below k hold a word
   wire             stays  = word_stays && !word_close && !filled[LANES];
   wire [LANES-1:0] fills  = filled[LANES-1:0] & ~holds & {LANES{stays}};
 
-  assign step          = word_valid && room_q && (stays || m_word_tready);
-  assign m_word_tvalid = word_valid && room_q && !stays;
+  assign step          = word_valid && room && (stays || m_word_tready);
+  assign m_word_tvalid = word_valid && room && !stays;
   assign m_word_tdata  =
       {word_close, word_first || !passed_q, word_stays, word_meets, word_index, word};
 
@@ -207,21 +195,20 @@ module pair_segment #(
   // Exceptions.
   wire [LANES-1:0]      reported;
   wire [CODES_BITS-1:0] codes;
-  wire [3:0]            reports = REPORT[3:0];
 
   generate
     for (k = 0; k < LANES; k = k + 1) begin : g_code
-      wire [1:0] verdict   = verdicts[2*k +: 2];
-      wire       undecided = met[k] && !decided[k];
-      wire       leaves    = reported[k] && (COUNT == 0);
-
-      assign reported[k] = met[k] && decided[k] && reports[verdict];
-
-      if (CODE_BITS == 2) begin : g_one_verdict
-        assign codes[2*k +: 2] = {leaves, undecided};
-      end else begin : g_any_verdict
-        assign codes[3*k +: 3] = leaves ? {1'b1, verdict} : {2'b00, undecided};
-      end
+      pair_code #(
+        .REPORT   (REPORT),
+        .CODE_BITS(CODE_BITS),
+        .COUNT    (COUNT)
+      ) code_of_lane (
+        .met     (met[k]),
+        .decided (decided[k]),
+        .verdict (verdicts[2*k +: 2]),
+        .reported(reported[k]),
+        .code    (codes[k*CODE_BITS +: CODE_BITS])
+      );
     end
   endgenerate
 
@@ -230,6 +217,8 @@ module pair_segment #(
 
   generate
     if (COUNT == 0) begin : g_no_count
+      wire unused_reported = ^reported;
+
       assign tag = {index, base_q};
     end else begin : g_count
       reg [TAG_BITS-1:0] count_q;
@@ -255,40 +244,56 @@ module pair_segment #(
     end
   endgenerate
 
-  wire push = answered && (closes || (codes != {CODES_BITS{1'b0}}));
-  wire pop  = m_axis_tvalid && m_axis_tready;
-  wire unused_ready;
+  // What a pair_tier reads of the word.
+  wire                               informs;
+  wire [CODES_BITS+TAG_BITS+WORD_PART-1:0] beat;
 
-  stream_fifo #(
-    .WIDTH     (1 + CODES_BITS + TAG_BITS),
-    .DEPTH_BITS(QUEUE_BITS)
+  generate
+    if (TIERED == 0) begin : g_no_tier
+      assign informs = 1'b0;
+      assign beat    = {codes, tag};
+    end else begin : g_tier
+      wire                 stayed;
+      wire [WORD_BITS-1:0] answered_word;
+      reg                  stays_q;
+
+      always @(posedge aclk) begin
+        if (step) begin
+          stays_q <= stays;
+        end
+      end
+
+      delay_line #(
+        .WIDTH (WORD_BITS + 1),
+        .LENGTH(LANE_LATENCY)
+      ) passing_beside_lanes (
+        .aclk(aclk),
+        .d   ({stays_q, passing_q}),
+        .q   ({stayed, answered_word})
+      );
+
+      assign informs = starts || stayed;
+      assign beat    = {starts, stayed, answered_word, codes, tag};
+    end
+  endgenerate
+
+  // A beat may come of each word in the lanes, of the one before them, and of the one that is taken
+  // while the occupancy is late by a cycle.
+  exception_queue #(
+    .WIDTH     (1 + CODES_BITS + TAG_BITS + WORD_PART),
+    .DEPTH_BITS(QUEUE_BITS),
+    .MAY_COME  (LANE_LATENCY + 3)
   ) exceptions (
     .aclk         (aclk),
     .aresetn      (aresetn),
-    .s_axis_tvalid(push),
-    .s_axis_tready(unused_ready),
-    .s_axis_tdata ({closes, codes, tag}),
+    .on_offer     (m_word_tvalid && !m_word_tready),
+    .room         (room),
+    .push         (answered && (closes || informs || (codes != {CODES_BITS{1'b0}}))),
+    .beat         ({closes, beat}),
     .m_axis_tvalid(m_axis_tvalid),
     .m_axis_tready(m_axis_tready),
     .m_axis_tdata ({m_axis_tlast, m_axis_tdata})
   );
-
-  reg [QUEUE_BITS+1:0] queued_q;
-
-  always @(posedge aclk) begin
-    if (!aresetn) begin
-      queued_q <= NONE;
-      room_q   <= 1'b1;
-    end else begin
-      if (push && !pop) begin
-        queued_q <= queued_q + ONE;
-      end
-      if (pop && !push) begin
-        queued_q <= queued_q - ONE;
-      end
-      room_q <= (queued_q <= MOST) || (m_word_tvalid && !m_word_tready);
-    end
-  end
 
 endmodule
 

@@ -49,4 +49,10 @@ inline FloatFormat format(const char* name) {
   return FloatFormat::parse(name).value();
 }
 
+/// The lane in fixed point for operands in [0, 100].
+inline fixed::FixedLane fixed_spheres(FixedPoint point, FloatFormat reference) {
+  const std::vector<std::optional<Range>> ranges(8, Range{0, 100});
+  return fixed::fixed_lane(sphere_graph(), reference, {.format = point, .ranges = ranges}).value();
+}
+
 }  // namespace mixcmp::test

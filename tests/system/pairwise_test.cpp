@@ -123,6 +123,56 @@ TEST(PairwiseSystemOf, FoldedReferencesBesideAWholeOne) {
       capacity - 1);
 }
 
+/// First lanes of `first` and, behind groups of four of them, one of `second` bits; 0: none.
+design::Design tiers(int lanes, int first, int second) {
+  design::Design design = spheres(lanes, 1);
+  const FloatFormat reference = design.reference.input_format;
+  design.lanes.front().lane = fixed_spheres({.bits = first}, reference);
+  if (second > 0) design.second_tier = {.lane = fixed_spheres({.bits = second}, reference)};
+  design.system.engine.lanes_per_group = 4;
+  return design;
+}
+
+TEST(PairwiseSystemOf, ASecondTierSparesReferencesWhatItDecides) {
+  const auto recomputations = [](int first, int second) {
+    const design::Design design = tiers(9, first, second);
+    const verilator_tb::VerifyReport report =
+        simulate(design, random_spheres(design, capacity), {});
+    expect_passed(report, capacity);
+    return report.recomputations;
+  };
+  const std::uint64_t both = recomputations(5, 8);
+  EXPECT_GT(both, 0u);
+  EXPECT_LE(both, recomputations(8, 0));
+  EXPECT_LT(3 * both, recomputations(5, 0));
+}
+
+TEST(PairwiseSystemOf, TwoTiersUnderStallsAndResetsInEveryFormOfReport) {
+  for (const scene::ReportForm form :
+       {scene::ReportForm::pairs, scene::ReportForm::bitmap, scene::ReportForm::count}) {
+    SCOPED_TRACE(to_string(form));
+    design::Design design = tiers(10, 4, 7);
+    design.system.engine.report = {Verdict::less};
+    design.system.engine.report_as = form;
+    design.lanes.push_back(design.lanes.front());
+    design.lanes.back().lane = spheres(1, 1).lanes.front().lane;
+    const verilator_tb::VerifyReport report =
+        simulate(design, random_spheres(design, capacity),
+                 {.traffic = verilator_tb::TrafficKind::stressed, .traffic_seed = 8, .resets = 3});
+    EXPECT_TRUE(report.passed()) << to_text(report);
+    EXPECT_GT(report.recomputations, 0u);
+  }
+}
+
+TEST(PairwiseSystemOf, TwoTiersOfTiesWithoutAReferenceInIcarus) {
+  design::Design design = tiers(3, 5, 8);
+  design.references.clear();
+  expect_passed(simulate(design, grid_spheres(design, 23),
+                         {.simulator = verilator_tb::SimulatorKind::icarus,
+                          .traffic = verilator_tb::TrafficKind::stressed}),
+                23);
+}
+
 /// Rows `first` to first + count - 1 of a table.
 data::Table part_of(const data::Table& table, std::size_t first, std::size_t count) {
   const std::size_t width = table.columns.size();
@@ -233,14 +283,14 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Fault{"last_block", "mixcmp_pair_walker.v", ": next_base_q + ONE;",
               ": next_base_q + STEP;"},
-        Fault{"report_kind", "mixcmp_pair_segment.v", "reports[verdict]", "reports[2'b01]"},
+        Fault{"report_kind", "mixcmp_pair_code.v", "reports[verdict]", "reports[2'b01]"},
         Fault{"refetched_items", "mixcmp_pairwise_engine.v",
               ".j_address   (fetch_addresses[INDEX_BITS +: INDEX_BITS])",
               ".j_address   (fetch_addresses[INDEX_BITS-1:0])"},
         Fault{"closing_beat", "mixcmp_pair_recomputation.v", "&& (outstanding_q == NONE)", ""},
         Fault{"counter", "mixcmp_pairwise_engine.v", "&& !m_axis_tlast[s])", ")"},
-        Fault{"report_kind_in_icarus", "mixcmp_pair_segment.v", "reports[verdict]",
-              "reports[2'b01]", verilator_tb::SimulatorKind::icarus},
+        Fault{"report_kind_in_icarus", "mixcmp_pair_code.v", "reports[verdict]", "reports[2'b01]",
+              verilator_tb::SimulatorKind::icarus},
         Fault{"unknown_after_reset_in_icarus", "mixcmp_report_output.v",
               "m_valid_q <= 1'b0;\n    end else if", "end else if",
               verilator_tb::SimulatorKind::icarus}),

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "model/data/uniform_spheres.hpp"
+#include "model/golden/fixed_evaluate.hpp"
 #include "model/performance/pairwise.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
@@ -24,6 +25,7 @@ struct Load {
   int interval;  ///< of the references
   const char* lane_format;
   double radius_max;
+  int second_tier = 0;  ///< its bits; 0: none. First lanes are then in fixed point of four bits.
 };
 
 design::Design design_of(const Load& load) {
@@ -34,7 +36,24 @@ design::Design design_of(const Load& load) {
                                               .capacity = 1024,
                                               .report = {Verdict::less},
                                               .report_streams = load.streams});
+  if (load.second_tier > 0) {
+    const FloatFormat reference = design.reference.input_format;
+    design.lanes.front().lane = fixed_spheres({.bits = 4}, reference);
+    design.second_tier = {.lane = fixed_spheres({.bits = load.second_tier}, reference)};
+  }
   return design;
+}
+
+/// Pairs that the first lanes leave undecided.
+std::uint64_t left_undecided(const design::Design& design, const data::Comparisons& comparisons) {
+  const auto& lane = std::get<fixed::FixedLane>(design.lanes.front().lane);
+  std::uint64_t count = 0;
+  std::vector<Bits> operands(comparisons.input_count());
+  for (std::uint64_t k = 0; k < comparisons.size(); ++k) {
+    comparisons.fetch(k, operands);
+    if (!golden::evaluate_lane(lane, operands).decided) ++count;
+  }
+  return count;
 }
 
 performance::PairwiseSet set_of(const Load& load, const verilator_tb::VerifyReport& report) {
@@ -61,10 +80,14 @@ TEST_P(PairwiseThroughput, IsThePredictedOne) {
   const data::Table table =
       data::uniform_spheres({.count = items, .side = 100, .radius_max = load.radius_max, .seed = 3},
                             design.reference.input_format);
-  const auto report =
-      simulate(design, data::Comparisons::all_pairs(table, design.inputs).value(), {});
+  const data::Comparisons pairs = data::Comparisons::all_pairs(table, design.inputs).value();
+  const auto report = simulate(design, pairs, {});
   ASSERT_TRUE(report.passed()) << to_text(report);
-  const double predicted = performance::pairwise_cycles(set_of(load, report));
+  performance::PairwiseSet set = set_of(load, report);
+  if (design.second_tier) {
+    set.decided_again = left_undecided(design, pairs) / static_cast<unsigned>(set.segments);
+  }
+  const double predicted = performance::pairwise_cycles(set);
   EXPECT_NEAR(static_cast<double>(report.cycles), predicted, tolerance * predicted)
       << to_text(report);
 }
@@ -76,7 +99,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Load{"ManyReportsBesideEachOther", 16, 2, 1, 1, "s12e8", 25},
                     Load{"AFoldedReference", 16, 2, 1, 16, "s8e8", 20},
                     Load{"FoldedReferencesBesideEachOther", 16, 2, 3, 16, "s6e8",
-                         20}),  // references
+                         20},                                           // references
+                    Load{"ASecondTier", 16, 2, 1, 1, "s12e8", 10, 11},  // words
+                    Load{"ASecondTierAskedTooOften", 16, 2, 1, 1, "s12e8", 60, 11}),
     [](const auto& load) { return std::string(load.param.name); });
 
 }  // namespace

@@ -13,18 +13,12 @@
 namespace mixcmp::test::expected_words_test {
 namespace {
 
-fixed::FixedLane fixed_spheres(FixedPoint format) {
-  const std::vector<std::optional<Range>> ranges(8, Range{0, 100});
-  return fixed::fixed_lane(sphere_graph(), test::format("s24e8"),
-                           {.format = format, .ranges = ranges})
-      .value();
-}
-
 /// Lanes of all number systems; three references of two makes.
 design::Design every_kind_of_lane() {
   design::Design design = mixed_sphere_design();
-  design.lanes.push_back({.lane = fixed_spheres({.bits = 9}), .count = 2});
-  design.lanes.push_back({.lane = fixed_spheres({.bits = 7, .is_block = true}), .count = 1});
+  design.lanes.push_back({.lane = fixed_spheres({.bits = 9}, format("s24e8")), .count = 2});
+  design.lanes.push_back(
+      {.lane = fixed_spheres({.bits = 7, .is_block = true}, format("s24e8")), .count = 1});
   return design;
 }
 
@@ -73,9 +67,22 @@ TEST(ExpectedWords, AreThoseOfTheGoldenModel) {
   expect_words_of_golden_model(every_kind_of_lane());
 }
 
+TEST(ExpectedWords, OfTwoTiersAreThoseOfTheGoldenModel) {
+  design::Design design = every_kind_of_lane();
+  design.second_tier = {.lane = fixed_spheres({.bits = 11}, format("s24e8"))};
+  expect_words_of_golden_model(design);
+}
+
+TEST(ExpectedWords, OfASecondTierBeyondADoubleAreLeftToTheGoldenModel) {
+  design::Design design = every_kind_of_lane();
+  const data::Comparisons comparisons = spheres(3);
+  design.second_tier = {.lane = fixed_spheres({.bits = 40}, format("s24e8"))};
+  EXPECT_FALSE(verilator_tb::ExpectedWords(design, comparisons).emulates(0));
+}
+
 TEST(ExpectedWords, OfIntegersBeyondADoubleAreLeftToTheGoldenModel) {
   design::Design design = mixed_sphere_design();
-  design.lanes.push_back({.lane = fixed_spheres({.bits = 40}), .count = 1});
+  design.lanes.push_back({.lane = fixed_spheres({.bits = 40}, format("s24e8")), .count = 1});
   const data::Comparisons comparisons = spheres(3);
   const verilator_tb::ExpectedWords expected(design, comparisons);
   EXPECT_TRUE(expected.emulates(0));

@@ -66,6 +66,33 @@ TEST(ItemSplit, WhatOneItemDecidesIsComputedOnce) {
   }
 }
 
+/// A field holds an operand in the finest format; the other lane reads its upper bits. What the
+/// coarser lane computes of one item alone is computed of these.
+TEST(ItemSplit, LanesOfTwoFormatsShareAnOperand) {
+  const Graph graph = graph_of("(ai - aj)^2", "bi^2");
+  const FixedLane coarse = lane_of(graph, 5, {-4, 4}), fine = lane_of(graph, 9, {-4, 4});
+  const std::vector<ItemInput> inputs = {{0, false}, {0, true}, {1, false}};
+  const ItemSplit split = fixed::split_by_item({&coarse, &fine}, inputs, {"a", "b"});
+  EXPECT_EQ(split.loader.outputs.size(), 5u) << "a, and b^2 and |b| of either";
+  EXPECT_EQ(split.flags.size(), 2u) << "of a and of b, whatever the lane";
+  EXPECT_EQ(split.lanes[0].loaded_inputs[0].dropped_bits, 4);
+  EXPECT_EQ(split.lanes[1].loaded_inputs[0].dropped_bits, 0);
+  for (const char* a : {"-4", "-3.3", "-0.01", "-0", "0", "1.7", "3.99", "1e-9"}) {
+    const std::vector<const char*> item = {a, "1.3"};
+    const auto word = integers_of(split.loader, item);
+    for (const auto& [lane, whole] :
+         {std::pair(&split.lanes[0], &coarse), std::pair(&split.lanes[1], &fine)}) {
+      const auto values = integers_of(*whole, {a, a, "1.3"});
+      for (const fixed::LoadedInput& loaded : lane->loaded_inputs) {
+        mpz_class value = word[split.loader.outputs[loaded.field]].value();
+        mpz_fdiv_q_2exp(value.get_mpz_t(), value.get_mpz_t(),
+                        static_cast<mp_bitcnt_t>(loaded.dropped_bits));
+        EXPECT_NE(std::find(values.begin(), values.end(), value), values.end()) << a;
+      }
+    }
+  }
+}
+
 TEST(ItemSplit, EachSetOfPartsHasAFlag) {
   const Split made = split_of(
       graph_of({{"ai", "aj"}, {"bi", "bj"}, {"ai + ci", "bj"}}, Combination::any), 6, {0, 9});

@@ -93,6 +93,15 @@ TEST(Allocation, IsTheBestOfEverythingInRandomProblems) {
   EXPECT_LT(feasible, 400);
 }
 
+TEST(Allocation, OfGroupsIsTheBestOfEverythingInRandomProblems) {
+  RandomProblems problems(17);
+  int feasible = 0;
+  for (int number = 0; number < 300; ++number) {
+    feasible += expect_same(problems.next_of_groups(), number) ? 1 : 0;
+  }
+  EXPECT_GT(feasible, 100);
+}
+
 TEST(Allocation, IsTheSameEveryTime) {
   RandomProblems problems(12);
   for (int number = 0; number < 40; ++number) {

@@ -48,6 +48,28 @@ protected:
               [](const auto& a, const auto& b) { return a.key < b.key; });
   }
 
+  void give_second_tier() {
+    scene_.ranges.assign(8, Range{0, 100});
+    scene_.second_tier = scene::ReducedSpec{.fixed_point = FixedPoint{.bits = 13}};
+  }
+
+  /// Undecided of a million: by lanes of 8 and 10 digits, and by the second tier of 13.
+  static optimise::Rates rates_of_tiers(const std::map<int, std::uint64_t>& undecided) {
+    optimise::Rates rates = rates_of(undecided);
+    profile::RateProfile tier{.comparisons = 1'000'000};
+    tier.schemes.push_back({.name = "fixed_norm",
+                            .bound = scene::parse_bound_choice("fixed_norm").value(),
+                            .kind = profile::SchemeKind::certified,
+                            .counts = {},
+                            .reason = {}});
+    for (int precision = 4; precision <= 16; ++precision) {
+      tier.schemes.back().counts.push_back(
+          {.exists = precision == 13, .undecided = undecided.at(13)});
+    }
+    rates.raise_to(optimise::Rates::of({tier}));
+    return rates;
+  }
+
   std::string refusal() const {
     const auto found = optimise::optimise(scene_, device_, table_, rates_, options_);
     return found.ok() ? "nothing" : found.error().to_string();
@@ -57,8 +79,9 @@ protected:
 TEST_F(EnginePlan, ALaneTakesItsShareOfASegmentAndOfTheMergeBehindIt) {
   const Optimisation found = optimise_now();
   const auto& plan = found.plans.front();
-  EXPECT_EQ(plan.lanes.front().kind.area.luts, (801 + 20 + lanes - 1) / lanes);
-  EXPECT_EQ(plan.lanes.front().kind.area.dsps, 2);
+  EXPECT_EQ(plan.lanes.front().kind.area.luts, 801 + 20) << "of a whole group";
+  EXPECT_EQ(plan.lanes.front().with_streams.luts, (801 + 20 + lanes - 1) / lanes);
+  EXPECT_EQ(plan.lanes.front().with_streams.dsps, 2);
 }
 
 TEST_F(EnginePlan, WhatTheEngineTakesByItselfIsCountedOnce) {
@@ -69,7 +92,8 @@ TEST_F(EnginePlan, WhatTheEngineTakesByItselfIsCountedOnce) {
   const Allocation& chosen = *plan.allocation();
   int sum = 500 - 4 * 20;
   for (std::size_t k = 0; k < plan.lanes.size(); ++k) {
-    sum += chosen.lanes[k] * plan.lanes[k].kind.area.luts;
+    EXPECT_EQ(chosen.lanes[k] % lanes, 0) << "whole groups";
+    sum += chosen.lanes[k] / lanes * plan.lanes[k].kind.area.luts;
   }
   for (std::size_t k = 0; k < chosen.references.size(); ++k) {
     sum += chosen.references[k] * plan.problem.references[k].area.luts;
@@ -104,7 +128,7 @@ TEST_F(EnginePlan, LanesAskForNoMoreRecomputationsThanTheMemoryStarts) {
   const Optimisation found = optimise_now();
   const auto& plan = found.plans.front();
   ASSERT_NE(plan.allocation(), nullptr);
-  EXPECT_EQ(plan.allocation()->lane_count(), 25);  // 25 x 0.04 <= 1 < 26 x 0.04
+  EXPECT_EQ(plan.allocation()->lane_count(), 24);  // 24 x 0.04 <= 1 < 32 x 0.04
 }
 
 TEST_F(EnginePlan, MayHaveMoreLanesThanASystemOfStreams) {
@@ -117,8 +141,8 @@ TEST_F(EnginePlan, AnEngineToBeGeneratedIsHeldAgainstTheSameAreas) {
   design.system.engine = scene_.system.engine;
   const optimise::Footprint footprint = optimise::footprint_of(design, &table_, device_);
   EXPECT_TRUE(footprint.measured);
-  EXPECT_EQ(footprint.amounts[0],
-            17 * ((801 + 20 + lanes - 1) / lanes) + 500 - 4 * 20 + 2 * (3000 + 70));
+  EXPECT_EQ(footprint.amounts[0], 3 * (801 + 20) + 500 - 4 * 20 + 2 * (3000 + 70))
+      << "the third group has one lane, and is counted whole";
 }
 
 TEST_F(EnginePlan, SegmentsOfOtherSizesAreNotTaken) {
@@ -135,6 +159,31 @@ TEST_F(EnginePlan, ATableWithoutAPartIsRefused) {
     std::erase_if(table_.rows, [&](const auto& row) { return row.key.kind == kind; });
     EXPECT_NE(refusal().find(words), std::string::npos) << refusal();
   }
+}
+
+/// The second tier asks references for one pair in a million, whatever its first lanes leave.
+TEST_F(EnginePlan, ReferencesAreAskedAtTheRateOfTheSecondTier) {
+  give_second_tier();
+  rates_ = rates_of_tiers({{8, 20'000}, {10, 100}, {13, 1}});
+  device_.available = {.luts = 1'000'000, .registers = 1'000'000, .dsps = 10'000};
+  const Optimisation found = optimise_now();
+  const optimise::PrecisionPlan& plan = *found.best();
+  EXPECT_EQ(plan.precision, 8) << "its lanes are the smaller ones";
+  EXPECT_DOUBLE_EQ(plan.recomputation_rate(), 1e-6);
+  EXPECT_GT(plan.allocation()->lane_count(), 1000) << "50 would ask for a pair a cycle";
+}
+
+TEST_F(EnginePlan, AFirstTierThatLeavesTooMuchIsLeftOut) {
+  give_second_tier();
+  rates_ = rates_of_tiers({{8, 101'000}, {10, 99'000}, {13, 1}});
+  const Optimisation found = optimise_now();
+  EXPECT_EQ(found.best()->precision, 10) << "8 x 0.099 < 0.8 < 8 x 0.101";
+}
+
+TEST_F(EnginePlan, ASecondTierNeedsAKnownRate) {
+  give_second_tier();
+  rates_ = rates_of({{8, 20'000}, {10, 100}});
+  EXPECT_NE(refusal(), "nothing");
 }
 
 TEST_F(EnginePlan, TheEnginesClockLimitsItsLanes) {

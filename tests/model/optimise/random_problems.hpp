@@ -34,6 +34,14 @@ public:
     return problem;
   }
 
+  /// A problem whose lanes come in groups.
+  optimise::AllocationProblem next_of_groups() {
+    optimise::AllocationProblem problem = next();
+    problem.sharing = optimise::ReferenceSharing::pooled;
+    for (optimise::LaneKind& lane : problem.lanes) lane.group = number(1, 4);
+    return problem;
+  }
+
 private:
   int number(int low, int high) { return std::uniform_int_distribution(low, high)(engine_); }
   bool chance(double part) { return std::bernoulli_distribution(part)(engine_); }

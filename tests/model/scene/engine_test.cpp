@@ -152,6 +152,35 @@ TEST_F(EngineSection, MistakesAreToldInOneLine) {
             "received nothing; accepted pairs = \"all\" or pairs = \"cross\"");
 }
 
+TEST_F(EngineSection, ASecondTierIsALaneInFixedPoint) {
+  const std::string engine = "[engine]\nkind = \"pairwise\"\n";
+  EXPECT_FALSE(load(engine)->second_tier.has_value());
+  const scene::Scene scene =
+      load(engine + "[second_tier]\nformat = \"q13\"\nmultipliers = \"logic\"\n").value();
+  ASSERT_TRUE(scene.second_tier.has_value());
+  EXPECT_EQ(scene.second_tier->format_name(), "q13");
+  EXPECT_EQ(scene.second_tier->multipliers, scene::Multipliers::logic);
+  const std::string accepted = "; accepted qW, such as q13";
+  EXPECT_EQ(
+      error(engine + "[second_tier]\nformat = \"s17e8\"\n"),
+      ":10: second_tier.format: a second tier is a lane in fixed point: received s17e8" + accepted);
+  EXPECT_EQ(error(engine + "[second_tier]\nformat = \"block9\"\n"),
+            ":10: second_tier.format: a second tier is a lane in fixed point: received block9" +
+                accepted);
+  EXPECT_NE(error(engine + "[second_tier]\nmultipliers = \"logic\"\n").find("second_tier.format"),
+            std::string::npos);
+  EXPECT_NE(error(engine + "[second_tier]\nformat = \"q13\"\nwidth = 3\n").find("unknown"),
+            std::string::npos);
+}
+
+TEST_F(EngineSection, OnlyAPairwiseEngineHasASecondTier) {
+  const std::string tier = "[second_tier]\nformat = \"q13\"\n";
+  EXPECT_FALSE(load("[engine]\nkind = \"none\"\n" + tier)->second_tier.has_value());
+  EXPECT_NE(error("[engine]\nkind = \"arg_min\"\n" + tier, "f = \"xi - y\"\ng = \"xj\"\n")
+                .find("second_tier.format: the arg-min engine has lanes of one tier"),
+            std::string::npos);
+}
+
 TEST_F(EngineSection, InputsMustBeColumnsOfTwoItems) {
   EXPECT_EQ(error("[engine]\nkind = \"pairwise\"\n", "f = \"x\"\ng = \"yj\"\n"),
             ":8: engine.kind: the pairwise engine compares item i with item j: received the input "

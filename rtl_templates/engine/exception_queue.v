@@ -1,0 +1,80 @@
+// exception_queue: a FIFO behind a pipeline that cannot wait. `room` says that one more word may
+// enter the pipeline: the FIFO has place for what comes of it, even if something comes of each of
+// the MAY_COME words that are on their way when `room` falls. While `on_offer` is 1, `room` stays as
+// it is where it is 1: a word that is on offer elsewhere has had its place set aside.
+// Holds 2^DEPTH_BITS beats, more than MAY_COME. Latency 2, one beat per cycle. Reset empties it.
+`default_nettype none
+
+module exception_queue #(
+  parameter WIDTH = 8,
+  parameter DEPTH_BITS = 5,
+  parameter MAY_COME = 11
+) (
+  input  wire             aclk,
+  input  wire             aresetn,
+  input  wire             on_offer,
+  output wire             room,
+  input  wire             push,
+  input  wire [WIDTH-1:0] beat,
+  output wire             m_axis_tvalid,
+  input  wire             m_axis_tready,
+  output wire [WIDTH-1:0] m_axis_tdata
+);
+
+  localparam MOST_QUEUED = (1 << DEPTH_BITS) - MAY_COME;
+  localparam [DEPTH_BITS+1:0] MOST = MOST_QUEUED[DEPTH_BITS+1:0];
+  localparam [DEPTH_BITS+1:0] NONE = 0;
+  localparam [DEPTH_BITS+1:0] ONE  = 1;
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (MAY_COME < 1) begin : g_refused_may_come
+      MAY_COME_is_below_1 refused ();
+    end
+    if ((DEPTH_BITS < 1) || (DEPTH_BITS > 30)) begin : g_refused_depth_bits
+      DEPTH_BITS_is_not_1_to_30 refused ();
+    end else if ((1 << DEPTH_BITS) <= MAY_COME) begin : g_refused_depth
+      DEPTH_BITS_is_too_small_for_MAY_COME refused ();
+    end
+  endgenerate
+
+  wire pop = m_axis_tvalid && m_axis_tready;
+  wire unused_ready;
+
+  stream_fifo #(
+    .WIDTH     (WIDTH),
+    .DEPTH_BITS(DEPTH_BITS)
+  ) beats (
+    .aclk         (aclk),
+    .aresetn      (aresetn),
+    .s_axis_tvalid(push),
+    .s_axis_tready(unused_ready),
+    .s_axis_tdata (beat),
+    .m_axis_tvalid(m_axis_tvalid),
+    .m_axis_tready(m_axis_tready),
+    .m_axis_tdata (m_axis_tdata)
+  );
+
+  reg [DEPTH_BITS+1:0] queued_q;
+  reg                  room_q;
+
+  assign room = room_q;
+
+  always @(posedge aclk) begin
+    if (!aresetn) begin
+      queued_q <= NONE;
+      room_q   <= 1'b1;
+    end else begin
+      if (push && !pop) begin
+        queued_q <= queued_q + ONE;
+      end
+      if (pop && !push) begin
+        queued_q <= queued_q - ONE;
+      end
+      room_q <= (queued_q <= MOST) || on_offer;
+    end
+  end
+
+endmodule
+
+`default_nettype wire

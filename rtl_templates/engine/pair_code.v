@@ -1,0 +1,47 @@
+// pair_code: what a beat says of one pair that has met. The top bit of the code says that the pair
+// is reported, the bits below give its verdict (if CODE_BITS = 3; with 2 there is one verdict that
+// is reported, and they are 0); without the top bit, 1 says undecided and 0 nothing. REPORT: bit v
+// is 1 where verdict v is reported. COUNT = 1: reported pairs are counted, and have no code.
+// Combinational.
+`default_nettype none
+
+module pair_code #(
+  parameter REPORT = 11,
+  parameter CODE_BITS = 3,
+  parameter COUNT = 0
+) (
+  input  wire                 met,
+  input  wire                 decided,
+  input  wire [1:0]           verdict,
+  output wire                 reported,
+  output wire [CODE_BITS-1:0] code
+);
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if ((REPORT >> 4) != 0) begin : g_refused_report
+      REPORT_is_not_0_to_15 refused ();
+    end
+    if ((CODE_BITS != 3) && ((CODE_BITS != 2) || ((REPORT & (REPORT - 1)) != 0)))
+    begin : g_refused_code_bits
+      CODE_BITS_is_not_3_nor_2_for_one_verdict refused ();
+    end
+  endgenerate
+
+  wire [3:0] reports   = REPORT[3:0];
+  wire       undecided = met && !decided;
+  wire       leaves    = reported && (COUNT == 0);
+
+  assign reported = met && decided && reports[verdict];
+
+  generate
+    if (CODE_BITS == 2) begin : g_one_verdict
+      assign code = {leaves, undecided};
+    end else begin : g_any_verdict
+      assign code = leaves ? {1'b1, verdict} : {2'b00, undecided};
+    end
+  endgenerate
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,289 @@
+// pair_tier: decides again what the lanes of a segment left undecided, by one lane of more
+// precision, a pair a cycle. It stands behind a pair_segment with TIERED = 1, takes that one's
+// beats, and gives out beats of the same kind without what is for it alone.
+// Beats stay in order, so that no more has to be remembered than the words that the lanes hold: a
+// word that stays comes in the beat `stays`, and the first of its block in the beat `first`.
+// A beat goes through once for each of its undecided pairs, at least once: reported pairs leave the
+// first time, and with them what was found of the pair. A pair that is undecided again leaves as
+// undecided. COUNT = 1: the number in the closing beat grows by what is reported here.
+// Latency LANE_LATENCY + 4, interval 1 for each pair. Reset forgets all.
+`default_nettype none
+
+module pair_tier #(
+  parameter LANES = 8,         // of the segment
+  parameter LANE_BITS = 3,     // of the number of one of them
+  parameter WORD_BITS = 32,
+  parameter INDEX_BITS = 10,
+  parameter LANE_LATENCY = 8,
+  parameter REPORT = 11,
+  parameter CODE_BITS = 3,
+  parameter COUNT = 0,
+  parameter QUEUE_BITS = 5     // the queue holds 2^QUEUE_BITS beats, more than LANE_LATENCY + 4
+) (
+  input  wire                                    aclk,
+  input  wire                                    aresetn,
+  input  wire                                    s_axis_tvalid,
+  output wire                                    s_axis_tready,
+  // {first, stays, word j, codes, index j, index base}
+  input  wire [WORD_BITS+2*INDEX_BITS+LANES*CODE_BITS+1:0] s_axis_tdata,
+  input  wire                                    s_axis_tlast,
+  output wire [WORD_BITS-1:0]                    item_i,
+  output wire [WORD_BITS-1:0]                    item_j,
+  input  wire [1:0]                              verdict,
+  input  wire                                    decided,
+  output wire                                    m_axis_tvalid,
+  input  wire                                    m_axis_tready,
+  output wire [2*INDEX_BITS+LANES*CODE_BITS-1:0] m_axis_tdata,  // {codes, index j, index base}
+  output wire                                    m_axis_tlast
+);
+
+  localparam TAG_BITS   = 2 * INDEX_BITS;
+  localparam CODES_BITS = LANES * CODE_BITS;
+  localparam [LANES-1:0]     ONE_LANE = 1;
+  localparam [LANE_BITS-1:0] NONE     = 0;
+  localparam [LANE_BITS-1:0] ONE      = 1;
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (LANES < 1) begin : g_refused_lanes
+      LANES_is_below_1 refused ();
+    end
+    if ((LANE_BITS < 1) || (LANE_BITS > 30)) begin : g_refused_lane_bits
+      LANE_BITS_is_not_1_to_30 refused ();
+    end else if (LANES > (1 << LANE_BITS)) begin : g_refused_few_lane_bits
+      LANE_BITS_is_too_small_for_LANES refused ();
+    end
+    if (WORD_BITS < 1) begin : g_refused_word_bits
+      WORD_BITS_is_below_1 refused ();
+    end
+    if (INDEX_BITS < 1) begin : g_refused_index_bits
+      INDEX_BITS_is_below_1 refused ();
+    end
+    if (LANE_LATENCY < 0) begin : g_refused_lane_latency
+      LANE_LATENCY_is_below_0 refused ();
+    end
+  endgenerate
+
+  // The beat at hand, and the pairs of it that have not gone through.
+  wire                  first;
+  wire                  stays;
+  wire [WORD_BITS-1:0]  word;
+  wire [CODES_BITS-1:0] codes;
+  wire [TAG_BITS-1:0]   tag;
+  wire [LANES-1:0]      undecided;
+  wire [CODES_BITS-1:0] reports;
+  reg                   again_q;  // the beat at hand has gone through at least once
+  reg  [LANES-1:0]      rest_q;
+  wire [LANES-1:0]      waiting = again_q ? rest_q : undecided;
+  wire [LANES-1:0]      lowest  = waiting & (~waiting + ONE_LANE);
+  wire [LANES-1:0]      rest    = waiting & ~lowest;
+  wire                  room;
+  wire                  step    = s_axis_tvalid && room;
+
+  assign {first, stays, word, codes, tag} = s_axis_tdata;
+  assign s_axis_tready                    = room && (rest == {LANES{1'b0}});
+
+  genvar k;
+  generate
+    for (k = 0; k < LANES; k = k + 1) begin : g_code
+      wire [CODE_BITS-1:0] code = codes[k*CODE_BITS +: CODE_BITS];
+      wire                 kept = code[CODE_BITS-1] && !again_q && (COUNT == 0);
+
+      assign undecided[k]                      = !code[CODE_BITS-1] && code[0];
+      assign reports[k*CODE_BITS +: CODE_BITS] = code & {CODE_BITS{kept}};
+    end
+  endgenerate
+
+  always @(posedge aclk) begin
+    if (!aresetn) begin
+      again_q <= 1'b0;
+    end else if (step) begin
+      again_q <= (rest != {LANES{1'b0}});
+    end
+  end
+
+  always @(posedge aclk) begin
+    if (step) begin
+      rest_q <= rest;
+    end
+  end
+
+  reg [LANE_BITS-1:0] picked;
+  integer             l;
+
+  always @* begin
+    picked = NONE;
+    for (l = 0; l < LANES; l = l + 1) begin
+      if (lowest[l]) begin
+        picked = picked | l[LANE_BITS-1:0];
+      end
+    end
+  end
+
+  // Stage 1: the word that lane `picked` holds is read; a word that stays is written behind those
+  // that its block holds already, for later beats.
+  reg                   s1_valid_q;
+  reg                   s1_write_q;
+  reg                   s1_close_q;
+  reg  [LANES-1:0]      s1_pair_q;
+  reg  [LANE_BITS-1:0]  s1_picked_q;
+  reg  [LANE_BITS-1:0]  s1_place_q;
+  reg  [LANE_BITS-1:0]  places_q;     // taken in the block at hand
+  reg  [WORD_BITS-1:0]  s1_word_q;
+  reg  [CODES_BITS-1:0] s1_reports_q;
+  reg  [TAG_BITS-1:0]   s1_tag_q;
+  wire [LANE_BITS-1:0]  place = first ? NONE : places_q;
+
+  always @(posedge aclk) begin
+    if (!aresetn) begin
+      s1_valid_q <= 1'b0;
+      s1_write_q <= 1'b0;
+    end else begin
+      s1_valid_q <= step;
+      s1_write_q <= step && stays && s_axis_tready;
+    end
+  end
+
+  always @(posedge aclk) begin
+    if (step) begin
+      s1_close_q   <= s_axis_tlast;
+      s1_pair_q    <= lowest;
+      s1_picked_q  <= picked;
+      s1_place_q   <= place;
+      s1_word_q    <= word;
+      s1_reports_q <= reports;
+      s1_tag_q     <= tag;
+    end
+    if (step && s_axis_tready) begin
+      places_q <= stays ? place + ONE : place;
+    end
+  end
+
+  dual_port_memory #(
+    .WIDTH       (WORD_BITS),
+    .ADDRESS_BITS(LANE_BITS)
+  ) held_words (
+    .aclk         (aclk),
+    .write_enable (s1_write_q),
+    .write_address(s1_place_q),
+    .write_data   (s1_word_q),
+    .read_enable  (s1_valid_q && (s1_pair_q != {LANES{1'b0}})),
+    .read_address (s1_picked_q),
+    .read_data    (item_i)
+  );
+
+  // Stage 2: both words at the lane, and beside it what is to be known when it answers.
+  reg                   s2_valid_q;
+  reg                   s2_close_q;
+  reg  [LANES-1:0]      s2_pair_q;
+  reg  [WORD_BITS-1:0]  s2_word_q;
+  reg  [CODES_BITS-1:0] s2_reports_q;
+  reg  [TAG_BITS-1:0]   s2_tag_q;
+
+  assign item_j = s2_word_q;
+
+  always @(posedge aclk) begin
+    if (!aresetn) begin
+      s2_valid_q <= 1'b0;
+    end else begin
+      s2_valid_q <= s1_valid_q;
+    end
+  end
+
+  always @(posedge aclk) begin
+    s2_close_q   <= s1_close_q;
+    s2_pair_q    <= s1_pair_q;
+    s2_word_q    <= s1_word_q;
+    s2_reports_q <= s1_reports_q;
+    s2_tag_q     <= s1_tag_q;
+  end
+
+  wire                  answered;
+  wire                  closes;
+  wire [LANES-1:0]      pair;
+  wire [CODES_BITS-1:0] first_codes;
+  wire [TAG_BITS-1:0]   answered_tag;
+
+  valid_delay_line #(
+    .LENGTH(LANE_LATENCY)
+  ) valid_beside_lane (
+    .aclk   (aclk),
+    .aresetn(aresetn),
+    .d      (s2_valid_q),
+    .q      (answered)
+  );
+
+  delay_line #(
+    .WIDTH (1 + LANES + CODES_BITS + TAG_BITS),
+    .LENGTH(LANE_LATENCY)
+  ) beat_beside_lane (
+    .aclk(aclk),
+    .d   ({s2_close_q, s2_pair_q, s2_reports_q, s2_tag_q}),
+    .q   ({closes, pair, first_codes, answered_tag})
+  );
+
+  // What is found goes into the place of the pair's lane.
+  wire                  reported;
+  wire [CODE_BITS-1:0]  found;
+  wire [CODES_BITS-1:0] leaving_codes;
+
+  pair_code #(
+    .REPORT   (REPORT),
+    .CODE_BITS(CODE_BITS),
+    .COUNT    (COUNT)
+  ) code_of_pair (
+    .met     (pair != {LANES{1'b0}}),
+    .decided (decided),
+    .verdict (verdict),
+    .reported(reported),
+    .code    (found)
+  );
+
+  generate
+    for (k = 0; k < LANES; k = k + 1) begin : g_leaving
+      assign leaving_codes[k*CODE_BITS +: CODE_BITS] =
+          first_codes[k*CODE_BITS +: CODE_BITS] | (found & {CODE_BITS{pair[k]}});
+    end
+  endgenerate
+
+  wire [TAG_BITS-1:0] leaving_tag;
+
+  generate
+    if (COUNT == 0) begin : g_no_count
+      wire unused_reported = reported;
+
+      assign leaving_tag = answered_tag;
+    end else begin : g_count
+      reg [TAG_BITS-1:0] count_q;
+
+      always @(posedge aclk) begin
+        if (!aresetn || (answered && closes)) begin
+          count_q <= {TAG_BITS{1'b0}};
+        end else if (answered) begin
+          count_q <= count_q + {{(TAG_BITS-1){1'b0}}, reported};
+        end
+      end
+
+      assign leaving_tag = closes ? answered_tag + count_q : answered_tag;
+    end
+  endgenerate
+
+  exception_queue #(
+    .WIDTH     (1 + CODES_BITS + TAG_BITS),
+    .DEPTH_BITS(QUEUE_BITS),
+    .MAY_COME  (LANE_LATENCY + 4)
+  ) exceptions (
+    .aclk         (aclk),
+    .aresetn      (aresetn),
+    .on_offer     (1'b0),
+    .room         (room),
+    .push         (answered && (closes || (leaving_codes != {CODES_BITS{1'b0}}))),
+    .beat         ({closes, leaving_codes, leaving_tag}),
+    .m_axis_tvalid(m_axis_tvalid),
+    .m_axis_tready(m_axis_tready),
+    .m_axis_tdata ({m_axis_tlast, m_axis_tdata})
+  );
+
+endmodule
+
+`default_nettype wire
