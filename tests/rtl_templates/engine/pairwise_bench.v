@@ -1,6 +1,7 @@
 // pairwise_bench: pairwise_engine with its segments, around lanes and references whose answers are
 // a hash of the two items. A word is the item itself, WORD_LATENCY cycles late. All segments have
 // LANES_PER_SEGMENT lanes but the last, which has LAST_LANES.
+// TIERED = 1: a pair_tier stands behind each segment. Its lane answers by other bits of the hash.
 `default_nettype none
 
 module pairwise_bench #(
@@ -18,7 +19,11 @@ module pairwise_bench #(
   parameter LANE_LATENCY = 5,
   parameter QUEUE_BITS = 4,
   parameter WORD_LATENCY = 3,
-  parameter UNDECIDED = 2       // of 16 pairs
+  parameter UNDECIDED = 2,       // of 16 pairs
+  parameter TIERED = 0,
+  parameter LANE_BITS = 2,
+  parameter TIER_LATENCY = 4,
+  parameter TIER_UNDECIDED = 2   // of 16 pairs that the segment left undecided
 ) (
   input  wire                                                       aclk,
   input  wire                                                       aresetn,
@@ -135,11 +140,16 @@ module pairwise_bench #(
     for (s = 0; s < SEGMENTS; s = s + 1) begin : g_segment
       localparam LANES_HERE = (s == SEGMENTS - 1) ? LAST_LANES : LANES_PER_SEGMENT;
       localparam CODES_HERE = LANES_HERE * CODE_BITS;
+      localparam BEAT_BITS  = TAG_BITS + CODES_HERE + TIERED * (ITEM_BITS + 2);
 
       wire [ITEM_BITS-1:0]            passing;
       wire [LANES_HERE*ITEM_BITS-1:0] held;
       wire [2*LANES_HERE-1:0]         verdicts;
       wire [LANES_HERE-1:0]           decided;
+      wire                            beat_valid;
+      wire                            beat_ready;
+      wire [BEAT_BITS-1:0]            beat;
+      wire                            beat_last;
 
       pair_segment #(
         .LANES       (LANES_HERE),
@@ -149,6 +159,7 @@ module pairwise_bench #(
         .REPORT      (REPORT),
         .CODE_BITS   (CODE_BITS),
         .COUNT       (COUNT),
+        .TIERED      (TIERED),
         .QUEUE_BITS  (QUEUE_BITS)
       ) segment (
         .aclk         (aclk),
@@ -163,11 +174,62 @@ module pairwise_bench #(
         .held_words   (held),
         .verdicts     (verdicts),
         .decided      (decided),
-        .m_axis_tvalid(entry_valid[s]),
-        .m_axis_tready(entry_ready[s]),
-        .m_axis_tdata (entries[s*ENTRY_BITS +: TAG_BITS+CODES_HERE]),
-        .m_axis_tlast (entry_last[s])
+        .m_axis_tvalid(beat_valid),
+        .m_axis_tready(beat_ready),
+        .m_axis_tdata (beat),
+        .m_axis_tlast (beat_last)
       );
+
+      if (TIERED == 0) begin : g_no_tier
+        assign entry_valid[s]                               = beat_valid;
+        assign entries[s*ENTRY_BITS +: TAG_BITS+CODES_HERE] = beat;
+        assign entry_last[s]                                = beat_last;
+        assign beat_ready                                   = entry_ready[s];
+      end else begin : g_tier
+        wire [ITEM_BITS-1:0] item_i;
+        wire [ITEM_BITS-1:0] item_j;
+        wire [1:0]           verdict;
+        wire                 tier_decided;
+        wire [31:0]          mixed = hash(item_i, item_j);
+        wire                 sure  = ({28'h0000000, mixed[11:8]} + 32'd1 > TIER_UNDECIDED);
+        wire                 unused_mixed = &{mixed[31:14], mixed[7:0]};
+
+        delay_line #(
+          .WIDTH (3),
+          .LENGTH(TIER_LATENCY)
+        ) lane (
+          .aclk(aclk),
+          .d   ({sure, sure ? mixed[13:12] : ~mixed[13:12]}),
+          .q   ({tier_decided, verdict})
+        );
+
+        pair_tier #(
+          .LANES       (LANES_HERE),
+          .LANE_BITS   (LANE_BITS),
+          .WORD_BITS   (ITEM_BITS),
+          .INDEX_BITS  (INDEX_BITS),
+          .LANE_LATENCY(TIER_LATENCY),
+          .REPORT      (REPORT),
+          .CODE_BITS   (CODE_BITS),
+          .COUNT       (COUNT),
+          .QUEUE_BITS  (QUEUE_BITS)
+        ) tier (
+          .aclk         (aclk),
+          .aresetn      (aresetn),
+          .s_axis_tvalid(beat_valid),
+          .s_axis_tready(beat_ready),
+          .s_axis_tdata (beat),
+          .s_axis_tlast (beat_last),
+          .item_i       (item_i),
+          .item_j       (item_j),
+          .verdict      (verdict),
+          .decided      (tier_decided),
+          .m_axis_tvalid(entry_valid[s]),
+          .m_axis_tready(entry_ready[s]),
+          .m_axis_tdata (entries[s*ENTRY_BITS +: TAG_BITS+CODES_HERE]),
+          .m_axis_tlast (entry_last[s])
+        );
+      end
 
       if (LANES_HERE < LANES_PER_SEGMENT) begin : g_no_lanes
         assign entries[s*ENTRY_BITS+TAG_BITS+CODES_HERE +: ENTRY_BITS-TAG_BITS-CODES_HERE] =

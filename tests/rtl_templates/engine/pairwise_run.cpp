@@ -99,8 +99,12 @@ void EngineRun::start_set(const ItemSet& set) {
 
 void EngineRun::expect_pair(std::uint32_t i, std::uint32_t j) {
   const std::uint32_t mixed = hash(item(i), item(j));
-  const std::uint32_t verdict = mixed & 3;
-  const bool undecided = (mixed >> 4 & 15) < spec_.undecided;
+  std::uint32_t verdict = mixed & 3;
+  bool undecided = (mixed >> 4 & 15) < spec_.undecided;
+  if (undecided && spec_.tiered && (mixed >> 8 & 15) >= spec_.tier_undecided) {
+    undecided = false;
+    verdict = mixed >> 12 & 3;
+  }
   const bool reported = (spec_.report >> verdict & 1) != 0;
   if (undecided && spec_.references == 0) {
     due_[{i, j}] = undecided_flag;

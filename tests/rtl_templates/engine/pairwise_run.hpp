@@ -46,6 +46,9 @@ struct EngineSpec {
   unsigned undecided;  ///< of 16 pairs
   int lane_latency;
   int word_latency;
+  bool tiered;
+  unsigned tier_undecided;  ///< of 16 pairs that the segment left undecided
+  int tier_latency;
 
   int lanes() const { return (segments - 1) * lanes_per_segment + last_lanes; }
 };

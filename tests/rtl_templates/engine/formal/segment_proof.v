@@ -2,6 +2,8 @@
 // meeting of a held word with one behind it is answered once, in the beat of the latter; nothing is
 // lost for want of room in the queue; the closing beat leaves behind all others. The lanes are any
 // function of their two words, chosen by the solver, LANE_LATENCY cycles long.
+// TIERED: the first word of a block and each that stays leave a beat, too, and a beat tells which
+// of both its word is, and the word.
 `default_nettype none
 
 module segment_proof #(
@@ -10,6 +12,7 @@ module segment_proof #(
   parameter REPORT = 11,
   parameter CODE_BITS = 3,
   parameter COUNT = 0,
+  parameter TIERED = 0,
   parameter QUEUE_BITS = 2
 ) (
   input wire       aclk,
@@ -32,6 +35,8 @@ module segment_proof #(
   localparam [3:0] ALL  = LANES;
   localparam [3:0] REPORTS = REPORT[3:0];
   localparam MOST_QUIET = LANE_LATENCY + 8;
+  localparam TIER_BITS  = 3 * TIERED;
+  localparam BEAT_BITS  = TIER_BITS + CODES_BITS + 5;
 
   (* anyconst *) reg [11:0] answers;    // {decided, verdict} of each pair of words
   (* anyconst *) reg [1:0]  watched_j;  // a word with this index is watched at the queue
@@ -47,7 +52,19 @@ module segment_proof #(
   wire [CODES_BITS-1:0] m_codes;
   wire [1:0]            m_index;
   wire [1:0]            m_base;
+  wire [2:0]            m_tier;  // {first, stays, word}, where a tier reads them
+  wire [BEAT_BITS-2:0]  m_data;
   wire                  m_last;
+
+  assign {m_codes, m_index, m_base} = m_data[CODES_BITS+3:0];
+
+  generate
+    if (TIERED == 0) begin : g_no_tier
+      assign m_tier = 3'd0;
+    end else begin : g_tier
+      assign m_tier = m_data[BEAT_BITS-2 -: 3];
+    end
+  endgenerate
 
   reg                   started = 1'b0;
   wire                  aresetn = started && aresetn_later;
@@ -60,6 +77,7 @@ module segment_proof #(
     .REPORT      (REPORT),
     .CODE_BITS   (CODE_BITS),
     .COUNT       (COUNT),
+    .TIERED      (TIERED),
     .QUEUE_BITS  (QUEUE_BITS)
   ) dut (
     .aclk         (aclk),
@@ -76,7 +94,7 @@ module segment_proof #(
     .decided      (decided),
     .m_axis_tvalid(m_valid),
     .m_axis_tready(m_ready),
-    .m_axis_tdata ({m_codes, m_index, m_base}),
+    .m_axis_tdata (m_data),
     .m_axis_tlast (m_last)
   );
 
@@ -106,6 +124,10 @@ module segment_proof #(
   wire                  goes       = take && !stays;
   wire [6:0]            goes_as    = {s_close, s_first || !gone, s_stays, s_meets, s_index, s_word};
   reg  [CODES_BITS-1:0] codes;              // of this word
+  wire [2:0]            tier       = (TIERED != 0) ? {s_first, stays, s_word} : 3'd0;
+  wire                  informs    = (TIERED != 0) && (s_first || stays);
+  wire                  comes_out  = take && !s_close && (s_index == watched_j) &&
+                                     (informs || (codes != {CODES_BITS{1'b0}}));
   reg  [3:0]            reported;
   wire [LANES*3-1:0]    answered;
 
@@ -117,13 +139,14 @@ module segment_proof #(
   reg                   due       = 1'b0;   // a beat about watched_j
   reg  [CODES_BITS-1:0] due_codes;
   reg  [1:0]            due_base;
+  reg  [2:0]            due_tier;
   reg                   close_due = 1'b0;
   reg  [3:0]            total     = NONE;   // pairs reported
   reg  [3:0]            quiet     = NONE;   // cycles without a beat although one is due
   reg                   held_word_valid = 1'b0;
   reg  [6:0]            held_word_data;
   reg                   held_valid      = 1'b0;
-  reg  [CODES_BITS+4:0] held_beat;
+  reg  [BEAT_BITS-1:0]  held_beat;
 
   wire                  passes = word_valid && word_ready;
   wire                  leaves = m_valid && m_ready;
@@ -164,7 +187,7 @@ module segment_proof #(
     held_word_valid <= aresetn && word_valid && !word_ready;
     held_word_data  <= word_data;
     held_valid      <= aresetn && m_valid && !m_ready;
-    held_beat       <= {m_last, m_codes, m_index, m_base};
+    held_beat       <= {m_last, m_data};
     if (!aresetn) begin
       count     <= NONE;
       gone      <= 1'b0;
@@ -199,7 +222,7 @@ module segment_proof #(
       if (leaves && about_watched) begin
         due <= 1'b0;
       end
-      if (take && (s_index == watched_j) && (codes != {CODES_BITS{1'b0}})) begin
+      if (comes_out) begin
         due <= 1'b1;
       end
       if (leaves && m_last) begin
@@ -216,9 +239,10 @@ module segment_proof #(
     if (take && s_first) begin
       base <= s_index;
     end
-    if (take && (s_index == watched_j) && (codes != {CODES_BITS{1'b0}})) begin
+    if (comes_out) begin
       due_codes <= codes;
       due_base  <= base;
+      due_tier  <= tier;
     end
   end
 
@@ -239,14 +263,18 @@ module segment_proof #(
       link_holds_as_many: assert(on_way <= 4'd3);
       answered_once: assert(!m_valid || !about_watched || due);
       answered_right: assert(!m_valid || !about_watched ||
-                             ({m_codes, m_base} == {due_codes, due_base}));
+                             (({m_codes, m_tier} == {due_codes, due_tier}) &&
+                              ((m_base == due_base) || (m_codes == {CODES_BITS{1'b0}}))));
+      closing_beat_has_no_pair: assert(!m_valid || !m_last ||
+                                       ((m_codes == {CODES_BITS{1'b0}}) && !m_tier[1]));
       closes_once: assert(!m_valid || !m_last || close_due);
       closes_behind_all: assert(!m_valid || !m_last || !due);
       counts: assert(!m_valid || !m_last || (COUNT == 0) || ({m_index, m_base} == total));
       keeps_moving: assert(quiet < MOST_QUIET);
       word_holds: assert(!held_word_valid || (word_valid && (word_data == held_word_data)));
-      beat_holds: assert(!held_valid || (m_valid && ({m_last, m_codes, m_index, m_base} == held_beat)));
+      beat_holds: assert(!held_valid || (m_valid && ({m_last, m_data} == held_beat)));
       can_report_in_last_lane: cover(leaves && about_watched && (m_codes[CODES_BITS-1] || (COUNT != 0)));
+      can_tell_of_a_held_word: cover(leaves && about_watched && (m_tier[1] || (TIERED == 0)));
       can_tell_undecided: cover(leaves && about_watched && m_codes[0] && !m_codes[CODE_BITS-1]);
       can_close: cover(leaves && m_last && (total == 4'd3));
       can_pass: cover(passes && watching && (ahead == NONE) && watched_word[5] && !watched_word[6]);
