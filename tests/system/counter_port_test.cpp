@@ -18,7 +18,7 @@ design::Design with_port(design::Design design, int counter_bits) {
   return design;
 }
 
-data::Comparisons sphere_pairs(const design::Design& design, int count) {
+data::Comparisons sphere_pairs(const design::Design& design, std::uint64_t count) {
   const data::Table spheres = data::uniform_spheres(
       {.count = count, .side = 100, .radius_max = 50, .seed = 3}, design.reference.input_format);
   return data::Comparisons::all_pairs(spheres, design.inputs).value();
@@ -36,7 +36,7 @@ TEST_P(CounterPort, TellsWhatEachLaneAndEachReferenceDid) {
   const design::Design design = with_port(sphere_design(format("s5e8"), format("s24e8"), 3, 2), 40);
   const auto report = simulate(
       design, sphere_pairs(design, 40),
-      {.traffic = verilator_tb::TrafficKind::stressed, .resets = 1, .simulator = GetParam()});
+      {.simulator = GetParam(), .traffic = verilator_tb::TrafficKind::stressed, .resets = 1});
   EXPECT_TRUE(report.passed()) << to_text(report);
   EXPECT_GT(counted(report, "comparisons"), 0u);
   EXPECT_GT(counted(report, "answers"), 0u);
