@@ -293,11 +293,12 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{
             "[reduced]", "[redcued]",
             ":13: redcued: unknown section: received redcued; accepted reduced (the nearest), "
-            "comparison, variant, let, inputs, reference, lanes, references, system, engine, data"},
+            "comparison, variant, let, inputs, reference, lanes, second_tier, references, system, "
+            "engine, data"},
         Mistake{
             "[comparison]", "x = 1\n[comparison]",
             ":1: x: a key outside of any section: received x; accepted comparison, variant, let, "
-            "inputs, reference, reduced, lanes, references, system, engine, data"},
+            "inputs, reference, reduced, lanes, second_tier, references, system, engine, data"},
         Mistake{"[comparison]", "reduced = 3\n[comparison]",
                 ":14:1: TOML syntax: Error while parsing table header: cannot redefine existing "
                 "integer 'reduced' as table"},
