@@ -109,6 +109,7 @@ void ArgMinJudge::judge_counters(const LoadAnswer& answer, Use use) {
   std::vector<CounterTotal> totals = check_lanes(answer.lanes);
   totals.push_back({"rows"});
   check_counter("rows", counters.counted[0], counters.observed[0], totals[2]);
+  check_answers(answer.answers, totals);
   report_.counters = std::move(totals);
 }
 

@@ -21,6 +21,7 @@ struct LoadAnswer {
   std::vector<harness::wire::RowResult> rows;
   std::vector<harness::wire::Violation> violations;
   std::vector<harness::wire::CounterValues> lanes;
+  std::vector<std::uint64_t> answers;  ///< of each reference, where they are counted
 };
 
 /// A verilated arg-min engine at work in its own process.
@@ -30,13 +31,14 @@ public:
                                         const SimulationOptions& options);
 
   /// Sends a load and waits until its rows have left, or the reset.
-  Result<LoadAnswer> exchange(const CandidateLoad& load, int lanes);
+  /// `answers`: the number of references whose answers are counted.
+  Result<LoadAnswer> exchange(const CandidateLoad& load, int lanes, int answers);
   Result<Done> finish() { return process_.finish(); }
 
 private:
   explicit ArgMinSimulation(SimulatorProcess process) : process_(std::move(process)) {}
 
-  bool receive(LoadAnswer& answer, std::size_t lanes);
+  bool receive(LoadAnswer& answer, std::size_t lanes, std::size_t answers);
 
   SimulatorProcess process_;
 };

@@ -71,7 +71,8 @@ Result<Done> run_trials(const System& system, const data::Comparisons& compariso
                                    trial.load.rows));
     }
     const CandidateLoad load = load_of(engine, comparisons, trial, k + 1 == trials.size());
-    MIXCMP_TRY(answer, simulation.exchange(load, system.signature.lanes));
+    MIXCMP_TRY(answer, simulation.exchange(load, system.signature.lanes,
+                                           emit::counted_answers(system.signature)));
     judge.take(trial.load, answer, trial.use);
     if (answer.response.state == harness::wire::LoadState::stopped) break;
   }

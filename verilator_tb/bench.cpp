@@ -11,6 +11,12 @@ namespace {
 /// Prints system_ports.hpp: the constants and ports of one top, for its harness.
 class PortsHeader {
 public:
+  explicit PortsHeader(const emit::Signature& signature) {
+    constant("int", "lanes", signature.lanes);
+    constant("int", "counter_bits", signature.counter_bits);
+    add_counter_map(signature);
+  }
+
   PortsHeader& constant(const char* type, const char* name, int value) {
     constants_ += fmt::format("inline constexpr {} {} = {};\n", type, name, value);
     return *this;
@@ -20,34 +26,69 @@ public:
       bindings_ += fmt::format("  ports.{0} = Port(model.{0});\n", name);
     return *this;
   }
+  /// Counters that are ports of the top; those on a bus are bound to memory.
+  PortsHeader& counters(std::initializer_list<const char*> names) {
+    return counter_ports_ ? ports(names) : *this;
+  }
   std::string text(const char* type) const {
     return fmt::format(
-        "#pragma once\n\n#include \"Vsystem.h\"\n#include \"ports.hpp\"\n\n"
-        "namespace mixcmp::harness::system {{\n\nusing Model = Vsystem;\n\n{}\n"
+        "#pragma once\n\n#include <cstddef>\n#include <vector>\n\n"
+        "#include \"Vsystem.h\"\n#include \"ports.hpp\"\n\n"
+        "namespace mixcmp::harness::system {{\n\nusing Model = Vsystem;\n\n"
+        "struct MappedCounters {{\n  int count;\n  int offset;\n  std::uint8_t* bytes;\n"
+        "  std::size_t size;\n}};\n\n{}\n"
         "inline {} bind(Model& model) {{\n  {} ports;\n{}  return ports;\n}}\n\n"
         "}}  // namespace mixcmp::harness::system\n",
         constants_, type, type, bindings_);
   }
 
 private:
+  /// Memory for the counters that are read on a bus, and where each of them is.
+  void add_counter_map(const emit::Signature& signature) {
+    counter_ports_ = emit::has_counter_ports(signature);
+    int number = 0;
+    std::string entries;
+    for (const emit::SignatureCounters& counters : signature.counter_map) {
+      constants_ += fmt::format("inline std::uint8_t {}_read[{}];\n", counters.name,
+                                (counters.count * signature.counter_bits + 7) / 8);
+      bindings_ += fmt::format("  ports.{0} = Port({0}_read);\n", counters.name);
+      entries += fmt::format("    {{{0}, {1}, {2}_read, sizeof {2}_read}},\n", counters.count,
+                             counters.offset, counters.name);
+      number += counters.count;
+    }
+    constants_ +=
+        fmt::format("inline const std::vector<MappedCounters> counter_map = {{\n{}}};\n", entries);
+    constant("int", "mapped_counters", number);
+    constant("std::size_t", "counted_answers", emit::counted_answers(signature));
+    constant("int", "counter_address_bits", emit::counter_address_bits(signature));
+    if (number > 0) add_bus();
+  }
+
+  void add_bus() {
+    for (const char* name :
+         {"awaddr", "awvalid", "awready", "wdata", "wstrb", "wvalid", "wready", "bresp", "bvalid",
+          "bready", "araddr", "arvalid", "arready", "rdata", "rresp", "rvalid", "rready"}) {
+      bindings_ += fmt::format("  ports.bus.{0} = Port(model.s_axi_{0});\n", name);
+    }
+  }
+
+  bool counter_ports_ = false;
   std::string constants_;
   std::string bindings_;
 };
 
 std::string system_ports(const emit::Signature& s) {
   const bool refetched = s.operands == scene::OperandStore::refetched && s.references > 0;
-  PortsHeader header;
-  header.constant("int", "lanes", s.lanes)
-      .constant("int", "references", s.references)
+  PortsHeader header(s);
+  header.constant("int", "references", s.references)
       .constant("int", "tdata_bytes", s.tdata_bytes)
       .constant("int", "tag_bits", s.tag_bits)
-      .constant("int", "counter_bits", s.counter_bits)
       .constant("int", "slots", s.slots)
       .constant("bool", "in_order", s.order == scene::ResultOrder::in_order ? 1 : 0)
       .constant("bool", "refetched", refetched ? 1 : 0)
       .ports({"aclk", "aresetn", "s_axis_tvalid", "s_axis_tready", "s_axis_tdata", "s_axis_tuser",
               "m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser"});
-  if (s.counter_bits > 0) header.ports({"comparisons", "recomputations", "stalls"});
+  header.counters({"comparisons", "recomputations", "stalls"});
   if (refetched) {
     header.ports({"m_refetch_tvalid", "m_refetch_tready", "m_refetch_tdata", "s_refetch_tvalid",
                   "s_refetch_tready", "s_refetch_tdata"});
@@ -56,40 +97,32 @@ std::string system_ports(const emit::Signature& s) {
 }
 
 std::string pairwise_ports(const emit::Signature& s, const emit::SignatureEngine& engine) {
-  PortsHeader header;
+  PortsHeader header(s);
   const bool bitmap = engine.report_as == scene::ReportForm::bitmap;
-  header.constant("int", "lanes", s.lanes)
-      .constant("int", "item_bytes", engine.item_bytes)
+  header.constant("int", "item_bytes", engine.item_bytes)
       .constant("int", "index_bits", engine.index_bits)
-      .constant("int", "counter_bits", s.counter_bits)
       .constant("int", "output_streams", engine.report_streams)
       .constant("int", "report_bytes", engine.report_bytes)
       .constant("int", "flag_bits", bitmap ? engine.report_lanes : 0)
       .ports({"aresetn", "s_axis_tvalid", "s_axis_tready", "s_axis_tdata", "s_axis_tuser",
               "s_axis_tlast", "m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser",
               "m_axis_tlast"});
-  if (s.counter_bits > 0) {
-    header.ports({"reports", "recomputations", "busy_cycles", "stalled_cycles"});
-  }
+  header.counters({"reports", "recomputations", "busy_cycles", "stalled_cycles"});
   return header.text("PairwisePorts");
 }
 
 std::string arg_min_ports(const emit::Signature& s, const emit::SignatureEngine& engine) {
-  PortsHeader header;
-  header.constant("int", "lanes", s.lanes)
-      .constant("int", "item_bytes", engine.item_bytes)
+  PortsHeader header(s);
+  header.constant("int", "item_bytes", engine.item_bytes)
       .constant("int", "row_bytes", engine.row_bytes)
       .constant("int", "index_bits", engine.index_bits)
       .constant("int", "tag_bits", engine.tag_bits)
-      .constant("int", "counter_bits", s.counter_bits)
       .constant("int", "output_streams", 1)
       .ports({"aresetn", "s_candidate_tvalid", "s_candidate_tready", "s_candidate_tdata",
               "s_candidate_tlast", "s_axis_tvalid", "s_axis_tready", "s_axis_tdata", "s_axis_tuser",
               "s_axis_tlast", "m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser",
               "m_axis_tlast", "overrun"});
-  if (s.counter_bits > 0) {
-    header.ports({"comparisons", "recomputations", "stalls", "rows", "stalled_cycles"});
-  }
+  header.counters({"comparisons", "recomputations", "stalls", "rows", "stalled_cycles"});
   return header.text("ArgMinPorts");
 }
 

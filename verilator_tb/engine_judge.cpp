@@ -33,6 +33,20 @@ std::vector<CounterTotal> EngineJudge::check_lanes(
   return totals;
 }
 
+void EngineJudge::check_answers(const std::vector<std::uint64_t>& counted,
+                                std::vector<CounterTotal>& totals) {
+  if (counted.empty()) return;
+  totals.push_back({"answers"});
+  for (std::size_t reference = 0; reference < counted.size(); ++reference) {
+    std::uint64_t observed = 0;  // lane k is served by reference k modulo their number
+    for (std::size_t lane = reference; lane < lanes_.size(); lane += counted.size()) {
+      observed += lanes_[lane].observed[1];
+    }
+    check_counter(fmt::format("answers of reference {}", reference), counted[reference], observed,
+                  totals.back());
+  }
+}
+
 void EngineJudge::check_counter(const std::string& name, std::uint64_t counted,
                                 std::uint64_t observed, CounterTotal& total) {
   const auto mask = static_cast<std::uint64_t>(low_mask(signature_.counter_bits));

@@ -27,6 +27,9 @@ protected:
 
   /// Compares the lanes' own counters with `lanes_`. Returns the totals, by name.
   std::vector<CounterTotal> check_lanes(const std::vector<harness::wire::CounterValues>& counted);
+  /// Compares what each reference of a system inside has answered with the recomputations of its
+  /// lanes, and adds the total. Does nothing where answers are not counted.
+  void check_answers(const std::vector<std::uint64_t>& counted, std::vector<CounterTotal>& totals);
   void check_counter(const std::string& name, std::uint64_t counted, std::uint64_t observed,
                      CounterTotal& total);
   /// How much the engine's counter of stalled cycles, which may wrap, has grown since the last

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <cctype>
 #include <cstdint>
 #include <fstream>
 #include <sstream>
@@ -34,12 +35,30 @@ std::string resets_text(const Block& block) {
   return text + "ffffffff\n";  // the end; $readmemh warns about an empty file
 }
 
+/// Tells the testbench where on a bus it finds the counters, if they are on one.
+template <class SetParameter>
+void add_counter_map(const emit::Signature& signature, SetParameter set) {
+  if (signature.counter_map.empty()) return;
+  std::uint64_t first = 0;
+  for (const emit::SignatureCounters& counters : signature.counter_map) {
+    std::string name = "FIRST_";
+    for (const char c : counters.name) {
+      name += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    }
+    set(name.c_str(), first);
+    first += static_cast<std::uint64_t>(counters.count);
+  }
+  set("MAPPED_COUNTERS", first);
+  set("COUNTER_ADDRESS_BITS", static_cast<std::uint64_t>(emit::counter_address_bits(signature)));
+}
+
 Command compile_command(const System& system, const Block& block,
                         const SimulationOptions& options) {
   const emit::Signature& s = system.signature;
   Command command = {"iverilog",  "-g2001",           "-o", "simulation", "-s",
                      "testbench", "-DSYSTEM=" + s.top};
   if (s.counter_bits > 0) command.push_back("-DCOUNTERS");
+  if (!s.counter_map.empty()) command.push_back("-DCOUNTER_PORT");
   if (s.operands == scene::OperandStore::refetched && s.references > 0) {
     command.push_back("-DREFETCHED");
   }
@@ -58,7 +77,9 @@ Command compile_command(const System& system, const Block& block,
   parameter("STRESSED", options.traffic == TrafficKind::stressed ? 1 : 0);
   parameter("SEED", options.seed % 0x7fffffff);
   parameter("HANG_CYCLES", options.hang_cycles);
+  add_counter_map(s, parameter);
   command.push_back("testbench.v");
+  if (!s.counter_map.empty()) command.push_back("counter_reader.v");
   for (const fs::path& source : system.sources()) {
     command.push_back(source.filename().string());
   }
@@ -88,7 +109,8 @@ Command run_command(const SimulationOptions& options) {
 }
 
 /// Reads one line of the testbench: "result lane position tdata accepted left", "violation fault
-/// lane position tag cycle", "end" with three pairs of counted and observed, or "state n cycles".
+/// lane position tag cycle", "end" with three pairs of counted and observed, "answers" of a
+/// reference, or "state n cycles".
 bool parse_line(const std::string& line, Answer& answer) {
   std::istringstream words(line);
   std::string kind;
@@ -110,6 +132,8 @@ bool parse_line(const std::string& line, Answer& answer) {
     harness::wire::CounterValues end{};
     for (int k = 0; k < 3; ++k) words >> end.counted[k] >> end.observed[k];
     answer.lanes.push_back(end);
+  } else if (kind == "answers") {
+    words >> answer.answers.emplace_back();
   } else if (kind == "state") {
     std::uint64_t state = 0;
     words >> state >> answer.cycles;
@@ -142,7 +166,9 @@ Result<Done> check_results(const Answer& answer, const Block& block,
   }
   const bool counts = answer.state == harness::wire::State::drained && signature.counter_bits > 0;
   const std::size_t ends = counts ? static_cast<std::size_t>(signature.lanes) : 0;
-  if (answer.lanes.size() == ends) return Done{};
+  const std::size_t answers =
+      counts ? static_cast<std::size_t>(emit::counted_answers(signature)) : 0;
+  if (answer.lanes.size() == ends && answer.answers.size() == answers) return Done{};
   return Error{.file = path.string(),
                .message = "the simulator wrote counters that cannot be",
                .received = fmt::format("those of {} lanes", answer.lanes.size()),

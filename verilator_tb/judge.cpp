@@ -37,6 +37,7 @@ void Judge::take(const Answer& answer) {
   for (const harness::wire::Violation& violation : answer.violations) take_violation(violation);
   report_.cycles = answer.cycles;
   take_counters(answer.lanes);
+  take_answers(answer);
   retire();
 }
 
@@ -185,6 +186,25 @@ void Judge::take_counters(const std::vector<harness::wire::CounterValues>& lanes
     }
     report_.counters.push_back(total);
   }
+}
+
+/// Lane k is served by reference k modulo their number.
+void Judge::take_answers(const Answer& answer) {
+  if (answer.answers.empty()) return;
+  const auto mask = static_cast<std::uint64_t>(low_mask(signature_.counter_bits));
+  CounterTotal total{"answers", 0, 0};
+  for (std::size_t reference = 0; reference < answer.answers.size(); ++reference) {
+    const std::uint64_t counted = answer.answers[reference];
+    std::uint64_t observed = 0;
+    for (std::size_t lane = reference; lane < answer.lanes.size(); lane += answer.answers.size()) {
+      observed += answer.lanes[lane].observed[1];
+    }
+    total.counted += counted;
+    total.observed += observed;
+    if (counted == (observed & mask)) continue;
+    report_wrong_counter("answers", static_cast<std::uint32_t>(reference), counted, observed);
+  }
+  report_.counters.push_back(total);
 }
 
 void Judge::report_wrong_counter(const char* name, std::uint32_t lane, std::uint64_t counted,

@@ -71,6 +71,7 @@ std::string to_text(harness::wire::Fault fault) {
     case harness::wire::Fault::after_the_end: return "report behind the closing beat";
     case harness::wire::Fault::closed_early: return "closing beat before the last item";
     case harness::wire::Fault::loaded_among_rows: return "candidate accepted while rows are inside";
+    case harness::wire::Fault::counter_port: return "counter port broke AXI4-Lite";
   }
   MIXCMP_CHECK(false);
   return {};

@@ -203,6 +203,14 @@ void PairwiseJudge::judge_counters(const SetAnswer& answer, Use use) {
   }
   check_counter("recomputations", counters.counted[0], recomputations_, totals[1]);
   check_counter("busy_cycles", counters.counted[1], counters.observed[1], totals[2]);
+  if (!answer.answers.empty()) {
+    totals.push_back({"answers"});
+    // Any reference takes any pair: only what all of them have answered is known.
+    std::uint64_t answers = 0;
+    for (const std::uint64_t counted : answer.answers) answers += counted;
+    const auto mask = static_cast<std::uint64_t>(low_mask(signature_.counter_bits));
+    check_counter("answers", answers & mask, recomputations_, totals.back());
+  }
   report_.counters = std::move(totals);
 }
 

@@ -23,6 +23,7 @@ struct SetAnswer {
   std::vector<harness::wire::ReportedPair> reports;
   std::vector<harness::wire::Violation> violations;
   std::vector<harness::wire::StreamEnd> streams;
+  std::vector<std::uint64_t> answers;  ///< of each reference, where they are counted
 };
 
 /// A verilated pairwise engine at work in its own process.
@@ -32,14 +33,15 @@ public:
                                           const SimulationOptions& options);
 
   /// Sends a set and waits until the closing beats of all `streams`, or the reset.
-  Result<SetAnswer> exchange(const ItemSet& set, int streams);
+  /// `answers`: the number of references whose answers are counted.
+  Result<SetAnswer> exchange(const ItemSet& set, int streams, int answers);
   Result<Done> finish() { return process_.finish(); }
 
 private:
   explicit PairwiseSimulation(SimulatorProcess process) : process_(std::move(process)) {}
 
   bool send(const ItemSet& set);
-  bool receive(SetAnswer& answer, std::size_t streams);
+  bool receive(SetAnswer& answer, std::size_t streams, std::size_t answers);
 
   SimulatorProcess process_;
 };

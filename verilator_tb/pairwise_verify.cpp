@@ -98,12 +98,13 @@ Result<Done> run_trials(const System& system, const data::Comparisons& compariso
   for (std::size_t k = 0; k < trials.size(); ++k) {
     const Trial& trial = trials[k];
     tell(options, system, trial);
-    MIXCMP_TRY(answer, simulation.exchange({.items = trial.set.size(),
-                                            .targets = trial.set.targets(),
-                                            .bytes = bytes_of(trial.set, engine, comparisons),
-                                            .reset_after = trial.reset_after,
-                                            .last = k + 1 == trials.size()},
-                                           engine.report_streams));
+    MIXCMP_TRY(answer,
+               simulation.exchange({.items = trial.set.size(),
+                                    .targets = trial.set.targets(),
+                                    .bytes = bytes_of(trial.set, engine, comparisons),
+                                    .reset_after = trial.reset_after,
+                                    .last = k + 1 == trials.size()},
+                                   engine.report_streams, emit::counted_answers(system.signature)));
     judge.take(trial.set, answer, trial.use);
     if (answer.response.state == harness::wire::SetState::stopped) break;
   }

@@ -36,7 +36,8 @@ struct Answer {
   std::vector<harness::wire::Result> results;
   std::vector<harness::wire::Violation> violations;
   std::vector<harness::wire::CounterValues> lanes;  ///< only in the answer to the last block
-  std::uint64_t cycles = 0;                         ///< cycles simulated so far
+  std::vector<std::uint64_t> answers;  ///< of each reference, where they are counted; likewise
+  std::uint64_t cycles = 0;            ///< cycles simulated so far
   harness::wire::State state = harness::wire::State::running;
 };
 
@@ -75,15 +76,16 @@ public:
   static Result<SystemSimulation> start(const Executable& executable,
                                         const SimulationOptions& options);
 
-  /// Sends a block and waits for the simulator's answer.
-  Result<Answer> exchange(const Block& block, int lanes);
+  /// Sends a block and waits for the simulator's answer. `answers`: the number of references whose
+  /// answers are counted.
+  Result<Answer> exchange(const Block& block, int lanes, int answers);
   Result<Done> finish() { return process_.finish(); }
 
 private:
   explicit SystemSimulation(SimulatorProcess process) : process_(std::move(process)) {}
 
   bool send(const Block& block);
-  bool receive(Answer& answer, std::size_t lanes);
+  bool receive(Answer& answer, std::size_t lanes, std::size_t answers);
 
   SimulatorProcess process_;
 };

@@ -210,8 +210,10 @@ Result<ShareOutcome> run_share(const Run& run, const Share& share, const Executa
   for (std::uint64_t first = 0; answer.state == harness::wire::State::running;) {
     const Block block = make_block(run, share, first);
     // The simulator works on one core while its last answer is judged on another.
-    auto exchange = std::async(
-        std::launch::async, [&] { return simulation.exchange(block, run.system.signature.lanes); });
+    auto exchange = std::async(std::launch::async, [&] {
+      const emit::Signature& signature = run.system.signature;
+      return simulation.exchange(block, signature.lanes, emit::counted_answers(signature));
+    });
     judge.take(answer);
     judge.announce(block.comparisons);
     MIXCMP_TRY(next, exchange.get());

@@ -124,7 +124,7 @@ std::string gtkwave_save_file(const emit::Signature& s, const SaveFile& options)
   writer.field("m_axis_tready", lane, s.lanes, 1);
   writer.field("m_axis_tdata", lane, s.lanes, 8);
   writer.field("m_axis_tuser", lane, s.lanes, s.tag_bits);
-  if (s.counter_bits > 0) {
+  if (emit::has_counter_ports(s)) {
     writer.group(fmt::format("counters of lane {}", lane));
     for (const char* port : {"comparisons", "recomputations", "stalls"}) {
       writer.field(port, lane, s.lanes, s.counter_bits);

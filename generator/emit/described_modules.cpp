@@ -371,11 +371,9 @@ std::vector<Described> describe_pairwise_modules(const Design& design,
   return modules.take();
 }
 
-}  // namespace
-
-std::vector<Described> describe_modules(const Design& design, const ScheduledSystem& scheduled) {
+std::vector<Described> describe_system_modules(const Design& design,
+                                               const ScheduledSystem& scheduled) {
   const rtl::SystemShape& shape = scheduled.shape;
-  if (scheduled.pairwise) return describe_pairwise_modules(design, *scheduled.pairwise, shape);
   ModuleList modules;
   for (std::size_t k = 0; k < shape.lane_groups.size(); ++k) {
     const rtl::DatapathGroup& group = shape.lane_groups[k];
@@ -393,6 +391,30 @@ std::vector<Described> describe_modules(const Design& design, const ScheduledSys
     });
   }
   return modules.take();
+}
+
+/// Has the counters of the outermost module read on an AXI4-Lite port, and says where they are.
+void add_counter_port(Described& top, const ScheduledSystem& scheduled) {
+  const std::vector<rtl::Counters> counters = scheduled.counters();
+  top.module = rtl::with_counter_port(std::move(top.module), counters, scheduled.shape);
+  top.facts.push_back(fmt::format(
+      "s_axi: the counters on an AXI4-Lite port that refuses writes; {} bits each, at byte:",
+      scheduled.shape.read_counter_bits));
+  for (const auto& [kind, offset] : rtl::counter_offsets(counters)) {
+    const std::string step =
+        kind.count == 1 ? "" : fmt::format(" + {} k, k < {}", rtl::counter_stride, kind.count);
+    top.facts.push_back(fmt::format("  {}: 0x{:x}{}", kind.name, offset, step));
+  }
+}
+
+}  // namespace
+
+std::vector<Described> describe_modules(const Design& design, const ScheduledSystem& scheduled) {
+  std::vector<Described> modules =
+      scheduled.pairwise ? describe_pairwise_modules(design, *scheduled.pairwise, scheduled.shape)
+                         : describe_system_modules(design, scheduled);
+  if (scheduled.shape.has_counter_port()) add_counter_port(modules.back(), scheduled);
+  return modules;
 }
 
 }  // namespace mixcmp::emit

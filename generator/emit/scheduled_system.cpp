@@ -8,6 +8,8 @@
 
 #include "generator/datapath/delays.hpp"
 #include "generator/datapath/lane_schedule.hpp"
+#include "generator/emit/signature.hpp"
+#include "generator/rtl/arg_min_module.hpp"
 #include "generator/rtl/datapath_builder.hpp"
 #include "generator/rtl/net_names.hpp"
 #include "model/design/slots.hpp"
@@ -138,7 +140,20 @@ rtl::PairwiseShape pairwise_shape(const design::Design& design, const rtl::Syste
           .segments = rtl::segment_groups(shape, engine.spec.lanes_per_group)};
 }
 
+/// Has the counters read on a port, which widens them: those in the modules are narrow.
+void narrow_counters(ScheduledSystem& scheduled) {
+  rtl::SystemShape& shape = scheduled.shape;
+  if (shape.counter_bits == 0) return;
+  shape.read_counter_bits = shape.counter_bits;
+  shape.counter_bits = rtl::narrow_counter_bits(scheduled.counters());
+}
+
 }  // namespace
+
+std::vector<rtl::Counters> ScheduledSystem::counters() const {
+  if (pairwise) return rtl::pairwise_counters(*pairwise, shape);
+  return engine ? rtl::arg_min_counters(shape) : rtl::system_counters(shape);
+}
 
 rtl::SystemShape stream_shape(const std::vector<std::string>& inputs, FloatFormat format,
                               const scene::SystemSpec& system) {
@@ -173,6 +188,7 @@ Result<ScheduledSystem> schedule_system(const design::Design& design) {
     scheduled.pairwise = pairwise_shape(design, shape, *scheduled.engine, std::move(*words));
   }
   scheduled.shape = std::move(shape);
+  if (design.system.counters == scene::CounterAccess::axi_lite) narrow_counters(scheduled);
   return scheduled;
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "generator/rtl/counter_port.hpp"
 #include "generator/rtl/engine_shape.hpp"
 #include "generator/rtl/pairwise_module.hpp"
 #include "generator/rtl/system_modules.hpp"
@@ -18,6 +19,9 @@ struct ScheduledSystem {
   /// What else a pairwise engine is made of. Its lanes are those of the shape, behind the
   /// conversion of their operands.
   std::optional<rtl::PairwiseShape> pairwise;
+
+  /// The counters of the outermost module.
+  std::vector<rtl::Counters> counters() const;
 };
 
 /// The part of a SystemShape that the streams alone decide; names, counts and latencies are left to

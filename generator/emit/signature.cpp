@@ -215,6 +215,10 @@ Json to_json(const SignatureEngine& engine) {
   return json;
 }
 
+Json to_json(const SignatureCounters& counters) {
+  return {{"name", counters.name}, {"count", counters.count}, {"offset", counters.offset}};
+}
+
 template <class Group>
 Json groups_to_json(const std::vector<Group>& groups) {
   Json list = Json::array();
@@ -228,6 +232,12 @@ SignaturePort read_port(Reader& reader) {
   return {.name = reader.text("name"),
           .direction = reader.choice("direction", directions),
           .width = reader.number("width", 1, many)};
+}
+
+SignatureCounters read_counters(Reader& reader) {
+  return {.name = reader.text("name"),
+          .count = reader.number("count", 1, many),
+          .offset = reader.number("offset", 0, many)};
 }
 
 SignatureLanes read_lanes(Reader& reader) {
@@ -276,6 +286,22 @@ SignatureEngine read_engine(Reader& reader) {
 
 }  // namespace
 
+int counter_address_bits(const Signature& signature) {
+  const std::vector<SignaturePort>& ports =
+      signature.engine ? signature.engine->ports : signature.ports;
+  for (const SignaturePort& port : ports) {
+    if (port.name == "s_axi_araddr") return port.width;
+  }
+  return 0;
+}
+
+int counted_answers(const Signature& signature) {
+  for (const SignatureCounters& counters : signature.counter_map) {
+    if (counters.name == "answers") return counters.count;
+  }
+  return 0;
+}
+
 std::string to_json(const Signature& s) {
   Json json = {{"top", s.top},
                {"generator_version", s.generator_version},
@@ -299,6 +325,7 @@ std::string to_json(const Signature& s) {
                {"reset", "aresetn, synchronous, active low"},
                {"initiation_interval_cycles", 1},
                {"ports", ports_to_json(s.ports)}};
+  if (!s.counter_map.empty()) json["counter_map"] = groups_to_json(s.counter_map);
   if (s.second_tier) json["second_tier"] = to_json(*s.second_tier);
   if (s.engine) json["engine"] = to_json(*s.engine);
   json["files"] = s.files;
@@ -338,6 +365,9 @@ Result<Signature> read_signature(const std::filesystem::path& path) {
       .engine = reader.part("engine", read_engine),
       .files = reader.read<std::vector<std::string>>("files", "a list of Verilog files"),
       .cells = {}};
+  if (json.contains("counter_map")) {
+    signature.counter_map = reader.groups("counter_map", read_counters);
+  }
   if (json.contains("cells")) {
     signature.cells = reader.read<std::vector<std::string>>("cells", "a list of Verilog files");
   }

@@ -18,6 +18,15 @@ struct SignaturePort {
   int width = 1;
 
   bool is_clock_or_reset() const { return name == "aclk" || name == "aresetn"; }
+  /// Whether the port belongs to the AXI4-Lite port of the counters.
+  bool is_counter_bus() const { return name.starts_with("s_axi_"); }
+};
+
+/// Counters of one kind, as software reads them.
+struct SignatureCounters {
+  std::string name;
+  int count = 1;
+  int offset = 0;  ///< bytes; 8 more for each further counter, the low word of 32 bits first
 };
 
 /// A datapath's module and this make the name of its channel.
@@ -80,6 +89,9 @@ struct Signature {
   int tdata_bytes = 0;  ///< operands of one comparison, padded to whole bytes
   int tag_bits = 0;
   int counter_bits = 0;
+  /// Where software finds the counters on the AXI4-Lite port s_axi; empty where they are ports, or
+  /// where there are none.
+  std::vector<SignatureCounters> counter_map = {};
   int slots = 0;  ///< comparisons that may be inside one lane's channel
   scene::ResultOrder order = scene::ResultOrder::tagged;
   scene::OperandStore operands = scene::OperandStore::carried;
@@ -96,6 +108,16 @@ struct Signature {
   /// Files for other tools, relative to the signature (generator/project).
   std::vector<std::string> project = {};
 };
+
+/// Whether the counters are outputs of the top.
+inline bool has_counter_ports(const Signature& signature) {
+  return signature.counter_bits > 0 && signature.counter_map.empty();
+}
+
+/// Bits of an address on s_axi; 0 without it.
+int counter_address_bits(const Signature& signature);
+/// The number of references whose answers are counted.
+int counted_answers(const Signature& signature);
 
 std::string to_json(const Signature& signature);
 /// Reads the file that to_json was printed to. Errors name the file and the field.

@@ -65,7 +65,17 @@ std::vector<SignatureReferences> references_of(const Design& design,
   return references;
 }
 
-Signature signature_of(const Design& design, const rtl::SystemShape& shape) {
+std::vector<SignatureCounters> counter_map(const ScheduledSystem& scheduled) {
+  std::vector<SignatureCounters> map;
+  if (!scheduled.shape.has_counter_port()) return map;
+  for (const auto& [kind, offset] : rtl::counter_offsets(scheduled.counters())) {
+    map.push_back({.name = kind.name, .count = kind.count, .offset = offset});
+  }
+  return map;
+}
+
+Signature signature_of(const Design& design, const ScheduledSystem& scheduled) {
+  const rtl::SystemShape& shape = scheduled.shape;
   return {.top = shape.top,
           .generator_version = std::string(version),
           .spec_hash = {},
@@ -79,7 +89,8 @@ Signature signature_of(const Design& design, const rtl::SystemShape& shape) {
           .reference_groups = references_of(design, shape),
           .tdata_bytes = shape.tdata_bytes(),
           .tag_bits = shape.tag_bits,
-          .counter_bits = shape.counter_bits,
+          .counter_bits = shape.has_counter_port() ? shape.read_counter_bits : shape.counter_bits,
+          .counter_map = counter_map(scheduled),
           .slots = 1 << shape.slot_bits,
           .order = shape.order,
           .operands = shape.operands,
@@ -257,8 +268,7 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
   const std::string& prefix = design.system.prefix;
   add_prefix(modules, prefix);
 
-  GeneratedSystem system = {
-      signature_of(design, scheduled.shape), {}, slow_stages(scheduled.shape)};
+  GeneratedSystem system = {signature_of(design, scheduled), {}, slow_stages(scheduled.shape)};
   system.signature.spec_hash = spec_hash(modules, templates);
   system.signature.second_tier = second_tier_of(design, scheduled);
   if (!scheduled.pairwise) {

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "generator/emit/version.hpp"
 
 namespace mixcmp::project {
@@ -17,6 +19,37 @@ Values common_values(const ProjectSpec& spec, const std::string& comment) {
           {"PROVENANCE", head},
           {"TARGET_MHZ", fmt::format("{:g}", spec.signature.target_mhz)},
           {"PERIOD_NS", fmt::format("{:.3f}", 1000 / spec.signature.target_mhz)}};
+}
+
+void add_counter_values(const emit::Signature& signature,
+                        const std::vector<emit::SignaturePort>& ports, Values& values) {
+  const auto width_of = [&](const std::string& name) {
+    const auto port = std::find_if(ports.begin(), ports.end(),
+                                   [&](const auto& each) { return each.name == name; });
+    return port == ports.end() ? 0 : port->width;
+  };
+  const int address_bits = width_of("s_axi_araddr");
+  const bool counts = signature.counter_bits > 0;
+  values["COUNTS"] = counts ? "yes" : "";
+  values["COUNTER_OUTPUTS"] = counts && address_bits == 0 ? "yes" : "";
+  values["COUNTER_PORT"] = address_bits > 0 ? "yes" : "";
+  values["COUNTER_ADDRESS_BITS"] = std::to_string(address_bits);
+  // The counters of a system inside an engine whose port widens them are narrow.
+  const bool is_narrow = address_bits == 0 && !signature.counter_map.empty();
+  values["COUNTER_BITS"] = std::to_string(is_narrow ? width_of("comparisons") / signature.lanes
+                                                    : signature.counter_bits);
+  values["COUNTED_ANSWERS"] = is_narrow && width_of("answers") > 0 ? "yes" : "";
+  int number = 0;
+  std::string wires;
+  for (const emit::SignatureCounters& counters : signature.counter_map) {
+    wires += fmt::format(
+        "  wire [{0}*COUNTER_BITS-1:0] {1} =\n"
+        "      counts[{2}*COUNTER_BITS +: {0}*COUNTER_BITS];\n",
+        counters.count, counters.name, number);
+    number += counters.count;
+  }
+  values["COUNTERS"] = std::to_string(number);
+  values["COUNTER_WIRES"] = wires;
 }
 
 std::string joined(const std::vector<std::string>& lines, const std::string& before,

@@ -15,6 +15,11 @@ using emit::GeneratedFile;
 /// VERSION; PROVENANCE, lines that begin with `comment`; and TARGET_MHZ.
 Values common_values(const ProjectSpec& spec, const std::string& comment);
 
+/// Says whether a module with these ports counts, with how many bits, and how a test bench reads
+/// what it counts.
+void add_counter_values(const emit::Signature& signature,
+                        const std::vector<emit::SignaturePort>& ports, Values& values);
+
 /// Puts each line between `before` and `after`, and joins them.
 std::string joined(const std::vector<std::string>& lines, const std::string& before,
                    const std::string& after);

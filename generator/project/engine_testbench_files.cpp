@@ -13,14 +13,12 @@ constexpr int choice_bits = 32;  // of a row's choice in the file of vectors
 /// The values that the test benches of both kinds of engines have.
 Values engine_values(const ProjectSpec& spec) {
   const emit::SignatureEngine& engine = *spec.signature.engine;
-  const int counter_bits = spec.signature.counter_bits;
   Values values = common_values(spec, "//");
   values["DUT"] = engine.top;
   values["LANES"] = std::to_string(spec.signature.lanes);
   values["ITEM_BITS"] = std::to_string(8 * engine.item_bytes);
   values["FIELD_BITS"] = std::to_string((engine.index_bits + 7) / 8 * 8);
-  values["COUNTER_BITS"] = std::to_string(counter_bits);
-  values["COUNTS"] = counter_bits > 0 ? "yes" : "";
+  add_counter_values(spec.signature, engine.ports, values);
   return values;
 }
 

@@ -14,13 +14,14 @@ struct Unit {
   std::vector<rtl::Port> ports;  ///< `vector`: the port has a range in Verilog
 };
 
-/// The ports of a generated top. Those of a system have a range even where it is [0:0], but for the
-/// clock and the reset.
+/// The ports of a generated top. Those with fields of a system's lanes have a range even where it
+/// is [0:0].
 Unit build_unit(const ProjectSpec& spec) {
   Unit unit{spec.build_top(), {}};
   const bool is_system = !spec.signature.engine;
   for (const emit::SignaturePort& port : spec.build_ports()) {
-    const bool has_range = is_system ? !port.is_clock_or_reset() : port.width > 1;
+    const bool is_field = is_system && !port.is_clock_or_reset() && !port.is_counter_bus();
+    const bool has_range = is_field || port.width > 1;
     unit.ports.push_back({port.direction, port.width, port.name, has_range});
   }
   return unit;

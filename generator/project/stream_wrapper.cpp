@@ -35,6 +35,10 @@ std::vector<FieldPort> field_ports(const ProjectSpec& spec) {
     if (port.is_clock_or_reset()) continue;
     FieldPort field{.port = &port, .count = spec.signature.lanes};
     if (is_refetch(field)) field.count = spec.signature.references;
+    if (port.is_counter_bus()) {
+      field.count = 1;
+      field.is_single = true;
+    }
     if (spec.signature.engine) {
       field.is_single = !port.name.starts_with("m_axis_") && port.name != "reports";
       field.count = field.is_single ? 1 : spec.signature.engine->report_streams;

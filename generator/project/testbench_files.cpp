@@ -20,7 +20,6 @@ Values signature_values(const ProjectSpec& spec, const std::string& comment) {
   number("REFERENCES", s.references);
   number("TDATA_BITS", 8 * s.tdata_bytes);
   number("TAG_BITS", s.tag_bits);
-  number("COUNTER_BITS", s.counter_bits);
   number("IN_ORDER", s.order == scene::ResultOrder::in_order ? 1 : 0);
   number("REFETCHES", refetches(s) ? 1 : 0);
   number("COUNT", spec.vectors.size());
@@ -30,7 +29,7 @@ Values signature_values(const ProjectSpec& spec, const std::string& comment) {
 GeneratedFile verilog_testbench(const ProjectSpec& spec) {
   Values values = signature_values(spec, "//");
   values["DUT"] = spec.signature.top;
-  values["COUNTS"] = spec.signature.counter_bits > 0 ? "yes" : "";
+  add_counter_values(spec.signature, spec.signature.ports, values);
   values["REFETCHED"] = refetches(spec.signature) ? "yes" : "";
   return file_from(fmt::format("testbench/{}_tb.v", spec.signature.top), "testbench.v", values);
 }
@@ -59,6 +58,7 @@ std::string hexadecimal(const std::vector<std::uint8_t>& bytes) {
 std::vector<GeneratedFile> testbench_files(const ProjectSpec& spec) {
   Values values = signature_values(spec, "#");
   values["SOURCES"] = source_list(spec, " \\\n  $(SYSTEM)/", "");
+  add_counter_values(spec.signature, spec.signature.ports, values);
   return {verilog_testbench(spec), vector_file(spec),
           file_from(fmt::format("cocotb/test_{}.py", spec.signature.top), "cocotb_test.py", values),
           file_from("cocotb/Makefile", "cocotb_makefile", values)};

@@ -1,4 +1,5 @@
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -14,6 +15,15 @@ struct Stream {
   std::string name;
   std::vector<std::string> ports;
 };
+
+/// The ports of the counters' AXI4-Lite port.
+std::vector<std::string> counter_bus_of(const std::vector<std::string>& ports) {
+  std::vector<std::string> bus;
+  for (const std::string& port : ports) {
+    if (port.starts_with("s_axi_")) bus.push_back(port);
+  }
+  return bus;
+}
 
 /// Groups ports by the name in front of _tvalid, _tready, _tdata, _tuser and _tlast.
 std::vector<Stream> streams_of(const std::vector<std::string>& ports) {
@@ -83,6 +93,7 @@ std::vector<GeneratedFile> vivado_files(const ProjectSpec& spec) {
   values["IP_TOP"] = ip.top;
   values["IP_SOURCES"] = joined(ip.sources, "  ", "\n");
   values["STREAMS"] = stream_list(streams_of(ip.ports));
+  values["COUNTER_BUS"] = fmt::format("{}", fmt::join(counter_bus_of(ip.ports), " "));
   return {file_from("vivado/sources.tcl", "vivado_sources.tcl", values),
           file_from("vivado/synthesise.tcl", "vivado_synthesise.tcl", values),
           file_from("vivado/package_ip.tcl", "vivado_package_ip.tcl", values),

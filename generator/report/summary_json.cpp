@@ -94,6 +94,7 @@ nlohmann::json json_of_system(const Scene& scene) {
           {"operands", to_string(system.operands)},
           {"tag_bits", system.tag_bits},
           {"counter_bits", system.counter_bits},
+          {"counters", to_string(system.counters)},
           {"engine", json_of(system.engine)}};
 }
 

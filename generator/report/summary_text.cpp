@@ -169,6 +169,7 @@ void print_understood(SectionList& page, const Scene& scene) {
   page.line("operands", to_string(system.operands));
   page.line("tag_bits", fmt::format("{}", system.tag_bits));
   page.line("counter_bits", fmt::format("{}", system.counter_bits));
+  page.line("counters", to_string(system.counters));
   if (system.engine.kind == EngineKind::none) return;
   if (system.engine.kind == EngineKind::arg_min) {
     return page.line("engine",

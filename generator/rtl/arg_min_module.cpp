@@ -6,7 +6,7 @@
 namespace mixcmp::rtl {
 namespace {
 
-const std::vector<std::string> engine_counters = {"rows", "stalled_cycles"};
+const std::vector<Counters> own_counters = {{"rows"}, {"stalled_cycles"}};
 
 std::vector<Port> arg_min_ports(const EngineShape& engine, const SystemShape& system) {
   std::vector<Port> ports;
@@ -27,7 +27,7 @@ std::vector<Port> arg_min_ports(const EngineShape& engine, const SystemShape& sy
   add_output(ports, engine.spec.row_tag_bits, "m_axis_tuser");
   add_output(ports, 1, "m_axis_tlast");
   add_output(ports, 1, "overrun");
-  add_counters(system, engine_counters, ports);
+  add_counters(arg_min_counters(system), system, ports);
   return ports;
 }
 
@@ -71,7 +71,7 @@ Instance arg_min_instance(const EngineShape& engine, const SystemShape& system,
          {"s_axis_tuser", "s_axis_tlast", "pair_tvalid", "pair_tready", "pair_row", "pair_best",
           "pair_own", "result_tvalid", "result_tready", "result_tdata", "m_axis_tvalid",
           "m_axis_tready", "m_axis_tdata", "m_axis_tuser", "m_axis_tlast", "overrun"});
-  connect_counters(system, engine_counters, items, connections);
+  connect_counters(system, own_counters, items, connections);
   TemplateInstance around = arg_min_template(engine, system);
   return {around.module, "engine", std::move(around.parameters), std::move(connections)};
 }
@@ -87,6 +87,13 @@ TemplateInstance arg_min_template(const EngineShape& engine, const SystemShape& 
            {"INDEX_BITS", engine.index_bits()},
            {"SLOT_BITS", system.slot_bits},
            {"COUNTER_BITS", system.counter_bits}}};
+}
+
+std::vector<Counters> arg_min_counters(const SystemShape& system) {
+  std::vector<Counters> counters = system_counters(system);
+  if (system.counter_bits == 0) return counters;
+  counters.insert(counters.end(), own_counters.begin(), own_counters.end());
+  return counters;
 }
 
 Module arg_min_module(const EngineShape& engine, const SystemShape& system) {

@@ -74,29 +74,13 @@ void consume_padding(const std::string& port, int bits, int port_bits,
                        all_bits(concatenation({literal(1, 0), slice(port, port_bits - 1, bits)}))});
 }
 
-const std::vector<std::string>& lane_counters() {
-  static const std::vector<std::string> names = {"comparisons", "recomputations", "stalls"};
-  return names;
-}
-
-void add_counters(const SystemShape& system, const std::vector<std::string>& engine_counters,
-                  std::vector<Port>& ports) {
-  if (system.counter_bits == 0) return;
-  for (const std::string& counter : lane_counters()) {
-    add_output(ports, system.lanes * system.counter_bits, counter, true);
-  }
-  for (const std::string& counter : engine_counters) {
-    add_output(ports, system.counter_bits, counter);
-  }
-}
-
-void connect_counters(const SystemShape& system, const std::vector<std::string>& engine_counters,
+void connect_counters(const SystemShape& system, const std::vector<Counters>& counters,
                       std::vector<ModuleItem>& items, std::vector<Connection>& connections) {
-  for (const std::string& counter : engine_counters) {
+  for (const auto& [counter, count] : counters) {
     if (system.counter_bits > 0) {
       connections.push_back(by_name(counter));
     } else {
-      items.push_back(Wire{1, "unused_" + counter, nullptr});
+      items.push_back(Wire{count, "unused_" + counter, nullptr});
       connections.push_back({counter, net("unused_" + counter)});
     }
   }
@@ -127,7 +111,7 @@ Instance system_instance(const SystemShape& system, const Operand& tag) {
     connections.push_back({"s_refetch_tready", net("answer_tready")});
     connections.push_back({"s_refetch_tdata", net("answer_operands")});
   }
-  if (system.counter_bits > 0) append(connections, lane_counters());
+  for (const Counters& each : system_counters(system)) connections.push_back(by_name(each.name));
   return {system.top, "system", {}, std::move(connections)};
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/rtl/counter_port.hpp"
 #include "generator/rtl/engine_shape.hpp"
 
 /// Parts that the modules of all engines share: operands taken out of items, counters, and the
@@ -30,13 +31,8 @@ std::shared_ptr<const ForGenerate> loop(const std::string& variable, int first, 
 void consume_padding(const std::string& port, int bits, int port_bits,
                      std::vector<ModuleItem>& items);
 
-/// The names of the counters that each lane has.
-const std::vector<std::string>& lane_counters();
-/// Adds the counters of the lanes and of the engine to the engine's ports, if the system counts.
-void add_counters(const SystemShape& system, const std::vector<std::string>& engine_counters,
-                  std::vector<Port>& ports);
-/// Connects the engine's counters to its ports or, if the system does not count, to unused nets.
-void connect_counters(const SystemShape& system, const std::vector<std::string>& engine_counters,
+/// Connects an engine's counters to its ports or, if the system does not count, to unused nets.
+void connect_counters(const SystemShape& system, const std::vector<Counters>& counters,
                       std::vector<ModuleItem>& items, std::vector<Connection>& connections);
 
 /// An instance of the system: its streams are connected to the nets pair_*, operands and result_*,

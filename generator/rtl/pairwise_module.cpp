@@ -10,12 +10,9 @@
 namespace mixcmp::rtl {
 namespace {
 
-/// The counters of the engine, with their number where it is not 1.
-std::vector<std::pair<std::string, int>> counters(const PairwiseShape& shape) {
-  return {{"reports", shape.streams()},
-          {"recomputations", 1},
-          {"busy_cycles", 1},
-          {"stalled_cycles", 1}};
+/// The counters of the template pairwise_engine.
+std::vector<Counters> engine_counters(const PairwiseShape& shape) {
+  return {{"reports", shape.streams()}, {"recomputations"}, {"busy_cycles"}, {"stalled_cycles"}};
 }
 
 std::vector<Port> pairwise_ports(const PairwiseShape& shape, const SystemShape& system) {
@@ -34,10 +31,7 @@ std::vector<Port> pairwise_ports(const PairwiseShape& shape, const SystemShape& 
   add_output(ports, streams * 8 * shape.report_bytes(), "m_axis_tdata");
   add_output(ports, streams * result_bits, "m_axis_tuser");
   add_output(ports, streams, "m_axis_tlast", vector);
-  if (system.counter_bits == 0) return ports;
-  for (const auto& [counter, count] : counters(shape)) {
-    add_output(ports, count * system.counter_bits, counter);
-  }
+  add_counters(pairwise_counters(shape, system), system, ports);
   return ports;
 }
 
@@ -210,6 +204,9 @@ ModuleItem reference_loop(const SystemShape& system, const DatapathGroup& group)
   connections.insert(connections.end(), request.begin(), request.end());
   connections.push_back({"m_answer_valid", one("answer_valid", 1)});
   connections.push_back({"m_answer_tdata", one("answer_tdata", system.tag_bits + verdict_bits)});
+  if (system.counts_answers()) {
+    connections.push_back({"answers", one("answers", system.counter_bits)});
+  }
   items.push_back(Instance{group.channel, "channel", {}, std::move(connections)});
   return loop("reference", group.first, group.count, group.label, std::move(items));
 }
@@ -241,18 +238,6 @@ void connect_references(const PairwiseShape& shape, const SystemShape& system,
   connections.push_back({"s_answer_tdata", zeros(system.tag_bits + verdict_bits)});
 }
 
-void connect_counters(const PairwiseShape& shape, const SystemShape& system,
-                      std::vector<ModuleItem>& items, std::vector<Connection>& connections) {
-  for (const auto& [counter, count] : counters(shape)) {
-    if (system.counter_bits > 0) {
-      connections.push_back(by_name(counter));
-      continue;
-    }
-    items.push_back(Wire{count, "unused_" + counter, nullptr});
-    connections.push_back({counter, net("unused_" + counter)});
-  }
-}
-
 Instance engine_instance(const PairwiseShape& shape, const SystemShape& system,
                          std::vector<ModuleItem>& items) {
   std::vector<Connection> connections = clock_and_reset();
@@ -268,7 +253,7 @@ Instance engine_instance(const PairwiseShape& shape, const SystemShape& system,
   connect_references(shape, system, items, connections);
   append(connections,
          {"m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser", "m_axis_tlast"});
-  connect_counters(shape, system, items, connections);
+  connect_counters(system, engine_counters(shape), items, connections);
   TemplateInstance around = pairwise_template(shape, system);
   return {around.module, "engine", std::move(around.parameters), std::move(connections)};
 }
@@ -330,6 +315,13 @@ TemplateInstance pairwise_template(const PairwiseShape& shape, const SystemShape
            {"EVERY_CYCLE", every_cycle_mask(system)},
            {"OUTSTANDING_BITS", outstanding_bits(system)},
            {"COUNTER_BITS", system.counter_bits}}};
+}
+
+std::vector<Counters> pairwise_counters(const PairwiseShape& shape, const SystemShape& system) {
+  if (system.counter_bits == 0) return {};
+  std::vector<Counters> counters = engine_counters(shape);
+  for (Counters& answers : answer_counters(system)) counters.push_back(std::move(answers));
+  return counters;
 }
 
 Module pairwise_module(const PairwiseShape& shape, const SystemShape& system) {

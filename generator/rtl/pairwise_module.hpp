@@ -1,5 +1,6 @@
 #pragma once
 
+#include "generator/rtl/counter_port.hpp"
 #include "generator/rtl/engine_shape.hpp"
 #include "generator/rtl/item_words.hpp"
 #include "generator/rtl/segment_module.hpp"
@@ -29,6 +30,9 @@ SystemShape reference_shape(SystemShape system);
 /// The template pairwise_engine, everything but lanes and references, with its parameters;
 /// unconnected.
 TemplateInstance pairwise_template(const PairwiseShape& shape, const SystemShape& system);
+
+/// The counters of the engine's top.
+std::vector<Counters> pairwise_counters(const PairwiseShape& shape, const SystemShape& system);
 
 /// The engine's top module: it takes items and returns reports of pairs.
 Module pairwise_module(const PairwiseShape& shape, const SystemShape& system);

@@ -3,6 +3,7 @@
 #include <bit>
 
 #include "generator/rtl/connections.hpp"
+#include "generator/rtl/counter_port.hpp"
 #include "generator/rtl/datapath_builder.hpp"
 
 namespace mixcmp::rtl {
@@ -25,7 +26,7 @@ const std::vector<std::string> request_stream = {"m_request_tvalid", "m_request_
                                                  "m_request_tdata"};
 const std::vector<std::string> answer_ports = {"s_answer_valid", "s_answer_slot",
                                                "s_answer_verdict"};
-const std::vector<std::string> counters = {"comparisons", "recomputations", "stalls"};
+const std::vector<std::string> channel_counters = {"comparisons", "recomputations", "stalls"};
 
 std::vector<Port> lane_channel_ports(const SystemShape& shape) {
   std::vector<Port> ports;
@@ -48,7 +49,8 @@ std::vector<Port> lane_channel_ports(const SystemShape& shape) {
   add_output(ports, result_bits, "m_axis_tdata");
   add_output(ports, shape.tag_bits, "m_axis_tuser");
   if (shape.counter_bits > 0) {
-    for (const std::string& counter : counters) add_output(ports, shape.counter_bits, counter);
+    for (const std::string& counter : channel_counters)
+      add_output(ports, shape.counter_bits, counter);
   }
   return ports;
 }
@@ -71,7 +73,7 @@ void tie_off(const SystemShape& shape, std::vector<ModuleItem>& items,
     connections.push_back({"s_answer_slot", literal(shape.slot_bits, 0)});
     connections.push_back({"s_answer_verdict", literal(verdict_bits, 0)});
   }
-  for (const std::string& counter : counters) {
+  for (const std::string& counter : channel_counters) {
     if (shape.counter_bits > 0) {
       connections.push_back(by_name(counter));
     } else {
@@ -132,11 +134,7 @@ std::vector<Port> top_ports(const SystemShape& shape) {
   add_output(ports, shape.lanes * result_bits, "m_axis_tdata", true);
   add_output(ports, shape.lanes * shape.tag_bits, "m_axis_tuser", true);
   if (shape.refetches()) add_per_reference_refetch(ports, shape, shape.references, true);
-  if (shape.counter_bits > 0) {
-    for (const std::string& counter : counters) {
-      add_output(ports, shape.lanes * shape.counter_bits, counter, true);
-    }
-  }
+  add_counters(system_counters(shape), shape, ports);
   return ports;
 }
 
@@ -216,7 +214,8 @@ ModuleItem lane_loop(const SystemShape& shape, const DatapathGroup& group) {
   connect("m_axis_tdata", "m_axis_tdata", result_bits);
   connect("m_axis_tuser", "m_axis_tuser", shape.tag_bits);
   if (shape.counter_bits > 0) {
-    for (const std::string& counter : counters) connect(counter, counter, shape.counter_bits);
+    for (const std::string& counter : channel_counters)
+      connect(counter, counter, shape.counter_bits);
   }
   return channel_loop("lane", group, std::move(items), std::move(connections));
 }
@@ -242,7 +241,19 @@ ModuleItem reference_loop(const SystemShape& shape, const DatapathGroup& group) 
     connect("s_refetch_tready", "s_refetch_tready", 1);
     connections.push_back({"s_refetch_tdata", slice("refetched", shape.operand_bits() - 1, 0)});
   }
+  if (shape.counts_answers()) connect("answers", "answers", shape.counter_bits);
   return channel_loop("reference", group, std::move(items), std::move(connections));
+}
+
+/// Counts the answers of a reference.
+Instance answer_counter(const SystemShape& shape) {
+  std::vector<Connection> connections = clock_and_reset();
+  connections.push_back({"step", net("m_answer_valid")});
+  connections.push_back({"count", net("answers")});
+  return {"event_counter",
+          "answer_counter",
+          {{"COUNTER_BITS", shape.counter_bits}},
+          std::move(connections)};
 }
 
 /// Connects a port of the crossbar, which mirrors the channel's: what a channel sends, it receives.
@@ -347,6 +358,7 @@ Module reference_channel_module(const SystemShape& shape, const DatapathGroup& g
         {output ? Direction::output : Direction::input, bundle.width, bundle.port});
   }
   if (shape.refetches()) add_per_reference_refetch(module.ports, shape, 1, false);
+  if (shape.counts_answers()) add_output(module.ports, shape.counter_bits, "answers");
 
   std::vector<ModuleItem>& items = module.items;
   items.push_back(Wire{shape.operand_bits(), "reference_operands", nullptr});
@@ -369,6 +381,7 @@ Module reference_channel_module(const SystemShape& shape, const DatapathGroup& g
   connect_refetch(shape, items, port);
   TemplateInstance around = reference_port_template(shape, schedule);
   items.push_back(Instance{around.module, "port", std::move(around.parameters), std::move(port)});
+  if (shape.counts_answers()) items.push_back(answer_counter(shape));
   return module;
 }
 

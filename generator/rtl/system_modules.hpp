@@ -33,7 +33,8 @@ struct SystemShape {
   int references = 0;                    ///< p_H
   int tag_bits = 0;
   int slot_bits = 0;
-  int counter_bits = 0;
+  int counter_bits = 0;       ///< of each counter's output; 0: no counters
+  int read_counter_bits = 0;  ///< of counts that software reads on a port; 0: there is no such port
   scene::ResultOrder order = scene::ResultOrder::tagged;
   scene::OperandStore operands = scene::OperandStore::carried;
 
@@ -43,10 +44,11 @@ struct SystemShape {
   int refetch_bits() const { return (tag_bits + 7) / 8 * 8; }
   int lane_bits() const;     ///< width of a lane's number, at least 1
   int payload_bits() const;  ///< width of a recomputation request's operands or tag
-  int counter_port_bits() const { return counter_bits == 0 ? 1 : counter_bits; }
   /// Cycles that the channel adds to its lane's latency, for a decided comparison that never waits.
   int channel_latency_cycles() const;
   bool recomputes() const { return references > 0; }
+  bool has_counter_port() const { return read_counter_bits > 0; }
+  bool counts_answers() const { return has_counter_port() && recomputes(); }
   bool refetches() const { return recomputes() && operands == scene::OperandStore::refetched; }
 };
 

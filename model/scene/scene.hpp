@@ -37,6 +37,13 @@ enum class OperandStore {
   refetched,  ///< fetched from the user's memory by tag
 };
 
+/// The way in which a system's counters are read.
+enum class CounterAccess {
+  none,      ///< there are no counters
+  ports,     ///< each counter is an output of the top
+  axi_lite,  ///< software reads them all on an AXI4-Lite port
+};
+
 /// What the multipliers of a datapath are made of.
 enum class Multipliers {
   embedded,  ///< the device's multiplier blocks, as far as synthesis finds some
@@ -49,6 +56,7 @@ std::string_view to_string(BoundKind bound);
 std::string_view to_string(std::optional<error::ErrorBoundKind> bound);  ///< none: "auto"
 std::string_view to_string(ResultOrder order);
 std::string_view to_string(OperandStore store);
+std::string_view to_string(CounterAccess access);
 std::string_view to_string(Multipliers multipliers);
 
 struct ReducedSpec {
@@ -105,8 +113,9 @@ struct SystemSpec {
   double target_mhz = 200;
   ResultOrder order = ResultOrder::tagged;
   OperandStore operands = OperandStore::carried;
-  int tag_bits = 32;               ///< 1..64
-  int counter_bits = 32;           ///< 0 (no counters) or 8..64
+  int tag_bits = 32;                              ///< 1..64
+  int counter_bits = 32;                          ///< 0 (no counters) or 8..64; 16..64 for axi_lite
+  CounterAccess counters = CounterAccess::ports;  ///< `none` where counter_bits is 0
   std::string prefix = "mixcmp_";  ///< begins the name of every generated module but the top
   /// The engine around the system. An engine sets `operands` and `tag_bits`, and an arg_min engine
   /// sets `order`, too: see with_engine.

@@ -30,6 +30,15 @@ std::string_view to_string(OperandStore store) {
   MIXCMP_CHECK(false);
 }
 
+std::string_view to_string(CounterAccess access) {
+  switch (access) {
+    case CounterAccess::none: return "none";
+    case CounterAccess::ports: return "ports";
+    case CounterAccess::axi_lite: return "axi_lite";
+  }
+  MIXCMP_CHECK(false);
+}
+
 std::string_view to_string(Multipliers multipliers) {
   switch (multipliers) {
     case Multipliers::embedded: return "embedded";

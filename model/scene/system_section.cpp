@@ -17,6 +17,31 @@ void check_prefix(settings::Section& section, const std::string& prefix) {
       fmt::format("letters, digits and '_', no digit nor verilator first, at most {}", longest));
 }
 
+/// Reads the counters' width and the way to them, which must not contradict each other.
+void read_counters(settings::Section& section, SystemSpec& spec) {
+  const auto is_given = [&](const char* key) { return section.find(key) != nullptr; };
+  section.integer_or_zero("counter_bits", spec.counter_bits, settings::limits::counter_bits,
+                          "no counters");
+  if (spec.counter_bits == 0) spec.counters = CounterAccess::none;
+  section.choice("counters", spec.counters,
+                 {CounterAccess::none, CounterAccess::ports, CounterAccess::axi_lite});
+  const std::string bits = fmt::format("{}", spec.counter_bits);
+  if (spec.counters == CounterAccess::none) {
+    if (is_given("counter_bits") && spec.counter_bits > 0) {
+      section.fail("counter_bits", "contradicts counters = \"none\"", bits, "0");
+    }
+    spec.counter_bits = 0;
+  } else if (spec.counter_bits == 0) {
+    section.fail("counters", "contradicts counter_bits = 0", in_quotes(to_string(spec.counters)),
+                 "\"none\"");
+  } else if (spec.counters == CounterAccess::axi_lite &&
+             !settings::limits::read_counter_bits.allow(spec.counter_bits)) {
+    section.fail(
+        "counter_bits", "too narrow for counters = \"axi_lite\"", bits,
+        fmt::format("an integer {}", settings::to_string(settings::limits::read_counter_bits)));
+  }
+}
+
 }  // namespace
 
 void read_structure(settings::Section& section, ReferenceStructureSpec& structure) {
@@ -61,8 +86,7 @@ Result<SystemSpec> read_system(const settings::Settings& settings) {
   section.choice("order", spec.order, {ResultOrder::tagged, ResultOrder::in_order});
   section.choice("operands", spec.operands, {OperandStore::carried, OperandStore::refetched});
   section.integer("tag_bits", spec.tag_bits, settings::limits::tag_bits);
-  section.integer_or_zero("counter_bits", spec.counter_bits, settings::limits::counter_bits,
-                          "no counters");
+  read_counters(section, spec);
   section.text("prefix", spec.prefix);
   check_prefix(section, spec.prefix);
   if (spec.device.empty()) section.fail("device", "empty", "\"\"", "a device's name");

@@ -33,7 +33,8 @@ inline constexpr Limits engine_lanes{1, 4096};  ///< p_L of a pairwise engine, l
 inline constexpr Limits references{0, 16};      ///< p_H, likewise; a group has at least 1
 inline constexpr Limits initiation_interval{1, 64};
 inline constexpr Limits tag_bits{1, 64};
-inline constexpr Limits counter_bits{8, 64};  ///< or 0: no counters
+inline constexpr Limits counter_bits{8, 64};        ///< or 0: no counters
+inline constexpr Limits read_counter_bits{16, 64};  ///< of counters on an AXI4-Lite port
 inline constexpr Limits engine_capacity{2, 65'536};
 inline constexpr Limits lanes_per_group{1, 64};
 inline constexpr Limits report_streams{1, 64};

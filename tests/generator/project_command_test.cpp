@@ -158,6 +158,7 @@ TEST_F(Project, TheTestBenchPassesForEveryKindOfSystem) {
   for (const char* settings :
        {"--set system.operands=refetched --set system.tag_bits=5 --lanes 3 --references 2",
         "--set system.order=in_order --set system.counter_bits=0 --lanes 1",
+        "--set system.counters=axi_lite --lanes 3 --references 2",
         "--references 0 --set system.tag_bits=64", "--format block9 --set system.tag_bits=33"}) {
     generate(std::string("--project icarus --vectors 60 ") + settings);
     const Outcome run = in_folder("rtl/icarus/run work");
@@ -221,10 +222,10 @@ TEST_F(EngineProject, ThePairwiseEngineIsTested) {
 
 TEST_F(EngineProject, EachFormOfReportIsTested) {
   write_pairs();
-  for (const char* settings :
-       {"--set engine.report_streams=2 --set engine.lanes_per_group=1",
-        "--set engine.report_as=count", "--set system.counter_bits=0 --set system.references=0",
-        "--set 'engine.report=[\"less\"]' --set engine.report_as=bitmap"}) {
+  for (const char* settings : {"--set engine.report_streams=2 --set engine.lanes_per_group=1",
+                               "--set engine.report_as=count", "--set system.counters=axi_lite",
+                               "--set system.counter_bits=0 --set system.references=0",
+                               "--set 'engine.report=[\"less\"]' --set engine.report_as=bitmap"}) {
     generate(std::string("--project icarus ") + settings);
     const Outcome run = in_folder("rtl/icarus/run work +seed=3");
     EXPECT_EQ(run.exit_code, 0) << settings << "\n" << run.output;
@@ -244,7 +245,8 @@ TEST_F(EngineProject, ItemsOfTwoTablesAreTested) {
 
 TEST_F(EngineProject, TheArgMinEngineIsTested) {
   write_chain();
-  for (const char* settings : {"", "--set system.counter_bits=0", "--lanes 4"}) {
+  for (const char* settings :
+       {"", "--set system.counter_bits=0", "--lanes 4", "--set system.counters=axi_lite"}) {
     generate(std::string("--project icarus ") + settings);
     const Outcome run = in_folder("rtl/icarus/run work +seed=7");
     EXPECT_EQ(run.exit_code, 0) << settings << "\n" << run.output;

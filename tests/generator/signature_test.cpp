@@ -36,6 +36,7 @@ emit::Signature some_signature() {
           .tdata_bytes = 24,
           .tag_bits = 31,
           .counter_bits = 48,
+          .counter_map = {{"comparisons", 5, 0}, {"answers", 3, 40}},
           .slots = 64,
           .order = scene::ResultOrder::in_order,
           .operands = scene::OperandStore::refetched,

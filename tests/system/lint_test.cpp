@@ -79,6 +79,12 @@ design::Design with_arg_min(int lanes, const std::function<void(design::Design&)
   return design;
 }
 
+design::Design with_counter_port(design::Design design) {
+  design.system.counters = scene::CounterAccess::axi_lite;
+  design.system.counter_bits = 48;
+  return design;
+}
+
 std::vector<Variant> variants() {
   const design::Design base = sphere_design(format("s17e8"), format("s53e8"), 8, 1);
   constexpr auto running = error::ErrorBoundKind::running;
@@ -93,6 +99,10 @@ std::vector<Variant> variants() {
                                      d.system.counter_bits = 0;
                                      d.system.tag_bits = 5;
                                    })},
+      {"counter_port_8x1", with_counter_port(base)},
+      {"counter_port_padded_7x3", with_counter_port(odd)},
+      {"pairwise_counter_port", with_counter_port(with_pairs(base, 9))},
+      {"arg_min_counter_port", with_counter_port(with_arg_min(8, [](auto&) {}))},
       {"slow_clock", with(base, [](auto& d) { d.system.target_mhz = 10; })},
       {"fast_clock", with(base, [](auto& d) { d.system.target_mhz = 900; })},
       {"padded_7x3", odd},

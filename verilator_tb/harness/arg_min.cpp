@@ -65,6 +65,7 @@ private:
     }
     response_.overrun = ports_.overrun.bit(0) ? 1 : 0;
     for (int k = 0; k < quiet_cycles && !stopped_; ++k) step();
+    if (!stopped_) fetch_counters([this] { step(); });
   }
 
   void step() {
@@ -186,6 +187,8 @@ private:
     channel.write(results_.data(), results_.size());
     channel.write(violations_.data(), violations_.size());
     channel.write(ends.data(), ends.size());
+    const std::vector<std::uint64_t> answers = counted_answers(ports_.answers);
+    channel.write(answers.data(), answers.size());
     results_.clear();
     violations_.clear();
   }

@@ -27,7 +27,8 @@ enum class LoadState : std::uint64_t {
 };
 
 /// The head of a response, followed by the rows that left, in the order of leaving, by the
-/// violations, and by one CounterValues for each lane, of which only `counted` is set.
+/// violations, by one CounterValues for each lane, of which only `counted` is set, and, if they are
+/// counted, by the answers of each reference since reset (std::uint64_t).
 struct LoadResponse {
   std::uint64_t rows;
   std::uint64_t violations;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clocked_model.hpp"
+#include "counter_reader.hpp"
 #include "hold_checker.hpp"
 #include "protocol.hpp"
 #include "settings.hpp"
@@ -34,6 +35,7 @@ protected:
   /// Resets the engine. `entering`: the tvalid of each input stream; they are low meanwhile.
   void reset_engine(std::initializer_list<Port*> entering) {
     for (HoldChecker& hold : hold_) hold.reset();
+    counter_reader_.clear();
     for (Port* tvalid : entering) tvalid->set_bit(0, false);
     for (std::size_t s = 0; s < hold_.size(); ++s) ports_.m_axis_tready.set_bit(s, false);
     ports_.aresetn.set_bit(0, false);
@@ -67,6 +69,13 @@ protected:
     stopped_ = true;
   }
 
+  /// Fetches the counters where they are on a bus. `step` simulates a cycle in which the engine has
+  /// nothing to do.
+  template <class Step>
+  void fetch_counters(Step step) {
+    if (const auto fault = counter_reader_.read(step)) violate(*fault, 0);
+  }
+
   /// Reads the engine's own counters into end.counted, from its first place on.
   void read_counters(wire::CounterValues& end, std::initializer_list<const Port*> counters) const {
     if (system::counter_bits == 0) return;
@@ -80,6 +89,7 @@ protected:
   Traffic traffic_;
   ClockedModel clocked_;
   EnginePorts ports_;
+  CounterReader counter_reader_{ports_.bus};
   std::array<HoldChecker, system::output_streams> hold_;  ///< of each stream that leaves
   std::vector<wire::Violation> violations_;               ///< since the last response
   std::uint64_t cycle_ = 0;

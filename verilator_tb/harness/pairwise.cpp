@@ -69,6 +69,7 @@ private:
       if (cycle_ - progress_ > limit) hang();
     }
     for (int k = 0; k < quiet_cycles && !stopped_; ++k) step();
+    if (!stopped_) fetch_counters([this] { step(); });
   }
 
   void interrupt() {
@@ -186,6 +187,8 @@ private:
       }
       channel.write(&end, 1);
     }
+    const std::vector<std::uint64_t> answers = counted_answers(ports_.answers);
+    channel.write(answers.data(), answers.size());
     reports_.clear();
     violations_.clear();
   }

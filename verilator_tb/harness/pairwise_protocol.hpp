@@ -23,7 +23,8 @@ enum class SetState : std::uint64_t {
   stopped,      ///< the engine stands still, or max_violations were seen; the simulator ends
 };
 
-/// The head of a response, followed by the reports, the violations and a StreamEnd for each stream.
+/// The head of a response, followed by the reports, the violations, a StreamEnd for each stream
+/// and, if they are counted, the answers of each reference since reset (std::uint64_t).
 struct SetResponse {
   std::uint64_t reports;
   std::uint64_t violations;

@@ -59,12 +59,19 @@ private:
   std::uint8_t* bytes_ = nullptr;
 };
 
+/// The AXI4-Lite port on which software reads the counters; null ports in systems without it.
+struct CounterBus {
+  Port awaddr, awvalid, awready, wdata, wstrb, wvalid, wready, bresp, bvalid, bready;
+  Port araddr, arvalid, arready, rdata, rresp, rvalid, rready;
+};
+
 /// The ports of a generated system's top; each per-lane port is a vector, lane 0 lowest.
 struct Ports {
   Port aclk, aresetn;
   Port s_axis_tvalid, s_axis_tready, s_axis_tdata, s_axis_tuser;
   Port m_axis_tvalid, m_axis_tready, m_axis_tdata, m_axis_tuser;
-  Port comparisons, recomputations, stalls;
+  Port comparisons, recomputations, stalls, answers;
+  CounterBus bus;
   Port m_refetch_tvalid, m_refetch_tready, m_refetch_tdata;
   Port s_refetch_tvalid, s_refetch_tready, s_refetch_tdata;
 };
@@ -74,7 +81,8 @@ struct PairwisePorts {
   Port aresetn;
   Port s_axis_tvalid, s_axis_tready, s_axis_tdata, s_axis_tuser, s_axis_tlast;
   Port m_axis_tvalid, m_axis_tready, m_axis_tdata, m_axis_tuser, m_axis_tlast;
-  Port reports, recomputations, busy_cycles, stalled_cycles;
+  Port reports, recomputations, busy_cycles, stalled_cycles, answers;
+  CounterBus bus;
 };
 
 /// The ports of an arg-min engine; the first three counters are vectors of the lanes'.
@@ -84,8 +92,9 @@ struct ArgMinPorts {
   Port s_axis_tvalid, s_axis_tready, s_axis_tdata, s_axis_tuser, s_axis_tlast;
   Port m_axis_tvalid, m_axis_tready, m_axis_tdata, m_axis_tuser, m_axis_tlast;
   Port overrun;
-  Port comparisons, recomputations, stalls;
+  Port comparisons, recomputations, stalls, answers;
   Port rows, stalled_cycles;
+  CounterBus bus;
 };
 
 }  // namespace mixcmp::harness

@@ -23,7 +23,8 @@ enum class State : std::uint64_t {
 };
 
 /// The head of a response, followed by the results, the violations and, when drained, one
-/// CounterValues for each lane.
+/// CounterValues for each lane and, if they are counted, the answers of each reference
+/// (std::uint64_t).
 struct Response {
   std::uint64_t results;
   std::uint64_t violations;
@@ -58,6 +59,7 @@ enum class Fault : std::uint32_t {
   after_the_end,      ///< pairwise engine: a report behind the closing beat
   closed_early,       ///< pairwise engine: a closing beat before the last item
   loaded_among_rows,  ///< arg-min engine: a candidate accepted while a row is inside
+  counter_port,       ///< the AXI4-Lite port of the counters broke a rule of the bus
 };
 
 struct Violation {

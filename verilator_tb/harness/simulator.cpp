@@ -7,6 +7,7 @@
 
 #include "channel.hpp"
 #include "clocked_model.hpp"
+#include "counter_reader.hpp"
 #include "lane_driver.hpp"
 #include "refetch_memory.hpp"
 #include "settings.hpp"
@@ -56,7 +57,13 @@ private:
     while (!stopped() && (feed_.size() > 0 || is_busy())) step();
     // Long enough for a duplicate of the last result to show itself.
     for (int k = 0; !stopped() && k < 4 * system::slots; ++k) step();
+    if (!stopped()) read_counters();
     if (!stopped()) state_ = wire::State::drained;
+  }
+
+  void read_counters() {
+    const auto fault = counters_.read([this] { step(); });
+    if (fault) recorder_.violation({*fault, 0, wire::no_position, 0, cycle_});
   }
 
   bool is_busy() const {
@@ -107,8 +114,10 @@ private:
 
   void respond(Channel& channel) {
     std::vector<wire::CounterValues> ends;
+    std::vector<std::uint64_t> answers;
     if (state_ == wire::State::drained) {
       for (const LaneDriver& lane : lanes_) ends.push_back(lane.counters());
+      answers = counted_answers(ports_.answers);
     }
     const std::vector<wire::Result> results = recorder_.take_results();
     const std::vector<wire::Violation> violations = recorder_.take_violations();
@@ -120,6 +129,7 @@ private:
     channel.write(results.data(), results.size());
     channel.write(violations.data(), violations.size());
     channel.write(ends.data(), ends.size());
+    channel.write(answers.data(), answers.size());
   }
 
   static constexpr int reset_cycles = 2;
@@ -128,6 +138,7 @@ private:
   Traffic traffic_;
   ClockedModel clocked_;
   Ports ports_;
+  CounterReader counters_{ports_.bus};
   Recorder recorder_;
   Feed feed_{system::tdata_bytes};
   std::vector<LaneDriver> lanes_;

@@ -1,5 +1,6 @@
 // Drives a generated system in an event-driven simulator on stimulus.hex and writes results.txt; the
-// host judges. The macros SYSTEM (the top's name), COUNTERS and REFETCHED say which ports there are;
+// host judges. The macros SYSTEM (the top's name), COUNTERS, COUNTER_PORT and REFETCHED say which
+// ports there are: with COUNTER_PORT counter_reader reads the counters on a bus;
 // the parameters are the system's signature. See verilator_tb/harness/protocol.hpp, whose numbers
 // for faults and states are used here, and verilator_tb/icarus.cpp, which reads the lines.
 `default_nettype none
@@ -18,6 +19,13 @@ module testbench;
   parameter STRESSED = 0;
   parameter SEED = 1;
   parameter HANG_CYCLES = 50000;
+  // Of the counters on a bus: their number, and which one is the first of each kind.
+  parameter MAPPED_COUNTERS = 1;
+  parameter COUNTER_ADDRESS_BITS = 4;
+  parameter FIRST_COMPARISONS = 0;
+  parameter FIRST_RECOMPUTATIONS = 0;
+  parameter FIRST_STALLS = 0;
+  parameter FIRST_ANSWERS = 0;
 
   localparam VALID_DROPPED = 0;
   localparam PAYLOAD_CHANGED = 1;
@@ -30,6 +38,7 @@ module testbench;
   localparam HUNG = 8;
   localparam UNKNOWN_REFETCH = 9;
   localparam UNKNOWN_VALUE = 10;
+  localparam BROKEN_COUNTER_PORT = 14;
   localparam MAX_VIOLATIONS = 64;
 
   localparam RUNNING = 0;
@@ -57,6 +66,66 @@ module testbench;
   wire [LANES*COUNTER_BITS-1:0] recomputations;
   wire [LANES*COUNTER_BITS-1:0] stalls;
 `endif
+`ifdef COUNTER_PORT
+  wire [COUNTER_ADDRESS_BITS-1:0]              s_axi_awaddr;
+  wire [2:0]                                   s_axi_awprot;
+  wire                                         s_axi_awvalid;
+  wire                                         s_axi_awready;
+  wire [31:0]                                  s_axi_wdata;
+  wire [3:0]                                   s_axi_wstrb;
+  wire                                         s_axi_wvalid;
+  wire                                         s_axi_wready;
+  wire [1:0]                                   s_axi_bresp;
+  wire                                         s_axi_bvalid;
+  wire                                         s_axi_bready;
+  wire [COUNTER_ADDRESS_BITS-1:0]              s_axi_araddr;
+  wire [2:0]                                   s_axi_arprot;
+  wire                                         s_axi_arvalid;
+  wire                                         s_axi_arready;
+  wire [31:0]                                  s_axi_rdata;
+  wire [1:0]                                   s_axi_rresp;
+  wire                                         s_axi_rvalid;
+  wire                                         s_axi_rready;
+  reg                                          start_reading;
+  wire                                         reading_done;
+  wire                                         reading_broken;
+  wire [MAPPED_COUNTERS*COUNTER_BITS-1:0]      counts;
+
+  counter_reader #(
+      .COUNTERS(MAPPED_COUNTERS),
+      .COUNTER_BITS(COUNTER_BITS),
+      .ADDRESS_BITS(COUNTER_ADDRESS_BITS)
+  ) reader (
+      .aclk(aclk),
+      .start(start_reading),
+      .done(reading_done),
+      .broken(reading_broken),
+      .s_axi_awaddr(s_axi_awaddr),
+      .s_axi_awprot(s_axi_awprot),
+      .s_axi_awvalid(s_axi_awvalid),
+      .s_axi_awready(s_axi_awready),
+      .s_axi_wdata(s_axi_wdata),
+      .s_axi_wstrb(s_axi_wstrb),
+      .s_axi_wvalid(s_axi_wvalid),
+      .s_axi_wready(s_axi_wready),
+      .s_axi_bresp(s_axi_bresp),
+      .s_axi_bvalid(s_axi_bvalid),
+      .s_axi_bready(s_axi_bready),
+      .s_axi_araddr(s_axi_araddr),
+      .s_axi_arprot(s_axi_arprot),
+      .s_axi_arvalid(s_axi_arvalid),
+      .s_axi_arready(s_axi_arready),
+      .s_axi_rdata(s_axi_rdata),
+      .s_axi_rresp(s_axi_rresp),
+      .s_axi_rvalid(s_axi_rvalid),
+      .s_axi_rready(s_axi_rready),
+      .counts(counts)
+  );
+
+  assign comparisons = counts[FIRST_COMPARISONS*COUNTER_BITS +: LANES*COUNTER_BITS];
+  assign recomputations = counts[FIRST_RECOMPUTATIONS*COUNTER_BITS +: LANES*COUNTER_BITS];
+  assign stalls = counts[FIRST_STALLS*COUNTER_BITS +: LANES*COUNTER_BITS];
+`endif
 `ifdef REFETCHED
   localparam TAG_FIELD = 8 * ((TAG_BITS + 7) / 8);
   localparam QUEUE = 4096;
@@ -82,7 +151,27 @@ module testbench;
       .m_axis_tvalid(m_axis_tvalid),
       .m_axis_tready(m_axis_tready),
       .m_axis_tdata(m_axis_tdata),
-`ifdef COUNTERS
+`ifdef COUNTER_PORT
+      .s_axi_awaddr(s_axi_awaddr),
+      .s_axi_awprot(s_axi_awprot),
+      .s_axi_awvalid(s_axi_awvalid),
+      .s_axi_awready(s_axi_awready),
+      .s_axi_wdata(s_axi_wdata),
+      .s_axi_wstrb(s_axi_wstrb),
+      .s_axi_wvalid(s_axi_wvalid),
+      .s_axi_wready(s_axi_wready),
+      .s_axi_bresp(s_axi_bresp),
+      .s_axi_bvalid(s_axi_bvalid),
+      .s_axi_bready(s_axi_bready),
+      .s_axi_araddr(s_axi_araddr),
+      .s_axi_arprot(s_axi_arprot),
+      .s_axi_arvalid(s_axi_arvalid),
+      .s_axi_arready(s_axi_arready),
+      .s_axi_rdata(s_axi_rdata),
+      .s_axi_rresp(s_axi_rresp),
+      .s_axi_rvalid(s_axi_rvalid),
+      .s_axi_rready(s_axi_rready),
+`elsif COUNTERS
       .comparisons(comparisons),
       .recomputations(recomputations),
       .stalls(stalls),
@@ -410,9 +499,27 @@ module testbench;
     end
   endtask
 
+`ifdef COUNTER_PORT
+  task read_counters;
+    begin
+      start_reading = 1'b1;
+      while (!reading_done) clock_cycle;
+      start_reading = 1'b0;
+      if (reading_broken) violate(BROKEN_COUNTER_PORT, 0, -1, {TAG_BITS{1'b0}});
+    end
+  endtask
+`endif
+
   task write_end;
     integer k;
     begin
+`ifdef COUNTER_PORT
+      read_counters;
+      for (k = 0; k < REFERENCES; k = k + 1) begin
+        $fdisplay(results, "answers %0d",
+                  counts[(FIRST_ANSWERS+k)*COUNTER_BITS +: COUNTER_BITS]);
+      end
+`endif
 `ifdef COUNTERS
       for (k = 0; k < LANES; k = k + 1) begin
         $fdisplay(results, "end %0d %0d %0d %0d %0d %0d",
@@ -428,6 +535,9 @@ module testbench;
   integer          idle;
 
   initial begin
+`ifdef COUNTER_PORT
+    start_reading = 1'b0;
+`endif
     if ($value$plusargs("waves=%s", waves)) begin
       $dumpfile(waves);
       $dumpvars(0, system);

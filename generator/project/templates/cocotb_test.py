@@ -159,6 +159,10 @@ async def reset(dut):
     if REFETCHED:
         for name in ("m_refetch_tready", "s_refetch_tvalid", "s_refetch_tdata"):
             getattr(dut, name).value = 0
+@IF COUNTER_PORT@
+    for name in ("arvalid", "araddr", "rready", "awvalid", "awaddr", "wvalid", "bready"):
+        getattr(dut, "s_axi_" + name).value = 0
+@END@
     dut.aresetn.value = 0
     cocotb.start_soon(Clock(dut.aclk, 10, "ns").start())
     for _ in range(3):

@@ -49,10 +49,13 @@ module @DUT@_tb;
   reg  [LANES-1:0]            m_axis_tready;
   wire [LANES*8-1:0]          m_axis_tdata;
   wire [LANES*TAG_BITS-1:0]   m_axis_tuser;
-@IF COUNTS@
+@IF COUNTER_OUTPUTS@
   wire [LANES*COUNTER_BITS-1:0] comparisons;
   wire [LANES*COUNTER_BITS-1:0] recomputations;
   wire [LANES*COUNTER_BITS-1:0] stalls;
+@END@
+@IF COUNTER_PORT@
+@INCLUDE testbench_counter_reader.v@
 @END@
 @IF REFETCHED@
   localparam TAG_FIELD = 8 * ((TAG_BITS + 7) / 8);
@@ -67,10 +70,16 @@ module @DUT@_tb;
   @DUT@ system (
       .aclk(aclk),
       .aresetn(aresetn),
-@IF COUNTS@
+@IF COUNTER_OUTPUTS@
       .comparisons(comparisons),
       .recomputations(recomputations),
       .stalls(stalls),
+@END@
+@IF COUNTED_ANSWERS@
+      .answers(),
+@END@
+@IF COUNTER_PORT@
+@INCLUDE testbench_counter_bus.v@
 @END@
 @IF REFETCHED@
       .m_refetch_tvalid(m_refetch_tvalid),
@@ -376,6 +385,9 @@ module @DUT@_tb;
   task check_counters;
     integer k;
     begin
+@IF COUNTER_PORT@
+      read_counters;
+@END@
       for (k = 0; k < LANES; k = k + 1) begin
         check_counter("comparisons", k, comparisons[k*COUNTER_BITS +: COUNTER_BITS], accepted[k]);
         check_counter("recomputations", k, recomputations[k*COUNTER_BITS +: COUNTER_BITS],
@@ -430,3 +442,7 @@ module @DUT@_tb;
 endmodule
 
 `default_nettype wire
+@IF COUNTER_PORT@
+
+@INCLUDE counter_reader.v@
+@END@

@@ -58,21 +58,27 @@ module @DUT@_tb;
   wire [TAG_BITS-1:0]      m_axis_tuser;
   wire [STREAMS-1:0]       m_axis_tlast;
   wire                     overrun;
-@IF COUNTS@
+@IF COUNTER_OUTPUTS@
   wire [LANES*COUNTER_BITS-1:0] comparisons;
   wire [LANES*COUNTER_BITS-1:0] recomputations;
   wire [COUNTER_BITS-1:0]       rows;
+@END@
+@IF COUNTER_PORT@
+@INCLUDE testbench_counter_reader.v@
 @END@
 
   @DUT@ engine (
       .aclk(aclk),
       .aresetn(aresetn),
-@IF COUNTS@
+@IF COUNTER_OUTPUTS@
       .comparisons(comparisons),
       .recomputations(recomputations),
       .rows(rows),
       .stalls(),
       .stalled_cycles(),
+@END@
+@IF COUNTER_PORT@
+@INCLUDE testbench_counter_bus.v@
 @END@
       .s_candidate_tvalid(s_candidate_tvalid),
       .s_candidate_tready(s_candidate_tready),
@@ -275,6 +281,9 @@ module @DUT@_tb;
   task check_counters;
     integer k;
     begin
+@IF COUNTER_PORT@
+      read_counters;
+@END@
       for (k = 0; k < LANES; k = k + 1) begin
         check_counter("comparisons", k, comparisons[k*COUNTER_BITS +: COUNTER_BITS], compared[k]);
         check_counter("recomputations", k, recomputations[k*COUNTER_BITS +: COUNTER_BITS],
@@ -310,3 +319,7 @@ module @DUT@_tb;
 endmodule
 
 `default_nettype wire
+@IF COUNTER_PORT@
+
+@INCLUDE counter_reader.v@
+@END@

@@ -55,19 +55,25 @@ module @DUT@_tb;
   wire [STREAMS*TDATA_BITS-1:0] m_axis_tdata;
   wire [STREAMS*TUSER_BITS-1:0] m_axis_tuser;
   wire [STREAMS-1:0]            m_axis_tlast;
-@IF COUNTS@
+@IF COUNTER_OUTPUTS@
   wire [STREAMS*COUNTER_BITS-1:0] reports;
   wire [COUNTER_BITS-1:0]         recomputations;
+@END@
+@IF COUNTER_PORT@
+@INCLUDE testbench_counter_reader.v@
 @END@
 
   @DUT@ engine (
       .aclk(aclk),
       .aresetn(aresetn),
-@IF COUNTS@
+@IF COUNTER_OUTPUTS@
       .reports(reports),
       .recomputations(recomputations),
       .busy_cycles(),
       .stalled_cycles(),
+@END@
+@IF COUNTER_PORT@
+@INCLUDE testbench_counter_bus.v@
 @END@
       .s_axis_tvalid(s_axis_tvalid),
       .s_axis_tready(s_axis_tready),
@@ -359,6 +365,9 @@ module @DUT@_tb;
   task check_counters;
     integer k;
     begin
+@IF COUNTER_PORT@
+      read_counters;
+@END@
       for (k = 0; k < STREAMS; k = k + 1) begin
         check_counter("reports", -1, reports[k*COUNTER_BITS +: COUNTER_BITS], all_beats[k]);
       end
@@ -392,3 +401,7 @@ module @DUT@_tb;
 endmodule
 
 `default_nettype wire
+@IF COUNTER_PORT@
+
+@INCLUDE counter_reader.v@
+@END@

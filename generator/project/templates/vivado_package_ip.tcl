@@ -46,6 +46,14 @@ foreach {name ports} $streams {
   ipx::associate_bus_interfaces -busif $name -clock aclk $core
 }
 
+@IF COUNTER_BUS@
+# The port on which software reads the counters; its registers are in the signature's counter_map.
+if {[llength [ipx::get_bus_interfaces s_axi -of_objects $core]] == 0} {
+  ipx::infer_bus_interface {@COUNTER_BUS@} xilinx.com:interface:aximm_rtl:1.0 $core
+}
+ipx::associate_bus_interfaces -busif s_axi -clock aclk $core
+
+@END@
 ipx::create_xgui_files $core
 ipx::update_checksums $core
 ipx::check_integrity $core

@@ -43,6 +43,7 @@ TEST(Limits, DocumentationStatesThem) {
            {"[system]", "references", to_string(settings::limits::references)},
            {"[system]", "tag_bits", to_string(settings::limits::tag_bits)},
            {"[system]", "counter_bits", "0 or " + to_string(settings::limits::counter_bits)},
+           {"[system]", "counter_bits", to_string(settings::limits::read_counter_bits)},
            {"[engine]", "capacity", capacity},
            {"[engine]", "tag_bits", to_string(settings::limits::tag_bits)},
            {"[[lanes]] and [[references]]", "count", to_string(settings::limits::lanes)},

@@ -293,11 +293,12 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{
             "[reduced]", "[redcued]",
             ":13: redcued: unknown section: received redcued; accepted reduced (the nearest), "
-            "comparison, variant, let, inputs, reference, lanes, references, system, engine, data"},
+            "comparison, variant, let, inputs, reference, lanes, second_tier, references, system, "
+            "engine, data"},
         Mistake{
             "[comparison]", "x = 1\n[comparison]",
             ":1: x: a key outside of any section: received x; accepted comparison, variant, let, "
-            "inputs, reference, reduced, lanes, references, system, engine, data"},
+            "inputs, reference, reduced, lanes, second_tier, references, system, engine, data"},
         Mistake{"[comparison]", "reduced = 3\n[comparison]",
                 ":14:1: TOML syntax: Error while parsing table header: cannot redefine existing "
                 "integer 'reduced' as table"},
@@ -313,10 +314,11 @@ INSTANTIATE_TEST_SUITE_P(
                 "nearest), initiation_interval, multipliers, subnormals, sums"},
         Mistake{"format = \"s53e8\"", "format = \"s53e8\"\nsums = \"exact\"",
                 ":12: reference.sums: not a choice: received \"exact\"; accepted composed, fused"},
-        Mistake{"slack = 0.25", "slck = 0.25",
-                ":23: system.slck: unknown key: received slck; accepted slack (the nearest), "
-                "counter_bits, device, lanes, operands, order, prefix, references, tag_bits, "
-                "target_mhz"},
+        Mistake{
+            "slack = 0.25", "slck = 0.25",
+            ":23: system.slck: unknown key: received slck; accepted slack (the nearest), "
+            "counter_bits, counters, device, lanes, operands, order, prefix, references, tag_bits, "
+            "target_mhz"},
         Mistake{
             "seed = 7", "sead = 7",
             ":30: data.sead: unknown key: received sead; accepted seed (the nearest), "
@@ -417,6 +419,15 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"slack = 0.25", "counter_bits = 7",
                 ":23: system.counter_bits: out of range: received 7; accepted 0 (no counters) or "
                 "an integer 8..64"},
+        Mistake{"slack = 0.25", "counters = \"axi_lite\"\ncounter_bits = 0",
+                ":23: system.counters: contradicts counter_bits = 0: received \"axi_lite\"; "
+                "accepted \"none\""},
+        Mistake{
+            "slack = 0.25", "counters = \"none\"\ncounter_bits = 32",
+            ":24: system.counter_bits: contradicts counters = \"none\": received 32; accepted 0"},
+        Mistake{"slack = 0.25", "counters = \"axi_lite\"\ncounter_bits = 15",
+                ":24: system.counter_bits: too narrow for counters = \"axi_lite\": received 15; "
+                "accepted an integer 16..64"},
         Mistake{"count = 512", "count = 0",
                 ":28: data.count: out of range: received 0; accepted an integer 1..16777216"},
         Mistake{"\"uniform_spheres\"", "\"cubes\"",
