@@ -30,7 +30,7 @@ RELATIONS = ("BUILD_TOOL_OF", "BUILD_DEPENDENCY_OF", "TEST_DEPENDENCY_OF", "OPTI
 LINKED = ("libc.so.6", "libgcc_s.so.1", "libstdc++.so.6", "libCbcSolver.so", "libfmt.so",
           "libgmp.so", "libhwy.so", "libmpfr.so", "libsqlite3.so", "libtomlplusplus.so")
 
-# The identifiers of SPDX for licences that Debian calls otherwise, or writes in other cases.
+# SPDX identifiers of licences, by the names that Debian gives them, in lower case.
 LICENCES = {name.lower(): name for name in (
     "Apache-2.0", "Artistic-2.0", "BSD-2-Clause", "BSD-3-Clause", "BSL-1.0", "CC0-1.0", "EPL-1.0",
     "ISC", "MIT", "Zlib")} | {"expat": "MIT", "epl-1": "EPL-1.0"}
@@ -71,7 +71,7 @@ def installed_packages():
 
 
 def licences_of_files(copyright_file):
-    """Pairs of the files and the licence of each paragraph, in Debian's machine-readable form."""
+    """(files, licence) of each paragraph of a copyright file in Debian's machine-readable form."""
     try:
         text = copyright_file.read_text(encoding="utf-8", errors="replace")
     except FileNotFoundError:
@@ -82,7 +82,7 @@ def licences_of_files(copyright_file):
 
 
 def spdx_licence(debian_name):
-    """The same as an expression of SPDX, or NOASSERTION where SPDX has no name for a part of it."""
+    """A licence as an SPDX expression; NOASSERTION where LICENCES has no name for a part of it."""
     parts = re.split(r" (and|or) ", debian_name)
     for i in range(0, len(parts), 2):
         gnu = re.fullmatch(r"(A?GPL|LGPL)-(\d)(?:\.(\d))?(\+?)", parts[i])

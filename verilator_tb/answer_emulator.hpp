@@ -51,7 +51,7 @@ private:
 
   /// Takes over what a lane decided, and gathers in `batch` what it left undecided.
   void decide(const LaneEmulator& lane, Batch& batch, std::span<ResultWord> words) const;
-  /// Asks the second tier; `batch` then has what it left undecided, too.
+  /// Asks the second tier, and keeps in `batch` only what it leaves undecided, too.
   void decide_again(Batch& batch, std::span<ResultWord> words) const;
   void recompute(Batch& batch, std::span<ResultWord> words) const;
 

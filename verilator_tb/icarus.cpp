@@ -109,8 +109,8 @@ Command run_command(const SimulationOptions& options) {
 }
 
 /// Reads one line of the testbench: "result lane position tdata accepted left", "violation fault
-/// lane position tag cycle", "end" with three pairs of counted and observed, "answers" of a
-/// reference, or "state n cycles".
+/// lane position tag cycle", "end" with three pairs of counted and observed, "answers n" of the
+/// next reference, or "state n cycles".
 bool parse_line(const std::string& line, Answer& answer) {
   std::istringstream words(line);
   std::string kind;

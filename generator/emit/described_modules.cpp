@@ -289,7 +289,7 @@ Described describe_conversion(const rtl::PairwiseShape& shape) {
   return {rtl::item_word_module(shape.word_module, shape.words, shape.engine), std::move(facts)};
 }
 
-/// A lane that reads words; `made` is what it was before its inputs were.
+/// A lane that reads words; `made` is the lane as designed, which reads operands.
 Described describe_word_lane(const Design& design, const design::Lane& made,
                              const rtl::WordLane& lane, const rtl::DatapathGroup& lanes) {
   std::vector<std::string> ports;

@@ -140,7 +140,7 @@ rtl::PairwiseShape pairwise_shape(const design::Design& design, const rtl::Syste
           .segments = rtl::segment_groups(shape, engine.spec.lanes_per_group)};
 }
 
-/// Has the counters read on a port, which widens them: those in the modules are narrow.
+/// Makes the counters in the modules narrow: the port on which they are read widens them.
 void narrow_counters(ScheduledSystem& scheduled) {
   rtl::SystemShape& shape = scheduled.shape;
   if (shape.counter_bits == 0) return;

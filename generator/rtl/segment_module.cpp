@@ -11,13 +11,14 @@
 namespace mixcmp::rtl {
 namespace {
 
-/// Beats that may wait in a queue. Before a second tier they come in bursts, which hold up the
-/// whole chain of segments where the queue is short (docs/performance.md).
+/// Beats that may wait in a queue, beside those that may still come. A second tier takes a burst of
+/// undecided pairs one by one; a short queue before it would hold up the whole chain of segments
+/// meanwhile (docs/performance.md).
 constexpr int few_beats = 4;
 constexpr int many_beats = 16;
 
-/// Cycles beside the lanes' latency in which a segment, or a second tier, may send beats after its
-/// queue has said stop.
+/// MAY_COME of pair_segment.v and pair_tier.v, without the lanes' latency: beats that may still
+/// come when a queue says stop.
 constexpr int segment_cycles = 3;
 constexpr int tier_cycles = 4;
 

@@ -58,8 +58,8 @@ public:
   }
 
 private:
-  /// Operands of one column that are below the same power of two, with the same sign: rounded down
-  /// to whatever unit, each is the upper bits of a finer one.
+  /// What the formats of one column's operand have in common if a coarser one is the upper bits of
+  /// a finer one: the power of two that bounds it, and whether it is signed. Units differ.
   struct Operand {
     int column;
     int top;
@@ -179,7 +179,7 @@ private:
 
   NodeId finest_input(const FixedNode& input) { return add_once(finest_.at(operand_of(input))); }
 
-  /// The loader's node that has the format of `input`, of an operand in its finest format.
+  /// The loader's node for `input`'s operand in `input`'s format: `finest`, or its upper bits.
   NodeId upper_bits(NodeId finest, const FixedNode& input) {
     const int dropped = split_.loader.nodes[finest].format.width - input.format.width;
     if (dropped == 0) return finest;

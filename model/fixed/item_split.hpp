@@ -31,8 +31,8 @@ struct ItemSplit {
 /// Splits one or more lanes of the same comparison, none in block floating point, so that all of
 /// them read one word. An operand that several of them read is one field, in the finest of their
 /// formats: since operands are rounded down, its upper bits are what a coarser format would hold.
-/// `inputs`: one for each input of the comparison. A lane decides as before:
-/// for the same operands it gives the same verdict, and is undecided where it was.
+/// `inputs`: one for each input of the comparison. A lane decides as before: for the same operands
+/// it gives the same verdict, and is undecided where it was.
 ItemSplit split_by_item(const std::vector<const FixedLane*>& lanes,
                         const std::vector<ItemInput>& inputs,
                         const std::vector<std::string>& columns);

@@ -29,7 +29,7 @@ void check(const AllocationProblem& problem) {
   for (const LaneKind& lane : problem.lanes) {
     MIXCMP_CHECK(is_possible(lane));
     MIXCMP_CHECK(lane.recomputation_rate >= 0 && lane.recomputation_rate <= 1);
-    // Only pooled references serve groups: others count the lanes of each.
+    // Groups need pooled references: otherwise the lanes of each reference are counted.
     MIXCMP_CHECK(lane.group == 1 || problem.sharing == ReferenceSharing::pooled);
   }
   for (const ReferenceKind& reference : problem.references) {

@@ -26,7 +26,7 @@ struct LaneKind {
   devices::Area area;             ///< C(L), of a whole group
   int group = 1;                  ///< lanes of a group: a plan has a multiple of them
 };
-/// The area of `lanes` such lanes, a multiple of the group.
+/// The area of `lanes` such lanes; `lanes` is a multiple of `kind.group`.
 devices::Area area_of(const LaneKind& kind, int lanes);
 
 struct ReferenceKind {

@@ -68,7 +68,7 @@ private:
     for (int k = 0; k < lane_kinds(); ++k) sum.push_back(of_group(k, 1));
     return sum;
   }
-  /// The term of a kind of lanes, each of which counts `one`: a column counts groups.
+  /// The term of a kind whose lanes count `one` each. A column of lanes counts whole groups.
   IntegerProgram::Term of_group(int kind, double one) const {
     return {lane_column(kind), problem_.lanes[kind].group * one};
   }

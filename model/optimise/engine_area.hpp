@@ -12,7 +12,7 @@ namespace mixcmp::optimise {
 /// What a pairwise engine takes of a device beside its references.
 struct EngineArea {
   devices::Area own;          ///< conversion, loading, recomputation, reports: whatever its lanes
-  devices::Area group;        ///< a segment with its share of the merge behind it
+  devices::Area group;        ///< a segment, its second tier, and its share of the merge
   devices::Area lane;         ///< a lane with its share of both, rounded up
   std::optional<double> mhz;  ///< the lowest clock of these parts; none if none was measured
 };

@@ -11,7 +11,7 @@ namespace mixcmp::optimise {
 /// Collects the rows of a characterisation into one allocation problem per precision.
 class ProblemMaker {
 public:
-  /// `second_tier`: the lanes of the engine's second tier; none where it has none.
+  /// `second_tier`: the key of the engine's second tier, see second_tier_rate_key.
   ProblemMaker(const scene::Scene& scene, const characterise::Characterisation& table,
                const Rates& rates, const OptimiseOptions& options,
                const std::optional<RateKey>& second_tier);

@@ -1,7 +1,8 @@
-// exception_queue: a FIFO behind a pipeline that cannot wait. `room` says that one more word may
-// enter the pipeline: the FIFO has place for what comes of it, even if something comes of each of
-// the MAY_COME words that are on their way when `room` falls. While `on_offer` is 1, `room` stays as
-// it is where it is 1: a word that is on offer elsewhere has had its place set aside.
+// exception_queue: a FIFO behind a pipeline that cannot wait. `room` says that a word may enter the
+// pipeline. MAY_COME is the most words, this one included, whose beats may not be counted yet when
+// `room` is decided: the FIFO has a place for the beat of each.
+// While `on_offer` is 1, a `room` of 1 stays 1: a word that is on offer elsewhere has had its place
+// set aside, and no word enters meanwhile.
 // Holds 2^DEPTH_BITS beats, more than MAY_COME. Latency 2, one beat per cycle. Reset empties it.
 `default_nettype none
 

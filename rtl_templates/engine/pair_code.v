@@ -1,7 +1,9 @@
-// pair_code: what a beat says of one pair that has met. The top bit of the code says that the pair
-// is reported, the bits below give its verdict (if CODE_BITS = 3; with 2 there is one verdict that
-// is reported, and they are 0); without the top bit, 1 says undecided and 0 nothing. REPORT: bit v
-// is 1 where verdict v is reported. COUNT = 1: reported pairs are counted, and have no code.
+// pair_code: what a beat says of one pair. The top bit of the code says that the pair is reported.
+// The bits below then give its verdict if CODE_BITS = 3, and are 0 if CODE_BITS = 2, where only one
+// verdict is reported. Without the top bit, 1 says undecided; 0 says that the pair has not met or
+// that its verdict is not reported.
+// REPORT: bit v is 1 where verdict v is reported. COUNT = 1: reported pairs are counted outside,
+// and their code is 0.
 // Combinational.
 `default_nettype none
 

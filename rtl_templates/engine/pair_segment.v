@@ -10,7 +10,7 @@
 // The word that closes a set goes through the lanes as all others do, and leaves as the beat with
 // tlast. COUNT = 1: reported pairs do not leave; that beat carries their number in place of a tag.
 // TIERED = 1: a beat carries its word, too, and each word that is the first of its block or that
-// stays leaves a beat, so that a pair_tier knows what the lanes hold.
+// stays sends a beat, so that a pair_tier knows what the lanes hold.
 // Lanes never wait: no word is taken unless the queue has room for all that may still come. A word
 // that is on offer to the next segment has had its room set aside, and stays on offer.
 // Interval 1, latency 3 to the next segment. Reset forgets all.
@@ -277,8 +277,8 @@ module pair_segment #(
     end
   endgenerate
 
-  // A beat may come of each word in the lanes, of the one before them, and of the one that is taken
-  // while the occupancy is late by a cycle.
+  // Beats may not be counted yet of LANE_LATENCY words in the lanes, of the word before them, of
+  // the one that is taken, and of the one whose beat was pushed in the cycle before.
   exception_queue #(
     .WIDTH     (1 + CODES_BITS + TAG_BITS + WORD_PART),
     .DEPTH_BITS(QUEUE_BITS),

@@ -1,11 +1,12 @@
 // pair_tier: decides again what the lanes of a segment left undecided, by one lane of more
-// precision, a pair a cycle. It stands behind a pair_segment with TIERED = 1, takes that one's
-// beats, and gives out beats of the same kind without what is for it alone.
-// Beats stay in order, so that no more has to be remembered than the words that the lanes hold: a
-// word that stays comes in the beat `stays`, and the first of its block in the beat `first`.
-// A beat goes through once for each of its undecided pairs, at least once: reported pairs leave the
-// first time, and with them what was found of the pair. A pair that is undecided again leaves as
-// undecided. COUNT = 1: the number in the closing beat grows by what is reported here.
+// precision, a pair a cycle. It takes the beats of a pair_segment with TIERED = 1, and gives out
+// beats of the kind that a segment with TIERED = 0 gives.
+// Beats stay in order, so that only the words that the lanes hold have to be remembered. The beat
+// of a word that stays has the flag `stays`, that of the first word of a block the flag `first`.
+// A beat goes through once for each of its undecided pairs, and once if it has none; each time a
+// beat may leave. The first one has the reported pairs, and each the pair that went through: as
+// reported if it is, as undecided if it is undecided again.
+// COUNT = 1: the number in the closing beat grows by the pairs that are reported here.
 // Latency LANE_LATENCY + 4, interval 1 for each pair. Reset forgets all.
 `default_nettype none
 
@@ -64,7 +65,7 @@ module pair_tier #(
     end
   endgenerate
 
-  // The beat at hand, and the pairs of it that have not gone through.
+  // The beat at hand, and those of its pairs that have not gone through.
   wire                  first;
   wire                  stays;
   wire [WORD_BITS-1:0]  word;
@@ -120,8 +121,8 @@ module pair_tier #(
     end
   end
 
-  // Stage 1: the word that lane `picked` holds is read; a word that stays is written behind those
-  // that its block holds already, for later beats.
+  // Stage 1: the word that lane `picked` holds is read. A word that stays is written into the
+  // lowest place that its block has not taken yet, for later beats.
   reg                   s1_valid_q;
   reg                   s1_write_q;
   reg                   s1_close_q;

@@ -1,9 +1,9 @@
 // axi_lite_reads: an AXI4-Lite slave that can be read and not written. One read is under way at a
 // time. Writes are taken and answered with SLVERR; they change nothing.
 // `read_start` is high in one cycle with the address of a read, which stays on `read_address` until
-// `read_done` is high with its word. Neither waits for the other in the same cycle. No read starts
-// while `readable` is low.
-// Every output of the bus is a register. Reset forgets what is under way.
+// `read_done` is high in one later cycle, with the word on `read_word`. No read is taken from the
+// bus in the cycle after one in which `readable` is low.
+// Every output of the bus is a register or a constant. Reset forgets what is under way.
 `default_nettype none
 
 module axi_lite_reads #(

@@ -4,11 +4,11 @@
 // smaller than before: then the digits above it go up by one. That takes NARROW_BITS with
 // 2^NARROW_BITS > 2 COUNTERS + 1.
 // A count lags behind its narrow counter by a round and a few cycles at most.
-// Reset sets all counts to zero by a round in which nothing that was stored counts; `ready` is low
-// meanwhile.
-// Reading: hold `read_index` from the cycle of `read_start` on, which must not come while `ready`
-// is low, until read_done is high in one cycle with the count on `read_count`, which comes 1 or 2
-// cycles later. What is read of an index of COUNTERS or more means nothing.
+// Reset clears the counts: the first round after it ignores what is stored. `ready` is low until
+// that round's end.
+// Reading: `read_start` is high for a cycle, while `ready` is high. `read_done` is high for a
+// cycle, 1 or 2 cycles later, with the count on `read_count`. Hold `read_index` from the former
+// cycle until the latter. What is read of an index of COUNTERS or more means nothing.
 `default_nettype none
 
 module counter_memory #(
@@ -132,7 +132,8 @@ module counter_memory #(
     .read_data    (s1_count)
   );
 
-  // Reading waits for a cycle of stage 1, of which every second one is.
+  // Reading waits for a cycle in which stage 1 is valid, every second one: stage 0, which reads the
+  // memory for the scan, is not valid then.
   reg  waiting_q;
   reg  done_q;
   wire reads = (read_start || waiting_q) && s1_valid_q;

@@ -18,11 +18,11 @@ module counter_scan #(
   output wire [WIDTH-1:0]          count
 );
 
-  // A LUT of six inputs takes three counts with their tokens, or six counts of which five are zero.
+  // A LUT of six inputs takes a bit of three counts with their tokens, or of six gated counts.
   localparam LEAF_RADIX  = 3;
   localparam INNER_RADIX = 6;
 
-  function integer words_after;  // `levels` levels of ORs
+  function integer words_after;  // words that are left behind `levels` levels of ORs
     input integer levels;
     integer k;
     begin

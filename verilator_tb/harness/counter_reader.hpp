@@ -12,9 +12,10 @@
 
 namespace mixcmp::harness {
 
-/// Software at the AXI4-Lite port of a system's counters. What it reads stands where the ports of a
-/// system without it would be: whoever looks at `ports.comparisons` need not know of it. A system
-/// with counters as ports, or with none, has an empty system::counter_map, and nothing is read.
+/// Software at the AXI4-Lite port of a system's counters. It writes what it reads into the memory
+/// to which `ports.comparisons` and the others are bound, so they are used as if they were ports of
+/// the model. A system with counters as ports, or with none, has an empty system::counter_map, and
+/// nothing is read.
 class CounterReader {
 public:
   explicit CounterReader(CounterBus& bus) : bus_(bus) {

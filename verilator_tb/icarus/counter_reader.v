@@ -1,7 +1,7 @@
 // counter_reader: software at the AXI4-Lite port of a system's counters, for test benches. When
 // `start` rises it waits until the port has seen the last count, tries a write, which has to be
 // refused, and reads all counters. Then `done` is high, with counter k in `counts`, until `start`
-// falls. `broken`: the port broke a rule of the bus. Nothing may count meanwhile.
+// falls. `broken`: an answer was wrong, or none came. Nothing may count meanwhile.
 `default_nettype none
 
 module counter_reader #(
