@@ -29,6 +29,7 @@ design::Design small_system(design::Design design) {
     design.references.resize(1);
     design.references.front().count = std::min(1, design.references.front().count);
   }
+  design.second_tier.reset();
   design.system.engine = {};
   return design;
 }

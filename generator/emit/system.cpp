@@ -43,7 +43,7 @@ std::vector<SignatureLanes> lanes_of(const Design& design, const rtl::SystemShap
 
 std::optional<SignatureLanes> second_tier_of(const Design& design,
                                              const ScheduledSystem& scheduled) {
-  if (!design.second_tier) return std::nullopt;
+  if (!scheduled.shape.second_tier) return std::nullopt;
   const rtl::DatapathGroup& built = *scheduled.shape.second_tier;
   SignatureLanes tier =
       signature_lanes(*design.second_tier, built.datapath, built.schedule.latency_cycles);

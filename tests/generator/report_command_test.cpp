@@ -116,6 +116,14 @@ TEST_F(Report, ShowsAPairwiseEngineAsItIsBuilt) {
   }
 }
 
+TEST_F(Report, ShowsTheSecondTierOfAnEngine) {
+  write_scene("lanes = 4\nreferences = 1\n[engine]\nkind = \"pairwise\"\n");
+  const std::string html = page("--without profile,plan --format q7 --set second_tier.format=q13");
+  EXPECT_EQ(fault_of_markup(html), "");
+  EXPECT_NE(html.find("The second tier, a lane in q13"), std::string::npos);
+  EXPECT_NE(html.find("one lane in q7 and one reference, without the engine"), std::string::npos);
+}
+
 TEST_F(Report, SaysWhatIsMissingAndTheCommandThatMakesIt) {
   write_scene();
   const Outcome run = mixcmp("report scene.toml -o page.html --without profile,waves");
