@@ -89,7 +89,7 @@ struct Signature {
   int tdata_bytes = 0;  ///< operands of one comparison, padded to whole bytes
   int tag_bits = 0;
   int counter_bits = 0;
-  /// Where software finds the counters on the AXI4-Lite port s_axi; empty where they are ports, or
+  /// The address map of the counters on the AXI4-Lite port s_axi; empty where they are ports, or
   /// where there are none.
   std::vector<SignatureCounters> counter_map = {};
   int slots = 0;  ///< comparisons that may be inside one lane's channel

@@ -15,7 +15,7 @@ struct Counters {
   int count = 1;
 };
 
-/// Where software finds counters of one kind.
+/// The address at which software finds the counters of one kind.
 struct CounterOffset {
   Counters counters;
   int offset = 0;  ///< bytes to the first one; each is counter_stride bytes behind the one before

@@ -81,7 +81,7 @@ void add_lanes(const SystemShape& system, const ItemWords& words, const SegmentG
   items.push_back(loop("k", 0, segments.lanes, "lanes", std::move(body)));
 }
 
-/// What the templates of a segment and of its second tier agree on.
+/// The parameters that the templates of a segment and of its second tier share.
 std::vector<Parameter> common_parameters(const EngineShape& engine, int lanes, int word_bits,
                                          int lane_latency_cycles) {
   return {{"LANES", lanes},

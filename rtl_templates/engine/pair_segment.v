@@ -244,7 +244,7 @@ module pair_segment #(
     end
   endgenerate
 
-  // What a pair_tier reads of the word.
+  // With TIERED a beat carries its word, and says whether it begins a block and whether it stays.
   wire                               informs;
   wire [CODES_BITS+TAG_BITS+WORD_PART-1:0] beat;
 

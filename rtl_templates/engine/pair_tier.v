@@ -223,7 +223,7 @@ module pair_tier #(
     .q   ({closes, pair, first_codes, answered_tag})
   );
 
-  // What is found goes into the place of the pair's lane.
+  // The code that was found for the pair goes into the place of the pair's lane.
   wire                  reported;
   wire [CODE_BITS-1:0]  found;
   wire [CODES_BITS-1:0] leaving_codes;

@@ -19,7 +19,7 @@ module testbench;
   parameter STRESSED = 0;
   parameter SEED = 1;
   parameter HANG_CYCLES = 50000;
-  // Of the counters on a bus: their number, and which one is the first of each kind.
+  // The number of counters on the bus, and the number of the first one of each kind.
   parameter MAPPED_COUNTERS = 1;
   parameter COUNTER_ADDRESS_BITS = 4;
   parameter FIRST_COMPARISONS = 0;
