@@ -166,6 +166,8 @@ std::string command_of(const ExploreCommand& command) {
   std::string line = planning_command_line("explore", command.planning);
   for (const std::string& device : command.devices) line += " --on " + quoted(device);
   if (!command.over.empty()) line += " --over " + quoted(command.over);
+  if (command.beside_paper) line += " --beside-paper";
+  if (command.software) line += " --software";
   return line;
 }
 
@@ -219,14 +221,21 @@ ResultFiles results_for(const ExploreCommand& command, const std::string& device
   return results;
 }
 
-void print_notes(const optimise::Exploration& exploration) {
+std::set<std::string> notes_of_plans(const optimise::Exploration& exploration) {
   std::set<std::string> notes;
   for (const optimise::ResultsAtClocks& column : exploration.columns) {
     notes.insert(column.worst.notes.begin(), column.worst.notes.end());
     if (column.worst.best() == nullptr) notes.insert(column.title + ": no plan fits");
   }
-  for (const std::string& note : notes) {
+  return notes;
+}
+
+/// Keeps the notes of the table, which are told already, and of the plans, which are told here.
+void take_notes(optimise::Exploration& exploration, const Planning& known) {
+  exploration.notes = known.notes;
+  for (const std::string& note : notes_of_plans(exploration)) {
     tell_note(fmt::format("{}: {}", exploration.device.name, note));
+    exploration.notes.push_back(note);
   }
 }
 
@@ -352,10 +361,10 @@ void add_device(Findings& findings, const ExploreCommand& command, const Plannin
     findings.not_done.push_back("--beside-paper: the paper has no figures of " + known.device.name);
   }
   const optimise::OptimiseOptions& choice = command.planning.choice;
-  const optimise::Exploration exploration = value_or_exit(explore(
+  optimise::Exploration exploration = value_or_exit(explore(
       known.scene, known.device, known.table, sets, columns_for(published, choice.clocks), choice));
   const std::string tables = tables_of(exploration, published, software);
-  print_notes(exploration);
+  take_notes(exploration, known);
   findings.results.push_back(results_for(command, known.scene.system.device, exploration, tables));
   findings.page += "\n" + tables;
   findings.json.push_back(report::to_json(exploration));

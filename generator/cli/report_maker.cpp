@@ -204,7 +204,9 @@ IfThere<optimise::Optimisation> ReportMaker::find_plans() {
                                   planning_options_.choice);
   show_progress("");
   if (!found.ok()) return not_made("plan", found.error(), command("optimise"));
-  return std::move(found).value();
+  optimise::Optimisation plans = std::move(found).value();
+  plans.notes.insert(plans.notes.begin(), planning->notes.begin(), planning->notes.end());
+  return plans;
 }
 
 /// The rates that were measured, unless the scene gives constants of its own to plans.

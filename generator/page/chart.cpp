@@ -15,7 +15,7 @@ struct Frame {
 
 Frame frame_of(const Chart& chart) {
   const double width = chart.wide ? 860 : 480, height = chart.wide ? 400 : 300;
-  return {width, height, 54, width - 14, 30, height - 44};
+  return {width, height, 54, width - 20, 30, height - 44};
 }
 
 std::vector<double> values_on(const Chart& chart, ChartBand::Across axis) {
@@ -46,8 +46,9 @@ public:
                             {"tabindex", "0"},
                             {"aria-label", chart_.title}});
     add_grid(picture);
-    for (std::size_t k = 0; k < chart_.bands.size(); ++k) add_band(picture, chart_.bands[k]);
+    for (const ChartBand& band : chart_.bands) add_band(picture, band);
     for (const Series& series : chart_.series) add_series(picture, series);
+    for (const ChartBand& band : chart_.bands) add_band_name(picture, band);
     return picture;
   }
 
@@ -81,8 +82,13 @@ private:
       outline.line_to(frame_.right, high).line_to(frame_.left, high).close();
     }
     picture.add(outline.element("band").add(tip(band.title)));
-    const double x = is_x ? low + 5 : frame_.right - 4;
-    const double y = is_x ? frame_.top + 12 : high - 5;
+  }
+
+  /// Above all curves, so that none strikes it out.
+  void add_band_name(Element& picture, const ChartBand& band) const {
+    const bool is_x = band.axis == ChartBand::Across::x;
+    const double x = is_x ? x_.position(band.low) + 5 : frame_.right - 4;
+    const double y = is_x ? frame_.top + 12 : y_.position(band.high) - 5;
     picture.add(text_at(x, y, is_x ? "bandname" : "bandname end", band.title));
   }
 

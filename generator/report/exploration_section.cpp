@@ -72,6 +72,9 @@ void add_device(page::Section& section, const Exploration& exploration,
   section.content.push_back(draw(table3(exploration, published)));
   section.content.push_back(page::heading("Table IV: systems"));
   section.content.push_back(draw(table4(exploration, published, software)));
+  for (const std::string& note : exploration.notes) {
+    section.content.push_back(page::note("Note: " + note));
+  }
 }
 
 }  // namespace

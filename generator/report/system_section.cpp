@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "generator/report/report_sections.hpp"
+#include "generator/schematic/canvas.hpp"
 #include "generator/schematic/datapath_pipeline.hpp"
 #include "generator/schematic/system_picture.hpp"
 
@@ -8,8 +9,8 @@ namespace mixcmp::report {
 namespace {
 
 std::string size_of(const page::Pipeline& pipeline, std::string_view from) {
-  return fmt::format("{} cycles from {} to the verdict, one comparison in each.", pipeline.cycles,
-                     from);
+  return fmt::format("{} from {} to the verdict, one comparison in each.",
+                     schematic::counted(pipeline.cycles, "cycle"), from);
 }
 
 /// A lane that reads words, its inputs named as its ports.
@@ -39,8 +40,8 @@ void add_conversion(page::Section& section, const BuiltSystem& system) {
       draw(pipeline),
       fmt::format(
           "What lanes know of an item, a word of {} bits, computed once, when it is loaded: "
-          "{} cycles.",
-          words.bits(), pipeline.cycles)));
+          "{}.",
+          words.bits(), schematic::counted(pipeline.cycles, "cycle"))));
 }
 
 void add_lanes(page::Section& section, const BuiltSystem& system) {

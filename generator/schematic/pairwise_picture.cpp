@@ -39,18 +39,23 @@ public:
   void draw() {
     draw_items();
     for (std::size_t k = 0; k < signature_.lane_groups.size(); ++k) draw_lanes(k);
+    if (signature_.second_tier) draw_second_tier();
     draw_reports();
     if (signature_.references > 0) draw_recomputation();
   }
 
   static double height(const Signature& signature) {
-    const auto lanes = static_cast<double>(signature.lane_groups.size());
+    const auto lanes = static_cast<double>(rows_of_lanes(signature));
     const auto references = static_cast<double>(signature.reference_groups.size());
     const double upper = boxes_top + group_pitch * lanes;
     return signature.references == 0 ? upper : upper + request_pitch * (1 + references);
   }
 
 private:
+  static std::size_t rows_of_lanes(const Signature& signature) {
+    return signature.lane_groups.size() + (signature.second_tier ? 1 : 0);
+  }
+
   Box lanes_box(std::size_t k) const {
     return {group_x, boxes_top + group_pitch * static_cast<double>(k), group_width, box_height};
   }
@@ -75,14 +80,35 @@ private:
     const Box box = lanes_box(k);
     canvas_.box(box, "lane",
                 {fmt::format("{}, {}", counted(lanes.count, "lane"), lanes.format),
-                 fmt::format("{} cycles, {} in lock step", lanes.latency_cycles,
+                 fmt::format("{}, {} in lock step", counted(lanes.latency_cycles, "cycle"),
                              std::min(lanes.count, engine_.report_lanes)),
                  "multipliers: " + std::string(to_string(lanes.multipliers))},
                 lanes.count, lanes.module + "\n" + lanes.decision);
-    if (k > 0) {
-      const Box before = lanes_box(k - 1);
-      canvas_.arrow({{before.center(), before.bottom()}, {box.center(), box.y}});
-    }
+    if (k > 0) draw_arrow_down_to(k);
+    draw_arrow_to_reports(box);
+  }
+
+  /// What the lanes of a group leave undecided, its lane of more bits decides again.
+  void draw_second_tier() {
+    const SignatureLanes& tier = *signature_.second_tier;
+    const std::size_t row = rows_of_lanes(signature_) - 1;
+    const Box box = lanes_box(row);
+    canvas_.box(box, "lane",
+                {fmt::format("second tier: {}, {}", counted(tier.count, "lane"), tier.format),
+                 counted(tier.latency_cycles, "cycle"),
+                 "multipliers: " + std::string(to_string(tier.multipliers))},
+                tier.count, tier.module + "\n" + tier.decision);
+    draw_arrow_down_to(row);
+    canvas_.text(box.center() + 8, box.y - 10, "detail", "undecided");
+    draw_arrow_to_reports(box);
+  }
+
+  void draw_arrow_down_to(std::size_t row) {
+    const Box before = lanes_box(row - 1), box = lanes_box(row);
+    canvas_.arrow({{before.center(), before.bottom()}, {box.center(), box.y}});
+  }
+
+  void draw_arrow_to_reports(const Box& box) {
     canvas_.arrow({{box.right(), box.middle()},
                    {reports_.x - 20, box.middle()},
                    {reports_.x - 20, reports_.middle()},
@@ -105,7 +131,7 @@ private:
   }
 
   void draw_recomputation() {
-    const Box last = lanes_box(signature_.lane_groups.size() - 1);
+    const Box last = lanes_box(rows_of_lanes(signature_) - 1);
     const Box again{group_x, last.y + group_pitch, group_width, 50};
     canvas_.box(again, "network", {"recomputation", "reads both items of a pair"}, 1,
                 "Hands undecided pairs to the references in turn.");
@@ -129,7 +155,7 @@ private:
     canvas_.box(box, "reference",
                 {fmt::format("{} in {}", counted(group.count, "reference"),
                              signature_.reference_format.name()),
-                 fmt::format("{} cycles, multipliers: {}", group.latency_cycles,
+                 fmt::format("{}, multipliers: {}", counted(group.latency_cycles, "cycle"),
                              to_string(group.multipliers))},
                 group.count, group.module);
     const double left = again.x - 14 - 10 * static_cast<double>(k), right = again.right() + 14;

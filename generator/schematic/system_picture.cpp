@@ -51,7 +51,7 @@ private:
         "Keeps what is inside a lane, until its verdict has left.");
     canvas_.box(
         lane, "lane",
-        {"lane, " + lanes.format, fmt::format("{} cycles, 1 result a cycle", lanes.latency_cycles),
+        {"lane, " + lanes.format, counted(lanes.latency_cycles, "cycle") + ", 1 result a cycle",
          "multipliers: " + std::string(to_string(lanes.multipliers))},
         lanes.count, lanes.module + "\n" + lanes.decision);
     canvas_.box(results, "network", {"results", order()}, 1,
@@ -91,7 +91,7 @@ private:
       canvas_.box(box, "reference",
                   {fmt::format("{} in {}", counted(group.count, "reference"),
                                signature_.reference_format.name()),
-                   fmt::format("{} cycles, multipliers: {}", group.latency_cycles,
+                   fmt::format("{}, multipliers: {}", counted(group.latency_cycles, "cycle"),
                                to_string(group.multipliers))},
                   group.count, group.module);
       const double turn = 526;

@@ -32,6 +32,7 @@ struct Exploration {
   devices::Device device;
   std::vector<std::string> data_sets;
   std::vector<ResultsAtClocks> columns;
+  std::vector<std::string> notes = {};  ///< for the user: of its table, then of its plans
 };
 
 /// Optimises for every data set under every choice of clocks. `sets` must not be empty; the figures

@@ -36,6 +36,20 @@ TEST_F(ExploreCommand, RatesOfOtherPrecisionsAreNotUsedAgain) {
   EXPECT_EQ(more.output.find("no recomputation rate is known"), std::string::npos) << more.output;
 }
 
+TEST_F(ExploreCommand, ThePageShowsTheWholeCommandAndWhatTheTableIsNot) {
+  const Outcome found = mixcmp(
+      "explore scene.toml --last 12 --over data.radius_max=10,25 --beside-paper -o out "
+      "--page page.html");
+  // The scene leaves the format open, so the page has no system to show.
+  ASSERT_EQ(found.exit_code, 3) << found.output;
+  const std::string page = read("page.html");
+  for (const char* shown :
+       {"--over data.radius_max=10,25 --beside-paper", "rows were measured on other RTL",
+        "Table IV: systems", "Figure 9: the best plan at each precision"}) {
+    EXPECT_NE(page.find(shown), std::string::npos) << shown;
+  }
+}
+
 /// What the rates depend on may be in a plan as well as in its scene.
 TEST_F(ExploreCommand, RatesOfAnotherPlanAreNotUsedAgain) {
   const auto rates_with = [&](const std::string& side) {
