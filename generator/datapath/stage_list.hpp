@@ -66,6 +66,8 @@ public:
 
 private:
   void add_round_and_pack(FloatFormat result);
+  /// Whether to round up, at the end of the stage before "round".
+  double deciding_ns() const { return lut_delay_ns(1); }
 
   const DelayTable& delays_;
   std::vector<Stage> stages_;
@@ -178,8 +180,9 @@ inline void StageList::add_round(FloatFormat result, bool denormalises, int drop
   const int amount_bits = bits_for(result.precision() + 2);
   const double distance = carry(result.exponent_bits() + 2) + lut_delay_ns(1);
   const double sticky = lut_delay_ns(reduction_levels(std::max(dropped_bits, 1)));
-  add("denormalise",
-      denormalises ? std::max(distance, sticky) + lut_delay_ns(shift_levels(amount_bits)) : sticky);
+  const double moved =
+      denormalises ? std::max(distance, sticky) + lut_delay_ns(shift_levels(amount_bits)) : sticky;
+  add("denormalise", moved + deciding_ns());
   add_round_and_pack(result);
 }
 
@@ -191,12 +194,12 @@ inline void StageList::add_select_round(FloatFormat result, Subnormals subnormal
   const int amount_bits = bits_for(result.precision() + 3);
   const double moving = moves ? lut_delay_ns(shift_levels(amount_bits - 2) + 1) : 0;
   add("denormalise", std::max(sticky_ns, moving));
-  add("select", lut_delay_ns(moves ? 2 : 1));
+  add("select", lut_delay_ns(moves ? 2 : 1) + deciding_ns());
   add_round_and_pack(result);
 }
 
 inline void StageList::add_round_and_pack(FloatFormat result) {
-  add("round", lut_delay_ns(1) + carry(result.width() + 2));
+  add("round", carry(result.width() + 2));
   add("pack", lut_delay_ns(1 + reduction_levels(result.exponent_bits()) + 1));
 }
 

@@ -114,44 +114,50 @@ module fp_round #(
     end
   endgenerate
 
-  wire [EXPONENT_WIDTH-1:0] s1_exponent;
-  wire [WIDTH-1:0]          s1_significand;
-  wire                      s1_sticky;
+  // Whether to round up is decided here, so that a carry chain is all there is to rounding. A
+  // significand without a leading one is subnormal: its exponent field is 0.
+  wire                      s0_leading = s0_significand[WIDTH-1];
+  wire                      s0_odd     = s0_significand[2];
+  wire                      s0_guard   = s0_significand[1];
+  wire                      s0_beyond  = s0_significand[0];
+  wire                      s0_tail    = s0_beyond || s0_sticky;
+  wire [EXPONENT_WIDTH-1:0] s0_field   =
+      exponent & {EXPONENT_WIDTH{s0_leading || (GRADUAL == 0)}};
+  wire                      s0_inexact_subnormal = !s0_leading && (s0_guard || s0_tail);
+
+  wire s0_nan       = SPECIAL_FIRST && nan;
+  wire s0_all_ones  = SPECIAL_FIRST && (nan || infinite);
+  wire s0_all_zeros = SPECIAL_FIRST && zero;
+  wire s0_finite    = !(s0_all_ones || s0_all_zeros);
+
+  wire [EXPONENT_WIDTH-1:0] s0_known_field    =
+      (s0_field & {EXPONENT_WIDTH{!s0_all_zeros}}) | {EXPONENT_WIDTH{s0_all_ones}};
+  wire [FRACTION_BITS-1:0]  s0_known_fraction =
+      (s0_significand[WIDTH-2:2] & {FRACTION_BITS{s0_finite}}) | (QUIET & {FRACTION_BITS{s0_nan}});
+  wire                      s0_up             =
+      (TOWARD_ZERO == 0) && s0_finite && s0_guard && (s0_odd || s0_tail);
+
+  wire [EXPONENT_WIDTH-1:0] s1_field;
+  wire [FRACTION_BITS-1:0]  s1_fraction;
+  wire                      s1_up;
+  wire                      s1_inexact_subnormal;
+  wire                      s1_beyond;
   wire [FLAGS-1:0]          s1_flags;
 
   fp_rank #(
-    .WIDTH     (EXPONENT_WIDTH + WIDTH + 1 + FLAGS),
+    .WIDTH     (ROUNDED_WIDTH + 3 + FLAGS),
     .REGISTERED(CUTS[0])
   ) rank_0 (
     .aclk(aclk),
-    .d   ({exponent, s0_significand, s0_sticky, sign, nan, infinite, zero, suspect}),
-    .q   ({s1_exponent, s1_significand, s1_sticky, s1_flags})
+    .d   ({s0_known_field, s0_known_fraction, s0_up, s0_inexact_subnormal, s0_beyond,
+           sign, nan, infinite, zero, suspect}),
+    .q   ({s1_field, s1_fraction, s1_up, s1_inexact_subnormal, s1_beyond, s1_flags})
   );
 
   // Stage round: exponent and fraction are one number, so that a carry out of the fraction doubles
-  // it. A significand without a leading one is subnormal: its exponent field is 0.
-  wire                      s1_leading = s1_significand[WIDTH-1];
-  wire                      s1_odd     = s1_significand[2];
-  wire                      s1_guard   = s1_significand[1];
-  wire                      s1_beyond  = s1_significand[0];
-  wire                      s1_tail    = s1_beyond || s1_sticky;
-  wire                      s1_up      = (TOWARD_ZERO == 0) && s1_guard && (s1_odd || s1_tail);
-  wire [EXPONENT_WIDTH-1:0] s1_field   =
-      s1_exponent & {EXPONENT_WIDTH{s1_leading || (GRADUAL == 0)}};
-  wire                      s1_inexact_subnormal = !s1_leading && (s1_guard || s1_tail);
-
-  wire s1_nan       = SPECIAL_FIRST && s1_flags[3];
-  wire s1_all_ones  = SPECIAL_FIRST && (s1_flags[3] || s1_flags[2]);
-  wire s1_all_zeros = SPECIAL_FIRST && s1_flags[1];
-  wire s1_finite    = !(s1_all_ones || s1_all_zeros);
-
-  wire [EXPONENT_WIDTH-1:0] s1_known_field    =
-      (s1_field & {EXPONENT_WIDTH{!s1_all_zeros}}) | {EXPONENT_WIDTH{s1_all_ones}};
-  wire [FRACTION_BITS-1:0]  s1_known_fraction =
-      (s1_significand[WIDTH-2:2] & {FRACTION_BITS{s1_finite}}) | (QUIET & {FRACTION_BITS{s1_nan}});
-  wire [ROUNDED_WIDTH-1:0]  s1_rounded =
-      {s1_known_field, s1_known_fraction}
-      + {{(ROUNDED_WIDTH - 1) {1'b0}}, s1_up && s1_finite};
+  // it.
+  wire [ROUNDED_WIDTH-1:0] s1_rounded =
+      {s1_field, s1_fraction} + {{(ROUNDED_WIDTH - 1) {1'b0}}, s1_up};
 
   wire [EXPONENT_WIDTH-1:0] s2_field;
   wire [FRACTION_BITS-1:0]  s2_fraction;
@@ -178,19 +184,20 @@ module fp_round #(
   // with an unbounded exponent too iff the bit beyond the guard bit was set.
   wire s2_finite    = !(s2_nan || s2_infinite || s2_zero);
   wire s2_negative  = s2_field[EXPONENT_WIDTH-1];
-  wire s2_too_large = (|s2_field[EXPONENT_WIDTH-2:RESULT_EXPONENT_BITS])
-                      || (&s2_field[RESULT_EXPONENT_BITS-1:0]);
-  wire s2_overflow  = (OVERFLOW != 0) && s2_finite && s2_too_large
-                      && !((UNDERFLOW != 0) && s2_negative);
-  wire s2_vanished  = VANISHING && s2_finite && (s2_negative || !(|s2_field));
+  wire s2_too_large = (OVERFLOW != 0) && !(VANISHING && s2_negative)
+                      && ((|s2_field[EXPONENT_WIDTH-2:RESULT_EXPONENT_BITS])
+                          || (&s2_field[RESULT_EXPONENT_BITS-1:0]));
+  wire s2_too_small = VANISHING && (s2_negative || !(|s2_field));
+  wire s2_overflow  = s2_finite && s2_too_large;
+  wire s2_vanished  = s2_finite && s2_too_small;
   wire s2_imprecise = s2_finite && (GRADUAL != 0) && s2_inexact_subnormal
                       && !(s2_field[0] && s2_beyond);
 
   wire s2_overflow_to_largest = s2_overflow && (TOWARD_ZERO != 0);
   wire s2_all_ones            = (!SPECIAL_FIRST && (s2_nan || s2_infinite)) || s2_overflow;
   wire s2_all_zeros           = (!SPECIAL_FIRST && s2_zero) || s2_vanished;
-  wire s2_replaces            =
-      (!SPECIAL_FIRST && !s2_finite) || s2_overflow || s2_vanished;
+  // Few gates deep, since it may become the reset of the result's register.
+  wire s2_replaces            = !SPECIAL_FIRST && (!s2_finite || s2_too_large || s2_too_small);
 
   wire [RESULT_EXPONENT_BITS-1:0] s2_y_field =
       ((s2_field[RESULT_EXPONENT_BITS-1:0] & {RESULT_EXPONENT_BITS{!s2_all_zeros}})

@@ -88,7 +88,11 @@ module fp_select_round #(
   wire                      s1_sticky;
   wire                      s1_tiny;
   wire [1:0]                s1_rest;
-  wire [FLAGS-1:0]          s1_flags;
+  wire                      s1_sign;
+  wire                      s1_nan;
+  wire                      s1_infinite;
+  wire                      s1_zero;
+  wire                      s1_suspect;
 
   fp_rank #(
     .WIDTH     (EXPONENT_WIDTH + MOVED + 4 + FLAGS),
@@ -97,7 +101,8 @@ module fp_select_round #(
     .aclk(aclk),
     .d   ({exponent, s0_moved, sticky || s0_below || s0_lost, tiny, amount[1:0],
            sign, nan, infinite, zero, suspect}),
-    .q   ({s1_exponent, s1_value, s1_sticky, s1_tiny, s1_rest, s1_flags})
+    .q   ({s1_exponent, s1_value, s1_sticky, s1_tiny, s1_rest,
+           s1_sign, s1_nan, s1_infinite, s1_zero, s1_suspect})
   );
 
   // Stage select: by the places left. A one in the first place is one exponent up and moves down by
@@ -120,25 +125,6 @@ module fp_select_round #(
     .sticky (s1_lost)
   );
 
-  wire [EXPONENT_WIDTH-1:0] s2_exponent;
-  wire [MOVED-2:0]          s2_significand;
-  wire                      s2_sticky;
-  wire                      s2_sign;
-  wire                      s2_nan;
-  wire                      s2_infinite;
-  wire                      s2_zero;
-  wire                      s2_suspect;
-
-  fp_rank #(
-    .WIDTH     (EXPONENT_WIDTH + MOVED + FLAGS),
-    .REGISTERED(CUTS[1])
-  ) rank_1 (
-    .aclk(aclk),
-    .d   ({s1_selected, s1_significand, s1_sticky || s1_lost, s1_flags}),
-    .q   ({s2_exponent, s2_significand, s2_sticky,
-           s2_sign, s2_nan, s2_infinite, s2_zero, s2_suspect})
-  );
-
   // Stages round, pack.
   fp_round #(
     .EXPONENT_WIDTH      (EXPONENT_WIDTH),
@@ -149,17 +135,17 @@ module fp_select_round #(
     .GRADUAL             (GRADUAL),
     .DENORMALISE         (0),
     .TOWARD_ZERO         (TOWARD_ZERO),
-    .CUTS                ({CUTS[3:2], 1'b0})
-  ) s2_round (
+    .CUTS                (CUTS[3:1])
+  ) s1_round (
     .aclk       (aclk),
-    .sign       (s2_sign),
-    .exponent   (s2_exponent),
-    .significand(s2_significand),
-    .sticky     (s2_sticky),
-    .nan        (s2_nan),
-    .infinite   (s2_infinite),
-    .zero       (s2_zero),
-    .suspect    (s2_suspect),
+    .sign       (s1_sign),
+    .exponent   (s1_selected),
+    .significand(s1_significand),
+    .sticky     (s1_sticky || s1_lost),
+    .nan        (s1_nan),
+    .infinite   (s1_infinite),
+    .zero       (s1_zero),
+    .suspect    (s1_suspect),
     .y          (y),
     .exceptional(exceptional)
   );
