@@ -32,8 +32,8 @@ std::ostream& operator<<(std::ostream& out, const Fault& fault) {
 
 /// A tie of two neighbours is rounded up, not to the even one, in results of this precision alone.
 Fault ties_rounded_up(const char* name, int precision) {
-  return {name, "mixcmp_fp_round.v", "(s1_odd || s1_tail)",
-          "(s1_odd || s1_tail || (RESULT_PRECISION == " + std::to_string(precision) + "))"};
+  return {name, "mixcmp_fp_round.v", "(s0_odd || s0_tail)",
+          "(s0_odd || s0_tail || (RESULT_PRECISION == " + std::to_string(precision) + "))"};
 }
 
 const Fault faults[] = {
