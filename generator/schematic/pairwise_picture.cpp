@@ -88,7 +88,8 @@ private:
     draw_arrow_to_reports(box);
   }
 
-  /// What the lanes of a group leave undecided, its lane of more bits decides again.
+  /// Draws the lanes of the second tier: one behind each group decides again what it leaves
+  /// undecided.
   void draw_second_tier() {
     const SignatureLanes& tier = *signature_.second_tier;
     const std::size_t row = rows_of_lanes(signature_) - 1;

@@ -125,7 +125,7 @@ module fp_select_round #(
     .sticky (s1_lost)
   );
 
-  // Stages round, pack.
+  // Stages round, pack. The cut behind the selection stands behind the decision to round up.
   fp_round #(
     .EXPONENT_WIDTH      (EXPONENT_WIDTH),
     .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),
