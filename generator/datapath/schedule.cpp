@@ -3,24 +3,45 @@
 #include <algorithm>
 
 #include "generator/datapath/fold.hpp"
+#include "generator/datapath/squared_sum.hpp"
 #include "generator/datapath/unit_placer.hpp"
 #include "model/error/hazards.hpp"
 
 namespace mixcmp::datapath {
 namespace {
 
+/// Whether the square of a sum and the sum itself share a unit.
+enum class SquaredSums { apart, together };
+
+/// Which sums are computed by the units of their squares.
+std::vector<bool> sums_in_squares(const TypedGraph& graph) {
+  std::vector<bool> found(graph.nodes.size(), false);
+  for (NodeId id = 0; id < static_cast<NodeId>(graph.nodes.size()); ++id) {
+    if (const auto sum = squared_sum_of(graph, id)) found[*sum] = true;
+  }
+  return found;
+}
+
 class Scheduler {
 public:
   Scheduler(const DelayTable& delays, double target_mhz)
       : placer_(delays, target_mhz), delays_(placer_.delays()) {}
 
-  void place_nodes(const TypedGraph& graph, scene::Multipliers multipliers) {
-    for (const TypedNode& node : graph.nodes) {
+  void place_nodes(const TypedGraph& graph, scene::Multipliers multipliers, SquaredSums squared) {
+    const bool together = squared == SquaredSums::together;
+    const std::vector<bool> inside =
+        together ? sums_in_squares(graph) : std::vector<bool>(graph.nodes.size(), false);
+    for (NodeId id = 0; id < static_cast<NodeId>(graph.nodes.size()); ++id) {
+      const TypedNode& node = graph.nodes[id];
       const int start = ready_cycle(schedule_.steps, operands_of(node));
-      if (error::has_unit(node.operation)) {
-        schedule_.steps.push_back(place(unit_for(graph, node, multipliers, delays_), start));
-      } else {
+      if (inside[id] || !error::has_unit(node.operation)) {
         schedule_.steps.push_back({.start_cycle = start, .ready_cycle = start});
+      } else if (together && squared_sum_of(graph, id)) {
+        const Subnormals subnormals = graph.arithmetic.subnormals;
+        schedule_.steps.push_back(
+            place(squared_sum_unit(node.format, subnormals, multipliers, delays_), start));
+      } else {
+        schedule_.steps.push_back(place(unit_for(graph, node, multipliers, delays_), start));
       }
     }
   }
@@ -109,7 +130,7 @@ private:
 Schedule schedule_lane(const error::Lane& lane, scene::Multipliers multipliers,
                        const DelayTable& delays, double target_mhz) {
   Scheduler scheduler(delays, target_mhz);
-  scheduler.place_nodes(lane.graph, multipliers);
+  scheduler.place_nodes(lane.graph, multipliers, SquaredSums::apart);
   scheduler.place_checks(lane.checks);
   for (std::size_t k = 0; k < lane.parts.size(); ++k) {
     scheduler.decide(lane.parts[k], lane.graph, lane.graph.parts[k]);
@@ -125,7 +146,7 @@ Schedule schedule_reference(const TypedGraph& reference,
   if (folded) {
     scheduler.place_folded(reference, structure.multipliers, structure.initiation_interval);
   } else {
-    scheduler.place_nodes(reference, structure.multipliers);
+    scheduler.place_nodes(reference, structure.multipliers, SquaredSums::together);
   }
   for (const Sides& part : reference.parts) {
     scheduler.compare(part, reference.arithmetic.format);

@@ -14,7 +14,9 @@ namespace mixcmp::datapath {
 /// One operation bound to a unit and placed in time. Cycle 0 is the cycle in which the operands of
 /// a comparison are at the datapath's inputs.
 struct Step {
-  Unit unit;               ///< unit.module is empty where the operation is only wires
+  /// unit.module is empty where the operation is only wires, and for a sum that the unit of its
+  /// square computes.
+  Unit unit;
   std::vector<bool> cuts;  ///< which cut points are registered; the last always is
   int start_cycle = 0;     ///< the cycle in which the operands are read
   int ready_cycle = 0;     ///< the cycle in which the result is at the output

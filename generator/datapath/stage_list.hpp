@@ -49,9 +49,19 @@ public:
     stages_.push_back({.name = std::move(name), .delay_ns = delay_ns, .registered = true});
   }
 
+  /// A stage that begins while the one before is still at work for `overlap_ns`.
+  void add_overlapping(std::string name, double delay_ns, double overlap_ns) {
+    stages_.push_back({.name = std::move(name), .delay_ns = delay_ns, .overlap_ns = overlap_ns});
+  }
+
   /// Adds stages that are cut at the same places as each of `lists`, which work side by side.
   void add_slowest(const std::vector<StageList>& lists);
 
+  int count() const { return static_cast<int>(stages_.size()); }
+
+  /// By what fp_aligned_operands tells which operand is the larger one.
+  enum class Order { by_magnitude, by_exponent };
+  void add_aligned_operands(FloatFormat operands, int aligned, Subnormals subnormals, Order order);
   void add_operand(FloatFormat operands, Subnormals subnormals);
   void add_embedded_product(int precision);
   void add_embedded_square(int precision);
@@ -59,6 +69,7 @@ public:
   void add_product(int precision, LogicProduct::Kind kind, scene::Multipliers multipliers);
   void add_round(FloatFormat result, bool denormalises, int dropped_bits);
   void add_select_round(FloatFormat result, Subnormals subnormals, double sticky_ns);
+  void add_last_selection(FloatFormat result);
 
   Unit unit(std::string module) && {
     return {.module = std::move(module), .stages = std::move(stages_)};
@@ -87,6 +98,20 @@ inline void StageList::add_slowest(const std::vector<StageList>& lists) {
     slowest.overlap_ns = slowest.delay_ns - alone_ns;
     stages_.push_back(std::move(slowest));
   }
+}
+
+/// The stages of fp_aligned_operands, whose smaller operand has `aligned` places.
+inline void StageList::add_aligned_operands(FloatFormat operands, int aligned,
+                                            Subnormals subnormals, Order order) {
+  const bool gradual = subnormals == Subnormals::gradual;
+  // A subnormal number's exponent is 1, not its field, before the distance is known.
+  const double exponents = lut_delay_ns(gradual ? reduction_levels(operands.exponent_bits()) : 0) +
+                           carry(operands.exponent_bits());
+  const bool by_magnitude = order == Order::by_magnitude;
+  add("compare", by_magnitude ? std::max(carry(operands.width() - 1), exponents) : exponents);
+  add("swap", lut_delay_ns(1));
+  add("align by fours", lut_delay_ns(1 + shift_levels(bits_for(aligned) - 2) + 1));
+  add("align", lut_delay_ns(shift_levels(2) + 1));
 }
 
 /// The stages of fp_operand; they are only wires where subnormals are flushed.
@@ -195,6 +220,12 @@ inline void StageList::add_select_round(FloatFormat result, Subnormals subnormal
   const double moving = moves ? lut_delay_ns(shift_levels(amount_bits - 2) + 1) : 0;
   add("denormalise", std::max(sticky_ns, moving));
   add("select", lut_delay_ns(moves ? 2 : 1) + deciding_ns());
+  add_round_and_pack(result);
+}
+
+/// The stages of fp_squared_sum from "select" on: the last step, then where the leading one is.
+inline void StageList::add_last_selection(FloatFormat result) {
+  add("select square", lut_delay_ns(2) + deciding_ns());
   add_round_and_pack(result);
 }
 

@@ -28,14 +28,7 @@ Unit add_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
   const int aligned = std::max(precision, result.precision() + 1) + 1;
   const int amount_bits = bits_for(precision + 2);
   StageList stages(delays);
-  // A subnormal number's exponent is 1, not its field, before the distance is known.
-  const double exponents =
-      stages.lut_delay_ns(gradual ? reduction_levels(operands.exponent_bits()) : 0) +
-      stages.carry(operands.exponent_bits());
-  stages.add("compare", std::max(stages.carry(operands.width() - 1), exponents));
-  stages.add("swap", stages.lut_delay_ns(1));
-  stages.add("align by fours", stages.lut_delay_ns(1 + shift_levels(bits_for(aligned) - 2) + 1));
-  stages.add("align", stages.lut_delay_ns(shift_levels(2) + 1));
+  stages.add_aligned_operands(operands, aligned, subnormals, StageList::Order::by_magnitude);
   stages.add("sum", stages.carry(aligned + 3));
   stages.add("count", stages.lut_delay_ns(count_levels(precision + 2)));
   const double limit =

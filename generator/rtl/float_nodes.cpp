@@ -95,9 +95,12 @@ void FloatNodes::build_selecting_unit(const SelectingUnits::Unit& unit, std::siz
 void FloatNodes::declare_unused_flags() {
   int count = static_cast<int>(selecting_.units().size());
   for (NodeId id = 0; id < static_cast<NodeId>(graph_.nodes.size()); ++id) {
+    const TypedNode& node = graph_.nodes[id];
     const bool has_own_unit =
         !schedule_.steps[id].unit.module.empty() && selecting_.find(id) == nullptr;
-    if (has_own_unit && !gathers_flag(id)) ++count;
+    const bool has_flag =
+        !(node.operation == Operation::square && is_inside_its_square(node.operands[0]));
+    if (has_own_unit && has_flag && !gathers_flag(id)) ++count;
   }
   if (count == 0) return;
   datapath_.add(Comment{exceptional_ == ExceptionalFlags::unused
@@ -160,9 +163,44 @@ void FloatNodes::build_sign_change(NodeId id) {
   flags_[id] = flags_[node.operands[0]];
 }
 
+/// Tells whether a sum is computed by the unit of its square.
+bool FloatNodes::is_inside_its_square(NodeId id) const {
+  const Operation operation = graph_.nodes[id].operation;
+  const bool adds = operation == Operation::add || operation == Operation::subtract;
+  return adds && schedule_.steps[id].unit.module.empty();
+}
+
+/// Builds a square together with the sum that it is of.
+void FloatNodes::build_squared_sum(NodeId id) {
+  const TypedNode& node = graph_.nodes[id];
+  const datapath::Step& step = schedule_.steps[id];
+  const NodeId sum = node.operands[0];
+  const std::vector<Operand> operands = unit_operands(sum);
+  std::vector<Parameter> parameters = format_parameters(node.format);
+  parameters.push_back({"SUBTRACT", graph_.nodes[sum].operation == Operation::subtract ? 1 : 0});
+  const bool gradual = graph_.arithmetic.subnormals == Subnormals::gradual;
+  parameters.push_back({"GRADUAL", gradual ? 1 : 0});
+  append_multiplier_parameters(step.unit, parameters);
+  parameters.push_back({"CUTS", cut_mask(step)});
+  datapath_.add(Comment{fmt::format(
+      "Cycles {} to {}: ({})^2, the sum and its square rounded to {}.", step.start_cycle,
+      step.ready_cycle, formula(graph_, sum, names_), node.format.name())});
+  datapath_.add(Wire{node.format.width(), names_[id], nullptr});
+  values_[id].value = net(names_[id]);
+  datapath_.add(Instance{
+      step.unit.module,
+      datapath_.pool().unique("unit_" + names_[id]),
+      std::move(parameters),
+      {{"aclk", net("aclk")}, {"a", operands[0]}, {"b", operands[1]}, {"y", net(names_[id])}}});
+}
+
 void FloatNodes::build_unit(NodeId id) {
   const TypedNode& node = graph_.nodes[id];
   const datapath::Step& step = schedule_.steps[id];
+  if (is_inside_its_square(id)) return;
+  if (node.operation == Operation::square && is_inside_its_square(node.operands[0])) {
+    return build_squared_sum(id);
+  }
   std::vector<Operand> operands = unit_operands(id);
   if (const SelectingUnits::Unit* unit = selecting_.find(id)) {
     if (node.operation == Operation::subtract) {

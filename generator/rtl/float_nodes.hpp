@@ -42,6 +42,7 @@ private:
   void build_node(NodeId id);
   void build_sign_change(NodeId id);
   void build_unit(NodeId id);
+  void build_squared_sum(NodeId id);
   void declare_selecting_units();
   void build_selecting_units();
   void build_selecting_unit(const SelectingUnits::Unit& unit, std::size_t index);
@@ -51,6 +52,7 @@ private:
   Operand flag_output(NodeId id);
   void gather_flags(NodeId id);
   std::string describe(NodeId id) const;
+  bool is_inside_its_square(NodeId id) const;
   bool gathers_flag(NodeId id) const;
   error::Hazards hazards_of(NodeId id) const;
   std::vector<Parameter> unit_parameters(const TypedNode& node, const error::Hazards& hazards,

@@ -58,12 +58,9 @@ module fp_add #(
   // The last three places that it may move up are left to a stage of their own.
   localparam MOVED      = (SUM < KEPT + 3) ? SUM : KEPT + 3;
 
-  localparam AMOUNT_BITS    = bits_for(ALIGNED);
-  localparam DISTANCE_WIDTH = larger(EXPONENT_BITS, AMOUNT_BITS) + 1;
   localparam COUNT_BITS     = GROWING ? 3 : bits_for(CANCELLING);
   localparam EXPONENT_WIDTH =
       larger(larger(EXPONENT_BITS, RESULT_EXPONENT_BITS), bits_for(SUM)) + 2;
-  localparam PACKED = EXPONENT_BITS + PRECISION;
 
   localparam integer REBIAS = (1 << (RESULT_EXPONENT_BITS - 1)) - (1 << (EXPONENT_BITS - 1));
   // With a result exponent no narrower than the operands', not normalising below exponent 1 is
@@ -90,204 +87,41 @@ module fp_add #(
     end
   endgenerate
 
-  // Stage compare: packed magnitudes order as integers; both exponent differences are at hand
-  // when the order is known. Where nothing is subtracted, exponents alone tell which significand is
-  // aligned on the other; the sign is not that of a zero.
-  wire                     s0_a_sign;
-  wire [EXPONENT_BITS-1:0] s0_a_exponent;
-  wire [PRECISION-1:0]     s0_a_significand;
-  wire                     s0_a_zero;
-  wire                     s0_a_infinite;
-  wire                     s0_a_nan;
-  wire                     s0_a_flushed;
-
-  fp_unpack #(
-    .EXPONENT_BITS   (EXPONENT_BITS),
-    .PRECISION       (PRECISION),
-    .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
-    .UNDERFLOW       (UNDERFLOW),
-    .GRADUAL         (SUBNORMALS)
-  ) s0_unpack_a (
-    .a          (a),
-    .sign       (s0_a_sign),
-    .exponent   (s0_a_exponent),
-    .significand(s0_a_significand),
-    .zero       (s0_a_zero),
-    .infinite   (s0_a_infinite),
-    .nan        (s0_a_nan),
-    .flushed    (s0_a_flushed)
-  );
-
-  wire                     s0_b_packed_sign;
-  wire [EXPONENT_BITS-1:0] s0_b_exponent;
-  wire [PRECISION-1:0]     s0_b_significand;
-  wire                     s0_b_zero;
-  wire                     s0_b_infinite;
-  wire                     s0_b_nan;
-  wire                     s0_b_flushed;
-
-  fp_unpack #(
-    .EXPONENT_BITS   (EXPONENT_BITS),
-    .PRECISION       (PRECISION),
-    .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
-    .UNDERFLOW       (UNDERFLOW),
-    .GRADUAL         (SUBNORMALS)
-  ) s0_unpack_b (
-    .a          (b),
-    .sign       (s0_b_packed_sign),
-    .exponent   (s0_b_exponent),
-    .significand(s0_b_significand),
-    .zero       (s0_b_zero),
-    .infinite   (s0_b_infinite),
-    .nan        (s0_b_nan),
-    .flushed    (s0_b_flushed)
-  );
-
-  wire                     s0_b_sign    = s0_b_packed_sign ^ (SUBTRACT != 0);
-  wire                     s0_cancel    = s0_a_sign ^ s0_b_sign;
-  wire                     s0_swap;
-  wire [EXPONENT_BITS-1:0] s0_a_above_b = s0_a_exponent - s0_b_exponent;
-  wire [EXPONENT_BITS-1:0] s0_b_above_a = s0_b_exponent - s0_a_exponent;
-
-  generate
-    if (CANCELLATION != 0) begin : g_by_magnitude
-      assign s0_swap = a[PACKED-2:0] < b[PACKED-2:0];
-    end else begin : g_by_exponent
-      assign s0_swap = (s0_a_exponent < s0_b_exponent) || s0_a_zero;
-    end
-  endgenerate
-
-  wire s0_infinite = s0_a_infinite || s0_b_infinite;
-  wire s0_nan      = s0_a_nan || s0_b_nan || (s0_a_infinite && s0_b_infinite && s0_cancel);
-  wire s0_suspect  = s0_infinite || s0_nan || s0_a_flushed || s0_b_flushed;
-  wire s0_zero     = (GROWING || !SUBNORMALS) && s0_a_zero && s0_b_zero;
-
-  wire [EXPONENT_BITS-1:0] s1_a_exponent;
-  wire [PRECISION-1:0]     s1_a_significand;
-  wire [EXPONENT_BITS-1:0] s1_b_exponent;
-  wire [PRECISION-1:0]     s1_b_significand;
-  wire [EXPONENT_BITS-1:0] s1_a_above_b;
-  wire [EXPONENT_BITS-1:0] s1_b_above_a;
-  wire                     s1_swap;
-  wire                     s1_a_zero;
-  wire                     s1_b_zero;
-  wire                     s1_a_sign;
-  wire                     s1_b_sign;
-  wire [3:0]               s1_flags;
-
-  fp_rank #(
-    .WIDTH     (2 * (EXPONENT_BITS + PRECISION)),
-    .REGISTERED(CUTS[0])
-  ) rank_0_operands (
-    .aclk(aclk),
-    .d   ({s0_a_exponent, s0_a_significand, s0_b_exponent, s0_b_significand}),
-    .q   ({s1_a_exponent, s1_a_significand, s1_b_exponent, s1_b_significand})
-  );
-
-  fp_rank #(
-    .WIDTH     (2 * EXPONENT_BITS + 9),
-    .REGISTERED(CUTS[0])
-  ) rank_0_order (
-    .aclk(aclk),
-    .d   ({s0_a_above_b, s0_b_above_a, s0_swap, s0_a_zero, s0_b_zero, s0_a_sign, s0_b_sign,
-           s0_nan, s0_infinite, s0_zero, s0_suspect}),
-    .q   ({s1_a_above_b, s1_b_above_a, s1_swap, s1_a_zero, s1_b_zero, s1_a_sign, s1_b_sign,
-           s1_flags})
-  );
-
-  // Stage swap: the larger magnitude gives the sign; a zero as the smaller one adds nothing.
-  wire [EXPONENT_BITS-1:0] s1_exponent   = s1_swap ? s1_b_exponent : s1_a_exponent;
-  wire [PRECISION-1:0]     s1_large      = s1_swap ? s1_b_significand : s1_a_significand;
-  wire [PRECISION-1:0]     s1_other      = s1_swap ? s1_a_significand : s1_b_significand;
-  wire                     s1_other_zero = s1_swap ? s1_a_zero : s1_b_zero;
-  wire [PRECISION-1:0]     s1_small      = s1_other & {PRECISION{!s1_other_zero}};
-  wire [EXPONENT_BITS-1:0] s1_distance   = s1_swap ? s1_b_above_a : s1_a_above_b;
-  wire                     s1_sign       = s1_swap ? s1_b_sign : s1_a_sign;
-  wire                     s1_cancel     = s1_a_sign ^ s1_b_sign;
-
-  wire [EXPONENT_BITS-1:0] s2_exponent;
-  wire [PRECISION-1:0]     s2_large;
-  wire [PRECISION-1:0]     s2_small;
-  wire [EXPONENT_BITS-1:0] s2_distance;
-  wire                     s2_sign;
-  wire                     s2_cancel;
-  wire [3:0]               s2_flags;
-
-  fp_rank #(
-    .WIDTH     (2 * (EXPONENT_BITS + PRECISION) + 6),
-    .REGISTERED(CUTS[1])
-  ) rank_1 (
-    .aclk(aclk),
-    .d   ({s1_exponent, s1_large, s1_small, s1_distance, s1_sign, s1_cancel, s1_flags}),
-    .q   ({s2_exponent, s2_large, s2_small, s2_distance, s2_sign, s2_cancel, s2_flags})
-  );
-
-  // Stage align by fours: beyond its width the smaller operand is no more than a sticky bit.
-  wire [DISTANCE_WIDTH-1:0] s2_wide_distance = {
-    {(DISTANCE_WIDTH - EXPONENT_BITS) {1'b0}}, s2_distance
-  };
-  wire                   s2_far    = |s2_wide_distance[DISTANCE_WIDTH-1:AMOUNT_BITS];
-  wire [AMOUNT_BITS-1:0] s2_amount = s2_wide_distance[AMOUNT_BITS-1:0] | {AMOUNT_BITS{s2_far}};
-  wire [ALIGNED-1:0]     s2_moved;
-  wire                   s2_sticky;
-
-  fp_shift_right #(
-    .WIDTH      (ALIGNED),
-    .AMOUNT_BITS(AMOUNT_BITS)
-  ) s2_align (
-    .value  ({s2_small, {(ALIGNED - PRECISION) {1'b0}}}),
-    .amount ({s2_amount[AMOUNT_BITS-1:2], 2'b00}),
-    .shifted(s2_moved),
-    .sticky (s2_sticky)
-  );
-
-  wire [EXPONENT_BITS-1:0] s3_exponent;
-  wire [PRECISION-1:0]     s3_large;
-  wire [ALIGNED-1:0]       s3_moved;
-  wire                     s3_sticky;
-  wire [1:0]               s3_rest;
-  wire                     s3_sign;
-  wire                     s3_cancel;
-  wire [3:0]               s3_flags;
-
-  fp_rank #(
-    .WIDTH     (EXPONENT_BITS + PRECISION + ALIGNED + 9),
-    .REGISTERED(CUTS[2])
-  ) rank_2 (
-    .aclk(aclk),
-    .d   ({s2_exponent, s2_large, s2_moved, s2_sticky, s2_amount[1:0], s2_sign, s2_cancel,
-           s2_flags}),
-    .q   ({s3_exponent, s3_large, s3_moved, s3_sticky, s3_rest, s3_sign, s3_cancel, s3_flags})
-  );
-
-  // Stage align: by the places left.
-  wire [ALIGNED-1:0] s3_aligned;
-  wire               s3_lost;
-
-  fp_shift_right #(
-    .WIDTH      (ALIGNED),
-    .AMOUNT_BITS(2)
-  ) s3_align (
-    .value  (s3_moved),
-    .amount (s3_rest),
-    .shifted(s3_aligned),
-    .sticky (s3_lost)
-  );
-
+  // Stages compare, swap, align by fours, align. Where nothing is subtracted, exponents alone tell
+  // which significand is aligned on the other.
   wire [EXPONENT_BITS-1:0] s4_exponent;
   wire [PRECISION-1:0]     s4_large;
   wire [ALIGNED:0]         s4_small;
   wire                     s4_sign;
   wire                     s4_cancel;
-  wire [3:0]               s4_flags;
+  wire                     s4_nan;
+  wire                     s4_infinite;
+  wire                     s4_operands_zero;
+  wire                     s4_suspect;
 
-  fp_rank #(
-    .WIDTH     (EXPONENT_BITS + PRECISION + ALIGNED + 7),
-    .REGISTERED(CUTS[3])
-  ) rank_3 (
-    .aclk(aclk),
-    .d   ({s3_exponent, s3_large, s3_aligned, s3_sticky || s3_lost, s3_sign, s3_cancel, s3_flags}),
-    .q   ({s4_exponent, s4_large, s4_small, s4_sign, s4_cancel, s4_flags})
+  fp_aligned_operands #(
+    .EXPONENT_BITS   (EXPONENT_BITS),
+    .PRECISION       (PRECISION),
+    .ALIGNED         (ALIGNED),
+    .SUBTRACT        (SUBTRACT),
+    .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
+    .UNDERFLOW       (UNDERFLOW),
+    .GRADUAL         (SUBNORMALS),
+    .ORDERED         (CANCELLATION),
+    .CUTS            (CUTS[3:0])
+  ) s0_aligned_operands (
+    .aclk    (aclk),
+    .a       (a),
+    .b       (b),
+    .exponent(s4_exponent),
+    .larger  (s4_large),
+    .smaller (s4_small),
+    .sign    (s4_sign),
+    .cancel  (s4_cancel),
+    .nan     (s4_nan),
+    .infinite(s4_infinite),
+    .zero    (s4_operands_zero),
+    .suspect (s4_suspect)
   );
 
   // Stage sum: minus x is not x plus one; the one enters as a carry out of an extra last place.
@@ -313,7 +147,8 @@ module fp_add #(
     .REGISTERED(CUTS[4])
   ) rank_4 (
     .aclk(aclk),
-    .d   ({s4_exponent, s4_sum, s4_sign, s4_cancel, s4_flags}),
+    .d   ({s4_exponent, s4_sum, s4_sign, s4_cancel,
+           s4_nan, s4_infinite, s4_operands_zero, s4_suspect}),
     .q   ({s5_exponent, s5_sum, s5_sign, s5_cancel,
            s5_nan, s5_infinite, s5_operands_zero, s5_suspect})
   );
@@ -345,7 +180,9 @@ module fp_add #(
 
   wire [EXPONENT_WIDTH-1:0] s5_room =
       {{(EXPONENT_WIDTH - EXPONENT_BITS) {1'b0}}, s5_exponent} + REBIAS[EXPONENT_WIDTH-1:0];
-  wire                      s5_zero = s5_empty || s5_operands_zero;
+  // A gradual sum that may cancel is counted empty where both operands are zero.
+  wire                      s5_zero =
+      s5_empty || (s5_operands_zero && (GROWING || !SUBNORMALS));
 
   wire [EXPONENT_WIDTH-1:0] s6_room;
   wire [COUNT_BITS-1:0]     s6_count;

@@ -1,6 +1,6 @@
 // fp_embedded_square: the square of a significand, by multipliers FACTOR_A by FACTOR_B wide.
 // Latency: the population count of CUTS (seven bits); initiation interval 1; no reset.
-// The significand has a leading one; `product` is undefined if a's leading bit is 0.
+// LEADING_ONE promises that a's leading bit is 1; `product` is undefined if it is 0.
 //
 // The significand is cut into PARTS parts of FACTOR_B bits; the last may have two more. For
 // multipliers of 24 by 17, 53 bits become p0 and p1 of 17 bits and p2 of 19:
@@ -16,11 +16,12 @@
 `default_nettype none
 
 module fp_embedded_square #(
-  parameter       PRECISION = 53,
-  parameter       FACTOR_A  = 24,
-  parameter       FACTOR_B  = 17,
-  parameter       PARTS     = 3,
-  parameter [6:0] CUTS      = 7'b0
+  parameter       PRECISION   = 53,
+  parameter       FACTOR_A    = 24,
+  parameter       FACTOR_B    = 17,
+  parameter       PARTS       = 3,
+  parameter       LEADING_ONE = 1,
+  parameter [6:0] CUTS        = 7'b0
 ) (
   input  wire                   aclk,
   input  wire [PRECISION-1:0]   a,
@@ -129,16 +130,19 @@ module fp_embedded_square #(
       if (B_BITS == A_BITS) begin : g_whole
         assign joined = partial;
       end else begin : g_excess
-        // The leading bits are 1, 10 or 11; times the part, added to the product's upper bits.
+        // The one or two leading bits times the part, added to the product's upper bits.
         localparam BITS = A_BITS - B_BITS;
 
+        wire                   first       = (LEADING_ONE != 0) || factor[A_BITS-1];
+        wire [A_BITS-1:0]      times_first = factor & {A_BITS{first}};
         wire [A_BITS+BITS-1:0] times;
         wire [A_BITS+BITS-1:0] times_leading;
 
         if (BITS == 1) begin : g_one
-          assign times = {1'b0, factor};
+          assign times = {1'b0, times_first};
         end else begin : g_two
-          assign times = {1'b0, factor, 1'b0} + {2'b00, factor & {A_BITS{factor[A_BITS-2]}}};
+          assign times =
+              {1'b0, times_first, 1'b0} + {2'b00, factor & {A_BITS{factor[A_BITS-2]}}};
         end
 
         fp_rank #(

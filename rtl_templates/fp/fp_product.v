@@ -1,15 +1,16 @@
 // fp_product: the product of two significands, or the square of one.
 // Latency: the population count of CUTS (seven bits); initiation interval 1; no reset.
-// The significands have a leading one; `product` is undefined if a leading bit is 0.
+// LEADING_ONE promises that the significands' leading bits are 1; `product` is undefined if one is 0.
 `default_nettype none
 
 module fp_product #(
-  parameter       PRECISION = 24,
-  parameter       SQUARE    = 0,     // 1: of a; b is not read
-  parameter       EMBEDDED  = 1,     // 0: fp_logic_product instead of `*`
-  parameter       FACTOR_A  = 24,
-  parameter       FACTOR_B  = 17,
-  parameter [6:0] CUTS      = 7'b0
+  parameter       PRECISION   = 24,
+  parameter       SQUARE      = 0,     // 1: of a; b is not read
+  parameter       EMBEDDED    = 1,     // 0: fp_logic_product instead of `*`
+  parameter       FACTOR_A    = 24,
+  parameter       FACTOR_B    = 17,
+  parameter       LEADING_ONE = 1,
+  parameter [6:0] CUTS        = 7'b0
 ) (
   input  wire                   aclk,
   input  wire [PRECISION-1:0]   a,
@@ -46,11 +47,12 @@ module fp_product #(
       wire unused_factor = ^factor;
 
       fp_embedded_square #(
-        .PRECISION(PRECISION),
-        .FACTOR_A (FACTOR_A),
-        .FACTOR_B (FACTOR_B),
-        .PARTS    (PARTS),
-        .CUTS     (CUTS)
+        .PRECISION  (PRECISION),
+        .FACTOR_A   (FACTOR_A),
+        .FACTOR_B   (FACTOR_B),
+        .PARTS      (PARTS),
+        .LEADING_ONE(LEADING_ONE),
+        .CUTS       (CUTS)
       ) embedded_square (
         .aclk   (aclk),
         .a      (a),
@@ -69,9 +71,10 @@ module fp_product #(
         .product(product)
       );
     end else begin : g_gates
-      wire                 unused_leading_ones = a[PRECISION-1] ^ factor[PRECISION-1];
-      wire [PRECISION-1:0] a_significand       = {1'b1, a[PRECISION-2:0]};
-      wire [PRECISION-1:0] b_significand       = {1'b1, factor[PRECISION-2:0]};
+      wire                 a_leading     = (LEADING_ONE != 0) || a[PRECISION-1];
+      wire                 b_leading     = (LEADING_ONE != 0) || factor[PRECISION-1];
+      wire [PRECISION-1:0] a_significand = {a_leading, a[PRECISION-2:0]};
+      wire [PRECISION-1:0] b_significand = {b_leading, factor[PRECISION-2:0]};
 
       fp_logic_product #(
         .PRECISION(PRECISION),

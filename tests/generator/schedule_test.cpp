@@ -9,6 +9,7 @@
 #include "generator/datapath/delays.hpp"
 #include "generator/datapath/embedded_square.hpp"
 #include "generator/datapath/fixed_schedule.hpp"
+#include "generator/datapath/squared_sum.hpp"
 #include "model/error/certified_lane.hpp"
 #include "model/expression/parser.hpp"
 #include "tests/support/sphere.hpp"
@@ -137,7 +138,7 @@ TEST_P(ScheduleAtTarget, RowsOfMultipliersAreCutBehindRegisteredMultipliers) {
         datapath::schedule_reference(design_.reference, {}, delays, GetParam());
     int squares = 0;
     for (const datapath::Step& step : schedule.steps) {
-      if (step.unit.module != "fp_square") continue;
+      if (step.unit.module != "fp_squared_sum") continue;
       ++squares;
       const int rows = (53 + delays.multiplier_size.b_bits - 1) / delays.multiplier_size.b_bits;
       EXPECT_TRUE(rows_wait_for_multipliers(step, rows)) << device;
@@ -298,6 +299,33 @@ TEST(Schedule, AProductWithAPowerOfTwoTakesNoMultiplier) {
         datapath::unit_for(plain.graph, plain.node(), scene::Multipliers::embedded, delays);
     EXPECT_EQ(unit.module, "fp_multiply") << text;
   }
+}
+
+/// A sum that something else reads has to be rounded and packed for that.
+TEST(Schedule, ASumThatOnlyItsSquareReadsSharesItsUnit) {
+  const datapath::DelayTable delays = datapath::delays_of("virtex6-lx760").value();
+  const auto units = [&](const std::string& text, int initiation_interval = 1) {
+    const Product squared = product(text);
+    const datapath::Schedule schedule = datapath::schedule_reference(
+        squared.graph, {.initiation_interval = initiation_interval}, delays, 200);
+    std::vector<std::string> modules;
+    for (const datapath::Step& step : schedule.steps) {
+      if (!step.unit.module.empty()) modules.push_back(step.unit.module);
+    }
+    return modules;
+  };
+  using Modules = std::vector<std::string>;
+  EXPECT_EQ(units("(x - y)^2"), Modules({"fp_squared_sum"}));
+  EXPECT_EQ(units("(x + y)^2"), Modules({"fp_squared_sum"}));
+  EXPECT_EQ(units("(x * y)^2"), Modules({"fp_multiply", "fp_square"}));
+  EXPECT_EQ(units("(x + y)^2 * (x + y)"), Modules({"fp_add", "fp_square", "fp_multiply"}));
+  EXPECT_EQ(units("(x - y)^2", 2), Modules({"fp_add", "fp_square"}));
+
+  Graph graph;  // the sum is itself a side of the comparison
+  const NodeId sum = *parse_expression(graph, "x - y", {});
+  graph.compare(sum, *parse_expression(graph, "(x - y)^2", {}));
+  const TypedGraph reference = reference_graph(graph, {format("s24e8")});
+  EXPECT_FALSE(datapath::squared_sum_of(reference, reference.g()));
 }
 
 /// Synthesis leaves nothing of such a product but what special values make of it.

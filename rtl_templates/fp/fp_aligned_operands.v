@@ -1,0 +1,296 @@
+// fp_aligned_operands: the operands of a + b, or of a - b with SUBTRACT, by size and aligned: the
+// smaller one is moved down by the difference of their exponents.
+// Four cuts, initiation interval 1, no reset. SPECIAL_OPERANDS, UNDERFLOW: fp_unpack.
+`default_nettype none
+
+module fp_aligned_operands #(
+  parameter       EXPONENT_BITS    = 8,
+  parameter       PRECISION        = 24,
+  parameter       ALIGNED          = 26,    // places of the smaller operand, from PRECISION on
+  parameter       SUBTRACT         = 0,
+  parameter       SPECIAL_OPERANDS = 1,
+  parameter       UNDERFLOW        = 1,
+  parameter       GRADUAL          = 0,     // 1: with UNDERFLOW alone
+  // 1: `larger` has the larger magnitude, and `sign` is its sign. 0: it has the larger exponent, and
+  // `sign` is the sign of an operand that is not zero, which tells the sum's if signs are alike.
+  parameter       ORDERED          = 1,
+  // 1: `larger` is selected behind the last cut instead of in stage swap. That takes no gates of its
+  // own where it is added at once, but more registers.
+  parameter       SELECTED_LAST    = 0,
+  parameter [3:0] CUTS             = 4'b0000
+) (
+  input  wire                               aclk,
+  input  wire [EXPONENT_BITS+PRECISION-1:0] a,
+  input  wire [EXPONENT_BITS+PRECISION-1:0] b,
+  output wire [EXPONENT_BITS-1:0]           exponent,  // of `larger`, biased
+  output wire [PRECISION-1:0]               larger,    // arbitrary if both are zero
+  output wire [ALIGNED:0]                   smaller,   // the last bit is sticky
+  output wire                               sign,
+  output wire                               cancel,    // the signs are unlike
+  output wire                               nan,
+  output wire                               infinite,
+  output wire                               zero,      // both are
+  output wire                               suspect    // exceptional already
+);
+
+  // Not the name of the units' own: Verilator 5.006 takes one inside the other for hiding.
+  function integer width_of(input integer value);
+    integer rest;
+    begin
+      width_of = 0;
+      for (rest = value; rest > 0; rest = rest >> 1) width_of = width_of + 1;
+    end
+  endfunction
+
+  localparam AMOUNT_BITS    = width_of(ALIGNED);
+  localparam DISTANCE_WIDTH = (EXPONENT_BITS > AMOUNT_BITS) ? EXPONENT_BITS + 1 : AMOUNT_BITS + 1;
+  localparam FLAGS          = 4;
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (EXPONENT_BITS < 2) begin : g_refused_exponent
+      EXPONENT_BITS_is_below_2 refused ();
+    end
+    if (PRECISION < 2) begin : g_refused_precision
+      PRECISION_is_below_2 refused ();
+    end
+    if (ALIGNED < PRECISION) begin : g_refused_aligned
+      ALIGNED_is_below_PRECISION refused ();
+    end
+    if ((GRADUAL != 0) && (UNDERFLOW == 0)) begin : g_refused_gradual
+      GRADUAL_without_UNDERFLOW refused ();
+    end
+  endgenerate
+
+  // Stage compare: packed magnitudes order as integers; both exponent differences are at hand when
+  // the order is known.
+  wire                     s0_a_sign;
+  wire [EXPONENT_BITS-1:0] s0_a_exponent;
+  wire [PRECISION-1:0]     s0_a_significand;
+  wire                     s0_a_zero;
+  wire                     s0_a_infinite;
+  wire                     s0_a_nan;
+  wire                     s0_a_flushed;
+
+  fp_unpack #(
+    .EXPONENT_BITS   (EXPONENT_BITS),
+    .PRECISION       (PRECISION),
+    .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
+    .UNDERFLOW       (UNDERFLOW),
+    .GRADUAL         (GRADUAL)
+  ) s0_unpack_a (
+    .a          (a),
+    .sign       (s0_a_sign),
+    .exponent   (s0_a_exponent),
+    .significand(s0_a_significand),
+    .zero       (s0_a_zero),
+    .infinite   (s0_a_infinite),
+    .nan        (s0_a_nan),
+    .flushed    (s0_a_flushed)
+  );
+
+  wire                     s0_b_packed_sign;
+  wire [EXPONENT_BITS-1:0] s0_b_exponent;
+  wire [PRECISION-1:0]     s0_b_significand;
+  wire                     s0_b_zero;
+  wire                     s0_b_infinite;
+  wire                     s0_b_nan;
+  wire                     s0_b_flushed;
+
+  fp_unpack #(
+    .EXPONENT_BITS   (EXPONENT_BITS),
+    .PRECISION       (PRECISION),
+    .SPECIAL_OPERANDS(SPECIAL_OPERANDS),
+    .UNDERFLOW       (UNDERFLOW),
+    .GRADUAL         (GRADUAL)
+  ) s0_unpack_b (
+    .a          (b),
+    .sign       (s0_b_packed_sign),
+    .exponent   (s0_b_exponent),
+    .significand(s0_b_significand),
+    .zero       (s0_b_zero),
+    .infinite   (s0_b_infinite),
+    .nan        (s0_b_nan),
+    .flushed    (s0_b_flushed)
+  );
+
+  wire                     s0_b_sign    = s0_b_packed_sign ^ (SUBTRACT != 0);
+  wire                     s0_cancel    = s0_a_sign ^ s0_b_sign;
+  wire                     s0_swap;
+  wire [EXPONENT_BITS-1:0] s0_a_above_b = s0_a_exponent - s0_b_exponent;
+  wire [EXPONENT_BITS-1:0] s0_b_above_a = s0_b_exponent - s0_a_exponent;
+
+  generate
+    if (ORDERED != 0) begin : g_by_magnitude
+      assign s0_swap = a[EXPONENT_BITS+PRECISION-2:0] < b[EXPONENT_BITS+PRECISION-2:0];
+    end else begin : g_by_exponent
+      assign s0_swap = s0_a_exponent < s0_b_exponent;
+    end
+  endgenerate
+
+  wire s0_infinite = s0_a_infinite || s0_b_infinite;
+  wire s0_nan      = s0_a_nan || s0_b_nan || (s0_a_infinite && s0_b_infinite && s0_cancel);
+  wire s0_zero     = s0_a_zero && s0_b_zero;
+  wire s0_suspect  = s0_infinite || s0_nan || s0_a_flushed || s0_b_flushed;
+
+  wire [EXPONENT_BITS-1:0] s1_a_exponent;
+  wire [PRECISION-1:0]     s1_a_significand;
+  wire [EXPONENT_BITS-1:0] s1_b_exponent;
+  wire [PRECISION-1:0]     s1_b_significand;
+  wire [EXPONENT_BITS-1:0] s1_a_above_b;
+  wire [EXPONENT_BITS-1:0] s1_b_above_a;
+  wire                     s1_swap;
+  wire                     s1_a_zero;
+  wire                     s1_b_zero;
+  wire                     s1_a_sign;
+  wire                     s1_b_sign;
+  wire [FLAGS-1:0]         s1_flags;
+
+  fp_rank #(
+    .WIDTH     (2 * (EXPONENT_BITS + PRECISION)),
+    .REGISTERED(CUTS[0])
+  ) rank_0_operands (
+    .aclk(aclk),
+    .d   ({s0_a_exponent, s0_a_significand, s0_b_exponent, s0_b_significand}),
+    .q   ({s1_a_exponent, s1_a_significand, s1_b_exponent, s1_b_significand})
+  );
+
+  fp_rank #(
+    .WIDTH     (2 * EXPONENT_BITS + 5 + FLAGS),
+    .REGISTERED(CUTS[0])
+  ) rank_0_order (
+    .aclk(aclk),
+    .d   ({s0_a_above_b, s0_b_above_a, s0_swap, s0_a_zero, s0_b_zero, s0_a_sign, s0_b_sign,
+           s0_nan, s0_infinite, s0_zero, s0_suspect}),
+    .q   ({s1_a_above_b, s1_b_above_a, s1_swap, s1_a_zero, s1_b_zero, s1_a_sign, s1_b_sign,
+           s1_flags})
+  );
+
+  // Stage swap: a zero as the smaller operand adds nothing.
+  wire [EXPONENT_BITS-1:0] s1_exponent   = s1_swap ? s1_b_exponent : s1_a_exponent;
+  wire [PRECISION-1:0]     s1_other      = s1_swap ? s1_a_significand : s1_b_significand;
+  wire                     s1_other_zero = s1_swap ? s1_a_zero : s1_b_zero;
+  wire [PRECISION-1:0]     s1_small      = s1_other & {PRECISION{!s1_other_zero}};
+  wire [EXPONENT_BITS-1:0] s1_distance   = s1_swap ? s1_b_above_a : s1_a_above_b;
+  wire                     s1_b_signs    = (ORDERED != 0) ? s1_swap : s1_a_zero;
+  wire                     s1_sign       = s1_b_signs ? s1_b_sign : s1_a_sign;
+  wire                     s1_cancel     = s1_a_sign ^ s1_b_sign;
+
+  wire [EXPONENT_BITS-1:0] s2_exponent;
+  wire [PRECISION-1:0]     s2_small;
+  wire [EXPONENT_BITS-1:0] s2_distance;
+  wire                     s2_sign;
+  wire                     s2_cancel;
+  wire [FLAGS-1:0]         s2_flags;
+
+  fp_rank #(
+    .WIDTH     (2 * EXPONENT_BITS + PRECISION + 2 + FLAGS),
+    .REGISTERED(CUTS[1])
+  ) rank_1 (
+    .aclk(aclk),
+    .d   ({s1_exponent, s1_small, s1_distance, s1_sign, s1_cancel, s1_flags}),
+    .q   ({s2_exponent, s2_small, s2_distance, s2_sign, s2_cancel, s2_flags})
+  );
+
+  // Stage align by fours: beyond its width the smaller operand is no more than a sticky bit.
+  wire [DISTANCE_WIDTH-1:0] s2_wide_distance = {
+    {(DISTANCE_WIDTH - EXPONENT_BITS) {1'b0}}, s2_distance
+  };
+  wire                   s2_far    = |s2_wide_distance[DISTANCE_WIDTH-1:AMOUNT_BITS];
+  wire [AMOUNT_BITS-1:0] s2_amount = s2_wide_distance[AMOUNT_BITS-1:0] | {AMOUNT_BITS{s2_far}};
+  wire [ALIGNED-1:0]     s2_widened;
+  wire [ALIGNED-1:0]     s2_moved;
+  wire                   s2_sticky;
+
+  generate
+    if (ALIGNED > PRECISION) begin : g_widened
+      assign s2_widened = {s2_small, {(ALIGNED - PRECISION) {1'b0}}};
+    end else begin : g_as_wide
+      assign s2_widened = s2_small;
+    end
+  endgenerate
+
+  fp_shift_right #(
+    .WIDTH      (ALIGNED),
+    .AMOUNT_BITS(AMOUNT_BITS)
+  ) s2_align (
+    .value  (s2_widened),
+    .amount ({s2_amount[AMOUNT_BITS-1:2], 2'b00}),
+    .shifted(s2_moved),
+    .sticky (s2_sticky)
+  );
+
+  wire [EXPONENT_BITS-1:0] s3_exponent;
+  wire [ALIGNED-1:0]       s3_moved;
+  wire                     s3_sticky;
+  wire [1:0]               s3_rest;
+  wire                     s3_sign;
+  wire                     s3_cancel;
+  wire [FLAGS-1:0]         s3_flags;
+
+  fp_rank #(
+    .WIDTH     (EXPONENT_BITS + ALIGNED + 5 + FLAGS),
+    .REGISTERED(CUTS[2])
+  ) rank_2 (
+    .aclk(aclk),
+    .d   ({s2_exponent, s2_moved, s2_sticky, s2_amount[1:0], s2_sign, s2_cancel, s2_flags}),
+    .q   ({s3_exponent, s3_moved, s3_sticky, s3_rest, s3_sign, s3_cancel, s3_flags})
+  );
+
+  // Stage align: by the places left.
+  wire [ALIGNED-1:0] s3_aligned;
+  wire               s3_lost;
+
+  fp_shift_right #(
+    .WIDTH      (ALIGNED),
+    .AMOUNT_BITS(2)
+  ) s3_align (
+    .value  (s3_moved),
+    .amount (s3_rest),
+    .shifted(s3_aligned),
+    .sticky (s3_lost)
+  );
+
+  fp_rank #(
+    .WIDTH     (EXPONENT_BITS + ALIGNED + 3 + FLAGS),
+    .REGISTERED(CUTS[3])
+  ) rank_3 (
+    .aclk(aclk),
+    .d   ({s3_exponent, s3_aligned, s3_sticky || s3_lost, s3_sign, s3_cancel, s3_flags}),
+    .q   ({exponent, smaller, sign, cancel, nan, infinite, zero, suspect})
+  );
+
+  // The larger operand, from stage swap on.
+  generate
+    if (SELECTED_LAST != 0) begin : g_selected_last
+      wire                 last_swap;
+      wire [PRECISION-1:0] last_a_significand;
+      wire [PRECISION-1:0] last_b_significand;
+
+      fp_ranks #(
+        .WIDTH(2 * PRECISION + 1),
+        .COUNT(3),
+        .CUTS (CUTS[3:1])
+      ) ranks_1 (
+        .aclk(aclk),
+        .d   ({s1_swap, s1_a_significand, s1_b_significand}),
+        .q   ({last_swap, last_a_significand, last_b_significand})
+      );
+
+      assign larger = last_swap ? last_b_significand : last_a_significand;
+    end else begin : g_selected_first
+      fp_ranks #(
+        .WIDTH(PRECISION),
+        .COUNT(3),
+        .CUTS (CUTS[3:1])
+      ) ranks_1 (
+        .aclk(aclk),
+        .d   (s1_swap ? s1_b_significand : s1_a_significand),
+        .q   (larger)
+      );
+    end
+  endgenerate
+
+endmodule
+
+`default_nettype wire

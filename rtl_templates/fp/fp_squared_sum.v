@@ -1,0 +1,386 @@
+// fp_squared_sum: (a + b)^2, or (a - b)^2 with SUBTRACT. The sum is rounded, then its square: the
+// same bits as those of an fp_add and an fp_square behind it, in fewer gates.
+// Latency: the population count of CUTS (nineteen bits); initiation interval 1; no reset.
+// The rounded sum is squared as it leaves the adder, with leading zeros where its operands cancel,
+// and without its sign. So only the square is normalised, and in the same step it moves down if it
+// is subnormal.
+// EMBEDDED, FACTOR_A, FACTOR_B: as in fp_square. Special values as IEEE 754.
+`default_nettype none
+
+module fp_squared_sum #(
+  parameter        EXPONENT_BITS = 8,
+  parameter        PRECISION     = 24,
+  parameter        SUBTRACT      = 0,
+  parameter        GRADUAL       = 0,
+  parameter        EMBEDDED      = 1,
+  parameter        FACTOR_A      = 24,
+  parameter        FACTOR_B      = 17,
+  parameter [18:0] CUTS          = 19'b0
+) (
+  input  wire                               aclk,
+  input  wire [EXPONENT_BITS+PRECISION-1:0] a,
+  input  wire [EXPONENT_BITS+PRECISION-1:0] b,
+  output wire [EXPONENT_BITS+PRECISION-1:0] y
+);
+
+  function integer bits_for(input integer value);
+    integer rest;
+    begin
+      bits_for = 0;
+      for (rest = value; rest > 0; rest = rest >> 1) bits_for = bits_for + 1;
+    end
+  endfunction
+
+  function integer larger(input integer first, input integer second);
+    larger = (first > second) ? first : second;
+  endfunction
+
+  // Cuts SQUARE to NORMALISE - 1 are the product's.
+  localparam SQUARE    = 7;
+  localparam NORMALISE = 14;
+
+  // The smaller operand has two places more than the larger one, and a sticky bit; the sum has one
+  // in front, for its carry.
+  localparam ALIGNED = PRECISION + 2;
+  localparam SUM     = ALIGNED + 2;
+  localparam PRODUCT = 2 * PRECISION;
+  // The square's leading one is in the first or the second place; two places and a sticky bit
+  // beyond PRECISION decide how it is rounded.
+  localparam KEPT    = PRECISION + 3;
+
+  // Shifts are counted in steps of two places: a leading zero of the sum makes two of its square,
+  // and a subnormal square is an even number of places from where its exponent is 1. MARGIN steps in
+  // front of the product let it move down until nothing of it is kept.
+  localparam MARGIN     = (GRADUAL != 0) ? (KEPT + 1) / 2 : 0;
+  localparam PLACES     = 2 * MARGIN + PRODUCT;
+  localparam COUNT_BITS = bits_for(PRECISION);
+  localparam COUNTED    = 1 << COUNT_BITS;
+  localparam STEP_BITS  = larger(bits_for(MARGIN + PRECISION - 1), 4);
+  localparam EIGHTS     = (PLACES < KEPT + 14) ? PLACES : KEPT + 14;
+  localparam TWOS       = (PLACES < KEPT + 2) ? PLACES : KEPT + 2;
+
+  // The exponent of the sum is signed, since leading zeros count down from it.
+  localparam         SUM_EXPONENT = larger(EXPONENT_BITS, bits_for(KEPT)) + 2;
+  localparam integer HALF_BIAS    = 1 << (EXPONENT_BITS - 2);
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 30)) begin : g_refused_exponent
+      EXPONENT_BITS_is_not_2_to_30 refused ();
+    end
+    if (PRECISION < 3) begin : g_refused_precision
+      PRECISION_is_below_3 refused ();
+    end
+    if (FACTOR_A < 1) begin : g_refused_factor_a
+      FACTOR_A_is_below_1 refused ();
+    end
+    if (FACTOR_B < 1) begin : g_refused_factor_b
+      FACTOR_B_is_below_1 refused ();
+    end
+  endgenerate
+
+  // Stages compare, swap, align by fours, align: the larger operand is that of the larger exponent.
+  wire [EXPONENT_BITS-1:0] s4_exponent;
+  wire [PRECISION-1:0]     s4_large;
+  wire [ALIGNED:0]         s4_small;
+  wire                     s4_unused_sign;
+  wire                     s4_cancel;
+  wire                     s4_nan;
+  wire                     s4_infinite;
+  wire                     s4_zero;
+  wire                     s4_unused_suspect;
+
+  fp_aligned_operands #(
+    .EXPONENT_BITS(EXPONENT_BITS),
+    .PRECISION    (PRECISION),
+    .ALIGNED      (ALIGNED),
+    .SUBTRACT     (SUBTRACT),
+    .GRADUAL      (GRADUAL),
+    .ORDERED      (0),
+    .SELECTED_LAST(1),
+    .CUTS         (CUTS[3:0])
+  ) s0_aligned_operands (
+    .aclk    (aclk),
+    .a       (a),
+    .b       (b),
+    .exponent(s4_exponent),
+    .larger  (s4_large),
+    .smaller (s4_small),
+    .sign    (s4_unused_sign),
+    .cancel  (s4_cancel),
+    .nan     (s4_nan),
+    .infinite(s4_infinite),
+    .zero    (s4_zero),
+    .suspect (s4_unused_suspect)
+  );
+
+  // Stage sum: with unlike signs, small + (-1 - large) is -1 less their difference, large - small.
+  wire [SUM-1:0] s4_large_places = {1'b0, s4_large, {(SUM - 1 - PRECISION) {1'b0}}};
+  wire [SUM-1:0] s4_sum          = {1'b0, s4_small} + (s4_large_places ^ {SUM{s4_cancel}});
+
+  wire [EXPONENT_BITS-1:0] s5_exponent;
+  wire [SUM-1:0]           s5_sum;
+  wire                     s5_cancel;
+  wire [2:0]               s5_flags;
+
+  fp_rank #(
+    .WIDTH     (EXPONENT_BITS + SUM + 4),
+    .REGISTERED(CUTS[4])
+  ) rank_4 (
+    .aclk(aclk),
+    .d   ({s4_exponent, s4_sum, s4_cancel, s4_nan, s4_infinite, s4_zero}),
+    .q   ({s5_exponent, s5_sum, s5_cancel, s5_flags})
+  );
+
+  // Stage select: the significand begins with a carry, with the larger operand's leading one, or
+  // one place below. If it begins further below, nothing is beyond it and it is taken from there.
+  // If the smaller operand was the larger one after all, the exponents are equal, and the sum lacks
+  // the one that rounding up adds.
+  wire [SUM-1:0]       s5_bits      = s5_sum ^ {SUM{s5_cancel}};
+  wire                 s5_swapped   = s5_cancel && !s5_sum[SUM-1];
+  wire                 s5_carry     = !s5_cancel && s5_sum[SUM-1];
+  wire                 s5_below     = s5_cancel && s5_sum[SUM-1] && !s5_bits[SUM-2];
+  wire [PRECISION-1:0] s5_uncarried = s5_swapped ? s5_sum[SUM-2:3] : s5_bits[SUM-2:3];
+  wire [PRECISION-1:0] s5_shifted   = s5_carry ? s5_bits[SUM-1:4] : s5_bits[SUM-3:2];
+  wire [PRECISION-1:0] s5_selected  = (s5_carry || s5_below) ? s5_shifted : s5_uncarried;
+  wire                 s5_up        =
+      s5_swapped
+      || (s5_carry && s5_bits[3] && (s5_bits[4] || (|s5_bits[2:0])))
+      || (s5_below && s5_bits[1] && (s5_bits[2] || s5_bits[0]))
+      || (!s5_carry && !s5_below && s5_bits[2] && (s5_bits[3] || (|s5_bits[1:0])));
+  wire [SUM_EXPONENT-1:0] s5_moved_exponent =
+      {{(SUM_EXPONENT - EXPONENT_BITS) {1'b0}}, s5_exponent}
+      + {{(SUM_EXPONENT - 1) {s5_below}}, s5_carry || s5_below};
+
+  wire [SUM_EXPONENT-1:0] s6_exponent;
+  wire [PRECISION-1:0]      s6_selected;
+  wire                      s6_up;
+  wire [2:0]                s6_flags;
+
+  fp_rank #(
+    .WIDTH     (SUM_EXPONENT + PRECISION + 4),
+    .REGISTERED(CUTS[5])
+  ) rank_5 (
+    .aclk(aclk),
+    .d   ({s5_moved_exponent, s5_selected, s5_up, s5_flags}),
+    .q   ({s6_exponent, s6_selected, s6_up, s6_flags})
+  );
+
+  // Stage round sum: a carry out leaves zeros, of which the first becomes a one.
+  wire                 s6_carry;
+  wire [PRECISION-1:0] s6_rounded;
+
+  assign {s6_carry, s6_rounded} = {1'b0, s6_selected} + {{PRECISION{1'b0}}, s6_up};
+
+  wire [SUM_EXPONENT-1:0] s7_exponent;
+  wire                      s7_carry;
+  wire [PRECISION-1:0]      s7_significand;
+  wire [2:0]                s7_flags;
+
+  fp_rank #(
+    .WIDTH     (SUM_EXPONENT + 1 + PRECISION + 3),
+    .REGISTERED(CUTS[6])
+  ) rank_6 (
+    .aclk(aclk),
+    .d   ({s6_exponent, s6_carry, s6_rounded[PRECISION-1] || s6_carry, s6_rounded[PRECISION-2:0],
+           s6_flags}),
+    .q   ({s7_exponent, s7_carry, s7_significand, s7_flags})
+  );
+
+  // Stages of the product.
+  wire [PRODUCT-1:0] s14_product;
+
+  fp_product #(
+    .PRECISION  (PRECISION),
+    .SQUARE     (1),
+    .EMBEDDED   (EMBEDDED),
+    .FACTOR_A   (FACTOR_A),
+    .FACTOR_B   (FACTOR_B),
+    .LEADING_ONE(0),
+    .CUTS       (CUTS[NORMALISE-1:SQUARE])
+  ) s7_product (
+    .aclk   (aclk),
+    .a      (s7_significand),
+    .b      (s7_significand),
+    .product(s14_product)
+  );
+
+  // Beside the product's first stage: leading zeros of what is squared, and the room to move its
+  // square up in. The square's second place has exponent 2 e - BIAS, where e is the sum's: it is
+  // 2 HALF_BIAS - 1 lower than twice that, and the square has e - HALF_BIAS steps to exponent 1.
+  wire [COUNTED-1:0]      s7_counted = {s7_significand, {(COUNTED - PRECISION) {1'b0}}};
+  wire [COUNT_BITS-1:0]   s7_count;
+  wire                    s7_empty;
+  wire                    s7_nan;
+  wire                    s7_infinite;
+  wire                    s7_zero;
+  wire [SUM_EXPONENT-1:0] s7_room    =
+      s7_exponent - HALF_BIAS[SUM_EXPONENT-1:0] + {{(SUM_EXPONENT - 1) {1'b0}}, s7_carry};
+
+  fp_leading_zeros #(
+    .COUNT_BITS(COUNT_BITS)
+  ) s7_leading_zeros (
+    .value(s7_counted),
+    .count(s7_count),
+    .empty(s7_empty)
+  );
+
+  assign {s7_nan, s7_infinite, s7_zero} = s7_flags;
+
+  wire [SUM_EXPONENT-1:0] s8_room;
+  wire [COUNT_BITS-1:0]   s8_count;
+  wire [2:0]              s8_flags;
+
+  fp_rank #(
+    .WIDTH     (SUM_EXPONENT + COUNT_BITS + 3),
+    .REGISTERED(CUTS[SQUARE])
+  ) rank_7 (
+    .aclk(aclk),
+    .d   ({s7_room, s7_count, s7_nan, s7_infinite, s7_zero || s7_empty}),
+    .q   ({s8_room, s8_count, s8_flags})
+  );
+
+  // Beside its second stage: a square with less room than it has zeros in front moves up by the
+  // room, which may be negative, and has exponent 1.
+  wire [SUM_EXPONENT-1:0] s8_zeros       = {{(SUM_EXPONENT - COUNT_BITS) {1'b0}}, s8_count};
+  wire [SUM_EXPONENT-1:0] s8_spare       = s8_room - s8_zeros;
+  wire                    s8_tiny        = (GRADUAL != 0) && s8_spare[SUM_EXPONENT-1];
+  wire [SUM_EXPONENT:0]   s8_exponent    = {s8_spare & {SUM_EXPONENT{!s8_tiny}}, 1'b1};
+  wire [SUM_EXPONENT-1:0] s8_room_steps  = s8_room + MARGIN[SUM_EXPONENT-1:0];
+  wire [STEP_BITS-1:0]    s8_tiny_steps  =
+      s8_room_steps[STEP_BITS-1:0] & {STEP_BITS{!s8_room_steps[SUM_EXPONENT-1]}};
+  wire [STEP_BITS-1:0]    s8_other_steps = s8_zeros[STEP_BITS-1:0] + MARGIN[STEP_BITS-1:0];
+  wire [STEP_BITS-1:0]    s8_steps       = s8_tiny ? s8_tiny_steps : s8_other_steps;
+
+  wire [SUM_EXPONENT:0] s14_exponent;
+  wire [STEP_BITS-1:0]  s14_steps;
+  wire [2:0]            s14_flags;
+
+  fp_ranks #(
+    .WIDTH(SUM_EXPONENT + 1 + STEP_BITS + 3),
+    .COUNT(NORMALISE - SQUARE - 1),
+    .CUTS (CUTS[NORMALISE-1:SQUARE+1])
+  ) ranks_8 (
+    .aclk(aclk),
+    .d   ({s8_exponent, s8_steps, s8_flags}),
+    .q   ({s14_exponent, s14_steps, s14_flags})
+  );
+
+  // Stage normalise by eights, of steps.
+  wire [PLACES-1:0] s14_places;
+  wire [EIGHTS-1:0] s14_moved;
+  wire              s14_sticky;
+
+  generate
+    if (MARGIN > 0) begin : g_margin
+      assign s14_places = {{(2 * MARGIN) {1'b0}}, s14_product};
+    end else begin : g_no_margin
+      assign s14_places = s14_product;
+    end
+  endgenerate
+
+  fp_shift_left #(
+    .WIDTH      (PLACES),
+    .KEPT       (EIGHTS),
+    .AMOUNT_BITS(STEP_BITS + 1)
+  ) s14_normalise (
+    .value  (s14_places),
+    .amount ({s14_steps[STEP_BITS-1:3], 4'b0000}),
+    .shifted(s14_moved),
+    .sticky (s14_sticky)
+  );
+
+  wire [SUM_EXPONENT:0] s15_exponent;
+  wire [2:0]            s15_steps;
+  wire [EIGHTS-1:0]     s15_value;
+  wire                  s15_sticky;
+  wire [2:0]            s15_flags;
+
+  fp_rank #(
+    .WIDTH     (SUM_EXPONENT + 1 + 3 + EIGHTS + 4),
+    .REGISTERED(CUTS[NORMALISE])
+  ) rank_14 (
+    .aclk(aclk),
+    .d   ({s14_exponent, s14_steps[2:0], s14_moved, s14_sticky, s14_flags}),
+    .q   ({s15_exponent, s15_steps, s15_value, s15_sticky, s15_flags})
+  );
+
+  // Stage normalise by twos.
+  wire [TWOS-1:0] s15_moved;
+  wire            s15_lost;
+
+  fp_shift_left #(
+    .WIDTH      (EIGHTS),
+    .KEPT       (TWOS),
+    .AMOUNT_BITS(4)
+  ) s15_normalise (
+    .value  (s15_value),
+    .amount ({s15_steps[2:1], 2'b00}),
+    .shifted(s15_moved),
+    .sticky (s15_lost)
+  );
+
+  wire [SUM_EXPONENT:0] s16_exponent;
+  wire                  s16_step;
+  wire [TWOS-1:0]       s16_value;
+  wire                  s16_sticky;
+  wire                  s16_nan;
+  wire                  s16_infinite;
+  wire                  s16_zero;
+
+  fp_rank #(
+    .WIDTH     (SUM_EXPONENT + 1 + 1 + TWOS + 4),
+    .REGISTERED(CUTS[NORMALISE+1])
+  ) rank_15 (
+    .aclk(aclk),
+    .d   ({s15_exponent, s15_steps[0], s15_moved, s15_sticky || s15_lost, s15_flags}),
+    .q   ({s16_exponent, s16_step, s16_value, s16_sticky, s16_nan, s16_infinite, s16_zero})
+  );
+
+  // Stage select: by the last step, and by where the leading one is.
+  wire [KEPT-1:0] s16_moved;
+  wire            s16_lost;
+
+  fp_shift_left #(
+    .WIDTH      (TWOS),
+    .KEPT       (KEPT),
+    .AMOUNT_BITS(2)
+  ) s16_normalise (
+    .value  (s16_value),
+    .amount ({s16_step, 1'b0}),
+    .shifted(s16_moved),
+    .sticky (s16_lost)
+  );
+
+  wire                  s16_high        = s16_moved[KEPT-1];
+  wire [KEPT-2:0]       s16_significand = s16_high ? s16_moved[KEPT-1:1] : s16_moved[KEPT-2:0];
+  wire                  s16_beyond      = s16_sticky || s16_lost || (s16_high && s16_moved[0]);
+  wire [SUM_EXPONENT:0] s16_selected    =
+      s16_exponent + {{SUM_EXPONENT{1'b0}}, s16_high};
+  wire                  unused_exceptional;
+
+  // Stages round, pack.
+  fp_round #(
+    .EXPONENT_WIDTH      (SUM_EXPONENT + 1),
+    .RESULT_EXPONENT_BITS(EXPONENT_BITS),
+    .RESULT_PRECISION    (PRECISION),
+    .GRADUAL             (GRADUAL),
+    .DENORMALISE         (0),
+    .CUTS                (CUTS[18:16])
+  ) s16_round (
+    .aclk       (aclk),
+    .sign       (1'b0),
+    .exponent   (s16_selected),
+    .significand(s16_significand),
+    .sticky     (s16_beyond),
+    .nan        (s16_nan),
+    .infinite   (s16_infinite),
+    .zero       (s16_zero),
+    .suspect    (1'b0),
+    .y          (y),
+    .exceptional(unused_exceptional)
+  );
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,47 @@
+// squared_sums: fp_squared_sum in eight variants, for the regression alone. The slots are
+// {SUBTRACT, GRADUAL, cuts}, the cuts counting fastest: 0 none, 1 SOME_CUTS. Slots whose first and
+// last bit are alike have a product of multipliers, the others one of logic.
+`default_nettype none
+
+module squared_sums #(
+    parameter        EXPONENT_BITS = 4,
+    parameter        PRECISION     = 4,
+    parameter [18:0] SOME_CUTS     = 19'h0
+) (
+    input wire                               aclk,
+    input wire [EXPONENT_BITS+PRECISION-1:0] a,
+    input wire [EXPONENT_BITS+PRECISION-1:0] b
+);
+
+  localparam PACKED = EXPONENT_BITS + PRECISION;
+
+  // Read by hierarchical name, as in fp_units.
+  wire [63:0] y[0:7]  /* verilator public_flat_rd */;
+
+  genvar slot;
+
+  generate
+    for (slot = 0; slot < 8; slot = slot + 1) begin : built
+      wire [PACKED-1:0] square;
+
+      fp_squared_sum #(
+          .EXPONENT_BITS(EXPONENT_BITS),
+          .PRECISION    (PRECISION),
+          .SUBTRACT     (slot / 4),
+          .GRADUAL      (slot / 2 % 2),
+          .EMBEDDED     (slot / 4 == slot % 2),
+          .CUTS         ((slot % 2 == 1) ? SOME_CUTS : 19'h0)
+      ) unit (
+          .aclk(aclk),
+          .a   (a),
+          .b   (b),
+          .y   (square)
+      );
+
+      assign y[slot] = {{(64 - PACKED) {1'b0}}, square};
+    end
+  endgenerate
+
+endmodule
+
+`default_nettype wire
