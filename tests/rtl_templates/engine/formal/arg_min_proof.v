@@ -2,6 +2,8 @@
 // each lane compares the best candidate so far with its own. One row at a time, chosen by the solver, is
 // watched on its way past candidates 0, 1 and 2; its tag is 1, and the rows ahead of it are counted. Both
 // lanes hold one pair each for as long as they like.
+// The lemmas read registers of the template, and together hold by induction. They say which candidates
+// of a load have come how far, and go over all places of rows from the last to the first.
 `default_nettype none
 
 module arg_min_proof (
@@ -225,6 +227,177 @@ module arg_min_proof (
   always @(posedge aclk) begin
     held        <= aresetn && m_valid && !m_ready;
     held_result <= {m_data, m_user, m_last};
+  end
+
+  // Registers of the template.
+  (* hierconn *) wire [2:0] \dut.loader.sent_q ;
+  (* hierconn *) wire       \dut.loader.ended_q ;
+  (* hierconn *) wire       \dut.loader.complete_q ;
+  (* hierconn *) wire       \dut.loader.overrun_q ;
+  (* hierconn *) wire       \dut.loader.word_valid_q ;
+  (* hierconn *) wire [1:0] \dut.loader.word_index_q ;
+  (* hierconn *) wire [1:0] \dut.loader.word_data_q ;
+  (* hierconn *) wire [3:0] \dut.inside_q ;
+  (* hierconn *) wire       \dut.g_stage[0].stage.moving_q ;
+  (* hierconn *) wire [1:0] \dut.g_stage[0].stage.index_q ;
+  (* hierconn *) wire [1:0] \dut.g_stage[0].stage.candidate_q ;
+  (* hierconn *) wire       \dut.g_stage[0].stage.row_valid_q ;
+  (* hierconn *) wire [2:0] \dut.g_stage[0].stage.row_q ;
+  (* hierconn *) wire       \dut.g_stage[0].stage.best_q ;
+  (* hierconn *) wire [1:0] \dut.g_stage[0].stage.queue.write_q ;
+  (* hierconn *) wire [1:0] \dut.g_stage[0].stage.queue.read_q ;
+  (* hierconn *) wire       \dut.g_stage[0].stage.queue.m_valid_q ;
+  (* hierconn *) wire [3:0] \dut.g_stage[0].stage.queue.m_axis_tdata ;
+  (* hierconn *) wire [3:0] \dut.g_stage[0].stage.queue.memory.words[0] ;
+  (* hierconn *) wire [3:0] \dut.g_stage[0].stage.queue.memory.words[1] ;
+  (* hierconn *) wire       \dut.g_stage[1].stage.moving_q ;
+  (* hierconn *) wire [1:0] \dut.g_stage[1].stage.index_q ;
+  (* hierconn *) wire [1:0] \dut.g_stage[1].stage.candidate_q ;
+  (* hierconn *) wire       \dut.g_stage[1].stage.row_valid_q ;
+  (* hierconn *) wire [2:0] \dut.g_stage[1].stage.row_q ;
+  (* hierconn *) wire       \dut.g_stage[1].stage.best_q ;
+  (* hierconn *) wire [1:0] \dut.g_stage[1].stage.queue.write_q ;
+  (* hierconn *) wire [1:0] \dut.g_stage[1].stage.queue.read_q ;
+  (* hierconn *) wire       \dut.g_stage[1].stage.queue.m_valid_q ;
+  (* hierconn *) wire [3:0] \dut.g_stage[1].stage.queue.m_axis_tdata ;
+  (* hierconn *) wire [3:0] \dut.g_stage[1].stage.queue.memory.words[0] ;
+  (* hierconn *) wire [3:0] \dut.g_stage[1].stage.queue.memory.words[1] ;
+  (* hierconn *) wire [1:0] \dut.g_stage[0].stage.g_first.candidate_0_q ;
+  (* hierconn *) wire [1:0] \dut.g_stage[1].stage.g_inner.candidates.words[0] ;
+  (* hierconn *) wire [1:0] \dut.g_stage[1].stage.g_inner.candidates.words[1] ;
+
+  wire [3:0]  queue_1_count;
+  wire [11:0] queue_1;
+  wire [3:0]  queue_2_count;
+  wire [11:0] queue_2;
+
+  fifo_view #(
+    .WIDTH     (4),
+    .DEPTH_BITS(1)
+  ) queue_1_inside (
+    .started  (started),
+    .write_q  (\dut.g_stage[0].stage.queue.write_q ),
+    .read_q   (\dut.g_stage[0].stage.queue.read_q ),
+    .m_valid_q(\dut.g_stage[0].stage.queue.m_valid_q ),
+    .words    ({\dut.g_stage[0].stage.queue.memory.words[1] ,
+                \dut.g_stage[0].stage.queue.memory.words[0] }),
+    .m_data   (\dut.g_stage[0].stage.queue.m_axis_tdata ),
+    .count    (queue_1_count),
+    .contents (queue_1),
+    .holds    (),
+    .ranks    ()
+  );
+
+  fifo_view #(
+    .WIDTH     (4),
+    .DEPTH_BITS(1)
+  ) queue_2_inside (
+    .started  (started),
+    .write_q  (\dut.g_stage[1].stage.queue.write_q ),
+    .read_q   (\dut.g_stage[1].stage.queue.read_q ),
+    .m_valid_q(\dut.g_stage[1].stage.queue.m_valid_q ),
+    .words    ({\dut.g_stage[1].stage.queue.memory.words[1] ,
+                \dut.g_stage[1].stage.queue.memory.words[0] }),
+    .m_data   (\dut.g_stage[1].stage.queue.m_axis_tdata ),
+    .count    (queue_2_count),
+    .contents (queue_2),
+    .holds    (),
+    .ranks    ()
+  );
+
+  // Candidates: of the words that were sent, how many have come to a stage.
+  wire [7:0] candidates = {candidate_2, candidate_2, candidate_1, candidate_0};
+  wire [2:0] sent       = \dut.loader.sent_q ;
+  wire [2:0] at_2       = sent - {2'b00, \dut.loader.word_valid_q };
+  wire [2:0] stored_2   = at_2 - {2'b00, \dut.g_stage[1].stage.moving_q };
+  wire [2:0] at_1       = (stored_2 > 3'd2) ? 3'd2 : stored_2;
+  wire [2:0] stored_1   = at_1 - {2'b00, \dut.g_stage[0].stage.moving_q };
+  wire       is_next    = ended && !\dut.loader.ended_q ;  // nothing of the next load has come
+
+  // Rows, {best, last, tag, row}: those beyond lane 2, before it, beyond lane 1, before it.
+  wire [31:0] rows    = {\dut.g_stage[0].stage.best_q , \dut.g_stage[0].stage.row_q , queue_1,
+                         \dut.g_stage[1].stage.best_q , \dut.g_stage[1].stage.row_q , queue_2};
+  wire [7:0]  exist   = {\dut.g_stage[0].stage.row_valid_q , (4'd2 < queue_1_count),
+                         (4'd1 < queue_1_count), (4'd0 < queue_1_count),
+                         \dut.g_stage[1].stage.row_valid_q , (4'd2 < queue_2_count),
+                         (4'd1 < queue_2_count), (4'd0 < queue_2_count)};
+  reg  [3:0]  places;          // with a row, up to here
+  reg  [3:0]  places_before_2;
+  reg  [3:0]  watched_places;
+  reg         is_watched;
+  reg         watched_right;
+  reg         best_right;
+  reg  [1:0]  lane_left;       // cycles until a lane's result can leave, if nobody stalls
+  reg  [3:0]  cycles_left;     // until a row enters a lane or leaves
+  integer     w;
+
+  always @* begin
+    places          = NONE;
+    places_before_2 = NONE;
+    watched_places  = NONE;
+    watched_right   = 1'b1;
+    best_right      = 1'b1;
+    for (w = 0; w < 8; w = w + 1) begin
+      is_watched     = exist[w] && rows[4*w+1];
+      watched_places = watched_places + {3'b000, is_watched};
+      watched_right  = watched_right && (!is_watched || (
+          (places == ahead) && ({rows[4*w+2], rows[4*w]} == {last, row}) && (meets_1 == (w == 7)) &&
+          (meets_2 == (w > 2)) && ((w < 3) || (places_before_2 == ahead_2)) &&
+          ((w != 7) || (ahead_1 == NONE))));
+      best_right     = best_right && (!exist[w] || (w <= 3) || !rows[4*w+3]) &&
+          (!is_watched || (w > 3) || (rows[4*w+3] == better_1)) &&
+          (!is_watched || (w < 4) || (w > 6) || (better_1 == (verdict_1_q == 2'd2))) &&
+          (!is_watched || (w > 2) || (better_2 == (verdict_2_q == 2'd2)));
+      places          = places + {3'b000, exist[w]};
+      places_before_2 = places_before_2 + {3'b000, exist[w] && (w > 2)};
+    end
+  end
+
+  always @* begin
+    lane_left   = 2'd0;
+    cycles_left = NONE;
+    if (holds[1]) begin
+      cycles_left = (offered[1] && \dut.g_stage[1].stage.queue.m_valid_q ) ? NONE : ONE;
+    end else if (holds[0] && !exist[3]) begin
+      cycles_left = (offered[0] && \dut.g_stage[0].stage.queue.m_valid_q ) ? ONE : 4'd2;
+    end
+    if (started) begin
+      lemma_loading: assert(is_next ? (sent == 3'd0)
+                                    : (\dut.loader.ended_q || (sent == {1'b0, loaded})));
+      lemma_sent: assert((sent <= 3'd3) && (!\dut.loader.ended_q || (ended && (sent != 3'd0))));
+      lemma_overrun: assert((\dut.loader.overrun_q == (too_many && !is_next)) &&
+                            (!\dut.loader.overrun_q || (sent == 3'd3)));
+      lemma_complete: assert(!\dut.loader.complete_q || (\dut.loader.ended_q && (sent == 3'd3) &&
+                                                         !\dut.loader.word_valid_q ));
+      lemma_repeated: assert(!\dut.loader.ended_q || (sent == 3'd3) ||
+                             ((\dut.loader.word_data_q == candidate_2) &&
+                              ((sent == 3'd2) || (candidate_1 == candidate_2))));
+      lemma_word: assert(!\dut.loader.word_valid_q || (sent != 3'd0) &&
+          ({1'b0, \dut.loader.word_index_q } == at_2) &&
+          (\dut.loader.word_data_q == candidates[2*at_2[1:0] +: 2]));
+      lemma_stage_2: assert((stored_2 <= at_2) && (at_2 <= sent) && ((at_2 == 3'd0) ||
+          (({1'b0, \dut.g_stage[1].stage.index_q } == at_2 - 3'd1) &&
+           (\dut.g_stage[1].stage.candidate_q == candidates[2*(at_2-3'd1) +: 2]))));
+      lemma_memory: assert(((stored_2 == 3'd0) ||
+                            (\dut.g_stage[1].stage.g_inner.candidates.words[0] == candidate_0)) &&
+                           ((stored_2 < 3'd2) ||
+                            (\dut.g_stage[1].stage.g_inner.candidates.words[1] == candidate_1)));
+      lemma_stage_1: assert((stored_1 <= at_1) && ((at_1 == 3'd0) ||
+          (({1'b0, \dut.g_stage[0].stage.index_q } == at_1 - 3'd1) &&
+           (\dut.g_stage[0].stage.candidate_q == candidates[2*(at_1-3'd1) +: 2]))));
+      lemma_candidate_0: assert((stored_1 == 3'd0) ||
+                                (\dut.g_stage[0].stage.g_first.candidate_0_q == candidate_0));
+      lemma_inside: assert((inside == \dut.inside_q ) && (inside == places) &&
+                           ((inside == NONE) || \dut.loader.complete_q ));
+      lemma_before: assert((before_1 == {3'b000, exist[7]}) && (before_2 == places_before_2));
+      lemma_in_lanes: assert((queue_1_count == {3'b000, holds[0]}) &&
+                             (queue_2_count == {3'b000, holds[1]}) && ((offered & ~holds) == 2'b00));
+      lemma_watched: assert((watched_places == {3'b000, watching}) && watched_right &&
+                            (watching || (!meets_1 && !meets_2)));
+      lemma_best: assert(best_right);
+      lemma_operands: assert(!exist[3] || (pair_best[3:2] == (rows[15] ? candidate_1 : candidate_0)));
+      lemma_moves_soon: assert(quiet + cycles_left < MOST_QUIET);
+    end
   end
 
   always @* begin

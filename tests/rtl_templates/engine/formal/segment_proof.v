@@ -4,6 +4,9 @@
 // function of their two words, chosen by the solver, LANE_LATENCY cycles long.
 // TIERED: the first word of a block and each that stays leave a beat, too, and a beat tells which
 // of both its word is, and the word.
+// The lemmas read registers of the template, and together hold by induction. They go over all words and
+// beats inside: those in the link, each as it will be told when it has left the link, the one at the
+// lanes, and those in the queue.
 `default_nettype none
 
 module segment_proof #(
@@ -32,11 +35,10 @@ module segment_proof #(
   localparam CODES_BITS = LANES * CODE_BITS;
   localparam [3:0] NONE = 0;
   localparam [3:0] ONE  = 1;
-  localparam [3:0] ALL  = LANES;
-  localparam [3:0] REPORTS = REPORT[3:0];
   localparam MOST_QUIET = LANE_LATENCY + 8;
   localparam TIER_BITS  = 3 * TIERED;
   localparam BEAT_BITS  = TIER_BITS + CODES_BITS + 5;
+  localparam DEPTH      = 1 << QUEUE_BITS;
 
   (* anyconst *) reg [11:0] answers;    // {decided, verdict} of each pair of words
   (* anyconst *) reg [1:0]  watched_j;  // a word with this index is watched at the queue
@@ -84,7 +86,7 @@ module segment_proof #(
     .aresetn      (aresetn),
     .s_word_tvalid(s_valid),
     .s_word_tready(s_ready),
-    .s_word_tdata ({s_close, s_first, s_stays, s_meets, s_index, s_word}),
+    .s_word_tdata (word),
     .m_word_tvalid(word_valid),
     .m_word_tready(word_ready),
     .m_word_tdata (word_data),
@@ -119,17 +121,36 @@ module segment_proof #(
   reg                   gone       = 1'b0;  // a word of the block went on
   reg                   stay_ended = 1'b0;  // a word of the block did not stay though it could
   reg                   between    = 1'b1;  // sets
-  wire [3:0]            counted    = s_first ? NONE : count;
-  wire                  stays      = s_stays && !s_close && (counted != ALL);
+  wire [6:0]            word       = {s_close, s_first, s_stays, s_meets, s_index, s_word};
+  wire [LANES+6:0]      state      = {gone, base, held, count};
+  wire [LANES+6:0]      next_state;
+  wire                  stays;
   wire                  goes       = take && !stays;
-  wire [6:0]            goes_as    = {s_close, s_first || !gone, s_stays, s_meets, s_index, s_word};
-  reg  [CODES_BITS-1:0] codes;              // of this word
-  wire [2:0]            tier       = (TIERED != 0) ? {s_first, stays, s_word} : 3'd0;
-  wire                  informs    = (TIERED != 0) && (s_first || stays);
-  wire                  comes_out  = take && !s_close && (s_index == watched_j) &&
-                                     (informs || (codes != {CODES_BITS{1'b0}}));
-  reg  [3:0]            reported;
-  wire [LANES*3-1:0]    answered;
+  wire [6:0]            goes_as;
+  wire                  tells;
+  wire [CODES_BITS-1:0] codes;              // of this word
+  wire [2:0]            tier;
+  wire                  comes_out  = take && tells && (s_index == watched_j);
+  wire [3:0]            reported;
+
+  segment_step #(
+    .LANES    (LANES),
+    .REPORT   (REPORT),
+    .CODE_BITS(CODE_BITS),
+    .COUNT    (COUNT),
+    .TIERED   (TIERED)
+  ) expected (
+    .answers (answers),
+    .word    (word),
+    .before  (state),
+    .after   (next_state),
+    .stays   (stays),
+    .goes_as (goes_as),
+    .tells   (tells),
+    .codes   (codes),
+    .tier    (tier),
+    .reported(reported)
+  );
 
   // On the way.
   reg  [3:0]            on_way    = NONE;   // words that go on
@@ -156,31 +177,8 @@ module segment_proof #(
   generate
     for (k = 0; k < LANES; k = k + 1) begin : g_lane
       assign {decided[k], verdicts[2*k +: 2]} = answers[3*{late_passing, late_held[k]} +: 3];
-      assign answered[3*k +: 3]               = answers[3*{s_word, held[k]} +: 3];
     end
   endgenerate
-
-  integer l;
-
-  always @* begin
-    codes    = {CODES_BITS{1'b0}};
-    reported = NONE;
-    for (l = 0; l < LANES; l = l + 1) begin
-      if ((l < counted) && s_meets && !s_close) begin
-        if (!answered[3*l + 2]) begin
-          codes[l*CODE_BITS] = 1'b1;
-        end else if (REPORTS[answered[3*l +: 2]]) begin
-          reported = reported + ONE;
-          if (COUNT == 0) begin
-            codes[l*CODE_BITS + CODE_BITS - 1] = 1'b1;
-            if (CODE_BITS == 3) begin
-              codes[l*CODE_BITS +: 2] = answered[3*l +: 2];
-            end
-          end
-        end
-      end
-    end
-  end
 
   always @(posedge aclk) begin
     started         <= 1'b1;
@@ -200,8 +198,7 @@ module segment_proof #(
       quiet     <= NONE;
     end else begin
       if (take) begin
-        count      <= stays ? counted + ONE : counted;
-        gone       <= !stays;
+        {gone, base, held, count} <= next_state;
         stay_ended <= !s_stays;
         between    <= s_close;
         total      <= total + reported;
@@ -233,16 +230,219 @@ module segment_proof #(
         close_due <= 1'b1;
       end
     end
-    if (take && stays) begin
-      held[counted] <= s_word;
-    end
-    if (take && s_first) begin
-      base <= s_index;
-    end
     if (comes_out) begin
       due_codes <= codes;
       due_base  <= base;
       due_tier  <= tier;
+    end
+  end
+
+  // Registers of the template.
+  (* hierconn *) wire [1:0]           \dut.link.write_q ;
+  (* hierconn *) wire [1:0]           \dut.link.read_q ;
+  (* hierconn *) wire                 \dut.link.m_valid_q ;
+  (* hierconn *) wire [6:0]           \dut.link.memory.words[0] ;
+  (* hierconn *) wire [6:0]           \dut.link.memory.words[1] ;
+  (* hierconn *) wire [6:0]           \dut.link.m_axis_tdata ;
+  (* hierconn *) wire [LANES-1:0]     \dut.holds_q ;
+  (* hierconn *) wire                 \dut.passed_q ;
+  (* hierconn *) wire                 \dut.taken_q ;
+  (* hierconn *) wire                 \dut.first_q ;
+  (* hierconn *) wire [1:0]           \dut.index_q ;
+  (* hierconn *) wire [1:0]           \dut.base_q ;
+  (* hierconn *) wire [3:0]           \dut.g_count.count_q ;
+  (* hierconn *) wire [3:0]           \dut.g_count.more ;
+  (* hierconn *) wire                 \dut.exceptions.push ;
+  (* hierconn *) wire [BEAT_BITS-1:0] \dut.exceptions.beat ;
+  (* hierconn *) wire [QUEUE_BITS+1:0] \dut.exceptions.queued_q ;
+  (* hierconn *) wire                 \dut.exceptions.room_q ;
+  (* hierconn *) wire [QUEUE_BITS:0]  \dut.exceptions.beats.write_q ;
+  (* hierconn *) wire [QUEUE_BITS:0]  \dut.exceptions.beats.read_q ;
+  (* hierconn *) wire [BEAT_BITS-1:0] \dut.exceptions.beats.memory.words[0] ;
+  (* hierconn *) wire [BEAT_BITS-1:0] \dut.exceptions.beats.memory.words[1] ;
+  (* hierconn *) wire [BEAT_BITS-1:0] \dut.exceptions.beats.memory.words[2] ;
+  (* hierconn *) wire [BEAT_BITS-1:0] \dut.exceptions.beats.memory.words[3] ;
+
+  wire [3:0]                     link_count;
+  wire [3*7-1:0]                 link_words;
+  wire [3:0]                     queue_count;
+  wire [(DEPTH+1)*BEAT_BITS-1:0] queue_beats;
+
+  fifo_view #(
+    .WIDTH     (7),
+    .DEPTH_BITS(1)
+  ) link (
+    .started  (started),
+    .write_q  (\dut.link.write_q ),
+    .read_q   (\dut.link.read_q ),
+    .m_valid_q(\dut.link.m_valid_q ),
+    .words    ({\dut.link.memory.words[1] , \dut.link.memory.words[0] }),
+    .m_data   (\dut.link.m_axis_tdata ),
+    .count    (link_count),
+    .contents (link_words)
+  );
+
+  fifo_view #(
+    .WIDTH     (BEAT_BITS),
+    .DEPTH_BITS(QUEUE_BITS)
+  ) queue (
+    .started  (started),
+    .write_q  (\dut.exceptions.beats.write_q ),
+    .read_q   (\dut.exceptions.beats.read_q ),
+    .m_valid_q(m_valid),
+    .words    ({\dut.exceptions.beats.memory.words[3] , \dut.exceptions.beats.memory.words[2] ,
+                \dut.exceptions.beats.memory.words[1] , \dut.exceptions.beats.memory.words[0] }),
+    .m_data   ({m_last, m_data}),
+    .count    (queue_count),
+    .contents (queue_beats)
+  );
+
+  // What becomes of the words in the link, one behind the other.
+  localparam STATE_BITS = LANES + 7;
+
+  wire [4*STATE_BITS-1:0] states;
+  wire [2:0]              link_stays;
+  wire [3*7-1:0]          link_goes_as;
+  wire [2:0]              link_tells;
+  wire [3*CODES_BITS-1:0] link_codes;
+  wire [3*3-1:0]          link_tiers;
+  wire [3*4-1:0]          link_reported;
+  reg  [3:0]              lanes_held;
+
+  assign states[STATE_BITS-1:0] =
+      {\dut.passed_q , (\dut.taken_q && \dut.first_q ) ? \dut.index_q : \dut.base_q ,
+       held_words, lanes_held};
+
+  genvar p;
+  generate
+    for (p = 0; p < 3; p = p + 1) begin : g_link
+      wire [STATE_BITS-1:0] after;
+
+      segment_step #(
+        .LANES    (LANES),
+        .REPORT   (REPORT),
+        .CODE_BITS(CODE_BITS),
+        .COUNT    (COUNT),
+        .TIERED   (TIERED)
+      ) of_word (
+        .answers (answers),
+        .word    (link_words[7*p +: 7]),
+        .before  (states[STATE_BITS*p +: STATE_BITS]),
+        .after   (after),
+        .stays   (link_stays[p]),
+        .goes_as (link_goes_as[7*p +: 7]),
+        .tells   (link_tells[p]),
+        .codes   (link_codes[CODES_BITS*p +: CODES_BITS]),
+        .tier    (link_tiers[3*p +: 3]),
+        .reported(link_reported[4*p +: 4])
+      );
+
+      assign states[STATE_BITS*(p+1) +: STATE_BITS] =
+          (p < link_count) ? after : states[STATE_BITS*p +: STATE_BITS];
+    end
+  endgenerate
+
+  wire [STATE_BITS-1:0] last_state = states[3*STATE_BITS +: STATE_BITS];
+  reg  [LANES-1:0]      holding;        // lanes that hold a word behind all in the link
+  reg  [3:0]            going;          // words in the link that go on
+  reg                   goes_right;     // the watched one among them
+  reg  [3:0]            beats_due;      // about the watched word
+  reg                   beats_right;
+  reg  [3:0]            beats_closing;
+  reg                   closing_last;   // nothing is behind the closing word or beat
+  reg                   closing_empty;
+  reg                   counted_right;
+  reg  [3:0]            found;          // pairs that are to be counted
+  reg  [3:0]            cycles_left;    // until a beat is on offer, if nobody stalls
+  reg  [BEAT_BITS-1:0]  beat;
+  reg                   exists;
+  integer               w;
+
+  always @* begin
+    lanes_held = NONE;
+    for (w = 0; w < LANES; w = w + 1) begin
+      lanes_held = lanes_held + {3'b000, \dut.holds_q [w]};
+      holding[w] = (w < last_state[3:0]);
+    end
+  end
+
+  always @* begin
+    going         = NONE;
+    goes_right    = 1'b1;
+    beats_due     = NONE;
+    beats_right   = 1'b1;
+    beats_closing = NONE;
+    closing_last  = 1'b1;
+    closing_empty = 1'b1;
+    counted_right = 1'b1;
+    found         = \dut.g_count.count_q + (\dut.taken_q ? \dut.g_count.more : NONE);
+    cycles_left   = NONE;
+    for (w = 0; w < 3; w = w + 1) begin
+      if (w < link_count) begin
+        found = found + link_reported[4*w +: 4];
+        if (!link_stays[w]) begin
+          goes_right = goes_right && (!watching || (going != ahead) ||
+                                      (link_goes_as[7*w +: 7] == watched_word));
+          going      = going + ONE;
+        end
+        if (link_tells[w] && (link_words[7*w+1 +: 2] == watched_j)) begin
+          beats_due   = beats_due + ONE;
+          beats_right = beats_right &&
+              ({link_codes[CODES_BITS*w +: CODES_BITS], link_tiers[3*w +: 3]} == {due_codes, due_tier}) &&
+              ((states[STATE_BITS*w+LANES+4 +: 2] == due_base) ||
+               (link_codes[CODES_BITS*w +: CODES_BITS] == {CODES_BITS{1'b0}}));
+        end
+        if (link_words[7*w+6]) begin
+          beats_closing = beats_closing + ONE;
+          closing_last  = closing_last && (w + 1 == link_count);
+        end
+        if ((cycles_left == NONE) && (link_tells[w] || link_words[7*w+6])) begin
+          cycles_left = w + 3 + ((\dut.link.m_valid_q && \dut.exceptions.room_q ) ? 0 : 1);
+        end
+      end
+    end
+    // Place 0 is at the lanes, the others are those of the queue.
+    for (w = 0; w <= DEPTH + 1; w = w + 1) begin
+      beat   = (w == 0) ? \dut.exceptions.beat : queue_beats[BEAT_BITS*(w-1) +: BEAT_BITS];
+      exists = (w == 0) ? \dut.exceptions.push : (w <= queue_count);
+      if (exists && beat[BEAT_BITS-1]) begin
+        beats_closing = beats_closing + ONE;
+        closing_last  = closing_last && (link_count == NONE) &&
+                        ((w == 0) || ((w == queue_count) && !\dut.taken_q ));
+        closing_empty = closing_empty && (beat[4 +: CODES_BITS] == {CODES_BITS{1'b0}}) &&
+                        ((TIERED == 0) || !beat[BEAT_BITS-3]);
+        counted_right = counted_right && (beat[3:0] == total) && ((w == 0) || (found == NONE));
+        found         = total;
+      end else if (exists && (beat[3:2] == watched_j)) begin
+        beats_due   = beats_due + ONE;
+        beats_right = beats_right && (beat[4 +: CODES_BITS] == due_codes) &&
+                      ((TIERED == 0) || (beat[BEAT_BITS-2 -: 3] == due_tier)) &&
+                      ((beat[1:0] == due_base) || (due_codes == {CODES_BITS{1'b0}}));
+      end
+    end
+    if (\dut.exceptions.push ) begin
+      cycles_left = 4'd2;
+    end
+    if (queue_count != NONE) begin
+      cycles_left = m_valid ? NONE : ONE;
+    end
+    if (started) begin
+      lemma_lanes_fill_up: assert((\dut.holds_q & (\dut.holds_q + ONE)) == {LANES{1'b0}});
+      lemma_state: assert((last_state[3:0] == count) && (last_state[LANES+6] == gone) &&
+                          (((last_state[LANES+3:4] ^ held) & holding) == {LANES{1'b0}}) &&
+                          (between || (last_state[LANES+5:LANES+4] == base)));
+      lemma_goes_on: assert(going == on_way);
+      lemma_watched_is_inside: assert(!watching || ((ahead < on_way) && goes_right));
+      lemma_one_beat: assert(beats_due == {3'b000, due});
+      lemma_right_beat: assert(beats_right);
+      lemma_one_closes: assert(beats_closing == {3'b000, close_due});
+      lemma_closes_last: assert(closing_last);
+      lemma_closes_empty: assert(closing_empty);
+      lemma_counts: assert((COUNT == 0) || (counted_right && (found == total)));
+      lemma_queued: assert({{(4-QUEUE_BITS){1'b0}}, \dut.exceptions.queued_q } == queue_count);
+      lemma_room: assert(queue_count + {3'b000, \dut.taken_q } +
+                         {3'b000, \dut.exceptions.room_q } <= DEPTH);
+      lemma_comes_soon: assert(quiet + cycles_left < MOST_QUIET);
     end
   end
 

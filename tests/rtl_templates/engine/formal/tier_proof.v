@@ -3,7 +3,10 @@
 // unchanged; beats stay in order, and the closing one leaves behind all others with the right count.
 // Beats are those of a pair_segment: codes are about lanes that hold a word, and words that stay fill
 // the lanes from the lowest up. The lane is any function of its two words, chosen by the solver,
-// LANE_LATENCY cycles long.
+// LANE_LATENCY cycles long, 0 or 1.
+// The lemmas read registers of the template, and together hold by induction. They go over all places
+// where a beat may be, with what it has still to tell of its pairs there: those of the queue, the one
+// at its input, both stages, and the beat on offer.
 `default_nettype none
 
 module tier_proof #(
@@ -34,6 +37,8 @@ module tier_proof #(
   localparam [3:0] ONE  = 1;
   localparam [3:0] ALL  = LANES;
   localparam [3:0] REPORTS = REPORT[3:0];
+  localparam DEPTH     = 1 << QUEUE_BITS;
+  localparam BEAT_BITS = CODES_BITS + 5;
   localparam MOST_QUIET = LANES + LANE_LATENCY + 8;
 
   (* anyconst *) reg [11:0] answers;    // {decided, verdict} of each pair of words
@@ -100,6 +105,7 @@ module tier_proof #(
   wire [3:0]            counted = s_first ? NONE : count;
   reg  [CODES_BITS-1:0] expected;
   reg  [3:0]            found;           // pairs that the lane reports
+  reg  [3:0]            found_later;     // those of them that have not gone through
   reg                   fits;            // the codes are those of a segment
   reg  [CODE_BITS-1:0]  code;
   reg  [2:0]            answer;
@@ -124,11 +130,28 @@ module tier_proof #(
   reg  [CODES_BITS-1:0] left;                     // the lanes that a leaving beat is about
   reg                   lane_right;
 
+  // What is told of a pair that the lane answers so, and whether it counts as reported.
+  function [CODE_BITS-1:0] code_of;
+    input [2:0] said;
+    begin
+      code_of = 0;
+      if (!said[2]) begin
+        code_of = 1;
+      end else if (REPORTS[said[1:0]] && (COUNT == 0)) begin
+        code_of[CODE_BITS-1] = 1'b1;
+        if (CODE_BITS == 3) begin
+          code_of[1:0] = said[1:0];
+        end
+      end
+    end
+  endfunction
+
   integer l;
 
   always @* begin
     expected = NOTHING;
     found    = NONE;
+    found_later = NONE;
     fits     = 1'b1;
     for (l = 0; l < LANES; l = l + 1) begin
       code   = s_codes[l*CODE_BITS +: CODE_BITS];
@@ -138,15 +161,11 @@ module tier_proof #(
         fits = fits && (COUNT == 0) && ((CODE_BITS == 2) ? !code[0] : REPORTS[code[1:0]]);
       end else if (code[0]) begin
         fits = fits && (code == 1);
-        if (!answer[2]) begin
-          expected[l*CODE_BITS +: CODE_BITS] = 1;
-        end else if (REPORTS[answer[1:0]]) begin
+        expected[l*CODE_BITS +: CODE_BITS] = code_of(answer);
+        if (answer[2] && REPORTS[answer[1:0]]) begin
           found = found + ONE;
-          if (COUNT == 0) begin
-            expected[l*CODE_BITS + CODE_BITS - 1] = 1'b1;
-            if (CODE_BITS == 3) begin
-              expected[l*CODE_BITS +: 2] = answer[1:0];
-            end
+          if (!\dut.again_q || \dut.rest_q [l]) begin
+            found_later = found_later + ONE;
           end
         end
       end else begin
@@ -216,8 +235,268 @@ module tier_proof #(
     end
   end
 
+  // Registers of the template.
+  (* hierconn *) wire                   \dut.again_q ;
+  (* hierconn *) wire [LANES-1:0]       \dut.rest_q ;
+  (* hierconn *) wire [LANE_BITS-1:0]   \dut.places_q ;
+  (* hierconn *) wire                   \dut.s1_valid_q ;
+  (* hierconn *) wire                   \dut.s1_write_q ;
+  (* hierconn *) wire                   \dut.s1_close_q ;
+  (* hierconn *) wire [LANES-1:0]       \dut.s1_pair_q ;
+  (* hierconn *) wire [LANE_BITS-1:0]   \dut.s1_picked_q ;
+  (* hierconn *) wire [LANE_BITS-1:0]   \dut.s1_place_q ;
+  (* hierconn *) wire                   \dut.s1_word_q ;
+  (* hierconn *) wire [CODES_BITS-1:0]  \dut.s1_reports_q ;
+  (* hierconn *) wire [3:0]             \dut.s1_tag_q ;
+  (* hierconn *) wire                   \dut.s2_valid_q ;
+  (* hierconn *) wire                   \dut.s2_close_q ;
+  (* hierconn *) wire [LANES-1:0]       \dut.s2_pair_q ;
+  (* hierconn *) wire [CODES_BITS-1:0]  \dut.s2_reports_q ;
+  (* hierconn *) wire [3:0]             \dut.s2_tag_q ;
+  (* hierconn *) wire                   \dut.held_words.words[0] ;
+  (* hierconn *) wire                   \dut.held_words.words[1] ;
+  (* hierconn *) wire                   \dut.held_words.words[2] ;
+  (* hierconn *) wire                   \dut.held_words.words[3] ;
+  (* hierconn *) wire                   \dut.answered ;
+  (* hierconn *) wire                   \dut.closes ;
+  (* hierconn *) wire                   \dut.reported ;
+  (* hierconn *) wire [LANES-1:0]       \dut.pair ;
+  (* hierconn *) wire [3:0]             \dut.g_count.count_q ;
+  (* hierconn *) wire                   \dut.exceptions.push ;
+  (* hierconn *) wire [BEAT_BITS-1:0]   \dut.exceptions.beat ;
+  (* hierconn *) wire [QUEUE_BITS+1:0]  \dut.exceptions.queued_q ;
+  (* hierconn *) wire                   \dut.exceptions.room_q ;
+  (* hierconn *) wire [QUEUE_BITS:0]    \dut.exceptions.beats.write_q ;
+  (* hierconn *) wire [QUEUE_BITS:0]    \dut.exceptions.beats.read_q ;
+  (* hierconn *) wire [BEAT_BITS-1:0]   \dut.exceptions.beats.memory.words[0] ;
+  (* hierconn *) wire [BEAT_BITS-1:0]   \dut.exceptions.beats.memory.words[1] ;
+  (* hierconn *) wire [BEAT_BITS-1:0]   \dut.exceptions.beats.memory.words[2] ;
+  (* hierconn *) wire [BEAT_BITS-1:0]   \dut.exceptions.beats.memory.words[3] ;
+  (* hierconn *) wire [BEAT_BITS-1:0]   \dut.exceptions.beats.memory.words[4] ;
+  (* hierconn *) wire [BEAT_BITS-1:0]   \dut.exceptions.beats.memory.words[5] ;
+  (* hierconn *) wire [BEAT_BITS-1:0]   \dut.exceptions.beats.memory.words[6] ;
+  (* hierconn *) wire [BEAT_BITS-1:0]   \dut.exceptions.beats.memory.words[7] ;
+
+  wire [3:0]                     queue_count;
+  wire [DEPTH:0]                 queue_holds;
+  wire [4*(DEPTH+1)-1:0]         queue_ranks;
+  wire [DEPTH*BEAT_BITS-1:0]     queue_words =
+      {\dut.exceptions.beats.memory.words[7] , \dut.exceptions.beats.memory.words[6] ,
+       \dut.exceptions.beats.memory.words[5] , \dut.exceptions.beats.memory.words[4] ,
+       \dut.exceptions.beats.memory.words[3] , \dut.exceptions.beats.memory.words[2] ,
+       \dut.exceptions.beats.memory.words[1] , \dut.exceptions.beats.memory.words[0] };
+
+  fifo_view #(
+    .WIDTH     (BEAT_BITS),
+    .DEPTH_BITS(QUEUE_BITS)
+  ) queue (
+    .started  (started),
+    .write_q  (\dut.exceptions.beats.write_q ),
+    .read_q   (\dut.exceptions.beats.read_q ),
+    .m_valid_q(m_valid),
+    .words    (queue_words),
+    .m_data   ({m_last, m_codes, m_index, m_base}),
+    .count    (queue_count),
+    .contents (),
+    .holds    (queue_holds),
+    .ranks    (queue_ranks)
+  );
+
+  // All places, the one whose beat leaves next first.
+  localparam PUSHED = DEPTH + 1;
+  localparam STAGE2 = DEPTH + 2;  // the same as PUSHED if the lane has no latency
+  localparam STAGE1 = DEPTH + 3;
+  localparam OFFER  = DEPTH + 4;
+
+  wire [LANES-1:0]       memory       = {\dut.held_words.words[3] , \dut.held_words.words[2] ,
+                                         \dut.held_words.words[1] , \dut.held_words.words[0] };
+  wire [2:0]             s1_answer    = answers[3*{\dut.s1_word_q , memory[\dut.s1_picked_q ]} +: 3];
+  wire [2:0]             s2_answer    = answers[3*{item_j, item_i} +: 3];
+  wire                   s2_apart     = \dut.s2_valid_q && (LANE_LATENCY != 0);
+  reg  [CODES_BITS-1:0]  s1_codes;
+  reg  [CODES_BITS-1:0]  s2_codes;
+  reg  [CODES_BITS-1:0]  offer_codes;
+  reg  [LANES-1:0]       undecided;    // pairs of the beat on offer
+  reg  [LANES-1:0]       waiting;      // those that have not gone through
+  reg                    held_right;
+  reg                    picked_right;
+  reg  [OFFER:0]         exists;
+  reg  [4*(OFFER+1)-1:0] ranks;         // beats that leave before this one, or more
+  wire [(OFFER+1)*BEAT_BITS-1:0] beats =
+      {{s_last, offer_codes, s_index, s_base},
+       {\dut.s1_close_q , s1_codes, \dut.s1_tag_q },
+       {\dut.s2_close_q , s2_codes, \dut.s2_tag_q },
+       \dut.exceptions.beat , queue_words, m_last, m_codes, m_index, m_base};
+  reg  [BEAT_BITS-1:0]   beat;
+  reg  [CODE_BITS-1:0]   code_here;
+  reg  [CODES_BITS-1:0]  told;          // what the places tell of the watched beat
+  reg                    told_once;
+  reg                    told_right;
+  reg  [3:0]             first_later;   // places of the later beat
+  reg  [3:0]             last_watched;
+  reg                    order_right;
+  reg                    closes;
+  reg                    tells;
+  reg                    of_watched;
+  reg  [3:0]             rank;
+  reg  [3:0]             closing;
+  reg  [3:0]             closing_rank;
+  reg                    closed_count;  // the closing beat waits in the queue
+  reg                    closing_last;
+  reg                    closing_right;
+  reg                    beats_tell;    // those that leave
+  reg  [3:0]             pending;       // words whose beats may come to the queue
+  reg  [3:0]             to_count;
+  reg  [4:0]             offer_left;    // cycles until the beat on offer is taken, if nobody stalls
+  reg  [4:0]             cycles_left;   // until any beat leaves or is taken
+  integer                w;
+
   always @* begin
-    beat_on_offer_stays: assume(!offered || (s_valid && (offered_beat ==
+    s1_codes     = \dut.s1_reports_q ;
+    s2_codes     = \dut.s2_reports_q ;
+    offer_codes  = expected;
+    held_right   = 1'b1;
+    picked_right = 1'b1;
+    for (w = 0; w < LANES; w = w + 1) begin
+      undecided[w] = (s_codes[w*CODE_BITS +: CODE_BITS] == 1);
+      waiting[w]   = \dut.again_q ? \dut.rest_q [w] : undecided[w];
+      if (\dut.s1_pair_q [w]) begin
+        s1_codes[w*CODE_BITS +: CODE_BITS] = s1_codes[w*CODE_BITS +: CODE_BITS] | code_of(s1_answer);
+        picked_right = picked_right && (\dut.s1_picked_q == w) && (\dut.s1_pair_q == (1 << w));
+      end
+      if (\dut.s2_pair_q [w]) begin
+        s2_codes[w*CODE_BITS +: CODE_BITS] = s2_codes[w*CODE_BITS +: CODE_BITS] | code_of(s2_answer);
+      end
+      if (\dut.again_q && !\dut.rest_q [w]) begin
+        offer_codes[w*CODE_BITS +: CODE_BITS] = 0;
+      end
+      if (w < count) begin
+        held_right = held_right &&
+            (held[w] == ((\dut.s1_write_q && (\dut.s1_place_q == w)) ? \dut.s1_word_q : memory[w]));
+      end
+    end
+  end
+
+  always @* begin
+    told           = NOTHING;
+    told_once      = 1'b1;
+    told_right     = 1'b1;
+    first_later    = 4'd15;
+    last_watched   = NONE;
+    order_right    = 1'b1;
+    closing        = NONE;
+    closed_count   = 1'b0;
+    closing_rank   = 4'd15;
+    closing_last   = 1'b1;
+    closing_right  = 1'b1;
+    beats_tell     = 1'b1;
+    exists         = queue_holds;
+    ranks          = {4'd13, 4'd12, 4'd11, 4'd10, queue_ranks};
+    exists[PUSHED] = \dut.exceptions.push ;
+    exists[STAGE2] = s2_apart;
+    exists[STAGE1] = \dut.s1_valid_q ;
+    exists[OFFER]  = offered && aresetn;
+    to_count = \dut.g_count.count_q ;
+    if (\dut.answered && \dut.reported ) begin
+      to_count = to_count + ONE;
+    end
+    if (s2_apart && (\dut.s2_pair_q != 0) && s2_answer[2] && REPORTS[s2_answer[1:0]]) begin
+      to_count = to_count + ONE;
+    end
+    if (\dut.s1_valid_q && (\dut.s1_pair_q != 0) && s1_answer[2] && REPORTS[s1_answer[1:0]]) begin
+      to_count = to_count + ONE;
+    end
+    if (exists[OFFER]) begin
+      to_count = to_count + found_later;
+    end
+    for (w = 0; w <= OFFER; w = w + 1) begin
+      beat          = beats[w*BEAT_BITS +: BEAT_BITS];
+      rank          = ranks[4*w +: 4];
+      closes        = exists[w] && beat[BEAT_BITS-1];
+      tells         = exists[w] && !beat[BEAT_BITS-1] && (beat[4 +: CODES_BITS] != NOTHING);
+      of_watched    = tells && (beat[3:2] == watched_j);
+      closing       = closing + {3'b000, closes};
+      closed_count  = closed_count || (closes && (w < PUSHED));
+      closing_right = closing_right && (!closes || (
+          (beat[4 +: CODES_BITS] == NOTHING) &&
+          (beat[3:0] == (((COUNT != 0) && (w <= PUSHED)) ? close_tag + total : close_tag)) &&
+          ((COUNT == 0) || (w >= PUSHED) || (to_count == NONE))));
+      beats_tell    = beats_tell && (!exists[w] || (w > PUSHED) || closes || tells);
+      told_right    = told_right && (!of_watched || (beat[1:0] == due_base));
+      if (closes) begin
+        closing_rank = rank;
+      end
+      if (exists[w] && !closes && (beat[3:2] == later_j) && (rank < first_later)) begin
+        first_later = rank;
+      end
+      if (of_watched && (rank > last_watched)) begin
+        last_watched = rank;
+      end
+      for (l = 0; l < LANES; l = l + 1) begin
+        code_here = beat[4+l*CODE_BITS +: CODE_BITS] & {CODE_BITS{of_watched}};
+        told_once = told_once && ((told[l*CODE_BITS +: CODE_BITS] == 0) || (code_here == 0));
+        told[l*CODE_BITS +: CODE_BITS] = told[l*CODE_BITS +: CODE_BITS] | code_here;
+      end
+    end
+    order_right = (due == NOTHING) || (last_watched < first_later);
+    for (w = 0; w <= OFFER; w = w + 1) begin
+      closing_last = closing_last && (!exists[w] || (ranks[4*w +: 4] <= closing_rank));
+    end
+  end
+
+  always @* begin
+    pending = {3'b000, \dut.s1_valid_q } + {3'b000, \dut.s2_valid_q } +
+              ((LANE_LATENCY != 0) ? {3'b000, \dut.answered } : NONE);
+    offer_left = \dut.exceptions.room_q ? 5'd0 : 5'd1;
+    for (w = 0; w < LANES; w = w + 1) begin
+      offer_left = offer_left + {4'd0, waiting[w]};
+    end
+    cycles_left = 5'd31;
+    if (exists[STAGE1] && ((s1_codes != NOTHING) || \dut.s1_close_q )) begin
+      cycles_left = LANE_LATENCY + 3;
+    end
+    if (exists[STAGE2] && ((s2_codes != NOTHING) || \dut.s2_close_q )) begin
+      cycles_left = LANE_LATENCY + 2;
+    end
+    if (exists[PUSHED]) begin
+      cycles_left = 5'd2;
+    end
+    if (queue_count != NONE) begin
+      cycles_left = 5'd1;
+    end
+    if (exists[OFFER] && (offer_left < cycles_left)) begin
+      cycles_left = offer_left;
+    end
+    if (started) begin
+      lemma_again: assert(!\dut.again_q || (offered && (\dut.rest_q != 0)));
+      lemma_rest: assert(!\dut.again_q || !exists[OFFER] || ((\dut.rest_q & ~undecided) == 0));
+      lemma_places: assert(between || (\dut.places_q == count[LANE_BITS-1:0]));
+      lemma_few_held: assert(count <= ALL);
+      lemma_held: assert(held_right);
+      lemma_picked: assert(!\dut.s1_valid_q || picked_right);
+      lemma_tells_all: assert(!aresetn || (told == due));
+      lemma_tells_once: assert(!aresetn || told_once);
+      lemma_tells_its_base: assert(!aresetn || told_right);
+      lemma_beats_tell: assert(beats_tell);
+      lemma_later_seen: assert(!aresetn || (first_later == 4'd15) || later_seen);
+      lemma_order: assert(!aresetn || !later_behind || order_right);
+      lemma_one_closes: assert(!aresetn || (closing == {3'b000, close_due}));
+      lemma_closes_last: assert(closing_last);
+      lemma_closes_right: assert(closing_right);
+      lemma_closes_without_pair: assert((!\dut.s1_valid_q || !\dut.s1_close_q || (\dut.s1_pair_q == 0)) &&
+          (!\dut.s2_valid_q || !\dut.s2_close_q || (\dut.s2_pair_q == 0)) &&
+          (!\dut.answered || !\dut.closes || (\dut.pair == 0)));
+      lemma_counts: assert((COUNT == 0) || !aresetn || (closed_count || (to_count == total)));
+      lemma_queued: assert({1'b0, queue_count} == \dut.exceptions.queued_q );
+      lemma_room: assert(queue_count + pending + {3'b000, \dut.exceptions.room_q } <= DEPTH);
+      lemma_quiet_if_due: assert(!aresetn || (quiet == NONE) || (due != NOTHING) || close_due || offered);
+      lemma_moves_soon: assert(!aresetn || m_valid || (quiet == NONE) ||
+                               (quiet + cycles_left < MOST_QUIET));
+    end
+  end
+
+  always @* begin
+    beat_on_offer_stays: assume(!offered || !aresetn || (s_valid && (offered_beat ==
         {s_first, s_stays, s_word, s_codes, s_index, s_base, s_last})));
     codes_of_a_segment: assume(!s_valid || fits);
     first_beat_is_first: assume(!s_valid || s_first || !between);
