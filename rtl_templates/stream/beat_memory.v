@@ -39,7 +39,7 @@ module beat_memory #(
     end
   endgenerate
 
-  wire [ADDRESS_BITS-1:0] read_word = read_address[BEAT_BITS +: ADDRESS_BITS];
+  wire [ADDRESS_BITS-1:0] read_word = read_address[ADDRESS_BITS+BEAT_BITS-1:BEAT_BITS];
 
   genvar b;
   generate
@@ -51,7 +51,7 @@ module beat_memory #(
       for (b = 0; b < BEATS; b = b + 1) begin : g_beat
         wire [ADDRESS_BITS+BEAT_BITS-1:0] place;
 
-        assign place[BEAT_BITS +: ADDRESS_BITS] = write_address;
+        assign place[ADDRESS_BITS+BEAT_BITS-1:BEAT_BITS] = write_address;
         if (BEAT_BITS > 0) begin : g_number
           assign place[BEAT_BITS-1:0] = b;
         end

@@ -67,12 +67,12 @@ module carried_operands #(
     .m_axis_tdata (waiting_slot)
   );
 
-  assign beat_address[BEAT_BITS +: SLOT_BITS] = waiting_slot;
-  assign whole_operands[OPERAND_BITS-1:0]     = start_operands;
+  assign whole_operands[OPERAND_BITS-1:0] = start_operands;
 
   generate
     if (BEAT_BITS == 0) begin : g_one_beat
-      assign last_beat = 1'b1;
+      assign beat_address = waiting_slot;
+      assign last_beat    = 1'b1;
     end else begin : g_beats
       localparam [BEAT_BITS-1:0] ONE = 1;
 
@@ -86,8 +86,8 @@ module carried_operands #(
         end
       end
 
-      assign beat_address[BEAT_BITS-1:0] = beat_q;
-      assign last_beat                   = &beat_q;
+      assign beat_address = {waiting_slot, beat_q};
+      assign last_beat    = &beat_q;
     end
     if (WHOLE_BITS > OPERAND_BITS) begin : g_padding
       assign whole_operands[WHOLE_BITS-1:OPERAND_BITS] = {(WHOLE_BITS-OPERAND_BITS){1'b0}};
