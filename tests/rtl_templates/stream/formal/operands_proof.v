@@ -62,6 +62,7 @@ module operands_proof #(
   reg                  watching = 1'b0;
   reg  [1:0]           beat    = 2'd0;  // the number of the beat that leaves next
   reg  [2:0]           quiet   = NONE;  // cycles without a beat although a request is inside
+  reg                  left    = 1'b0;   // the watched request has left before
   reg                  held    = 1'b0;
   reg  [1+PART_BITS:0] held_beat;
 
@@ -79,6 +80,7 @@ module operands_proof #(
     started   <= 1'b1;
     held      <= aresetn && m_valid && !m_ready;
     held_beat <= {m_last, m_slot, m_part};
+    left      <= left || (watching && (ahead == NONE) && ends);
     if (start && (start_slot == watched)) begin
       operands <= start_operands;
     end
@@ -125,7 +127,7 @@ module operands_proof #(
       can_leave: cover(watching && (ahead == NONE) && ends && (operands == 3'd5));
       can_be_last_of_all: cover(watching && (ahead == ONE));
       can_hold: cover(held && m_last);
-      can_use_a_slot_again: cover(stored[watched] && watching && !asking[watched]);
+      can_use_a_slot_again: cover(left && watching);
     end
   end
 
