@@ -14,6 +14,7 @@
 #include "generator/rtl/reference_module.hpp"
 #include "model/common/quote.hpp"
 #include "model/design/design.hpp"
+#include "model/design/request_beats.hpp"
 #include "model/design/slots.hpp"
 #include "model/number/lane_format.hpp"
 #include "model/profile/profile.hpp"
@@ -228,8 +229,12 @@ Result<Component> ComponentMaker::make_reference_port(const ComponentKey& key) {
 }
 
 rtl::SystemShape ComponentMaker::stream_shape() const {
-  rtl::SystemShape shape =
-      emit::stream_shape(scene_.graph.inputs(), scene_.reference.format, scene_.system);
+  scene::SystemSpec system = scene_.system;
+  const FloatFormat format = scene_.reference.format;
+  const int operand_bits = static_cast<int>(scene_.graph.inputs().size()) * format.width();
+  const std::optional<int> interval = scene_.reference_structure.initiation_interval;
+  system.request_beats = design::request_beats(system, operand_bits, interval.value_or(1));
+  rtl::SystemShape shape = emit::stream_shape(scene_.graph.inputs(), format, system);
   shape.lanes = 1;
   shape.references = scene_.system.references.value_or(1) > 0 ? 1 : 0;
   return shape;
@@ -264,7 +269,9 @@ Result<Component> ComponentMaker::make_crossbar(const ComponentKey& key) {
   for (rtl::Parameter& parameter : crossbar.parameters) {
     if (parameter.name == "LANES") parameter.value = key.ports;
   }
-  return Component{key, tree_levels(key.ports) + answer_cycles, template_job(crossbar), {}};
+  const int beat_latency = shape.beat_bits == 0 ? 1 : 2;  // of the first beat, at each level
+  return Component{
+      key, beat_latency * tree_levels(key.ports) + answer_cycles, template_job(crossbar), {}};
 }
 
 Result<design::LaneGroup> ComponentMaker::lane_group(const ComponentKey& key, int count) {

@@ -68,7 +68,9 @@ int lanes_at_once(const scene::Scene& scene) {
 /// pairwise engine the share of a segment.
 devices::Area rough_streams(const scene::Scene& scene, int slots) {
   if (scene.system.engine.kind == scene::EngineKind::pairwise) return {.luts = 30};
-  return {.luts = 100 + request_bits(scene) * std::max(slots, 64) / 64};
+  const bool in_blocks = scene.system.operand_memory == scene::OperandMemory::block;
+  const int bits = in_blocks ? scene.system.tag_bits : request_bits(scene);
+  return {.luts = 100 + bits * std::max(slots, 64) / 64};
 }
 
 /// The share of a crossbar, if a LUT chooses between two requests' bits.

@@ -13,6 +13,7 @@
 #include "generator/rtl/datapath_builder.hpp"
 #include "generator/rtl/net_names.hpp"
 #include "model/design/slots.hpp"
+#include "model/devices/device.hpp"
 
 namespace mixcmp::emit {
 namespace {
@@ -155,6 +156,17 @@ std::vector<rtl::Counters> ScheduledSystem::counters() const {
   return engine ? rtl::arg_min_counters(shape) : rtl::system_counters(shape);
 }
 
+namespace {
+
+/// Whether the device's synthesis builds a memory whose write port is wider than its read port.
+/// Quartus makes registers of one that is written in Verilog-2001.
+bool has_ports_of_two_widths(const scene::SystemSpec& system) {
+  const auto device = devices::find_device(system.device);
+  return device.ok() && device->quartus_part.empty();
+}
+
+}  // namespace
+
 rtl::SystemShape stream_shape(const std::vector<std::string>& inputs, FloatFormat format,
                               const scene::SystemSpec& system) {
   rtl::SystemShape shape;
@@ -164,6 +176,11 @@ rtl::SystemShape stream_shape(const std::vector<std::string>& inputs, FloatForma
   shape.counter_bits = system.counter_bits;
   shape.order = system.order;
   shape.operands = system.operands;
+  if (system.operands == scene::OperandStore::carried) {
+    shape.beat_bits = std::countr_zero(static_cast<unsigned>(system.request_beats.value_or(1)));
+    shape.block_memory =
+        system.operand_memory == scene::OperandMemory::block && has_ports_of_two_widths(system);
+  }
   return shape;
 }
 

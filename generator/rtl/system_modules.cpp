@@ -280,7 +280,8 @@ int SystemShape::lane_bits() const {
 }
 
 int SystemShape::payload_bits() const {
-  return operands == scene::OperandStore::carried ? operand_bits() : tag_bits;
+  return operands == scene::OperandStore::carried ? ((operand_bits() - 1) >> beat_bits) + 1
+                                                  : tag_bits;
 }
 
 int SystemShape::channel_latency_cycles() const {
@@ -297,7 +298,9 @@ TemplateInstance tracker_template(const SystemShape& shape, int lane_latency_cyc
            {"LANE_LATENCY", lane_latency_cycles},
            {"COUNTER_BITS", shape.counter_bits},
            {"RECOMPUTE", shape.recomputes() ? 1 : 0},
-           {"CARRIED", shape.operands == scene::OperandStore::carried ? 1 : 0}}};
+           {"CARRIED", shape.operands == scene::OperandStore::carried ? 1 : 0},
+           {"BEAT_BITS", shape.beat_bits},
+           {"BLOCK", shape.block_memory ? 1 : 0}}};
 }
 
 TemplateInstance crossbar_template(const SystemShape& shape) {
@@ -306,7 +309,8 @@ TemplateInstance crossbar_template(const SystemShape& shape) {
            {"REFERENCES", shape.references},
            {"LANE_BITS", shape.lane_bits()},
            {"SLOT_BITS", shape.slot_bits},
-           {"PAYLOAD_BITS", shape.payload_bits()}}};
+           {"PAYLOAD_BITS", shape.payload_bits()},
+           {"BEAT_BITS", shape.beat_bits}}};
 }
 
 Module lane_channel_module(const SystemShape& shape, const DatapathGroup& group) {
@@ -345,6 +349,7 @@ TemplateInstance reference_port_template(const SystemShape& shape,
            {"LAST_OPERAND_PHASE", reference.last_operand_phase},
            {"PHASE_BITS", phase_bits(reference.initiation_interval)},
            {"CARRIED", shape.refetches() ? 0 : 1},
+           {"BEAT_BITS", shape.beat_bits},
            {"OUTSTANDING_BITS", outstanding_bits}}};
 }
 

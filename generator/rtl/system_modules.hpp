@@ -37,13 +37,16 @@ struct SystemShape {
   int read_counter_bits = 0;  ///< of counts that software reads on a port; 0: there is no such port
   scene::ResultOrder order = scene::ResultOrder::tagged;
   scene::OperandStore operands = scene::OperandStore::carried;
+  int beat_bits = 0;  ///< a request of carried operands has 2^beat_bits beats
+  /// Carried operands wait in block memories that are written whole and read beat by beat.
+  bool block_memory = false;
 
   int operand_bits() const { return input_width * static_cast<int>(input_ports.size()); }
   int tdata_bytes() const { return (operand_bits() + 7) / 8; }
   /// Bits of a tag on the refetch stream, padded to bytes as AXI4-Stream wants it.
   int refetch_bits() const { return (tag_bits + 7) / 8 * 8; }
   int lane_bits() const;     ///< width of a lane's number, at least 1
-  int payload_bits() const;  ///< width of a recomputation request's operands or tag
+  int payload_bits() const;  ///< width of a request's tag, or of a beat's part of the operands
   /// Cycles that the channel adds to its lane's latency, for a decided comparison that never waits.
   int channel_latency_cycles() const;
   bool recomputes() const { return references > 0; }

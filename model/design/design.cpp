@@ -7,6 +7,7 @@
 
 #include "model/common/quote.hpp"
 #include "model/design/engine_data.hpp"
+#include "model/design/request_beats.hpp"
 #include "model/error/certified_lane.hpp"
 #include "model/error/hazards.hpp"
 #include "model/error/range_analysis.hpp"
@@ -277,6 +278,7 @@ Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
   }
   MIXCMP_TRY(second_tier, design_second_tier(scene));
   design.second_tier = std::move(second_tier);
+  std::optional<int> shortest;
   for (const scene::ReferenceGroupSpec& spec : scene.reference_groups()) {
     if (!spec.count) {
       const int fewest = scene.system.engine.kind == scene::EngineKind::arg_min ? 1 : 0;
@@ -291,7 +293,11 @@ Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
                         to_string(settings::limits::initiation_interval));
     }
     design.references.push_back({.structure = {multipliers, *interval}, .count = *spec.count});
+    shortest = std::min(shortest.value_or(*interval), *interval);
+    MIXCMP_TRY(in_time, check_request_beats(scene.system, *interval));
   }
+  const int operand_bits = static_cast<int>(design.inputs.size()) * scene.reference.format.width();
+  design.system.request_beats = request_beats(scene.system, operand_bits, shortest.value_or(1));
   if (data != nullptr) {
     MIXCMP_TRY(fits, check_engine_data(scene.system.engine, design.lane_count(), *data));
   }

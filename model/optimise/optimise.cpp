@@ -22,8 +22,9 @@ AllocationResult fill_with_references(const scene::Scene& scene, const devices::
   AllocationProblem problem;
   for (const ReferenceImplementation& reference : references) {
     const ReferenceKind& kind = reference.kind;
+    const characterise::Measurement& measured = reference.measured;
     problem.lanes.push_back(
-        {kind.name, kind.clock_hz, kind.initiation_interval, 0, reference.measured.area});
+        {kind.name, kind.clock_hz, measured.key.initiation_interval, 0, measured.area});
   }
   problem.available = device.available;
   problem.slack = scene.system.slack;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/common/check.hpp"
+#include "model/design/request_beats.hpp"
 #include "model/design/slots.hpp"
 #include "model/number/lane_format.hpp"
 #include "model/optimise/engine_area.hpp"
@@ -95,7 +96,8 @@ std::vector<ReferenceImplementation> ProblemMaker::references() {
   std::vector<ReferenceImplementation> all;
   for (const characterise::Measurement* row : references_) {
     const double mhz = clock_of(*row, options_.clocks.reference_mhz, {});
-    const int interval = row->key.initiation_interval;
+    const int interval = design::service_cycles(row->key.initiation_interval,
+                                                scene_.system.request_beats.value_or(1));
     all.push_back(
         {*row, {reference_name(row->key), mhz * hertz_per_mhz, interval, area_with_port(*row)}});
   }
@@ -158,11 +160,12 @@ bool ProblemMaker::is_lane(const characterise::ComponentKey& key) const {
 }
 
 /// A reference of the scene's format and sums, and of its initiation interval unless that is
-/// "auto".
+/// "auto"; then one that is not faster than the scene's requests, if it is folded.
 bool ProblemMaker::is_wanted_reference(const characterise::Measurement& row) const {
   const std::optional<int> interval = scene_.reference_structure.initiation_interval;
   return format_of(row).floating == scene_.reference.format &&
          row.key.sums == scene_.reference.sums &&
+         design::check_request_beats(scene_.system, row.key.initiation_interval).ok() &&
          (!interval || *interval == row.key.initiation_interval);
 }
 
@@ -310,7 +313,8 @@ void ProblemMaker::add_lane(PrecisionPlan& plan, const characterise::Measurement
   const RateKey key{row.key.inputs.value_or(LaneInputs::exact), *row.key.bound, plan.precision};
   const std::optional<Rate> rate = rate_of(key);
   if (!rate) return;
-  if (performance::highest_lane_throughput(rate->value()) < 1) {
+  const int beats = scene_.system.request_beats.value_or(1);
+  if (performance::highest_lane_throughput(rate->value(), beats) < 1) {
     left_out_ = "every lane leaves more than half undecided: references alone are faster";
     return;
   }

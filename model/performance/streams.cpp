@@ -13,11 +13,21 @@ namespace mixcmp::performance {
 namespace {
 
 constexpr int crossbar_radix = 4;
-constexpr int request_interval_cycles = 2;
+constexpr int beat_interval_cycles = 2;
 constexpr int answer_cycles = 2;  ///< through the crossbar
 
 /// Cycles from accepted operands to an offered request, beside the lane's latency.
 constexpr int request_cycles = 4;
+/// Cycles for which a request passes the crossbar, from its first beat at the lane to the
+/// reference. Requests of several beats are granted in one cycle and begin to move in the next, at
+/// each level, and are joined in front of the reference.
+int crossbar_cycles(const LaneStreams& streams) {
+  const int levels = crossbar_levels(streams.lanes_served);
+  if (streams.request_beats == 1) return levels;
+  const int joining = 1;
+  return 2 * levels + beat_interval_cycles * (streams.request_beats - 1) + joining;
+}
+
 /// Cycles from an answer at the lane until its slot may be taken again.
 int retire_cycles(scene::ResultOrder order) {
   switch (order) {
@@ -105,12 +115,13 @@ double mean_start_cycles(const LaneStreams& streams) {
 /// Cycles that a request waits behind others: in its lane's request register, then at the
 /// reference, which serves in intervals of N cycles what k N cycles of requests bring it.
 double mean_queue_cycles(const LaneStreams& streams, double rate) {
-  const double interval = streams.initiation_interval_cycles;
+  const double interval = service_cycles(streams);
   const double chances = streams.lanes_served * interval;
-  const double register_load = request_interval_cycles * rate;
+  const double register_load = beat_interval_cycles * rate;
   const double reference_load = chances * rate;
   if (register_load >= 1 || reference_load >= 1) return std::numeric_limits<double>::infinity();
-  return rate / (1 - register_load) +
+  const double in_register = streams.request_beats == 1 ? rate / (1 - register_load) : 0;
+  return in_register +
          interval * (chances - 1) / chances * reference_load / (2 * (1 - reference_load));
 }
 
@@ -151,17 +162,24 @@ int decided_slot_cycles(const LaneStreams& streams) {
 
 int undecided_slot_cycles(const LaneStreams& streams) {
   if (streams.lanes_served == 0) return decided_slot_cycles(streams);
-  return streams.lane_latency_cycles + request_cycles + crossbar_levels(streams.lanes_served) +
+  return streams.lane_latency_cycles + request_cycles + crossbar_cycles(streams) +
          streams.reference_latency_cycles + answer_cycles + retire_cycles(streams.order);
 }
 
-int answer_interval_cycles(const LaneStreams& streams) {
-  return std::max(request_interval_cycles,
-                  streams.lanes_served * streams.initiation_interval_cycles);
+int service_cycles(const LaneStreams& streams) {
+  if (streams.request_beats == 1) return streams.initiation_interval_cycles;
+  // The crossbar's last node begins the request of another lane one cycle after the last beat.
+  const int saved = streams.lanes_served > 1 ? beat_interval_cycles - 1 : 0;
+  return std::max(streams.initiation_interval_cycles,
+                  beat_interval_cycles * streams.request_beats - saved);
 }
 
-double highest_lane_throughput(double recomputation_rate) {
-  return 1 / (request_interval_cycles * recomputation_rate);
+int answer_interval_cycles(const LaneStreams& streams) {
+  return std::max(beat_interval_cycles, streams.lanes_served * service_cycles(streams));
+}
+
+double highest_lane_throughput(double recomputation_rate, int request_beats) {
+  return 1 / (beat_interval_cycles * request_beats * recomputation_rate);
 }
 
 double even_throughput(const LaneStreams& streams, double recomputation_rate) {

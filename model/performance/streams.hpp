@@ -15,6 +15,7 @@ struct LaneStreams {
   int lane_latency_cycles = 0;
   int reference_latency_cycles = 0;
   int initiation_interval_cycles = 1;  ///< N: the reference takes a request in one of N cycles
+  int request_beats = 1;               ///< B: beats of a request; above 1 they take 2 B cycles
   int slots = 0;                       ///< comparisons that may be inside the lane's channel
   int lanes_served = 1;                ///< k: lanes of the reference, this one included; 0: p_H = 0
 };
@@ -27,13 +28,17 @@ int decided_slot_cycles(const LaneStreams& streams);
 /// The cycles that an undecided comparison keeps its slot, if it finds the reference free.
 int undecided_slot_cycles(const LaneStreams& streams);
 
+/// Cycles from one request to the next at a reference: N, and not fewer than requests of several
+/// beats take to arrive.
+int service_cycles(const LaneStreams& streams);
+
 /// Cycles between answers to one lane while all lanes of the reference ask: a reference takes one
-/// request in N cycles, a lane sends one in two.
+/// request in as many cycles as service_cycles says, a lane sends a beat in two.
 int answer_interval_cycles(const LaneStreams& streams);
 
 /// The most comparisons per cycle that a lane's requests allow, whatever serves them. It is above 1
-/// where less than half of the comparisons is undecided, and infinite for a rate of 0.
-double highest_lane_throughput(double recomputation_rate);
+/// where less than 1 / (2 B) of the comparisons is undecided, and infinite for a rate of 0.
+double highest_lane_throughput(double recomputation_rate, int request_beats = 1);
 
 /// Comparisons that the lane accepts per cycle where a fraction `recomputation_rate` is undecided,
 /// evenly spread: equation 8 for one lane, limited by requests and slots, too.
@@ -42,7 +47,8 @@ double even_throughput(const LaneStreams& streams, double recomputation_rate);
 /// Cycles that a request waits, on average, where each of the k lanes asks in any cycle with the
 /// probability `rate`, independently. It waits for its lane's request register, a queue with a
 /// service time of two cycles, then for the reference: for the next cycle in which that starts a
-/// comparison, in a queue with a service time of N. Infinite where either is fully loaded.
+/// comparison, in a queue with a service time of N. A request of several beats waits for the
+/// crossbar alone, which one request at a time passes. Infinite where either is fully loaded.
 double mean_wait_cycles(const LaneStreams& streams, double rate);
 
 /// Comparisons that the lane accepts per cycle where each is undecided independently, with this

@@ -37,6 +37,12 @@ enum class OperandStore {
   refetched,  ///< fetched from the user's memory by tag
 };
 
+/// What carried operands wait in.
+enum class OperandMemory {
+  logic,  ///< what synthesis chooses; on most devices look-up tables
+  block,  ///< block memories
+};
+
 /// The way in which a system's counters are read.
 enum class CounterAccess {
   none,      ///< there are no counters
@@ -56,6 +62,7 @@ std::string_view to_string(BoundKind bound);
 std::string_view to_string(std::optional<error::ErrorBoundKind> bound);  ///< none: "auto"
 std::string_view to_string(ResultOrder order);
 std::string_view to_string(OperandStore store);
+std::string_view to_string(OperandMemory memory);
 std::string_view to_string(CounterAccess access);
 std::string_view to_string(Multipliers multipliers);
 
@@ -113,6 +120,9 @@ struct SystemSpec {
   double target_mhz = 200;
   ResultOrder order = ResultOrder::tagged;
   OperandStore operands = OperandStore::carried;
+  OperandMemory operand_memory = OperandMemory::logic;  ///< of carried operands
+  /// Beats of a request of carried operands, a power of two; none: "auto"
+  std::optional<int> request_beats;
   int tag_bits = 32;                              ///< 1..64
   int counter_bits = 32;                          ///< 0 (no counters) or 8..64; 16..64 for axi_lite
   CounterAccess counters = CounterAccess::ports;  ///< `none` where counter_bits is 0

@@ -30,6 +30,14 @@ std::string_view to_string(OperandStore store) {
   MIXCMP_CHECK(false);
 }
 
+std::string_view to_string(OperandMemory memory) {
+  switch (memory) {
+    case OperandMemory::logic: return "logic";
+    case OperandMemory::block: return "block";
+  }
+  MIXCMP_CHECK(false);
+}
+
 std::string_view to_string(CounterAccess access) {
   switch (access) {
     case CounterAccess::none: return "none";

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <bit>
+
 #include "model/common/quote.hpp"
 #include "model/expression/name.hpp"
 #include "model/scene/sections.hpp"
@@ -15,6 +17,18 @@ void check_prefix(settings::Section& section, const std::string& prefix) {
   section.fail(
       "prefix", "does not begin a Verilog name", in_quotes(prefix),
       fmt::format("letters, digits and '_', no digit nor verilator first, at most {}", longest));
+}
+
+/// Reads what carried operands wait in, and in how many beats they leave.
+void read_requests(settings::Section& section, SystemSpec& spec) {
+  section.choice("operand_memory", spec.operand_memory,
+                 {OperandMemory::logic, OperandMemory::block});
+  section.integer_or_auto("request_beats", spec.request_beats, settings::limits::request_beats);
+  const int beats = spec.request_beats.value_or(1);
+  if (!std::has_single_bit(static_cast<unsigned>(beats))) {
+    section.fail("request_beats", "not a power of two", fmt::format("{}", beats),
+                 "1, 2, 4, 8, 16 or \"auto\"");
+  }
 }
 
 /// Reads the counters' width and the way to them, which must not contradict each other.
@@ -85,6 +99,7 @@ Result<SystemSpec> read_system(const settings::Settings& settings) {
   section.number("target_mhz", spec.target_mhz, 1, 2000);
   section.choice("order", spec.order, {ResultOrder::tagged, ResultOrder::in_order});
   section.choice("operands", spec.operands, {OperandStore::carried, OperandStore::refetched});
+  read_requests(section, spec);
   section.integer("tag_bits", spec.tag_bits, settings::limits::tag_bits);
   read_counters(section, spec);
   section.text("prefix", spec.prefix);

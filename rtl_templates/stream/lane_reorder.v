@@ -3,7 +3,8 @@
 // served): direct verdicts wait in one queue, answers in another, and each undecided entry at the
 // head of the first takes the head of the second. 2^SLOT_BITS slots are used circularly. Latency of
 // a decided one: LANE_LATENCY + 4. One comparison per cycle if all are decided, the sink is ready
-// and 2^SLOT_BITS >= LANE_LATENCY + 4. Reset forgets all comparisons and clears the counters.
+// and 2^SLOT_BITS >= LANE_LATENCY + 4. A request of carried operands is a packet of 2^BEAT_BITS
+// beats {slot, part of the operands}. Reset forgets all comparisons and clears the counters.
 `default_nettype none
 
 module lane_reorder #(
@@ -13,33 +14,36 @@ module lane_reorder #(
   parameter LANE_LATENCY = 16,
   parameter COUNTER_BITS = 32,
   parameter RECOMPUTE = 1,
-  parameter CARRIED = 1
+  parameter CARRIED = 1,
+  parameter BEAT_BITS = 0,
+  parameter BLOCK = 0
 ) (
-  input  wire                                                          aclk,
-  input  wire                                                          aresetn,
-  input  wire                                                          s_axis_tvalid,
-  output wire                                                          s_axis_tready,
-  input  wire [OPERAND_BITS-1:0]                                       s_axis_tdata,
-  input  wire [TAG_BITS-1:0]                                           s_axis_tuser,
-  output wire [OPERAND_BITS-1:0]                                       lane_operands,
-  input  wire [1:0]                                                    lane_verdict,
-  input  wire                                                          lane_decided,
-  output wire                                                          m_request_tvalid,
-  input  wire                                                          m_request_tready,
-  output wire [SLOT_BITS+(CARRIED != 0 ? OPERAND_BITS : TAG_BITS)-1:0] m_request_tdata,
-  input  wire                                                          s_answer_valid,
-  input  wire [SLOT_BITS-1:0]                                          s_answer_slot,
-  input  wire [1:0]                                                    s_answer_verdict,
-  output wire                                                          m_axis_tvalid,
-  input  wire                                                          m_axis_tready,
-  output wire [7:0]                                                    m_axis_tdata,
-  output wire [TAG_BITS-1:0]                                           m_axis_tuser,
-  output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]              comparisons,
-  output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]              recomputations,
-  output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]              stalls
+  input  wire                                                                         aclk,
+  input  wire                                                                         aresetn,
+  input  wire                                                                         s_axis_tvalid,
+  output wire                                                                         s_axis_tready,
+  input  wire [OPERAND_BITS-1:0]                                                      s_axis_tdata,
+  input  wire [TAG_BITS-1:0]                                                          s_axis_tuser,
+  output wire [OPERAND_BITS-1:0]                                                      lane_operands,
+  input  wire [1:0]                                                                   lane_verdict,
+  input  wire                                                                         lane_decided,
+  output wire                                                                         m_request_tvalid,
+  input  wire                                                                         m_request_tready,
+  output wire [SLOT_BITS+(CARRIED != 0 ? (OPERAND_BITS-1)>>BEAT_BITS : TAG_BITS-1):0] m_request_tdata,
+  input  wire                                                                         s_answer_valid,
+  input  wire [SLOT_BITS-1:0]                                                         s_answer_slot,
+  input  wire [1:0]                                                                   s_answer_verdict,
+  output wire                                                                         m_axis_tvalid,
+  input  wire                                                                         m_axis_tready,
+  output wire [7:0]                                                                   m_axis_tdata,
+  output wire [TAG_BITS-1:0]                                                          m_axis_tuser,
+  output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]                             comparisons,
+  output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]                             recomputations,
+  output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]                             stalls
 );
 
-  localparam REQUEST_BITS = SLOT_BITS + ((CARRIED != 0) ? OPERAND_BITS : TAG_BITS);
+  localparam PART_BITS    = ((OPERAND_BITS - 1) >> BEAT_BITS) + 1;
+  localparam REQUEST_BITS = SLOT_BITS + ((CARRIED != 0) ? PART_BITS : TAG_BITS);
   localparam [SLOT_BITS:0] ONE = 1;
 
   // Parameters that do not fit: an instance of a module that does not exist.
@@ -58,6 +62,9 @@ module lane_reorder #(
     end
     if (COUNTER_BITS < 0) begin : g_refused_counter_bits
       COUNTER_BITS_is_below_0 refused ();
+    end
+    if ((BEAT_BITS < 0) || (BEAT_BITS > 8)) begin : g_refused_beat_bits
+      BEAT_BITS_is_not_0_to_8 refused ();
     end
   endgenerate
 
@@ -196,6 +203,9 @@ module lane_reorder #(
     .m_axis_tuser    (m_axis_tuser)
   );
 
+  // Counted are whole requests, when their last beat leaves.
+  wire request_last;
+
   generate
     if ((RECOMPUTE != 0) && (CARRIED == 0)) begin : g_refetched
       wire unused_ready;
@@ -230,7 +240,9 @@ module lane_reorder #(
     end else if (CARRIED != 0) begin : g_carried
       carried_operands #(
         .OPERAND_BITS(OPERAND_BITS),
-        .SLOT_BITS   (SLOT_BITS)
+        .SLOT_BITS   (SLOT_BITS),
+        .BEAT_BITS   (BEAT_BITS),
+        .BLOCK       (BLOCK)
       ) operands (
         .aclk            (aclk),
         .aresetn         (aresetn),
@@ -241,8 +253,12 @@ module lane_reorder #(
         .undecided_slot  (exit_slot),
         .m_request_tvalid(m_request_tvalid),
         .m_request_tready(m_request_tready),
-        .m_request_tdata (m_request_tdata)
+        .m_request_tdata (m_request_tdata),
+        .m_request_tlast (request_last)
       );
+    end
+    if ((RECOMPUTE == 0) || (CARRIED == 0)) begin : g_one_beat
+      assign request_last = 1'b1;
     end
   endgenerate
 
@@ -253,7 +269,7 @@ module lane_reorder #(
     .aresetn         (aresetn),
     .s_axis_tvalid   (s_axis_tvalid),
     .s_axis_tready   (s_axis_tready),
-    .request_sent    (m_request_tvalid && m_request_tready),
+    .request_sent    (m_request_tvalid && m_request_tready && request_last),
     .undecided_result(m_axis_tvalid && m_axis_tready && m_axis_tdata[3]),
     .comparisons     (comparisons),
     .recomputations  (recomputations),

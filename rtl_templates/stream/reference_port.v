@@ -1,12 +1,13 @@
 // reference_port: surrounds one free-running reference; requests in, answers out, in order.
-// CARRIED = 1: the payload is the operands. CARRIED = 0: the payload is the tag; it leaves on
-// m_refetch one cycle after the request, and the operands come on s_refetch. 2^OUTSTANDING_BITS + 1
-// tags may wait for their operands.
-// INITIATION_INTERVAL = 1: operands are taken at once, and the answer leaves REFERENCE_LATENCY
-// cycles later. Above 1: reference_phase counts the cycles of the interval. In phase 0 a comparison
-// starts if its operands are there; they are taken in phase LAST_OPERAND_PHASE, and the answer
-// leaves REFERENCE_LATENCY cycles after the start.
-// Reset forgets all requests: whoever answers m_refetch must be reset with it.
+// CARRIED = 1: a request is a packet of 2^BEAT_BITS beats, whose payloads are the operands, the
+// lowest part first. Above one beat they are there one cycle after the last, and the next packet
+// comes in while they wait. CARRIED = 0: the payload is the tag; it leaves on m_refetch one cycle
+// after the request, and the operands come on s_refetch. 2^OUTSTANDING_BITS + 1 tags may wait for
+// theirs. INITIATION_INTERVAL = 1: operands are taken at once, and the answer leaves
+// REFERENCE_LATENCY cycles later. Above 1: reference_phase counts the cycles of the interval. In
+// phase 0 a comparison starts if its operands are there; they are taken in phase
+// LAST_OPERAND_PHASE, and the answer leaves REFERENCE_LATENCY cycles after the start. Reset forgets
+// all requests: whoever answers m_refetch must be reset with it.
 `default_nettype none
 
 module reference_port #(
@@ -19,27 +20,29 @@ module reference_port #(
   parameter LAST_OPERAND_PHASE = 0,
   parameter PHASE_BITS = 1,
   parameter CARRIED = 1,
+  parameter BEAT_BITS = 0,
   parameter OUTSTANDING_BITS = 4
 ) (
-  input  wire                                                                    aclk,
-  input  wire                                                                    aresetn,
-  input  wire                                                                    s_request_tvalid,
-  output wire                                                                    s_request_tready,
-  input  wire [LANE_BITS+SLOT_BITS+(CARRIED != 0 ? OPERAND_BITS : TAG_BITS)-1:0] s_request_tdata,
-  output wire [PHASE_BITS-1:0]                                                   reference_phase,
-  output wire [OPERAND_BITS-1:0]                                                 reference_operands,
-  input  wire [1:0]                                                              reference_verdict,
-  output wire                                                                    m_answer_valid,
-  output wire [LANE_BITS+SLOT_BITS+2-1:0]                                        m_answer_tdata,
-  output wire                                                                    m_refetch_tvalid,
-  input  wire                                                                    m_refetch_tready,
-  output wire [TAG_BITS-1:0]                                                     m_refetch_tdata,
-  input  wire                                                                    s_refetch_tvalid,
-  output wire                                                                    s_refetch_tready,
-  input  wire [OPERAND_BITS-1:0]                                                 s_refetch_tdata
+  input  wire                                                                                   aclk,
+  input  wire                                                                                   aresetn,
+  input  wire                                                                                   s_request_tvalid,
+  output wire                                                                                   s_request_tready,
+  input  wire [LANE_BITS+SLOT_BITS+(CARRIED != 0 ? (OPERAND_BITS-1)>>BEAT_BITS : TAG_BITS-1):0] s_request_tdata,
+  output wire [PHASE_BITS-1:0]                                                                  reference_phase,
+  output wire [OPERAND_BITS-1:0]                                                                reference_operands,
+  input  wire [1:0]                                                                             reference_verdict,
+  output wire                                                                                   m_answer_valid,
+  output wire [LANE_BITS+SLOT_BITS+2-1:0]                                                       m_answer_tdata,
+  output wire                                                                                   m_refetch_tvalid,
+  input  wire                                                                                   m_refetch_tready,
+  output wire [TAG_BITS-1:0]                                                                    m_refetch_tdata,
+  input  wire                                                                                   s_refetch_tvalid,
+  output wire                                                                                   s_refetch_tready,
+  input  wire [OPERAND_BITS-1:0]                                                                s_refetch_tdata
 );
 
-  localparam PAYLOAD_BITS = (CARRIED != 0) ? OPERAND_BITS : TAG_BITS;
+  localparam PART_BITS    = ((OPERAND_BITS - 1) >> BEAT_BITS) + 1;
+  localparam PAYLOAD_BITS = (CARRIED != 0) ? PART_BITS : TAG_BITS;
   localparam SENDER_BITS  = LANE_BITS + SLOT_BITS;
 
   // Parameters that do not fit: an instance of a module that does not exist.
@@ -73,6 +76,9 @@ module reference_port #(
     end else if (((INITIATION_INTERVAL - 1) >>> PHASE_BITS) > 0) begin : g_refused_last_phase
       PHASE_BITS_is_too_small_for_INITIATION_INTERVAL refused ();
     end
+    if ((BEAT_BITS < 0) || (BEAT_BITS > 8)) begin : g_refused_beat_bits
+      BEAT_BITS_is_not_0_to_8 refused ();
+    end
     if (OUTSTANDING_BITS < 1) begin : g_refused_outstanding_bits
       OUTSTANDING_BITS_is_below_1 refused ();
     end
@@ -89,12 +95,28 @@ module reference_port #(
 
   generate
     if (CARRIED != 0) begin : g_carried
+      wire [(PART_BITS<<BEAT_BITS)-1:0] joined;  // the operands, and zeros above them
+      wire unused_joined  = &joined;
       wire unused_refetch = &{m_refetch_tready, s_refetch_tvalid, s_refetch_tdata};
 
-      assign s_request_tready   = take;
-      assign offer_valid        = s_request_tvalid;
-      assign offer_sender       = sender;
-      assign reference_operands = payload;
+      stream_upsizer #(
+        .WIDTH    (PART_BITS),
+        .USER_BITS(SENDER_BITS),
+        .BEAT_BITS(BEAT_BITS)
+      ) parts (
+        .aclk         (aclk),
+        .aresetn      (aresetn),
+        .s_axis_tvalid(s_request_tvalid),
+        .s_axis_tready(s_request_tready),
+        .s_axis_tdata (payload),
+        .s_axis_tuser (sender),
+        .m_axis_tvalid(offer_valid),
+        .m_axis_tready(take),
+        .m_axis_tdata (joined),
+        .m_axis_tuser (offer_sender)
+      );
+
+      assign reference_operands = joined[OPERAND_BITS-1:0];
       assign m_refetch_tvalid   = 1'b0;
       assign m_refetch_tdata    = {TAG_BITS{1'b0}};
       assign s_refetch_tready   = 1'b0;

@@ -1,12 +1,16 @@
 // stream_arbiter: merges INPUTS streams into one, round-robin: no input waits for more than
-// INPUTS - 1 words of others. Latency 1, one word per cycle. Reset empties the output register.
-// HALF_RATE = 1: one word in two cycles at most, and no path from m_axis_tready to s_axis_tready.
+// INPUTS - 1 packets of others. Latency 1, one word per cycle. Reset empties the output register.
+// BEAT_BITS > 0: a packet is 2^BEAT_BITS words, which leave one after the other, however slowly
+// they come. The select of the multiplexer is a register then: where the next packet is of another
+// input than the last, and was not there when that ended, its first word has latency 2. HALF_RATE =
+// 1: one word in two cycles at most, and no path from m_axis_tready to s_axis_tready.
 `default_nettype none
 
 module stream_arbiter #(
   parameter INPUTS = 4,
   parameter WIDTH = 8,
-  parameter HALF_RATE = 0
+  parameter HALF_RATE = 0,
+  parameter BEAT_BITS = 0
 ) (
   input  wire                    aclk,
   input  wire                    aresetn,
@@ -40,32 +44,61 @@ module stream_arbiter #(
     if (WIDTH < 1) begin : g_refused_width
       WIDTH_is_below_1 refused ();
     end
+    if ((BEAT_BITS < 0) || (BEAT_BITS > 8)) begin : g_refused_beat_bits
+      BEAT_BITS_is_not_0_to_8 refused ();
+    end
   endgenerate
 
-  reg  [SELECT_BITS-1:0] last_q;    // the input served last
+  reg  [SELECT_BITS-1:0] last_q;   // the input served last, or whose packet is
   reg                    m_valid_q;
   reg  [WIDTH-1:0]       m_data_q;
+  reg  [SELECT_BITS-1:0] turn;     // the first valid input after that one, else the first of all
+  wire [SELECT_BITS-1:0] select;   // the input whose words pass
+  wire                   offered;  // it has one
+  wire                   choose;   // `turn` is the next one to be served
+  integer                i;
 
   wire room = !m_valid_q || (m_axis_tready && (HALF_RATE == 0));
-  wire load = room && |s_axis_tvalid;
-
-  // The first valid input after the one served last, else the first of all.
-  reg [SELECT_BITS-1:0] select;
-  integer               i;
+  wire load = room && offered;
 
   always @* begin
-    select = last_q;
+    turn = last_q;
     for (i = INPUTS - 1; i >= 0; i = i - 1) begin
       if (s_axis_tvalid[i]) begin
-        select = i[SELECT_BITS-1:0];
+        turn = i[SELECT_BITS-1:0];
       end
     end
     for (i = INPUTS - 1; i >= 0; i = i - 1) begin
       if (s_axis_tvalid[i] && (i[SELECT_BITS-1:0] > last_q)) begin
-        select = i[SELECT_BITS-1:0];
+        turn = i[SELECT_BITS-1:0];
       end
     end
   end
+
+  generate
+    if (BEAT_BITS == 0) begin : g_words
+      assign select  = turn;
+      assign offered = |s_axis_tvalid;
+      assign choose  = load;
+    end else begin : g_packets
+      localparam [BEAT_BITS-1:0] ONE = 1;
+
+      reg [BEAT_BITS-1:0] beat_q;  // the number of the word that comes next
+
+      always @(posedge aclk) begin
+        if (!aresetn) begin
+          beat_q <= {BEAT_BITS{1'b0}};
+        end else if (load) begin
+          beat_q <= beat_q + ONE;
+        end
+      end
+
+      // A turn ends with a packet, or when the input has no other to begin.
+      assign select  = last_q;
+      assign offered = s_axis_tvalid[last_q];
+      assign choose  = offered ? load && (&beat_q) : !(|beat_q);
+    end
+  endgenerate
 
   // Each select bit halves the list of words: four words and two select bits are one LUT6.
   reg [WORDS*WIDTH-1:0] words;
@@ -88,8 +121,8 @@ module stream_arbiter #(
       last_q    <= LAST_INPUT[SELECT_BITS-1:0];
       m_valid_q <= 1'b0;
     end else begin
-      if (load) begin
-        last_q <= select;
+      if (choose) begin
+        last_q <= turn;
       end
       m_valid_q <= load || (m_valid_q && !m_axis_tready);
     end

@@ -1,8 +1,9 @@
 // stream_crossbar: connects LANES request streams to REFERENCES references, and answers to lanes.
 // Lane i is served by reference i mod REFERENCES, round-robin; a reference without lanes idles.
-// Requests: latency ceil(log_RADIX(lanes of the reference)), at least 1; a reference gets one per
-// cycle. Answers: latency 2, never refused, in the order of the lane's requests if the reference
-// keeps order. Reset empties it.
+// Requests are packets of 2^BEAT_BITS beats {slot, payload}, which stay together: latency
+// ceil(log_RADIX(lanes of the reference)), at least 1; a reference gets one beat per cycle, and
+// from one lane one in two. Answers: latency 2, never refused, in the order of the lane's requests
+// if the reference keeps order. Reset empties it.
 `default_nettype none
 
 module stream_crossbar #(
@@ -11,7 +12,8 @@ module stream_crossbar #(
   parameter LANE_BITS = 3,
   parameter SLOT_BITS = 5,
   parameter PAYLOAD_BITS = 128,
-  parameter RADIX = 4
+  parameter RADIX = 4,
+  parameter BEAT_BITS = 0
 ) (
   input  wire                                                     aclk,
   input  wire                                                     aresetn,
@@ -58,6 +60,9 @@ module stream_crossbar #(
     if (RADIX < 2) begin : g_refused_radix
       RADIX_is_below_2 refused ();
     end
+    if ((BEAT_BITS < 0) || (BEAT_BITS > 8)) begin : g_refused_beat_bits
+      BEAT_BITS_is_not_0_to_8 refused ();
+    end
   endgenerate
 
   genvar r;
@@ -78,9 +83,10 @@ module stream_crossbar #(
         wire [SERVED*NAMED_BITS-1:0] request_data;
 
         stream_tree #(
-          .INPUTS(SERVED),
-          .WIDTH (NAMED_BITS),
-          .RADIX (RADIX)
+          .INPUTS   (SERVED),
+          .WIDTH    (NAMED_BITS),
+          .RADIX    (RADIX),
+          .BEAT_BITS(BEAT_BITS)
         ) requests (
           .aclk         (aclk),
           .aresetn      (aresetn),

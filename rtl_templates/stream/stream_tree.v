@@ -1,13 +1,15 @@
 // stream_tree: merges INPUTS streams into one through a tree of arbiters of RADIX inputs each.
-// Every node is fair. Latency: one cycle per level, ceil(log_RADIX(INPUTS)), at least 1. One word
-// per cycle, of which each subtree of the root may give every second: only the root runs at full
-// rate, so that no path from a tready to a tready crosses the tree. Reset empties it.
+// Every node is fair, and keeps the 2^BEAT_BITS words of a packet together. Latency: one cycle per
+// level, ceil(log_RADIX(INPUTS)), at least 1. One word per cycle, of which each subtree of the root
+// may give every second: only the root runs at full rate, so that no path from a tready to a tready
+// crosses the tree. Reset empties it.
 `default_nettype none
 
 module stream_tree #(
   parameter INPUTS = 8,
   parameter WIDTH = 8,
-  parameter RADIX = 4
+  parameter RADIX = 4,
+  parameter BEAT_BITS = 0
 ) (
   input  wire                    aclk,
   input  wire                    aresetn,
@@ -56,6 +58,9 @@ module stream_tree #(
     if (RADIX < 2) begin : g_refused_radix
       RADIX_is_below_2 refused ();
     end
+    if ((BEAT_BITS < 0) || (BEAT_BITS > 8)) begin : g_refused_beat_bits
+      BEAT_BITS_is_not_0_to_8 refused ();
+    end
   endgenerate
 
   genvar level;
@@ -89,7 +94,8 @@ module stream_tree #(
         stream_arbiter #(
           .INPUTS   (FAN_IN),
           .WIDTH    (WIDTH),
-          .HALF_RATE(level < LEVELS - 1)
+          .HALF_RATE(level < LEVELS - 1),
+          .BEAT_BITS(BEAT_BITS)
         ) arbiter (
           .aclk         (aclk),
           .aresetn      (aresetn),

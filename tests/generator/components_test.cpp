@@ -340,6 +340,14 @@ TEST_F(Components, CrossbarsTakeTheirPortsAndThePayload) {
             std::string::npos)
       << "six operands of 32 bits";
   EXPECT_EQ(five.latency_cycles, 4);
+  const Found in_beats = find(scene(one_system + "request_beats = 4\n"), query);
+  const components::Component& narrow =
+      in_beats.components.at({.kind = characterise::ComponentKind::crossbar, .ports = 5});
+  EXPECT_NE(source(narrow, "stream_crossbar.v").find("parameter PAYLOAD_BITS = 48,"),
+            std::string::npos);
+  EXPECT_NE(source(narrow, "stream_crossbar.v").find("parameter BEAT_BITS = 2\n"),
+            std::string::npos);
+  EXPECT_EQ(narrow.latency_cycles, 6);
   const Found refetched = find(scene(one_system + "operands = \"refetched\"\n"), query);
   const components::Component& tags =
       refetched.components.at({.kind = characterise::ComponentKind::crossbar, .ports = 5});

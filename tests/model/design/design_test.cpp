@@ -53,6 +53,30 @@ TEST(MakeDesign, CarriesWhatTheSceneChose) {
   EXPECT_EQ(design.reference.arithmetic.format, format_of(53, 8));
 }
 
+TEST(MakeDesign, RequestsHaveAsManyBeatsAsCostNoTime) {
+  Scene scene = complete_scene();  // two operands of 61 bits
+  scene.system.references = 1;
+  const auto beats = [&](int interval) {
+    scene.reference_structure.initiation_interval = interval;
+    return design::make_design(scene, nullptr).value().system.request_beats;
+  };
+  EXPECT_EQ(beats(16), 1) << "in logic a multiplexer costs what the crossbar saves";
+  scene.system.operand_memory = scene::OperandMemory::block;
+  EXPECT_EQ(beats(1), 1);
+  EXPECT_EQ(beats(3), 1);
+  EXPECT_EQ(beats(4), 2);
+  EXPECT_EQ(beats(15), 4);
+  EXPECT_EQ(beats(64), 4) << "a beat has 16 bits or more of the operands";
+  scene.system.request_beats = 8;
+  EXPECT_EQ(beats(1), 8) << "whatever they cost";
+  EXPECT_EQ(beats(16), 8);
+  scene.reference_structure.initiation_interval = 15;
+  EXPECT_EQ(error_of(scene).field, "system.request_beats");
+  EXPECT_EQ(error_of(scene).accepted, "at most half of reference.initiation_interval = 15");
+  scene.system.operands = scene::OperandStore::refetched;
+  EXPECT_EQ(error_of(scene).accepted, "1, or operands = \"carried\"");
+}
+
 TEST(MakeDesign, NamesTheOptionForEachAuto) {
   Scene scene = complete_scene();
   scene.reduced.format.reset();

@@ -35,6 +35,25 @@ TEST(Streams, RequestsLimitAnEvenStream) {
   EXPECT_DOUBLE_EQ(performance::even_throughput(streams(64, 0), 1), 1);
 }
 
+TEST(Streams, RequestsOfSeveralBeatsTakeTwoCyclesABeat) {
+  performance::LaneStreams one = streams(256, 1);
+  one.request_beats = 8;
+  EXPECT_EQ(performance::service_cycles(one), 16);
+  EXPECT_DOUBLE_EQ(performance::even_throughput(one, 1), 1.0 / 16);
+  performance::LaneStreams eight = streams(256, 8);
+  eight.request_beats = 8;
+  EXPECT_EQ(performance::service_cycles(eight), 15);
+  EXPECT_DOUBLE_EQ(performance::even_throughput(eight, 1), 1.0 / 120);
+  eight.initiation_interval_cycles = 16;
+  EXPECT_EQ(performance::service_cycles(eight), 16);
+  EXPECT_DOUBLE_EQ(performance::highest_lane_throughput(0.125, 8), 0.5);
+  // Two levels of the crossbar, each with a cycle for the grant, seven beats behind the first, and
+  // one cycle to join them.
+  EXPECT_EQ(performance::undecided_slot_cycles(eight) -
+                performance::undecided_slot_cycles(streams(256, 8)),
+            2 + 14 + 1);
+}
+
 TEST(Streams, SlotsLimitAnEvenStream) {
   EXPECT_DOUBLE_EQ(performance::even_throughput(streams(10, 1), 0), 10.0 / 25);
   EXPECT_DOUBLE_EQ(performance::even_throughput(streams(10, 1), 1), 10.0 / 57);
@@ -116,6 +135,13 @@ TEST(Streams, MeanWaitIsThatOfTwoQueuesInTurn) {
     EXPECT_NEAR(performance::mean_wait_cycles(streams(64, lanes), rate), expected,
                 0.05 * expected + 0.01)
         << lanes << " lanes, rate " << rate;
+  }
+  for (const auto& [lanes, rate] : {std::pair(1, 0.05), {2, 0.05}, {8, 0.01}, {29, 0.004}}) {
+    performance::LaneStreams beats = streams(64, lanes);
+    beats.request_beats = 4;
+    const double expected = simulated_wait(lanes, rate, lanes > 1 ? 7 : 8);
+    EXPECT_NEAR(performance::mean_wait_cycles(beats, rate), expected, 0.05 * expected + 0.01)
+        << lanes << " lanes, rate " << rate << ", requests of four beats";
   }
   EXPECT_TRUE(std::isinf(performance::mean_wait_cycles(streams(64, 8), 0.125)));
   EXPECT_TRUE(std::isinf(performance::mean_wait_cycles(streams(64, 1), 0.5)));

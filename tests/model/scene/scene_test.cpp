@@ -314,11 +314,16 @@ INSTANTIATE_TEST_SUITE_P(
                 "nearest), initiation_interval, multipliers, subnormals, sums"},
         Mistake{"format = \"s53e8\"", "format = \"s53e8\"\nsums = \"exact\"",
                 ":12: reference.sums: not a choice: received \"exact\"; accepted composed, fused"},
-        Mistake{
-            "slack = 0.25", "slck = 0.25",
-            ":23: system.slck: unknown key: received slck; accepted slack (the nearest), "
-            "counter_bits, counters, device, lanes, operands, order, prefix, references, tag_bits, "
-            "target_mhz"},
+        Mistake{"slack = 0.25", "slck = 0.25",
+                ":23: system.slck: unknown key: received slck; accepted slack (the nearest), "
+                "counter_bits, counters, device, lanes, operand_memory, operands, order, prefix, "
+                "references, request_beats, tag_bits, target_mhz"},
+        Mistake{"slack = 0.25", "request_beats = 6",
+                ":23: system.request_beats: not a power of two: received 6; accepted 1, 2, 4, 8, "
+                "16 or \"auto\""},
+        Mistake{"slack = 0.25", "operand_memory = \"registers\"",
+                ":23: system.operand_memory: not a choice: received \"registers\"; accepted logic, "
+                "block"},
         Mistake{
             "seed = 7", "sead = 7",
             ":30: data.sead: unknown key: received sead; accepted seed (the nearest), "

@@ -53,6 +53,7 @@ struct SystemSpec {
   int reference_latency_cycles;
   int slot_bits;
   int initiation_interval;  ///< of the references
+  int beat_bits;            ///< of a request: it has 2^beat_bits beats
 };
 
 inline void PrintTo(const SystemSpec& spec, std::ostream* stream) {

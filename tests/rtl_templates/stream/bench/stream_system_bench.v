@@ -16,7 +16,9 @@ module stream_system_bench #(
   parameter LAST_OPERAND_PHASE = 0,
   parameter SLOT_BITS = 4,
   parameter OUTSTANDING_BITS = 2,
-  parameter COPIES = 1
+  parameter COPIES = 1,
+  parameter BEAT_BITS = 0,
+  parameter BLOCK = 0
 ) (
   input  wire          aclk,
   input  wire          aresetn,
@@ -41,7 +43,7 @@ module stream_system_bench #(
 
   localparam LANE_BITS    = 5;
   localparam OPERAND_BITS = 32 * COPIES;
-  localparam PAYLOAD_BITS = (CARRIED != 0) ? OPERAND_BITS : 32;
+  localparam PAYLOAD_BITS = (CARRIED != 0) ? ((OPERAND_BITS - 1) >> BEAT_BITS) + 1 : 32;
   localparam REQUEST_BITS = SLOT_BITS + PAYLOAD_BITS;
   localparam NAMED_BITS   = LANE_BITS + REQUEST_BITS;
   localparam ANSWER_BITS  = LANE_BITS + SLOT_BITS + 2;
@@ -104,7 +106,9 @@ module stream_system_bench #(
             .LANE_LATENCY(LANE_LATENCY),
             .COUNTER_BITS(32),
             .RECOMPUTE   (RECOMPUTE),
-            .CARRIED     (CARRIED)
+            .CARRIED     (CARRIED),
+            .BEAT_BITS   (BEAT_BITS),
+            .BLOCK       (BLOCK)
           ) channel (
             .aclk            (aclk),
             .aresetn         (aresetn),
@@ -137,7 +141,9 @@ module stream_system_bench #(
             .LANE_LATENCY(LANE_LATENCY),
             .COUNTER_BITS(32),
             .RECOMPUTE   (RECOMPUTE),
-            .CARRIED     (CARRIED)
+            .CARRIED     (CARRIED),
+            .BEAT_BITS   (BEAT_BITS),
+            .BLOCK       (BLOCK)
           ) channel (
             .aclk            (aclk),
             .aresetn         (aresetn),
@@ -185,7 +191,8 @@ module stream_system_bench #(
         .REFERENCES  (REFERENCES),
         .LANE_BITS   (LANE_BITS),
         .SLOT_BITS   (SLOT_BITS),
-        .PAYLOAD_BITS(PAYLOAD_BITS)
+        .PAYLOAD_BITS(PAYLOAD_BITS),
+        .BEAT_BITS   (BEAT_BITS)
       ) between (
         .aclk            (aclk),
         .aresetn         (aresetn),
@@ -254,6 +261,7 @@ module stream_system_bench #(
           .LAST_OPERAND_PHASE(LAST_OPERAND_PHASE),
           .PHASE_BITS       (4),
           .CARRIED          (CARRIED),
+          .BEAT_BITS        (BEAT_BITS),
           .OUTSTANDING_BITS (OUTSTANDING_BITS)
         ) port (
           .aclk              (aclk),

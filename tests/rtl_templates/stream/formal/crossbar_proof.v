@@ -1,12 +1,13 @@
 // crossbar_proof: a request reaches the reference of its lane under its lane's number, none is lost
-// or doubled, and an answer reaches the lane it names, and no other, two cycles later.
-// The payload of lane i is i, and its slot bit alternates from request to request.
+// or doubled, its beats stay together, and an answer reaches the lane it names, and no other, two
+// cycles later. The payload of lane i is i, and its slot bit alternates from beat to beat.
 `default_nettype none
 
 module crossbar_proof #(
   parameter LANES = 3,
   parameter REFERENCES = 2,
-  parameter RADIX = 2
+  parameter RADIX = 2,
+  parameter BEAT_BITS = 0
 ) (
   input wire                      aclk,
   input wire [LANES-1:0]          s_valid,
@@ -32,7 +33,8 @@ module crossbar_proof #(
     .LANE_BITS   (3),
     .SLOT_BITS   (1),
     .PAYLOAD_BITS(3),
-    .RADIX       (RADIX)
+    .RADIX       (RADIX),
+    .BEAT_BITS   (BEAT_BITS)
   ) dut (
     .aclk            (aclk),
     .aresetn         (aresetn),
@@ -109,6 +111,27 @@ module crossbar_proof #(
     end
 
     for (i = 0; i < REFERENCES; i = i + 1) begin : g_reference
+      localparam [1:0] LAST_BEAT = (1 << BEAT_BITS) - 1;
+
+      reg  [1:0] beat = 2'd0;  // the number of the beat that leaves next
+      reg  [2:0] sender;       // of the request's beats before it
+      wire       leaves = aresetn && m_valid[i] && m_ready[i];
+
+      always @(posedge aclk) begin
+        if (leaves) begin
+          beat   <= (beat == LAST_BEAT) ? 2'd0 : beat + 2'd1;
+          sender <= m_data[7*i+4 +: 3];
+        end
+      end
+
+      always @* begin
+        if (aresetn) begin
+          assert(!m_valid[i] || (beat == 2'd0)
+                 || (m_data[7*i+4 +: 3] == sender));
+          cover((LANES <= i) || (leaves && (beat == LAST_BEAT)));
+        end
+      end
+
       always @* begin
         if (aresetn && m_valid[i]) begin
           assert((m_data[7*i+4 +: 3] < LANES)

@@ -1,15 +1,17 @@
 // reference_port_proof: every request that reference_port takes is answered once, in order, to its
-// sender, with the verdict about its own operands; a folded datapath sees them unchanged until they are
-// taken. One request at a time is watched, chosen by the solver, and those ahead of it are counted.
-// A sender is {free bit, watched}. The datapath's verdict is the operands; refetched operands are the
-// complement of the tag, and come when whoever fetches them likes.
+// sender, with the verdict about its own operands; a folded datapath sees them unchanged until they
+// are taken. One request at a time is watched, chosen by the solver, and those ahead of it are
+// counted. A sender is {free bit, watched}. The datapath's verdict is the operands; refetched
+// operands are the complement of the tag, and come when whoever fetches them likes. With BEAT_BITS
+// = 1 a request comes in two beats of a bit each, and is inside from the second on.
 `default_nettype none
 
 module reference_port_proof #(
   parameter CARRIED = 1,
   parameter LATENCY = 2,
   parameter INTERVAL = 1,
-  parameter LAST_PHASE = 0
+  parameter LAST_PHASE = 0,
+  parameter BEAT_BITS = 0
 ) (
   input wire       aclk,
   input wire       aresetn_later,
@@ -24,6 +26,7 @@ module reference_port_proof #(
   localparam [3:0] NONE = 0;
   localparam [3:0] ONE  = 1;
   localparam MOST_QUIET = LATENCY + 2 * INTERVAL + 6;
+  localparam PART_BITS  = 2 >> BEAT_BITS;
 
   wire       s_ready;
   wire [1:0] phase;
@@ -44,7 +47,10 @@ module reference_port_proof #(
 
   reg        started = 1'b0;
   wire       aresetn = started && aresetn_later;
-  wire       enter   = s_valid && s_ready;
+  reg        second  = 1'b0;  // beat of the request that comes in
+  reg        first_bit;       // its first beat
+  wire       last    = (BEAT_BITS == 0) || second;
+  wire       enter   = s_valid && s_ready && last;
   reg        watching = 1'b0;
   wire       chosen  = choose && !watching;
 
@@ -58,13 +64,14 @@ module reference_port_proof #(
     .LAST_OPERAND_PHASE (LAST_PHASE),
     .PHASE_BITS         (2),
     .CARRIED            (CARRIED),
+    .BEAT_BITS          (BEAT_BITS),
     .OUTSTANDING_BITS   (1)
   ) dut (
     .aclk              (aclk),
     .aresetn           (aresetn),
     .s_request_tvalid  (s_valid),
     .s_request_tready  (s_ready),
-    .s_request_tdata   ({s_lane, chosen, s_payload}),
+    .s_request_tdata   ({s_lane, chosen, s_payload[PART_BITS-1:0]}),
     .reference_phase   (phase),
     .reference_operands(operands),
     .reference_verdict (verdict),
@@ -87,6 +94,18 @@ module reference_port_proof #(
     .q   (verdict)
   );
 
+  // The operands in the phase in which they are read last.
+  wire [1:0] late_verdict;
+
+  delay_line #(
+    .WIDTH (2),
+    .LENGTH(LATENCY - LAST_PHASE)
+  ) late_datapath (
+    .aclk(aclk),
+    .d   (operands),
+    .q   (late_verdict)
+  );
+
   stream_fifo #(
     .WIDTH     (2),
     .DEPTH_BITS(1)
@@ -102,7 +121,8 @@ module reference_port_proof #(
   );
 
   // Requests inside.
-  wire       takes_operands = (CARRIED != 0) ? enter : fetched_valid && grant && fetched_ready;
+  wire       takes_operands = (CARRIED != 0) ? enter && (BEAT_BITS == 0)
+                                             : fetched_valid && grant && fetched_ready;
   reg  [3:0] inside  = NONE;
   reg  [3:0] ahead   = NONE;
   reg        lane;
@@ -123,6 +143,10 @@ module reference_port_proof #(
     offered         <= aresetn && s_valid && !s_ready;
     offered_request <= {s_lane, chosen, s_payload};
     busy            <= aresetn && answer_valid;
+    second          <= aresetn && ((s_valid && s_ready) ? !last : second);
+    if (s_valid && s_ready) begin
+      first_bit <= s_payload[0];
+    end
     if (phase == 2'd0) begin
       first_operands <= operands;
     end
@@ -142,7 +166,8 @@ module reference_port_proof #(
         watching <= 1'b1;
         ahead    <= inside - {3'b000, answer_valid};
         lane     <= s_lane;
-        expected <= (CARRIED != 0) ? s_payload : ~s_payload;
+        expected <= (BEAT_BITS != 0) ? {s_payload[0], first_bit}
+                    : (CARRIED != 0) ? s_payload : ~s_payload;
       end
     end
   end
@@ -160,6 +185,7 @@ module reference_port_proof #(
                                     (answer_watched == (watching && (ahead == NONE))));
       answers_right: assert(!answer_valid || !answer_watched ||
                             ({answer_lane, answer_verdict} == {lane, expected}));
+      operands_stay: assert(!answer_valid || !answer_watched || (late_verdict == expected));
       few_inside: assert(inside < 4'd12);
       takes_in_its_phase: assert(!takes_operands || (phase == LAST_PHASE));
       operands_hold: assert(!takes_operands || (LAST_PHASE == 0) || (operands == first_operands));
@@ -167,9 +193,10 @@ module reference_port_proof #(
       refetch_holds: assert(!held || (refetch_valid && (refetch_tag == held_tag)));
       can_answer: cover(answer_valid && answer_watched && answer_lane && (answer_verdict == 2'd2));
       can_answer_behind_others: cover(watching && (ahead != NONE) && answer_valid);
-      can_answer_at_once_again: cover((busy || (INTERVAL > 1)) && answer_valid);
+      can_answer_at_once_again: cover((busy || (INTERVAL > 1) || (BEAT_BITS > 0)) && answer_valid);
       can_hold: cover(held || (CARRIED != 0));
       can_wait: cover(offered || ((CARRIED != 0) && (INTERVAL == 1)));
+      can_join: cover((enter && second && first_bit && !s_payload[0]) || (BEAT_BITS == 0));
     end
   end
 
