@@ -56,6 +56,7 @@ public:
   void add_embedded_product(int precision);
   void add_embedded_square(int precision);
   void add_logic_product(LogicProduct product);
+  void add_logic_product_behind_digits(LogicProduct product);
   void add_product(int precision, LogicProduct::Kind kind, scene::Multipliers multipliers);
   void add_round(FloatFormat result, bool denormalises, int dropped_bits);
   void add_select_round(FloatFormat result, Subnormals subnormals, double sticky_ns);
@@ -65,6 +66,7 @@ public:
   }
 
 private:
+  void add_levels(LogicProduct product, int levels);
   void add_round_and_pack(FloatFormat result);
   /// Whether to round up, at the end of the stage before "round".
   double deciding_ns() const { return lut_delay_ns(1); }
@@ -143,12 +145,24 @@ inline void StageList::add_embedded_square(int precision) {
   add("upper half", carry(square.upper_half_bits()));
 }
 
-/// The stages of fp_logic_product. The first row is one level of gates in front of the first carry
-/// chain. Without a register between them, a chain starts as soon as the chain before it has
-/// reached the place of its lowest bit.
+/// The stages of fp_logic_product.
 inline void StageList::add_logic_product(LogicProduct product) {
+  add_levels(product, LogicProduct::levels);
+}
+
+/// The stages of fp_logic_product with DIGIT_STAGE.
+inline void StageList::add_logic_product_behind_digits(LogicProduct product) {
+  const int bits = product.digits_chain_bits();
+  add("digits", bits > 0 ? carry(bits) : lut_delay_ns(1));
+  add_levels(product, LogicProduct::levels - 1);
+}
+
+/// The first levels of sums. The first row is one level of gates in front of the first carry chain.
+/// Without a register between them, a chain starts as soon as the chain before it has reached the
+/// place of its lowest bit.
+inline void StageList::add_levels(LogicProduct product, int levels) {
   int bits_before = 0, shift_before = 0;
-  for (int level = 0; level < LogicProduct::levels; ++level) {
+  for (int level = 0; level < levels; ++level) {
     const int bits = product.longest_chain_bits(level);
     const int shift = LogicProduct::shift_bits(level);
     const int overlap = std::clamp(bits_before - (shift - shift_before), 0, bits);

@@ -53,19 +53,30 @@ bool squares_vanish(FloatFormat operands, FloatFormat result) {
   return 2 * operands.bias() > result.bias() + result.precision();
 }
 
+/// Tells whether a product of logic finds its digits in a stage of its own.
+bool has_digit_stage(int precision, const DelayTable& delays) {
+  return delays.lut_inputs < 5 && precision <= LogicProduct::most_bits_behind_digits;
+}
+
 Unit multiply_unit(LogicProduct::Kind kind, FloatFormat operands, FloatFormat result,
                    Subnormals subnormals, Multipliers multipliers, const DelayTable& delays) {
   const int dropped_bits = 2 * operands.precision() - result.precision() - 2;
   StageList stages(delays);
   const bool flushes = kind == LogicProduct::Kind::square && squares_vanish(operands, result);
   stages.add_operand(operands, flushes ? Subnormals::flush : subnormals);
-  stages.add_product(operands.precision(), kind, multipliers);
+  if (multipliers == Multipliers::logic && has_digit_stage(operands.precision(), delays)) {
+    stages.add_logic_product_behind_digits({operands.precision(), kind});
+  } else {
+    stages.add_product(operands.precision(), kind, multipliers);
+  }
   stages.add_select_round(result, subnormals,
                           stages.lut_delay_ns(reduction_levels(std::max(dropped_bits, 1))));
   Unit unit =
       std::move(stages).unit(kind == LogicProduct::Kind::square ? "fp_square" : "fp_multiply");
   unit.multipliers = multipliers;
   unit.multiplier = delays.multiplier_size;
+  unit.has_digit_stage =
+      multipliers == Multipliers::logic && has_digit_stage(operands.precision(), delays);
   return unit;
 }
 

@@ -4,12 +4,13 @@
 `default_nettype none
 
 module fp_product #(
-  parameter       PRECISION = 24,
-  parameter       SQUARE    = 0,     // 1: of a; b is not read
-  parameter       EMBEDDED  = 1,     // 0: fp_logic_product instead of `*`
-  parameter       FACTOR_A  = 24,
-  parameter       FACTOR_B  = 17,
-  parameter [6:0] CUTS      = 7'b0
+  parameter       PRECISION   = 24,
+  parameter       SQUARE      = 0,     // 1: of a; b is not read
+  parameter       EMBEDDED    = 1,     // 0: fp_logic_product instead of `*`
+  parameter       DIGIT_STAGE = 0,     // of fp_logic_product; 0 where PRECISION is above 63
+  parameter       FACTOR_A    = 24,
+  parameter       FACTOR_B    = 17,
+  parameter [6:0] CUTS        = 7'b0
 ) (
   input  wire                   aclk,
   input  wire [PRECISION-1:0]   a,
@@ -74,9 +75,10 @@ module fp_product #(
       wire [PRECISION-1:0] b_significand       = {1'b1, factor[PRECISION-2:0]};
 
       fp_logic_product #(
-        .PRECISION(PRECISION),
-        .SQUARE   (SQUARE),
-        .CUTS     (CUTS)
+        .PRECISION  (PRECISION),
+        .SQUARE     (SQUARE),
+        .DIGIT_STAGE((DIGIT_STAGE != 0) && (PRECISION < 64)),
+        .CUTS       (CUTS)
       ) logic_product (
         .aclk   (aclk),
         .a      (a_significand),
