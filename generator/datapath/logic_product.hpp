@@ -9,10 +9,15 @@ namespace mixcmp::datapath {
 class LogicProduct {
 public:
   static constexpr int levels = 7;
+  /// Of the factors, so that no level of sums is lost to the stage that finds the digits.
+  static constexpr int most_bits_behind_digits = 63;
 
   enum class Kind { product, square };
 
   LogicProduct(int precision, Kind kind) : precision_(precision), kind_(kind) {}
+
+  /// Bits of the carry chain that finds the digits; 0 where they are decoded by gates.
+  int digits_chain_bits() const { return kind_ == Kind::square ? 0 : 2 * rows(); }
 
   /// Bits of the longest carry chain of a level; 0 where nothing is added.
   int longest_chain_bits(int level) const {

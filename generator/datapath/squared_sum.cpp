@@ -59,7 +59,8 @@ Unit squared_sum_unit(FloatFormat format, Subnormals subnormals, scene::Multipli
   stages.add("select", stages.lut_delay_ns(3));
   stages.add("round sum", stages.carry(precision + 1) + stages.lut_delay_ns(1));
   StageList product(delays);
-  product.add_product(precision, LogicProduct::Kind::square, multipliers);
+  const bool has_digit_stage =
+      product.add_fastest_product(precision, LogicProduct::Kind::square, multipliers);
   const StageList beside = exponent_stages(format, product.count(), delays);
   stages.add_slowest({std::move(product), beside});
   const int margin = subnormals == Subnormals::gradual ? (precision + 4) / 2 : 0;
@@ -71,6 +72,7 @@ Unit squared_sum_unit(FloatFormat format, Subnormals subnormals, scene::Multipli
   Unit unit = std::move(stages).unit("fp_squared_sum");
   unit.multipliers = multipliers;
   unit.multiplier = delays.multiplier_size;
+  unit.has_digit_stage = has_digit_stage;
   return unit;
 }
 

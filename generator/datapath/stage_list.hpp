@@ -66,7 +66,11 @@ public:
   void add_embedded_product(int precision);
   void add_embedded_square(int precision);
   void add_logic_product(LogicProduct product);
+  void add_logic_product_behind_digits(LogicProduct product);
   void add_product(int precision, LogicProduct::Kind kind, scene::Multipliers multipliers);
+  /// Adds the stages of fp_product with the DIGIT_STAGE that suits the device's look-up tables.
+  /// Returns whether that is 1.
+  bool add_fastest_product(int precision, LogicProduct::Kind kind, scene::Multipliers multipliers);
   void add_round(FloatFormat result, bool denormalises, int dropped_bits);
   void add_select_round(FloatFormat result, Subnormals subnormals, double sticky_ns);
   void add_last_selection(FloatFormat result);
@@ -76,6 +80,7 @@ public:
   }
 
 private:
+  void add_levels(LogicProduct product, int levels);
   void add_round_and_pack(FloatFormat result);
   /// Whether to round up, at the end of the stage before "round".
   double deciding_ns() const { return lut_delay_ns(1); }
@@ -168,12 +173,24 @@ inline void StageList::add_embedded_square(int precision) {
   add("upper half", carry(square.upper_half_bits()));
 }
 
-/// The stages of fp_logic_product. The first row is one level of gates in front of the first carry
-/// chain. Without a register between them, a chain starts as soon as the chain before it has
-/// reached the place of its lowest bit.
+/// The stages of fp_logic_product.
 inline void StageList::add_logic_product(LogicProduct product) {
+  add_levels(product, LogicProduct::levels);
+}
+
+/// The stages of fp_logic_product with DIGIT_STAGE.
+inline void StageList::add_logic_product_behind_digits(LogicProduct product) {
+  const int bits = product.digits_chain_bits();
+  add("digits", bits > 0 ? carry(bits) : lut_delay_ns(1));
+  add_levels(product, LogicProduct::levels - 1);
+}
+
+/// The first levels of sums. The first row is one level of gates in front of the first carry chain.
+/// Without a register between them, a chain starts as soon as the chain before it has reached the
+/// place of its lowest bit.
+inline void StageList::add_levels(LogicProduct product, int levels) {
   int bits_before = 0, shift_before = 0;
-  for (int level = 0; level < LogicProduct::levels; ++level) {
+  for (int level = 0; level < levels; ++level) {
     const int bits = product.longest_chain_bits(level);
     const int shift = LogicProduct::shift_bits(level);
     const int overlap = std::clamp(bits_before - (shift - shift_before), 0, bits);
@@ -197,6 +214,19 @@ inline void StageList::add_product(int precision, LogicProduct::Kind kind,
     case scene::Multipliers::memory: break;  // only lanes in fixed point read memories
   }
   MIXCMP_CHECK(false);
+}
+
+/// Tables of five inputs or more decode a digit and add its row in one.
+inline bool StageList::add_fastest_product(int precision, LogicProduct::Kind kind,
+                                           scene::Multipliers multipliers) {
+  const bool has_digit_stage = multipliers == scene::Multipliers::logic && delays_.lut_inputs < 5 &&
+                               precision <= LogicProduct::most_bits_behind_digits;
+  if (has_digit_stage) {
+    add_logic_product_behind_digits({precision, kind});
+  } else {
+    add_product(precision, kind, multipliers);
+  }
+  return has_digit_stage;
 }
 
 /// The stages of fp_round. The last `dropped_bits` bits of a fraction that arrives too wide are

@@ -52,13 +52,14 @@ Unit multiply_unit(LogicProduct::Kind kind, FloatFormat operands, FloatFormat re
   StageList stages(delays);
   const bool flushes = kind == LogicProduct::Kind::square && squares_vanish(operands, result);
   stages.add_operand(operands, flushes ? Subnormals::flush : subnormals);
-  stages.add_product(operands.precision(), kind, multipliers);
+  const bool has_digit_stage = stages.add_fastest_product(operands.precision(), kind, multipliers);
   stages.add_select_round(result, subnormals,
                           stages.lut_delay_ns(reduction_levels(std::max(dropped_bits, 1))));
   Unit unit =
       std::move(stages).unit(kind == LogicProduct::Kind::square ? "fp_square" : "fp_multiply");
   unit.multipliers = multipliers;
   unit.multiplier = delays.multiplier_size;
+  unit.has_digit_stage = has_digit_stage;
   return unit;
 }
 

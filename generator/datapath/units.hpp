@@ -32,6 +32,7 @@ struct Unit {
   std::vector<Stage> stages;
   scene::Multipliers multipliers = scene::Multipliers::embedded;  ///< logic: print EMBEDDED = 0
   devices::MultiplierSize multiplier;  ///< embedded multipliers only: FACTOR_A, FACTOR_B
+  bool has_digit_stage = false;        ///< multipliers of logic only: DIGIT_STAGE
 };
 
 /// A multiplication of the node `operand` by 2^exponent, or by -2^exponent.

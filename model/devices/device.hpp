@@ -38,6 +38,7 @@ struct DelayTable {
   double multiplier_add_ns = 1.0;   ///< adding its product to another's
   double memory_ns = 2.0;           ///< from a memory block's clock to the word that it has read
   double register_ns = 0.6;         ///< clock-to-output plus set-up
+  int lut_inputs = 6;
   MultiplierSize multiplier_size;
   MemoryBlock memory_block;
 };

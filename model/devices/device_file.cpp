@@ -65,6 +65,7 @@ Result<Done> read_figures(const settings::Settings& settings, Device& device) {
   for (const char* key : {"multiplier_a_bits", "multiplier_b_bits"}) {
     if (device.available.dsps > 0) section.require(key);
   }
+  section.integer("lut_inputs", device.delays.lut_inputs, 4, 8);
   section.integer("multiplier_a_bits", device.delays.multiplier_size.a_bits, 2, 64);
   section.integer("multiplier_b_bits", device.delays.multiplier_size.b_bits, 2, 64);
   section.integer("memory_bits", device.delays.memory_block.bits, 1, most);

@@ -11,11 +11,11 @@ module fp_aligned_operands #(
   parameter       SPECIAL_OPERANDS = 1,
   parameter       UNDERFLOW        = 1,
   parameter       GRADUAL          = 0,     // 1: with UNDERFLOW alone
-  // 1: `larger` has the larger magnitude, and `sign` is its sign. 0: it has the larger exponent, and
-  // `sign` is the sign of an operand that is not zero, which tells the sum's if signs are alike.
+  // 1: `larger` has the larger magnitude, and `sign` is its sign. 0: it has the larger exponent,
+  // and `sign` is the sign of an operand that is not zero: the sum's if signs are alike.
   parameter       ORDERED          = 1,
-  // 1: `larger` is selected behind the last cut instead of in stage swap. That takes no gates of its
-  // own where it is added at once, but more registers.
+  // 1: `larger` is selected behind the last cut instead of in stage swap. That takes no gates of
+  // its own where it is added at once, but more registers.
   parameter       SELECTED_LAST    = 0,
   parameter [3:0] CUTS             = 4'b0000
 ) (

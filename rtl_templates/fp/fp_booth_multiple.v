@@ -1,17 +1,17 @@
-// fp_booth_multiple: a value times a digit of -2 to 2 in Booth's code.
-// Combinational. A digit {h, m, l} is m + l - 2h. A negative multiple is a complement: it lacks one
-// in the last place and has ones for all that is above it.
+// fp_booth_multiple: a value times a digit of -2 to 2.
+// Combinational. A negative multiple is a complement: it lacks one in the last place and has ones
+// for all that is above it.
 `default_nettype none
 
 module fp_booth_multiple #(
   parameter WIDTH  = 24,
   parameter SIGNED = 0    // 1: the value is in two's complement
 ) (
-  input  wire [2:0]       digit,
+  input  wire             single,    // the digit is 1 or -1
+  input  wire             doubled,   // 2 or -2
+  input  wire             negative,  // -1 or -2
   input  wire [WIDTH-1:0] value,
-  output wire [WIDTH:0]   multiple,
-  output wire             doubled,  // the digit is 2 or -2
-  output wire             negative  // it is -1 or -2
+  output wire [WIDTH:0]   multiple
 );
 
   // Parameters that do not fit: an instance of a module that does not exist.
@@ -21,12 +21,9 @@ module fp_booth_multiple #(
     end
   endgenerate
 
-  wire             single = digit[1] ^ digit[0];
-  wire [WIDTH-1:0] once   = value & {WIDTH{single}};
-  wire [WIDTH-1:0] twice  = value & {WIDTH{doubled}};
+  wire [WIDTH-1:0] once  = value & {WIDTH{single}};
+  wire [WIDTH-1:0] twice = value & {WIDTH{doubled}};
 
-  assign doubled  = !single && (digit[2] ^ digit[1]);
-  assign negative = digit[2] && !(digit[1] && digit[0]);
   assign multiple = ({(SIGNED != 0) && once[WIDTH-1], once} | {twice, 1'b0}) ^
                     {(WIDTH + 1) {negative}};
 

@@ -5,13 +5,19 @@
 // product's. A row is gates of five inputs. With the sum's bit they fill a look-up table of six
 // inputs in front of a carry chain, so the second to fourth row of each four cost their sum alone.
 // Then sums are added two by two.
+//
+// Look-up tables of four inputs would stand two or three deep in front of each chain. For them
+// DIGIT_STAGE = 1 finds the digits in a stage of its own, behind which their register stands. A
+// square decodes Booth's digits there. A product has digits of -1 to 2 instead: a + 0101...01 has
+// these digits, each plus one, so that an addition finds them and a row is gates of four inputs.
 `default_nettype none
 
 module fp_logic_product #(
-  parameter       PRECISION = 24,  // to 127
-  parameter       SQUARE    = 0,   // 1: of a; b is not read
-  parameter       SIGNED    = 0,   // 1: a and b are in two's complement, of 4 bits or more
-  parameter [6:0] CUTS      = 7'b0
+  parameter       PRECISION   = 24,  // to 127; to 63 with DIGIT_STAGE
+  parameter       SQUARE      = 0,   // 1: of a; b is not read
+  parameter       SIGNED      = 0,   // 1: a and b are in two's complement, of 4 bits or more
+  parameter       DIGIT_STAGE = 0,   // 1: the first stage finds the digits; not with SIGNED
+  parameter [6:0] CUTS        = 7'b0
 ) (
   input  wire                   aclk,
   input  wire [PRECISION-1:0]   a,
@@ -24,6 +30,13 @@ module fp_logic_product #(
   localparam CARRIES = (SIGNED != 0) && ((SQUARE != 0) || (PRECISION % 2 != 0));
   // Of the first digit's middle bit; each other is two places up.
   localparam PLACE = (SQUARE != 0) ? 1 + PRECISION % 2 : 0;
+
+  // How fp_booth_digit reads the digits.
+  localparam FOUND = (SQUARE != 0) ? 1 : 2;
+  localparam CODE  = (DIGIT_STAGE != 0) ? FOUND : 0;
+  // The cut behind each level of sums. A stage for the digits takes the place of the last level,
+  // which adds nothing then.
+  localparam [6:0] LEVEL_CUTS = (DIGIT_STAGE != 0) ? CUTS >> 1 : CUTS;
 
   // From the first place of row `first` to the last one of row `last`.
   function integer width_of(input integer first, input integer last);
@@ -43,30 +56,103 @@ module fp_logic_product #(
     if ((SIGNED != 0) && (PRECISION < 4)) begin : g_refused_signed
       PRECISION_of_SIGNED_is_below_4 refused ();
     end
+    if ((DIGIT_STAGE != 0) && (SIGNED != 0)) begin : g_refused_digits
+      DIGIT_STAGE_of_SIGNED refused ();
+    end
+    if ((DIGIT_STAGE != 0) && (PRECISION > 63)) begin : g_refused_stages
+      DIGIT_STAGE_of_PRECISION_above_63 refused ();
+    end
   endgenerate
 
   genvar level;
   genvar index;
 
-  // The operands of levels 0 to 2, where rows join.
+  // Booth's digits of a factor: three bits each, of which two digits share one.
+  function [3*ROWS-1:0] booth_digits(input [PRECISION-1:0] factor);
+    integer                 row;
+    reg     [PRECISION+3:0] extended;
+    begin
+      extended = {{3{(SIGNED != 0) && factor[PRECISION-1]}}, factor, 1'b0};
+      for (row = 0; row < ROWS; row = row + 1) begin
+        booth_digits[3*row+:3] = extended[2*row+PLACE+:3];
+      end
+    end
+  endfunction
+
+  // The stage of the digits.
+  wire [PRECISION-1:0] first_a;
+  wire [PRECISION-1:0] first_b;
+  wire [3*ROWS-1:0]    first_digits;
+
+  generate
+    if (DIGIT_STAGE == 0) begin : g_booth
+      assign first_a      = a;
+      assign first_b      = b;
+      assign first_digits = booth_digits(a);
+    end else begin : g_digits
+      wire [3*ROWS-1:0] found;
+
+      if (SQUARE != 0) begin : g_decoded
+        wire [3*ROWS-1:0] booth = booth_digits(a);
+
+        for (index = 0; index < ROWS; index = index + 1) begin : g_digit
+          fp_booth_digit booth_digit (
+            .digit   (booth[3*index+:3]),
+            .single  (found[3*index]),
+            .doubled (found[3*index+1]),
+            .negative(found[3*index+2])
+          );
+        end
+      end else begin : g_plus_one
+        localparam [2*ROWS-1:0] ONES = {ROWS{2'b01}};
+
+        wire [2*ROWS-1:0] plus_one = {{(2 * ROWS - PRECISION) {1'b0}}, a} + ONES;
+
+        for (index = 0; index < ROWS; index = index + 1) begin : g_digit
+          assign found[3*index+:3] = {1'b0, plus_one[2*index+:2]};
+        end
+      end
+
+      fp_rank #(
+        .WIDTH     (2 * PRECISION + 3 * ROWS),
+        .REGISTERED(CUTS[0])
+      ) rank (
+        .aclk(aclk),
+        .d   ({a, b, found}),
+        .q   ({first_a, first_b, first_digits})
+      );
+    end
+  endgenerate
+
+  // The operands of levels 0 to 2, where rows join. Booth's digits are bits of `a`, and are not
+  // kept beside it.
   generate
     for (level = 0; level < 3; level = level + 1) begin : g_operands
       wire [PRECISION-1:0] a_factor;
       wire [PRECISION-1:0] b_factor;
-      wire                 unused_bits = ^{a_factor, b_factor};
+      wire [3*ROWS-1:0]    digits;
+      wire [3*ROWS+2:0]    digits_and_none = {digits, 3'b000};
+      wire                 unused_bits     = ^{a_factor, b_factor, digits_and_none};
 
       if (level == 0) begin : g_first
-        assign a_factor = a;
-        assign b_factor = b;
+        assign a_factor = first_a;
+        assign b_factor = first_b;
+        assign digits   = first_digits;
       end else begin : g_later
+        wire [3*ROWS-1:0] kept;
+        wire              unused_kept = ^kept;
+
         fp_rank #(
-          .WIDTH     (2 * PRECISION),
-          .REGISTERED(CUTS[level-1])
+          .WIDTH     (2 * PRECISION + 3 * ROWS),
+          .REGISTERED(LEVEL_CUTS[level-1])
         ) rank (
           .aclk(aclk),
-          .d   ({g_operands[level-1].a_factor, g_operands[level-1].b_factor}),
-          .q   ({a_factor, b_factor})
+          .d   ({g_operands[level-1].a_factor, g_operands[level-1].b_factor,
+                 g_operands[level-1].digits}),
+          .q   ({a_factor, b_factor, kept})
         );
+
+        assign digits = (DIGIT_STAGE == 0) ? booth_digits(a_factor) : kept;
       end
     end
   endgenerate
@@ -81,14 +167,14 @@ module fp_logic_product #(
       if (level > 0) begin : g_later
         fp_rank #(
           .WIDTH     (1),
-          .REGISTERED(CUTS[level-1])
+          .REGISTERED(LEVEL_CUTS[level-1])
         ) rank (
           .aclk(aclk),
           .d   (g_owed[level-1].carry),
           .q   (carry)
         );
       end else if (CARRIES) begin : g_carry
-        assign carry = a[PRECISION-1] && !a[PRECISION-2];
+        assign carry = first_a[PRECISION-1] && !first_a[PRECISION-2];
       end else begin : g_no_carry
         assign carry = 1'b0;
       end
@@ -119,12 +205,15 @@ module fp_logic_product #(
             .PRECISION(PRECISION),
             .SQUARE   (SQUARE),
             .SIGNED   (SIGNED),
+            .CODE     (CODE),
             .ROW      (FIRST),
             .WIDTH    (LOW)
           ) product_row (
-            .a  (g_operands[0].a_factor),
-            .b  (g_operands[0].b_factor),
-            .row(low)
+            .a       (g_operands[0].a_factor),
+            .b       (g_operands[0].b_factor),
+            .digit   (g_operands[0].digits_and_none[3*FIRST+3+:3]),
+            .previous(g_operands[0].digits_and_none[3*FIRST+:3]),
+            .row     (low)
           );
         end else if (level < 3) begin : g_same
           assign low = g_sums[level-1].g_part[index].value;
@@ -143,12 +232,15 @@ module fp_logic_product #(
               .PRECISION(PRECISION),
               .SQUARE   (SQUARE),
               .SIGNED   (SIGNED),
+              .CODE     (CODE),
               .ROW      (UPPER),
               .WIDTH    (HIGH)
             ) product_row (
-              .a  (g_operands[level].a_factor),
-              .b  (g_operands[level].b_factor),
-              .row(high)
+              .a       (g_operands[level].a_factor),
+              .b       (g_operands[level].b_factor),
+              .digit   (g_operands[level].digits_and_none[3*UPPER+3+:3]),
+              .previous(g_operands[level].digits_and_none[3*UPPER+:3]),
+              .row     (high)
             );
           end else begin : g_halves
             assign high = g_sums[level-1].g_part[2*index+1].value;
@@ -169,14 +261,28 @@ module fp_logic_product #(
           assign sum = low;
         end
 
+        // The ones above the rows of a product leave 01 or 10 in a sum's first two places. So the
+        // first place needs no register, which would stand behind the end of a carry chain.
+        localparam KEPT = ((SQUARE == 0) && (UPPER < ROWS)) ? SUM - 1 : SUM;
+
+        wire [KEPT-1:0] kept;
+
         fp_rank #(
-          .WIDTH     (SUM),
-          .REGISTERED(CUTS[level])
+          .WIDTH     (KEPT),
+          .REGISTERED(LEVEL_CUTS[level])
         ) rank (
           .aclk(aclk),
-          .d   (sum),
-          .q   (value)
+          .d   (sum[KEPT-1:0]),
+          .q   (kept)
         );
+
+        if (KEPT < SUM) begin : g_inverse
+          wire unused_first_place = sum[SUM-1];
+
+          assign value = {!kept[KEPT-1], kept};
+        end else begin : g_all
+          assign value = kept;
+        end
       end
     end
   endgenerate

@@ -12,7 +12,10 @@ module fp_multiply_row #(
   parameter SIGNED    = 0,   // 1: b is in two's complement
   parameter LAST      = 0    // 1: of a signed factor's last digit
 ) (
-  input  wire [4:0]           digits,  // this one and, sharing a bit, the one before
+  input  wire                 single,    // the digit is 1 or -1
+  input  wire                 doubled,   // 2 or -2
+  input  wire                 negative,  // -1 or -2
+  input  wire                 owed,      // the digit before is negative
   input  wire [PRECISION-1:0] b,
   output wire [PRECISION+5:0] row
 );
@@ -25,22 +28,19 @@ module fp_multiply_row #(
   endgenerate
 
   wire [PRECISION:0] multiple;
-  wire               negative;
-  wire               unused_doubled;
 
   fp_booth_multiple #(
     .WIDTH (PRECISION),
     .SIGNED(SIGNED)
   ) booth_multiple (
-    .digit   (digits[4:2]),
+    .single  (single),
+    .doubled (doubled),
+    .negative(negative),
     .value   (b),
-    .multiple(multiple),
-    .doubled (unused_doubled),
-    .negative(negative)
+    .multiple(multiple)
   );
 
   wire       minus = (SIGNED != 0) ? multiple[PRECISION] : negative;
-  wire       owed  = digits[2] && !(digits[1] && digits[0]);
   wire [2:0] sign  = (FIRST != 0) ? {!minus, minus, minus} : {2'b01, !minus};
 
   wire       own   = (LAST != 0) && negative;

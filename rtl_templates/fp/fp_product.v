@@ -7,6 +7,7 @@ module fp_product #(
   parameter       PRECISION   = 24,
   parameter       SQUARE      = 0,     // 1: of a; b is not read
   parameter       EMBEDDED    = 1,     // 0: fp_logic_product instead of `*`
+  parameter       DIGIT_STAGE = 0,     // of fp_logic_product; 0 where PRECISION is above 63
   parameter       FACTOR_A    = 24,
   parameter       FACTOR_B    = 17,
   parameter       LEADING_ONE = 1,
@@ -77,9 +78,10 @@ module fp_product #(
       wire [PRECISION-1:0] b_significand = {b_leading, factor[PRECISION-2:0]};
 
       fp_logic_product #(
-        .PRECISION(PRECISION),
-        .SQUARE   (SQUARE),
-        .CUTS     (CUTS)
+        .PRECISION  (PRECISION),
+        .SQUARE     (SQUARE),
+        .DIGIT_STAGE((DIGIT_STAGE != 0) && (PRECISION < 64)),
+        .CUTS       (CUTS)
       ) logic_product (
         .aclk   (aclk),
         .a      (a_significand),

@@ -6,11 +6,14 @@ module fp_product_row #(
   parameter PRECISION = 24,
   parameter SQUARE    = 0,
   parameter SIGNED    = 0,
+  parameter CODE      = 0,              // of the digits: fp_booth_digit
   parameter ROW       = 0,
   parameter WIDTH     = PRECISION + 6
 ) (
   input  wire [PRECISION-1:0] a,
   input  wire [PRECISION-1:0] b,
+  input  wire [2:0]           digit,
+  input  wire [2:0]           previous,  // the digit of the row before, if there is one
   output wire [WIDTH-1:0]     row
 );
 
@@ -31,24 +34,51 @@ module fp_product_row #(
     end
   endgenerate
 
+  wire single;
+  wire doubled;
+  wire negative;
+
+  fp_booth_digit #(
+    .CODE(CODE)
+  ) booth_digit (
+    .digit   (digit),
+    .single  (single),
+    .doubled (doubled),
+    .negative(negative)
+  );
+
+  wire [1:0] unused_size;
+  wire       previous_negative;
+  wire       owed = (ROW > 0) && previous_negative;
+
+  fp_booth_digit #(
+    .CODE(CODE)
+  ) previous_digit (
+    .digit   (previous),
+    .single  (unused_size[0]),
+    .doubled (unused_size[1]),
+    .negative(previous_negative)
+  );
+
   generate
     if (SQUARE != 0) begin : g_square
       localparam PLACE = 2 * ROW + 1 + PRECISION % 2;
 
-      wire [PRECISION:0] extended = {(SIGNED != 0) && a[PRECISION-1], a};
-      wire               unused   = ^{extended, b};
+      wire unused = ^{a, b};
 
       fp_square_row #(
         .PLACE(PLACE),
         .LAST (LAST)
       ) square_row (
-        .a  (extended[PLACE+1:0]),
-        .row(row)
+        .single  (single),
+        .doubled (doubled),
+        .negative(negative),
+        .owed    (owed),
+        .a       (a[PLACE-1:0]),
+        .row     (row)
       );
     end else begin : g_multiply
-      wire                 sign     = (SIGNED != 0) && a[PRECISION-1];
-      wire [PRECISION+4:0] extended = {sign, sign, a, 3'b000};
-      wire                 unused   = ^extended;
+      wire unused = ^a;
 
       fp_multiply_row #(
         .PRECISION(PRECISION),
@@ -56,9 +86,12 @@ module fp_product_row #(
         .SIGNED   (SIGNED),
         .LAST     (LAST)
       ) multiply_row (
-        .digits(extended[2*ROW+4:2*ROW]),
-        .b     (b),
-        .row   (row)
+        .single  (single),
+        .doubled (doubled),
+        .negative(negative),
+        .owed    (owed),
+        .b       (b),
+        .row     (row)
       );
     end
   endgenerate

@@ -1,7 +1,7 @@
 // fp_square: a * a, rounded once to the result format.
 // Latency: the population count of CUTS (thirteen bits); initiation interval 1; no reset.
 // EMBEDDED = 0: the product is logic on any device; else it is of `*`, each of FACTOR_A by FACTOR_B
-// bits, for the device's multipliers.
+// bits, for the device's multipliers. DIGIT_STAGE: fp_logic_product.
 // Special values as IEEE 754.
 // SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md.
 `default_nettype none
@@ -17,6 +17,7 @@ module fp_square #(
   parameter        GRADUAL              = 0,
   parameter        TOWARD_ZERO          = 0,
   parameter        EMBEDDED             = 1,
+  parameter        DIGIT_STAGE          = 0,
   parameter        FACTOR_A             = 24,
   parameter        FACTOR_B             = 17,
   parameter [12:0] CUTS                 = 13'b0
@@ -114,12 +115,13 @@ module fp_square #(
   wire [PRODUCT-1:0] last_product;
 
   fp_product #(
-    .PRECISION(PRECISION),
-    .SQUARE   (1),
-    .EMBEDDED (EMBEDDED),
-    .FACTOR_A (FACTOR_A),
-    .FACTOR_B (FACTOR_B),
-    .CUTS     (CUTS[ROUND-1:2])
+    .PRECISION  (PRECISION),
+    .SQUARE     (1),
+    .EMBEDDED   (EMBEDDED),
+    .DIGIT_STAGE(DIGIT_STAGE),
+    .FACTOR_A   (FACTOR_A),
+    .FACTOR_B   (FACTOR_B),
+    .CUTS       (CUTS[ROUND-1:2])
   ) s2_product (
     .aclk   (aclk),
     .a      (s2_a_significand),

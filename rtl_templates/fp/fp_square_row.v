@@ -10,7 +10,11 @@ module fp_square_row #(
   parameter PLACE = 3,  // of the digit's middle bit; of the first row 1 or 2
   parameter LAST  = 0   // 1: of a signed number's last digit, which is not its first
 ) (
-  input  wire [PLACE+1:0] a,
+  input  wire             single,    // the digit is 1 or -1
+  input  wire             doubled,   // 2 or -2
+  input  wire             negative,  // -1 or -2
+  input  wire             owed,      // the digit before is negative
+  input  wire [PLACE-1:0] a,         // below the digit's middle bit
   output wire [PLACE+2:0] row
 );
 
@@ -29,17 +33,15 @@ module fp_square_row #(
 
   wire [PLACE:0] multiple;
   wire           unused_above = multiple[PLACE];
-  wire           doubled;
-  wire           negative;
 
   fp_booth_multiple #(
     .WIDTH(PLACE)
   ) booth_multiple (
-    .digit   (a[PLACE+1:PLACE-1]),
-    .value   (a[PLACE-1:0] ^ SIGN),
-    .multiple(multiple),
+    .single  (single),
     .doubled (doubled),
-    .negative(negative)
+    .negative(negative),
+    .value   (a ^ SIGN),
+    .multiple(multiple)
   );
 
   wire own = (LAST != 0) && negative;
@@ -49,15 +51,15 @@ module fp_square_row #(
 
   generate
     if (PLACE == 1) begin : g_one_bit
-      wire unused_own = own;
+      wire unused_owed = own ^ owed;
 
       assign below = {1'b0, a[0]};
     end else if (PLACE == 2) begin : g_two_bits
-      wire unused_own = own;
+      wire unused_owed = own ^ owed;
 
       assign below = {a[1] && !a[0], 1'b0};  // and a[0] one place down
     end else begin : g_digits
-      assign below = {own, own || (a[PLACE-1] && !(a[PLACE-2] && a[PLACE-3]))};
+      assign below = {own, own || owed};
     end
   endgenerate
 

@@ -4,7 +4,7 @@
 // The rounded sum is squared as it leaves the adder, with leading zeros where its operands cancel,
 // and without its sign. So only the square is normalised, and in the same step it moves down if it
 // is subnormal.
-// EMBEDDED, FACTOR_A, FACTOR_B: as in fp_square. Special values as IEEE 754.
+// EMBEDDED, DIGIT_STAGE, FACTOR_A, FACTOR_B: as in fp_square. Special values as IEEE 754.
 `default_nettype none
 
 module fp_squared_sum #(
@@ -13,6 +13,7 @@ module fp_squared_sum #(
   parameter        SUBTRACT      = 0,
   parameter        GRADUAL       = 0,
   parameter        EMBEDDED      = 1,
+  parameter        DIGIT_STAGE   = 0,
   parameter        FACTOR_A      = 24,
   parameter        FACTOR_B      = 17,
   parameter [18:0] CUTS          = 19'b0
@@ -49,8 +50,8 @@ module fp_squared_sum #(
   localparam KEPT    = PRECISION + 3;
 
   // Shifts are counted in steps of two places: a leading zero of the sum makes two of its square,
-  // and a subnormal square is an even number of places from where its exponent is 1. MARGIN steps in
-  // front of the product let it move down until nothing of it is kept.
+  // and a subnormal square is an even number of places from where its exponent is 1. MARGIN steps
+  // in front of the product let it move down until nothing of it is kept.
   localparam MARGIN     = (GRADUAL != 0) ? (KEPT + 1) / 2 : 0;
   localparam PLACES     = 2 * MARGIN + PRODUCT;
   localparam COUNT_BITS = bits_for(PRECISION);
@@ -194,6 +195,7 @@ module fp_squared_sum #(
     .PRECISION  (PRECISION),
     .SQUARE     (1),
     .EMBEDDED   (EMBEDDED),
+    .DIGIT_STAGE(DIGIT_STAGE),
     .FACTOR_A   (FACTOR_A),
     .FACTOR_B   (FACTOR_B),
     .LEADING_ONE(0),

@@ -1,12 +1,12 @@
 // products: fp_product at many precisions, for the regression alone. Of each precision a product and
-// a square, of logic and of multipliers whose sizes differ from precision to precision, with two
-// masks of cuts that complement each other; the slots are {precision, EMBEDDED, SQUARE,
-// complemented}, the precisions counting slowest. Of multipliers there are fewer precisions: many
+// a square, of logic, of logic with a stage for the digits, and of multipliers whose sizes differ from
+// precision to precision, with two masks of cuts that complement each other; the slots are
+// {precision, kind, SQUARE, complemented}, the precisions counting slowest, three kinds each. Of multipliers there are fewer precisions: many
 // small ones compile slowly. products_test.cpp repeats which are built and with which masks.
 `default_nettype none
 
 module products #(
-    parameter SLOTS = 912,
+    parameter SLOTS = 1368,
     parameter WIDEST = 113
 ) (
     input wire              aclk,
@@ -18,7 +18,7 @@ module products #(
   wire [255:0] y[0:SLOTS-1]  /* verilator public_flat_rd */;
 
   genvar precision;
-  genvar embedded;
+  genvar kind;
   genvar square;
   genvar complemented;
 
@@ -36,23 +36,24 @@ module products #(
         localparam FACTOR_B = (precision <= 12) ? 2 + precision % 4
                                                 : (precision % 2 == 0) ? 18 : 17;
         localparam KINDS = (precision <= 12 || precision == 17 || precision == 24 || precision == 34
-                            || precision == 53 || precision == 64 || precision == WIDEST) ? 2 : 1;
+                            || precision == 53 || precision == 64 || precision == WIDEST) ? 3 : 2;
 
-        for (embedded = 0; embedded < KINDS; embedded = embedded + 1) begin : made
+        for (kind = 0; kind < KINDS; kind = kind + 1) begin : made
           for (square = 0; square < 2; square = square + 1) begin : of
             for (complemented = 0; complemented < 2; complemented = complemented + 1) begin : with_cuts
-              localparam       SLOT = 8 * precision + 4 * embedded + 2 * square + complemented;
-              localparam [6:0] MASK = 37 * precision + 53 * square + 11 * embedded;
+              localparam       SLOT = 12 * precision + 4 * kind + 2 * square + complemented;
+              localparam [6:0] MASK = 37 * precision + 53 * square + 11 * kind;
 
               wire [2*precision-1:0] product;
 
               fp_product #(
-                  .PRECISION(precision),
-                  .SQUARE   (square),
-                  .EMBEDDED (embedded),
-                  .FACTOR_A (FACTOR_A),
-                  .FACTOR_B (FACTOR_B),
-                  .CUTS     (complemented ? ~MASK : MASK)
+                  .PRECISION  (precision),
+                  .SQUARE     (square),
+                  .EMBEDDED   (kind == 2),
+                  .DIGIT_STAGE(kind == 1),
+                  .FACTOR_A   (FACTOR_A),
+                  .FACTOR_B   (FACTOR_B),
+                  .CUTS       (complemented ? ~MASK : MASK)
               ) unit (
                   .aclk   (aclk),
                   .a      (x0),

@@ -28,18 +28,24 @@ struct Factors {
 /// Four words, the lowest first.
 using Wide = std::array<uint64_t, 4>;
 
+/// What a product is made of.
+enum class Kind { logic, logic_behind_digits, embedded };
+
 struct Slot {
   int precision;
-  bool embedded;
+  Kind kind;
   bool square;
   bool complemented;
 
   unsigned cuts() const {
-    const auto mask = static_cast<unsigned>(37 * precision + 53 * square + 11 * embedded);
+    const auto mask =
+        static_cast<unsigned>(37 * precision + 53 * square + 11 * static_cast<int>(kind));
     return (complemented ? ~mask : mask) & 127;
   }
   int latency_cycles() const { return std::popcount(cuts()); }
-  int index() const { return 8 * precision + 4 * embedded + 2 * square + complemented; }
+  int index() const {
+    return 12 * precision + 4 * static_cast<int>(kind) + 2 * square + complemented;
+  }
 };
 
 bool is_built(int precision) {
@@ -98,8 +104,9 @@ protected:
 
 private:
   void judge(int precision) {
-    for (int variant = 0; variant < (has_multipliers(precision) ? 8 : 4); ++variant) {
-      const Slot slot = {precision, (variant & 4) != 0, (variant & 2) != 0, (variant & 1) != 0};
+    for (int variant = 0; variant < (has_multipliers(precision) ? 12 : 8); ++variant) {
+      const Slot slot = {precision, static_cast<Kind>(variant / 4), (variant & 2) != 0,
+                         (variant & 1) != 0};
       if (history_.size() > static_cast<std::size_t>(slot.latency_cycles())) judge(slot);
     }
   }
@@ -110,9 +117,9 @@ private:
     const Bits b = significand(slot.precision, slot.square ? then.a : then.b);
     const Wide expected = multiplied(a, b);
     ASSERT_EQ(hex(read(slot.index())), hex(expected))
-        << "PRECISION=" << slot.precision << " EMBEDDED=" << slot.embedded
-        << " SQUARE=" << slot.square << " CUTS=" << slot.cuts() << " a=" << hex(wide(a))
-        << " b=" << hex(wide(b));
+        << "PRECISION=" << slot.precision << " EMBEDDED=" << (slot.kind == Kind::embedded)
+        << " DIGIT_STAGE=" << (slot.kind == Kind::logic_behind_digits) << " SQUARE=" << slot.square
+        << " CUTS=" << slot.cuts() << " a=" << hex(wide(a)) << " b=" << hex(wide(b));
   }
 
   Wide read(int index) const {

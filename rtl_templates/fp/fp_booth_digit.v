@@ -1,0 +1,36 @@
+// fp_booth_digit: what a digit of a factor makes of the other factor.
+// Combinational. A digit of Booth's, -2 to 2, is three bits {h, m, l} of the factor, m + l - 2h. One
+// of the digits -1 to 2 is that number plus one.
+`default_nettype none
+
+module fp_booth_digit #(
+  parameter CODE = 0  // of `digit`. 0: Booth's; 1: {negative, doubled, single}; 2: a digit plus one
+) (
+  input  wire [2:0] digit,
+  output wire       single,   // the digit is 1 or -1
+  output wire       doubled,  // 2 or -2
+  output wire       negative  // -1 or -2
+);
+
+  // A parameter that does not fit: an instance of a module that does not exist.
+  generate
+    if (CODE == 0) begin : g_booth
+      assign single   = digit[1] ^ digit[0];
+      assign doubled  = !single && (digit[2] ^ digit[1]);
+      assign negative = digit[2] && !(digit[1] && digit[0]);
+    end else if (CODE == 1) begin : g_decoded
+      assign {negative, doubled, single} = digit;
+    end else if (CODE == 2) begin : g_plus_one
+      wire unused_bit = digit[2];
+
+      assign single   = !digit[0];
+      assign doubled  = digit[1] && digit[0];
+      assign negative = !digit[1] && !digit[0];
+    end else begin : g_refused_code
+      CODE_is_not_0_to_2 refused ();
+    end
+  endgenerate
+
+endmodule
+
+`default_nettype wire
