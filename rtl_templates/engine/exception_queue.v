@@ -56,7 +56,10 @@ module exception_queue #(
     .m_axis_tdata (m_axis_tdata)
   );
 
+  // A beat that leaves is counted one cycle later: whether it leaves is known late in a cycle, and a
+  // place that is counted as taken for too long does no harm.
   reg [DEPTH_BITS+1:0] queued_q;
+  reg                  popped_q;
   reg                  room_q;
 
   assign room = room_q;
@@ -64,12 +67,14 @@ module exception_queue #(
   always @(posedge aclk) begin
     if (!aresetn) begin
       queued_q <= NONE;
+      popped_q <= 1'b0;
       room_q   <= 1'b1;
     end else begin
-      if (push && !pop) begin
+      popped_q <= pop;
+      if (push && !popped_q) begin
         queued_q <= queued_q + ONE;
       end
-      if (pop && !push) begin
+      if (popped_q && !push) begin
         queued_q <= queued_q - ONE;
       end
       room_q <= (queued_q <= MOST) || on_offer;

@@ -15,6 +15,7 @@ module item_loader #(
   input  wire                  write_ready,  // the memory's port is free
   output wire                  kept,         // an item is taken in this cycle and belongs to the set
   output wire [INDEX_BITS-1:0] kept_index,
+  output wire                  place_free,   // no item of the set is stored at kept_index
   output wire                  ended,        // the set's last item is taken in this cycle
   input  wire                  set_closed,
   output wire                  busy,
@@ -49,6 +50,7 @@ module item_loader #(
   assign s_axis_tready = !complete_q && write_ready;
   assign kept          = accept && !full;
   assign kept_index    = kept_q[INDEX_BITS-1:0];
+  assign place_free    = !full;
   assign ended         = accept && s_axis_tlast;
   assign busy          = (kept_q != {(INDEX_BITS+1){1'b0}});
   assign overrun       = overrun_q;

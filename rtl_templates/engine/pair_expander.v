@@ -1,11 +1,13 @@
 // pair_expander: turns the beats of segments into pairs, one a cycle: first those of a beat that are
 // reported, to m_report, then the undecided ones, to m_pair.
 // A beat is {codes, index j, index base}, as pair_segment makes it; lane k's code is about the pair
-// (base + k, j). BITMAP = 1: all reported pairs of a beat leave together, as {flags, j, base}, one
-// flag a lane; else as {1, j, i}. RECOMPUTE = 0: undecided pairs leave as reports, too, one by one,
-// with the flag `undecided`.
-// The beat with tlast leaves on both streams; its tag goes with the report. Interval 1 for each
-// pair, latency 1. Reset empties it.
+// (base + k, j). A pair leaves as the tag {j, base} and the lane k: the adder that makes i of them
+// stands behind the next register, since choosing the lane takes most of a cycle. BITMAP = 1: all
+// reported pairs of a beat leave together, as {flags, j, base} of lane 0, one flag a lane.
+// RECOMPUTE = 0: undecided pairs leave as reports, too, one by one, with the flag `undecided`.
+// REPORT = 0: no code may say that a pair is reported.
+// The beat with tlast leaves on both streams, for lane 0. Interval 1 for each pair, latency 1.
+// Reset empties it.
 `default_nettype none
 
 module pair_expander #(
@@ -25,6 +27,7 @@ module pair_expander #(
   output wire                                    m_report_tvalid,
   input  wire                                    m_report_tready,
   output wire [2*INDEX_BITS-1:0]                 m_report_tag,
+  output wire [INDEX_BITS-1:0]                   m_report_lane,
   output wire [(BITMAP != 0 ? LANES : 1)-1:0]    m_report_flags,
   output wire [1:0]                              m_report_verdict,
   output wire                                    m_report_undecided,
@@ -32,6 +35,7 @@ module pair_expander #(
   output wire                                    m_pair_tvalid,
   input  wire                                    m_pair_tready,
   output wire [2*INDEX_BITS-1:0]                 m_pair_tag,
+  output wire [INDEX_BITS-1:0]                   m_pair_lane,
   output wire                                    m_pair_tlast
 );
 
@@ -70,25 +74,30 @@ module pair_expander #(
   wire [LANES-1:0]           reported;
   wire [LANES-1:0]           undecided;
   wire                       reports = (reported != {LANES{1'b0}});
-  wire [LANES-1:0]           waiting = reports ? reported : undecided;
 
-  // The lowest of those that wait.
-  reg  [LANES-1:0]      lowest;
-  reg  [INDEX_BITS-1:0] lane;
-  reg  [1:0]            verdict;
+  // The lowest lane of either kind; which kind leaves is known by the time that both are.
+  reg  [INDEX_BITS-1:0] lane_reported;
+  reg  [INDEX_BITS-1:0] lane_undecided;
   integer               l;
 
   always @* begin
-    lowest = {LANES{1'b0}};
-    lane   = {INDEX_BITS{1'b0}};
+    lane_reported  = {INDEX_BITS{1'b0}};
+    lane_undecided = {INDEX_BITS{1'b0}};
     for (l = LANES - 1; l >= 0; l = l - 1) begin
-      if (waiting[l]) begin
-        lowest    = {LANES{1'b0}};
-        lowest[l] = 1'b1;
-        lane      = l[INDEX_BITS-1:0];
+      if (reported[l]) begin
+        lane_reported = l[INDEX_BITS-1:0];
+      end
+      if (undecided[l]) begin
+        lane_undecided = l[INDEX_BITS-1:0];
       end
     end
   end
+
+  localparam [LANES-1:0] ONE_LANE = 1;
+  wire [LANES-1:0]      waiting = reports ? reported : undecided;
+  wire [LANES-1:0]      lowest  = waiting & (~waiting + ONE_LANE);
+  wire [INDEX_BITS-1:0] lane    = reports ? lane_reported : lane_undecided;
+  reg  [1:0]            verdict;
 
   wire [LANES-1:0]      leaving = (reports && (BITMAP != 0)) ? reported : lowest;
   wire                  is_report = reports || (RECOMPUTE == 0);
@@ -96,7 +105,7 @@ module pair_expander #(
   wire                  final_one = ((reported | undecided) == leaving);
   wire                  last_left = (report_sent_q || m_report_tready) &&
                                     (pair_sent_q || m_pair_tready);
-  wire [INDEX_BITS-1:0] index_i = (reports && (BITMAP != 0)) ? base_q : base_q + lane;
+  wire                  together = reports && (BITMAP != 0);
 
   assign s_axis_tready = !valid_q || (last_q ? last_left : (left && final_one));
 
@@ -105,7 +114,7 @@ module pair_expander #(
     for (k = 0; k < LANES; k = k + 1) begin : g_lane
       wire [CODE_BITS-1:0] code = codes_q[k*CODE_BITS +: CODE_BITS];
 
-      assign reported[k]  = code[CODE_BITS-1];
+      assign reported[k]  = code[CODE_BITS-1] && (REPORT != 0);
       assign undecided[k] = !code[CODE_BITS-1] && code[0];
     end
   endgenerate
@@ -162,12 +171,14 @@ module pair_expander #(
 
   assign m_report_tvalid    = valid_q && (last_q ? !report_sent_q : is_report);
   assign m_report_tlast     = last_q;
-  assign m_report_tag       = {index_j_q, last_q ? base_q : index_i};
+  assign m_report_tag       = {index_j_q, base_q};
+  assign m_report_lane      = (last_q || together) ? {INDEX_BITS{1'b0}} : lane;
   assign m_report_verdict   = reports ? verdict : 2'b00;
   assign m_report_undecided = !reports;
   assign m_pair_tvalid      = valid_q && (last_q ? !pair_sent_q : !is_report);
   assign m_pair_tlast       = last_q;
-  assign m_pair_tag         = {index_j_q, index_i};
+  assign m_pair_tag         = {index_j_q, base_q};
+  assign m_pair_lane        = last_q ? {INDEX_BITS{1'b0}} : lane_undecided;
 
   generate
     if (BITMAP != 0) begin : g_flags

@@ -63,23 +63,26 @@ module pair_walker #(
   // What is stored: targets first, if there are any.
   reg  [INDEX_BITS:0] stored_q;
   reg  [INDEX_BITS:0] targets_q;
+  reg                 has_targets_q;  // targets_q is not zero
   reg                 others_q;    // a word that is no target has come
   reg                 complete_q;
   wire                is_target = stored_target && !others_q;
 
   always @(posedge aclk) begin
     if (restart) begin
-      stored_q   <= ZERO;
-      targets_q  <= ZERO;
-      others_q   <= 1'b0;
-      complete_q <= 1'b0;
+      stored_q      <= ZERO;
+      targets_q     <= ZERO;
+      has_targets_q <= 1'b0;
+      others_q      <= 1'b0;
+      complete_q    <= 1'b0;
     end else begin
       if (stored) begin
         stored_q <= stored_q + ONE;
         others_q <= !is_target;
       end
       if (stored && is_target) begin
-        targets_q <= targets_q + ONE;
+        targets_q     <= targets_q + ONE;
+        has_targets_q <= 1'b1;
       end
       if (ended) begin
         complete_q <= 1'b1;
@@ -90,23 +93,22 @@ module pair_walker #(
   // The walk. While more words may come, the last that fits could be the set's last or not: it
   // waits, and so does a set that has only targets so far.
   reg  [INDEX_BITS:0] next_q;       // the word to be read
+  reg  [INDEX_BITS:0] following_q;  // next_q + 1: no adder in front of the comparisons
   reg                 first_q;      // it starts a block
   reg                 targets_done_q;  // of this block
   reg  [INDEX_BITS:0] next_base_q;  // the word that starts the next block
   reg                 walked_q;     // every block was read
   reg                 closed_q;     // and the word behind them was sent
 
-  wire                has_targets  = (targets_q != ZERO);
-  wire                in_targets   = has_targets && !targets_done_q;
-  wire [INDEX_BITS:0] following    = next_q + ONE;
+  wire                in_targets   = has_targets_q && !targets_done_q;
   wire                last_target  =
-      in_targets && ((following == next_base_q) || (following == targets_q));
-  wire                last         = complete_q && (following == stored_q) && !in_targets;
-  wire [INDEX_BITS:0] least_block  = has_targets ? next_base_q : next_base_q + ONE;
-  wire                more         = (least_block < (has_targets ? targets_q : stored_q));
-  wire                known        = complete_q || (following != FULL);
-  wire                settled      = has_targets ? others_q : known;
-  wire                no_others    = complete_q && has_targets && !others_q;
+      in_targets && ((following_q == next_base_q) || (following_q == targets_q));
+  wire                last         = complete_q && (following_q == stored_q) && !in_targets;
+  wire [INDEX_BITS:0] least_block  = has_targets_q ? next_base_q : next_base_q + ONE;
+  wire                more         = (least_block < (has_targets_q ? targets_q : stored_q));
+  wire                known        = complete_q || (following_q != FULL);
+  wire                settled      = has_targets_q ? others_q : known;
+  wire                no_others    = complete_q && has_targets_q && !others_q;
   wire                no_words     = complete_q && (stored_q == ZERO);
   wire                available    = (next_q != stored_q) && settled && known && !walked_q;
   wire                room;
@@ -116,6 +118,7 @@ module pair_walker #(
   always @(posedge aclk) begin
     if (restart) begin
       next_q         <= ZERO;
+      following_q    <= ONE;
       first_q        <= 1'b1;
       targets_done_q <= 1'b0;
       next_base_q    <= STEP;
@@ -123,15 +126,18 @@ module pair_walker #(
       closed_q       <= 1'b0;
     end else begin
       if (read) begin
-        next_q         <= following;
+        next_q         <= following_q;
+        following_q    <= following_q + ONE;
         first_q        <= last;
         targets_done_q <= !last && (targets_done_q || last_target);
       end
       if (read && last_target) begin
-        next_q <= targets_q;
+        next_q      <= targets_q;
+        following_q <= targets_q + ONE;
       end
       if (read && last) begin
         next_q      <= next_base_q;
+        following_q <= next_base_q + ONE;
         next_base_q <= next_base_q + STEP;
       end
       if ((read && last && !more) || no_others || no_words) begin
@@ -165,7 +171,7 @@ module pair_walker #(
     if (room) begin
       m_close_q <= walked_q;
       m_first_q <= first_q;
-      m_stays_q <= !has_targets || in_targets;
+      m_stays_q <= !has_targets_q || in_targets;
       m_meets_q <= !in_targets;
       m_index_q <= next_q[INDEX_BITS-1:0];
     end

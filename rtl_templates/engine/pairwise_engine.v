@@ -68,7 +68,9 @@ module pairwise_engine #(
 
   localparam TAG_BITS     = 2 * INDEX_BITS;
   localparam ENTRY_BITS   = TAG_BITS + LANES_PER_SEGMENT * CODE_BITS;
+  localparam PAIR_BITS    = TAG_BITS + INDEX_BITS;  // {lane, index j, index base}
   localparam RECOMPUTE    = (REFERENCES > 0) ? 1 : 0;
+  localparam IN_CODES     = (COUNT != 0) ? 0 : REPORT;  // verdicts that the segments' codes tell
   localparam FLAG_BITS    = (BITMAP != 0) ? LANES_PER_SEGMENT : 1;
   localparam REPORT_BITS  = FLAG_BITS + 4 + TAG_BITS;
   localparam OUTPUT_FLAGS = (BITMAP != 0) ? LANES_PER_SEGMENT : 0;
@@ -99,6 +101,7 @@ module pairwise_engine #(
   // The set: counted as it comes, words written WORD_LATENCY cycles later.
   wire                  kept;
   wire [INDEX_BITS-1:0] kept_index;
+  wire                  place_free;
   wire                  ended;
   wire                  set_closed;
   wire                  busy;
@@ -117,6 +120,7 @@ module pairwise_engine #(
     .write_ready  (!fetch_enable),
     .kept         (kept),
     .kept_index   (kept_index),
+    .place_free   (place_free),
     .ended        (ended),
     .set_closed   (set_closed),
     .busy         (busy),
@@ -209,7 +213,7 @@ module pairwise_engine #(
   wire [STREAMS-1:0]             report_last;
   wire [STREAMS-1:0]             undecided_valid;
   wire [STREAMS-1:0]             undecided_ready;
-  wire [STREAMS*TAG_BITS-1:0]    undecided_tag;
+  wire [STREAMS*PAIR_BITS-1:0]   undecided_pair;
   wire [STREAMS-1:0]             undecided_last;
 
   genvar s;
@@ -227,9 +231,15 @@ module pairwise_engine #(
       wire [ENTRY_BITS-1:0] entry;
       wire                  entry_last;
       wire [TAG_BITS-1:0]   tag;
+      wire [INDEX_BITS-1:0] lane;
+      wire [TAG_BITS-1:0]   undecided_tag;
+      wire [INDEX_BITS-1:0] undecided_lane;
       wire [FLAG_BITS-1:0]  flags;
       wire [1:0]            verdict;
       wire                  undecided;
+      wire                  told_valid;
+      wire                  told_ready;
+      wire                  told_last;
 
       closing_tree #(
         .INPUTS    (INPUTS),
@@ -266,7 +276,7 @@ module pairwise_engine #(
       pair_expander #(
         .LANES     (LANES_PER_SEGMENT),
         .INDEX_BITS(INDEX_BITS),
-        .REPORT    (REPORT),
+        .REPORT    (IN_CODES),
         .CODE_BITS (CODE_BITS),
         .BITMAP    (BITMAP),
         .RECOMPUTE (RECOMPUTE)
@@ -277,20 +287,46 @@ module pairwise_engine #(
         .s_axis_tready     (entry_ready),
         .s_axis_tdata      (entry),
         .s_axis_tlast      (entry_last),
-        .m_report_tvalid   (report_valid[s]),
-        .m_report_tready   (report_ready[s]),
+        .m_report_tvalid   (told_valid),
+        .m_report_tready   (told_ready),
         .m_report_tag      (tag),
+        .m_report_lane     (lane),
         .m_report_flags    (flags),
         .m_report_verdict  (verdict),
         .m_report_undecided(undecided),
-        .m_report_tlast    (report_last[s]),
+        .m_report_tlast    (told_last),
         .m_pair_tvalid     (undecided_valid[s]),
         .m_pair_tready     (undecided_ready[s]),
-        .m_pair_tag        (undecided_tag[s*TAG_BITS +: TAG_BITS]),
+        .m_pair_tag        (undecided_tag),
+        .m_pair_lane       (undecided_lane),
         .m_pair_tlast      (undecided_last[s])
       );
 
-      assign report_data[s*REPORT_BITS +: REPORT_BITS] = {flags, undecided, 1'b0, verdict, tag};
+      assign undecided_pair[s*PAIR_BITS +: PAIR_BITS] = {undecided_lane, undecided_tag};
+
+      // Whether a verdict is there decides nothing at the expander in the same cycle, and index i is
+      // added up behind the queue, since the expander takes most of a cycle.
+      wire [FLAG_BITS+3:0]  report_kind;
+      wire [INDEX_BITS-1:0] report_lane;
+      wire [INDEX_BITS-1:0] report_j;
+      wire [INDEX_BITS-1:0] report_base;
+      wire [INDEX_BITS-1:0] report_i = report_base + report_lane;
+
+      stream_fifo #(
+        .WIDTH     (1 + FLAG_BITS + 4 + PAIR_BITS),
+        .DEPTH_BITS(1)
+      ) told (
+        .aclk         (aclk),
+        .aresetn      (aresetn),
+        .s_axis_tvalid(told_valid),
+        .s_axis_tready(told_ready),
+        .s_axis_tdata ({told_last, flags, undecided, 1'b0, verdict, lane, tag}),
+        .m_axis_tvalid(report_valid[s]),
+        .m_axis_tready(report_ready[s]),
+        .m_axis_tdata ({report_last[s], report_kind, report_lane, report_j, report_base})
+      );
+
+      assign report_data[s*REPORT_BITS +: REPORT_BITS] = {report_kind, report_j, report_i};
     end
   endgenerate
 
@@ -303,8 +339,8 @@ module pairwise_engine #(
 
   generate
     if (REFERENCES == 0) begin : g_no_references
-      wire unused_inputs = &{undecided_valid, undecided_tag, undecided_last, m_request_tready,
-                             s_answer_valid, s_answer_tdata, s_axis_tdata};
+      wire unused_inputs = &{undecided_valid, undecided_pair, undecided_last, m_request_tready,
+                             s_answer_valid, s_answer_tdata, s_axis_tdata, place_free};
 
       assign undecided_ready  = {STREAMS{1'b1}};
       assign m_request_tvalid = 1'b0;
@@ -321,7 +357,10 @@ module pairwise_engine #(
 
       wire                 pair_valid;
       wire                 pair_ready;
-      wire [TAG_BITS-1:0]  pair_tag;
+      wire [INDEX_BITS-1:0] pair_lane;
+      wire [INDEX_BITS-1:0] pair_j;
+      wire [INDEX_BITS-1:0] pair_base;
+      wire [INDEX_BITS-1:0] pair_i = pair_base + pair_lane;
       wire                 pair_last;
       wire                 verdict_valid;
       wire                 verdict_ready;
@@ -332,12 +371,14 @@ module pairwise_engine #(
       wire [REPORT_BITS-1:0] verdict_data =
           {ONE_FLAG, 2'b01, verdict[1:0], verdict[2 +: TAG_BITS]};
 
+      // A place that no item has taken is written in every cycle that reads none, whatever is
+      // offered: the item that takes it comes last. So the memory does not wait for s_axis_tready.
       item_memory #(
         .WIDTH       (ITEM_BITS),
         .ADDRESS_BITS(INDEX_BITS)
       ) items (
         .aclk        (aclk),
-        .i_enable    (fetch_enable || kept),
+        .i_enable    (fetch_enable || place_free),
         .i_write     (!fetch_enable),
         .i_address   (fetch_enable ? fetch_addresses[INDEX_BITS-1:0] : kept_index),
         .i_write_data(s_axis_tdata),
@@ -349,17 +390,17 @@ module pairwise_engine #(
 
       closing_tree #(
         .INPUTS(STREAMS),
-        .WIDTH (TAG_BITS)
+        .WIDTH (PAIR_BITS)
       ) merge_undecided (
         .aclk         (aclk),
         .aresetn      (aresetn),
         .s_axis_tvalid(undecided_valid),
         .s_axis_tready(undecided_ready),
-        .s_axis_tdata (undecided_tag),
+        .s_axis_tdata (undecided_pair),
         .s_axis_tlast (undecided_last),
         .m_axis_tvalid(pair_valid),
         .m_axis_tready(pair_ready),
-        .m_axis_tdata (pair_tag),
+        .m_axis_tdata ({pair_lane, pair_j, pair_base}),
         .m_axis_tlast (pair_last)
       );
 
@@ -375,7 +416,7 @@ module pairwise_engine #(
         .aresetn         (aresetn),
         .s_pair_tvalid   (pair_valid),
         .s_pair_tready   (pair_ready),
-        .s_pair_tag      (pair_tag),
+        .s_pair_tag      ({pair_j, pair_i}),
         .s_pair_tlast    (pair_last),
         .memory_enable   (fetch_enable),
         .memory_addresses(fetch_addresses),
@@ -393,26 +434,6 @@ module pairwise_engine #(
         .answered        (recomputed)
       );
 
-      // Whether a verdict is there decides nothing at the expander in the same cycle.
-      wire                   decided_valid;
-      wire                   decided_ready;
-      wire [REPORT_BITS-1:0] decided_data;
-      wire                   decided_last;
-
-      stream_fifo #(
-        .WIDTH     (REPORT_BITS + 1),
-        .DEPTH_BITS(1)
-      ) decided (
-        .aclk         (aclk),
-        .aresetn      (aresetn),
-        .s_axis_tvalid(report_valid[0]),
-        .s_axis_tready(report_ready[0]),
-        .s_axis_tdata ({report_last[0], report_data[REPORT_BITS-1:0]}),
-        .m_axis_tvalid(decided_valid),
-        .m_axis_tready(decided_ready),
-        .m_axis_tdata ({decided_last, decided_data})
-      );
-
       closing_tree #(
         .INPUTS    (2),
         .WIDTH     (REPORT_BITS),
@@ -420,10 +441,10 @@ module pairwise_engine #(
       ) merge_verdicts (
         .aclk         (aclk),
         .aresetn      (aresetn),
-        .s_axis_tvalid({verdict_valid, decided_valid}),
-        .s_axis_tready({verdict_ready, decided_ready}),
-        .s_axis_tdata ({verdict_data, decided_data}),
-        .s_axis_tlast ({verdict_last, decided_last}),
+        .s_axis_tvalid({verdict_valid, report_valid[0]}),
+        .s_axis_tready({verdict_ready, report_ready[0]}),
+        .s_axis_tdata ({verdict_data, report_data[REPORT_BITS-1:0]}),
+        .s_axis_tlast ({verdict_last, report_last[0]}),
         .m_axis_tvalid(first_valid),
         .m_axis_tready(first_ready),
         .m_axis_tdata (first_data),

@@ -1,6 +1,6 @@
 // expander_proof: of every beat each pair leaves pair_expander once, on the stream where it belongs and
 // with its verdict, reported ones first; the closing beat leaves once on both streams. A beat tells of
-// at least one pair, as those of pair_segment do. Lanes are told apart by index i - base.
+// at least one pair, as those of pair_segment do.
 `default_nettype none
 
 module expander_proof #(
@@ -27,14 +27,16 @@ module expander_proof #(
 
   wire                 s_ready;
   wire                 report_valid;
-  wire [1:0]           report_i;
+  wire [1:0]           report_base;
+  wire [1:0]           report_lane;
   wire [1:0]           report_j;
   wire [FLAG_BITS-1:0] report_flags;
   wire [1:0]           report_verdict;
   wire                 report_undecided;
   wire                 report_last;
   wire                 pair_valid;
-  wire [1:0]           pair_i;
+  wire [1:0]           pair_base;
+  wire [1:0]           pair_lane;
   wire [1:0]           pair_j;
   wire                 pair_last;
 
@@ -57,14 +59,16 @@ module expander_proof #(
     .s_axis_tlast      (s_last),
     .m_report_tvalid   (report_valid),
     .m_report_tready   (report_ready),
-    .m_report_tag      ({report_j, report_i}),
+    .m_report_tag      ({report_j, report_base}),
+    .m_report_lane     (report_lane),
     .m_report_flags    (report_flags),
     .m_report_verdict  (report_verdict),
     .m_report_undecided(report_undecided),
     .m_report_tlast    (report_last),
     .m_pair_tvalid     (pair_valid),
     .m_pair_tready     (pair_ready),
-    .m_pair_tag        ({pair_j, pair_i}),
+    .m_pair_tag        ({pair_j, pair_base}),
+    .m_pair_lane       (pair_lane),
     .m_pair_tlast      (pair_last)
   );
 
@@ -77,15 +81,13 @@ module expander_proof #(
   reg  [1:0]         index;
   reg  [1:0]         base;
   reg                held_report  = 1'b0;
-  reg  [FLAG_BITS+7:0] held_report_beat;
+  reg  [FLAG_BITS+9:0] held_report_beat;
   reg                held_pair    = 1'b0;
-  reg  [4:0]         held_pair_beat;
+  reg  [6:0]         held_pair_beat;
 
   wire               take    = s_valid && s_ready;
   wire               reports = report_valid && report_ready;
   wire               pairs   = pair_valid && pair_ready;
-  wire [1:0]         report_lane = report_i - base;
-  wire [1:0]         pair_lane   = pair_i - base;
   wire [LANES-1:0]   report_only = 1'b1 << report_lane;
   wire [LANES-1:0]   pair_only   = 1'b1 << pair_lane;
   wire               together    = (BITMAP != 0) && !report_undecided;
@@ -97,9 +99,10 @@ module expander_proof #(
   always @(posedge aclk) begin
     started          <= 1'b1;
     held_report      <= aresetn && report_valid && !report_ready;
-    held_report_beat <= {report_flags, report_undecided, report_last, report_verdict, report_j, report_i};
+    held_report_beat <= {report_flags, report_undecided, report_last, report_verdict, report_j, report_base,
+                         report_lane};
     held_pair        <= aresetn && pair_valid && !pair_ready;
-    held_pair_beat   <= {pair_last, pair_j, pair_i};
+    held_pair_beat   <= {pair_last, pair_j, pair_base, pair_lane};
     if (!aresetn) begin
       reported     <= {LANES{1'b0}};
       undecided    <= {LANES{1'b0}};
@@ -153,8 +156,10 @@ module expander_proof #(
       each_on_its_stream: assert((RECOMPUTE != 0) || !pair_valid || pair_last);
       undecided_told_apart: assert(!report_valid || report_last || !report_undecided || (RECOMPUTE == 0));
       holds_report: assert(!held_report || (report_valid && (held_report_beat ==
-          {report_flags, report_undecided, report_last, report_verdict, report_j, report_i})));
-      holds_pair: assert(!held_pair || (pair_valid && (held_pair_beat == {pair_last, pair_j, pair_i})));
+          {report_flags, report_undecided, report_last, report_verdict, report_j, report_base,
+           report_lane})));
+      holds_pair: assert(!held_pair || (pair_valid && (held_pair_beat ==
+          {pair_last, pair_j, pair_base, pair_lane})));
       can_tell_apart: cover(reports && !report_last && pair_ready && (undecided != {LANES{1'b0}}));
       can_close_one_by_one: cover(report_close && !pair_close && (index == 2'd1));
       can_close_other_first: cover(!report_close && pair_close);
@@ -163,20 +168,20 @@ module expander_proof #(
       can_tell_undecided: cover((pairs && !pair_last) || (reports && !report_last && report_undecided));
     end
     if (in_hand && report_valid) begin
-      report_of_this_word: assert(report_j == index);
+      report_of_this_word: assert((report_j == index) && (report_base == base));
       closes_once: assert(report_last == report_close);
-      close_keeps_its_tag: assert(!report_last || (report_i == base));
+      close_has_no_lane: assert(!report_last || (report_lane == 2'd0));
       report_is_due: assert(report_last || ((told != {LANES{1'b0}}) && ((told &
                             ~(report_undecided ? undecided : reported)) == {LANES{1'b0}})));
       reports_first: assert(report_last || !report_undecided || (reported == {LANES{1'b0}}));
       all_flags: assert((BITMAP == 0) || report_last || report_undecided ||
-                        ((report_flags == reported) && (report_i == base)));
+                        ((report_flags == reported) && (report_lane == 2'd0)));
       one_flag: assert(((BITMAP != 0) && !report_undecided) || (report_flags == ONE_FLAG));
       verdict_told: assert(report_last || report_undecided || together ||
                            (report_verdict == verdicts[2*report_lane +: 2]));
     end
     if (in_hand && pair_valid) begin
-      pair_of_this_word: assert(pair_j == index);
+      pair_of_this_word: assert((pair_j == index) && (pair_base == base));
       pair_closes_once: assert(pair_last == pair_close);
       pair_is_due: assert(pair_last || ((pair_only & undecided) != {LANES{1'b0}}));
       pairs_behind_reports: assert(pair_last || (reported == {LANES{1'b0}}));

@@ -1,6 +1,6 @@
 // item_loader_proof: item_loader keeps the first CAPACITY items of each set under the numbers 0, 1, ...,
 // takes the others without keeping them and says so, and takes nothing between a set's last item and
-// `set_closed`, nor while the memory is busy.
+// `set_closed`, nor while the memory is busy. It calls a place free only if no item of the set is there.
 `default_nettype none
 
 module item_loader_proof #(
@@ -24,6 +24,7 @@ module item_loader_proof #(
   wire                  s_ready;
   wire                  kept;
   wire [INDEX_BITS-1:0] kept_index;
+  wire                  place_free;
   wire                  ended;
   wire                  busy;
   wire                  overrun;
@@ -42,6 +43,7 @@ module item_loader_proof #(
     .write_ready  (write_ready),
     .kept         (kept),
     .kept_index   (kept_index),
+    .place_free   (place_free),
     .ended        (ended),
     .set_closed   (set_closed),
     .busy         (busy),
@@ -71,6 +73,8 @@ module item_loader_proof #(
     if (started && aresetn) begin
       keeps_what_fits: assert(kept == (take && (taken < FULL)));
       numbers_in_order: assert(!kept || ({2'b00, kept_index} == taken));
+      place_is_free: assert(!place_free || ({2'b00, kept_index} == taken));
+      place_for_kept: assert(!kept || place_free);
       takes_when_it_can: assert(s_ready == (write_ready && !complete));
       end_told: assert(ended == (take && s_last));
       busy_with_a_set: assert(busy == (taken != NONE));

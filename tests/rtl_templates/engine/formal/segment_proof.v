@@ -255,6 +255,7 @@ module segment_proof #(
   (* hierconn *) wire                 \dut.exceptions.push ;
   (* hierconn *) wire [BEAT_BITS-1:0] \dut.exceptions.beat ;
   (* hierconn *) wire [QUEUE_BITS+1:0] \dut.exceptions.queued_q ;
+  (* hierconn *) wire                  \dut.exceptions.popped_q ;
   (* hierconn *) wire                 \dut.exceptions.room_q ;
   (* hierconn *) wire [QUEUE_BITS:0]  \dut.exceptions.beats.write_q ;
   (* hierconn *) wire [QUEUE_BITS:0]  \dut.exceptions.beats.read_q ;
@@ -439,7 +440,8 @@ module segment_proof #(
       lemma_closes_last: assert(closing_last);
       lemma_closes_empty: assert(closing_empty);
       lemma_counts: assert((COUNT == 0) || (counted_right && (found == total)));
-      lemma_queued: assert({{(4-QUEUE_BITS){1'b0}}, \dut.exceptions.queued_q } == queue_count);
+      lemma_queued: assert({{(4-QUEUE_BITS){1'b0}}, \dut.exceptions.queued_q } ==
+                           queue_count + {3'b000, \dut.exceptions.popped_q });
       lemma_room: assert(queue_count + {3'b000, \dut.taken_q } +
                          {3'b000, \dut.exceptions.room_q } <= DEPTH);
       lemma_comes_soon: assert(quiet + cycles_left < MOST_QUIET);

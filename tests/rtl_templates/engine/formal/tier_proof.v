@@ -265,6 +265,7 @@ module tier_proof #(
   (* hierconn *) wire                   \dut.exceptions.push ;
   (* hierconn *) wire [BEAT_BITS-1:0]   \dut.exceptions.beat ;
   (* hierconn *) wire [QUEUE_BITS+1:0]  \dut.exceptions.queued_q ;
+  (* hierconn *) wire                   \dut.exceptions.popped_q ;
   (* hierconn *) wire                   \dut.exceptions.room_q ;
   (* hierconn *) wire [QUEUE_BITS:0]    \dut.exceptions.beats.write_q ;
   (* hierconn *) wire [QUEUE_BITS:0]    \dut.exceptions.beats.read_q ;
@@ -487,7 +488,8 @@ module tier_proof #(
           (!\dut.s2_valid_q || !\dut.s2_close_q || (\dut.s2_pair_q == 0)) &&
           (!\dut.answered || !\dut.closes || (\dut.pair == 0)));
       lemma_counts: assert((COUNT == 0) || !aresetn || (closed_count || (to_count == total)));
-      lemma_queued: assert({1'b0, queue_count} == \dut.exceptions.queued_q );
+      lemma_queued: assert({1'b0, queue_count} + {4'b0000, \dut.exceptions.popped_q } ==
+                           \dut.exceptions.queued_q );
       lemma_room: assert(queue_count + pending + {3'b000, \dut.exceptions.room_q } <= DEPTH);
       lemma_quiet_if_due: assert(!aresetn || (quiet == NONE) || (due != NOTHING) || close_due || offered);
       lemma_moves_soon: assert(!aresetn || m_valid || (quiet == NONE) ||
