@@ -5,7 +5,7 @@
 module squared_sum_tb;
 
   parameter EXPONENT_BITS = 3;
-  parameter PRECISION     = 4;
+  parameter PRECISION     = 3;
   parameter SUBTRACT      = 1;
   parameter GRADUAL       = 1;
 
