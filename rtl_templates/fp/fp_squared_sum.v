@@ -88,7 +88,7 @@ module fp_squared_sum #(
   wire                     s4_cancel;
   wire                     s4_nan;
   wire                     s4_infinite;
-  wire                     s4_zero;
+  wire                     s4_unused_zero;
   wire                     s4_unused_suspect;
 
   fp_aligned_operands #(
@@ -111,7 +111,7 @@ module fp_squared_sum #(
     .cancel  (s4_cancel),
     .nan     (s4_nan),
     .infinite(s4_infinite),
-    .zero    (s4_zero),
+    .zero    (s4_unused_zero),
     .suspect (s4_unused_suspect)
   );
 
@@ -122,14 +122,14 @@ module fp_squared_sum #(
   wire [EXPONENT_BITS-1:0] s5_exponent;
   wire [SUM-1:0]           s5_sum;
   wire                     s5_cancel;
-  wire [2:0]               s5_flags;
+  wire [1:0]               s5_flags;
 
   fp_rank #(
-    .WIDTH     (EXPONENT_BITS + SUM + 4),
+    .WIDTH     (EXPONENT_BITS + SUM + 3),
     .REGISTERED(CUTS[4])
   ) rank_4 (
     .aclk(aclk),
-    .d   ({s4_exponent, s4_sum, s4_cancel, s4_nan, s4_infinite, s4_zero}),
+    .d   ({s4_exponent, s4_sum, s4_cancel, s4_nan, s4_infinite}),
     .q   ({s5_exponent, s5_sum, s5_cancel, s5_flags})
   );
 
@@ -156,10 +156,10 @@ module fp_squared_sum #(
   wire [SUM_EXPONENT-1:0] s6_exponent;
   wire [PRECISION-1:0]      s6_selected;
   wire                      s6_up;
-  wire [2:0]                s6_flags;
+  wire [1:0]                s6_flags;
 
   fp_rank #(
-    .WIDTH     (SUM_EXPONENT + PRECISION + 4),
+    .WIDTH     (SUM_EXPONENT + PRECISION + 3),
     .REGISTERED(CUTS[5])
   ) rank_5 (
     .aclk(aclk),
@@ -176,10 +176,10 @@ module fp_squared_sum #(
   wire [SUM_EXPONENT-1:0] s7_exponent;
   wire                      s7_carry;
   wire [PRECISION-1:0]      s7_significand;
-  wire [2:0]                s7_flags;
+  wire [1:0]                s7_flags;
 
   fp_rank #(
-    .WIDTH     (SUM_EXPONENT + 1 + PRECISION + 3),
+    .WIDTH     (SUM_EXPONENT + 1 + PRECISION + 2),
     .REGISTERED(CUTS[6])
   ) rank_6 (
     .aclk(aclk),
@@ -213,9 +213,6 @@ module fp_squared_sum #(
   wire [COUNTED-1:0]      s7_counted = {s7_significand, {(COUNTED - PRECISION) {1'b0}}};
   wire [COUNT_BITS-1:0]   s7_count;
   wire                    s7_empty;
-  wire                    s7_nan;
-  wire                    s7_infinite;
-  wire                    s7_zero;
   wire [SUM_EXPONENT-1:0] s7_room    =
       s7_exponent - HALF_BIAS[SUM_EXPONENT-1:0] + {{(SUM_EXPONENT - 1) {1'b0}}, s7_carry};
 
@@ -227,8 +224,6 @@ module fp_squared_sum #(
     .empty(s7_empty)
   );
 
-  assign {s7_nan, s7_infinite, s7_zero} = s7_flags;
-
   wire [SUM_EXPONENT-1:0] s8_room;
   wire [COUNT_BITS-1:0]   s8_count;
   wire [2:0]              s8_flags;
@@ -238,16 +233,16 @@ module fp_squared_sum #(
     .REGISTERED(CUTS[SQUARE])
   ) rank_7 (
     .aclk(aclk),
-    .d   ({s7_room, s7_count, s7_nan, s7_infinite, s7_zero || s7_empty}),
+    .d   ({s7_room, s7_count, s7_flags, s7_empty}),
     .q   ({s8_room, s8_count, s8_flags})
   );
 
-  // Beside its second stage: a square with less room than it has zeros in front moves up by the
-  // room, which may be negative, and has exponent 1.
+  // Beside its second stage: a square with less room than it has zeros in front is subnormal. It
+  // moves up by the room, which may be negative, and whatever its exponent is, its field is 0.
   wire [SUM_EXPONENT-1:0] s8_zeros       = {{(SUM_EXPONENT - COUNT_BITS) {1'b0}}, s8_count};
   wire [SUM_EXPONENT-1:0] s8_spare       = s8_room - s8_zeros;
   wire                    s8_tiny        = (GRADUAL != 0) && s8_spare[SUM_EXPONENT-1];
-  wire [SUM_EXPONENT:0]   s8_exponent    = {s8_spare & {SUM_EXPONENT{!s8_tiny}}, 1'b1};
+  wire [SUM_EXPONENT:0]   s8_exponent    = {s8_spare, 1'b1};
   wire [SUM_EXPONENT-1:0] s8_room_steps  = s8_room + MARGIN[SUM_EXPONENT-1:0];
   wire [STEP_BITS-1:0]    s8_tiny_steps  =
       s8_room_steps[STEP_BITS-1:0] & {STEP_BITS{!s8_room_steps[SUM_EXPONENT-1]}};
