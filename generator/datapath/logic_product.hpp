@@ -9,7 +9,7 @@ namespace mixcmp::datapath {
 class LogicProduct {
 public:
   static constexpr int levels = 7;
-  /// Of the factors, so that no level of sums is lost to the stage that finds the digits.
+  /// The widest factors whose sums leave a level unused, which the stage of the digits replaces.
   static constexpr int most_bits_behind_digits = 63;
 
   enum class Kind { product, square };

@@ -22,7 +22,7 @@ std::ptrdiff_t readers_of(const TypedGraph& graph, NodeId node) {
   return readers;
 }
 
-/// What is found out about a square beside the first stages of its product.
+/// The search for leading zeros and for the shift, which runs beside the first product stages.
 StageList exponent_stages(FloatFormat format, int product_stages, const DelayTable& delays) {
   StageList stages(delays);
   const int exponent_bits = std::max(format.exponent_bits(), bits_for(format.precision() + 3)) + 2;

@@ -183,7 +183,7 @@ void FloatNodes::build_squared_sum(NodeId id) {
   append_multiplier_parameters(step.unit, parameters);
   parameters.push_back({"CUTS", cut_mask(step)});
   datapath_.add(Comment{fmt::format(
-      "Cycles {} to {}: ({})^2, the sum and its square rounded to {}.", step.start_cycle,
+      "Cycles {} to {}: ({})^2, in {}; what is squared is rounded, too.", step.start_cycle,
       step.ready_cycle, formula(graph_, sum, names_), node.format.name())});
   datapath_.add(Wire{node.format.width(), names_[id], nullptr});
   values_[id].value = net(names_[id]);

@@ -18,7 +18,7 @@ int arrival_cycles(int request_beats) {
   return request_beats == 1 ? 1 : beat_interval_cycles * request_beats;
 }
 
-int service_cycles(int initiation_interval, int request_beats) {
+int planned_service_cycles(int initiation_interval, int request_beats) {
   return std::max(initiation_interval, arrival_cycles(request_beats));
 }
 

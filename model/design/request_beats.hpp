@@ -10,8 +10,9 @@ namespace mixcmp::design {
 /// two cycles, and no other request passes meanwhile.
 int arrival_cycles(int request_beats);
 
-/// Cycles from one recomputation to the next at a reference of this initiation interval.
-int service_cycles(int initiation_interval, int request_beats);
+/// Cycles from one recomputation to the next at a reference of this initiation interval that serves
+/// one lane, which is what a plan knows; performance::service_cycles knows how many share it.
+int planned_service_cycles(int initiation_interval, int request_beats);
 
 /// The beats in which operands leave a lane for references of this initiation interval, none of
 /// which is below it. "auto": as many as cost no time, at most 8, of 16 bits or more each, where

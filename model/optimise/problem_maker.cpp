@@ -96,8 +96,8 @@ std::vector<ReferenceImplementation> ProblemMaker::references() {
   std::vector<ReferenceImplementation> all;
   for (const characterise::Measurement* row : references_) {
     const double mhz = clock_of(*row, options_.clocks.reference_mhz, {});
-    const int interval = design::service_cycles(row->key.initiation_interval,
-                                                scene_.system.request_beats.value_or(1));
+    const int interval = design::planned_service_cycles(row->key.initiation_interval,
+                                                        scene_.system.request_beats.value_or(1));
     all.push_back(
         {*row, {reference_name(row->key), mhz * hertz_per_mhz, interval, area_with_port(*row)}});
   }

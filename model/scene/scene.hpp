@@ -37,7 +37,7 @@ enum class OperandStore {
   refetched,  ///< fetched from the user's memory by tag
 };
 
-/// What carried operands wait in.
+/// The kind of memory in which carried operands wait.
 enum class OperandMemory {
   logic,  ///< what synthesis chooses; on most devices look-up tables
   block,  ///< block memories

@@ -28,7 +28,7 @@ struct Factors {
 /// Four words, the lowest first.
 using Wide = std::array<uint64_t, 4>;
 
-/// What a product is made of.
+/// The kind of multiplier that a product uses.
 enum class Kind { logic, logic_behind_digits, embedded };
 
 struct Slot {

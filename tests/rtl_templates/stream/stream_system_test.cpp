@@ -242,7 +242,7 @@ TEST_P(CarriedSystem, ThroughputUnderRandomRecomputationIsTheModels) {
   for (const double undecided : {0.005, 0.02, 0.1, 0.25, 0.5, 1.0}) {
     SystemRun run(spec, 29);
     const SystemTraffic traffic{"Random", 1.0, 1.0, undecided};
-    // Where requests are slow, slots fill up slowly.
+    // With requests of several beats it takes longer until the slots are as full as they get.
     const int settling = 1000 * (spec.beat_bits == 0 ? 1 : service_cycles(spec));
     for (int cycle = 0; cycle < settling; ++cycle) run.cycle(traffic);
     const std::uint64_t before = run.received();

@@ -298,7 +298,7 @@ module segment_proof #(
     .contents (queue_beats)
   );
 
-  // What becomes of the words in the link, one behind the other.
+  // The states behind each word in the link, in the order in which the words leave it.
   localparam STATE_BITS = LANES + 7;
 
   wire [4*STATE_BITS-1:0] states;

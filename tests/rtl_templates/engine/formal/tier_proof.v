@@ -130,7 +130,7 @@ module tier_proof #(
   reg  [CODES_BITS-1:0] left;                     // the lanes that a leaving beat is about
   reg                   lane_right;
 
-  // What is told of a pair that the lane answers so, and whether it counts as reported.
+  // The code that a beat has for a pair which the lane answers with `said`.
   function [CODE_BITS-1:0] code_of;
     input [2:0] said;
     begin
