@@ -6,7 +6,6 @@
 #include <tuple>
 
 #include "model/common/check.hpp"
-#include "model/error/hazards.hpp"
 
 namespace mixcmp::datapath {
 namespace {
@@ -84,7 +83,7 @@ private:
     class_of_.assign(count(), 0);
     for (NodeId id = 0; id < static_cast<NodeId>(count()); ++id) {
       const TypedNode& node = graph_.nodes[id];
-      if (!error::has_unit(node.operation)) continue;
+      if (!has_unit(node)) continue;
       const auto [entry, is_new] = known.emplace(key_of(id), classes_.size());
       if (is_new) classes_.push_back({});
       class_of_[id] = entry->second;
@@ -114,7 +113,7 @@ private:
   /// Cycles from the operands of a node to its result. A unit with several operations reads its
   /// operands through a register.
   int latency(NodeId id) const {
-    if (!error::has_unit(graph_.nodes[id].operation)) return 0;
+    if (!has_unit(graph_.nodes[id])) return 0;
     const UnitClass& shared = classes_[class_of_[id]];
     return shared.step.ready_cycle + (selects(shared) ? 1 : 0);
   }
@@ -149,7 +148,7 @@ private:
     for (const int operand : operands_of(graph_.nodes[id])) {
       if (!placed_[operand] || schedule_.steps[operand].ready_cycle > cycle) return false;
     }
-    if (error::has_unit(graph_.nodes[id].operation)) {
+    if (has_unit(graph_.nodes[id])) {
       const UnitClass& shared = classes_[class_of_[id]];
       const auto unit = free_unit(shared, cycle % interval_);
       if (!unit) return false;
@@ -211,6 +210,10 @@ int last_operand_phase(const TypedGraph& reference, const Schedule& schedule) {
   }
   for (std::size_t k = 0; k < reference.parts.size(); ++k) {
     const int cycle = schedule.parts[k].decision.start_cycle;
+    const TypedNode& f = reference.nodes[reference.parts[k].f];
+    for (const NodeId operand : operands_of(f)) {
+      if (f.is_sign_of_sum()) read(operand, cycle);
+    }
     read(reference.parts[k].f, cycle);
     read(reference.parts[k].g, cycle);
   }

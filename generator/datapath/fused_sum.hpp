@@ -3,11 +3,13 @@
 #include <bit>
 #include <cstddef>
 
+#include "generator/datapath/squared_sum.hpp"
+#include "generator/datapath/units.hpp"
 #include "model/expression/typed_graph.hpp"
 
 namespace mixcmp::datapath {
 
-/// Sizes in rtl_templates/fp/fp_fused_sum.v, which this class repeats.
+/// Sizes in rtl_templates/fp/fp_fused_sum.v and fp_cut_sum.v, which this class repeats.
 class FusedSum {
 public:
   /// The levels of the tree that finds the largest exponent, and of the tree that adds.
@@ -24,7 +26,14 @@ public:
   int window_bits() const { return format_.precision() + guard_bits() + 2; }
   int sum_bits() const { return window_bits() + growth_bits(); }
   int exponent_bits() const {
-    return length_of(4 * format_.bias() + 2 + 2 * format_.precision() + window_bits());
+    return length_of(4 * format_.bias() + 2 + 2 * (format_.precision() + (window_bits() + 1) / 2));
+  }
+  /// Bits of the distance by which a product moves into the window; the last ones are left to the
+  /// second step.
+  static constexpr int low_amount_bits = 3;
+  int amount_bits() const {
+    const int margin = 1 << length_of(window_bits() - 1);
+    return length_of(margin + 2 * format_.precision() - 1);
   }
   /// Tells whether a term that is the square of a subnormal number is cut off in any case.
   bool squares_vanish() const { return format_.bias() > format_.precision() + guard_bits(); }
@@ -36,5 +45,13 @@ private:
   FloatFormat format_;
   int terms_;
 };
+
+/// The unit of a fused sum that is rounded. `squared`: whether sums that are only squared are part
+/// of it.
+Unit fused_sum_unit(const TypedGraph& graph, const TypedNode& node, SquaredSums squared,
+                    scene::Multipliers multipliers, const DelayTable& delays);
+/// The unit that compares a fused sum with zero.
+Unit fused_comparison_unit(const TypedGraph& graph, const TypedNode& node, SquaredSums squared,
+                           scene::Multipliers multipliers, const DelayTable& delays);
 
 }  // namespace mixcmp::datapath

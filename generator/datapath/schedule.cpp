@@ -3,21 +3,18 @@
 #include <algorithm>
 
 #include "generator/datapath/fold.hpp"
+#include "generator/datapath/fused_sum.hpp"
 #include "generator/datapath/squared_sum.hpp"
 #include "generator/datapath/unit_placer.hpp"
-#include "model/error/hazards.hpp"
 
 namespace mixcmp::datapath {
 namespace {
 
-/// Whether the square of a sum and the sum itself share a unit.
-enum class SquaredSums { apart, together };
-
 /// Which sums are computed by the units of their squares.
-std::vector<bool> sums_in_squares(const TypedGraph& graph) {
+std::vector<bool> sums_in_squares(const TypedGraph& graph, SquaredSums squared) {
   std::vector<bool> found(graph.nodes.size(), false);
   for (NodeId id = 0; id < static_cast<NodeId>(graph.nodes.size()); ++id) {
-    if (const auto sum = squared_sum_of(graph, id)) found[*sum] = true;
+    found[id] = squared == SquaredSums::together && is_only_squared(graph, id);
   }
   return found;
 }
@@ -28,20 +25,14 @@ public:
       : placer_(delays, target_mhz), delays_(placer_.delays()) {}
 
   void place_nodes(const TypedGraph& graph, scene::Multipliers multipliers, SquaredSums squared) {
-    const bool together = squared == SquaredSums::together;
-    const std::vector<bool> inside =
-        together ? sums_in_squares(graph) : std::vector<bool>(graph.nodes.size(), false);
+    const std::vector<bool> inside = sums_in_squares(graph, squared);
     for (NodeId id = 0; id < static_cast<NodeId>(graph.nodes.size()); ++id) {
       const TypedNode& node = graph.nodes[id];
       const int start = ready_cycle(schedule_.steps, operands_of(node));
-      if (inside[id] || !error::has_unit(node.operation)) {
+      if (inside[id] || !has_unit(node)) {
         schedule_.steps.push_back({.start_cycle = start, .ready_cycle = start});
-      } else if (together && squared_sum_of(graph, id)) {
-        const Subnormals subnormals = graph.arithmetic.subnormals;
-        schedule_.steps.push_back(
-            place(squared_sum_unit(node.format, subnormals, multipliers, delays_), start));
       } else {
-        schedule_.steps.push_back(place(unit_for(graph, node, multipliers, delays_), start));
+        schedule_.steps.push_back(place(node_unit(graph, id, multipliers, squared), start));
       }
     }
   }
@@ -82,13 +73,31 @@ public:
   }
 
   /// Places the comparison of one part of a reference.
-  void compare(const Sides& part, FloatFormat format) {
-    decide({}, compare_unit(format, delays_), {part.f, part.g}, 0);
+  void compare(const TypedGraph& graph, const Sides& part, scene::Multipliers multipliers,
+               SquaredSums squared) {
+    const TypedNode& f = graph.nodes[part.f];
+    if (f.is_sign_of_sum()) {
+      return decide({}, fused_comparison_unit(graph, f, squared, multipliers, delays_),
+                    operands_of(f), 0);
+    }
+    decide({}, compare_unit(graph.arithmetic.format, delays_), {part.f, part.g}, 0);
   }
 
   Schedule finish() { return placer_.finish(std::move(schedule_)); }
 
 private:
+  Unit node_unit(const TypedGraph& graph, NodeId id, scene::Multipliers multipliers,
+                 SquaredSums squared) const {
+    const TypedNode& node = graph.nodes[id];
+    if (node.operation == Operation::fused_sum) {
+      return fused_sum_unit(graph, node, squared, multipliers, delays_);
+    }
+    if (squared == SquaredSums::together && squared_sum_of(graph, id)) {
+      return squared_sum_unit(node.format, graph.arithmetic.subnormals, multipliers, delays_);
+    }
+    return unit_for(graph, node, multipliers, delays_);
+  }
+
   void place_bounds(const error::AbsoluteBoundCriterion& criterion, const TypedGraph& graph,
                     PartSchedule& schedule) {
     const BoundFormat format = criterion.bound.format;
@@ -143,13 +152,14 @@ Schedule schedule_reference(const TypedGraph& reference,
                             double target_mhz) {
   Scheduler scheduler(delays, target_mhz);
   const bool folded = structure.initiation_interval > 1;
+  const SquaredSums squared = folded ? SquaredSums::apart : SquaredSums::together;
   if (folded) {
     scheduler.place_folded(reference, structure.multipliers, structure.initiation_interval);
   } else {
-    scheduler.place_nodes(reference, structure.multipliers, SquaredSums::together);
+    scheduler.place_nodes(reference, structure.multipliers, squared);
   }
   for (const Sides& part : reference.parts) {
-    scheduler.compare(part, reference.arithmetic.format);
+    scheduler.compare(reference, part, structure.multipliers, squared);
   }
   Schedule schedule = scheduler.finish();
   if (folded) schedule.last_operand_phase = last_operand_phase(reference, schedule);

@@ -3,23 +3,33 @@
 #include <algorithm>
 #include <utility>
 
-#include "generator/datapath/stage_list.hpp"
-
 namespace mixcmp::datapath {
 namespace {
 
 /// The fewest digits that fp_squared_sum takes.
 constexpr int least_precision = 3;
 
-/// Counts operations and sides of comparisons that read `node`.
-std::ptrdiff_t readers_of(const TypedGraph& graph, NodeId node) {
-  std::ptrdiff_t readers = 0;
-  for (const TypedNode& reader : graph.nodes) {
-    const std::vector<NodeId> operands = operands_of(reader);
-    readers += std::count(operands.begin(), operands.end(), node);
+bool is_side(const TypedGraph& graph, NodeId node) {
+  return std::any_of(graph.parts.begin(), graph.parts.end(),
+                     [&](const Sides& part) { return part.f == node || part.g == node; });
+}
+
+/// How often an operation, or a term of a fused sum, reads `node`; a square reads it once.
+std::ptrdiff_t reads_of(const TypedNode& reader, NodeId node) {
+  const auto operands = reader.operands.begin();
+  std::ptrdiff_t reads = std::count(operands, operands + arity(reader.operation), node);
+  for (const FusedTerm& term : reader.terms) {
+    reads += (term.a == node) + (term.is_product() && !term.is_square() && term.b == node);
   }
-  for (const Sides& part : graph.parts) readers += (part.f == node) + (part.g == node);
-  return readers;
+  return reads;
+}
+
+/// How often an operation, or a term of a fused sum, is the square of `node`.
+std::ptrdiff_t squares_of(const TypedNode& reader, NodeId node) {
+  const bool is_square = reader.operation == Operation::square && reader.operands[0] == node;
+  return std::count_if(reader.terms.begin(), reader.terms.end(),
+                       [&](const FusedTerm& term) { return term.is_square() && term.a == node; }) +
+         is_square;
 }
 
 /// The search for leading zeros and for the shift, which runs beside the first product stages.
@@ -35,29 +45,44 @@ StageList exponent_stages(FloatFormat format, int product_stages, const DelayTab
 
 }  // namespace
 
+bool is_only_squared(const TypedGraph& graph, NodeId sum) {
+  const TypedNode& node = graph.nodes[static_cast<std::size_t>(sum)];
+  const bool adds = node.operation == Operation::add || node.operation == Operation::subtract;
+  const bool fits = node.operand_format == node.format &&
+                    node.format.precision() >= least_precision &&
+                    graph.arithmetic.rounding == Rounding::nearest_even;
+  if (!adds || !fits || is_side(graph, sum)) return false;
+  std::ptrdiff_t squares = 0;
+  std::ptrdiff_t reads = 0;
+  for (const TypedNode& reader : graph.nodes) {
+    reads += reads_of(reader, sum);
+    if (reader.format == node.format) squares += squares_of(reader, sum);
+  }
+  return reads == 1 && squares == 1;
+}
+
 std::optional<NodeId> squared_sum_of(const TypedGraph& graph, NodeId square) {
   const TypedNode& node = graph.nodes[static_cast<std::size_t>(square)];
   if (node.operation != Operation::square) return std::nullopt;
-  const NodeId operand = node.operands[0];
-  const TypedNode& sum = graph.nodes[static_cast<std::size_t>(operand)];
-  const bool adds = sum.operation == Operation::add || sum.operation == Operation::subtract;
-  const bool one_format = sum.operand_format == sum.format && sum.format == node.format;
-  const bool fits = node.format.precision() >= least_precision &&
-                    graph.arithmetic.rounding == Rounding::nearest_even;
-  if (!adds || !one_format || !fits || readers_of(graph, operand) != 1) return std::nullopt;
-  return operand;
+  const NodeId sum = node.operands[0];
+  return is_only_squared(graph, sum) ? std::optional(sum) : std::nullopt;
 }
 
-Unit squared_sum_unit(FloatFormat format, Subnormals subnormals, scene::Multipliers multipliers,
-                      const DelayTable& delays) {
+void add_unnormalised_sum(StageList& stages, FloatFormat format, Subnormals subnormals) {
   const int precision = format.precision();
-  StageList stages(delays);
   stages.add_aligned_operands(format, precision + 2, subnormals, StageList::Order::by_exponent);
   // The larger operand is selected while the smaller one is still being aligned.
   const double selection = stages.lut_delay_ns(1);
   stages.add_overlapping("sum", selection + stages.carry(precision + 4), selection);
   stages.add("select", stages.lut_delay_ns(3));
   stages.add("round sum", stages.carry(precision + 1) + stages.lut_delay_ns(1));
+}
+
+Unit squared_sum_unit(FloatFormat format, Subnormals subnormals, scene::Multipliers multipliers,
+                      const DelayTable& delays) {
+  const int precision = format.precision();
+  StageList stages(delays);
+  add_unnormalised_sum(stages, format, subnormals);
   StageList product(delays);
   const bool has_digit_stage =
       product.add_fastest_product(precision, LogicProduct::Kind::square, multipliers);

@@ -7,7 +7,7 @@
 #include "generator/datapath/fused_sum.hpp"
 #include "generator/datapath/stage_list.hpp"
 #include "model/common/check.hpp"
-#include "model/error/sign.hpp"
+#include "model/error/hazards.hpp"
 #include "model/number/dyadic.hpp"
 #include "model/number/exact.hpp"
 
@@ -118,75 +118,6 @@ Unit scale_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
   return std::move(stages).unit("fp_convert");
 }
 
-/// The tree that finds the largest exponent of a fused sum's terms, then their distances from it.
-StageList exponent_stages(const FusedSum& sum, int candidates, const DelayTable& delays) {
-  StageList stages(delays);
-  for (int level = 0; level < FusedSum::levels; ++level) {
-    const bool compares = FusedSum::is_used(level, candidates);
-    stages.add("exponents " + std::to_string(level),
-               compares ? stages.carry(sum.exponent_bits()) + stages.lut_delay_ns(1) : 0);
-  }
-  stages.add("distances", stages.carry(sum.exponent_bits()));
-  return stages;
-}
-
-/// Adds what fp_fused_term and the search for the largest exponent do side by side.
-void add_terms(StageList& stages, const TypedNode& node, Subnormals subnormals,
-               Multipliers multipliers, const DelayTable& delays) {
-  const auto any = [&](auto is_one) {
-    return std::any_of(node.terms.begin(), node.terms.end(), is_one);
-  };
-  const bool squares = any([](const FusedTerm& term) { return term.is_square(); });
-  const bool products =
-      any([](const FusedTerm& term) { return term.is_product() && !term.is_square(); });
-  const FusedSum sum(node.format, node.terms.size());
-  const bool gradual = subnormals == Subnormals::gradual;
-  const bool normalises = gradual && (products || (squares && !sum.squares_vanish()));
-  stages.add_operand(node.format, normalises ? Subnormals::gradual : Subnormals::flush);
-  const int candidates = static_cast<int>(node.terms.size()) + (gradual ? 1 : 0);
-  std::vector<StageList> beside = {exponent_stages(sum, candidates, delays)};
-  for (const auto kind : {LogicProduct::Kind::product, LogicProduct::Kind::square}) {
-    const bool occurs = kind == LogicProduct::Kind::square ? squares : products;
-    if (!occurs) continue;
-    beside.emplace_back(delays);
-    beside.back().add_product(node.format.precision(), kind, multipliers);
-  }
-  stages.add_slowest(beside);
-}
-
-/// Tells whether the terms of a fused sum may have unlike signs.
-bool may_cancel(const TypedGraph& graph, const std::vector<FusedTerm>& terms) {
-  const std::vector<bool> no_ranges(static_cast<std::size_t>(graph.input_count), false);
-  const error::Sign sign = error::sum_sign(terms, error::analyse_signs(graph, no_ranges));
-  return !sign.nonnegative && !sign.nonpositive;
-}
-
-/// `cancels`: terms may have unlike signs.
-Unit fused_sum_unit(const TypedNode& node, bool cancels, Subnormals subnormals,
-                    Multipliers multipliers, const DelayTable& delays) {
-  const int terms = static_cast<int>(node.terms.size());
-  const FusedSum sum(node.format, node.terms.size());
-  StageList stages(delays);
-  add_terms(stages, node, subnormals, multipliers, delays);
-  const int amount_bits = bits_for(sum.window_bits());
-  stages.add("align", stages.lut_delay_ns(1 + shift_levels(amount_bits)));
-  for (int level = 0; level < FusedSum::levels; ++level) {
-    stages.add("sum " + std::to_string(level),
-               FusedSum::is_used(level, terms) ? stages.carry(sum.sum_bits() + 2) : 0);
-  }
-  stages.add("magnitude", cancels ? stages.carry(sum.sum_bits()) : 0);
-  const int counted = cancels ? sum.sum_bits() : sum.growth_bits() + 1;
-  stages.add("count", stages.lut_delay_ns(count_levels(counted)));
-  const bool limits = cancels && subnormals == Subnormals::gradual;
-  const double limit = limits ? stages.carry(sum.exponent_bits()) + stages.lut_delay_ns(1) : 0;
-  stages.add("normalise", limit + stages.lut_delay_ns(shift_levels(bits_for(counted))));
-  stages.add_round(node.format, false, 0);
-  Unit unit = std::move(stages).unit("fp_fused_sum");
-  unit.multipliers = multipliers;
-  unit.multiplier = delays.multiplier_size;
-  return unit;
-}
-
 Unit minimum_maximum_unit(FloatFormat format, const DelayTable& delays) {
   StageList stages(delays);
   stages.add("compare", stages.carry(format.width() - 1) + stages.lut_delay_ns(1));
@@ -264,6 +195,10 @@ std::optional<Scaling> scaling_of(const TypedGraph& graph, const TypedNode& node
   return std::nullopt;
 }
 
+bool has_unit(const TypedNode& node) {
+  return error::has_unit(node.operation) && !node.is_sign_of_sum();
+}
+
 Unit unit_for(const TypedGraph& graph, const TypedNode& node, Multipliers multipliers,
               const DelayTable& delays) {
   const Subnormals subnormals = graph.arithmetic.subnormals;
@@ -271,8 +206,7 @@ Unit unit_for(const TypedGraph& graph, const TypedNode& node, Multipliers multip
     return scale_unit(node.operand_format, node.format, subnormals, scaling->exponent, delays);
   }
   if (node.operation == Operation::fused_sum) {
-    const bool cancels = may_cancel(graph, node.terms);
-    return fused_sum_unit(node, cancels, subnormals, multipliers, delays);
+    return fused_sum_unit(graph, node, SquaredSums::apart, multipliers, delays);
   }
   Unit unit = unit_for(node, subnormals, multipliers, delays);
   if (multiplies_by_zero(graph, node)) leave_special_values(unit, node.operand_format, delays);
@@ -301,9 +235,9 @@ Unit unit_for(const TypedNode& node, Subnormals subnormals, Multipliers multipli
     case Operation::constant:
     case Operation::negate:
     case Operation::absolute: break;
-    case Operation::fused_sum: return fused_sum_unit(node, true, subnormals, multipliers, delays);
+    case Operation::fused_sum: break;
   }
-  MIXCMP_CHECK(!"an operation that is only wires has no unit");
+  MIXCMP_CHECK(!"only wires, or a sum whose unit depends on the graph");
 }
 
 Unit compare_unit(FloatFormat format, const DelayTable& delays) {

@@ -46,11 +46,15 @@ struct Scaling {
 /// a conversion, of the operand with its sign changed where `negated`, that adds to the exponent.
 std::optional<Scaling> scaling_of(const TypedGraph& graph, const TypedNode& node);
 
-/// The unit that computes `node` of `graph` (of an operation that has a unit: error::has_unit).
+/// Tells whether a unit computes the node: it is not only wires, nor the sign of a sum, which the
+/// comparison of that sum with zero finds.
+bool has_unit(const TypedNode& node);
+
+/// The unit that computes `node` of `graph`, which has one.
 Unit unit_for(const TypedGraph& graph, const TypedNode& node, scene::Multipliers multipliers,
               const DelayTable& delays);
 /// The unit that computes `node` if nothing is known of its operands: a multiplication by a power
-/// of two takes a multiplier here.
+/// of two takes a multiplier here. Not for fused sums.
 Unit unit_for(const TypedNode& node, Subnormals subnormals, scene::Multipliers multipliers,
               const DelayTable& delays);
 Unit compare_unit(FloatFormat format, const DelayTable& delays);

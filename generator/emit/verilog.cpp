@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <sstream>
+#include <utility>
 
 #include "model/common/check.hpp"
 
@@ -209,10 +211,24 @@ std::string declaration(const std::vector<ModuleItem>& items, std::size_t k,
   return declared ? "" : fmt::format("{}genvar {};\n", indent, loop->variable);
 }
 
+/// Breaks the text between words where a line would get too long.
+std::string print(const Comment& comment, const std::string& indent) {
+  const std::string start = "\n" + indent + "//";
+  std::string lines, line = start;
+  std::istringstream words(comment.text);
+  for (std::string word; words >> word;) {
+    if (line.size() + word.size() > line_length) {  // the line feed stands for the space
+      lines += std::exchange(line, start);
+    }
+    line += " " + word;
+  }
+  return lines + line + "\n";
+}
+
 std::string print(const ModuleItem& item, std::size_t range_width, const std::string& indent) {
   return std::visit(
       Overloaded{
-          [&](const Comment& c) { return fmt::format("\n{}// {}\n", indent, c.text); },
+          [&](const Comment& c) { return "\n" + print(c, indent); },
           [&](const Wire& w) { return print(w, range_width, indent); },
           [&](const Assignment& a) { return print(a, indent); },
           [&](const Instance& i) { return "\n" + print(i, indent); },

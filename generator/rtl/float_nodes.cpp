@@ -17,19 +17,6 @@ error::Hazards either(const error::Hazards& a, const error::Hazards& b) {
           .cancellation = a.cancellation || b.cancellation};
 }
 
-/// The masks that tell what the terms of a fused sum are; a mask of zeros is the default.
-void append_terms(const std::vector<FusedTerm>& terms, std::vector<Parameter>& parameters) {
-  const auto mask = [&](const char* name, auto has) {
-    Bits bits = 0;
-    for (std::size_t k = 0; k < terms.size(); ++k) bits |= Bits{has(terms[k])} << k;
-    if (bits != 0) parameters.push_back({name, Literal{static_cast<int>(terms.size()), bits}});
-  };
-  parameters.push_back({"TERMS", static_cast<long long>(terms.size())});
-  mask("SQUARES", [](const FusedTerm& term) { return term.is_square(); });
-  mask("PLAIN", [](const FusedTerm& term) { return !term.is_product(); });
-  mask("NEGATED", [](const FusedTerm& term) { return term.negated; });
-}
-
 }  // namespace
 
 std::vector<Parameter> format_parameters(FloatFormat format) {
@@ -46,7 +33,16 @@ FloatNodes::FloatNodes(DatapathBuilder& datapath, const TypedGraph& graph,
       exceptional_(exceptional),
       unused_name_(datapath.pool().unique("unused_exceptional")),
       names_(name_nodes(graph, datapath.ports(), datapath.pool())),
-      selecting_(graph, schedule, datapath.pool()) {}
+      selecting_(graph, schedule, datapath.pool()) {
+  name_sums_inside_squares();
+}
+
+/// A sum that its square's unit computes has no wire: its formula stands for it in comments.
+void FloatNodes::name_sums_inside_squares() {
+  for (NodeId id = 0; id < static_cast<NodeId>(graph_.nodes.size()); ++id) {
+    if (is_inside_its_square(id)) names_[id] = fmt::format("({})", formula(graph_, id, names_));
+  }
+}
 
 void FloatNodes::build() {
   declare_unused_flags();
@@ -182,9 +178,9 @@ void FloatNodes::build_squared_sum(NodeId id) {
   parameters.push_back({"GRADUAL", gradual ? 1 : 0});
   append_multiplier_parameters(step.unit, parameters);
   parameters.push_back({"CUTS", cut_mask(step)});
-  datapath_.add(Comment{fmt::format(
-      "Cycles {} to {}: ({})^2, in {}; what is squared is rounded, too.", step.start_cycle,
-      step.ready_cycle, formula(graph_, sum, names_), node.format.name())});
+  datapath_.add(
+      Comment{fmt::format("Cycles {} to {}: {}^2, in {}; what is squared is rounded, too.",
+                          step.start_cycle, step.ready_cycle, names_[sum], node.format.name())});
   datapath_.add(Wire{node.format.width(), names_[id], nullptr});
   values_[id].value = net(names_[id]);
   datapath_.add(Instance{
@@ -197,7 +193,7 @@ void FloatNodes::build_squared_sum(NodeId id) {
 void FloatNodes::build_unit(NodeId id) {
   const TypedNode& node = graph_.nodes[id];
   const datapath::Step& step = schedule_.steps[id];
-  if (is_inside_its_square(id)) return;
+  if (is_inside_its_square(id) || node.is_sign_of_sum()) return;
   if (node.operation == Operation::square && is_inside_its_square(node.operands[0])) {
     return build_squared_sum(id);
   }
@@ -236,7 +232,7 @@ std::vector<Operand> FloatNodes::unit_operands(NodeId id) {
     const Operand operand = datapath_.at(values_[scaling->operand], cycle);
     return {scaling->negated ? negated(id, operand) : operand};
   }
-  if (node.operation == Operation::fused_sum) return factors(node, cycle);
+  if (node.operation == Operation::fused_sum) return term_operands(node, cycle);
   std::vector<Operand> operands;
   for (int k = 0; k < arity(node.operation); ++k) {
     operands.push_back(datapath_.at(values_[node.operands[k]], cycle));
@@ -244,19 +240,45 @@ std::vector<Operand> FloatNodes::unit_operands(NodeId id) {
   return operands;
 }
 
-/// The first and the second factors of a fused sum's terms, the first term in the lowest bits.
-std::vector<Operand> FloatNodes::factors(const TypedNode& node, int cycle) {
+bool FloatNodes::squares_a_sum(const FusedTerm& term) const {
+  return term.is_square() && is_inside_its_square(term.a);
+}
+
+std::vector<Operand> FloatNodes::term_operands(const TypedNode& node, int cycle) {
   const int width = node.operand_format.width();
   bool any_second = false;
   std::vector<Operand> first, second;
   for (auto term = node.terms.rbegin(); term != node.terms.rend(); ++term) {
-    first.push_back(datapath_.at(values_[term->a], cycle));
-    const bool has_second = term->is_product() && !term->is_square();
-    second.push_back(has_second ? datapath_.at(values_[term->b], cycle) : zeros(width));
+    const bool of_sum = squares_a_sum(*term);
+    const auto [a, b] = of_sum ? graph_.nodes[term->a].operands : std::array{term->a, term->b};
+    const bool has_second = of_sum || (term->is_product() && !term->is_square());
+    first.push_back(datapath_.at(values_[a], cycle));
+    second.push_back(has_second ? datapath_.at(values_[b], cycle) : zeros(width));
     any_second |= has_second;
   }
   const auto unread = zeros(width * static_cast<int>(node.terms.size()));
   return {concatenation(std::move(first)), any_second ? concatenation(std::move(second)) : unread};
+}
+
+/// A mask of zeros is the default.
+std::vector<Parameter> FloatNodes::term_parameters(const TypedNode& node) const {
+  const int count = static_cast<int>(node.terms.size());
+  std::vector<Parameter> parameters = {{"TERMS", count}};
+  const auto mask = [&](const char* name, auto has) {
+    Bits bits = 0;
+    for (int k = 0; k < count; ++k) bits |= Bits{has(node.terms[static_cast<std::size_t>(k)])} << k;
+    if (bits != 0) parameters.push_back({name, Literal{count, bits}});
+  };
+  const auto squares_result_of = [&](const FusedTerm& term, Operation operation) {
+    return squares_a_sum(term) && graph_.nodes[term.a].operation == operation;
+  };
+  mask("SQUARES", [&](const FusedTerm& term) { return term.is_square() && !squares_a_sum(term); });
+  mask("PLAIN", [](const FusedTerm& term) { return !term.is_product(); });
+  mask("SUMS", [&](const FusedTerm& term) { return squares_result_of(term, Operation::add); });
+  mask("DIFFERENCES",
+       [&](const FusedTerm& term) { return squares_result_of(term, Operation::subtract); });
+  mask("NEGATED", [](const FusedTerm& term) { return term.negated; });
+  return parameters;
 }
 
 /// The operand of a scaling with its sign changed.
@@ -332,7 +354,9 @@ std::vector<Parameter> FloatNodes::unit_parameters(const TypedNode& node,
   if (node.operation == Operation::add || node.operation == Operation::subtract) {
     parameters.push_back({"SUBTRACT", node.operation == Operation::subtract ? 1 : 0});
   }
-  if (node.operation == Operation::fused_sum) append_terms(node.terms, parameters);
+  if (node.operation == Operation::fused_sum) {
+    for (Parameter& parameter : term_parameters(node)) parameters.push_back(std::move(parameter));
+  }
   if (chooses) parameters.push_back({"MAXIMUM", node.operation == Operation::maximum ? 1 : 0});
   if (const auto scaling = datapath::scaling_of(graph_, node)) {
     parameters.push_back({"SCALE", scaling->exponent});

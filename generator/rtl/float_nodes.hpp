@@ -37,6 +37,12 @@ public:
   /// One name per node.
   const std::vector<std::string>& names() const { return names_; }
 
+  /// What a unit that adds up the terms of a fused sum reads in `cycle`: its operands a and b, the
+  /// first term in the lowest bits.
+  std::vector<Operand> term_operands(const TypedNode& node, int cycle);
+  /// The parameters that tell what the terms are.
+  std::vector<Parameter> term_parameters(const TypedNode& node) const;
+
 private:
   void declare_unused_flags();
   void build_node(NodeId id);
@@ -47,12 +53,13 @@ private:
   void build_selecting_units();
   void build_selecting_unit(const SelectingUnits::Unit& unit, std::size_t index);
   std::vector<Operand> unit_operands(NodeId id);
-  std::vector<Operand> factors(const TypedNode& node, int cycle);
   Operand negated(NodeId id, const Operand& operand);
   Operand flag_output(NodeId id);
   void gather_flags(NodeId id);
   std::string describe(NodeId id) const;
   bool is_inside_its_square(NodeId id) const;
+  bool squares_a_sum(const FusedTerm& term) const;
+  void name_sums_inside_squares();
   bool gathers_flag(NodeId id) const;
   error::Hazards hazards_of(NodeId id) const;
   std::vector<Parameter> unit_parameters(const TypedNode& node, const error::Hazards& hazards,

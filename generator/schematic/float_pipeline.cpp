@@ -31,6 +31,15 @@ public:
 
   int box(NodeId node) const { return boxes_[static_cast<std::size_t>(node)]; }
 
+  /// The boxes that a comparison of a reference reads.
+  std::vector<int> compared(const Sides& part) const {
+    const TypedNode& f = graph_.nodes[part.f];
+    if (!f.is_sign_of_sum()) return {box(part.f), box(part.g)};
+    std::vector<int> terms;
+    for (const NodeId operand : operands_of(f)) terms.push_back(box(operand));
+    return terms;
+  }
+
   /// The boxes of these inputs.
   std::vector<int> inputs(const std::vector<int>& numbers) const {
     std::vector<int> found;
@@ -46,7 +55,7 @@ public:
 private:
   int add(NodeId id, const Step& step) {
     const TypedNode& node = graph_.nodes[id];
-    if (node.operation == Operation::constant) return PipelineMaker::none;
+    if (node.operation == Operation::constant || node.is_sign_of_sum()) return PipelineMaker::none;
     if (node.operation == Operation::input) {
       return maker_.add_input(name_of(graph_, node.input), node.format.name());
     }
@@ -181,18 +190,27 @@ page::Pipeline float_lane_pipeline(const error::Lane& lane, const datapath::Sche
                       schedule, decisions, lane.graph.combination);
 }
 
+namespace {
+
+std::string comparison_of(const TypedGraph& reference, std::size_t part) {
+  const NodeId f = reference.parts[part].f;
+  if (!reference.nodes[f].is_sign_of_sum()) return "the order of f and g as rounded";
+  return meaning_of(reference.nodes, reference.input_names, f) + " against 0, without rounding it";
+}
+
+}  // namespace
+
 page::Pipeline reference_pipeline(const TypedGraph& reference, const datapath::Schedule& schedule) {
   PipelineMaker maker;
   const FloatBoxes boxes(maker, reference, schedule);
   std::vector<int> decisions;
   for (std::size_t part = 0; part < reference.parts.size(); ++part) {
-    const Sides& sides = reference.parts[part];
     decisions.push_back(maker.add({.title = decision_title(part, reference.parts.size()),
                                    .format = "verdict",
-                                   .meaning = "the order of f and g as rounded",
+                                   .meaning = comparison_of(reference, part),
                                    .role = UnitRole::decision},
                                   schedule.parts[part].decision,
-                                  {boxes.box(sides.f), boxes.box(sides.g)}));
+                                  boxes.compared(reference.parts[part])));
   }
   return maker.finish(fmt::format("Units of a reference in {}", reference.arithmetic.format.name()),
                       schedule, decisions, reference.combination);

@@ -56,6 +56,7 @@ private:
   NodeRange analyse(const TypedNode& node) {
     NodeRange result{.value = exact(node)};
     result.rangeless_inputs = rangeless(node);
+    if (node.is_sign_of_sum()) return result;
     const auto mark = [&](Event event, bool may) {
       result.may_happen[static_cast<std::size_t>(event)] = may;
     };
@@ -183,7 +184,7 @@ private:
       case Operation::divide:
       case Operation::minimum:
       case Operation::maximum: return exact(node, operand(node, 0), operand(node, 1));
-      case Operation::fused_sum: return cut_sum(node);
+      case Operation::fused_sum: return node.is_sign_of_sum() ? Range{-1, 1} : cut_sum(node);
     }
     MIXCMP_CHECK(false);
   }

@@ -86,6 +86,41 @@ std::vector<FusedTerm> fused_terms(const Graph& graph, NodeId id) {
   return saves_a_rounding ? terms : std::vector<FusedTerm>();
 }
 
+/// Counts the operations and sides of comparisons that read a node.
+std::ptrdiff_t readers_of(const Graph& graph, NodeId id) {
+  std::ptrdiff_t readers = 0;
+  for (const Node& node : graph.nodes()) {
+    for (int k = 0; k < arity(node.operation); ++k) readers += node.operands[k] == id;
+  }
+  for (const Sides& part : graph.parts()) readers += (part.f == id) + (part.g == id);
+  return readers;
+}
+
+/// The terms of one side of a comparison that its difference takes in: those of a sum that is to be
+/// fused, or a product. None where the side rounds nothing that can be saved, or has other readers.
+std::vector<FusedTerm> terms_of_side(const Graph& graph, NodeId side) {
+  if (readers_of(graph, side) > 1) return {};
+  std::vector<FusedTerm> terms = fused_terms(graph, side);
+  if (!terms.empty()) return terms;
+  terms = TermCollector(graph).collect(side);
+  const bool is_product =
+      terms.size() == 1 && terms[0].is_product() && !is_scaling(graph, terms[0]);
+  return is_product ? terms : std::vector<FusedTerm>();
+}
+
+/// The terms of f - g, if a comparison of that with zero saves a rounding and they are not too
+/// many.
+std::vector<FusedTerm> terms_of_difference(const Graph& graph, const Sides& part) {
+  std::vector<FusedTerm> terms = terms_of_side(graph, part.f);
+  std::vector<FusedTerm> subtracted = terms_of_side(graph, part.g);
+  if (terms.empty() && subtracted.empty()) return {};
+  if (terms.empty()) terms.push_back({part.f, -1, false});
+  if (subtracted.empty()) subtracted.push_back({part.g, -1, false});
+  for (FusedTerm& term : subtracted) term.negated = !term.negated;
+  terms.insert(terms.end(), subtracted.begin(), subtracted.end());
+  return terms.size() <= max_fused_terms ? terms : std::vector<FusedTerm>();
+}
+
 /// Emits the nodes that f and g need, operands first.
 class TypedGraphBuilder {
 public:
@@ -97,9 +132,13 @@ public:
   /// The node in the lane's format.
   NodeId in_lane(NodeId id);
 
-  /// Makes the graph of all parts; `side` emits one side of a part.
-  template <class Side>
-  TypedGraph finish(Side side);
+  /// What a reference compares: the sides in the reference format, or their fused difference with
+  /// 0.
+  Sides compared_in_reference(const Sides& part);
+
+  /// Makes the graph of all parts; `emit_part` emits what is compared in one.
+  template <class EmitPart>
+  TypedGraph finish(EmitPart emit_part);
 
 private:
   /// How an operation of the lane takes its operands.
@@ -114,9 +153,9 @@ private:
   /// The node and all below it in the format that operands are rounded to.
   NodeId entering(NodeId id);
 
-  NodeId emit_constant(const Node& node, FloatFormat format);
+  NodeId emit_constant(const mpq_class& value, FloatFormat format);
   NodeId emit_in_reference(NodeId id);
-  NodeId emit_fused(std::vector<FusedTerm> terms);
+  NodeId emit_fused(std::vector<FusedTerm> terms, SumResult result);
   NodeId emit_entering(NodeId id);
   NodeId emit_in_lane(NodeId id);
   NodeId emit_conversion(NodeId id, FloatFormat format);
@@ -200,16 +239,16 @@ FloatFormat TypedGraphBuilder::format_of(Taken taken) const {
   MIXCMP_CHECK(false);
 }
 
-NodeId TypedGraphBuilder::emit_constant(const Node& node, FloatFormat format) {
+NodeId TypedGraphBuilder::emit_constant(const mpq_class& value, FloatFormat format) {
   return emit({.operation = Operation::constant,
                .operand_format = format,
                .format = format,
-               .constant = from_rational(format, node.value),
-               .value = node.value});
+               .constant = from_rational(format, value),
+               .value = value});
 }
 
 /// The terms are in nodes of the graph without formats.
-NodeId TypedGraphBuilder::emit_fused(std::vector<FusedTerm> terms) {
+NodeId TypedGraphBuilder::emit_fused(std::vector<FusedTerm> terms, SumResult result) {
   MIXCMP_CHECK(terms.size() <= max_fused_terms);
   for (FusedTerm& term : terms) {
     term.a = in_reference(term.a);
@@ -219,16 +258,29 @@ NodeId TypedGraphBuilder::emit_fused(std::vector<FusedTerm> terms) {
                .operand_format = reference_,
                .format = reference_,
                .value = {},
-               .terms = std::move(terms)});
+               .terms = std::move(terms),
+               .sum_result = result});
+}
+
+Sides TypedGraphBuilder::compared_in_reference(const Sides& part) {
+  if (typed_.arithmetic.sums == Sums::fused) {
+    std::vector<FusedTerm> terms = terms_of_difference(graph_, part);
+    if (!terms.empty()) {
+      const NodeId sign = emit_fused(std::move(terms), SumResult::sign);
+      return {sign, emit_constant(0, reference_)};
+    }
+  }
+  const NodeId f = in_reference(part.f);
+  return {f, in_reference(part.g)};
 }
 
 NodeId TypedGraphBuilder::emit_in_reference(NodeId id) {
   const Node& node = graph_.nodes()[id];
   if (typed_.arithmetic.sums == Sums::fused) {
     std::vector<FusedTerm> terms = fused_terms(graph_, id);
-    if (!terms.empty()) return emit_fused(std::move(terms));
+    if (!terms.empty()) return emit_fused(std::move(terms), SumResult::rounded);
   }
-  if (node.operation == Operation::constant) return emit_constant(node, reference_);
+  if (node.operation == Operation::constant) return emit_constant(node.value, reference_);
   TypedNode typed{.operation = node.operation,
                   .operand_format = reference_,
                   .format = reference_,
@@ -250,7 +302,7 @@ NodeId TypedGraphBuilder::emit_conversion(NodeId id, FloatFormat format) {
 
 NodeId TypedGraphBuilder::emit_entering(NodeId id) {
   const Node& node = graph_.nodes()[id];
-  if (node.operation == Operation::constant) return emit_constant(node, entering_);
+  if (node.operation == Operation::constant) return emit_constant(node.value, entering_);
   if (node.operation == Operation::input) return emit_conversion(id, entering_);
   TypedNode typed{
       .operation = node.operation, .operand_format = entering_, .format = entering_, .value = {}};
@@ -261,7 +313,7 @@ NodeId TypedGraphBuilder::emit_entering(NodeId id) {
 NodeId TypedGraphBuilder::emit_in_lane(NodeId id) {
   const Node& node = graph_.nodes()[id];
   const FloatFormat format = typed_.arithmetic.format;
-  if (node.operation == Operation::constant) return emit_constant(node, format);
+  if (node.operation == Operation::constant) return emit_constant(node.value, format);
   const Taken taken = operands_of(node);
   const bool is_unrounded = taken == Taken::from_reference && only_moves_bits(node.operation);
   if (node.operation == Operation::input || is_unrounded) return emit_conversion(id, format);
@@ -280,13 +332,9 @@ NodeId TypedGraphBuilder::emit(TypedNode node) {
   return static_cast<NodeId>(typed_.nodes.size()) - 1;
 }
 
-template <class Side>
-TypedGraph TypedGraphBuilder::finish(Side side) {
-  for (const Sides& part : graph_.parts()) {
-    const NodeId f = side(part.f);
-    const NodeId g = side(part.g);
-    typed_.parts.push_back({f, g});
-  }
+template <class EmitPart>
+TypedGraph TypedGraphBuilder::finish(EmitPart emit_part) {
+  for (const Sides& part : graph_.parts()) typed_.parts.push_back(emit_part(part));
   return std::move(typed_);
 }
 
@@ -371,13 +419,24 @@ std::size_t longest_fused_sum(const Graph& graph) {
 
 TypedGraph reference_graph(const Graph& graph, Arithmetic reference) {
   TypedGraphBuilder builder(graph, reference.format, reference, LaneInputs::exact);
-  return builder.finish([&](NodeId side) { return builder.in_reference(side); });
+  return builder.finish([&](const Sides& part) { return builder.compared_in_reference(part); });
+}
+
+TypedGraph sides_graph(const Graph& graph, Arithmetic reference) {
+  TypedGraphBuilder builder(graph, reference.format, reference, LaneInputs::exact);
+  return builder.finish([&](const Sides& part) {
+    const NodeId f = builder.in_reference(part.f);
+    return Sides{f, builder.in_reference(part.g)};
+  });
 }
 
 TypedGraph lane_graph(const Graph& graph, FloatFormat reference, Arithmetic reduced,
                       LaneInputs inputs) {
   TypedGraphBuilder builder(graph, reference, reduced, inputs);
-  return builder.finish([&](NodeId side) { return builder.in_lane(side); });
+  return builder.finish([&](const Sides& part) {
+    const NodeId f = builder.in_lane(part.f);
+    return Sides{f, builder.in_lane(part.g)};
+  });
 }
 
 }  // namespace mixcmp::inline expression

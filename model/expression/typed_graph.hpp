@@ -28,6 +28,12 @@ inline constexpr std::size_t max_fused_terms = 63;
 /// then below 1/32 of a unit in the last place of the largest one.
 int fused_guard_digits(std::size_t terms);
 
+/// What a fused sum gives to those that read it.
+enum class SumResult {
+  rounded,
+  sign,  ///< -1, 0 or 1, of the sum before any rounding, or a NaN: for a comparison with zero
+};
+
 /// One operation with the formats it works in. Both operands of an operation share a format; the
 /// result may be narrower (an operator that takes reference-format inputs and rounds once).
 struct TypedNode {
@@ -39,9 +45,11 @@ struct TypedNode {
   /// For Operation::constant: `value`, rounded to nearest, ties to even. The golden model does not
   /// read this encoding; it rounds `value` itself.
   Bits constant = 0;
-  mpq_class value;                    ///< for Operation::constant: exactly as written
-  std::vector<FusedTerm> terms = {};  ///< for Operation::fused_sum: two or more
+  mpq_class value;                            ///< for Operation::constant: exactly as written
+  std::vector<FusedTerm> terms = {};          ///< for Operation::fused_sum: two or more
+  SumResult sum_result = SumResult::rounded;  ///< meaningful for Operation::fused_sum
 
+  bool is_sign_of_sum() const { return sum_result == SumResult::sign; }
   friend bool operator==(const TypedNode&, const TypedNode&) = default;
 };
 
@@ -86,7 +94,11 @@ std::size_t longest_fused_sum(const Graph& graph);
 
 /// The graph in the reference format alone: no conversion anywhere. With Sums::fused each sum that
 /// the composed arithmetic rounds more than once is a fused sum of at most max_fused_terms terms.
+/// A part whose sides are such sums, or products, compares no sides but the sign of their fused
+/// difference with zero: f is that sign, g the constant 0.
 TypedGraph reference_graph(const Graph& graph, Arithmetic reference);
+/// The graph in the reference format with the two sides of every part, whatever is compared.
+TypedGraph sides_graph(const Graph& graph, Arithmetic reference);
 
 /// The graph in a lane's reduced format, with conversions where `inputs` asks for them. f and g are
 /// in the lane's format and are never inputs themselves: a conversion follows the input, because an

@@ -165,17 +165,21 @@ BigFloat sum_of_cut(const std::vector<Term>& terms, mpfr_exp_t exponent) {
   return sum;
 }
 
+std::vector<Term> terms_of(const Arithmetic& result, FloatFormat operands,
+                           std::span<const FusedOperands> terms) {
+  MIXCMP_CHECK(terms.size() >= 2);
+  std::vector<Term> values;
+  for (const FusedOperands& term : terms) values.push_back(term_of(result, operands, term));
+  return values;
+}
+
 }  // namespace
 
 Rounded fused_sum(const Arithmetic& result, FloatFormat operands,
                   std::span<const FusedOperands> terms) {
-  MIXCMP_CHECK(terms.size() >= 2);
-  std::vector<Term> values;
-  bool exceptional = false;
-  for (const FusedOperands& term : terms) {
-    values.push_back(term_of(result, operands, term));
-    exceptional |= values.back().exceptional;
-  }
+  const std::vector<Term> values = terms_of(result, operands, terms);
+  const bool exceptional =
+      std::any_of(values.begin(), values.end(), [](const Term& term) { return term.exceptional; });
   const BigFloat sum = sum_of_cut(values, cut_exponent(result, values));
   if (mpfr_zero_p(sum.get())) {
     const bool negative = std::all_of(values.begin(), values.end(),
@@ -187,6 +191,16 @@ Rounded fused_sum(const Arithmetic& result, FloatFormat operands,
   Rounded rounded = fit(result, y, ternary);
   rounded.exceptional |= exceptional;
   return rounded;
+}
+
+Verdict fused_comparison(const Arithmetic& arithmetic, FloatFormat operands,
+                         std::span<const FusedOperands> terms) {
+  const std::vector<Term> values = terms_of(arithmetic, operands, terms);
+  const BigFloat sum = sum_of_cut(values, cut_exponent(arithmetic, values));
+  if (mpfr_nan_p(sum.get()) != 0) return Verdict::unordered;
+  const int order = mpfr_sgn(sum.get());
+  if (order == 0) return Verdict::equal;
+  return order < 0 ? Verdict::less : Verdict::greater;
 }
 
 Rounded add(const Arithmetic& result, FloatFormat operands, Bits a, Bits b) {

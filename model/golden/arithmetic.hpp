@@ -51,6 +51,11 @@ struct FusedOperands {
 Rounded fused_sum(const Arithmetic& result, FloatFormat operands,
                   std::span<const FusedOperands> terms);
 
+/// The order of a sum of such terms, cut as fused_sum cuts them, and zero; the sum is not rounded.
+/// Unordered if a term is a NaN or if infinities have unlike signs.
+Verdict fused_comparison(const Arithmetic& arithmetic, FloatFormat operands,
+                         std::span<const FusedOperands> terms);
+
 /// IEEE 754-2019 minimum and maximum, operands and result in one format.
 Rounded minimum(const Arithmetic& result, Bits a, Bits b);
 Rounded maximum(const Arithmetic& result, Bits a, Bits b);

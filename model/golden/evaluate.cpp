@@ -22,7 +22,14 @@ Rounded evaluate_sum(const TypedNode& node, const Arithmetic& result,
     const Bits factor = term.is_product() ? values[term.b].bits : one;
     terms.push_back({values[term.a].bits, factor, term.negated});
   }
-  return fused_sum(result, operands, terms);
+  if (!node.is_sign_of_sum()) return fused_sum(result, operands, terms);
+  switch (fused_comparison(result, operands, terms)) {
+    case Verdict::less: return {operands.pack(true, operands.bias(), 0), false};
+    case Verdict::equal: return {operands.zero(false), false};
+    case Verdict::greater: return {one, false};
+    case Verdict::unordered: return {operands.quiet_nan(), true};
+  }
+  MIXCMP_CHECK(false);
 }
 
 Rounded evaluate_node(const TypedNode& node, const Arithmetic& arithmetic,

@@ -262,7 +262,8 @@ DatapathSummary summarise_lane(const std::string& name, const Scene& scene,
 }
 
 /// The sides of the comparison: f and g of a single part, f[0], g[0], f[1], ... of several.
-std::vector<SideSummary> summarise_sides(const Scene& scene, const TypedGraph& reference) {
+std::vector<SideSummary> summarise_sides(const Scene& scene) {
+  const TypedGraph reference = sides_graph(scene.graph, scene.reference);
   const std::vector<error::NodeRange> ranges =
       error::analyse_ranges(reference, scene.ranges, error::Infinities::followed);
   std::vector<SideSummary> sides;
@@ -307,7 +308,7 @@ Summary summarise(const Scene& scene, const data::Comparisons* data) {
   Arithmetic composed = scene.reference;
   composed.sums = Sums::composed;
   Summary summary{.scene = &scene};
-  summary.sides = summarise_sides(scene, reference);
+  summary.sides = summarise_sides(scene);
   summary.datapaths.push_back(summarise_datapath("reference", reference, scene.ranges));
   const std::vector<std::string> labels = lane_group_labels(scene);
   const std::vector<LaneGroupSpec> groups = scene.lane_groups();

@@ -40,13 +40,9 @@ module fp_squared_sum #(
   localparam SQUARE    = 7;
   localparam NORMALISE = 14;
 
-  // The smaller operand has two places more than the larger one, and a sticky bit; the sum has one
-  // in front, for its carry.
-  localparam ALIGNED = PRECISION + 2;
-  localparam SUM     = ALIGNED + 2;
-  localparam PRODUCT = 2 * PRECISION;
   // The square's leading one is in the first or the second place; two places and a sticky bit
   // beyond PRECISION decide how it is rounded.
+  localparam PRODUCT = 2 * PRECISION;
   localparam KEPT    = PRECISION + 3;
 
   // Shifts are counted in steps of two places: a leading zero of the sum makes two of its square,
@@ -80,112 +76,29 @@ module fp_squared_sum #(
     end
   endgenerate
 
-  // Stages compare, swap, align by fours, align: the larger operand is that of the larger exponent.
-  wire [EXPONENT_BITS-1:0] s4_exponent;
-  wire [PRECISION-1:0]     s4_large;
-  wire [ALIGNED:0]         s4_small;
-  wire                     s4_unused_sign;
-  wire                     s4_cancel;
-  wire                     s4_nan;
-  wire                     s4_infinite;
-  wire                     s4_unused_zero;
-  wire                     s4_unused_suspect;
-
-  fp_aligned_operands #(
-    .EXPONENT_BITS(EXPONENT_BITS),
-    .PRECISION    (PRECISION),
-    .ALIGNED      (ALIGNED),
-    .SUBTRACT     (SUBTRACT),
-    .GRADUAL      (GRADUAL),
-    .ORDERED      (0),
-    .SELECTED_LAST(1),
-    .CUTS         (CUTS[3:0])
-  ) s0_aligned_operands (
-    .aclk    (aclk),
-    .a       (a),
-    .b       (b),
-    .exponent(s4_exponent),
-    .larger  (s4_large),
-    .smaller (s4_small),
-    .sign    (s4_unused_sign),
-    .cancel  (s4_cancel),
-    .nan     (s4_nan),
-    .infinite(s4_infinite),
-    .zero    (s4_unused_zero),
-    .suspect (s4_unused_suspect)
-  );
-
-  // Stage sum: with unlike signs, small + (-1 - large) is -1 less their difference, large - small.
-  wire [SUM-1:0] s4_large_places = {1'b0, s4_large, {(SUM - 1 - PRECISION) {1'b0}}};
-  wire [SUM-1:0] s4_sum          = {1'b0, s4_small} + (s4_large_places ^ {SUM{s4_cancel}});
-
-  wire [EXPONENT_BITS-1:0] s5_exponent;
-  wire [SUM-1:0]           s5_sum;
-  wire                     s5_cancel;
-  wire [1:0]               s5_flags;
-
-  fp_rank #(
-    .WIDTH     (EXPONENT_BITS + SUM + 3),
-    .REGISTERED(CUTS[4])
-  ) rank_4 (
-    .aclk(aclk),
-    .d   ({s4_exponent, s4_sum, s4_cancel, s4_nan, s4_infinite}),
-    .q   ({s5_exponent, s5_sum, s5_cancel, s5_flags})
-  );
-
-  // Stage select: the significand begins with a carry, with the larger operand's leading one, or
-  // one place below. If it begins further below, nothing is beyond it and it is taken from there.
-  // If the smaller operand was the larger one after all, the exponents are equal, and the sum lacks
-  // the one that rounding up adds.
-  wire [SUM-1:0]       s5_bits      = s5_sum ^ {SUM{s5_cancel}};
-  wire                 s5_swapped   = s5_cancel && !s5_sum[SUM-1];
-  wire                 s5_carry     = !s5_cancel && s5_sum[SUM-1];
-  wire                 s5_below     = s5_cancel && s5_sum[SUM-1] && !s5_bits[SUM-2];
-  wire [PRECISION-1:0] s5_uncarried = s5_swapped ? s5_sum[SUM-2:3] : s5_bits[SUM-2:3];
-  wire [PRECISION-1:0] s5_shifted   = s5_carry ? s5_bits[SUM-1:4] : s5_bits[SUM-3:2];
-  wire [PRECISION-1:0] s5_selected  = (s5_carry || s5_below) ? s5_shifted : s5_uncarried;
-  wire                 s5_up        =
-      s5_swapped
-      || (s5_carry && s5_bits[3] && (s5_bits[4] || (|s5_bits[2:0])))
-      || (s5_below && s5_bits[1] && (s5_bits[2] || s5_bits[0]))
-      || (!s5_carry && !s5_below && s5_bits[2] && (s5_bits[3] || (|s5_bits[1:0])));
-  wire [SUM_EXPONENT-1:0] s5_moved_exponent =
-      {{(SUM_EXPONENT - EXPONENT_BITS) {1'b0}}, s5_exponent}
-      + {{(SUM_EXPONENT - 1) {s5_below}}, s5_carry || s5_below};
-
-  wire [SUM_EXPONENT-1:0] s6_exponent;
-  wire [PRECISION-1:0]      s6_selected;
-  wire                      s6_up;
-  wire [1:0]                s6_flags;
-
-  fp_rank #(
-    .WIDTH     (SUM_EXPONENT + PRECISION + 3),
-    .REGISTERED(CUTS[5])
-  ) rank_5 (
-    .aclk(aclk),
-    .d   ({s5_moved_exponent, s5_selected, s5_up, s5_flags}),
-    .q   ({s6_exponent, s6_selected, s6_up, s6_flags})
-  );
-
-  // Stage round sum: a carry out leaves zeros, of which the first becomes a one.
-  wire                 s6_carry;
-  wire [PRECISION-1:0] s6_rounded;
-
-  assign {s6_carry, s6_rounded} = {1'b0, s6_selected} + {{PRECISION{1'b0}}, s6_up};
-
+  // Stages of the sum.
   wire [SUM_EXPONENT-1:0] s7_exponent;
-  wire                      s7_carry;
-  wire [PRECISION-1:0]      s7_significand;
-  wire [1:0]                s7_flags;
+  wire                    s7_carry;
+  wire [PRECISION-1:0]    s7_significand;
+  wire                    s7_nan;
+  wire                    s7_infinite;
 
-  fp_rank #(
-    .WIDTH     (SUM_EXPONENT + 1 + PRECISION + 2),
-    .REGISTERED(CUTS[6])
-  ) rank_6 (
-    .aclk(aclk),
-    .d   ({s6_exponent, s6_carry, s6_rounded[PRECISION-1] || s6_carry, s6_rounded[PRECISION-2:0],
-           s6_flags}),
-    .q   ({s7_exponent, s7_carry, s7_significand, s7_flags})
+  fp_unnormalised_sum #(
+    .EXPONENT_BITS (EXPONENT_BITS),
+    .PRECISION     (PRECISION),
+    .EXPONENT_WIDTH(SUM_EXPONENT),
+    .SUBTRACT      (SUBTRACT),
+    .GRADUAL       (GRADUAL),
+    .CUTS          (CUTS[SQUARE-1:0])
+  ) s0_sum (
+    .aclk       (aclk),
+    .a          (a),
+    .b          (b),
+    .exponent   (s7_exponent),
+    .carry      (s7_carry),
+    .significand(s7_significand),
+    .nan        (s7_nan),
+    .infinite   (s7_infinite)
   );
 
   // Stages of the product.
@@ -233,7 +146,7 @@ module fp_squared_sum #(
     .REGISTERED(CUTS[SQUARE])
   ) rank_7 (
     .aclk(aclk),
-    .d   ({s7_room, s7_count, s7_flags, s7_empty}),
+    .d   ({s7_room, s7_count, s7_nan, s7_infinite, s7_empty}),
     .q   ({s8_room, s8_count, s8_flags})
   );
 

@@ -12,6 +12,7 @@
 #include "generator/datapath/squared_sum.hpp"
 #include "model/error/certified_lane.hpp"
 #include "model/expression/parser.hpp"
+#include "tests/support/graphs.hpp"
 #include "tests/support/sphere.hpp"
 
 namespace mixcmp::test::schedule_test {
@@ -320,6 +321,23 @@ TEST(Schedule, ASumThatOnlyItsSquareReadsSharesItsUnit) {
   EXPECT_EQ(units("(x * y)^2"), Modules({"fp_multiply", "fp_square"}));
   EXPECT_EQ(units("(x + y)^2 * (x + y)"), Modules({"fp_add", "fp_square", "fp_multiply"}));
   EXPECT_EQ(units("(x - y)^2", 2), Modules({"fp_add", "fp_square"}));
+
+  const auto fused = [&](const std::string& f, const std::string& g) {
+    const TypedGraph reference =
+        reference_graph(test::graph_of(f, g), {.format = format("s24e8"), .sums = Sums::fused});
+    std::vector<std::string> modules;
+    const datapath::Schedule schedule = datapath::schedule_reference(reference, {}, delays, 200);
+    for (const datapath::Step& step : schedule.steps) {
+      if (!step.unit.module.empty()) modules.push_back(step.unit.module);
+    }
+    modules.push_back(schedule.parts[0].decision.unit.module);
+    return modules;
+  };
+  EXPECT_EQ(fused("(x - y)^2 + (x + y)^2", "z"), Modules({"fp_fused_comparison"}));
+  EXPECT_EQ(fused("(x - y)^2 + (x + y) * y", "z"), Modules({"fp_add", "fp_fused_comparison"}));
+  EXPECT_EQ(fused("sqrt((x - y)^2 + x^2)", "z"),
+            Modules({"fp_fused_sum", "fp_square_root", "fp_compare"}));
+  EXPECT_EQ(fused("(x - y)^2 + (x - y) * y", "z"), Modules({"fp_add", "fp_fused_comparison"}));
 
   Graph graph;  // the sum is itself a side of the comparison
   const NodeId sum = *parse_expression(graph, "x - y", {});

@@ -282,8 +282,16 @@ Rounded convert(const Arithmetic& result, FloatFormat operands, Bits a) {
   return apply(result, operands, a, a, [](const Value& value, const Value&) { return value; });
 }
 
-Rounded fused_sum(const Arithmetic& result, FloatFormat operands,
-                  std::span<const golden::FusedOperands> terms) {
+namespace {
+
+/// The exact sum of the cut terms, negative zeros as fused sums have them.
+struct CutSum {
+  Value total;
+  bool exceptional;
+};
+
+CutSum cut_sum(const Arithmetic& result, FloatFormat operands,
+               std::span<const golden::FusedOperands> terms) {
   std::vector<Value> values;
   bool exceptional = false, all_down = true;
   long largest = result.subnormals == Subnormals::gradual ? result.format.min_exponent()
@@ -307,8 +315,24 @@ Rounded fused_sum(const Arithmetic& result, FloatFormat operands,
     total = k == 0 ? cut : sum(total, cut);
   }
   if (total.is_zero()) total.negative = all_down;
-  const Rounded rounded = finish(result, total);
-  return {rounded.bits, rounded.exceptional || exceptional};
+  return {total, exceptional};
+}
+
+}  // namespace
+
+Rounded fused_sum(const Arithmetic& result, FloatFormat operands,
+                  std::span<const golden::FusedOperands> terms) {
+  const CutSum sum = cut_sum(result, operands, terms);
+  const Rounded rounded = finish(result, sum.total);
+  return {rounded.bits, rounded.exceptional || sum.exceptional};
+}
+
+Verdict fused_comparison(const Arithmetic& arithmetic, FloatFormat operands,
+                         std::span<const golden::FusedOperands> terms) {
+  const Value total = cut_sum(arithmetic, operands, terms).total;
+  if (total.kind == Kind::nan) return Verdict::unordered;
+  if (total.is_zero()) return Verdict::equal;
+  return total.negative ? Verdict::less : Verdict::greater;
 }
 
 Rounded minimum(const Arithmetic& result, Bits a, Bits b) {

@@ -22,6 +22,8 @@ Rounded square_root(const Arithmetic& result, FloatFormat operands, Bits a);
 Rounded convert(const Arithmetic& result, FloatFormat operands, Bits a);
 Rounded fused_sum(const Arithmetic& result, FloatFormat operands,
                   std::span<const golden::FusedOperands> terms);
+Verdict fused_comparison(const Arithmetic& arithmetic, FloatFormat operands,
+                         std::span<const golden::FusedOperands> terms);
 Rounded minimum(const Arithmetic& result, Bits a, Bits b);
 Rounded maximum(const Arithmetic& result, Bits a, Bits b);
 Verdict compare(FloatFormat format, Subnormals subnormals, Bits a, Bits b);

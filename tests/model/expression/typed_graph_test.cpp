@@ -43,9 +43,11 @@ TEST(ReferenceGraph, ConvertsNothing) {
             "f 3, g 5\n");
 }
 
-/// The terms of the fused sums in the order of their nodes, "+0*0 -1*2 +3", one sum a line.
-std::string fused(const std::string& f, const std::string& g) {
-  const TypedGraph graph = reference_graph(graph_of(f, g), {.format = wide, .sums = Sums::fused});
+const Arithmetic fusing{.format = wide, .sums = Sums::fused};
+
+/// The terms of the fused sums in the order of their nodes, "+0*0 -1*2 +3", one sum a line; "sign
+/// of" before one that is only compared with 0.
+std::string fused(const TypedGraph& graph) {
   std::string text;
   for (const TypedNode& node : graph.nodes) {
     if (node.operation != Operation::fused_sum) continue;
@@ -56,9 +58,19 @@ std::string fused(const std::string& f, const std::string& g) {
       if (!term.is_product()) continue;
       line += "*" + to_text(graph.nodes, graph.input_names, term.b, 60);
     }
-    text += line + "\n";
+    text += (node.is_sign_of_sum() ? "sign of " : "") + line + "\n";
   }
   return text;
+}
+
+/// Of the sides alone.
+std::string fused(const std::string& f, const std::string& g) {
+  return fused(sides_graph(graph_of(f, g), fusing));
+}
+
+/// Of what a reference compares.
+std::string compared(const std::string& f, const std::string& g) {
+  return fused(reference_graph(graph_of(f, g), fusing));
 }
 
 TEST(FusedSums, HaveTheTermsOfTheWholeSum) {
@@ -78,6 +90,42 @@ TEST(FusedSums, OfSumsThatOthersReadTooAreRoundedForThose) {
   EXPECT_EQ(fused("a * b + c + d", "max(a * b + c, d)"), "+a*b +c +d\n+a*b +c\n");
 }
 
+TEST(FusedSums, OfBothSidesAreOneThatIsComparedWithZero) {
+  EXPECT_EQ(compared("(a - b)^2 + c^2", "(a + b)^2 - c"),
+            "sign of +a - b*a - b +c*c -a + b*a + b +c\n");
+  EXPECT_EQ(compared("a * b", "c"), "sign of +a*b -c\n");
+  EXPECT_EQ(compared("a", "-(b * c)"), "sign of +a +b*c\n");
+  EXPECT_EQ(compared("a + b + c", "max(a, b)"), "sign of +a +b +c -max(a, b)\n");
+}
+
+/// A difference a - b may cancel before c is subtracted: as a term of its own, c loses no digit.
+TEST(FusedSums, LeaveSidesThatAreRoundedOnceAsTheyAre) {
+  EXPECT_EQ(compared("a - b", "c"), "");
+  EXPECT_EQ(compared("a - b", "a * 2"), "");
+  EXPECT_EQ(compared("a - b", "a * c"), "sign of +a - b -a*c\n");
+  EXPECT_EQ(compared("sqrt(a * b + c)", "abs(a)"), "+a*b +c\n");
+}
+
+TEST(FusedSums, OfSidesThatHaveOtherReadersAreRounded) {
+  EXPECT_EQ(compared("a * b + c", "(a * b + c) * 3"), "+a*b +c\nsign of +a * b + c -a * b + c*3\n");
+  const Graph twice = graph_of({{"a * b + c", "a"}, {"a * b + c", "b * c"}}, Combination::all);
+  EXPECT_EQ(fused(reference_graph(twice, fusing)), "+a*b +c\nsign of +a * b + c -b*c\n");
+}
+
+TEST(FusedSums, OfMoreTermsThanAUnitTakesAreComparedByTheirSides) {
+  std::string f = "a * b", g = "c * b";
+  for (int k = 0; k < 40; ++k) f += " + a * d", g += " + c * d";
+  EXPECT_EQ(compared(f, g).find("sign of"), std::string::npos);
+  EXPECT_NE(compared(f, "c * b + d").find("sign of"), std::string::npos);
+}
+
+TEST(ReferenceGraph, OfAFusedDifferenceComparesItsSignWithZero) {
+  const TypedGraph graph = reference_graph(graph_of("a * b", "c"), fusing);
+  EXPECT_TRUE(graph.nodes[graph.f()].is_sign_of_sum());
+  EXPECT_EQ(graph.nodes[graph.g()].operation, Operation::constant);
+  EXPECT_EQ(graph.nodes[graph.g()].value, 0);
+}
+
 TEST(FusedSums, AreCountedUpToTheMostThatAUnitTakes) {
   const Graph graph = graph_of("a * b + c + d", "a");
   EXPECT_EQ(longest_fused_sum(graph), 3u);
@@ -88,8 +136,7 @@ TEST(FusedSums, AreCountedUpToTheMostThatAUnitTakes) {
 
 TEST(FusedSums, StayInPartsTakenAlone) {
   const TypedGraph graph =
-      reference_graph(graph_of({{"c", "d"}, {"a * b + c", "d"}}, Combination::all),
-                      {.format = wide, .sums = Sums::fused});
+      sides_graph(graph_of({{"c", "d"}, {"a * b + c", "d"}}, Combination::all), fusing);
   const GraphPart part = part_of(graph, 1);
   const TypedNode& sum = part.graph.nodes[part.graph.f()];
   ASSERT_EQ(sum.terms.size(), 2u);

@@ -1,6 +1,8 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "model/expression/typed_graph.hpp"
 #include "model/golden/arithmetic.hpp"
 #include "model/number/decimal.hpp"
@@ -34,25 +36,50 @@ Bits one(FloatFormat format) {
   return format.pack(false, format.bias(), 0);
 }
 
-/// Theorem 12 of docs/error_bounds.md.
-void expect_within_bound(const Arithmetic& result, const Terms& terms, Bits y) {
+/// The exact sum of terms, and what theorem 12 of docs/error_bounds.md says that cuts take from it.
+struct ExactSum {
+  mpq_class value;
+  mpq_class cut;
+};
+
+/// None where an operand is not finite, or arithmetic is not what the theorem is about.
+std::optional<ExactSum> exact_sum(const Arithmetic& result, const Terms& terms) {
   const FloatFormat format = result.format;
-  if (result.rounding != Rounding::nearest_even || result.subnormals != Subnormals::gradual) return;
-  mpq_class exact = 0, magnitudes = 0;
+  if (result.rounding != Rounding::nearest_even || result.subnormals != Subnormals::gradual) {
+    return std::nullopt;
+  }
+  mpq_class value = 0, magnitudes = 0;
   for (const auto& [a, b, negated] : terms) {
-    if (!is_finite(format, a) || !is_finite(format, b)) return;
+    if (!is_finite(format, a) || !is_finite(format, b)) return std::nullopt;
     const mpq_class product = golden::to_rational(format, a) * golden::to_rational(format, b);
-    exact += negated ? mpq_class(-product) : product;
+    value += negated ? mpq_class(-product) : product;
     magnitudes += abs(product);
   }
-  if (!is_finite(format, y)) return;
+  const mpq_class share = power_of_two(-format.precision()) / 32;
+  return ExactSum{value,
+                  share * std::max<mpq_class>(magnitudes, power_of_two(format.min_exponent()))};
+}
+
+void expect_within_bound(const Arithmetic& result, const Terms& terms, Bits y) {
+  const FloatFormat format = result.format;
+  const std::optional<ExactSum> exact = exact_sum(result, terms);
+  if (!exact || !is_finite(format, y)) return;
   const mpq_class u = power_of_two(-format.precision());
   const mpq_class smallest = power_of_two(format.min_exponent() - format.fraction_bits());
-  const mpq_class cut =
-      u / 32 * std::max<mpq_class>(magnitudes, power_of_two(format.min_exponent()));
-  const mpq_class bound = std::max<mpq_class>(u * (abs(exact) + cut), smallest / 2) + cut;
-  if (abs(golden::to_rational(format, y) - exact) <= bound) return;
+  const mpq_class bound =
+      std::max<mpq_class>(u * (abs(exact->value) + exact->cut), smallest / 2) + exact->cut;
+  if (abs(golden::to_rational(format, y) - exact->value) <= bound) return;
   ADD_FAILURE() << describe(result, terms) << " gives " << to_text(format, y);
+}
+
+/// Integers agree, and so does the exact sum where it is further from zero than what cuts take.
+void judge_comparison(const Arithmetic& result, const Terms& terms) {
+  const Verdict got = golden::fused_comparison(result, result.format, terms);
+  const Verdict expected = integer_float::fused_comparison(result, result.format, terms);
+  EXPECT_EQ(got, expected) << describe(result, terms);
+  const std::optional<ExactSum> exact = exact_sum(result, terms);
+  if (!exact || abs(exact->value) <= exact->cut) return;
+  EXPECT_EQ(got, exact->value < 0 ? Verdict::less : Verdict::greater) << describe(result, terms);
 }
 
 void judge(const Arithmetic& result, const Terms& terms) {
@@ -64,6 +91,7 @@ void judge(const Arithmetic& result, const Terms& terms) {
                   << ", got " << to_text(result.format, got.bits) << " " << got.exceptional;
   }
   expect_within_bound(result, terms, got.bits);
+  judge_comparison(result, terms);
 }
 
 /// Two products, three squares, and a product between two plain terms.
@@ -131,6 +159,21 @@ TEST_F(FusedSumOfS8e6, RoundsOnceWhereComposedArithmeticRoundsTwice) {
   EXPECT_EQ(golden::to_rational(format_, golden::add({format_}, format_, product, tie).bits),
             16640);
   EXPECT_EQ(golden::to_rational(format_, sum({{a, a}, {tie, ulp}})), 16768);
+}
+
+TEST_F(FusedSumOfS8e6, IsComparedWithZeroBeforeItIsRounded) {
+  const auto order = [&](const Terms& terms) {
+    return golden::fused_comparison({format_}, format_, terms);
+  };
+  // 129 * 129 = 16641, which eight digits round to 16640.
+  const Bits a = number(129), b = number(16640), unit = number(1);
+  EXPECT_EQ(golden::square({format_}, format_, a).bits, b);
+  EXPECT_EQ(order({{a, a}, {b, unit, true}}), Verdict::greater);
+  EXPECT_EQ(order({{a, a}, {b, unit, true}, {unit, unit, true}}), Verdict::equal);
+  EXPECT_EQ(order({{a, a, true}, {b, unit}}), Verdict::less);
+  const Bits infinity = format_.infinity(false);
+  EXPECT_EQ(order({{a, a}, {infinity, unit, true}}), Verdict::less);
+  EXPECT_EQ(order({{infinity, unit}, {infinity, unit, true}}), Verdict::unordered);
 }
 
 TEST_F(FusedSumOfS8e6, TiesGoToEven) {

@@ -1,13 +1,13 @@
-// fused_sums: fp_fused_sum in several shapes, for the regression alone. The slots are {shape, GRADUAL,
-// variant}, the shapes counting slowest. Variants: 0 without registers, of multipliers; 1 with
+// fused_sums: fp_fused_sum and fp_fused_comparison in several shapes, for the regression alone. The
+// slots are {shape, GRADUAL, variant}, the shapes counting slowest. Variants: 0 without registers, of multipliers; 1 with
 // SOME_CUTS, of logic, CANCELLATION = 1 whatever the shape is.
 `default_nettype none
 
 module fused_sums #(
     parameter        EXPONENT_BITS = 3,
     parameter        PRECISION     = 3,
-    parameter [21:0] SOME_CUTS     = 22'h0,
-    parameter        SHAPES        = 7,
+    parameter [29:0] SOME_CUTS     = 30'h0,
+    parameter        SHAPES        = (PRECISION < 3) ? 7 : 10,  // sums of more digits can be squared
     parameter        SLOTS         = 4 * SHAPES
 ) (
     input wire                               aclk,
@@ -25,6 +25,7 @@ module fused_sums #(
   // Read by hierarchical name, as in fp_units.
   wire [63:0] y   [0:SLOTS-1]  /* verilator public_flat_rd */;
   wire        flag[0:SLOTS-1]  /* verilator public_flat_rd */;
+  wire [1:0]  order[0:SLOTS-1] /* verilator public_flat_rd */;
 
   genvar slot;
 
@@ -34,17 +35,22 @@ module fused_sums #(
       localparam GRADUAL = slot / 2 % 2;
       localparam VARIANT = slot % 2;
 
-      localparam ONE_SIGN = (SHAPE == 0) || (SHAPE == 5);
+      localparam ONE_SIGN = (SHAPE == 0) || (SHAPE == 5) || (SHAPE == 7);
 
       // The shapes: x0^2 + x1^2 + x2^2, x0 x1 - x2 x3, x0 x1 + x2, x0^2 - x1 x2 + x3,
-      // x0 + x1 - x2, -x0^2 - ... - x4^2, -x0 x1 + x2 x3 - x4^2 + x1.
-      localparam TERMS = (SHAPE == 1) || (SHAPE == 2) ? 2 : (SHAPE == 5) ? 5 : (SHAPE == 6) ? 4 : 3;
+      // x0 + x1 - x2, -x0^2 - ... - x4^2, -x0 x1 + x2 x3 - x4^2 + x1; where sums are squared
+      // (x0 - x1)^2 + (x2 + x3)^2, (x0 - x1)^2 - (x2 + x3)^2, (x0 + x1)^2 + x2 x3 - x4.
+      localparam TERMS = (SHAPE == 1) || (SHAPE == 2) || (SHAPE == 7) || (SHAPE == 8) ? 2
+                         : (SHAPE == 5) ? 5 : (SHAPE == 6) ? 4 : 3;
       localparam [TERMS-1:0] SQUARES = (SHAPE == 0) ? 7 : (SHAPE == 3) ? 1 : (SHAPE == 5) ? 31
                                        : (SHAPE == 6) ? 4 : 0;
       localparam [TERMS-1:0] PLAIN = (SHAPE == 2) ? 2 : (SHAPE == 3) ? 4 : (SHAPE == 4) ? 7
-                                     : (SHAPE == 6) ? 8 : 0;
+                                     : (SHAPE == 6) ? 8 : (SHAPE == 9) ? 4 : 0;
+      localparam [TERMS-1:0] SUMS        = (SHAPE == 7) || (SHAPE == 8) ? 2 : (SHAPE == 9) ? 1 : 0;
+      localparam [TERMS-1:0] DIFFERENCES = (SHAPE == 7) || (SHAPE == 8) ? 1 : 0;
       localparam [TERMS-1:0] NEGATED = (SHAPE == 1) ? 2 : (SHAPE == 3) ? 2 : (SHAPE == 4) ? 4
-                                       : (SHAPE == 5) ? 31 : (SHAPE == 6) ? 5 : 0;
+                                       : (SHAPE == 5) ? 31 : (SHAPE == 6) ? 5 : (SHAPE == 8) ? 2
+                                       : (SHAPE == 9) ? 4 : 0;
 
       wire [TERMS*PACKED-1:0] a;
       wire [TERMS*PACKED-1:0] b;
@@ -55,7 +61,7 @@ module fused_sums #(
           assign a = {x2, x1, x0};
           assign b = {none, none, none};
         end
-        1: begin : difference
+        1, 7, 8: begin : difference
           assign a = {x2, x0};
           assign b = {x3, x1};
         end
@@ -71,6 +77,10 @@ module fused_sums #(
           assign a = {x4, x3, x2, x1, x0};
           assign b = {none, none, none, none, none};
         end
+        9: begin : sum_and_product
+          assign a = {x4, x2, x0};
+          assign b = {none, x3, x1};
+        end
         default: begin : four
           assign a = {x1, x4, x2, x0};
           assign b = {none, none, x3, x1};
@@ -83,17 +93,38 @@ module fused_sums #(
           .TERMS        (TERMS),
           .SQUARES      (SQUARES),
           .PLAIN        (PLAIN),
+          .SUMS         (SUMS),
+          .DIFFERENCES  (DIFFERENCES),
           .NEGATED      (NEGATED),
           .CANCELLATION (!ONE_SIGN || (VARIANT == 1)),
           .GRADUAL      (GRADUAL),
           .EMBEDDED     (VARIANT == 0),
-          .CUTS         ((VARIANT == 1) ? SOME_CUTS : 22'h0)
+          .CUTS         ((VARIANT == 1) ? SOME_CUTS : 30'h0)
       ) unit (
           .aclk       (aclk),
           .a          (a),
           .b          (b),
           .y          (sum),
           .exceptional(flag[slot])
+      );
+
+      fp_fused_comparison #(
+          .EXPONENT_BITS(EXPONENT_BITS),
+          .PRECISION    (PRECISION),
+          .TERMS        (TERMS),
+          .SQUARES      (SQUARES),
+          .PLAIN        (PLAIN),
+          .SUMS         (SUMS),
+          .DIFFERENCES  (DIFFERENCES),
+          .NEGATED      (NEGATED),
+          .GRADUAL      (GRADUAL),
+          .EMBEDDED     (VARIANT == 0),
+          .CUTS         ((VARIANT == 1) ? SOME_CUTS[24:0] : 25'h0)
+      ) comparison (
+          .aclk   (aclk),
+          .a      (a),
+          .b      (b),
+          .verdict(order[slot])
       );
 
       assign y[slot] = {{(64 - PACKED) {1'b0}}, sum};

@@ -13,24 +13,29 @@
 #include "model/number/decimal.hpp"
 #include "tests/support/fused_operands.hpp"
 
-/// fp_fused_sum against the golden model. Shapes and slots are those of fused_sums.v.
+/// fp_fused_sum and fp_fused_comparison against the golden model. Shapes and slots are those of
+/// fused_sums.v.
 namespace mixcmp::test::fused_sums_test {
 namespace {
 
-constexpr int shapes = 7, slots = 4 * shapes;
+constexpr int shapes = PRECISION < 3 ? 7 : 10, slots = 4 * shapes;
 
 using Operands = FusedOperandMaker::Operands;
 
 struct Expected {
   Operands operands;
   std::array<golden::Rounded, 2 * shapes> results;  ///< [2 * shape + gradual]
+  std::array<Verdict, 2 * shapes> orders;           ///< likewise
 };
 
 class FusedSums : public testing::Test {
 protected:
   const FloatFormat format_ = FloatFormat::make(PRECISION, EXPONENT_BITS).value();
 
-  std::vector<golden::FusedOperands> terms(int shape, const Operands& x) const {
+  std::vector<golden::FusedOperands> terms(int shape, const Arithmetic& arithmetic,
+                                           const Operands& x) const {
+    const auto sum = [&](int k) { return golden::add(arithmetic, format_, x[k], x[k + 1]).bits; };
+    const Bits difference = golden::subtract(arithmetic, format_, x[0], x[1]).bits;
     const Bits one = format_.pack(false, format_.bias(), 0);
     switch (shape) {
       case 0: return {{x[0], x[0]}, {x[1], x[1]}, {x[2], x[2]}};
@@ -44,16 +49,21 @@ protected:
                 {x[2], x[2], true},
                 {x[3], x[3], true},
                 {x[4], x[4], true}};
+      case 7: return {{difference, difference}, {sum(2), sum(2)}};
+      case 8: return {{difference, difference}, {sum(2), sum(2), true}};
+      case 9: return {{sum(0), sum(0)}, {x[2], x[3]}, {x[4], one, true}};
       default: return {{x[0], x[1], true}, {x[2], x[3]}, {x[4], x[4], true}, {x[1], one}};
     }
   }
 
   void feed(const Operands& x) {
-    Expected expected{.operands = x, .results = {}};
+    Expected expected{.operands = x, .results = {}, .orders = {}};
     for (int k = 0; k < 2 * shapes; ++k) {
       const Arithmetic arithmetic = {format_, Rounding::nearest_even,
                                      k % 2 == 0 ? Subnormals::flush : Subnormals::gradual};
-      expected.results[k] = golden::fused_sum(arithmetic, format_, terms(k / 2, x));
+      const auto operands = terms(k / 2, arithmetic, x);
+      expected.results[k] = golden::fused_sum(arithmetic, format_, operands);
+      expected.orders[k] = golden::fused_comparison(arithmetic, format_, operands);
     }
     history_.push_front(expected);
     if (history_.size() > 64) history_.pop_back();
@@ -75,22 +85,46 @@ private:
     port = static_cast<Port>(value);
   }
 
+  /// What belongs to a unit's output, once its registers are full.
+  const Expected* expected_at(int slot, unsigned cuts) const {
+    const auto latency = static_cast<std::size_t>(slot % 2 == 0 ? 0 : std::popcount(cuts));
+    return history_.size() <= latency ? nullptr : &history_[latency];
+  }
+
+  std::string describe(int slot, const Expected& expected) const {
+    std::string text = fmt::format("shape {}, {}, variant {} of", slot / 4,
+                                   slot / 2 % 2 == 0 ? "flush" : "gradual", slot % 2);
+    for (const Bits x : expected.operands) {
+      text += fmt::format(" {} ({})", to_hex(x, format_.width()), to_text(format_, x));
+    }
+    return text;
+  }
+
   void judge(int slot) {
-    const auto latency = static_cast<std::size_t>(slot % 2 == 0 ? 0 : std::popcount(SOME_CUTS));
-    if (history_.size() <= latency) return;
-    const Expected& expected = history_[latency];
-    const golden::Rounded& result = expected.results[slot / 2];
+    judge_sum(slot);
+    judge_comparison(slot);
+  }
+
+  void judge_sum(int slot) {
+    const Expected* expected = expected_at(slot, SOME_CUTS);
+    if (expected == nullptr) return;
+    const golden::Rounded& result = expected->results[slot / 2];
     const Bits y = model_.rootp->fused_sums__DOT__y[slot];
     const bool exceptional = model_.rootp->fused_sums__DOT__flag[slot] != 0;
     if (y == result.bits && exceptional == result.exceptional) return;
-    std::string operands;
-    for (const Bits x : expected.operands) {
-      operands += fmt::format(" {} ({})", to_hex(x, format_.width()), to_text(format_, x));
-    }
-    FAIL() << "shape " << slot / 4 << (slot / 2 % 2 == 0 ? ", flush" : ", gradual") << ", variant "
-           << slot % 2 << " of" << operands << ": expected " << to_hex(result.bits, format_.width())
+    FAIL() << describe(slot, *expected) << ": expected " << to_hex(result.bits, format_.width())
            << (result.exceptional ? " exceptional" : "") << ", got " << to_hex(y, format_.width())
            << (exceptional ? " exceptional" : "");
+  }
+
+  void judge_comparison(int slot) {
+    constexpr unsigned comparison_cuts = (1u << 25) - 1;
+    const Expected* expected = expected_at(slot, SOME_CUTS & comparison_cuts);
+    if (expected == nullptr) return;
+    const auto order = static_cast<Verdict>(model_.rootp->fused_sums__DOT__order[slot]);
+    if (order == expected->orders[slot / 2]) return;
+    FAIL() << describe(slot, *expected) << ": expected verdict "
+           << static_cast<int>(expected->orders[slot / 2]) << ", got " << static_cast<int>(order);
   }
 
   VerilatedContext context_;

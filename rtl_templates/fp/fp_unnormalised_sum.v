@@ -1,0 +1,151 @@
+// fp_unnormalised_sum: the magnitude of a + b, or of a - b with SUBTRACT, rounded to nearest, ties to
+// even. It has leading zeros where its operands cancel.
+// Seven cuts, initiation interval 1, no reset. The magnitude is significand * 2^(exponent + carry),
+// where `exponent` is that of the leading place, biased and signed. It has PRECISION bits as soon as
+// the leading zeros are gone: rounding and cancelling exclude each other.
+// A sum that is too large is not looked for. GRADUAL = 0 flushes operands and not the sum; if both
+// are zero the significand is arbitrary and the exponent is 0.
+`default_nettype none
+
+module fp_unnormalised_sum #(
+  parameter       EXPONENT_BITS  = 8,
+  parameter       PRECISION      = 24,
+  parameter       EXPONENT_WIDTH = 10,   // EXPONENT_BITS + 2 or more
+  parameter       SUBTRACT       = 0,
+  parameter       GRADUAL        = 0,
+  parameter [6:0] CUTS           = 7'b0
+) (
+  input  wire                               aclk,
+  input  wire [EXPONENT_BITS+PRECISION-1:0] a,
+  input  wire [EXPONENT_BITS+PRECISION-1:0] b,
+  output wire [EXPONENT_WIDTH-1:0]          exponent,
+  output wire                               carry,
+  output wire [PRECISION-1:0]               significand,
+  output wire                               nan,
+  output wire                               infinite
+);
+
+  // The smaller operand has two places more than the larger one, and a sticky bit; the sum has one
+  // in front, for its carry.
+  localparam ALIGNED = PRECISION + 2;
+  localparam SUM     = ALIGNED + 2;
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (EXPONENT_BITS < 2) begin : g_refused_exponent
+      EXPONENT_BITS_is_below_2 refused ();
+    end
+    if (PRECISION < 3) begin : g_refused_precision
+      PRECISION_is_below_3 refused ();
+    end
+    if (EXPONENT_WIDTH < EXPONENT_BITS + 2) begin : g_refused_exponent_width
+      EXPONENT_WIDTH_is_too_small_for_EXPONENT_BITS refused ();
+    end
+  endgenerate
+
+  // Stages compare, swap, align by fours, align: the larger operand is that of the larger exponent.
+  wire [EXPONENT_BITS-1:0] s4_exponent;
+  wire [PRECISION-1:0]     s4_large;
+  wire [ALIGNED:0]         s4_small;
+  wire                     s4_unused_sign;
+  wire                     s4_cancel;
+  wire                     s4_nan;
+  wire                     s4_infinite;
+  wire                     s4_unused_zero;
+  wire                     s4_unused_suspect;
+
+  fp_aligned_operands #(
+    .EXPONENT_BITS(EXPONENT_BITS),
+    .PRECISION    (PRECISION),
+    .ALIGNED      (ALIGNED),
+    .SUBTRACT     (SUBTRACT),
+    .GRADUAL      (GRADUAL),
+    .ORDERED      (0),
+    .SELECTED_LAST(1),
+    .CUTS         (CUTS[3:0])
+  ) s0_aligned_operands (
+    .aclk    (aclk),
+    .a       (a),
+    .b       (b),
+    .exponent(s4_exponent),
+    .larger  (s4_large),
+    .smaller (s4_small),
+    .sign    (s4_unused_sign),
+    .cancel  (s4_cancel),
+    .nan     (s4_nan),
+    .infinite(s4_infinite),
+    .zero    (s4_unused_zero),
+    .suspect (s4_unused_suspect)
+  );
+
+  // Stage sum: with unlike signs, small + (-1 - large) is -1 less their difference, large - small.
+  wire [SUM-1:0] s4_large_places = {1'b0, s4_large, {(SUM - 1 - PRECISION) {1'b0}}};
+  wire [SUM-1:0] s4_sum          = {1'b0, s4_small} + (s4_large_places ^ {SUM{s4_cancel}});
+
+  wire [EXPONENT_BITS-1:0] s5_exponent;
+  wire [SUM-1:0]           s5_sum;
+  wire                     s5_cancel;
+  wire [1:0]               s5_flags;
+
+  fp_rank #(
+    .WIDTH     (EXPONENT_BITS + SUM + 3),
+    .REGISTERED(CUTS[4])
+  ) rank_4 (
+    .aclk(aclk),
+    .d   ({s4_exponent, s4_sum, s4_cancel, s4_nan, s4_infinite}),
+    .q   ({s5_exponent, s5_sum, s5_cancel, s5_flags})
+  );
+
+  // Stage select: the significand begins with a carry, with the larger operand's leading one, or
+  // one place below. If it begins further below, nothing is beyond it and it is taken from there.
+  // If the smaller operand was the larger one after all, the exponents are equal, and the sum lacks
+  // the one that rounding up adds.
+  wire [SUM-1:0]       s5_bits      = s5_sum ^ {SUM{s5_cancel}};
+  wire                 s5_swapped   = s5_cancel && !s5_sum[SUM-1];
+  wire                 s5_carry     = !s5_cancel && s5_sum[SUM-1];
+  wire                 s5_below     = s5_cancel && s5_sum[SUM-1] && !s5_bits[SUM-2];
+  wire [PRECISION-1:0] s5_uncarried = s5_swapped ? s5_sum[SUM-2:3] : s5_bits[SUM-2:3];
+  wire [PRECISION-1:0] s5_shifted   = s5_carry ? s5_bits[SUM-1:4] : s5_bits[SUM-3:2];
+  wire [PRECISION-1:0] s5_selected  = (s5_carry || s5_below) ? s5_shifted : s5_uncarried;
+  wire                 s5_up        =
+      s5_swapped
+      || (s5_carry && s5_bits[3] && (s5_bits[4] || (|s5_bits[2:0])))
+      || (s5_below && s5_bits[1] && (s5_bits[2] || s5_bits[0]))
+      || (!s5_carry && !s5_below && s5_bits[2] && (s5_bits[3] || (|s5_bits[1:0])));
+  wire [EXPONENT_WIDTH-1:0] s5_moved_exponent =
+      {{(EXPONENT_WIDTH - EXPONENT_BITS) {1'b0}}, s5_exponent}
+      + {{(EXPONENT_WIDTH - 1) {s5_below}}, s5_carry || s5_below};
+
+  wire [EXPONENT_WIDTH-1:0] s6_exponent;
+  wire [PRECISION-1:0]      s6_selected;
+  wire                      s6_up;
+  wire [1:0]                s6_flags;
+
+  fp_rank #(
+    .WIDTH     (EXPONENT_WIDTH + PRECISION + 3),
+    .REGISTERED(CUTS[5])
+  ) rank_5 (
+    .aclk(aclk),
+    .d   ({s5_moved_exponent, s5_selected, s5_up, s5_flags}),
+    .q   ({s6_exponent, s6_selected, s6_up, s6_flags})
+  );
+
+  // Stage round sum: a carry out leaves zeros, of which the first becomes a one.
+  wire                 s6_carry;
+  wire [PRECISION-1:0] s6_rounded;
+
+  assign {s6_carry, s6_rounded} = {1'b0, s6_selected} + {{PRECISION{1'b0}}, s6_up};
+
+  fp_rank #(
+    .WIDTH     (EXPONENT_WIDTH + 1 + PRECISION + 2),
+    .REGISTERED(CUTS[6])
+  ) rank_6 (
+    .aclk(aclk),
+    .d   ({s6_exponent, s6_carry, s6_rounded[PRECISION-1] || s6_carry, s6_rounded[PRECISION-2:0],
+           s6_flags}),
+    .q   ({exponent, carry, significand, nan, infinite})
+  );
+
+endmodule
+
+`default_nettype wire
