@@ -2,8 +2,8 @@
 // the right one, and it does leave: at most MOST_CALM cycles in which nobody stalls pass before.
 // What a reset forgets does not leave. For lane_scoreboard and lane_reorder around a lane of one rank,
 // with a reference that answers when it likes, in order. With IN_ORDER = 1 a follower, too, is watched.
-// The asserts lemma_* of scoreboard_inside make all but not_lost hold by induction over one cycle,
-// and not_lost over MOST_CALM of them.
+// The asserts lemma_* of scoreboard_inside and reorder_inside make all but not_lost hold by induction
+// over one cycle, and not_lost over MOST_CALM of them.
 // Operands: {verdict, decided}; the reference's verdict is the complement of the lane's.
 `default_nettype none
 
@@ -23,7 +23,7 @@ module lane_proof #(
   input wire       answer_now
 );
 
-  localparam SLOT_BITS    = (IN_ORDER != 0) ? 1 : 2;
+  localparam SLOT_BITS    = 2;
   localparam PAYLOAD_BITS = (CARRIED != 0) ? 3 : 2;
 
   (* anyconst *) reg [1:0] watched;
@@ -67,21 +67,19 @@ module lane_proof #(
 
   generate
     if (IN_ORDER != 0) begin : g_reorder
-      lane_reorder #(
-        .OPERAND_BITS(3), .TAG_BITS(2), .SLOT_BITS(SLOT_BITS), .LANE_LATENCY(1),
-        .COUNTER_BITS(4), .RECOMPUTE(RECOMPUTE), .CARRIED(CARRIED)
+      reorder_inside #(
+        .RECOMPUTE(RECOMPUTE), .CARRIED(CARRIED), .PAYLOAD_BITS(PAYLOAD_BITS)
       ) dut (
         .aclk(aclk), .aresetn(aresetn),
-        .s_axis_tvalid(s_valid), .s_axis_tready(s_ready),
-        .s_axis_tdata(s_operands), .s_axis_tuser(s_tag),
-        .lane_operands(lane_operands), .lane_verdict(lane_q[2:1]), .lane_decided(lane_q[0]),
-        .m_request_tvalid(request_valid), .m_request_tready(request_ready && !asked),
-        .m_request_tdata(request),
-        .s_answer_valid(answer), .s_answer_slot(asked_slot),
-        .s_answer_verdict(~asked_operands[2:1]),
-        .m_axis_tvalid(m_valid), .m_axis_tready(m_ready),
-        .m_axis_tdata(m_result), .m_axis_tuser(m_tag),
-        .comparisons(comparisons), .recomputations(recomputations), .stalls(stalls)
+        .s_valid(s_valid), .s_ready(s_ready), .s_operands(s_operands), .s_tag(s_tag),
+        .lane_operands(lane_operands), .lane_q(lane_q),
+        .request_valid(request_valid), .request_ready(request_ready && !asked), .request(request),
+        .answer(answer),
+        .m_valid(m_valid), .m_ready(m_ready), .m_result(m_result), .m_tag(m_tag),
+        .comparisons(comparisons),
+        .started(started), .asked(asked), .asked_slot(asked_slot), .asked_operands(asked_operands),
+        .watched(watched), .inside(inside), .operands(operands), .expected(expected),
+        .follower(follower), .follower_in(follower_in), .follows(follows)
       );
     end else begin : g_scoreboard
       scoreboard_inside #(
