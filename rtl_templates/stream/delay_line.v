@@ -15,12 +15,18 @@ module delay_line #(
   generate
     if (WIDTH < 1) begin : g_refused_width
       WIDTH_is_below_1 refused ();
-    end else if (LENGTH < 0) begin : g_refused_length
+    end
+    if (LENGTH < 0) begin : g_refused_length
       LENGTH_is_below_0 refused ();
-    end else if (LENGTH == 0) begin : g_wire
+    end
+  endgenerate
+
+  generate
+    if (LENGTH == 0) begin : g_wire
       wire unused_aclk = aclk;
       assign q = d;
-    end else begin : g_shift
+    end
+    if ((LENGTH > 0) && (WIDTH > 0)) begin : g_shift
       reg  [LENGTH*WIDTH-1:0]     rank_q;
       wire [(LENGTH+1)*WIDTH-1:0] taps = {rank_q, d};  // word k came in k cycles ago
 

@@ -237,7 +237,8 @@ module lane_reorder #(
 
       assign m_request_tvalid = 1'b0;
       assign m_request_tdata  = {REQUEST_BITS{1'b0}};
-    end else if (CARRIED != 0) begin : g_carried
+    end
+    if ((RECOMPUTE != 0) && (CARRIED != 0)) begin : g_carried
       carried_operands #(
         .OPERAND_BITS(OPERAND_BITS),
         .SLOT_BITS   (SLOT_BITS),

@@ -2,6 +2,8 @@
 // the right one, and it does leave: at most MOST_CALM cycles in which nobody stalls pass before.
 // What a reset forgets does not leave. For lane_scoreboard and lane_reorder around a lane of one rank,
 // with a reference that answers when it likes, in order. With IN_ORDER = 1 a follower, too, is watched.
+// The asserts lemma_* of scoreboard_inside and reorder_inside make all but not_lost hold by induction
+// over one cycle, and not_lost over MOST_CALM of them.
 // Operands: {verdict, decided}; the reference's verdict is the complement of the lane's.
 `default_nettype none
 
@@ -21,7 +23,7 @@ module lane_proof #(
   input wire       answer_now
 );
 
-  localparam SLOT_BITS    = 1;
+  localparam SLOT_BITS    = 2;
   localparam PAYLOAD_BITS = (CARRIED != 0) ? 3 : 2;
 
   (* anyconst *) reg [1:0] watched;
@@ -49,40 +51,49 @@ module lane_proof #(
   wire                   take_request = request_valid && request_ready && !asked;
   wire                   answer       = asked && answer_now;
 
+  reg        inside        = 1'b0;  // the watched one was accepted and has not left
+  reg  [2:0] operands;
+  reg        follower_in   = 1'b0;
+  reg        follows       = 1'b0;  // the follower inside was accepted behind the watched one inside
+  reg  [5:0] calm          = 6'd0;  // cycles that the watched one has been inside, all of them calm
+  reg        was_reset     = 1'b0;  // while it was inside
+  reg        held          = 1'b0;
+  reg  [9:0] held_result;
+
+  wire       undecided      = !operands[0];
+  wire       recomputed     = undecided && (RECOMPUTE != 0);
+  wire [1:0] verdict        = recomputed ? ~operands[2:1] : operands[2:1];
+  wire [7:0] expected       = {4'd0, undecided && !recomputed, recomputed, verdict};
+
   generate
     if (IN_ORDER != 0) begin : g_reorder
-      lane_reorder #(
-        .OPERAND_BITS(3), .TAG_BITS(2), .SLOT_BITS(SLOT_BITS), .LANE_LATENCY(1),
-        .COUNTER_BITS(4), .RECOMPUTE(RECOMPUTE), .CARRIED(CARRIED)
+      reorder_inside #(
+        .RECOMPUTE(RECOMPUTE), .CARRIED(CARRIED), .PAYLOAD_BITS(PAYLOAD_BITS)
       ) dut (
         .aclk(aclk), .aresetn(aresetn),
-        .s_axis_tvalid(s_valid), .s_axis_tready(s_ready),
-        .s_axis_tdata(s_operands), .s_axis_tuser(s_tag),
-        .lane_operands(lane_operands), .lane_verdict(lane_q[2:1]), .lane_decided(lane_q[0]),
-        .m_request_tvalid(request_valid), .m_request_tready(request_ready && !asked),
-        .m_request_tdata(request),
-        .s_answer_valid(answer), .s_answer_slot(asked_slot),
-        .s_answer_verdict(~asked_operands[2:1]),
-        .m_axis_tvalid(m_valid), .m_axis_tready(m_ready),
-        .m_axis_tdata(m_result), .m_axis_tuser(m_tag),
-        .comparisons(comparisons), .recomputations(recomputations), .stalls(stalls)
+        .s_valid(s_valid), .s_ready(s_ready), .s_operands(s_operands), .s_tag(s_tag),
+        .lane_operands(lane_operands), .lane_q(lane_q),
+        .request_valid(request_valid), .request_ready(request_ready && !asked), .request(request),
+        .answer(answer),
+        .m_valid(m_valid), .m_ready(m_ready), .m_result(m_result), .m_tag(m_tag),
+        .comparisons(comparisons),
+        .started(started), .asked(asked), .asked_slot(asked_slot), .asked_operands(asked_operands),
+        .watched(watched), .inside(inside), .operands(operands), .expected(expected),
+        .follower(follower), .follower_in(follower_in), .follows(follows)
       );
     end else begin : g_scoreboard
-      lane_scoreboard #(
-        .OPERAND_BITS(3), .TAG_BITS(2), .SLOT_BITS(SLOT_BITS), .LANE_LATENCY(1),
-        .COUNTER_BITS(4), .RECOMPUTE(RECOMPUTE), .CARRIED(CARRIED)
+      scoreboard_inside #(
+        .RECOMPUTE(RECOMPUTE), .CARRIED(CARRIED), .PAYLOAD_BITS(PAYLOAD_BITS)
       ) dut (
         .aclk(aclk), .aresetn(aresetn),
-        .s_axis_tvalid(s_valid), .s_axis_tready(s_ready),
-        .s_axis_tdata(s_operands), .s_axis_tuser(s_tag),
-        .lane_operands(lane_operands), .lane_verdict(lane_q[2:1]), .lane_decided(lane_q[0]),
-        .m_request_tvalid(request_valid), .m_request_tready(request_ready && !asked),
-        .m_request_tdata(request),
-        .s_answer_valid(answer), .s_answer_slot(asked_slot),
-        .s_answer_verdict(~asked_operands[2:1]),
-        .m_axis_tvalid(m_valid), .m_axis_tready(m_ready),
-        .m_axis_tdata(m_result), .m_axis_tuser(m_tag),
-        .comparisons(comparisons), .recomputations(recomputations), .stalls(stalls)
+        .s_valid(s_valid), .s_ready(s_ready), .s_operands(s_operands), .s_tag(s_tag),
+        .lane_operands(lane_operands), .lane_q(lane_q),
+        .request_valid(request_valid), .request_ready(request_ready && !asked), .request(request),
+        .answer(answer),
+        .m_valid(m_valid), .m_ready(m_ready), .m_result(m_result), .m_tag(m_tag),
+        .comparisons(comparisons),
+        .started(started), .asked(asked), .asked_slot(asked_slot), .asked_operands(asked_operands),
+        .watched(watched), .inside(inside), .operands(operands), .expected(expected)
       );
     end
   endgenerate
@@ -90,23 +101,9 @@ module lane_proof #(
   wire accept = aresetn && s_valid && s_ready;
   wire leave  = aresetn && m_valid && m_ready;
 
-  reg        inside        = 1'b0;  // the watched one was accepted and has not left
-  reg  [2:0] operands;
-  reg        follower_in   = 1'b0;
-  reg        follows       = 1'b0;  // the follower inside was accepted behind the watched one inside
-  reg  [3:0] calm          = 4'd0;  // cycles that the watched one has been inside, all of them calm
-  reg        was_reset     = 1'b0;  // while it was inside
-  reg        held          = 1'b0;
-  reg  [9:0] held_result;
-
   wire       watched_enters = accept && (s_tag == watched);
   wire       watched_leaves = leave && (m_tag == watched);
   wire       is_calm        = m_ready && request_ready && (answer_now || !asked);
-
-  wire       undecided      = !operands[0];
-  wire       recomputed     = undecided && (RECOMPUTE != 0);
-  wire [1:0] verdict        = recomputed ? ~operands[2:1] : operands[2:1];
-  wire [7:0] expected       = {4'd0, undecided && !recomputed, recomputed, verdict};
 
   // With the refetched form the reference gets the tag and looks the operands up.
   wire [2:0] looked_up = (request[1:0] == watched) ? operands : 3'd0;
@@ -135,7 +132,7 @@ module lane_proof #(
                                (follower_in && !(leave && (m_tag == follower))));
     follows     <= aresetn && !watched_leaves &&
                    (follows || (inside && accept && (s_tag == follower)));
-    calm        <= (aresetn && inside && !watched_leaves && is_calm) ? calm + 4'd1 : 4'd0;
+    calm        <= (aresetn && inside && !watched_leaves && is_calm) ? calm + 6'd1 : 6'd0;
     was_reset   <= (inside && !aresetn) || (was_reset && !watched_enters);
     held        <= aresetn && m_valid && !m_ready;
     held_result <= {m_tag, m_result};
@@ -157,7 +154,7 @@ module lane_proof #(
       can_leave_decided: cover(watched_leaves && operands[0]);
       can_leave_undecided: cover(watched_leaves && !operands[0]);
       can_be_reset_away: cover(was_reset && !inside && leave && (comparisons == 4'd1));
-      can_take_long: cover(calm > 4'd3);
+      can_take_long: cover(calm > 6'd3);
       can_hold: cover(held);
       can_be_followed: cover(follows && watched_leaves);
     end
