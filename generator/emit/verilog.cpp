@@ -228,7 +228,7 @@ std::string print(const Comment& comment, const std::string& indent) {
 std::string print(const ModuleItem& item, std::size_t range_width, const std::string& indent) {
   return std::visit(
       Overloaded{
-          [&](const Comment& c) { return "\n" + print(c, indent); },
+          [&](const Comment& c) { return print(c, indent); },
           [&](const Wire& w) { return print(w, range_width, indent); },
           [&](const Assignment& a) { return print(a, indent); },
           [&](const Instance& i) { return "\n" + print(i, indent); },
@@ -257,7 +257,8 @@ bool is_block(const ModuleItem& item) {
          !std::holds_alternative<Assignment>(item);
 }
 
-/// Comments and blocks bring their own blank line, which the first item of a loop does not need.
+/// Comments and blocks bring their own blank line, which neither the first item of a loop nor a block
+/// behind its comment needs.
 std::string print_items(const std::vector<ModuleItem>& items, const std::string& indent) {
   std::string text;
   std::size_t range_width = 0;
@@ -268,8 +269,10 @@ std::string print_items(const std::vector<ModuleItem>& items, const std::string&
     if (as_loop(items[k]) != nullptr) printed = "\n" + declaration(items, k, indent) + printed;
     const bool has_gap = printed.starts_with('\n');
     const bool first_in_loop = k == 0 && indent.size() > 2;
+    const bool is_told = k > 0 && std::holds_alternative<Comment>(items[k - 1]) &&
+                         !std::holds_alternative<Comment>(items[k]);
     if (!has_gap && k > 0 && is_block(items[k - 1])) text += '\n';
-    text += printed.substr(first_in_loop && has_gap ? 1 : 0);
+    text += printed.substr((first_in_loop || is_told) && has_gap ? 1 : 0);
   }
   return text;
 }
