@@ -257,8 +257,8 @@ bool is_block(const ModuleItem& item) {
          !std::holds_alternative<Assignment>(item);
 }
 
-/// Comments and blocks bring their own blank line, which neither the first item of a loop nor a block
-/// behind its comment needs.
+/// Comments and blocks bring their own blank line, which neither the first item of a loop nor a
+/// block behind its comment needs.
 std::string print_items(const std::vector<ModuleItem>& items, const std::string& indent) {
   std::string text;
   std::size_t range_width = 0;
