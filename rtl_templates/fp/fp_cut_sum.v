@@ -1,13 +1,13 @@
 // fp_cut_sum: the sum of TERMS products, each cut below a common place; no rounding.
 // Latency: the population count of CUTS (24 bits); initiation interval 1; no reset.
-// Term k is a_k * b_k; a_k * a_k where SQUARES[k] is 1, a_k where PLAIN[k] is 1. Where SUMS[k] is 1 it
-// is (a_k + b_k)^2, where DIFFERENCES[k] is 1 it is (a_k - b_k)^2; what is squared is rounded to
+// Term k is a_k * b_k; a_k * a_k where SQUARES[k] is 1, a_k where PLAIN[k] is 1. Where SUMS[k] is 1
+// it is (a_k + b_k)^2, where DIFFERENCES[k] is 1 it is (a_k - b_k)^2; what is squared is rounded to
 // nearest, ties to even. A term is subtracted where NEGATED[k] is 1.
 // Each term is cut toward zero WINDOW - 2 bits below the largest exponent, that of a term being the
 // sum of its factors'. With GRADUAL it is the smallest normal number's if that is larger.
 // CANCELLATION = 0 promises that terms do not have unlike signs, zeros aside. Otherwise term 0 is
-// added, and of the other terms those that have its sign: `sum` is in two's complement, and negative
-// if it has the sign that term 0 does not have.
+// added, and of the other terms those that have its sign: `sum` is in two's complement, and
+// negative if it has the sign that term 0 does not have.
 `default_nettype none
 
 module fp_cut_sum #(
@@ -86,8 +86,8 @@ module fp_cut_sum #(
     if ((TERMS < 2) || (TERMS > 63)) begin : g_refused_terms
       TERMS_are_not_2_to_63 refused ();
     end
-    if (((SQUARES & PLAIN) | ((SQUARES | PLAIN) & (SUMS | DIFFERENCES)) | (SUMS & DIFFERENCES)) != 0)
-    begin : g_refused_kinds
+    if (((SQUARES & PLAIN) | (SUMS & DIFFERENCES)
+         | ((SQUARES | PLAIN) & (SUMS | DIFFERENCES))) != 0) begin : g_refused_kinds
       SQUARES_PLAIN_SUMS_and_DIFFERENCES_overlap refused ();
     end
     if (WINDOW < PRECISION) begin : g_refused_window

@@ -104,8 +104,8 @@ module fp_fused_comparison #(
     .first_sign(s24_first_sign)
   );
 
-  // Stage decide: a negative sum has the sign that term 0 does not have. If all terms are zero, what
-  // is in the window is arbitrary.
+  // Stage decide: a negative sum has the sign that term 0 does not have. If all terms are zero,
+  // what is in the window is arbitrary.
   wire s24_equal = !s24_infinite && (s24_all_zero || !(|s24_sum));
   wire s24_sign  = s24_infinite ? s24_infinite_sign : (s24_sum[ADDEND-1] ^ s24_first_sign);
 

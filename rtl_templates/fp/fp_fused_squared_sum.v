@@ -1,12 +1,12 @@
-// fp_fused_squared_sum: a term of a fused sum that is the square of a + b, or of a - b with SUBTRACT.
-// What is squared is rounded to nearest, ties to even.
+// fp_fused_squared_sum: a term of a fused sum that is the square of a + b, or of a - b with
+// SUBTRACT. What is squared is rounded to nearest, ties to even.
 // Sixteen cuts, initiation interval 1, no reset. The exponents and the flags leave behind the first
 // nine cuts, `product` behind all sixteen. The term's magnitude is
-// product * 2^(place - OFFSET - 2 BIAS): the product has two bits in front of its point, and BIAS is
-// the format's. The sum is squared with the leading zeros that it has where its operands cancel;
+// product * 2^(place - OFFSET - 2 BIAS): the product has two bits in front of its point, and BIAS
+// is the format's. The sum is squared with the leading zeros that it has where its operands cancel;
 // `exponent` is what `place` would be without them.
-// A zero has exponent and place 0 and an arbitrary product; other finite terms' exponents are higher
-// than OFFSET - 2 * PRECISION.
+// A zero has exponent and place 0 and an arbitrary product; other finite terms' exponents are
+// higher than OFFSET - 2 * PRECISION.
 `default_nettype none
 
 module fp_fused_squared_sum #(

@@ -1,8 +1,8 @@
-// fp_unnormalised_sum: the magnitude of a + b, or of a - b with SUBTRACT, rounded to nearest, ties to
-// even. It has leading zeros where its operands cancel.
+// fp_unnormalised_sum: the magnitude of a + b, or of a - b with SUBTRACT, rounded to nearest, ties
+// to even. It has leading zeros where its operands cancel.
 // Seven cuts, initiation interval 1, no reset. The magnitude is significand * 2^(exponent + carry),
-// where `exponent` is that of the leading place, biased and signed. It has PRECISION bits as soon as
-// the leading zeros are gone: rounding and cancelling exclude each other.
+// where `exponent` is that of the leading place, biased and signed. A significand with leading zeros
+// was not rounded: it is exact.
 // A sum that is too large is not looked for. GRADUAL = 0 flushes operands and not the sum; if both
 // are zero the significand is arbitrary and the exponent is 0.
 `default_nettype none
