@@ -6,7 +6,6 @@
 #include <set>
 
 #include "generator/datapath/delays.hpp"
-#include "model/error/hazards.hpp"
 #include "tests/support/graphs.hpp"
 #include "tests/support/sphere.hpp"
 
@@ -66,7 +65,7 @@ TEST_P(Fold, EveryOperationHasAUnitOfItsOwnInItsPhase) {
     EXPECT_TRUE(unit.selects || unit.operations.size() == 1);
   }
   for (std::size_t id = 0; id < placed.size(); ++id) {
-    EXPECT_EQ(placed[id], error::has_unit(graph_.nodes[id].operation) ? 1 : 0) << id;
+    EXPECT_EQ(placed[id], datapath::has_unit(graph_.nodes[id]) ? 1 : 0) << id;
   }
 }
 
