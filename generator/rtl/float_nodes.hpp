@@ -37,8 +37,8 @@ public:
   /// One name per node.
   const std::vector<std::string>& names() const { return names_; }
 
-  /// What a unit that adds up the terms of a fused sum reads in `cycle`: its operands a and b, the
-  /// first term in the lowest bits.
+  /// The operands a and b of a unit that adds up the terms of a fused sum, as it reads them in
+  /// `cycle`; the first term is in the lowest bits.
   std::vector<Operand> term_operands(const TypedNode& node, int cycle);
   /// The parameters that tell what the terms are.
   std::vector<Parameter> term_parameters(const TypedNode& node) const;

@@ -132,8 +132,8 @@ public:
   /// The node in the lane's format.
   NodeId in_lane(NodeId id);
 
-  /// What a reference compares: the sides in the reference format, or their fused difference with
-  /// 0.
+  /// Emits what a reference compares: the two sides in the reference format, or the sign of their
+  /// fused difference and the constant 0.
   Sides compared_in_reference(const Sides& part);
 
   /// Makes the graph of all parts; `emit_part` emits what is compared in one.

@@ -28,7 +28,7 @@ inline constexpr std::size_t max_fused_terms = 63;
 /// then below 1/32 of a unit in the last place of the largest one.
 int fused_guard_digits(std::size_t terms);
 
-/// What a fused sum gives to those that read it.
+/// The result of a fused sum.
 enum class SumResult {
   rounded,
   sign,  ///< -1, 0 or 1, of the sum before any rounding, or a NaN: for a comparison with zero

@@ -1,7 +1,7 @@
 // fp_fused_comparison: the order of a sum of TERMS products and zero: 0 less, 1 equal, 2 greater,
 // 3 unordered. The sum is not rounded.
 // Latency: the population count of CUTS (25 bits); initiation interval 1; no reset.
-// What the terms are (SQUARES, PLAIN, SUMS, DIFFERENCES, NEGATED): fp_cut_sum.
+// SQUARES, PLAIN, SUMS, DIFFERENCES and NEGATED say what the terms are, as in fp_cut_sum.
 // Each term is cut toward zero at PRECISION + GUARD bits below the largest exponent. What the cuts
 // leave is added exactly; docs/error_bounds.md says when its sign is that of the uncut sum.
 // NaNs are unordered, and so are infinities of unlike signs and infinity * 0.

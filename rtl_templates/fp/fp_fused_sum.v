@@ -1,6 +1,6 @@
 // fp_fused_sum: a sum of TERMS products, aligned, added up and rounded once.
 // Latency: the population count of CUTS (30 bits); initiation interval 1; no reset.
-// What the terms are (SQUARES, PLAIN, SUMS, DIFFERENCES, NEGATED) and CANCELLATION: fp_cut_sum.
+// SQUARES, PLAIN, SUMS, DIFFERENCES, NEGATED and CANCELLATION describe the terms, as in fp_cut_sum.
 // Each term is cut toward zero at PRECISION + GUARD bits below the largest exponent. What the cuts
 // leave is added exactly and rounded; docs/error_bounds.md says how near that is.
 // Special values as IEEE 754: a NaN comes from infinities of unlike signs and from infinity * 0; a

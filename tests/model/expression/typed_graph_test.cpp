@@ -63,12 +63,12 @@ std::string fused(const TypedGraph& graph) {
   return text;
 }
 
-/// Of the sides alone.
+/// The fused sums of a graph that computes f and g.
 std::string fused(const std::string& f, const std::string& g) {
   return fused(sides_graph(graph_of(f, g), fusing));
 }
 
-/// Of what a reference compares.
+/// The fused sums of a graph that a reference computes.
 std::string compared(const std::string& f, const std::string& g) {
   return fused(reference_graph(graph_of(f, g), fusing));
 }

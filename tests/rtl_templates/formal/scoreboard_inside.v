@@ -27,7 +27,7 @@ module scoreboard_inside #(
   output wire [7:0]              m_result,
   output wire [1:0]              m_tag,
   output wire [3:0]              comparisons,
-  // Of the bench: the request at the reference, and the watched comparison.
+  // The bench gives the request at the reference and the watched comparison.
   input  wire                    started,
   input  wire                    asked,
   input  wire [1:0]              asked_slot,

@@ -85,7 +85,7 @@ private:
     port = static_cast<Port>(value);
   }
 
-  /// What belongs to a unit's output, once its registers are full.
+  /// The operands and results of a unit's present output; none until its registers are full.
   const Expected* expected_at(int slot, unsigned cuts) const {
     const auto latency = static_cast<std::size_t>(slot % 2 == 0 ? 0 : std::popcount(cuts));
     return history_.size() <= latency ? nullptr : &history_[latency];
