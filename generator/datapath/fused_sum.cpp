@@ -41,13 +41,15 @@ void add_sums(StageList& stages, FloatFormat format, Subnormals subnormals, cons
   }
 }
 
-/// The stages "count" and "normalise" of a squared sum, whose exponent alone is normalised.
-StageList exponent_of_squared_sum(const FusedSum& sum, FloatFormat format,
-                                  const DelayTable& delays) {
+/// The stages "count" and "normalise" of a squared sum, whose exponent alone is normalised. Beside
+/// the second its significand goes to the multipliers.
+StageList count_of_squared_sum(const FusedSum& sum, FloatFormat format, Multipliers multipliers,
+                               const DelayTable& delays) {
   StageList stages(delays);
   const double exponent = stages.carry(sum.exponent_bits());
   stages.add("count", std::max(stages.lut_delay_ns(count_levels(format.precision())), exponent));
-  stages.add("normalise", exponent + stages.lut_delay_ns(2));
+  stages.add("normalise",
+             std::max(exponent + stages.lut_delay_ns(2), stages.factors_ns(multipliers)));
   return stages;
 }
 
@@ -72,7 +74,9 @@ void add_terms(StageList& stages, const TypedNode& node, const Kinds& kinds, Sub
   const bool normalises = gradual && (kinds.products || (kinds.squares && !sum.squares_vanish()));
   std::vector<StageList> operands(1, StageList(delays));
   operands[0].add_operand(node.format, normalises ? Subnormals::gradual : Subnormals::flush);
-  if (kinds.squared_sums) operands.push_back(exponent_of_squared_sum(sum, node.format, delays));
+  if (kinds.squared_sums) {
+    operands.push_back(count_of_squared_sum(sum, node.format, multipliers, delays));
+  }
   stages.add_slowest(operands);
   const int candidates = static_cast<int>(node.terms.size()) + (gradual ? 1 : 0);
   std::vector<StageList> beside = {exponent_stages(sum, candidates, delays)};
@@ -82,6 +86,9 @@ void add_terms(StageList& stages, const TypedNode& node, const Kinds& kinds, Sub
     if (!occurs) continue;
     beside.emplace_back(delays);
     beside.back().add_product(node.format.precision(), kind, multipliers);
+    // fp_fused_term has no cut in front of its multipliers.
+    if (kinds.products || kinds.squares)
+      beside.back().begin_with(beside.back().factors_ns(multipliers));
   }
   stages.add_slowest(beside);
 }

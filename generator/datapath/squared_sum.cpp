@@ -32,14 +32,19 @@ std::ptrdiff_t squares_of(const TypedNode& reader, NodeId node) {
          is_square;
 }
 
-/// The search for leading zeros and for the shift, which runs beside the first product stages.
+/// The search for leading zeros and for the shift, which runs beside the first stages of the
+/// product behind its factors.
 StageList exponent_stages(FloatFormat format, int product_stages, const DelayTable& delays) {
   StageList stages(delays);
   const int exponent_bits = std::max(format.exponent_bits(), bits_for(format.precision() + 3)) + 2;
-  stages.add("count", std::max(stages.lut_delay_ns(count_levels(format.precision())),
-                               stages.carry(exponent_bits)));
+  // fp_leading_zeros has its cut behind counts of eight bits.
+  const int first_levels = count_levels(7);
+  stages.add("count eights",
+             std::max(stages.lut_delay_ns(first_levels), stages.carry(exponent_bits)));
+  stages.add("count",
+             stages.lut_delay_ns(std::max(count_levels(format.precision()) - first_levels, 1)));
   stages.add("limit", stages.carry(exponent_bits) + stages.lut_delay_ns(2));
-  for (int k = 2; k < product_stages; ++k) stages.add("", 0);
+  for (int k = stages.count(); k < product_stages; ++k) stages.add("", 0);
   return stages;
 }
 

@@ -57,18 +57,26 @@ public:
   /// Adds stages that are cut at the same places as each of `lists`, which work side by side.
   void add_slowest(const std::vector<StageList>& lists);
 
+  /// Lets the first stage do something else before its own work.
+  void begin_with(double delay_ns) { stages_.front().delay_ns += delay_ns; }
+
   int count() const { return static_cast<int>(stages_.size()); }
 
   /// By what fp_aligned_operands tells which operand is the larger one.
   enum class Order { by_magnitude, by_exponent };
   void add_aligned_operands(FloatFormat operands, int aligned, Subnormals subnormals, Order order);
   void add_operand(FloatFormat operands, Subnormals subnormals);
+  /// The stage in front of a product, which ends in the multipliers' input registers.
+  void add_factors(scene::Multipliers multipliers) { add("factors", factors_ns(multipliers)); }
+  double factors_ns(scene::Multipliers multipliers) const {
+    return multipliers == scene::Multipliers::embedded ? delays_.multiplier_input_ns : 0;
+  }
   void add_embedded_product(int precision);
   void add_embedded_square(int precision);
   void add_logic_product(LogicProduct product);
   void add_logic_product_behind_digits(LogicProduct product);
   void add_product(int precision, LogicProduct::Kind kind, scene::Multipliers multipliers);
-  /// Adds the stages of fp_product with the DIGIT_STAGE that suits the device's look-up tables.
+  /// Adds all stages of fp_product, with the DIGIT_STAGE that suits the device's look-up tables.
   /// Returns whether that is 1.
   bool add_fastest_product(int precision, LogicProduct::Kind kind, scene::Multipliers multipliers);
   void add_round(FloatFormat result, bool denormalises, int dropped_bits);
@@ -109,7 +117,7 @@ inline void StageList::add_slowest(const std::vector<StageList>& lists) {
 inline void StageList::add_aligned_operands(FloatFormat operands, int aligned,
                                             Subnormals subnormals, Order order) {
   const bool gradual = subnormals == Subnormals::gradual;
-  // A subnormal number's exponent is 1, not its field, before the distance is known.
+  // Whether a number is subnormal is known before the carry into the exponents' difference.
   const double exponents = lut_delay_ns(gradual ? reduction_levels(operands.exponent_bits()) : 0) +
                            carry(operands.exponent_bits());
   const bool by_magnitude = order == Order::by_magnitude;
@@ -128,10 +136,10 @@ inline void StageList::add_operand(FloatFormat operands, Subnormals subnormals) 
   add("normalise", normalises ? lut_delay_ns(shift_levels(bits_for(precision))) : 0);
 }
 
-/// The stages of fp_embedded_product. A cut between two rows delays the operands of the rows above
-/// it. Without a register behind the multipliers, those rows would then multiply and add in one
-/// cycle, so such a cut needs the cut behind "multiply". Rows above the fourth and columns after
-/// the third have no cut of their own; their delays are part of the two last stages.
+/// The stages of fp_embedded_product behind its factors. A cut between two rows delays the operands
+/// of the rows above it. Without a register behind the multipliers, those rows would then multiply
+/// and add in one cycle, so such a cut needs the cut behind "multiply". Rows above the fourth and
+/// columns after the third have no cut of their own; their delays are part of the two last stages.
 inline void StageList::add_embedded_product(int precision) {
   constexpr int cut_rows = 4;
   const auto [a_bits, b_bits] = delays_.multiplier_size;
@@ -150,10 +158,10 @@ inline void StageList::add_embedded_product(int precision) {
   add("other sums", std::max(0, columns - 2) * sum);
 }
 
-/// The stages of fp_product where it squares by embedded multipliers. The squares of the parts are
-/// multiplied behind the cuts of the first three links, and the later links' products behind those
-/// of the links before them. Without a register behind the multipliers they would then multiply and
-/// add in one cycle, so such a cut needs the cut behind "multiply".
+/// The stages of fp_embedded_square behind its factors, where fp_product takes it. The squares of
+/// the parts are multiplied behind the cuts of the first three links, and the later links' products
+/// behind those of the links before them. Without a register behind the multipliers they would then
+/// multiply and add in one cycle, so such a cut needs the cut behind "multiply".
 inline void StageList::add_embedded_square(int precision) {
   constexpr int cut_links = EmbeddedSquare::cut_links;
   const EmbeddedSquare square(precision, delays_.multiplier_size);
@@ -203,7 +211,7 @@ inline void StageList::add_levels(LogicProduct product, int levels) {
   }
 }
 
-/// The stages of fp_product.
+/// The stages of fp_product behind its factors.
 inline void StageList::add_product(int precision, LogicProduct::Kind kind,
                                    scene::Multipliers multipliers) {
   switch (multipliers) {
@@ -221,6 +229,7 @@ inline bool StageList::add_fastest_product(int precision, LogicProduct::Kind kin
                                            scene::Multipliers multipliers) {
   const bool has_digit_stage = multipliers == scene::Multipliers::logic && delays_.lut_inputs < 5 &&
                                precision <= LogicProduct::most_bits_behind_digits;
+  add_factors(multipliers);
   if (has_digit_stage) {
     add_logic_product_behind_digits({precision, kind});
   } else {

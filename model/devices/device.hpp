@@ -33,6 +33,7 @@ struct DelayTable {
   double lut_ns = 0.7;              ///< one LUT and the wire to it
   double carry_start_ns = 0.8;      ///< getting onto and off a carry chain
   double carry_ns_per_bit = 0.02;   ///< along a carry chain
+  double multiplier_input_ns = 0;   ///< the wire from logic to a multiplier's input registers
   double multiplier_ns = 2.0;       ///< one embedded multiplier, to the register behind it
   double multiplier_output_ns = 0;  ///< from that register through its adder, if any
   double multiplier_add_ns = 1.0;   ///< adding its product to another's

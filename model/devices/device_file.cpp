@@ -162,6 +162,7 @@ Result<Done> read_delays(const settings::Settings& settings, DelayTable& delays)
     section.require(entry.key);
     section.number(entry.key, delays.*entry.delay, 0.001, 1000);
   }
+  section.number("multiplier_input_ns", delays.multiplier_input_ns, 0, 1000);
   section.number("multiplier_output_ns", delays.multiplier_output_ns, 0, 1000);
   section.number("memory_ns", delays.memory_ns, 0, 1000);
   if (const auto error = section.finish()) return *error;

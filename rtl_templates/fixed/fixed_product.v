@@ -86,7 +86,7 @@ module fixed_product #(
         .A_WIDTH (A_WIDTH),
         .B_WIDTH (FACTOR_B),
         .SIGNED_A(1),
-        .CUTS    ({1'b0, CUTS[0]})
+        .CUTS    ({1'b0, CUTS[0], 1'b0})
       ) multiplier (
         .aclk   (aclk),
         .a      (a),
@@ -131,7 +131,7 @@ module fixed_product #(
         .B_WIDTH (B),
         .SIGNED_A(SIGNED_A),
         .SIGNED_B(SIGNED_B),
-        .CUTS    (CUTS)
+        .CUTS    ({CUTS, 1'b0})
       ) multiplier (
         .aclk   (aclk),
         .a      (a[A-1:0]),

@@ -1,5 +1,6 @@
-// embedded_multiplier: a * b, and the registers that an embedded multiplier has behind its product.
-// Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
+// embedded_multiplier: a * b, and the registers that an embedded multiplier has: one in front, for the
+// factors, and two behind, for the product.
+// Latency: the population count of CUTS (three bits); initiation interval 1; no reset.
 // A factor is in two's complement where SIGNED_A (SIGNED_B) is 1, without a sign where it is 0.
 `default_nettype none
 
@@ -8,7 +9,7 @@ module embedded_multiplier #(
   parameter       B_WIDTH  = 18,
   parameter       SIGNED_A = 0,
   parameter       SIGNED_B = 0,
-  parameter [1:0] CUTS     = 2'b00
+  parameter [2:0] CUTS     = 3'b000
 ) (
   input  wire                       aclk,
   input  wire [A_WIDTH-1:0]         a,
@@ -26,15 +27,26 @@ module embedded_multiplier #(
     end
   endgenerate
 
+  wire [A_WIDTH-1:0]         factor_a;
+  wire [B_WIDTH-1:0]         factor_b;
   wire [A_WIDTH+B_WIDTH-1:0] whole;
+
+  fp_rank #(
+    .WIDTH     (A_WIDTH + B_WIDTH),
+    .REGISTERED(CUTS[0])
+  ) factors (
+    .aclk(aclk),
+    .d   ({a, b}),
+    .q   ({factor_a, factor_b})
+  );
 
   generate
     // Not as numbers with signs: of as many bits, these would overflow.
     if ((SIGNED_A == 0) && (SIGNED_B == 0)) begin : g_unsigned
-      assign whole = a * b;
+      assign whole = factor_a * factor_b;
     end else begin : g_signed
-      wire [A_WIDTH:0] a_extended = {(SIGNED_A != 0) && a[A_WIDTH-1], a};
-      wire [B_WIDTH:0] b_extended = {(SIGNED_B != 0) && b[B_WIDTH-1], b};
+      wire [A_WIDTH:0] a_extended = {(SIGNED_A != 0) && factor_a[A_WIDTH-1], factor_a};
+      wire [B_WIDTH:0] b_extended = {(SIGNED_B != 0) && factor_b[B_WIDTH-1], factor_b};
 
       assign whole = $signed(a_extended) * $signed(b_extended);
     end
@@ -43,7 +55,7 @@ module embedded_multiplier #(
   fp_ranks #(
     .WIDTH(A_WIDTH + B_WIDTH),
     .COUNT(2),
-    .CUTS (CUTS)
+    .CUTS (CUTS[2:1])
   ) ranks (
     .aclk(aclk),
     .d   (whole),

@@ -171,6 +171,7 @@ module fp_add #(
       fp_leading_zeros #(
         .COUNT_BITS(COUNT_BITS)
       ) s5_leading_zeros (
+        .aclk (aclk),
         .value(s5_counted),
         .count(s5_count),
         .empty(s5_empty)

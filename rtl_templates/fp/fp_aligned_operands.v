@@ -114,24 +114,36 @@ module fp_aligned_operands #(
     .flushed    (s0_b_flushed)
   );
 
-  wire                     s0_b_sign    = s0_b_packed_sign ^ (SUBTRACT != 0);
-  wire                     s0_cancel    = s0_a_sign ^ s0_b_sign;
+  wire                     s0_b_sign = s0_b_packed_sign ^ (SUBTRACT != 0);
   wire                     s0_swap;
-  wire [EXPONENT_BITS-1:0] s0_a_above_b = s0_a_exponent - s0_b_exponent;
-  wire [EXPONENT_BITS-1:0] s0_b_above_a = s0_b_exponent - s0_a_exponent;
+  wire [EXPONENT_BITS-1:0] s0_a_above_b;
+  wire [EXPONENT_BITS-1:0] s0_b_above_a;
+
+  // A subnormal number's exponent is 1 and not its field, 0: a number that is not subnormal is one
+  // less above it than its field says. That one is the last to be known, and does not enter a
+  // difference but as the carry into it.
+  wire [EXPONENT_BITS-1:0] s0_a_field  = a[EXPONENT_BITS+PRECISION-2:PRECISION-1];
+  wire [EXPONENT_BITS-1:0] s0_b_field  = b[EXPONENT_BITS+PRECISION-2:PRECISION-1];
+  wire                     s0_a_normal = s0_a_significand[PRECISION-1];
+  wire                     s0_b_normal = s0_b_significand[PRECISION-1];
+  wire                     s0_a_not_below;
+  wire                     s0_unused_a_place;
+  wire                     s0_unused_b_place;
+
+  assign {s0_a_not_below, s0_a_above_b, s0_unused_a_place} =
+      {1'b0, s0_a_field, 1'b1} + {1'b0, ~s0_b_field, s0_b_normal || !s0_a_normal};
+  assign {s0_b_above_a, s0_unused_b_place} =
+      {s0_b_field, 1'b1} + {~s0_a_field, s0_a_normal || !s0_b_normal};
 
   generate
     if (ORDERED != 0) begin : g_by_magnitude
+      wire unused_not_below = s0_a_not_below;
+
       assign s0_swap = a[EXPONENT_BITS+PRECISION-2:0] < b[EXPONENT_BITS+PRECISION-2:0];
     end else begin : g_by_exponent
-      assign s0_swap = s0_a_exponent < s0_b_exponent;
+      assign s0_swap = !s0_a_not_below;
     end
   endgenerate
-
-  wire s0_infinite = s0_a_infinite || s0_b_infinite;
-  wire s0_nan      = s0_a_nan || s0_b_nan || (s0_a_infinite && s0_b_infinite && s0_cancel);
-  wire s0_zero     = s0_a_zero && s0_b_zero;
-  wire s0_suspect  = s0_infinite || s0_nan || s0_a_flushed || s0_b_flushed;
 
   wire [EXPONENT_BITS-1:0] s1_a_exponent;
   wire [PRECISION-1:0]     s1_a_significand;
@@ -144,7 +156,11 @@ module fp_aligned_operands #(
   wire                     s1_b_zero;
   wire                     s1_a_sign;
   wire                     s1_b_sign;
-  wire [FLAGS-1:0]         s1_flags;
+  wire                     s1_a_infinite;
+  wire                     s1_b_infinite;
+  wire                     s1_a_nan;
+  wire                     s1_b_nan;
+  wire                     s1_flushed;
 
   fp_rank #(
     .WIDTH     (2 * (EXPONENT_BITS + PRECISION)),
@@ -156,14 +172,14 @@ module fp_aligned_operands #(
   );
 
   fp_rank #(
-    .WIDTH     (2 * EXPONENT_BITS + 5 + FLAGS),
+    .WIDTH     (2 * EXPONENT_BITS + 10),
     .REGISTERED(CUTS[0])
   ) rank_0_order (
     .aclk(aclk),
     .d   ({s0_a_above_b, s0_b_above_a, s0_swap, s0_a_zero, s0_b_zero, s0_a_sign, s0_b_sign,
-           s0_nan, s0_infinite, s0_zero, s0_suspect}),
+           s0_a_infinite, s0_b_infinite, s0_a_nan, s0_b_nan, s0_a_flushed || s0_b_flushed}),
     .q   ({s1_a_above_b, s1_b_above_a, s1_swap, s1_a_zero, s1_b_zero, s1_a_sign, s1_b_sign,
-           s1_flags})
+           s1_a_infinite, s1_b_infinite, s1_a_nan, s1_b_nan, s1_flushed})
   );
 
   // Stage swap: a zero as the smaller operand adds nothing.
@@ -175,6 +191,11 @@ module fp_aligned_operands #(
   wire                     s1_b_signs    = (ORDERED != 0) ? s1_swap : s1_a_zero;
   wire                     s1_sign       = s1_b_signs ? s1_b_sign : s1_a_sign;
   wire                     s1_cancel     = s1_a_sign ^ s1_b_sign;
+  wire                     s1_infinite   = s1_a_infinite || s1_b_infinite;
+  wire                     s1_nan        =
+      s1_a_nan || s1_b_nan || (s1_a_infinite && s1_b_infinite && s1_cancel);
+  wire                     s1_zero       = s1_a_zero && s1_b_zero;
+  wire                     s1_suspect    = s1_infinite || s1_nan || s1_flushed;
 
   wire [EXPONENT_BITS-1:0] s2_exponent;
   wire [PRECISION-1:0]     s2_small;
@@ -188,7 +209,8 @@ module fp_aligned_operands #(
     .REGISTERED(CUTS[1])
   ) rank_1 (
     .aclk(aclk),
-    .d   ({s1_exponent, s1_small, s1_distance, s1_sign, s1_cancel, s1_flags}),
+    .d   ({s1_exponent, s1_small, s1_distance, s1_sign, s1_cancel,
+           s1_nan, s1_infinite, s1_zero, s1_suspect}),
     .q   ({s2_exponent, s2_small, s2_distance, s2_sign, s2_cancel, s2_flags})
   );
 
@@ -200,7 +222,7 @@ module fp_aligned_operands #(
   wire [AMOUNT_BITS-1:0] s2_amount = s2_wide_distance[AMOUNT_BITS-1:0] | {AMOUNT_BITS{s2_far}};
   wire [ALIGNED-1:0]     s2_widened;
   wire [ALIGNED-1:0]     s2_moved;
-  wire                   s2_sticky;
+  wire [AMOUNT_BITS-1:0] s2_lost;
 
   generate
     if (ALIGNED > PRECISION) begin : g_widened
@@ -217,29 +239,29 @@ module fp_aligned_operands #(
     .value  (s2_widened),
     .amount ({s2_amount[AMOUNT_BITS-1:2], 2'b00}),
     .shifted(s2_moved),
-    .sticky (s2_sticky)
+    .lost   (s2_lost)
   );
 
   wire [EXPONENT_BITS-1:0] s3_exponent;
   wire [ALIGNED-1:0]       s3_moved;
-  wire                     s3_sticky;
+  wire [AMOUNT_BITS-1:0]   s3_lost_before;
   wire [1:0]               s3_rest;
   wire                     s3_sign;
   wire                     s3_cancel;
   wire [FLAGS-1:0]         s3_flags;
 
   fp_rank #(
-    .WIDTH     (EXPONENT_BITS + ALIGNED + 5 + FLAGS),
+    .WIDTH     (EXPONENT_BITS + ALIGNED + AMOUNT_BITS + 4 + FLAGS),
     .REGISTERED(CUTS[2])
   ) rank_2 (
     .aclk(aclk),
-    .d   ({s2_exponent, s2_moved, s2_sticky, s2_amount[1:0], s2_sign, s2_cancel, s2_flags}),
-    .q   ({s3_exponent, s3_moved, s3_sticky, s3_rest, s3_sign, s3_cancel, s3_flags})
+    .d   ({s2_exponent, s2_moved, s2_lost, s2_amount[1:0], s2_sign, s2_cancel, s2_flags}),
+    .q   ({s3_exponent, s3_moved, s3_lost_before, s3_rest, s3_sign, s3_cancel, s3_flags})
   );
 
   // Stage align: by the places left.
   wire [ALIGNED-1:0] s3_aligned;
-  wire               s3_lost;
+  wire [1:0]         s3_lost;
 
   fp_shift_right #(
     .WIDTH      (ALIGNED),
@@ -248,7 +270,7 @@ module fp_aligned_operands #(
     .value  (s3_moved),
     .amount (s3_rest),
     .shifted(s3_aligned),
-    .sticky (s3_lost)
+    .lost   (s3_lost)
   );
 
   fp_rank #(
@@ -256,7 +278,7 @@ module fp_aligned_operands #(
     .REGISTERED(CUTS[3])
   ) rank_3 (
     .aclk(aclk),
-    .d   ({s3_exponent, s3_aligned, s3_sticky || s3_lost, s3_sign, s3_cancel, s3_flags}),
+    .d   ({s3_exponent, s3_aligned, (|s3_lost_before) || (|s3_lost), s3_sign, s3_cancel, s3_flags}),
     .q   ({exponent, smaller, sign, cancel, nan, infinite, zero, suspect})
   );
 

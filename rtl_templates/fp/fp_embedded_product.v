@@ -1,5 +1,5 @@
 // fp_embedded_product: the product of two significands, by multipliers FACTOR_A by FACTOR_B wide.
-// Latency: the population count of CUTS (seven bits); initiation interval 1; no reset.
+// Latency: the population count of CUTS (eight bits); initiation interval 1; no reset.
 //
 // Of each part of a one column of multipliers, a row for each part of b. A product is added to the
 // row below, shifted by FACTOR_B bits: the adder and the registers behind a multiplier, where the
@@ -12,7 +12,7 @@ module fp_embedded_product #(
   parameter       PRECISION = 24,
   parameter       FACTOR_A  = 24,
   parameter       FACTOR_B  = 17,
-  parameter [6:0] CUTS      = 7'b0
+  parameter [7:0] CUTS      = 8'b0
 ) (
   input  wire                   aclk,
   input  wire [PRECISION-1:0]   a,
@@ -23,7 +23,8 @@ module fp_embedded_product #(
   localparam COLUMNS = (FACTOR_A > 0) ? (PRECISION + FACTOR_A - 1) / FACTOR_A : 1;
   localparam ROWS    = (FACTOR_B > 0) ? (PRECISION + FACTOR_B - 1) / FACTOR_B : 1;
 
-  // Cut 0 is behind the multipliers, cuts 1 to 4 behind the first rows, 5 and 6 behind the sums.
+  // Cut 0 is in front of the multipliers and cut 1 behind them, cuts 2 to 5 are behind the first
+  // rows, 6 and 7 behind the sums.
   localparam CUT_ROWS = 4;
 
   function integer smaller(input integer first, input integer second);
@@ -65,7 +66,7 @@ module fp_embedded_product #(
           fp_ranks #(
             .WIDTH(A_WIDTH + B_WIDTH),
             .COUNT(CUTS_BELOW),
-            .CUTS (CUTS[CUTS_BELOW:1])
+            .CUTS (CUTS[CUTS_BELOW+1:2])
           ) operand_ranks (
             .aclk(aclk),
             .d   ({a[column*FACTOR_A+:A_WIDTH], b[row*FACTOR_B+:B_WIDTH]}),
@@ -79,7 +80,7 @@ module fp_embedded_product #(
         embedded_multiplier #(
           .A_WIDTH(A_WIDTH),
           .B_WIDTH(B_WIDTH),
-          .CUTS   ({1'b0, CUTS[0]})
+          .CUTS   ({1'b0, CUTS[1:0]})
         ) multiplier (
           .aclk   (aclk),
           .a      (a_part),
@@ -99,7 +100,7 @@ module fp_embedded_product #(
         if (row < CUT_ROWS) begin : g_cut
           fp_rank #(
             .WIDTH     (A_WIDTH + B_WIDTH),
-            .REGISTERED(CUTS[row+1])
+            .REGISTERED(CUTS[row+2])
           ) row_rank (
             .aclk(aclk),
             .d   (joined),
@@ -116,7 +117,7 @@ module fp_embedded_product #(
           fp_ranks #(
             .WIDTH(DONE),
             .COUNT(CUT_ROWS - row - 1),
-            .CUTS (CUTS[CUT_ROWS:row+2])
+            .CUTS (CUTS[CUT_ROWS+1:row+3])
           ) done_ranks (
             .aclk(aclk),
             .d   (sum[DONE-1:0]),
@@ -142,7 +143,7 @@ module fp_embedded_product #(
 
         fp_rank #(
           .WIDTH     (TERM),
-          .REGISTERED((column > 1) && CUTS[5])
+          .REGISTERED((column > 1) && CUTS[6])
         ) column_rank (
           .aclk(aclk),
           .d   (g_columns[column].value),
@@ -160,7 +161,7 @@ module fp_embedded_product #(
       if (column == smaller(1, COLUMNS - 1)) begin : g_cut
         fp_rank #(
           .WIDTH     (PLACE + TERM),
-          .REGISTERED(CUTS[5])
+          .REGISTERED(CUTS[6])
         ) sum_rank (
           .aclk(aclk),
           .d   (joined),
@@ -174,7 +175,7 @@ module fp_embedded_product #(
 
   fp_rank #(
     .WIDTH     (2 * PRECISION),
-    .REGISTERED(CUTS[6])
+    .REGISTERED(CUTS[7])
   ) product_rank (
     .aclk(aclk),
     .d   (g_sums[COLUMNS-1].sum),

@@ -1,5 +1,5 @@
 // fp_embedded_square: the square of a significand, by multipliers FACTOR_A by FACTOR_B wide.
-// Latency: the population count of CUTS (seven bits); initiation interval 1; no reset.
+// Latency: the population count of CUTS (eight bits); initiation interval 1; no reset.
 // LEADING_ONE promises that a's leading bit is 1; `product` is undefined if it is 0.
 //
 // The significand is cut into PARTS parts of FACTOR_B bits; the last may have two more. For
@@ -21,7 +21,7 @@ module fp_embedded_square #(
   parameter       FACTOR_B    = 17,
   parameter       PARTS       = 3,
   parameter       LEADING_ONE = 1,
-  parameter [6:0] CUTS        = 7'b0
+  parameter [7:0] CUTS        = 8'b0
 ) (
   input  wire                   aclk,
   input  wire [PRECISION-1:0]   a,
@@ -47,8 +47,9 @@ module fp_embedded_square #(
   localparam EXCESS = (LAST > FACTOR_B) ? LAST - FACTOR_B : 0;
   localparam WIDEST = FACTOR_B + EXCESS;
 
-  // Cut 0 is behind the multipliers, cuts 1 to 4 are behind the first four links. The squares and
-  // the chain are added in two halves: cut 5 is behind the lower one, cut 6 behind the upper one.
+  // Cut 0 is in front of the multipliers and cut 1 behind them, cuts 2 to 5 are behind the first
+  // four links. The squares and the chain are added in two halves: cut 6 is behind the lower one,
+  // cut 7 behind the upper one.
   localparam CUT_LINKS  = 4;
   localparam LAST_PLACE = 2 * PARTS - 3;
   localparam HALF       = PRECISION + (FACTOR_B + 1) / 2;
@@ -109,7 +110,7 @@ module fp_embedded_square #(
       fp_ranks #(
         .WIDTH(A_BITS),
         .COUNT(CUT_LINKS - 1),
-        .CUTS (CUTS[CUT_LINKS-1:1])
+        .CUTS (CUTS[CUT_LINKS:2])
       ) operand_ranks (
         .aclk(aclk),
         .d   (a[part*FACTOR_B+:A_BITS]),
@@ -119,7 +120,7 @@ module fp_embedded_square #(
       embedded_multiplier #(
         .A_WIDTH(A_BITS),
         .B_WIDTH(B_BITS),
-        .CUTS   ({1'b0, CUTS[0]})
+        .CUTS   ({1'b0, CUTS[1:0]})
       ) multiplier (
         .aclk   (aclk),
         .a      (factor),
@@ -133,21 +134,32 @@ module fp_embedded_square #(
         // The one or two leading bits times the part, added to the product's upper bits.
         localparam BITS = A_BITS - B_BITS;
 
-        wire                   first       = (LEADING_ONE != 0) || factor[A_BITS-1];
-        wire [A_BITS-1:0]      times_first = factor & {A_BITS{first}};
+        wire [A_BITS-1:0]      last_factor;
+        wire                   first       = (LEADING_ONE != 0) || last_factor[A_BITS-1];
+        wire [A_BITS-1:0]      times_first = last_factor & {A_BITS{first}};
         wire [A_BITS+BITS-1:0] times;
         wire [A_BITS+BITS-1:0] times_leading;
+
+        fp_rank #(
+          .WIDTH     (A_BITS),
+          .REGISTERED(CUTS[0])
+        ) factor_rank (
+          .aclk(aclk),
+          .d   (factor),
+          .q   (last_factor)
+        );
 
         if (BITS == 1) begin : g_one
           assign times = {1'b0, times_first};
         end else begin : g_two
-          assign times =
-              {1'b0, times_first, 1'b0} + {2'b00, factor & {A_BITS{factor[A_BITS-2]}}};
+          wire [A_BITS-1:0] times_second = last_factor & {A_BITS{last_factor[A_BITS-2]}};
+
+          assign times = {1'b0, times_first, 1'b0} + {2'b00, times_second};
         end
 
         fp_rank #(
           .WIDTH     (A_BITS + BITS),
-          .REGISTERED(CUTS[0])
+          .REGISTERED(CUTS[1])
         ) leading_rank (
           .aclk(aclk),
           .d   (times),
@@ -159,7 +171,7 @@ module fp_embedded_square #(
 
       fp_rank #(
         .WIDTH     (2 * A_BITS),
-        .REGISTERED(CUTS[CUT_LINKS])
+        .REGISTERED(CUTS[CUT_LINKS+1])
       ) square_rank (
         .aclk(aclk),
         .d   (joined),
@@ -188,7 +200,7 @@ module fp_embedded_square #(
           fp_ranks #(
             .WIDTH(A_BITS + FACTOR_B),
             .COUNT(DELAYS),
-            .CUTS (CUTS[DELAYS:1])
+            .CUTS (CUTS[DELAYS+1:2])
           ) operand_ranks (
             .aclk(aclk),
             .d   ({a[J*FACTOR_B+:A_BITS], a[I*FACTOR_B+:FACTOR_B]}),
@@ -202,7 +214,7 @@ module fp_embedded_square #(
         embedded_multiplier #(
           .A_WIDTH(A_BITS),
           .B_WIDTH(FACTOR_B),
-          .CUTS   ({1'b0, CUTS[0]})
+          .CUTS   ({1'b0, CUTS[1:0]})
         ) multiplier (
           .aclk   (aclk),
           .a      (a_part),
@@ -221,7 +233,7 @@ module fp_embedded_square #(
         if (BELOW < CUT_LINKS) begin : g_cut
           fp_rank #(
             .WIDTH     (WIDTH),
-            .REGISTERED(CUTS[BELOW+1])
+            .REGISTERED(CUTS[BELOW+2])
           ) link_rank (
             .aclk(aclk),
             .d   (joined),
@@ -243,7 +255,7 @@ module fp_embedded_square #(
         fp_ranks #(
           .WIDTH(DONE),
           .COUNT(CUT_LINKS - LINK_CUTS),
-          .CUTS (CUTS[CUT_LINKS:LINK_CUTS+1])
+          .CUTS (CUTS[CUT_LINKS+1:LINK_CUTS+2])
         ) done_ranks (
           .aclk(aclk),
           .d   (total[DONE-1:0]),
@@ -273,7 +285,7 @@ module fp_embedded_square #(
 
   fp_rank #(
     .WIDTH     (2 * SQUARE - HALF + 1),
-    .REGISTERED(CUTS[5])
+    .REGISTERED(CUTS[6])
   ) half_rank (
     .aclk(aclk),
     .d   ({lower, squares[SQUARE-1:HALF], twice_products[SQUARE-1:HALF]}),
@@ -285,7 +297,7 @@ module fp_embedded_square #(
 
   fp_rank #(
     .WIDTH     (SQUARE),
-    .REGISTERED(CUTS[6])
+    .REGISTERED(CUTS[7])
   ) product_rank (
     .aclk(aclk),
     .d   ({upper_sum, lower_sum[HALF-1:0]}),

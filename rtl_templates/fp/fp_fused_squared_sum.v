@@ -107,6 +107,7 @@ module fp_fused_squared_sum #(
   fp_leading_zeros #(
     .COUNT_BITS(COUNT_BITS)
   ) s7_leading_zeros (
+    .aclk (aclk),
     .value(s7_counted),
     .count(s7_count),
     .empty(s7_empty)
@@ -150,17 +151,16 @@ module fp_fused_squared_sum #(
   assign exponent = (s9_normalised << 1) & {EXPONENT_WIDTH{!zero}};
   assign place    = (s9_lifted << 1) & {EXPONENT_WIDTH{!zero}};
 
-  // Stages of the product.
-  wire [PRECISION-1:0] s9_significand;
+  // Stages of the product, whose factor's cut is beside stage normalise.
+  wire [PRECISION-1:0] s8_significand;
 
-  fp_ranks #(
-    .WIDTH(PRECISION),
-    .COUNT(2),
-    .CUTS (CUTS[8:7])
-  ) ranks_7 (
+  fp_rank #(
+    .WIDTH     (PRECISION),
+    .REGISTERED(CUTS[7])
+  ) rank_7_significand (
     .aclk(aclk),
     .d   (s7_significand),
-    .q   (s9_significand)
+    .q   (s8_significand)
   );
 
   fp_product #(
@@ -170,11 +170,11 @@ module fp_fused_squared_sum #(
     .FACTOR_A   (FACTOR_A),
     .FACTOR_B   (FACTOR_B),
     .LEADING_ONE(0),
-    .CUTS       (CUTS[15:9])
-  ) s9_product (
+    .CUTS       (CUTS[15:8])
+  ) s8_product (
     .aclk   (aclk),
-    .a      (s9_significand),
-    .b      (s9_significand),
+    .a      (s8_significand),
+    .b      (s8_significand),
     .product(product)
   );
 

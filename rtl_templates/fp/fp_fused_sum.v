@@ -172,6 +172,7 @@ module fp_fused_sum #(
       fp_leading_zeros #(
         .COUNT_BITS(COUNT_BITS)
       ) s25_leading_zeros (
+        .aclk (aclk),
         .value(s25_counted),
         .count(s25_count),
         .empty(s25_unused_empty)
@@ -186,6 +187,7 @@ module fp_fused_sum #(
       fp_leading_zeros #(
         .COUNT_BITS(COUNT_BITS)
       ) s25_leading_zeros (
+        .aclk (aclk),
         .value(s25_counted),
         .count(s25_count),
         .empty(s25_empty)

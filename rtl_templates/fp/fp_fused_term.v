@@ -214,7 +214,7 @@ module fp_fused_term #(
         .EMBEDDED (EMBEDDED),
         .FACTOR_A (FACTOR_A),
         .FACTOR_B (FACTOR_B),
-        .CUTS     (CUTS[8:2])
+        .CUTS     ({CUTS[8:2], 1'b0})
       ) s2_product (
         .aclk   (aclk),
         .a      (s2_a_significand),

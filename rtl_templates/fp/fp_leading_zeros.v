@@ -1,24 +1,34 @@
 // fp_leading_zeros: how many zeros precede the first one, as a tree of halves.
-// Combinational. For an empty value `count` is all ones.
+// Latency: REGISTERED, whose registers are behind the counts of eight bits each. Initiation interval
+// 1; no reset. For an empty value `count` is all ones.
 `default_nettype none
 
 module fp_leading_zeros #(
-  parameter COUNT_BITS = 5  // of a value 2^COUNT_BITS wide
+  parameter COUNT_BITS = 5,  // of a value 2^COUNT_BITS wide
+  parameter REGISTERED = 0
 ) (
+  input  wire                         aclk,
   input  wire [(1 << COUNT_BITS)-1:0] value,
   output wire [COUNT_BITS-1:0]        count,
   output wire                         empty
 );
+
+  // The bits of the counts that are registered, unless the whole count has fewer.
+  localparam GROUP_BITS = 3;
+
+  wire [COUNT_BITS-1:0] s0_count;
+  wire                  s0_empty;
 
   // A parameter that does not fit: an instance of a module that does not exist.
   generate
     if (COUNT_BITS < 1) begin : g_refused_count_bits
       COUNT_BITS_is_below_1 refused ();
     end else if (COUNT_BITS == 1) begin : g_leaf
-      assign count = !value[1];
-      assign empty = !(|value);
+      assign s0_count = !value[1];
+      assign s0_empty = !(|value);
     end else begin : g_halves
-      localparam HALF = 1 << (COUNT_BITS - 1);
+      localparam HALF              = 1 << (COUNT_BITS - 1);
+      localparam HALVES_REGISTERED = (COUNT_BITS > GROUP_BITS) && (REGISTERED != 0);
 
       wire [COUNT_BITS-2:0] upper_count;
       wire [COUNT_BITS-2:0] lower_count;
@@ -26,25 +36,38 @@ module fp_leading_zeros #(
       wire                  lower_empty;
 
       fp_leading_zeros #(
-        .COUNT_BITS(COUNT_BITS - 1)
+        .COUNT_BITS(COUNT_BITS - 1),
+        .REGISTERED(HALVES_REGISTERED)
       ) upper (
+        .aclk (aclk),
         .value(value[2*HALF-1:HALF]),
         .count(upper_count),
         .empty(upper_empty)
       );
 
       fp_leading_zeros #(
-        .COUNT_BITS(COUNT_BITS - 1)
+        .COUNT_BITS(COUNT_BITS - 1),
+        .REGISTERED(HALVES_REGISTERED)
       ) lower (
+        .aclk (aclk),
         .value(value[HALF-1:0]),
         .count(lower_count),
         .empty(lower_empty)
       );
 
-      assign count = {upper_empty, upper_empty ? lower_count : upper_count};
-      assign empty = upper_empty && lower_empty;
+      assign s0_count = {upper_empty, upper_empty ? lower_count : upper_count};
+      assign s0_empty = upper_empty && lower_empty;
     end
   endgenerate
+
+  fp_rank #(
+    .WIDTH     (COUNT_BITS + 1),
+    .REGISTERED((COUNT_BITS <= GROUP_BITS) && (REGISTERED != 0))
+  ) rank (
+    .aclk(aclk),
+    .d   ({s0_count, s0_empty}),
+    .q   ({count, empty})
+  );
 
 endmodule
 

@@ -1,5 +1,5 @@
 // fp_multiply: a * b, rounded once to the result format.
-// Latency: the population count of CUTS (thirteen bits); initiation interval 1; no reset.
+// Latency: the population count of CUTS (fourteen bits); initiation interval 1; no reset.
 // EMBEDDED = 0: the product is logic on any device; else it is of `*`, each of FACTOR_A by FACTOR_B
 // bits, for the device's multipliers. DIGIT_STAGE: fp_logic_product.
 // Special values as IEEE 754: infinity * 0 is NaN.
@@ -20,7 +20,7 @@ module fp_multiply #(
   parameter        DIGIT_STAGE          = 0,
   parameter        FACTOR_A             = 24,
   parameter        FACTOR_B             = 17,
-  parameter [12:0] CUTS                 = 13'b0
+  parameter [13:0] CUTS                 = 14'b0
 ) (
   input  wire                                             aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
@@ -45,7 +45,7 @@ module fp_multiply #(
   localparam SUBNORMALS = (GRADUAL != 0) && (UNDERFLOW != 0);
 
   // Cuts 2 to ROUND - 1 are the product's.
-  localparam ROUND   = 9;
+  localparam ROUND   = 10;
   localparam PRODUCT = 2 * PRECISION;
   localparam EXPONENT_WIDTH =
       larger(larger(EXPONENT_BITS, RESULT_EXPONENT_BITS),
@@ -136,7 +136,7 @@ module fp_multiply #(
     .flushed    (s2_b_flushed)
   );
 
-  // Stage multiply: the product of two significands in [1, 2) lies in [1, 4).
+  // Stages factors, multiply: the product of two significands in [1, 2) lies in [1, 4).
   wire [EXPONENT_WIDTH-1:0] s2_exponent;
   wire                      s2_unused_place;
   wire                      s2_sign     = s2_a_sign ^ s2_b_sign;
@@ -164,45 +164,46 @@ module fp_multiply #(
     .product(last_product)
   );
 
-  wire [EXPONENT_WIDTH-1:0] s3_sum;
-  wire [4:0]                s3_flags;
+  wire [EXPONENT_WIDTH-1:0] s4_sum;
+  wire [4:0]                s4_flags;
 
-  fp_rank #(
-    .WIDTH     (EXPONENT_WIDTH + 5),
-    .REGISTERED(CUTS[2])
-  ) rank_2 (
+  fp_ranks #(
+    .WIDTH(EXPONENT_WIDTH + 5),
+    .COUNT(2),
+    .CUTS (CUTS[3:2])
+  ) ranks_2 (
     .aclk(aclk),
     .d   ({s2_exponent, s2_sign, s2_nan, s2_infinite, s2_zero, s2_suspect}),
-    .q   ({s3_sum, s3_flags})
+    .q   ({s4_sum, s4_flags})
   );
 
   // The product's other stages.
-  wire [EXPONENT_WIDTH-1:0] s3_exponent = s3_sum + REBIAS[EXPONENT_WIDTH-1:0];
-  wire [EXPONENT_WIDTH-1:0] s4_exponent;
-  wire [4:0]                s4_flags;
+  wire [EXPONENT_WIDTH-1:0] s4_exponent = s4_sum + REBIAS[EXPONENT_WIDTH-1:0];
+  wire [EXPONENT_WIDTH-1:0] s5_exponent;
+  wire [4:0]                s5_flags;
 
   fp_rank #(
     .WIDTH     (EXPONENT_WIDTH + 5),
-    .REGISTERED(CUTS[3])
-  ) rank_3 (
+    .REGISTERED(CUTS[4])
+  ) rank_4 (
     .aclk(aclk),
-    .d   ({s3_exponent, s3_flags}),
-    .q   ({s4_exponent, s4_flags})
+    .d   ({s4_exponent, s4_flags}),
+    .q   ({s5_exponent, s5_flags})
   );
 
-  wire [EXPONENT_WIDTH-1:0] s4_limited;
-  wire                      s4_tiny;
-  wire [AMOUNT_BITS-1:0]    s4_amount;
+  wire [EXPONENT_WIDTH-1:0] s5_limited;
+  wire                      s5_tiny;
+  wire [AMOUNT_BITS-1:0]    s5_amount;
 
   fp_subnormal_shift #(
     .EXPONENT_WIDTH(EXPONENT_WIDTH),
     .AMOUNT_BITS   (AMOUNT_BITS),
     .GRADUAL       (SUBNORMALS)
-  ) s4_subnormal_shift (
-    .exponent(s4_exponent),
-    .limited (s4_limited),
-    .tiny    (s4_tiny),
-    .amount  (s4_amount)
+  ) s5_subnormal_shift (
+    .exponent(s5_exponent),
+    .limited (s5_limited),
+    .tiny    (s5_tiny),
+    .amount  (s5_amount)
   );
 
   wire [EXPONENT_WIDTH-1:0] last_exponent;
@@ -216,11 +217,11 @@ module fp_multiply #(
 
   fp_ranks #(
     .WIDTH(EXPONENT_WIDTH + AMOUNT_BITS + 6),
-    .COUNT(ROUND - 4),
-    .CUTS (CUTS[ROUND-1:4])
-  ) ranks_4 (
+    .COUNT(ROUND - 5),
+    .CUTS (CUTS[ROUND-1:5])
+  ) ranks_5 (
     .aclk(aclk),
-    .d   ({s4_limited, s4_tiny, s4_amount, s4_flags}),
+    .d   ({s5_limited, s5_tiny, s5_amount, s5_flags}),
     .q   ({last_exponent, last_tiny, last_amount,
            last_sign, last_nan, last_infinite, last_zero, last_suspect})
   );

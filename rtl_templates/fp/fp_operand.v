@@ -111,6 +111,7 @@ module fp_operand #(
       fp_leading_zeros #(
         .COUNT_BITS(COUNT_BITS)
       ) s0_leading_zeros (
+        .aclk (aclk),
         .value(s0_counted),
         .count(s0_count),
         .empty(s0_unused_empty)

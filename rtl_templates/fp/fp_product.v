@@ -1,5 +1,6 @@
 // fp_product: the product of two significands, or the square of one.
-// Latency: the population count of CUTS (seven bits); initiation interval 1; no reset.
+// Latency: the population count of CUTS (eight bits); initiation interval 1; no reset.
+// Cut 0 is in front of the multipliers, in registers of theirs where they have such.
 // LEADING_ONE promises that the significands' leading bits are 1; `product` is undefined if one is 0.
 `default_nettype none
 
@@ -11,7 +12,7 @@ module fp_product #(
   parameter       FACTOR_A    = 24,
   parameter       FACTOR_B    = 17,
   parameter       LEADING_ONE = 1,
-  parameter [6:0] CUTS        = 7'b0
+  parameter [7:0] CUTS        = 8'b0
 ) (
   input  wire                   aclk,
   input  wire [PRECISION-1:0]   a,
@@ -72,20 +73,29 @@ module fp_product #(
         .product(product)
       );
     end else begin : g_gates
-      wire                 a_leading     = (LEADING_ONE != 0) || a[PRECISION-1];
-      wire                 b_leading     = (LEADING_ONE != 0) || factor[PRECISION-1];
-      wire [PRECISION-1:0] a_significand = {a_leading, a[PRECISION-2:0]};
-      wire [PRECISION-1:0] b_significand = {b_leading, factor[PRECISION-2:0]};
+      wire                 a_leading = (LEADING_ONE != 0) || a[PRECISION-1];
+      wire                 b_leading = (LEADING_ONE != 0) || factor[PRECISION-1];
+      wire [PRECISION-1:0] s1_a;
+      wire [PRECISION-1:0] s1_b;
+
+      fp_rank #(
+        .WIDTH     (2 * PRECISION),
+        .REGISTERED(CUTS[0])
+      ) rank_0 (
+        .aclk(aclk),
+        .d   ({a_leading, a[PRECISION-2:0], b_leading, factor[PRECISION-2:0]}),
+        .q   ({s1_a, s1_b})
+      );
 
       fp_logic_product #(
         .PRECISION  (PRECISION),
         .SQUARE     (SQUARE),
         .DIGIT_STAGE((DIGIT_STAGE != 0) && (PRECISION < 64)),
-        .CUTS       (CUTS)
+        .CUTS       (CUTS[7:1])
       ) logic_product (
         .aclk   (aclk),
-        .a      (a_significand),
-        .b      (b_significand),
+        .a      (s1_a),
+        .b      (s1_b),
         .product(product)
       );
     end

@@ -85,7 +85,7 @@ module fp_round #(
       wire [EXPONENT_WIDTH-1:0] unused_limited;
       wire                      unused_tiny;
       wire [AMOUNT_BITS-1:0]    amount;
-      wire                      lost;
+      wire [AMOUNT_BITS-1:0]    lost;
 
       fp_subnormal_shift #(
         .EXPONENT_WIDTH(EXPONENT_WIDTH),
@@ -104,10 +104,10 @@ module fp_round #(
         .value  (significand),
         .amount (amount),
         .shifted(s0_significand),
-        .sticky (lost)
+        .lost   (lost)
       );
 
-      assign s0_sticky = sticky || lost;
+      assign s0_sticky = sticky || (|lost);
     end else begin : g_normal
       assign s0_significand = significand;
       assign s0_sticky      = sticky;

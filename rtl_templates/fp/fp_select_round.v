@@ -70,8 +70,8 @@ module fp_select_round #(
     .sticky(s0_below)
   );
 
-  wire [MOVED-1:0] s0_moved;
-  wire             s0_lost;
+  wire [MOVED-1:0]       s0_moved;
+  wire [AMOUNT_BITS-1:0] s0_lost;
 
   fp_shift_right #(
     .WIDTH      (MOVED),
@@ -80,7 +80,7 @@ module fp_select_round #(
     .value  (s0_value),
     .amount ({amount[AMOUNT_BITS-1:2], 2'b00}),
     .shifted(s0_moved),
-    .sticky (s0_lost)
+    .lost   (s0_lost)
   );
 
   wire [EXPONENT_WIDTH-1:0] s1_exponent;
@@ -99,7 +99,7 @@ module fp_select_round #(
     .REGISTERED(CUTS[0])
   ) rank_0 (
     .aclk(aclk),
-    .d   ({exponent, s0_moved, sticky || s0_below || s0_lost, tiny, amount[1:0],
+    .d   ({exponent, s0_moved, sticky || s0_below || (|s0_lost), tiny, amount[1:0],
            sign, nan, infinite, zero, suspect}),
     .q   ({s1_exponent, s1_value, s1_sticky, s1_tiny, s1_rest,
            s1_sign, s1_nan, s1_infinite, s1_zero, s1_suspect})
@@ -113,7 +113,7 @@ module fp_select_round #(
       s1_exponent + {{(EXPONENT_WIDTH - 1) {1'b0}}, s1_high || s1_tiny};
   wire [MOVED-2:0]          s1_significand;
   wire                      s1_unused_place;
-  wire                      s1_lost;
+  wire [1:0]                s1_lost;
 
   fp_shift_right #(
     .WIDTH      (MOVED),
@@ -122,7 +122,7 @@ module fp_select_round #(
     .value  (s1_value),
     .amount (s1_amount),
     .shifted({s1_unused_place, s1_significand}),
-    .sticky (s1_lost)
+    .lost   (s1_lost)
   );
 
   // Stages round, pack. The cut behind the selection stands behind the decision to round up.
@@ -141,7 +141,7 @@ module fp_select_round #(
     .sign       (s1_sign),
     .exponent   (s1_selected),
     .significand(s1_significand),
-    .sticky     (s1_sticky || s1_lost),
+    .sticky     (s1_sticky || (|s1_lost)),
     .nan        (s1_nan),
     .infinite   (s1_infinite),
     .zero       (s1_zero),

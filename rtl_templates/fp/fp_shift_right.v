@@ -1,5 +1,6 @@
-// fp_shift_right: moves a value down; `sticky` remembers whether a one fell off its end.
-// Combinational. An amount of WIDTH or more leaves nothing but the sticky bit.
+// fp_shift_right: moves a value down by steps of powers of two; bit k of `lost` tells whether a one
+// fell off its end in the step of 2^k, so that the OR of `lost` is the sticky bit.
+// Combinational. An amount of WIDTH or more leaves nothing of the value.
 `default_nettype none
 
 module fp_shift_right #(
@@ -9,7 +10,7 @@ module fp_shift_right #(
   input  wire [WIDTH-1:0]       value,
   input  wire [AMOUNT_BITS-1:0] amount,
   output reg  [WIDTH-1:0]       shifted,
-  output reg                    sticky
+  output reg  [AMOUNT_BITS-1:0] lost
 );
 
   // Parameters that do not fit: an instance of a module that does not exist.
@@ -27,12 +28,9 @@ module fp_shift_right #(
   // A loop over constant distances says in one place what a chain of generated steps would spread.
   always @* begin
     shifted = value;
-    sticky  = 1'b0;
     for (k = AMOUNT_BITS - 1; k >= 0; k = k - 1) begin
-      if (amount[k]) begin
-        sticky  = sticky || (|(shifted & ~({WIDTH{1'b1}} << (1 << k))));
-        shifted = shifted >> (1 << k);
-      end
+      lost[k] = amount[k] && (|(shifted & ~({WIDTH{1'b1}} << (1 << k))));
+      if (amount[k]) shifted = shifted >> (1 << k);
     end
   end
 

@@ -1,5 +1,5 @@
 // fp_square: a * a, rounded once to the result format.
-// Latency: the population count of CUTS (thirteen bits); initiation interval 1; no reset.
+// Latency: the population count of CUTS (fourteen bits); initiation interval 1; no reset.
 // EMBEDDED = 0: the product is logic on any device; else it is of `*`, each of FACTOR_A by FACTOR_B
 // bits, for the device's multipliers. DIGIT_STAGE: fp_logic_product.
 // Special values as IEEE 754.
@@ -20,7 +20,7 @@ module fp_square #(
   parameter        DIGIT_STAGE          = 0,
   parameter        FACTOR_A             = 24,
   parameter        FACTOR_B             = 17,
-  parameter [12:0] CUTS                 = 13'b0
+  parameter [13:0] CUTS                 = 14'b0
 ) (
   input  wire                                             aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
@@ -44,7 +44,7 @@ module fp_square #(
   localparam SUBNORMALS = (GRADUAL != 0) && (UNDERFLOW != 0);
 
   // Cuts 2 to ROUND - 1 are the product's.
-  localparam ROUND   = 9;
+  localparam ROUND   = 10;
   localparam PRODUCT = 2 * PRECISION;
   localparam EXPONENT_WIDTH =
       larger(larger(EXPONENT_BITS, RESULT_EXPONENT_BITS),
@@ -108,7 +108,7 @@ module fp_square #(
     .flushed    (s2_flushed)
   );
 
-  // Stage multiply: the square of a significand in [1, 2) lies in [1, 4).
+  // Stages factor, multiply: the square of a significand in [1, 2) lies in [1, 4).
   wire [EXPONENT_WIDTH-1:0] s2_exponent = (s2_a_exponent << 1) + REBIAS[EXPONENT_WIDTH-1:0];
   wire                      s2_suspect  = s2_nan || s2_infinite || s2_flushed;
 
@@ -129,32 +129,33 @@ module fp_square #(
     .product(last_product)
   );
 
-  wire [EXPONENT_WIDTH-1:0] s3_exponent;
-  wire [3:0]                s3_flags;
+  wire [EXPONENT_WIDTH-1:0] s4_exponent;
+  wire [3:0]                s4_flags;
 
-  fp_rank #(
-    .WIDTH     (EXPONENT_WIDTH + 4),
-    .REGISTERED(CUTS[2])
-  ) rank_2 (
+  fp_ranks #(
+    .WIDTH(EXPONENT_WIDTH + 4),
+    .COUNT(2),
+    .CUTS (CUTS[3:2])
+  ) ranks_2 (
     .aclk(aclk),
     .d   ({s2_exponent, s2_nan, s2_infinite, s2_zero, s2_suspect}),
-    .q   ({s3_exponent, s3_flags})
+    .q   ({s4_exponent, s4_flags})
   );
 
   // The product's other stages.
-  wire [EXPONENT_WIDTH-1:0] s3_limited;
-  wire                      s3_tiny;
-  wire [AMOUNT_BITS-1:0]    s3_amount;
+  wire [EXPONENT_WIDTH-1:0] s4_limited;
+  wire                      s4_tiny;
+  wire [AMOUNT_BITS-1:0]    s4_amount;
 
   fp_subnormal_shift #(
     .EXPONENT_WIDTH(EXPONENT_WIDTH),
     .AMOUNT_BITS   (AMOUNT_BITS),
     .GRADUAL       (SUBNORMALS)
-  ) s3_subnormal_shift (
-    .exponent(s3_exponent),
-    .limited (s3_limited),
-    .tiny    (s3_tiny),
-    .amount  (s3_amount)
+  ) s4_subnormal_shift (
+    .exponent(s4_exponent),
+    .limited (s4_limited),
+    .tiny    (s4_tiny),
+    .amount  (s4_amount)
   );
 
   wire [EXPONENT_WIDTH-1:0] last_exponent;
@@ -167,11 +168,11 @@ module fp_square #(
 
   fp_ranks #(
     .WIDTH(EXPONENT_WIDTH + AMOUNT_BITS + 5),
-    .COUNT(ROUND - 3),
-    .CUTS (CUTS[ROUND-1:3])
-  ) ranks_3 (
+    .COUNT(ROUND - 4),
+    .CUTS (CUTS[ROUND-1:4])
+  ) ranks_4 (
     .aclk(aclk),
-    .d   ({s3_limited, s3_tiny, s3_amount, s3_flags}),
+    .d   ({s4_limited, s4_tiny, s4_amount, s4_flags}),
     .q   ({last_exponent, last_tiny, last_amount,
            last_nan, last_infinite, last_zero, last_suspect})
   );

@@ -230,18 +230,18 @@ TEST(Schedule, NoRegisterIsBoughtForChainsThatOverlap) {
                        .format = format("s24e8")};
   const datapath::Unit unit =
       datapath::unit_for(node, Subnormals::flush, scene::Multipliers::logic, delays);
-  ASSERT_EQ(unit.stages.size(), 13u);
-  ASSERT_EQ(unit.stages[2].name, "level 0");
+  ASSERT_EQ(unit.stages.size(), 14u);
+  ASSERT_EQ(unit.stages[3].name, "level 0");
   // Rows of 30 bits, two bits apart: a LUT, then three chains that each start once the one before
   // has passed two bits.
-  const auto first = unit.stages.begin() + 2;
+  const auto first = unit.stages.begin() + 3;
   const datapath::Step levels = {.unit = {.module = {}, .stages = {first, first + 3}},
                                  .cuts = {false, false, false}};
   EXPECT_DOUBLE_EQ(longest_path_ns(levels), 1 + 3 * 1 + (30 + 2 + 2) * 0.1);
   // 13 rows: four sums of four or less, two, one.
-  EXPECT_GT(unit.stages[6].delay_ns, 0);
-  EXPECT_EQ(unit.stages[7].delay_ns, 0);
+  EXPECT_GT(unit.stages[7].delay_ns, 0);
   EXPECT_EQ(unit.stages[8].delay_ns, 0);
+  EXPECT_EQ(unit.stages[9].delay_ns, 0);
 }
 
 /// The one multiplication of `text`, in s24e8 with subnormals.
@@ -383,13 +383,28 @@ TEST(Schedule, SquaresByTheirSymmetryHaveTheirOwnStages) {
       .operation = Operation::square, .operand_format = format("s53e8"), .format = format("s53e8")};
   const datapath::Unit unit =
       datapath::unit_for(node, Subnormals::gradual, scene::Multipliers::embedded, delays);
-  ASSERT_EQ(unit.stages.size(), 13u);
-  EXPECT_EQ(unit.stages[3].name, "link 0");
-  EXPECT_EQ(unit.stages[5].delay_ns, delays.multiplier_add_ns);
-  EXPECT_EQ(unit.stages[6].delay_ns, delays.multiplier_add_ns) << "adds the excess";
-  EXPECT_EQ(unit.stages[5].cut_needs, 2);
-  EXPECT_EQ(unit.stages[6].cut_needs, -1);
-  EXPECT_EQ(unit.stages[8].name, "upper half");
+  ASSERT_EQ(unit.stages.size(), 14u);
+  EXPECT_EQ(unit.stages[4].name, "link 0");
+  EXPECT_EQ(unit.stages[6].delay_ns, delays.multiplier_add_ns);
+  EXPECT_EQ(unit.stages[7].delay_ns, delays.multiplier_add_ns) << "adds the excess";
+  EXPECT_EQ(unit.stages[6].cut_needs, 3);
+  EXPECT_EQ(unit.stages[7].cut_needs, -1);
+  EXPECT_EQ(unit.stages[9].name, "upper half");
+}
+
+/// Where the wire from logic to a multiplier is long, it has a cycle of its own at a high target.
+TEST(Schedule, FactorsWaitInTheMultipliersRegisters) {
+  const datapath::DelayTable delays = datapath::delays_of("ecp5-85k").value();
+  const Product squared = product("(x - y)^2");
+  const auto cuts = [&](double target_mhz) {
+    const auto schedule = datapath::schedule_reference(squared.graph, {}, delays, target_mhz);
+    const auto step = std::find_if(schedule.steps.begin(), schedule.steps.end(),
+                                   [](const auto& s) { return s.unit.module == "fp_squared_sum"; });
+    EXPECT_EQ(step->unit.stages[7].name, "factors");
+    return std::vector<bool>{step->cuts[6], step->cuts[7]};
+  };
+  EXPECT_EQ(cuts(190), (std::vector<bool>{true, true}));
+  EXPECT_EQ(cuts(30), (std::vector<bool>{false, false}));
 }
 
 TEST(Schedule, ScalingsThatDropNoDigitAreShort) {

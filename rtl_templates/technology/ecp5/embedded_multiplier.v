@@ -1,5 +1,5 @@
 // embedded_multiplier, as a cell of ECP5 with its registers, which Yosys does not use by itself.
-// Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
+// Latency: the population count of CUTS (three bits); initiation interval 1; no reset.
 // A factor is in two's complement where SIGNED_A (SIGNED_B) is 1, without a sign where it is 0.
 // Factors of more than 18 bits, and products without a register, are left to synthesis.
 `default_nettype none
@@ -9,7 +9,7 @@ module embedded_multiplier #(
   parameter       B_WIDTH  = 18,
   parameter       SIGNED_A = 0,
   parameter       SIGNED_B = 0,
-  parameter [1:0] CUTS     = 2'b00
+  parameter [2:0] CUTS     = 3'b000
 ) (
   input  wire                       aclk,
   input  wire [A_WIDTH-1:0]         a,
@@ -49,8 +49,10 @@ module embedded_multiplier #(
       end
 
       MULT18X18D #(
-        .REG_PIPELINE_CLK((CUTS == 2'b11) ? "CLK0" : "NONE"),
-        .REG_OUTPUT_CLK  ("CLK0")
+        .REG_INPUTA_CLK  (CUTS[0] ? "CLK0" : "NONE"),
+        .REG_INPUTB_CLK  (CUTS[0] ? "CLK0" : "NONE"),
+        .REG_PIPELINE_CLK((CUTS[2:1] == 2'b11) ? "CLK0" : "NONE"),
+        .REG_OUTPUT_CLK  ((CUTS[2:1] != 2'b00) ? "CLK0" : "NONE")
       ) multiplier (
         .CLK0(aclk), .CE0(1'b1), .RST0(1'b0),
         .SIGNEDA(SIGNED_A != 0), .SIGNEDB(SIGNED_B != 0), .SOURCEA(1'b0), .SOURCEB(1'b0),
@@ -80,14 +82,23 @@ module embedded_multiplier #(
 
       assign product = whole[A_WIDTH+B_WIDTH-1:0];
     end else begin : g_inferred
-      wire [A_WIDTH:0]           a_extended = {a_negative, a};
-      wire [B_WIDTH:0]           b_extended = {b_negative, b};
-      wire [A_WIDTH+B_WIDTH-1:0] whole      = $signed(a_extended) * $signed(b_extended);
+      wire [A_WIDTH:0]           a_extended;
+      wire [B_WIDTH:0]           b_extended;
+      wire [A_WIDTH+B_WIDTH-1:0] whole = $signed(a_extended) * $signed(b_extended);
+
+      fp_rank #(
+        .WIDTH     (A_WIDTH + B_WIDTH + 2),
+        .REGISTERED(CUTS[0])
+      ) factors (
+        .aclk(aclk),
+        .d   ({a_negative, a, b_negative, b}),
+        .q   ({a_extended, b_extended})
+      );
 
       fp_ranks #(
         .WIDTH(A_WIDTH + B_WIDTH),
         .COUNT(2),
-        .CUTS (CUTS)
+        .CUTS (CUTS[2:1])
       ) ranks (
         .aclk(aclk),
         .d   (whole),

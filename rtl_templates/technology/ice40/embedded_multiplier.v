@@ -1,6 +1,6 @@
 // embedded_multiplier, as a cell of iCE40 UltraPlus with its registers. Yosys, left to find them by
 // itself (synth_ice40 -dsp), also moves adders into the cell that are too wide for it, and fails.
-// Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
+// Latency: the population count of CUTS (three bits); initiation interval 1; no reset.
 // A factor is in two's complement where SIGNED_A (SIGNED_B) is 1, without a sign where it is 0.
 // Factors of more than 16 bits are left to synthesis, which makes them of logic.
 `default_nettype none
@@ -10,7 +10,7 @@ module embedded_multiplier #(
   parameter       B_WIDTH  = 16,
   parameter       SIGNED_A = 0,
   parameter       SIGNED_B = 0,
-  parameter [1:0] CUTS     = 2'b00
+  parameter [2:0] CUTS     = 3'b000
 ) (
   input  wire                       aclk,
   input  wire [A_WIDTH-1:0]         a,
@@ -42,10 +42,12 @@ module embedded_multiplier #(
       SB_MAC16 #(
         .A_SIGNED                (SIGNED_A != 0),
         .B_SIGNED                (SIGNED_B != 0),
-        .TOP_8x8_MULT_REG        (CUTS == 2'b11),
-        .BOT_8x8_MULT_REG        (CUTS == 2'b11),
-        .PIPELINE_16x16_MULT_REG1(CUTS == 2'b11),
-        .PIPELINE_16x16_MULT_REG2(CUTS != 2'b00),
+        .A_REG                   (CUTS[0]),
+        .B_REG                   (CUTS[0]),
+        .TOP_8x8_MULT_REG        (CUTS[2:1] == 2'b11),
+        .BOT_8x8_MULT_REG        (CUTS[2:1] == 2'b11),
+        .PIPELINE_16x16_MULT_REG1(CUTS[2:1] == 2'b11),
+        .PIPELINE_16x16_MULT_REG2(CUTS[2:1] != 2'b00),
         .TOPOUTPUT_SELECT        (2'b11),
         .BOTOUTPUT_SELECT        (2'b11)
       ) multiplier (
@@ -60,14 +62,23 @@ module embedded_multiplier #(
 
       assign product = whole[A_WIDTH+B_WIDTH-1:0];
     end else begin : g_inferred
-      wire [A_WIDTH:0]           a_extended = {a_negative, a};
-      wire [B_WIDTH:0]           b_extended = {b_negative, b};
-      wire [A_WIDTH+B_WIDTH-1:0] whole      = $signed(a_extended) * $signed(b_extended);
+      wire [A_WIDTH:0]           a_extended;
+      wire [B_WIDTH:0]           b_extended;
+      wire [A_WIDTH+B_WIDTH-1:0] whole = $signed(a_extended) * $signed(b_extended);
+
+      fp_rank #(
+        .WIDTH     (A_WIDTH + B_WIDTH + 2),
+        .REGISTERED(CUTS[0])
+      ) factors (
+        .aclk(aclk),
+        .d   ({a_negative, a, b_negative, b}),
+        .q   ({a_extended, b_extended})
+      );
 
       fp_ranks #(
         .WIDTH(A_WIDTH + B_WIDTH),
         .COUNT(2),
-        .CUTS (CUTS)
+        .CUTS (CUTS[2:1])
       ) ranks (
         .aclk(aclk),
         .d   (whole),

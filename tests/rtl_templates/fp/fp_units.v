@@ -87,7 +87,7 @@ module fp_units #(
               .UNDERFLOW           (!PROMISED[2]),
               .GRADUAL             (gradual),
               .TOWARD_ZERO         (toward_zero),
-              .CUTS                (CUTS[12:0])
+              .CUTS                (CUTS[13:0])
           ) multiply (
               .aclk       (aclk),
               .a          (x0),
@@ -108,7 +108,7 @@ module fp_units #(
               .UNDERFLOW           (!PROMISED[2]),
               .GRADUAL             (gradual),
               .TOWARD_ZERO         (toward_zero),
-              .CUTS                (CUTS[12:0])
+              .CUTS                (CUTS[13:0])
           ) square (
               .aclk       (aclk),
               .a          (x0),
@@ -190,7 +190,7 @@ module fp_units #(
               .GRADUAL             (gradual),
               .TOWARD_ZERO         (toward_zero),
               .EMBEDDED            (0),
-              .CUTS                (CUTS[12:0])
+              .CUTS                (CUTS[13:0])
           ) logic_multiply (
               .aclk       (aclk),
               .a          (x0),
@@ -212,7 +212,7 @@ module fp_units #(
               .GRADUAL             (gradual),
               .TOWARD_ZERO         (toward_zero),
               .EMBEDDED            (0),
-              .CUTS                (CUTS[12:0])
+              .CUTS                (CUTS[13:0])
           ) logic_square (
               .aclk       (aclk),
               .a          (x0),

@@ -42,7 +42,7 @@ module products #(
           for (square = 0; square < 2; square = square + 1) begin : of
             for (complemented = 0; complemented < 2; complemented = complemented + 1) begin : with_cuts
               localparam       SLOT = 12 * precision + 4 * kind + 2 * square + complemented;
-              localparam [6:0] MASK = 37 * precision + 53 * square + 11 * kind;
+              localparam [7:0] MASK = 37 * precision + 53 * square + 139 * kind;
 
               wire [2*precision-1:0] product;
 

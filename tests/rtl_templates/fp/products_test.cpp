@@ -18,7 +18,7 @@
 namespace mixcmp::test::products_test {
 namespace {
 
-constexpr int widest = 113, levels = 7;
+constexpr int widest = 113, cuts = 8;
 
 struct Factors {
   Bits a;
@@ -39,8 +39,8 @@ struct Slot {
 
   unsigned cuts() const {
     const auto mask =
-        static_cast<unsigned>(37 * precision + 53 * square + 11 * static_cast<int>(kind));
-    return (complemented ? ~mask : mask) & 127;
+        static_cast<unsigned>(37 * precision + 53 * square + 139 * static_cast<int>(kind));
+    return (complemented ? ~mask : mask) & 255;
   }
   int latency_cycles() const { return std::popcount(cuts()); }
   int index() const {
@@ -84,7 +84,7 @@ protected:
   /// Multiplies these in this cycle and judges every answer that is due.
   void feed(const Factors& factors) {
     history_.push_front(factors);
-    if (history_.size() > levels + 1) history_.pop_back();
+    if (history_.size() > cuts + 1) history_.pop_back();
     for (int i = 0; i < 4; ++i) {
       model_.a[i] = static_cast<uint32_t>(factors.a >> (32 * i));
       model_.b[i] = static_cast<uint32_t>(factors.b >> (32 * i));
@@ -99,7 +99,7 @@ protected:
   }
 
   void drain() {
-    for (int i = 0; i < levels; ++i) feed({0, 0});
+    for (int i = 0; i < cuts; ++i) feed({0, 0});
   }
 
 private:

@@ -1,8 +1,10 @@
 // MULT18X18D: what our cells use of ECP5's multiplier, after Lattice FPGA-TN-02205, sysDSP Usage Guide:
-// one clock, registers behind the product, no reset, factors with or without signs.
+// one clock, registers in front of the product and behind it, no reset, factors with or without signs.
 `default_nettype none
 
 module MULT18X18D #(
+  parameter REG_INPUTA_CLK   = "NONE",
+  parameter REG_INPUTB_CLK   = "NONE",
   parameter REG_PIPELINE_CLK = "NONE",
   parameter REG_OUTPUT_CLK   = "NONE"
 ) (
@@ -17,8 +19,9 @@ module MULT18X18D #(
 
   wire [17:0] a = {A17, A16, A15, A14, A13, A12, A11, A10, A9, A8, A7, A6, A5, A4, A3, A2, A1, A0};
   wire [17:0] b = {B17, B16, B15, B14, B13, B12, B11, B10, B9, B8, B7, B6, B5, B4, B3, B2, B1, B0};
-  wire signed [18:0] factor_a = {SIGNEDA & a[17], a};
-  wire signed [18:0] factor_b = {SIGNEDB & b[17], b};
+  wire [17:0] input_a, input_b;
+  wire signed [18:0] factor_a = {SIGNEDA & input_a[17], input_a};
+  wire signed [18:0] factor_b = {SIGNEDB & input_b[17], input_b};
   wire [35:0] pipeline, result;
   wire [37:0] product = factor_a * factor_b;
 
@@ -26,6 +29,20 @@ module MULT18X18D #(
           P17, P16, P15, P14, P13, P12, P11, P10, P9, P8, P7, P6, P5, P4, P3, P2, P1, P0} = result;
 
   generate
+    if (REG_INPUTA_CLK == "CLK0") begin : g_input_a
+      reg [17:0] value;
+      always @(posedge CLK0) if (CE0) value <= a;
+      assign input_a = value;
+    end else begin : g_no_input_a
+      assign input_a = a;
+    end
+    if (REG_INPUTB_CLK == "CLK0") begin : g_input_b
+      reg [17:0] value;
+      always @(posedge CLK0) if (CE0) value <= b;
+      assign input_b = value;
+    end else begin : g_no_input_b
+      assign input_b = b;
+    end
     if (REG_PIPELINE_CLK == "CLK0") begin : g_pipeline
       reg [35:0] value;
       always @(posedge CLK0) if (CE0) value <= product[35:0];

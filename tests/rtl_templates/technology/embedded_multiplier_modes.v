@@ -8,20 +8,20 @@ module embedded_multiplier_modes #(
   input  wire                            aclk,
   input  wire [A_WIDTH-1:0]              a,
   input  wire [B_WIDTH-1:0]              b,
-  output wire [16*(A_WIDTH+B_WIDTH)-1:0] products
+  output wire [32*(A_WIDTH+B_WIDTH)-1:0] products
 );
 
   genvar mode;
   generate
-    for (mode = 0; mode < 16; mode = mode + 1) begin : g_mode
-      localparam [3:0] MODE = mode;
+    for (mode = 0; mode < 32; mode = mode + 1) begin : g_mode
+      localparam [4:0] MODE = mode;
 
       embedded_multiplier #(
         .A_WIDTH (A_WIDTH),
         .B_WIDTH (B_WIDTH),
         .SIGNED_A(MODE[0]),
         .SIGNED_B(MODE[1]),
-        .CUTS    (MODE[3:2])
+        .CUTS    (MODE[4:2])
       ) multiplier (
         .aclk   (aclk),
         .a      (a),
