@@ -81,10 +81,16 @@ void add_lanes(const SystemShape& system, const ItemWords& words, const SegmentG
   items.push_back(loop("k", 0, segments.lanes, "lanes", std::move(body)));
 }
 
+/// Bits of the number of one of a segment's lanes.
+int lane_bits(int lanes) {
+  return scene::index_bits_for(std::max(lanes, 2));
+}
+
 /// The parameters that the templates of a segment and of its second tier share.
 std::vector<Parameter> common_parameters(const EngineShape& engine, int lanes, int word_bits,
                                          int lane_latency_cycles) {
   return {{"LANES", lanes},
+          {"LANE_BITS", lane_bits(lanes)},
           {"WORD_BITS", word_bits},
           {"INDEX_BITS", engine.index_bits()},
           {"LANE_LATENCY", lane_latency_cycles},
@@ -110,7 +116,6 @@ void add_second_tier(const SystemShape& system, const EngineShape& engine, const
       common_parameters(engine, lanes, bits, tier.schedule.latency_cycles);
   parameters.push_back(
       {"QUEUE_BITS", queue_bits(tier.schedule.latency_cycles + tier_cycles, few_beats)});
-  parameters.push_back({"LANE_BITS", scene::index_bits_for(std::max(lanes, 2))});
   std::vector<Connection> connections = clock_and_reset();
   for (const char* part : {"tvalid", "tready", "tdata", "tlast"}) {
     connections.push_back({std::string("s_axis_") + part, net(std::string("beat_") + part)});
@@ -217,8 +222,9 @@ Module segment_module(const SystemShape& system, const EngineShape& engine, cons
                                                  system.second_tier ? many_beats : few_beats)});
   if (system.second_tier) {
     constexpr int flags = 2;  // first, stays
+    const int pairs_bits = lane_bits(lanes) + 1;
     parameters.push_back({"TIERED", 1});
-    connect_tier(entry_bits(engine, lanes) + bits + flags, items, connections);
+    connect_tier(entry_bits(engine, lanes) + bits + flags + pairs_bits, items, connections);
   } else {
     append(connections, {"m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tlast"});
   }

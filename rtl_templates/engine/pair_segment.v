@@ -10,7 +10,8 @@
 // The word that closes a set goes through the lanes as all others do, and leaves as the beat with
 // tlast. COUNT = 1: reported pairs do not leave; that beat carries their number in place of a tag.
 // TIERED = 1: a beat carries its word, too, and each word that is the first of its block or that
-// stays sends a beat, so that a pair_tier knows what the lanes hold.
+// stays sends a beat, so that a pair_tier knows what the lanes hold. A beat also carries the number
+// of its undecided pairs, since the tier has to know early in a cycle which of them is the last.
 // Lanes never wait: no word is taken unless the queue has room for all that may still come. A word
 // that is on offer to the next segment has had its room set aside, and stays on offer.
 // Interval 1, latency 3 to the next segment. Reset forgets all.
@@ -18,6 +19,7 @@
 
 module pair_segment #(
   parameter LANES = 8,
+  parameter LANE_BITS = 3,     // of the number of one of them
   parameter WORD_BITS = 32,
   parameter INDEX_BITS = 10,
   parameter LANE_LATENCY = 8,
@@ -41,19 +43,25 @@ module pair_segment #(
   input  wire [LANES-1:0]                      decided,
   output wire                                  m_axis_tvalid,
   input  wire                                  m_axis_tready,
-  // {codes, index j, index base}; TIERED: {first, stays, word j} above
-  output wire [2*INDEX_BITS+LANES*CODE_BITS+TIERED*(WORD_BITS+2)-1:0] m_axis_tdata,
+  // {codes, index j, index base}; TIERED: {undecided pairs, first, stays, word j} above
+  output wire [2*INDEX_BITS+LANES*CODE_BITS+TIERED*(WORD_BITS+LANE_BITS+3)-1:0] m_axis_tdata,
   output wire                                  m_axis_tlast
 );
 
-  localparam TAG_BITS   = 2 * INDEX_BITS;
-  localparam CODES_BITS = LANES * CODE_BITS;
-  localparam WORD_PART  = (TIERED != 0) ? WORD_BITS + 2 : 0;
+  localparam TAG_BITS    = 2 * INDEX_BITS;
+  localparam CODES_BITS  = LANES * CODE_BITS;
+  localparam NUMBER_BITS = LANE_BITS + 1;  // of a number of lanes
+  localparam WORD_PART   = (TIERED != 0) ? NUMBER_BITS + WORD_BITS + 2 : 0;
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
     if (LANES < 1) begin : g_refused_lanes
       LANES_is_below_1 refused ();
+    end
+    if ((LANE_BITS < 1) || (LANE_BITS > 30)) begin : g_refused_lane_bits
+      LANE_BITS_is_not_1_to_30 refused ();
+    end else if (LANES > (1 << LANE_BITS)) begin : g_refused_few_lane_bits
+      LANE_BITS_is_too_small_for_LANES refused ();
     end
     if (WORD_BITS < 1) begin : g_refused_word_bits
       WORD_BITS_is_below_1 refused ();
@@ -117,26 +125,14 @@ module pair_segment #(
     end
   end
 
-  genvar k;
-  generate
-    for (k = 0; k < LANES; k = k + 1) begin : g_held
-      reg [WORD_BITS-1:0] word_q;
-
-      always @(posedge aclk) begin
-        if (step && fills[k]) begin
-          word_q <= word;
-        end
-      end
-
-      assign held_words[k*WORD_BITS +: WORD_BITS] = word_q;
-    end
-  endgenerate
-
-  // The word at the lanes, and beside them what is to be known of it when they answer.
+  // The word at the lanes, and beside them what is to be known of it when they answer. Only
+  // `taken_q` says whether a word was taken. The other registers load the word at hand in every
+  // cycle, since `step` is known late and would have to reach all of their enables.
   reg                   taken_q;
   reg                   close_q;
   reg                   first_q;
   reg  [LANES-1:0]      meets_q;
+  reg  [LANES-1:0]      fills_q;
   reg  [INDEX_BITS-1:0] index_q;
   reg  [WORD_BITS-1:0]  passing_q;
   wire                  answered;
@@ -156,14 +152,29 @@ module pair_segment #(
   end
 
   always @(posedge aclk) begin
-    if (step) begin
-      close_q   <= word_close;
-      first_q   <= word_first;
-      meets_q   <= holds & {LANES{word_meets && !word_close}};
-      index_q   <= word_index;
-      passing_q <= word;
-    end
+    close_q   <= word_close;
+    first_q   <= word_first;
+    meets_q   <= holds & {LANES{word_meets && !word_close}};
+    fills_q   <= fills;
+    index_q   <= word_index;
+    passing_q <= word;
   end
+
+  // A lane holds its word when the next one is at the lanes.
+  genvar k;
+  generate
+    for (k = 0; k < LANES; k = k + 1) begin : g_held
+      reg [WORD_BITS-1:0] word_q;
+
+      always @(posedge aclk) begin
+        if (taken_q && fills_q[k]) begin
+          word_q <= passing_q;
+        end
+      end
+
+      assign held_words[k*WORD_BITS +: WORD_BITS] = word_q;
+    end
+  endgenerate
 
   valid_delay_line #(
     .LENGTH(LANE_LATENCY)
@@ -221,30 +232,44 @@ module pair_segment #(
 
       assign tag = {index, base_q};
     end else begin : g_count
-      reg [TAG_BITS-1:0] count_q;
-      reg [TAG_BITS-1:0] more;
-      integer            lane;
+      // The pairs of one word are counted in one cycle, and added to those before in the next.
+      localparam MORE_BITS = (NUMBER_BITS < TAG_BITS) ? NUMBER_BITS : TAG_BITS;
+
+      reg  [TAG_BITS-1:0]  count_q;
+      reg  [MORE_BITS-1:0] more;
+      reg  [MORE_BITS-1:0] more_q;
+      reg  [TAG_BITS-1:0]  counted;
+      integer              lane;
 
       always @* begin
-        more = {TAG_BITS{1'b0}};
+        more = {MORE_BITS{1'b0}};
         for (lane = 0; lane < LANES; lane = lane + 1) begin
-          more = more + {{(TAG_BITS-1){1'b0}}, reported[lane]};
+          more = more + {{(MORE_BITS-1){1'b0}}, reported[lane]};
         end
+      end
+
+      always @* begin
+        counted                = {TAG_BITS{1'b0}};
+        counted[MORE_BITS-1:0] = more_q;
+        counted                = count_q + counted;
       end
 
       always @(posedge aclk) begin
         if (!aresetn || (answered && closes)) begin
           count_q <= {TAG_BITS{1'b0}};
-        end else if (answered) begin
-          count_q <= count_q + more;
+          more_q  <= {MORE_BITS{1'b0}};
+        end else begin
+          count_q <= counted;
+          more_q  <= more & {MORE_BITS{answered}};
         end
       end
 
-      assign tag = closes ? count_q : {index, base_q};
+      assign tag = closes ? counted : {index, base_q};
     end
   endgenerate
 
-  // With TIERED a beat carries its word, and says whether it begins a block and whether it stays.
+  // With TIERED a beat carries its word, and says whether it begins a block, whether it stays, and
+  // how many of its pairs are undecided.
   wire                               informs;
   wire [CODES_BITS+TAG_BITS+WORD_PART-1:0] beat;
 
@@ -258,9 +283,7 @@ module pair_segment #(
       reg                  stays_q;
 
       always @(posedge aclk) begin
-        if (step) begin
-          stays_q <= stays;
-        end
+        stays_q <= stays;
       end
 
       delay_line #(
@@ -272,8 +295,18 @@ module pair_segment #(
         .q   ({stayed, answered_word})
       );
 
+      reg [NUMBER_BITS-1:0] undecided;
+      integer               pair;
+
+      always @* begin
+        undecided = {NUMBER_BITS{1'b0}};
+        for (pair = 0; pair < LANES; pair = pair + 1) begin
+          undecided = undecided + {{LANE_BITS{1'b0}}, met[pair] && !decided[pair]};
+        end
+      end
+
       assign informs = starts || stayed;
-      assign beat    = {starts, stayed, answered_word, codes, tag};
+      assign beat    = {undecided, starts, stayed, answered_word, codes, tag};
     end
   endgenerate
 

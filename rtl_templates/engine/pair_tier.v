@@ -25,8 +25,8 @@ module pair_tier #(
   input  wire                                    aresetn,
   input  wire                                    s_axis_tvalid,
   output wire                                    s_axis_tready,
-  // {first, stays, word j, codes, index j, index base}
-  input  wire [WORD_BITS+2*INDEX_BITS+LANES*CODE_BITS+1:0] s_axis_tdata,
+  // {undecided pairs, first, stays, word j, codes, index j, index base}
+  input  wire [LANE_BITS+WORD_BITS+2*INDEX_BITS+LANES*CODE_BITS+2:0] s_axis_tdata,
   input  wire                                    s_axis_tlast,
   output wire [WORD_BITS-1:0]                    item_i,
   output wire [WORD_BITS-1:0]                    item_j,
@@ -43,6 +43,8 @@ module pair_tier #(
   localparam [LANES-1:0]     ONE_LANE = 1;
   localparam [LANE_BITS-1:0] NONE     = 0;
   localparam [LANE_BITS-1:0] ONE      = 1;
+  localparam [LANE_BITS:0]   ONE_LEFT = 1;
+  localparam [LANE_BITS:0]   TWO_LEFT = 2;
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
@@ -65,7 +67,10 @@ module pair_tier #(
     end
   endgenerate
 
-  // The beat at hand, and those of its pairs that have not gone through.
+  // The beat at hand, and those of its pairs that have not gone through. Flags say which of them is
+  // the next to go through. Whether it is the last is told by their number, since the next beat is
+  // read when it is, and the choice among the flags takes most of a cycle.
+  wire [LANE_BITS:0]    pairs;
   wire                  first;
   wire                  stays;
   wire [WORD_BITS-1:0]  word;
@@ -74,15 +79,18 @@ module pair_tier #(
   wire [LANES-1:0]      undecided;
   wire [CODES_BITS-1:0] reports;
   reg                   again_q;  // the beat at hand has gone through at least once
-  reg  [LANES-1:0]      rest_q;
+  reg                   last_q;   // if again_q: one pair is left
+  reg  [LANE_BITS:0]    left_q;   // if again_q: the number of pairs that are left
+  reg  [LANES-1:0]      rest_q;   // if again_q: the lanes of these pairs
   wire [LANES-1:0]      waiting = again_q ? rest_q : undecided;
   wire [LANES-1:0]      lowest  = waiting & (~waiting + ONE_LANE);
-  wire [LANES-1:0]      rest    = waiting & ~lowest;
+  wire [LANE_BITS:0]    left    = again_q ? left_q : pairs;
+  wire                  last    = again_q ? last_q : (pairs[LANE_BITS:1] == NONE);
   wire                  room;
   wire                  step    = s_axis_tvalid && room;
 
-  assign {first, stays, word, codes, tag} = s_axis_tdata;
-  assign s_axis_tready                    = room && (rest == {LANES{1'b0}});
+  assign {pairs, first, stays, word, codes, tag} = s_axis_tdata;
+  assign s_axis_tready                           = room && last;
 
   genvar k;
   generate
@@ -99,13 +107,15 @@ module pair_tier #(
     if (!aresetn) begin
       again_q <= 1'b0;
     end else if (step) begin
-      again_q <= (rest != {LANES{1'b0}});
+      again_q <= !last;
     end
   end
 
   always @(posedge aclk) begin
     if (step) begin
-      rest_q <= rest;
+      last_q <= (left == TWO_LEFT);
+      left_q <= left - ONE_LEFT;
+      rest_q <= waiting & ~lowest;
     end
   end
 

@@ -140,7 +140,7 @@ module pairwise_bench #(
     for (s = 0; s < SEGMENTS; s = s + 1) begin : g_segment
       localparam LANES_HERE = (s == SEGMENTS - 1) ? LAST_LANES : LANES_PER_SEGMENT;
       localparam CODES_HERE = LANES_HERE * CODE_BITS;
-      localparam BEAT_BITS  = TAG_BITS + CODES_HERE + TIERED * (ITEM_BITS + 2);
+      localparam BEAT_BITS  = TAG_BITS + CODES_HERE + TIERED * (LANE_BITS + ITEM_BITS + 3);
 
       wire [ITEM_BITS-1:0]            passing;
       wire [LANES_HERE*ITEM_BITS-1:0] held;
@@ -153,6 +153,7 @@ module pairwise_bench #(
 
       pair_segment #(
         .LANES       (LANES_HERE),
+        .LANE_BITS   (LANE_BITS),
         .WORD_BITS   (ITEM_BITS),
         .INDEX_BITS  (INDEX_BITS),
         .LANE_LATENCY(LANE_LATENCY),

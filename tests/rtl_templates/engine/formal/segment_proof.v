@@ -3,7 +3,7 @@
 // lost for want of room in the queue; the closing beat leaves behind all others. The lanes are any
 // function of their two words, chosen by the solver, LANE_LATENCY cycles long.
 // TIERED: the first word of a block and each that stays leave a beat, too, and a beat tells which
-// of both its word is, and the word.
+// of both its word is, the word, and how many of its pairs are undecided.
 // The lemmas read registers of the template, and together hold by induction. They go over all words and
 // beats inside: those in the link, each as it will be told when it has left the link, the one at the
 // lanes, and those in the queue.
@@ -11,6 +11,7 @@
 
 module segment_proof #(
   parameter LANES = 2,
+  parameter LANE_BITS = 1,
   parameter LANE_LATENCY = 0,
   parameter REPORT = 11,
   parameter CODE_BITS = 3,
@@ -36,7 +37,8 @@ module segment_proof #(
   localparam [3:0] NONE = 0;
   localparam [3:0] ONE  = 1;
   localparam MOST_QUIET = LANE_LATENCY + 8;
-  localparam TIER_BITS  = 3 * TIERED;
+  localparam TIER_BITS  = (LANE_BITS + 4) * TIERED;
+  localparam TIER_NUMBER = LANE_BITS + 1;  // bits of the number of undecided pairs
   localparam BEAT_BITS  = TIER_BITS + CODES_BITS + 5;
   localparam DEPTH      = 1 << QUEUE_BITS;
 
@@ -56,23 +58,40 @@ module segment_proof #(
   wire [1:0]            m_base;
   wire [2:0]            m_tier;  // {first, stays, word}, where a tier reads them
   wire [BEAT_BITS-2:0]  m_data;
+  wire [LANE_BITS:0]    m_pairs;
   wire                  m_last;
 
   assign {m_codes, m_index, m_base} = m_data[CODES_BITS+3:0];
 
   generate
     if (TIERED == 0) begin : g_no_tier
-      assign m_tier = 3'd0;
+      assign m_tier  = 3'd0;
+      assign m_pairs = undecided_of(m_codes);
     end else begin : g_tier
-      assign m_tier = m_data[BEAT_BITS-2 -: 3];
+      assign {m_pairs, m_tier} = m_data[BEAT_BITS-2 -: TIER_BITS];
     end
   endgenerate
+
+  // The undecided pairs among the codes of a beat.
+  function [LANE_BITS:0] undecided_of;
+    input [CODES_BITS-1:0] of_codes;
+    integer lane;
+    begin
+      undecided_of = 0;
+      for (lane = 0; lane < LANES; lane = lane + 1) begin
+        if (of_codes[lane*CODE_BITS +: CODE_BITS] == 1) begin
+          undecided_of = undecided_of + 1;
+        end
+      end
+    end
+  endfunction
 
   reg                   started = 1'b0;
   wire                  aresetn = started && aresetn_later;
 
   pair_segment #(
     .LANES       (LANES),
+    .LANE_BITS   (LANE_BITS),
     .WORD_BITS   (1),
     .INDEX_BITS  (2),
     .LANE_LATENCY(LANE_LATENCY),
@@ -248,10 +267,12 @@ module segment_proof #(
   (* hierconn *) wire                 \dut.passed_q ;
   (* hierconn *) wire                 \dut.taken_q ;
   (* hierconn *) wire                 \dut.first_q ;
+  (* hierconn *) wire [LANES-1:0]     \dut.fills_q ;
   (* hierconn *) wire [1:0]           \dut.index_q ;
   (* hierconn *) wire [1:0]           \dut.base_q ;
   (* hierconn *) wire [3:0]           \dut.g_count.count_q ;
-  (* hierconn *) wire [3:0]           \dut.g_count.more ;
+  (* hierconn *) wire [1:0]           \dut.g_count.more ;
+  (* hierconn *) wire [1:0]           \dut.g_count.more_q ;
   (* hierconn *) wire                 \dut.exceptions.push ;
   (* hierconn *) wire [BEAT_BITS-1:0] \dut.exceptions.beat ;
   (* hierconn *) wire [QUEUE_BITS+1:0] \dut.exceptions.queued_q ;
@@ -309,10 +330,12 @@ module segment_proof #(
   wire [3*3-1:0]          link_tiers;
   wire [3*4-1:0]          link_reported;
   reg  [3:0]              lanes_held;
+  wire [LANES-1:0]        filling    = \dut.fills_q & {LANES{\dut.taken_q }};
+  wire [LANES-1:0]        soon_held  = (held_words & ~filling) | ({LANES{passing}} & filling);
 
   assign states[STATE_BITS-1:0] =
       {\dut.passed_q , (\dut.taken_q && \dut.first_q ) ? \dut.index_q : \dut.base_q ,
-       held_words, lanes_held};
+       soon_held, lanes_held};
 
   genvar p;
   generate
@@ -376,7 +399,9 @@ module segment_proof #(
     closing_last  = 1'b1;
     closing_empty = 1'b1;
     counted_right = 1'b1;
-    found         = \dut.g_count.count_q + (\dut.taken_q ? \dut.g_count.more : NONE);
+    pairs_right   = 1'b1;
+    found         = \dut.g_count.count_q + {2'b00, \dut.g_count.more_q } +
+                    (\dut.taken_q ? {2'b00, \dut.g_count.more } : NONE);
     cycles_left   = NONE;
     for (w = 0; w < 3; w = w + 1) begin
       if (w < link_count) begin
@@ -406,18 +431,20 @@ module segment_proof #(
     for (w = 0; w <= DEPTH + 1; w = w + 1) begin
       beat   = (w == 0) ? \dut.exceptions.beat : queue_beats[BEAT_BITS*(w-1) +: BEAT_BITS];
       exists = (w == 0) ? \dut.exceptions.push : (w <= queue_count);
+      pairs_right = pairs_right && (!exists || (TIERED == 0) ||
+          (beat[BEAT_BITS-2 -: TIER_NUMBER] == undecided_of(beat[4 +: CODES_BITS])));
       if (exists && beat[BEAT_BITS-1]) begin
         beats_closing = beats_closing + ONE;
         closing_last  = closing_last && (link_count == NONE) &&
                         ((w == 0) || ((w == queue_count) && !\dut.taken_q ));
         closing_empty = closing_empty && (beat[4 +: CODES_BITS] == {CODES_BITS{1'b0}}) &&
-                        ((TIERED == 0) || !beat[BEAT_BITS-3]);
+                        ((TIERED == 0) || !beat[BEAT_BITS-3-TIER_NUMBER]);
         counted_right = counted_right && (beat[3:0] == total) && ((w == 0) || (found == NONE));
         found         = total;
       end else if (exists && (beat[3:2] == watched_j)) begin
         beats_due   = beats_due + ONE;
         beats_right = beats_right && (beat[4 +: CODES_BITS] == due_codes) &&
-                      ((TIERED == 0) || (beat[BEAT_BITS-2 -: 3] == due_tier)) &&
+                      ((TIERED == 0) || (beat[BEAT_BITS-2-TIER_NUMBER -: 3] == due_tier)) &&
                       ((beat[1:0] == due_base) || (due_codes == {CODES_BITS{1'b0}}));
       end
     end
@@ -436,6 +463,7 @@ module segment_proof #(
       lemma_watched_is_inside: assert(!watching || ((ahead < on_way) && goes_right));
       lemma_one_beat: assert(beats_due == {3'b000, due});
       lemma_right_beat: assert(beats_right);
+      lemma_pairs: assert(pairs_right);
       lemma_one_closes: assert(beats_closing == {3'b000, close_due});
       lemma_closes_last: assert(closing_last);
       lemma_closes_empty: assert(closing_empty);
@@ -467,6 +495,7 @@ module segment_proof #(
       answered_right: assert(!m_valid || !about_watched ||
                              (({m_codes, m_tier} == {due_codes, due_tier}) &&
                               ((m_base == due_base) || (m_codes == {CODES_BITS{1'b0}}))));
+      numbers_its_undecided_pairs: assert(!m_valid || (m_pairs == undecided_of(m_codes)));
       closing_beat_has_no_pair: assert(!m_valid || !m_last ||
                                        ((m_codes == {CODES_BITS{1'b0}}) && !m_tier[1]));
       closes_once: assert(!m_valid || !m_last || close_due);

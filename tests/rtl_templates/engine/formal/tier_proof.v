@@ -74,7 +74,7 @@ module tier_proof #(
     .aresetn      (aresetn),
     .s_axis_tvalid(s_valid),
     .s_axis_tready(s_ready),
-    .s_axis_tdata ({s_first, s_stays, s_word, s_codes, s_index, s_base}),
+    .s_axis_tdata ({s_pairs, s_first, s_stays, s_word, s_codes, s_index, s_base}),
     .s_axis_tlast (s_last),
     .item_i       (item_i),
     .item_j       (item_j),
@@ -107,6 +107,8 @@ module tier_proof #(
   reg  [3:0]            found;           // pairs that the lane reports
   reg  [3:0]            found_later;     // those of them that have not gone through
   reg                   fits;            // the codes are those of a segment
+  reg  [LANE_BITS:0]    s_pairs;         // that the codes leave undecided
+  reg  [LANE_BITS:0]    pairs_left;      // those of them that have not gone through
   reg  [CODE_BITS-1:0]  code;
   reg  [2:0]            answer;
 
@@ -152,6 +154,8 @@ module tier_proof #(
     expected = NOTHING;
     found    = NONE;
     found_later = NONE;
+    s_pairs  = 0;
+    pairs_left = 0;
     fits     = 1'b1;
     for (l = 0; l < LANES; l = l + 1) begin
       code   = s_codes[l*CODE_BITS +: CODE_BITS];
@@ -161,6 +165,10 @@ module tier_proof #(
         fits = fits && (COUNT == 0) && ((CODE_BITS == 2) ? !code[0] : REPORTS[code[1:0]]);
       end else if (code[0]) begin
         fits = fits && (code == 1);
+        s_pairs = s_pairs + 1'b1;
+        if (\dut.rest_q [l]) begin
+          pairs_left = pairs_left + 1'b1;
+        end
         expected[l*CODE_BITS +: CODE_BITS] = code_of(answer);
         if (answer[2] && REPORTS[answer[1:0]]) begin
           found = found + ONE;
@@ -237,6 +245,8 @@ module tier_proof #(
 
   // Registers of the template.
   (* hierconn *) wire                   \dut.again_q ;
+  (* hierconn *) wire                   \dut.last_q ;
+  (* hierconn *) wire [LANE_BITS:0]     \dut.left_q ;
   (* hierconn *) wire [LANES-1:0]       \dut.rest_q ;
   (* hierconn *) wire [LANE_BITS-1:0]   \dut.places_q ;
   (* hierconn *) wire                   \dut.s1_valid_q ;
@@ -471,6 +481,8 @@ module tier_proof #(
     if (started) begin
       lemma_again: assert(!\dut.again_q || (offered && (\dut.rest_q != 0)));
       lemma_rest: assert(!\dut.again_q || !exists[OFFER] || ((\dut.rest_q & ~undecided) == 0));
+      lemma_left: assert(!\dut.again_q || !exists[OFFER] || ((\dut.left_q == pairs_left) &&
+                         (\dut.last_q == (pairs_left == 1))));
       lemma_places: assert(between || (\dut.places_q == count[LANE_BITS-1:0]));
       lemma_few_held: assert(count <= ALL);
       lemma_held: assert(held_right);
