@@ -206,6 +206,15 @@ INSTANTIATE_TEST_SUITE_P(
               Rounding::toward_zero,
               {just_above_one, just_above_one, {mpq_class(5, 4), mpq_class(350, 256)}, up_to_two},
               [](const Rationals& x) { return mpq_class(x[0] * x[1] * x[2]); }},
+        Aimed{"product_of_a_negative_factor",
+              "a * b * d",
+              format_of(8, 8),
+              Rounding::nearest_even,
+              {just_above_one,
+               just_above_one,
+               {mpq_class(-350, 256), mpq_class(-1, 8)},
+               {mpq_class(-15, 8) + mpq_class(1, 256), mpq_class(-1, 8)}},
+              [](const Rationals& x) { return mpq_class(x[0] * x[1] * x[2]); }},
         Aimed{"root",
               "sqrt(a * b) * d",
               format_of(8, 8),
@@ -275,6 +284,30 @@ TEST(ConstantBound, IsToldAsTheHardwareHasIt) {
   const std::string huge =
       told("a * b", "c", format_of(24, 15), format_of(8, 15), {1, power_of_two(6000)});
   EXPECT_NE(huge.find("e+3"), std::string::npos) << huge;
+}
+
+/// x is 0, and 1/8 in 4 digits: a and b lie on either side of the middle of two numbers that the
+/// lane holds. The bound of x is 17/128. The lane has 32 x for f = 28 x, since four sums round up,
+/// so that f is off by more than 28 times the bound of x.
+TEST(ConstantBound, CoversSumsThatRoundUp) {
+  const auto twice = [](const std::string& of) { return "(" + of + " + " + of + ")"; };
+  const std::string x = "max(a - b - c, 0)";
+  std::string f = twice(twice(twice(twice(x))));
+  for (int k = 0; k < 4; ++k) f += " + " + twice(x) + " + " + x;
+  const Graph graph = graph_of(f, "0");
+  const mpq_class hair = power_of_two(-12), middle = mpq_class(17, 16);
+  const std::vector<std::optional<Range>> ranges = {just_above_one, just_above_one, Range{0, hair}};
+  const Lane lane =
+      error::certified_lane(lane_graph(graph, reference, {format_of(4, 8)}, LaneInputs::rounded),
+                            {.kind = error::ErrorBoundKind::constant, .ranges = ranges})
+          .value();
+  std::vector<Bits> inputs;
+  for (const mpq_class& input :
+       {mpq_class(middle + hair / 2), mpq_class(middle - hair / 2), hair}) {
+    inputs.push_back(from_rational(reference, input));
+  }
+  EXPECT_EQ(golden::true_verdict(graph, reference, inputs), Verdict::equal);
+  EXPECT_FALSE(evaluate_lane(lane, inputs).decided) << describe_criterion(lane);
 }
 
 TEST(ConstantBound, IsMultipliedByTheInflation) {

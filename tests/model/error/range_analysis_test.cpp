@@ -8,6 +8,8 @@
 #include "model/expression/parser.hpp"
 #include "model/golden/evaluate.hpp"
 #include "model/number/exact.hpp"
+#include "tests/support/float_samples.hpp"
+#include "tests/support/graphs.hpp"
 
 namespace mixcmp::test::range_analysis_test {
 namespace {
@@ -258,6 +260,24 @@ TEST(RangeAnalysis, NothingTheGoldenModelComputesEscapesIt) {
             check_followed(graph, followed, results, scene.text + " in " + format);
           }
         }
+      }
+    }
+  }
+}
+
+/// Every pair of operands. A lane rounds sums of operands that have more digits than it: subnormal
+/// ones are inexact, other than in an operation whose operands have its own format.
+TEST(RangeAnalysis, SumsOfMoreDigitsThanTheResultMayUnderflowGradually) {
+  const FloatFormat arrives = format_of(4, 3);
+  const std::vector<std::optional<Range>> ranges(2, Range{0, 1});
+  for (const char* text : {"a + b", "a - b"}) {
+    const TypedGraph graph =
+        lane_graph(graph_of(text, "b"), arrives, {format_of(2, 3)}, LaneInputs::exact);
+    const std::vector<error::NodeRange> analysed = error::analyse_ranges(graph, ranges);
+    for (Bits a = 0; a <= from_rational(arrives, 1) && !HasFailure(); ++a) {
+      for (Bits b = 0; b <= from_rational(arrives, 1); ++b) {
+        const std::vector<Bits> inputs = {a, b};
+        check_evaluation(graph, analysed, golden::evaluate(graph, inputs), text);
       }
     }
   }

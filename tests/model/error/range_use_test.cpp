@@ -138,6 +138,40 @@ TEST(Hazards, AreRuledOutWhereTheRangesDoSo) {
   EXPECT_TRUE(hazards_of("a * b", {Range{2, 6}, std::nullopt}, format_of(8, 8)).special_operand);
 }
 
+/// A NaN or an infinity meets only units that are built for it, even behind an exceptional
+/// operation: every operand pair that passes the checks.
+TEST(Hazards, NansAndInfinitiesReachOnlyWhatIsBuiltForThem) {
+  const FloatFormat reference = format_of(3, 3);
+  const Ranges ranges = {Range{mpq_class(1, 2), 6}, Range{1, 3}};
+  for (const char* f : {"sqrt(a - b) * b", "abs(sqrt(a - b)) + a", "(b / (a - b)) * b"}) {
+    const auto lane = error::certified_lane(
+        lane_graph(graph_of(f, "b"), reference, {format_of(3, 4)}, LaneInputs::exact),
+        {.kind = error::ErrorBoundKind::running, .ranges = ranges});
+    ASSERT_TRUE(lane.ok()) << f;
+    ASSERT_FALSE(lane->hazards.empty()) << f;
+    int met = 0;
+    for (Bits index = 0; index < Bits{1} << (2 * reference.width()) && !HasFailure(); ++index) {
+      const std::vector<Bits> operands = {index & low_mask(reference.width()),
+                                          index >> reference.width()};
+      const auto passes_its = [&](const RangeCheck& check) {
+        return passes(check, reference, operands[static_cast<size_t>(check.input)]);
+      };
+      if (!std::all_of(lane->checks.begin(), lane->checks.end(), passes_its)) continue;
+      const auto values = golden::evaluate(lane->graph, operands);
+      for (size_t id = 0; id < values.size(); ++id) {
+        const TypedNode& node = lane->graph.nodes[id];
+        for (int k = 0; error::has_unit(node.operation) && k < arity(node.operation); ++k) {
+          const auto operand = static_cast<size_t>(node.operands[static_cast<size_t>(k)]);
+          if (is_finite(lane->graph.nodes[operand].format, values[operand].bits)) continue;
+          ++met;
+          EXPECT_TRUE(lane->hazards[id].special_operand) << f << ", node " << id;
+        }
+      }
+    }
+    EXPECT_GT(met, 0) << f;
+  }
+}
+
 TEST(LaneExponentBits, AreTheFewestThatReachBothEnds) {
   const Graph graph = sphere_graph();
   const auto bits = [&](int precision, const Range& range) {
@@ -175,7 +209,8 @@ TEST(ExactOnGrid, NodesAreExact) {
   int exact_functions = 0;
   for (const char* f :
        {"a + b", "a - b", "a * b", "a^2", "(a - b)^2", "a / 8", "abs(a) * -b", "min(a, b) + 0.75",
-        "max(a, 0) - b", "a^3", "a / b", "sqrt(a)", "a + 0.1", "a * 0.375", "(a - b)^2 + a^2"}) {
+        "max(a, 0) - b", "a^3", "a / b", "sqrt(a)", "a + 0.1", "a * 0.375", "(a - b)^2 + a^2",
+        "6 + (a / 8)^2", "(a / 8)^2 - 6", "max((a / 8)^2, -8) + 6"}) {
     const Graph graph = graph_of(f, "b");
     const auto typed = reference_graph(graph, {reference});
     const auto exact = error::exact_on_grid(typed, ranges, grids);
@@ -191,7 +226,7 @@ TEST(ExactOnGrid, NodesAreExact) {
       }
     }
   }
-  EXPECT_EQ(exact_functions, 11) << "all but a^3, a / b, the root and the tenth";
+  EXPECT_EQ(exact_functions, 11) << "all but a^3, a / b, the root, the tenth and the sixes";
 }
 
 TEST(ExactOnGrid, EndsWhereTheDigitsEnd) {

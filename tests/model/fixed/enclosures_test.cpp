@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "model/fixed/root_error.hpp"
 #include "model/golden/fixed_evaluate.hpp"
 #include "model/number/dyadic.hpp"
 #include "tests/model/fixed/lanes.hpp"
@@ -141,6 +142,35 @@ TEST(Enclosures, HoldWhereTheyAreTight) {
           }
         }
       }
+    }
+  }
+}
+
+/// Operands a hair short of their next unit: the norm is off by all of its error and, where the sum
+/// drops bits of b's square, by more.
+TEST(Enclosures, OfRootsHoldWhereSumsDropBits) {
+  constexpr int bits = 3;
+  const FixedLane lane = lane_of(graph_of("sqrt(a^2 + (b / 1024)^2)", "b"), bits, {0, 3});
+  const auto root = std::find_if(lane.nodes.begin(), lane.nodes.end(), [](const FixedNode& node) {
+    return node.operation == Operation::square_root;
+  });
+  ASSERT_NE(root, lane.nodes.end());
+  const auto radicand = static_cast<std::size_t>(root->operands[0]);
+  const FixedNode& sum = lane.nodes[radicand];
+  ASSERT_GT(sum.dropped_bits, 0);
+  const Range error = fixed::root_error(lane.nodes, root->operands[0]);
+  const mpq_class unit = mpq_class(4) / (1 << bits), hair = unit * power_of_two(-40);
+  for (mpq_class a = unit - hair; a < 4; a += unit) {
+    for (mpq_class b = unit - hair; b < 4; b += unit) {
+      std::vector<Bits> encodings;
+      for (const mpq_class& input : {a, b}) {
+        encodings.push_back(golden::from_rational(lane.input_format, input));
+      }
+      const auto values = golden::evaluate(lane, encodings);
+      const mpq_class truth = true_values(lane, {a, b}, 1)[radicand];
+      const mpq_class off =
+          root_of(*values[radicand] * sum.format.unit(), 200) - root_of(truth, 200);
+      EXPECT_TRUE(error.low <= off && off <= error.high) << a << " " << b << ": " << off.get_d();
     }
   }
 }

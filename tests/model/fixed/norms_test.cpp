@@ -94,6 +94,35 @@ TEST(Norms, BeyondReachAreGreaterAsComputed) {
   EXPECT_FALSE(decided(beyond / 2).decided) << "with half the reach it would not be";
 }
 
+/// The least element that is beyond reach, beside the largest norm on the other side: greater in
+/// the golden model, which computes the whole difference.
+TEST(Norms, BeyondReachOfANormAreGreaterAsComputed) {
+  const Graph graph = graph_of("a^2 + b^2", "c^2 + d^2 + e^2");
+  const mpq_class tops[] = {mpq_class(1, 2), 1, 2, 4};
+  int lanes_with_reach = 0;
+  for (const mpq_class& c : tops) {
+    for (const mpq_class& d : tops) {
+      const mpq_class short_of_c = c * mpq_class(255, 256), short_of_d = d * mpq_class(255, 256);
+      const fixed::FixedOptions options{.format = {.bits = 5},
+                                        .ranges = {Range{0, 31}, Range{0, 31}, Range{0, short_of_c},
+                                                   Range{0, short_of_d}, Range{0, short_of_d}}};
+      const FixedLane lane = fixed::fixed_lane(graph, format_of(24, 8), options).value();
+      const auto reach = std::find_if(lane.nodes.begin(), lane.nodes.end(), fixed::is_reach);
+      if (reach == lane.nodes.end()) continue;
+      ++lanes_with_reach;
+      const mpq_class beyond = reach->value.high + reach->format.unit();
+      std::vector<Bits> inputs;
+      for (const mpq_class& operand : {beyond, mpq_class(0), short_of_c, short_of_d, short_of_d}) {
+        inputs.push_back(golden::from_rational(lane.input_format, operand));
+      }
+      const golden::LaneResult result = golden::evaluate_lane(lane, inputs);
+      EXPECT_TRUE(result.decided && result.verdict == Verdict::greater)
+          << beyond << " beside " << c << ", " << d;
+    }
+  }
+  EXPECT_GT(lanes_with_reach, 0);
+}
+
 /// In units of 2^18 a and c are 1, b and d are 0, though they are less than a unit apart. Within
 /// reach the difference drops fewer bits than without: thresholds in its units are larger.
 TEST(Norms, HaveThresholdsOfTheDifferenceWithinReach) {
