@@ -1,5 +1,5 @@
-// embedded_multiplier: a * b, and the registers that an embedded multiplier has: one in front, for the
-// factors, and two behind, for the product.
+// embedded_multiplier: a * b, and the registers that an embedded multiplier has: one in front for
+// the factors, two behind for the product.
 // Latency: the population count of CUTS (three bits); initiation interval 1; no reset.
 // A factor is in two's complement where SIGNED_A (SIGNED_B) is 1, without a sign where it is 0.
 `default_nettype none

@@ -119,9 +119,9 @@ module fp_aligned_operands #(
   wire [EXPONENT_BITS-1:0] s0_a_above_b;
   wire [EXPONENT_BITS-1:0] s0_b_above_a;
 
-  // A subnormal number's exponent is 1 and not its field, 0: a number that is not subnormal is one
-  // less above it than its field says. That one is the last to be known, and does not enter a
-  // difference but as the carry into it.
+  // A subnormal number's exponent is 1 and not its field, 0, so a normal number is above it by one
+  // less than the fields say. Which numbers are subnormal is known late: only the carry into a
+  // difference depends on it.
   wire [EXPONENT_BITS-1:0] s0_a_field  = a[EXPONENT_BITS+PRECISION-2:PRECISION-1];
   wire [EXPONENT_BITS-1:0] s0_b_field  = b[EXPONENT_BITS+PRECISION-2:PRECISION-1];
   wire                     s0_a_normal = s0_a_significand[PRECISION-1];

@@ -1,6 +1,6 @@
 // fp_leading_zeros: how many zeros precede the first one, as a tree of halves.
-// Latency: REGISTERED, whose registers are behind the counts of eight bits each. Initiation interval
-// 1; no reset. For an empty value `count` is all ones.
+// Latency: REGISTERED (0 or 1), by registers behind the counts of each eight bits; initiation
+// interval 1; no reset. For an empty value `count` is all ones.
 `default_nettype none
 
 module fp_leading_zeros #(

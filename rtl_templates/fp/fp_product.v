@@ -1,7 +1,7 @@
 // fp_product: the product of two significands, or the square of one.
 // Latency: the population count of CUTS (eight bits); initiation interval 1; no reset.
 // Cut 0 is in front of the multipliers, in registers of theirs where they have such.
-// LEADING_ONE promises that the significands' leading bits are 1; `product` is undefined if one is 0.
+// LEADING_ONE promises that significands begin with a one; `product` is undefined if one does not.
 `default_nettype none
 
 module fp_product #(

@@ -120,8 +120,8 @@ module fp_squared_sum #(
     .product(s15_product)
   );
 
-  // Beside the product's first two stages: leading zeros of what is squared, and the room to move its
-  // square up in. The square's second place has exponent 2 e - BIAS, where e is the sum's: it is
+  // Beside the product's first two stages: leading zeros of what is squared, and the room to move
+  // its square up in. The square's second place has exponent 2 e - BIAS, where e is the sum's: it is
   // 2 HALF_BIAS - 1 lower than twice that, and the square has e - HALF_BIAS steps to exponent 1.
   wire [COUNTED-1:0]      s7_counted = {s7_significand, {(COUNTED - PRECISION) {1'b0}}};
   wire [COUNT_BITS-1:0]   s8_count;
