@@ -105,6 +105,9 @@ struct Characterisation {
   const Measurement* find(const ComponentKey& key) const;
 };
 
+/// What the parts of a scene's pairwise engine depend on, in words: the spec "engine" of a table.
+std::string engine_text(const scene::Scene& scene);
+
 /// CSV (RFC 4180) with one row per component and comment lines ("# device: ...") before the header.
 std::string to_csv(const Characterisation& table);
 /// Reads such a CSV file. Errors name the file, line and column.
