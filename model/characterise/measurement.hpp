@@ -40,7 +40,7 @@ std::string_view to_string(AreaStage stage);
 
 enum class ComponentKind {
   unit,       ///< one floating-point or bound unit; for information only
-  lane,       ///< one reduced datapath alone
+  lane,       ///< one reduced datapath alone; of a pairwise engine behind the conversion
   reference,  ///< one reference datapath alone
   fifo,       ///< the scoreboard or reorder buffer around one lane
   crossbar,   ///< the share of the crossbar that one reference has when it serves `ports` lanes
