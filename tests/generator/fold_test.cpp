@@ -39,6 +39,16 @@ class Fold : public testing::TestWithParam<std::tuple<Scene, int>> {
 protected:
   int interval() const { return std::get<1>(GetParam()); }
 
+  /// The unit that computes a node; null where it is an operand or wires.
+  const datapath::SharedUnit* unit_of(NodeId id) const {
+    for (const datapath::SharedUnit& unit : schedule_.shared_units) {
+      if (std::find(unit.operations.begin(), unit.operations.end(), id) != unit.operations.end()) {
+        return &unit;
+      }
+    }
+    return nullptr;
+  }
+
   TypedGraph graph_ =
       reference_graph(graph_of(std::get<0>(GetParam()).f, std::get<0>(GetParam()).g),
                       {.format = format("s24e8"), .sums = std::get<0>(GetParam()).sums});
@@ -62,7 +72,6 @@ TEST_P(Fold, EveryOperationHasAUnitOfItsOwnInItsPhase) {
       EXPECT_TRUE(phases.insert(schedule_.steps[id].start_cycle % interval()).second) << id;
       EXPECT_EQ(schedule_.steps[id].unit.module, unit.unit.module);
     }
-    EXPECT_TRUE(unit.selects || unit.operations.size() == 1);
   }
   for (std::size_t id = 0; id < placed.size(); ++id) {
     EXPECT_EQ(placed[id], datapath::has_unit(graph_.nodes[id]) ? 1 : 0) << id;
@@ -85,6 +94,22 @@ TEST_P(Fold, OperandsAreReadyAndResultsComeWhenTheUnitGivesThem) {
   const datapath::Step& decision = schedule_.parts.front().decision;
   EXPECT_GE(decision.start_cycle, schedule_.steps[graph_.f()].ready_cycle);
   EXPECT_GE(decision.start_cycle, schedule_.steps[graph_.g()].ready_cycle);
+}
+
+/// A unit without registers for operands reads all of them from one other unit, as they come.
+TEST_P(Fold, UnitsThatDoNotSelectReadTheResultsOfOneUnit) {
+  for (const datapath::SharedUnit& unit : schedule_.shared_units) {
+    if (unit.selects || unit.operations.size() == 1) continue;
+    std::set<const datapath::SharedUnit*> sources;
+    for (const NodeId id : unit.operations) {
+      for (const NodeId operand : operands_of(graph_.nodes[id])) {
+        EXPECT_EQ(schedule_.steps[operand].ready_cycle, schedule_.steps[id].start_cycle) << id;
+        sources.insert(unit_of(operand));
+      }
+    }
+    EXPECT_EQ(sources.size(), 1u);
+    EXPECT_FALSE(sources.contains(nullptr));
+  }
 }
 
 /// Of each kind no more than ceil(operations / interval).
@@ -114,6 +139,31 @@ TEST_P(Fold, OperandsStayAsLongAsTheyAreRead) {
       EXPECT_LE(std::min(schedule_.steps[id].start_cycle, interval() - 1),
                 schedule_.last_operand_phase);
     }
+  }
+}
+
+/// Of four squares one waits for the next to be added to it, and one for the other side.
+TEST(FoldedSpheres, KeepTwoValuesAndNoRegisterInFrontOfTheSquarer) {
+  const TypedGraph graph = reference_graph(
+      graph_of("(a - b)^2 + (c - d)^2 + (a - d)^2", "(b + c)^2"), {.format = format("s24e8")});
+  const datapath::Schedule schedule = datapath::schedule_reference(
+      graph, {.multipliers = scene::Multipliers::logic, .initiation_interval = 16},
+      datapath::delays_of("ice40-hx8k").value(), 100);
+  std::set<NodeId> waiting;
+  const auto read = [&](NodeId id, int cycle) {
+    const bool computed = datapath::has_unit(graph.nodes[id]);
+    if (computed && schedule.steps[id].ready_cycle < cycle) waiting.insert(id);
+  };
+  for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
+    for (const NodeId operand : operands_of(graph.nodes[id])) {
+      read(operand, schedule.steps[id].start_cycle);
+    }
+  }
+  read(graph.f(), schedule.parts.front().decision.start_cycle);
+  read(graph.g(), schedule.parts.front().decision.start_cycle);
+  EXPECT_LE(waiting.size(), 2u);
+  for (const datapath::SharedUnit& unit : schedule.shared_units) {
+    EXPECT_EQ(unit.selects, unit.unit.module == "fp_add");
   }
 }
 
