@@ -89,7 +89,8 @@ class StorageSearch {
 public:
   StorageSearch(const FoldedGraph& graph, std::vector<int> starts)
       : graph_(graph),
-        best_(std::move(starts)),
+        listed_(std::move(starts)),
+        best_(listed_),
         starts_(best_),
         readers_(graph.nodes.size()),
         deadlines_(graph.nodes.size(), std::numeric_limits<int>::max()),
@@ -212,6 +213,7 @@ private:
         earliest = std::max(earliest, starts_[reader] - node.latency);
     }
     latest -= node.latency;
+    if (reads_input(id)) latest = std::min(latest, std::max(listed_[id], last_read_of_inputs()));
     earliest = std::max(earliest, latest - graph_.interval + 1);
     for (int cycle = latest; cycle >= earliest && trials_ < most_trials; --cycle) {
       std::size_t& busy = busy_[node.unit_class][cycle % graph_.interval];
@@ -223,6 +225,16 @@ private:
       --busy;
     }
   }
+
+  bool reads_input(NodeId id) const {
+    const auto& operands = graph_.nodes[id].operands;
+    return std::any_of(operands.begin(), operands.end(), [&](NodeId operand) {
+      return graph_.nodes[source_of(operand)].kind == Kind::input;
+    });
+  }
+
+  /// What feeds a datapath needs a cycle to bring the next operands once these are read.
+  int last_read_of_inputs() const { return graph_.interval - 2; }
 
   void keep_if_better() {
     if (!results_are_read_at_once()) return;
@@ -253,6 +265,7 @@ private:
   }
 
   const FoldedGraph& graph_;
+  std::vector<int> listed_;  ///< by the list schedule
   std::vector<int> best_;
   long best_cost_ = 0;
   std::vector<int> starts_;
