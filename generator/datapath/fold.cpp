@@ -137,9 +137,13 @@ private:
     }
     auto starts = list_schedule(folded_);
     if (!starts) return false;
-    starts_ = reduce_storage(folded_, std::move(*starts));
+    starts_ = waiting_takes_cells() ? reduce_storage(folded_, *starts) : *starts;
     return true;
   }
+
+  /// Where a cell is a table of four inputs and a register, a register alone takes a cell. Wider
+  /// tables have registers to spare, and what waits costs less than reading it where it comes.
+  bool waiting_takes_cells() const { return placer_.delays().lut_inputs < 5; }
 
   static bool selects(const UnitClass& shared) {
     return shared.operations.size() > shared.units && !shared.reads_results;

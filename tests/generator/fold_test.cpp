@@ -142,6 +142,27 @@ TEST_P(Fold, OperandsStayAsLongAsTheyAreRead) {
   }
 }
 
+/// Then what feeds the reference has a cycle to bring the next operands.
+TEST(FoldedSpheres, LeaveTheLastPhaseToTheNextOperands) {
+  for (const char* reference : {"s24e8", "s53e11"}) {
+    const datapath::Schedule schedule = datapath::schedule_reference(
+        reference_graph(graph_of("(a - b)^2 + (c - d)^2 + (a - d)^2", "(b + c)^2"),
+                        {.format = format(reference)}),
+        {.multipliers = scene::Multipliers::logic, .initiation_interval = 16},
+        datapath::delays_of("ice40-hx8k").value(), 100);
+    EXPECT_LE(schedule.last_operand_phase, 14) << reference;
+  }
+}
+
+/// Wide look-up tables have registers to spare: nothing moves to save some.
+TEST(FoldedSpheres, ReadTheirOperandsEarlyWhereRegistersAreSpare) {
+  const datapath::Schedule schedule = datapath::schedule_reference(
+      reference_graph(graph_of("(a - b)^2 + (c - d)^2 + (a - d)^2", "(b + c)^2"),
+                      {.format = format("s24e8")}),
+      {.initiation_interval = 16}, datapath::delays_of("virtex6-lx760").value(), 300);
+  EXPECT_LE(schedule.last_operand_phase, 4);
+}
+
 /// Of four squares one waits for the next to be added to it, and one for the other side.
 TEST(FoldedSpheres, KeepTwoValuesAndNoRegisterInFrontOfTheSquarer) {
   const TypedGraph graph = reference_graph(
