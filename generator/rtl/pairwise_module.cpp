@@ -193,15 +193,16 @@ std::string reset_phases_name(const DatapathGroup& group) {
 }
 
 /// Declares the phases in which the references of a folded group begin after reset, one field for
-/// each reference of the engine up to the last one of the group. They are spread over the interval:
-/// requests come in turn, one in a cycle, and a reference that takes its operands late has few
-/// cycles until it wants the next.
+/// each reference of the engine up to the last one of the group. Where operands are read late they
+/// are spread over the interval: requests come in turn, one in a cycle, and a reference that takes
+/// its operands late has few cycles until it wants the next.
 void declare_reset_phases(const DatapathGroup& group, std::vector<ModuleItem>& items) {
   const int interval = group.schedule.initiation_interval;
   const int bits = phase_bits(interval);
+  const bool is_late = group.schedule.last_operand_phase + group.count + 2 > interval;
   std::vector<Operand> phases;
   for (int k = group.count - 1; k >= 0; --k) {
-    const int later = k * interval / group.count;
+    const int later = is_late ? k * interval / group.count : 0;
     phases.push_back(literal(bits, static_cast<Bits>((interval - later) % interval)));
   }
   if (group.first > 0) phases.push_back(zeros(group.first * bits));
