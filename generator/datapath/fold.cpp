@@ -81,12 +81,35 @@ private:
       class_of_[id] = entry->second;
       classes()[entry->second].operations.push_back(id);
     }
-    for (UnitClass& shared : classes()) {
-      shared.units = (shared.operations.size() + interval_ - 1) / interval_;
-      units_.push_back(placer_.place(
-          unit_for(graph_, graph_.nodes[representative(shared)], multipliers_, placer_.delays()),
-          0));
+    for (UnitClass& shared : classes()) choose_unit(shared);
+  }
+
+  void choose_unit(UnitClass& shared) {
+    const TypedNode& node = graph_.nodes[representative(shared)];
+    Unit unit = unit_for(graph_, node, multipliers_, placer_.delays());
+    if (node.operation == Operation::square && multipliers_ == scene::Multipliers::logic) {
+      auto serial = serial_square_unit(node, graph_.arithmetic.subnormals, placer_.delays());
+      if (serial && is_smaller(shared, *serial, unit, node.operand_format)) unit = *serial;
     }
+    shared.cycles = unit.initiation_interval;
+    shared.units = units_needed(shared, unit);
+    units_.push_back(placer_.place(std::move(unit), 0));
+  }
+
+  /// Tells whether serial squarers for a class take fewer tables than squarers that take a square
+  /// in every cycle.
+  bool is_smaller(const UnitClass& shared, const Unit& serial, const Unit& parallel,
+                  FloatFormat operands) const {
+    if (serial.initiation_interval > interval_) return false;
+    const auto serials = static_cast<double>(units_needed(shared, serial));
+    const auto parallels = static_cast<double>(units_needed(shared, parallel));
+    return serials * serial_square_tables(operands) < parallels * logic_square_tables(operands);
+  }
+
+  /// Units of which each takes as many operations as the interval has room for.
+  std::size_t units_needed(const UnitClass& shared, const Unit& unit) const {
+    const auto most = static_cast<std::size_t>(interval_ / unit.initiation_interval);
+    return (shared.operations.size() + most - 1) / most;
   }
 
   std::vector<UnitClass>& classes() { return folded_.classes; }
@@ -135,9 +158,9 @@ private:
       node.latency = units_[node.unit_class].ready_cycle;
       if (selects(classes()[node.unit_class])) ++node.latency;
     }
-    auto starts = list_schedule(folded_);
-    if (!starts) return false;
-    starts_ = waiting_takes_cells() ? reduce_storage(folded_, *starts) : *starts;
+    auto plan = list_schedule(folded_);
+    if (!plan) return false;
+    plan_ = waiting_takes_cells() ? reduce_storage(folded_, *plan) : *plan;
     return true;
   }
 
@@ -167,26 +190,24 @@ private:
            operand_class.units == 1 && &operand_class != &own;
   }
 
-  /// Gives each operation the first of its units that is free in its phase.
+  /// Writes the plan into the schedule.
   void bind() {
     for (std::size_t k = 0; k < classes().size(); ++k) {
       UnitClass& shared = classes()[k];
       const std::size_t first = schedule_.shared_units.size();
       schedule_.shared_units.resize(first + shared.units,
                                     {units_[k].unit, units_[k].cuts, {}, selects(shared)});
-      std::vector<std::size_t> busy(interval_, 0);
       std::stable_sort(shared.operations.begin(), shared.operations.end(),
-                       [&](NodeId a, NodeId b) { return starts_[a] < starts_[b]; });
+                       [&](NodeId a, NodeId b) { return plan_.starts[a] < plan_.starts[b]; });
       for (const NodeId id : shared.operations) {
-        const std::size_t unit = first + busy[starts_[id] % interval_]++;
-        schedule_.shared_units[unit].operations.push_back(id);
+        schedule_.shared_units[first + plan_.units[id]].operations.push_back(id);
         schedule_.steps[id].unit = units_[k].unit;
         schedule_.steps[id].cuts = units_[k].cuts;
       }
     }
     for (std::size_t k = 0; k < count(); ++k) {
-      schedule_.steps[k].start_cycle = starts_[k];
-      schedule_.steps[k].ready_cycle = starts_[k] + folded_.nodes[k].latency;
+      schedule_.steps[k].start_cycle = plan_.starts[k];
+      schedule_.steps[k].ready_cycle = plan_.starts[k] + folded_.nodes[k].latency;
     }
   }
 
@@ -198,7 +219,7 @@ private:
   FoldedGraph folded_ = {};
   std::vector<std::size_t> class_of_;  ///< of each operation
   std::vector<Step> units_;            ///< of each class, if started in cycle 0
-  std::vector<int> starts_;
+  FoldPlan plan_;
 };
 
 /// Tells whether a node is an operand of the comparison, perhaps with another sign.

@@ -12,29 +12,74 @@ namespace {
 
 using Kind = FoldedNode::Kind;
 
+/// Which units are at work in which phases.
+///
+/// An operation that keeps its unit for several cycles starts a multiple of these after the first
+/// one that the unit got, in its phase: so no phases are lost between two of them, and a unit takes
+/// as many as its interval has room for.
+class Occupancy {
+public:
+  explicit Occupancy(const FoldedGraph& graph) : interval_(graph.interval) {
+    for (const UnitClass& shared : graph.classes) {
+      cycles_.push_back(shared.cycles);
+      starts_.emplace_back(shared.units);
+    }
+  }
+
+  /// The first unit of a class that an operation may start on in `cycle`.
+  std::optional<std::size_t> free_unit(std::size_t unit_class, int cycle) const {
+    const auto& units = starts_[unit_class];
+    for (std::size_t unit = 0; unit < units.size(); ++unit) {
+      if (is_free(units[unit], cycles_[unit_class], cycle % interval_)) return unit;
+    }
+    return std::nullopt;
+  }
+
+  void take(std::size_t unit_class, std::size_t unit, int cycle) {
+    starts_[unit_class][unit].push_back(cycle % interval_);
+  }
+  /// Takes back the last `take` of a unit.
+  void release(std::size_t unit_class, std::size_t unit) { starts_[unit_class][unit].pop_back(); }
+
+private:
+  bool is_free(const std::vector<int>& starts, int cycles, int phase) const {
+    if (starts.empty()) return true;
+    const int after_first = (phase - starts.front() + interval_) % interval_;
+    return after_first % cycles == 0 && after_first + cycles <= interval_ &&
+           std::find(starts.begin(), starts.end(), phase) == starts.end();
+  }
+
+  int interval_;
+  std::vector<int> cycles_;                            ///< by class
+  std::vector<std::vector<std::vector<int>>> starts_;  ///< phases, by class and unit
+};
+
 class ListScheduler {
 public:
   explicit ListScheduler(const FoldedGraph& graph)
       : graph_(graph),
-        starts_(graph.nodes.size(), 0),
+        plan_{std::vector<int>(graph.nodes.size(), 0),
+              std::vector<std::size_t>(graph.nodes.size(), 0)},
         placed_(graph.nodes.size(), false),
         ways_left_(graph.nodes.size(), 0),
-        busy_(graph.classes.size(), std::vector<std::size_t>(graph.interval, 0)) {}
+        readers_at_once_(graph.nodes.size()),
+        occupancy_(graph) {}
 
-  std::optional<std::vector<int>> run() {
+  std::optional<FoldPlan> run() {
     find_ways_left();
-    std::vector<NodeId> left(graph_.nodes.size());
-    for (std::size_t k = 0; k < left.size(); ++k) left[k] = static_cast<NodeId>(k);
+    find_readers_at_once();
+    std::vector<NodeId> left;
+    for (std::size_t k = 0; k < graph_.nodes.size(); ++k) {
+      if (!reads_results(static_cast<NodeId>(k))) left.push_back(static_cast<NodeId>(k));
+    }
     std::stable_sort(left.begin(), left.end(),
                      [&](NodeId a, NodeId b) { return ways_left_[a] > ways_left_[b]; });
     for (int cycle = 0; !left.empty(); ++cycle) {
+      if (cycle > longest()) return std::nullopt;
       // Wires that follow a node in the same cycle may come before it in the list.
       while (std::erase_if(left, [&](NodeId id) { return place(id, cycle); }) > 0) continue;
-      if (std::any_of(left.begin(), left.end(), [&](NodeId id) { return is_late(id, cycle); })) {
-        return std::nullopt;
-      }
     }
-    return std::move(starts_);
+    return std::move(plan_);
   }
 
 private:
@@ -48,61 +93,94 @@ private:
     }
   }
 
+  bool reads_results(NodeId id) const {
+    const FoldedNode& node = graph_.nodes[id];
+    return node.kind == Kind::operation && graph_.classes[node.unit_class].reads_results;
+  }
+
+  void find_readers_at_once() {
+    for (NodeId id = 0; id < static_cast<NodeId>(graph_.nodes.size()); ++id) {
+      if (!reads_results(id)) continue;
+      for (const NodeId operand : graph_.nodes[id].operands) {
+        readers_at_once_[operand].push_back(id);
+      }
+    }
+  }
+
+  /// The cycles that pass if each node is waited for, and then a unit for an interval.
+  int longest() const {
+    int cycles = 0;
+    for (const FoldedNode& node : graph_.nodes) cycles += node.latency + graph_.interval;
+    return cycles;
+  }
+
   bool is_ready(NodeId id, int cycle) const {
     const auto& operands = graph_.nodes[id].operands;
     return std::all_of(operands.begin(), operands.end(), [&](NodeId operand) {
-      return placed_[operand] && starts_[operand] + graph_.nodes[operand].latency <= cycle;
+      return placed_[operand] && plan_.starts[operand] + graph_.nodes[operand].latency <= cycle;
     });
-  }
-
-  /// Tells whether a node that reads results has missed them.
-  bool is_late(NodeId id, int cycle) const {
-    const FoldedNode& node = graph_.nodes[id];
-    return node.kind == Kind::operation && graph_.classes[node.unit_class].reads_results &&
-           is_ready(id, cycle);
   }
 
   /// Places a node in `cycle` if its operands are ready and a unit is free; says whether it did.
   bool place(NodeId id, int cycle) {
-    if (!is_ready(id, cycle)) return false;
-    const FoldedNode& node = graph_.nodes[id];
-    if (node.kind == Kind::operation) {
-      std::size_t& busy = busy_[node.unit_class][cycle % graph_.interval];
-      if (busy == graph_.classes[node.unit_class].units) return false;
-      ++busy;
+    if (!is_ready(id, cycle) || !may_start(id, cycle)) return false;
+    start(id, cycle);
+    for (const NodeId reader : readers_at_once_[id]) {
+      start(reader, cycle + graph_.nodes[id].latency);
     }
-    starts_[id] = cycle;
-    placed_[id] = true;
     return true;
   }
 
+  /// Tells whether a unit is free, and one for what reads the result at once.
+  bool may_start(NodeId id, int cycle) const {
+    const FoldedNode& node = graph_.nodes[id];
+    if (node.kind != Kind::operation) return true;
+    const auto& readers = readers_at_once_[id];
+    return occupancy_.free_unit(node.unit_class, cycle) &&
+           std::all_of(readers.begin(), readers.end(), [&](NodeId reader) {
+             return occupancy_.free_unit(graph_.nodes[reader].unit_class, cycle + node.latency);
+           });
+  }
+
+  void start(NodeId id, int cycle) {
+    const FoldedNode& node = graph_.nodes[id];
+    if (node.kind == Kind::operation) {
+      plan_.units[id] = occupancy_.free_unit(node.unit_class, cycle).value();
+      occupancy_.take(node.unit_class, plan_.units[id], cycle);
+    }
+    plan_.starts[id] = cycle;
+    placed_[id] = true;
+  }
+
   const FoldedGraph& graph_;
-  std::vector<int> starts_;
+  FoldPlan plan_;
   std::vector<bool> placed_;
   std::vector<int> ways_left_;
-  std::vector<std::vector<std::size_t>> busy_;  ///< units, by class and phase
+  std::vector<std::vector<NodeId>> readers_at_once_;  ///< operations that read results, by node
+  Occupancy occupancy_;
 };
 
 /// Searches by branch and bound, from the last operation to the first: each is tried from the
 /// latest cycle on that those which read it allow.
 class StorageSearch {
 public:
-  StorageSearch(const FoldedGraph& graph, std::vector<int> starts)
+  StorageSearch(const FoldedGraph& graph, FoldPlan plan)
       : graph_(graph),
-        listed_(std::move(starts)),
-        best_(listed_),
-        starts_(best_),
+        listed_(plan.starts),
+        best_(std::move(plan)),
+        starts_(best_.starts),
+        units_(best_.units),
         readers_(graph.nodes.size()),
         deadlines_(graph.nodes.size(), std::numeric_limits<int>::max()),
         earliest_(graph.nodes.size(), 0),
-        busy_(graph.classes.size(), std::vector<std::size_t>(graph.interval, 0)) {}
+        occupancy_(graph) {}
 
-  std::vector<int> run() {
+  FoldPlan run() {
     find_readers();
     best_cost_ = cost();
-    for (auto& phases : busy_) std::fill(phases.begin(), phases.end(), 0);
     descend(0, 0);
-    return place_wires(std::move(best_));
+    place_wires(best_.starts);
+    return std::move(best_);
   }
 
 private:
@@ -216,13 +294,14 @@ private:
     if (reads_input(id)) latest = std::min(latest, std::max(listed_[id], last_read_of_inputs()));
     earliest = std::max(earliest, latest - graph_.interval + 1);
     for (int cycle = latest; cycle >= earliest && trials_ < most_trials; --cycle) {
-      std::size_t& busy = busy_[node.unit_class][cycle % graph_.interval];
-      if (busy == class_of(id).units) continue;
+      const auto unit = occupancy_.free_unit(node.unit_class, cycle);
+      if (!unit) continue;
       ++trials_;
-      ++busy;
+      occupancy_.take(node.unit_class, *unit, cycle);
       starts_[id] = cycle;
+      units_[id] = *unit;
       descend(index + 1, so_far + waiting_cost(id));
-      --busy;
+      occupancy_.release(node.unit_class, *unit);
     }
   }
 
@@ -241,7 +320,7 @@ private:
     const long found = cost();
     if (found >= best_cost_) return;
     best_cost_ = found;
-    best_ = starts_;
+    best_ = {starts_, units_};
   }
 
   bool results_are_read_at_once() const {
@@ -253,7 +332,7 @@ private:
     });
   }
 
-  std::vector<int> place_wires(std::vector<int> starts) const {
+  void place_wires(std::vector<int>& starts) const {
     for (std::size_t k = 0; k < starts.size(); ++k) {
       if (graph_.nodes[k].kind != Kind::wires) continue;
       starts[k] = 0;
@@ -261,31 +340,31 @@ private:
         starts[k] = std::max(starts[k], starts[operand] + graph_.nodes[operand].latency);
       }
     }
-    return starts;
   }
 
   const FoldedGraph& graph_;
-  std::vector<int> listed_;  ///< by the list schedule
-  std::vector<int> best_;
+  std::vector<int> listed_;  ///< starts, by the list schedule
+  FoldPlan best_;
   long best_cost_ = 0;
   std::vector<int> starts_;
+  std::vector<std::size_t> units_;
   std::vector<NodeId> operations_;                 ///< the last one first
   std::vector<std::vector<NodeId>> readers_;       ///< operations, of each value
   std::vector<int> deadlines_;                     ///< of compared values
   std::vector<std::pair<NodeId, int>> last_read_;  ///< compared values, and when
   std::vector<int> earliest_;
-  std::vector<std::vector<std::size_t>> busy_;  ///< units, by class and phase
+  Occupancy occupancy_;
   int trials_ = 0;
 };
 
 }  // namespace
 
-std::optional<std::vector<int>> list_schedule(const FoldedGraph& graph) {
+std::optional<FoldPlan> list_schedule(const FoldedGraph& graph) {
   return ListScheduler(graph).run();
 }
 
-std::vector<int> reduce_storage(const FoldedGraph& graph, std::vector<int> starts) {
-  return StorageSearch(graph, std::move(starts)).run();
+FoldPlan reduce_storage(const FoldedGraph& graph, FoldPlan plan) {
+  return StorageSearch(graph, std::move(plan)).run();
 }
 
 }  // namespace mixcmp::datapath

@@ -28,6 +28,7 @@ struct FoldedNode {
 struct UnitClass {
   std::vector<NodeId> operations;
   std::size_t units = 1;
+  int cycles = 1;  ///< for which an operation keeps its unit; at most the interval
   /// The units have no registers of their own for operands: an operation starts in the cycle in
   /// which its operands come out of another unit.
   bool reads_results = false;
@@ -41,13 +42,20 @@ struct FoldedGraph {
   std::vector<std::vector<NodeId>> compared;  ///< values that are read in the same cycle
 };
 
-/// The start cycle of each node, by list scheduling: in each cycle, of the operations whose
-/// operands are ready and whose unit is free in this phase, the one from which the longest way is
-/// left to go. Nothing where an operation that reads results would have to wait.
-std::optional<std::vector<int>> list_schedule(const FoldedGraph& graph);
+/// When each node starts, and the unit of each operation.
+struct FoldPlan {
+  std::vector<int> starts;
+  std::vector<std::size_t> units;  ///< index in the class; 0 for what is not an operation
+};
 
-/// Start cycles with which fewer bits wait in registers, and units read from fewer places, while
-/// the compared values are ready no later than with `starts`: the best that a bounded search finds.
-std::vector<int> reduce_storage(const FoldedGraph& graph, std::vector<int> starts);
+/// A plan by list scheduling: in each cycle, of the operations whose operands are ready and whose
+/// unit is free in this phase, the one from which the longest way is left to go. Where other
+/// operations read its result at once, their units have to be free, too. Nothing where that would
+/// make an operation wait for ever.
+std::optional<FoldPlan> list_schedule(const FoldedGraph& graph);
+
+/// A plan by which fewer bits wait in registers, and units read from fewer places, while the
+/// compared values are ready no later than with `plan`: the best that a bounded search finds.
+FoldPlan reduce_storage(const FoldedGraph& graph, FoldPlan plan);
 
 }  // namespace mixcmp::datapath

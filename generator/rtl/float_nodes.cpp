@@ -65,6 +65,25 @@ void FloatNodes::build_selecting_units() {
   for (const auto& [index, unit] : selecting_.units()) build_selecting_unit(unit, index);
 }
 
+/// The input by which a unit that takes several cycles for an operation knows when its operand is
+/// there.
+Operand FloatNodes::build_start(const std::string& unit, std::vector<Literal> phases) {
+  const std::string name = datapath_.pool().unique(unit + "_start");
+  datapath_.add(PhaseFlag{name, std::move(phases)});
+  return net(name);
+}
+
+/// The phases in which the operands of a shared unit are there: where it selects them, a cycle
+/// after they are read into its registers.
+std::vector<Literal> FloatNodes::start_phases(const SelectingUnits::Unit& unit,
+                                              bool selects) const {
+  std::vector<Literal> phases;
+  for (const PhaseCase& read : unit.cases) {
+    phases.push_back(datapath_.phase(static_cast<int>(read.phase.value) + (selects ? 1 : 0)));
+  }
+  return phases;
+}
+
 /// A unit of a folded datapath, behind the registers of its operands if it has any.
 void FloatNodes::build_selecting_unit(const SelectingUnits::Unit& unit, std::size_t index) {
   const datapath::SharedUnit& shared = schedule_.shared_units[index];
@@ -94,6 +113,10 @@ void FloatNodes::build_selecting_unit(const SelectingUnits::Unit& unit, std::siz
       datapath_.add(
           Comment{fmt::format("Phase {}: {}.", static_cast<int>(read.phase.value), read.comment)});
     }
+  }
+  if (shared.unit.initiation_interval > 1) {
+    const Operand start = build_start(unit.name, start_phases(unit, shared.selects));
+    connections.insert(connections.begin() + 1, {"start", start});
   }
   datapath_.add(Instance{shared.unit.module, "unit_" + unit.name,
                          unit_parameters(unit.node, hazards, {shared.unit, shared.cuts}),
@@ -231,6 +254,10 @@ void FloatNodes::build_unit(NodeId id) {
   datapath_.add(Wire{node.format.width(), names_[id], nullptr});
   values_[id].value = net(names_[id]);
   connections.push_back({"exceptional", flag_output(id)});
+  if (step.unit.initiation_interval > 1) {
+    const Operand start = build_start(names_[id], {datapath_.phase(step.start_cycle)});
+    connections.insert(connections.begin() + 1, {"start", start});
+  }
   datapath_.add(Instance{step.unit.module, datapath_.pool().unique("unit_" + names_[id]),
                          unit_parameters(node, hazards_of(id), step), std::move(connections)});
   if (exceptional_ == ExceptionalFlags::gathered) gather_flags(id);

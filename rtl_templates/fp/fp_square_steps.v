@@ -165,11 +165,11 @@ module fp_square_steps #(
   // The sum of the steps so far, which begins in the third cycle.
   reg  [SUM-1:0] sum_q;
   reg            sticky_q;
-  wire [SUM-1:0] before = {{6{sum_q[SUM-1]}}, sum_q[SUM-1:6]} & {SUM{!third}};
+  wire [SUM-1:0] moved = {{6{sum_q[SUM-1]}}, sum_q[SUM-1:6]} & {SUM{!third}};
   wire [SUM-1:0] sum;
   wire           unused_place_sum;
 
-  assign {sum, unused_place_sum} = {before, 1'b1} + {three_q, three_lacks_q};
+  assign {sum, unused_place_sum} = {moved, 1'b1} + {three_q, three_lacks_q};
 
   always @(posedge aclk) begin
     sum_q    <= sum;
