@@ -1,6 +1,6 @@
 // fp_serial_square: a * a, rounded once to the result format; six bits of the operand a cycle are
 // multiplied, in logic on any device.
-// Latency: the population count of CUTS, of which bits 2 to CYCLES + 4 are ones. Initiation
+// Latency: the population count of CUTS, of which bits 2 to CYCLES + 4 are read as ones. Initiation
 // interval CYCLES: `start` says that an operand is there, and comes again after CYCLES cycles at
 // the earliest. No reset: `start` ends what is left of an earlier square.
 // Special values as IEEE 754.
@@ -18,7 +18,7 @@ module fp_serial_square #(
   parameter        GRADUAL              = 0,
   parameter        TOWARD_ZERO          = 0,
   parameter        CYCLES               = (PRECISION + 5) / 6,
-  parameter [CYCLES+8:0] CUTS           = {{(CYCLES + 3) {1'b1}}, 2'b00}
+  parameter [CYCLES+8:0] CUTS           = 0
 ) (
   input  wire                                             aclk,
   input  wire                                             start,
@@ -76,9 +76,6 @@ module fp_serial_square #(
     if (CYCLES != (PRECISION + 5) / 6) begin : g_refused_cycles
       CYCLES_is_not_that_of_PRECISION refused ();
     end
-    if (&CUTS[CYCLES+4:2] != 1'b1) begin : g_refused_cuts
-      CUTS_2_to_CYCLES_plus_4_are_not_ones refused ();
-    end
   endgenerate
 
   // Stages count, normalise: the significand gets a leading one.
@@ -112,6 +109,7 @@ module fp_serial_square #(
 
   // The steps: the square of a significand in [1, 2) lies in [1, 4).
   wire [EXPONENT_WIDTH-1:0] s2_exponent = (s2_a_exponent << 1) + REBIAS[EXPONENT_WIDTH-1:0];
+  wire                      unused_cuts = ^CUTS[ROUND-1:2];
   wire                      s2_suspect  = s2_nan || s2_infinite || s2_flushed;
   wire                      s2_start;
   wire                      third;

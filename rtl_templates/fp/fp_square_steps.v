@@ -112,7 +112,7 @@ module fp_square_steps #(
 
       fp_booth_digit #(
         .CODE(2)
-      ) digit (
+      ) booth_digit (
         .digit   ({1'b0, digits_q[2*row+:2]}),
         .single  (single),
         .doubled (doubled),
