@@ -93,8 +93,8 @@ TEST(Verilog, PhasesStandOnOneLineOrOnOneEach) {
   EXPECT_NE(text.find("  wire few = (phase == 4'd3) || (phase == 4'd11);\n"), std::string::npos)
       << text;
   EXPECT_NE(text.find("  wire squarer_start =\n"
-                      "    (phase == 4'd0)\n"
-                      "    || (phase == 4'd3)\n"),
+                      "      (phase == 4'd0)\n"
+                      "      || (phase == 4'd3)\n"),
             std::string::npos)
       << text;
 }

@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::uint64_t items = 700;
 constexpr double tolerance = 0.05;
+constexpr auto logic = scene::Multipliers::logic;
 
 /// An engine and data that give it something to do.
 struct Load {
@@ -26,16 +27,19 @@ struct Load {
   const char* lane_format;
   double radius_max;
   int second_tier = 0;  ///< its bits; 0: none. First lanes are then in fixed point of four bits.
+  const char* device = "virtex6-lx760";
+  scene::Multipliers multipliers = scene::Multipliers::embedded;
 };
 
 design::Design design_of(const Load& load) {
   design::Design design =
       sphere_design(format(load.lane_format), format("s24e8"), load.lanes, load.references);
-  design.references.front().structure.initiation_interval = load.interval;
+  design.references.front().structure = {load.multipliers, load.interval};
   design.system = with_engine(design.system, {.kind = scene::EngineKind::pairwise,
                                               .capacity = 1024,
                                               .report = {Verdict::less},
                                               .report_streams = load.streams});
+  design.system.device = load.device;
   if (load.second_tier > 0) {
     const FloatFormat reference = design.reference.input_format;
     design.lanes.front().lane = fixed_spheres({.bits = 4}, reference);
@@ -94,14 +98,17 @@ TEST_P(PairwiseThroughput, IsThePredictedOne) {
 
 INSTANTIATE_TEST_SUITE_P(
     Loads, PairwiseThroughput,
-    testing::Values(Load{"FewExceptions", 16, 1, 1, 1, "s12e8", 10},  // words limit
-                    Load{"ManyReports", 16, 1, 1, 1, "s12e8", 40},    // the report stream
-                    Load{"ManyReportsBesideEachOther", 16, 2, 1, 1, "s12e8", 25},
-                    Load{"AFoldedReference", 16, 2, 1, 16, "s8e8", 20},
-                    Load{"FoldedReferencesBesideEachOther", 16, 2, 3, 16, "s6e8",
-                         20},                                           // references
-                    Load{"ASecondTier", 16, 2, 1, 1, "s12e8", 10, 11},  // words
-                    Load{"ASecondTierAskedTooOften", 16, 2, 1, 1, "s12e8", 60, 11}),
+    testing::Values(
+        Load{"FewExceptions", 16, 1, 1, 1, "s12e8", 10},  // words limit
+        Load{"ManyReports", 16, 1, 1, 1, "s12e8", 40},    // the report stream
+        Load{"ManyReportsBesideEachOther", 16, 2, 1, 1, "s12e8", 25},
+        Load{"AFoldedReference", 16, 2, 1, 16, "s8e8", 20},
+        Load{"FoldedReferencesBesideEachOther", 16, 2, 3, 16, "s6e8", 20},  // references
+        // References that read their operands late.
+        Load{"ALateReference", 16, 2, 1, 16, "s8e8", 20, 0, "ice40-hx8k", logic},
+        Load{"LateReferencesBesideEachOther", 16, 2, 3, 16, "s6e8", 20, 0, "ice40-hx8k", logic},
+        Load{"ASecondTier", 16, 2, 1, 1, "s12e8", 10, 11},  // words
+        Load{"ASecondTierAskedTooOften", 16, 2, 1, 1, "s12e8", 60, 11}),
     [](const auto& load) { return std::string(load.param.name); });
 
 }  // namespace
