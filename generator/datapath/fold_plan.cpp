@@ -12,11 +12,11 @@ namespace {
 
 using Kind = FoldedNode::Kind;
 
-/// Which units are at work in which phases.
+/// The phases in which each unit begins an operation.
 ///
-/// An operation that keeps its unit for several cycles starts a multiple of these after the first
-/// one that the unit got, in its phase: so no phases are lost between two of them, and a unit takes
-/// as many as its interval has room for.
+/// Where operations keep their unit for several cycles, they begin whole multiples of these after
+/// the first one that the unit was given. No phases are lost between two of them then, and a unit
+/// takes as many as the interval has room for.
 class Occupancy {
 public:
   explicit Occupancy(const FoldedGraph& graph) : interval_(graph.interval) {
