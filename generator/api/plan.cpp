@@ -24,10 +24,9 @@ components::Planning load_planning(const SceneState& state, const PlanOptions& o
           .received = "nothing",
           .accepted = "the path of a table that mixcmp characterise wrote"});
   }
-  const fs::path table =
-      options.table.empty()
-          ? optimise::default_table(state.source.path, state.scene.variant, device.name)
-          : options.table;
+  const fs::path table = options.table.empty()
+                             ? optimise::default_table(state.source.path, state.scene, device.name)
+                             : options.table;
   return value_or_throw(
       components::load_planning(state.scene, state.data ? &*state.data : nullptr, device, table,
                                 {.field = "table", .accepted = "what mixcmp characterise writes"}));

@@ -91,8 +91,8 @@ Result<Done> check_memories(const components::ComponentQuery& query) {
 /// take streams.
 std::set<ComponentKind> parts_of_system(const scene::Scene& scene) {
   if (scene.system.engine.kind == scene::EngineKind::pairwise) {
-    return {ComponentKind::segment, ComponentKind::conversion, ComponentKind::engine,
-            ComponentKind::reference, ComponentKind::reference_port};
+    return {ComponentKind::lane,   ComponentKind::segment,   ComponentKind::conversion,
+            ComponentKind::engine, ComponentKind::reference, ComponentKind::reference_port};
   }
   return {ComponentKind::lane, ComponentKind::fifo, ComponentKind::crossbar,
           ComponentKind::reference, ComponentKind::reference_port};
@@ -102,7 +102,7 @@ Result<std::set<ComponentKind>> component_kinds(const std::string& text,
                                                 const scene::Scene& scene) {
   std::set<ComponentKind> possible = parts_of_system(scene);
   if (text.empty()) return possible;
-  possible.insert({ComponentKind::lane, ComponentKind::unit});
+  possible.insert(ComponentKind::unit);
   std::set<ComponentKind> kinds;
   for (const std::string& word : words(text)) {
     const auto found = std::find_if(possible.begin(), possible.end(),

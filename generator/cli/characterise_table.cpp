@@ -30,20 +30,6 @@ void tell_progress(int finished, int jobs, double seconds) {
   show_progress(fmt::format("{} of {} jobs, {}{}", finished, jobs, duration(seconds), left));
 }
 
-/// What the parts of a pairwise engine depend on, in words.
-std::string engine_text(const scene::Scene& scene) {
-  const scene::EngineSpec& engine = scene.system.engine;
-  std::string text = fmt::format(
-      "pairwise, {} items, segments of {}, {} as {} by {} stream{}", engine.capacity,
-      engine.lanes_per_group, fmt::join(reported_verdicts(engine), " "),
-      to_string(engine.report_as), engine.report_streams, engine.report_streams == 1 ? "" : "s");
-  if (scene.second_tier) {
-    text += fmt::format(", second tier {} {}", scene.second_tier->format_name(),
-                        to_string(scene.second_tier->multipliers));
-  }
-  return text;
-}
-
 /// The settings on which the components' RTL and its measurement depend, by name.
 std::vector<std::pair<std::string, std::string>> spec_of(const scene::Scene& scene,
                                                          const std::string& tools) {
@@ -63,24 +49,34 @@ std::vector<std::pair<std::string, std::string>> spec_of(const scene::Scene& sce
       {"counter_bits", std::to_string(system.counter_bits)},
       {"tools", tools}};
   if (system.engine.kind == scene::EngineKind::pairwise) {
-    spec.insert(spec.end() - 1, {"engine", engine_text(scene)});
+    spec.insert(spec.end() - 1, {"engine", characterise::engine_text(scene)});
   }
   return spec;
 }
 
-/// Refuses a table that was measured for another target_mhz: it decides where registers go in all
-/// RTL.
-Result<Done> check_target(const characterise::Characterisation& table, const fs::path& path,
-                          const scene::Scene& scene) {
-  const std::string wanted = fmt::format("{}", scene.system.target_mhz);
+/// Refuses a table that was measured for another target_mhz, which decides where registers go in
+/// all RTL, or for another engine.
+Result<Done> check_rows_can_stay(const characterise::Characterisation& table, const fs::path& path,
+                                 const scene::Scene& scene) {
+  const bool is_pairwise = scene.system.engine.kind == scene::EngineKind::pairwise;
+  const std::string target = fmt::format("{}", scene.system.target_mhz);
+  const std::string engine = is_pairwise ? characterise::engine_text(scene) : "";
   for (const auto& [name, text] : table.spec) {
-    if (name != "target_mhz" || text == wanted) continue;
-    return Error{
-        .file = path.string(),
-        .field = "target_mhz",
-        .message = "none of its rows would stay",
-        .received = text,
-        .accepted = fmt::format("--target-mhz {}, or another path by -o for {}", text, wanted)};
+    if (name == "target_mhz" && text != target) {
+      return Error{
+          .file = path.string(),
+          .field = name,
+          .message = "none of its rows would stay",
+          .received = text,
+          .accepted = fmt::format("--target-mhz {}, or another path by -o for {}", text, target)};
+    }
+    if (name == "engine" && is_pairwise && text != engine) {
+      return Error{.file = path.string(),
+                   .field = name,
+                   .message = "its rows are of another engine",
+                   .received = text,
+                   .accepted = fmt::format("{}, or another path by -o", engine)};
+    }
   }
   return Done{};
 }
@@ -95,7 +91,7 @@ Result<std::optional<characterise::Characterisation>> previous_table(const fs::p
   if (!is_table) return std::optional<characterise::Characterisation>();
   MIXCMP_TRY(table, characterise::read_characterisation(path));
   if (table.scene == scene.name && table.device == device) {
-    MIXCMP_TRY(comparable, check_target(table, path, scene));
+    MIXCMP_TRY(comparable, check_rows_can_stay(table, path, scene));
     return std::optional(std::move(table));
   }
   return Error{.file = path.string(),
@@ -240,9 +236,8 @@ void end_if_unfinished(const CharacteriseReport& report) {
 
 fs::path table_of(const CharacteriseCommand& command, const scene::Scene& scene,
                   const devices::Device& device) {
-  return command.output.empty()
-             ? optimise::default_table(command.scene.scene, scene.variant, device.name)
-             : command.output;
+  return command.output.empty() ? optimise::default_table(command.scene.scene, scene, device.name)
+                                : command.output;
 }
 
 components::CharacteriseOptions prepared_options(const CharacteriseCommand& command,

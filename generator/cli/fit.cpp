@@ -27,8 +27,7 @@ std::optional<std::string> fit_note(const LoadedScene& loaded, const design::Des
   const auto device = devices::find_device(loaded.scene.system.device);
   if (!device.ok()) return std::nullopt;
   const scene::Scene& scene = loaded.scene;
-  const std::filesystem::path path =
-      optimise::default_table(scene.path, scene.variant, device->name);
+  const std::filesystem::path path = optimise::default_table(scene.path, scene, device->name);
   const auto table = table_beside(path, scene, *device);
   const auto note = [&](const characterise::Characterisation* areas) {
     const auto footprint = optimise::footprint_of(design, areas, *device);

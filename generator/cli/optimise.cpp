@@ -79,8 +79,21 @@ std::string word_of(LaneInputs inputs) {
   return to_string(inputs);
 }
 
+/// What tells this formulation from the scene's others.
 std::string name_of(const scene::Scene& scene) {
-  return scene.variant.empty() ? "[comparison]" : "variant " + scene.variant;
+  std::string name = scene.variant.empty() ? "[comparison]" : "variant " + scene.variant;
+  if (scene.second_tier) name += ", second tier " + scene.second_tier->format_name();
+  return scene.leaves_out_second_tier ? name + ", one tier" : name;
+}
+
+/// The settings that make this formulation of the scene as the user gave it.
+std::vector<std::string> settings_of(const scene::Scene& formulation, const SceneOptions& given) {
+  std::vector<std::string> settings;
+  if (!formulation.variant.empty() && !is_set(given, "comparison.variant")) {
+    settings.push_back("comparison.variant=" + formulation.variant);
+  }
+  if (formulation.leaves_out_second_tier) settings.push_back("second_tier.format=none");
+  return settings;
 }
 
 /// The plans of one formulation of the comparison.
@@ -96,8 +109,7 @@ struct Candidate {
 
 /// The scene as it is and, where it names no variant, its variants. With a table or rates given by
 /// hand, which are of one formulation, it is the scene alone.
-std::vector<LoadedScene> formulations_of(const OptimiseCommand& command,
-                                         const LoadedScene& loaded) {
+std::vector<LoadedScene> variants_of(const OptimiseCommand& command, const LoadedScene& loaded) {
   const bool by_hand = !command.planning.table.empty() || !command.rates.empty();
   if (!by_hand) return value_or_exit(load_formulations(command.planning.scene, loaded));
   if (loaded.scene.variant.empty() && !loaded.scene.variants.empty()) {
@@ -106,14 +118,38 @@ std::vector<LoadedScene> formulations_of(const OptimiseCommand& command,
   return {loaded};
 }
 
+/// Whether engines without the second tier are planned, too: unless the user names the tier, or a
+/// table, which is of one of the two.
+bool weighs_second_tier(const OptimiseCommand& command) {
+  return command.planning.table.empty() && !is_set(command.planning.scene, "second_tier.format");
+}
+
+/// The variants and, of each that has a second tier, the same without it.
+std::vector<LoadedScene> formulations_of(const OptimiseCommand& command,
+                                         const LoadedScene& loaded) {
+  std::vector<LoadedScene> formulations = variants_of(command, loaded);
+  if (!weighs_second_tier(command)) return formulations;
+  for (std::size_t k = 0, given = formulations.size(); k < given; ++k) {
+    if (!formulations[k].scene.second_tier) continue;
+    SceneOptions one_tier = command.planning.scene;
+    for (const std::string& setting : settings_of(formulations[k].scene, one_tier)) {
+      one_tier.settings.push_back(setting);
+    }
+    one_tier.settings.emplace_back("second_tier.format=none");
+    formulations.push_back(
+        {value_or_exit(scene::load_scene(one_tier.scene, one_tier.settings)), loaded.data});
+  }
+  return formulations;
+}
+
 /// The quick measurement of what plans of this formulation may use: areas alone.
 CharacteriseCommand quick_characterisation(const PlanningOptions& planning,
                                            const scene::Scene& formulation) {
   const optimise::OptimiseOptions& choice = planning.choice;
   const optimise::OptimiseOptions usual;
   CharacteriseCommand quick{.scene = planning.scene, .quick = true, .area_only = true};
-  if (formulation.variant != "" && !is_set(planning.scene, "comparison.variant")) {
-    quick.scene.settings.push_back("comparison.variant=" + formulation.variant);
+  for (const std::string& setting : settings_of(formulation, planning.scene)) {
+    quick.scene.settings.push_back(setting);
   }
   const int most = settings::lane_precisions(formulation.reference.format).most;
   if (choice.first_precision != usual.first_precision || choice.last_precision < most) {
@@ -204,8 +240,8 @@ void tell_of_older(const fs::path& file) {
 std::string text_of_plan(const OptimiseCommand& command, const Candidate& chosen,
                          const optimise::PrecisionPlan& plan) {
   PlanningOptions planning = command.planning;
-  if (!chosen.known.scene.variant.empty()) {
-    planning.scene.settings.push_back("comparison.variant=" + chosen.known.scene.variant);
+  for (const std::string& setting : settings_of(chosen.known.scene, planning.scene)) {
+    planning.scene.settings.push_back(setting);
   }
   const optimise::PlanSource source =
       plan_source(planning, chosen.known.scene.system.device, command.plan, command_of(command));
@@ -231,12 +267,14 @@ void write_files(const OptimiseCommand& command, const Candidate& chosen) {
 }
 
 /// A table that compares the best plans of all formulations; empty for a single one.
-std::string compare_variants(const std::vector<Candidate>& candidates, std::size_t chosen) {
+std::string compare_formulations(const std::vector<Candidate>& candidates, std::size_t chosen) {
   if (candidates.size() < 2) return "";
+  std::size_t width = 22;
+  for (const Candidate& candidate : candidates) width = std::max(width, candidate.name().size());
   std::string text = "formulations, the best plan of each\n";
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     const optimise::PlanSummary s = summary_of(candidates[k].found);
-    text += fmt::format("{} {:<22} ", k == chosen ? '*' : ' ', candidates[k].name());
+    text += fmt::format("{} {:<{}} ", k == chosen ? '*' : ' ', candidates[k].name(), width);
     if (s.throughput_per_s == 0) {
       text += "no feasible plan\n";
       continue;
@@ -248,19 +286,24 @@ std::string compare_variants(const std::vector<Candidate>& candidates, std::size
   return text + "\n";
 }
 
-/// The variant's name; null for the formulation in [comparison] itself.
+/// The variant's name, null for the formulation in [comparison] itself, and the second tier's
+/// format, null without one.
 nlohmann::ordered_json json_name(const Candidate& candidate) {
-  const std::string& variant = candidate.known.scene.variant;
-  return variant.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(variant);
+  const scene::Scene& scene = candidate.known.scene;
+  nlohmann::ordered_json json = {{"variant", nullptr}};
+  if (!scene.variant.empty()) json["variant"] = scene.variant;
+  if (scene.second_tier) json["second_tier"] = scene.second_tier->format_name();
+  if (scene.leaves_out_second_tier) json["second_tier"] = nullptr;
+  return json;
 }
 
 nlohmann::ordered_json to_json(const std::vector<Candidate>& candidates, std::size_t chosen) {
   nlohmann::ordered_json json = report::to_json(candidates[chosen].found);
-  if (candidates[chosen].known.scene.variants.empty()) return json;
-  json["variant"] = json_name(candidates[chosen]);
+  if (candidates.size() < 2 && candidates[chosen].known.scene.variants.empty()) return json;
+  json.update(json_name(candidates[chosen]));
   for (const Candidate& candidate : candidates) {
-    json["formulations"].push_back(
-        {{"variant", json_name(candidate)}, {"throughput_per_s", candidate.throughput_per_s()}});
+    json["formulations"].push_back(json_name(candidate));
+    json["formulations"].back()["throughput_per_s"] = candidate.throughput_per_s();
   }
   return json;
 }
@@ -286,7 +329,8 @@ void run(OptimiseCommand& command) {
   if (planning.scene.json) {
     print(report::json_text(to_json(candidates, chosen)));
   } else {
-    print(fmt::format("{}{}", compare_variants(candidates, chosen), report::to_text(best->found)));
+    print(fmt::format("{}{}", compare_formulations(candidates, chosen),
+                      report::to_text(best->found)));
     if (best->found.best() != nullptr && !command.plan.empty()) {
       print(fmt::format("plan: {}\n", command.plan.string()));
     }

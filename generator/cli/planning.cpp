@@ -14,9 +14,10 @@
 namespace mixcmp::cli {
 namespace {
 
-components::TableAdvice advice(const PlanningOptions& options, const std::string& variant,
+components::TableAdvice advice(const PlanningOptions& options, const scene::Scene& scene,
                                const devices::Device& device, const std::filesystem::path& table) {
-  const std::string chosen = variant.empty() ? "" : " --variant " + variant;
+  std::string chosen = scene.variant.empty() ? "" : " --variant " + scene.variant;
+  if (scene.leaves_out_second_tier) chosen += " --set second_tier.format=none";
   return {.field = "--table",
           .accepted = fmt::format("what this makes: mixcmp characterise {}{} --device {} -o {}",
                                   quoted(options.scene.scene.string()), chosen, device.name,
@@ -121,7 +122,7 @@ optimise::PlanSource plan_source(const PlanningOptions& options, const std::stri
 std::filesystem::path table_of(const PlanningOptions& options, const scene::Scene& scene) {
   if (!options.table.empty()) return options.table;
   const Result<devices::Device> device = devices::find_device(scene.system.device);
-  return optimise::default_table(options.scene.scene, scene.variant,
+  return optimise::default_table(options.scene.scene, scene,
                                  device.ok() ? device->name : scene.system.device);
 }
 
@@ -136,7 +137,7 @@ Result<Planning> load_planning(const PlanningOptions& options, const scene::Scen
   MIXCMP_TRY(device, devices::find_device(scene.system.device));
   const std::filesystem::path table = table_of(options, scene);
   MIXCMP_TRY(planning, components::load_planning(scene, data, device, table,
-                                                 advice(options, scene.variant, device, table)));
+                                                 advice(options, scene, device, table)));
   tell_of_other_target(scene, planning, options.scene);
   for (const std::string& note : planning.notes) tell_note(note);
   return planning;

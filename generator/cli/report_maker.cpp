@@ -176,10 +176,10 @@ std::filesystem::path ReportMaker::table_beside_a_layer() const {
   const std::string name = device_name(scene);
   const auto read = scene::read_scene_settings(options.scene, options.settings);
   for (const std::filesystem::path& layer : value_or_exit(read).files) {
-    const std::filesystem::path table = optimise::default_table(layer, scene.variant, name);
+    const std::filesystem::path table = optimise::default_table(layer, scene, name);
     if (path_exists(table)) return table;
   }
-  return optimise::default_table(options.scene, scene.variant, name);
+  return optimise::default_table(options.scene, scene, name);
 }
 
 Missing ReportMaker::no_plans(const Error& error) {

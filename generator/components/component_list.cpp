@@ -8,6 +8,7 @@
 #include "generator/components/engine_components.hpp"
 #include "model/design/slots.hpp"
 #include "model/error/exponent_range.hpp"
+#include "model/optimise/second_tier.hpp"
 #include "model/scene/bound_choice.hpp"
 
 namespace mixcmp::components {
@@ -68,6 +69,7 @@ public:
   Result<std::vector<MissingLane>> run() {
     if (needs_lanes()) {
       MIXCMP_TRY(lanes, visit_lanes());
+      MIXCMP_TRY(second_tier, visit_second_tier());
     }
     MIXCMP_TRY(references, visit_references());
     MIXCMP_TRY(fifos, visit_all(ComponentKind::fifo, slots_));
@@ -122,6 +124,12 @@ private:
       }
     }
     return Done{};
+  }
+
+  /// The lane of the engine's second tier, which is in its segments.
+  Result<Done> visit_second_tier() {
+    MIXCMP_TRY(key, optimise::second_tier_key(maker_.scene()));
+    return key ? visit(*key) : Done{};
   }
 
   /// What a pairwise engine of such lanes has. Lanes in floating point and in block floating point

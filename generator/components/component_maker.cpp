@@ -181,10 +181,17 @@ Result<design::Lane> ComponentMaker::lane(const ComponentKey& key) {
 }
 
 Result<Component> ComponentMaker::make_lane(const ComponentKey& key) {
+  if (is_pairwise()) return make_word_lane(key);
   MIXCMP_TRY(multipliers, multipliers_of(key));
   MIXCMP_TRY(lane, this->lane(key));
   MIXCMP_TRY(built, lane_rtl(scene_.graph.inputs(), lane, multipliers, scene_.system));
   return datapath(key, built.latency_cycles, built.module, has_product(lane));
+}
+
+Result<Component> ComponentMaker::make_word_lane(const ComponentKey& key) {
+  MIXCMP_TRY(lanes, lane_group(key, scene_.system.engine.lanes_per_group));
+  MIXCMP_TRY(parts, EngineParts::make(scene_, lanes));
+  return datapath(key, parts.lane_latency_cycles(), parts.lane(), has_product(lanes.lane));
 }
 
 Result<Done> ComponentMaker::check_reference(const ComponentKey& key) const {

@@ -60,6 +60,7 @@ private:
   using Constants = std::pair<std::optional<mpq_class>, std::optional<mpq_class>>;  ///< RE_f, RE_g
 
   Result<Component> make_lane(const characterise::ComponentKey& key);
+  Result<Component> make_word_lane(const characterise::ComponentKey& key);
   Result<Component> make_reference(const characterise::ComponentKey& key);
   Result<Component> make_fifo(const characterise::ComponentKey& key);
   Result<Component> make_crossbar(const characterise::ComponentKey& key);

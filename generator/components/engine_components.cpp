@@ -42,12 +42,16 @@ int EngineParts::lane_latency_cycles() const {
   return scheduled_.shape.lane_groups.front().schedule.latency_cycles;
 }
 
+rtl::Module EngineParts::lane() const {
+  const rtl::DatapathGroup& lanes = scheduled_.shape.lane_groups.front();
+  return rtl::word_lane_module(lanes.datapath, scheduled_.pairwise->words.lanes.front(),
+                               lanes.schedule);
+}
+
 characterise::SynthesisJob EngineParts::segment() const {
   const rtl::PairwiseShape& shape = *scheduled_.pairwise;
-  const rtl::DatapathGroup& lanes = scheduled_.shape.lane_groups.front();
   std::vector<rtl::Module> modules;
-  modules.push_back(
-      rtl::word_lane_module(lanes.datapath, shape.words.lanes.front(), lanes.schedule));
+  modules.push_back(lane());
   if (const auto& tier = scheduled_.shape.second_tier) {
     modules.push_back(
         rtl::word_lane_module(tier->datapath, *shape.words.second_tier, tier->schedule));

@@ -20,6 +20,8 @@ public:
 
   /// Cycles of a lane behind the conversion.
   int lane_latency_cycles() const;
+  /// A lane alone, behind the conversion.
+  rtl::Module lane() const;
   /// The first segment with its lanes.
   characterise::SynthesisJob segment() const;
 

@@ -19,6 +19,35 @@ Area difference(const Area& whole, const Area& part) {
   return left;
 }
 
+/// The lanes of each kind, the second tiers behind them, and what is around both. Where lanes were
+/// not measured alone, they count with all of it.
+std::vector<PartShare> shares_of_lanes(const optimise::PrecisionPlan& plan,
+                                       const optimise::Allocation& chosen, bool in_engine) {
+  std::vector<PartShare> parts;
+  std::optional<Area> second_tier, around;
+  for (std::size_t k = 0; k < plan.lanes.size(); ++k) {
+    const optimise::LaneImplementation& lane = plan.lanes[k];
+    const int count = chosen.lanes[k];
+    if (count == 0) continue;
+    Area rest = area_of(lane.kind, count);
+    const Area lanes = lane.datapath ? count * *lane.datapath : rest;
+    parts.push_back({fmt::format("{} x {}", count, lane.kind.name), lanes});
+    if (!lane.datapath) continue;
+    rest = difference(rest, lanes);
+    if (lane.second_tier) {
+      const Area tier = count / lane.kind.group * *lane.second_tier;
+      second_tier = second_tier.value_or(Area{}) + tier;
+      rest = difference(rest, tier);
+    }
+    around = around.value_or(Area{}) + rest;
+  }
+  if (second_tier) parts.push_back({"second tier", *second_tier});
+  if (around) {
+    parts.push_back({in_engine ? "segments of the lanes" : "scoreboards of the lanes", *around});
+  }
+  return parts;
+}
+
 }  // namespace
 
 std::vector<PartShare> shares_of(const optimise::PrecisionPlan& plan) {
@@ -26,17 +55,8 @@ std::vector<PartShare> shares_of(const optimise::PrecisionPlan& plan) {
   MIXCMP_CHECK(chosen != nullptr);
   const bool in_engine =
       plan.lanes.front().measured.key.kind == characterise::ComponentKind::segment;
-  std::vector<PartShare> parts;
-  Area streams, sum;
-  for (std::size_t k = 0; k < plan.lanes.size(); ++k) {
-    const optimise::LaneImplementation& lane = plan.lanes[k];
-    const int count = chosen->lanes[k];
-    if (count == 0) continue;
-    const Area datapaths = in_engine ? area_of(lane.kind, count) : count * lane.measured.area;
-    parts.push_back({fmt::format("{} x {}", count, lane.kind.name), datapaths});
-    streams += difference(area_of(lane.kind, count), datapaths);
-  }
-  if (!in_engine) parts.push_back({"scoreboards of the lanes", streams});
+  std::vector<PartShare> parts = shares_of_lanes(plan, *chosen, in_engine);
+  Area sum;
   for (std::size_t k = 0; k < chosen->references.size(); ++k) {
     const int count = chosen->references[k];
     if (count == 0) continue;

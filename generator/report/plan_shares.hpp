@@ -14,7 +14,8 @@ struct PartShare {
 };
 
 /// The parts of a plan: each kind of lanes, the scoreboards around lanes, each kind of references,
-/// and the crossbar with what else connects them. Together they take what the plan uses.
+/// and the crossbar with what else connects them. Of a pairwise engine: lanes, second tiers, what
+/// else is in their segments, references, and the rest. Together they take what the plan uses.
 std::vector<PartShare> shares_of(const optimise::PrecisionPlan& plan);
 
 }  // namespace mixcmp::report

@@ -1,5 +1,7 @@
 #include "model/characterise/measurement.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "model/common/check.hpp"
@@ -64,6 +66,19 @@ const Measurement* Characterisation::find(const ComponentKey& key) const {
                                       return measured.key < wanted;
                                     });
   return row != rows.end() && row->key == key ? &*row : nullptr;
+}
+
+std::string engine_text(const scene::Scene& scene) {
+  const scene::EngineSpec& engine = scene.system.engine;
+  std::string text = fmt::format(
+      "pairwise, {} items, segments of {}, {} as {} by {} stream{}", engine.capacity,
+      engine.lanes_per_group, fmt::join(reported_verdicts(engine), " "),
+      to_string(engine.report_as), engine.report_streams, engine.report_streams == 1 ? "" : "s");
+  if (scene.second_tier) {
+    text += fmt::format(", second tier {} {}", scene.second_tier->format_name(),
+                        to_string(scene.second_tier->multipliers));
+  }
+  return text;
 }
 
 }  // namespace mixcmp::characterise

@@ -40,7 +40,7 @@ std::string_view to_string(AreaStage stage);
 
 enum class ComponentKind {
   unit,       ///< one floating-point or bound unit; for information only
-  lane,       ///< one reduced datapath alone
+  lane,       ///< one reduced datapath alone; of a pairwise engine behind the conversion
   reference,  ///< one reference datapath alone
   fifo,       ///< the scoreboard or reorder buffer around one lane
   crossbar,   ///< the share of the crossbar that one reference has when it serves `ports` lanes
@@ -104,6 +104,9 @@ struct Characterisation {
 
   const Measurement* find(const ComponentKey& key) const;
 };
+
+/// What the parts of a scene's pairwise engine depend on, in words: the spec "engine" of a table.
+std::string engine_text(const scene::Scene& scene);
 
 /// CSV (RFC 4180) with one row per component and comment lines ("# device: ...") before the header.
 std::string to_csv(const Characterisation& table);

@@ -37,7 +37,7 @@ std::optional<int> crossover_of(const Optimisation& found) {
   std::map<int, std::vector<devices::Area>> lanes;
   for (const PrecisionPlan& plan : found.plans) {
     for (const LaneImplementation& lane : plan.lanes) {
-      lanes[plan.precision].push_back(lane.datapath());
+      lanes[plan.precision].push_back(lane.datapath.value_or(lane.with_streams));
     }
   }
   std::vector<devices::Area> references;
@@ -112,11 +112,6 @@ std::string describe_clocks(const Optimisation& optimisation) {
                : "given for references; for lanes: " + basis;
 }
 
-const devices::Area& LaneImplementation::datapath() const {
-  const bool alone = measured.key.kind == characterise::ComponentKind::lane;
-  return alone ? measured.area : with_streams;
-}
-
 double PrecisionPlan::throughput_per_s() const {
   const Allocation* chosen = allocation();
   return chosen == nullptr ? 0 : chosen->throughput_per_s;
@@ -167,7 +162,7 @@ Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& 
                               const characterise::Characterisation& table, const Rates& rates,
                               const OptimiseOptions& options) {
   MIXCMP_TRY(possible, check_options(options));
-  MIXCMP_TRY(second_tier, second_tier_rate_key(scene));
+  MIXCMP_TRY(second_tier, second_tier_key(scene));
   ProblemMaker maker(scene, table, rates, options, second_tier);
   if (maker.precisions().empty()) return no_lane(scene);
   if (!maker.has_references()) return nothing_to_choose_from(scene, "reference");

@@ -64,9 +64,10 @@ struct LaneImplementation {
   devices::Area with_streams;  ///< C(L): the lane and the scoreboard, or its share of a segment
   Rate rate;
   LaneKind kind;
-
-  /// The lane alone, where it was measured alone; a segment's lanes share what is around them.
-  const devices::Area& datapath() const;
+  /// The lane alone; none where only the segment that it is in was measured.
+  std::optional<devices::Area> datapath;
+  /// The lane of the second tier behind a segment, alone, where it was measured.
+  std::optional<devices::Area> second_tier;
 };
 struct ReferenceImplementation {
   characterise::Measurement measured;

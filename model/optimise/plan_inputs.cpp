@@ -53,11 +53,11 @@ Error of_another(const fs::path& path, const char* field, const std::string& rec
 
 }  // namespace
 
-fs::path default_table(const fs::path& scene, const std::string& variant,
-                       const std::string& device) {
-  const std::string formulation = variant.empty() ? "" : "-" + variant;
-  return scene.parent_path() / "characterisation" /
-         fmt::format("{}{}-{}.csv", scene.stem().string(), formulation, device);
+fs::path default_table(const fs::path& file, const scene::Scene& scene, const std::string& device) {
+  const std::string variant = scene.variant.empty() ? "" : "-" + scene.variant;
+  const std::string tiers = scene.leaves_out_second_tier ? "-one-tier" : "";
+  return file.parent_path() / "characterisation" /
+         fmt::format("{}{}{}-{}.csv", file.stem().string(), variant, tiers, device);
 }
 
 Result<characterise::Characterisation> read_table(const fs::path& path, const scene::Scene& scene,
@@ -65,6 +65,11 @@ Result<characterise::Characterisation> read_table(const fs::path& path, const sc
   MIXCMP_TRY(table, characterise::read_characterisation(path));
   if (table.device != device.name) return of_another(path, "device", table.device, device.name);
   if (table.scene != scene.name) return of_another(path, "scene", table.scene, scene.name);
+  for (const auto& [name, text] : table.spec) {
+    if (name != "engine" || scene.system.engine.kind != scene::EngineKind::pairwise) continue;
+    const std::string wanted = characterise::engine_text(scene);
+    if (text != wanted) return of_another(path, "engine", text, wanted);
+  }
   return table;
 }
 

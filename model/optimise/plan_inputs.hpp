@@ -16,12 +16,13 @@
 /// From files and data to what `optimise` takes, and the origin that a plan states.
 namespace mixcmp::optimise {
 
-/// The default path of a table, to which `characterise` writes, too: beside the scene file,
-/// characterisation/SCENE-DEVICE.csv, or SCENE-VARIANT-DEVICE.csv for a variant.
-std::filesystem::path default_table(const std::filesystem::path& scene, const std::string& variant,
+/// The default path of a table, to which `characterise` writes, too: beside the scene's `file`,
+/// characterisation/SCENE-DEVICE.csv, or SCENE-VARIANT-DEVICE.csv for a variant. The table of a
+/// scene whose second_tier.format is "none" has "-one-tier" in front of the device.
+std::filesystem::path default_table(const std::filesystem::path& file, const scene::Scene& scene,
                                     const std::string& device);
 
-/// Reads a table. It is an error if it is of another device or scene.
+/// Reads a table. It is an error if it is of another device or scene, or of another engine.
 Result<characterise::Characterisation> read_table(const std::filesystem::path& path,
                                                   const scene::Scene& scene,
                                                   const devices::Device& device);

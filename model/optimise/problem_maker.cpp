@@ -77,7 +77,7 @@ devices::Area between(const devices::Area& low, const devices::Area& high, int p
 
 ProblemMaker::ProblemMaker(const scene::Scene& scene, const characterise::Characterisation& table,
                            const Rates& rates, const OptimiseOptions& options,
-                           const std::optional<RateKey>& second_tier)
+                           const std::optional<characterise::ComponentKey>& second_tier)
     : scene_(scene), table_(table), rates_(rates), options_(options), second_tier_(second_tier) {
   communication_.fixed = options.fixed_communication.value_or(devices::Area{});
   sort_rows();
@@ -301,7 +301,7 @@ std::optional<Rate> ProblemMaker::rate_of(const RateKey& lane) {
   const std::optional<Rate> rate = known(lane);
   if (!rate || !second_tier_) return rate;
   const int lanes = scene_.system.engine.lanes_per_group;
-  if (keeps_up(*rate, lanes)) return known(*second_tier_);
+  if (keeps_up(*rate, lanes)) return known(rate_key(*second_tier_));
   left_out_ = fmt::format(
       "{} lanes leave more than {} pairs a cycle undecided, too many for one of the second tier",
       lanes, most_undecided_per_cycle);
@@ -310,8 +310,7 @@ std::optional<Rate> ProblemMaker::rate_of(const RateKey& lane) {
 
 void ProblemMaker::add_lane(PrecisionPlan& plan, const characterise::Measurement& row,
                             const characterise::Measurement* fifo) {
-  const RateKey key{row.key.inputs.value_or(LaneInputs::exact), *row.key.bound, plan.precision};
-  const std::optional<Rate> rate = rate_of(key);
+  const std::optional<Rate> rate = rate_of(rate_key(row.key));
   if (!rate) return;
   const int beats = scene_.system.request_beats.value_or(1);
   if (performance::highest_lane_throughput(rate->value(), beats) < 1) {
@@ -331,7 +330,22 @@ void ProblemMaker::add_lane(PrecisionPlan& plan, const characterise::Measurement
                          .initiation_interval = 1,
                          .recomputation_rate = rate->value(),
                          .area = lane->group,
-                         .group = lane->lanes}});
+                         .group = lane->lanes},
+                        area_alone(row.key),
+                        second_tier_ ? area_alone(*second_tier_) : std::nullopt});
+}
+
+/// The area of a lane of this key alone; none where it was not measured. A lane without products
+/// has no kind of multipliers in the table.
+std::optional<devices::Area> ProblemMaker::area_alone(characterise::ComponentKey key) const {
+  key.kind = characterise::ComponentKind::lane;
+  key.ports = 0;
+  const characterise::Measurement* row = table_.find(key);
+  if (row == nullptr) {
+    key.multipliers.clear();
+    row = table_.find(key);
+  }
+  return row == nullptr ? std::nullopt : std::optional(row->area);
 }
 
 std::optional<ProblemMaker::Surrounded> ProblemMaker::with_fifo(

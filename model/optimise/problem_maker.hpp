@@ -11,10 +11,10 @@ namespace mixcmp::optimise {
 /// Collects the rows of a characterisation into one allocation problem per precision.
 class ProblemMaker {
 public:
-  /// `second_tier`: the key of the engine's second tier, see second_tier_rate_key.
+  /// `second_tier`: the key of the engine's second tier, see second_tier_key.
   ProblemMaker(const scene::Scene& scene, const characterise::Characterisation& table,
                const Rates& rates, const OptimiseOptions& options,
-               const std::optional<RateKey>& second_tier);
+               const std::optional<characterise::ComponentKey>& second_tier);
 
   /// The precisions for which the table has lanes, with the options at hand.
   std::vector<int> precisions() const;
@@ -65,6 +65,7 @@ private:
                                        const characterise::Measurement& segment);
   static std::optional<Surrounded> with_fifo(const characterise::Measurement& lane,
                                              const characterise::Measurement* fifo);
+  std::optional<devices::Area> area_alone(characterise::ComponentKey key) const;
   devices::Area area_with_port(const characterise::Measurement& reference);
 
   bool is_pairwise() const { return scene_.system.engine.kind == scene::EngineKind::pairwise; }
@@ -73,7 +74,7 @@ private:
   const characterise::Characterisation& table_;
   const Rates& rates_;
   const OptimiseOptions& options_;
-  const std::optional<RateKey> second_tier_;
+  const std::optional<characterise::ComponentKey> second_tier_;
   std::map<int, Rows> lanes_;
   Rows references_;
   Communication communication_;

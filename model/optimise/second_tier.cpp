@@ -1,16 +1,25 @@
 #include "model/optimise/second_tier.hpp"
 
 #include "model/design/design.hpp"
+#include "model/number/lane_format.hpp"
 
 namespace mixcmp::optimise {
 
-Result<std::optional<RateKey>> second_tier_rate_key(const scene::Scene& scene) {
+Result<std::optional<characterise::ComponentKey>> second_tier_key(const scene::Scene& scene) {
   MIXCMP_TRY(tier, design::design_second_tier(scene));
-  if (!tier) return std::optional<RateKey>();
+  if (!tier) return std::optional<characterise::ComponentKey>();
   const auto& lane = std::get<fixed::FixedLane>(tier->lane);
-  return std::optional(RateKey{.inputs = LaneInputs::exact,
-                               .bound = scene::bound_choice(lane),
-                               .precision = scene.second_tier->fixed_point->bits});
+  return std::optional(characterise::ComponentKey{
+      .kind = characterise::ComponentKind::lane,
+      .format = scene.second_tier->fixed_point->name(),
+      .bound = scene::bound_choice(lane),
+      .multipliers = std::string(to_string(scene.second_tier->multipliers))});
+}
+
+RateKey rate_key(const characterise::ComponentKey& lane) {
+  return {.inputs = lane.inputs.value_or(LaneInputs::exact),
+          .bound = *lane.bound,
+          .precision = LaneFormat::parse(lane.format).value().precision()};
 }
 
 bool keeps_up(const Rate& first_tier, int lanes_per_group) {

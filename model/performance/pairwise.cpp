@@ -26,7 +26,7 @@ double pairwise_cycles(const PairwiseSet& set) {
     recomputing = static_cast<double>(set.recomputations) * each;
   }
   const double latency = cycles_per_segment * set.segments + set.lane_latency_cycles;
-  const auto again = static_cast<double>(set.decided_again);
+  const auto again = static_cast<double>(set.second_tier_cycles);
   return std::max({words, exceptions, again, recomputing}) + latency;
 }
 

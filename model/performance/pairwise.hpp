@@ -12,8 +12,9 @@ struct PairwiseSet {
   int lane_latency_cycles = 0;
   /// Reported and undecided pairs of the report stream that has most of them.
   std::uint64_t exceptions = 0;
-  /// Pairs of the group whose second tier is asked about most; 0 without a second tier.
-  std::uint64_t decided_again = 0;
+  /// Of the second tier that has most to do: a cycle for each pair that its group leaves undecided,
+  /// and one for each other word of which it is told; 0 without a second tier.
+  std::uint64_t second_tier_cycles = 0;
   std::uint64_t recomputations = 0;
   int references = 0;           ///< p_H; with 0 nothing is recomputed
   int initiation_interval = 1;  ///< of the references
@@ -24,9 +25,8 @@ struct PairwiseSet {
 std::uint64_t pairwise_word_cycles(std::uint64_t items, int lanes);
 
 /// Cycles from a set's first item to its closing beat, about: the longest of what words, exceptions
-/// (a cycle each), a second tier (a cycle a pair) and recomputations need (a cycle each of the
-/// items' memory, N / p_H each of the references), and the way of a word through all segments and
-/// the last one's lanes.
+/// (a cycle each), a second tier and recomputations need (a cycle each of the items' memory, N / p_H
+/// each of the references), and the way of a word through all segments and the last one's lanes.
 double pairwise_cycles(const PairwiseSet& set);
 
 }  // namespace mixcmp::performance

@@ -118,9 +118,9 @@ void read_lane_inputs(settings::Section& section, FloatFormat reference, Reduced
   section.fail("inputs", "not a choice", setting->shown(), accepted);
 }
 
-/// Reads every key of [reduced]; an absent key leaves `spec` as it is.
-void read_lane_keys(settings::Section& section, FloatFormat reference, ReducedSpec& spec) {
-  read_reduced_format(section, reference, spec);
+/// Reads the keys of [reduced] but `format`, which `spec` has already; an absent key leaves it as
+/// it is.
+void read_keys_but_format(settings::Section& section, FloatFormat reference, ReducedSpec& spec) {
   section.choice("bound", spec.bound, {BoundKind::certified, BoundKind::profiled});
   read_error_bound(section, spec.error_bound);
   section.integer("bound_digits", spec.bound_digits, settings::limits::bound_digits);
@@ -132,6 +132,26 @@ void read_lane_keys(settings::Section& section, FloatFormat reference, ReducedSp
   check_multipliers(section, spec);
   read_relative_error(section, "relative_error_f", spec.relative_error_f);
   read_relative_error(section, "relative_error_g", spec.relative_error_g);
+}
+
+/// Reads every key of [reduced]; an absent key leaves `spec` as it is.
+void read_lane_keys(settings::Section& section, FloatFormat reference, ReducedSpec& spec) {
+  read_reduced_format(section, reference, spec);
+  read_keys_but_format(section, reference, spec);
+}
+
+/// Reads the format of a second tier: fixed point, or "none" for no second tier.
+void read_second_tier_format(settings::Section& section, FloatFormat reference, ReducedSpec& spec) {
+  section.require("format");
+  const settings::Setting* setting = section.find("format");
+  if (setting == nullptr) return;
+  const settings::Limits bits = settings::lane_fixed_bits(reference);
+  const auto* word = std::get_if<std::string>(&setting->value);
+  if (word != nullptr && *word == "none") return;
+  if (word != nullptr) spec.fixed_point = FixedPoint::parse(*word);
+  if (spec.fixed_point && !spec.fixed_point->is_block && allow(bits, *spec.fixed_point)) return;
+  section.fail("format", "a second tier is a lane in fixed point, or none", setting->shown(),
+               fmt::format("\"none\", or qW with W {}, likewise W + G of qWgG", to_string(bits)));
 }
 
 /// The tables of [[name]]; an error if system.name gives their number, too.
@@ -190,13 +210,10 @@ Result<std::optional<ReducedSpec>> read_second_tier(const settings::Settings& se
   settings::Section section(settings, "second_tier");
   if (!section.present()) return std::optional<ReducedSpec>();
   ReducedSpec spec;
-  section.require("format");
-  read_lane_keys(section, reference, spec);
+  read_second_tier_format(section, reference, spec);
+  read_keys_but_format(section, reference, spec);
   if (const auto error = section.finish()) return *error;
-  if (!spec.fixed_point || spec.fixed_point->is_block) {
-    return section.mistake("format", "a second tier is a lane in fixed point", spec.format_name(),
-                           "qW, such as q13");
-  }
+  if (!spec.fixed_point) return std::optional<ReducedSpec>();
   switch (engine) {
     case EngineKind::none: return std::optional<ReducedSpec>();
     case EngineKind::pairwise: return std::optional<ReducedSpec>(std::move(spec));

@@ -318,6 +318,7 @@ Result<Scene> interpret(SceneSettings read) {
   }
   MIXCMP_TRY(engine, read_engine(settings, graph.inputs(), data));
   MIXCMP_TRY(second_tier, read_second_tier(settings, format, engine.kind));
+  const bool has_no_tier = engine.kind == EngineKind::pairwise && !second_tier;
   Scene scene{.path = settings.path,
               .name = comparison.name,
               .variant = formulations.all[formulations.chosen].variant,
@@ -332,6 +333,8 @@ Result<Scene> interpret(SceneSettings read) {
               .reduced = std::move(lanes.reduced),
               .lanes = std::move(lanes.groups),
               .second_tier = std::move(second_tier),
+              .leaves_out_second_tier =
+                  has_no_tier && settings.root.find("second_tier") != nullptr,
               .references = std::move(references),
               .system = with_engine(std::move(system), engine),
               .data = std::move(data),

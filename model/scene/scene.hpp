@@ -168,6 +168,7 @@ struct Scene {
   /// [second_tier]: the lane that each group of a pairwise engine asks before a reference; none:
   /// undecided pairs go to a reference at once.
   std::optional<ReducedSpec> second_tier;
+  bool leaves_out_second_tier = false;  ///< a pairwise engine whose second_tier.format is "none"
   std::vector<ReferenceGroupSpec> references;  ///< [[references]]; empty: system.references
   SystemSpec system;
   std::optional<data::DataSpec> data;

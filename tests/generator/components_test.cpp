@@ -147,9 +147,11 @@ TEST_F(Components, OfAnEngineAreWhatGenerateWrites) {
   const auto system = emit::generate_system(design::make_design(engine_scene, nullptr).value(), "");
   ASSERT_TRUE(system.ok());
   components::ComponentQuery query = lanes({12}, {"fixed_norm"});
-  query.kinds = {characterise::ComponentKind::segment, characterise::ComponentKind::conversion,
-                 characterise::ComponentKind::engine, characterise::ComponentKind::reference_port};
+  query.kinds = {characterise::ComponentKind::lane, characterise::ComponentKind::segment,
+                 characterise::ComponentKind::conversion, characterise::ComponentKind::engine,
+                 characterise::ComponentKind::reference_port};
   const Found found = find(engine_scene, query);
+  EXPECT_EQ(found.count(characterise::ComponentKind::lane), 1);
   EXPECT_EQ(found.count(characterise::ComponentKind::segment), 1);
   EXPECT_EQ(found.count(characterise::ComponentKind::conversion), 1);
   EXPECT_EQ(found.count(characterise::ComponentKind::reference_port), 1);
@@ -158,6 +160,9 @@ TEST_F(Components, OfAnEngineAreWhatGenerateWrites) {
     return from_ports(source(component, component.job.top + ".v"));
   };
   for (const auto& [key, component] : found.components) {
+    if (key.kind == characterise::ComponentKind::lane) {
+      EXPECT_EQ(written_of(component), from_ports(generated(*system, "_pair_lane_q12_l5")));
+    }
     if (key.kind == characterise::ComponentKind::segment) {
       EXPECT_EQ(key.ports, 8);
       const std::regex lane("engine_pair_lane");  // components have no scene's name
@@ -174,6 +179,13 @@ TEST_F(Components, OfAnEngineAreWhatGenerateWrites) {
                 std::string::npos);
     }
   }
+}
+
+TEST_F(Components, TheLaneOfASecondTierIsOne) {
+  components::ComponentQuery query = lanes({12}, {"fixed_norm"});
+  query.kinds = {characterise::ComponentKind::lane};
+  const Found found = find(scene(one_engine + "[second_tier]\nformat = \"q15\"\n"), query);
+  EXPECT_EQ(found.formats("fixed_norm"), (std::vector<std::string>{"q12", "q15"}));
 }
 
 TEST_F(Components, LanesInFloatingPointHaveNoConversion) {

@@ -251,6 +251,61 @@ TEST_F(OptimiseCommand, AVariantThatCannotBePlannedIsLeftOutUnlessItIsAsked) {
   EXPECT_NE(found.output.find("spheres_root on"), std::string::npos) << found.output;
 }
 
+/// A pairwise engine whose lanes of seven bits have a second tier of fifteen.
+class TwoTiers : public OptimiseCommand {
+protected:
+  TwoTiers() {
+    std::ofstream(path("scene.toml"), std::ios::app)
+        << "[engine]\nkind = \"pairwise\"\ncapacity = 512\nlanes_per_group = 12\n"
+        << "[second_tier]\nformat = \"q15\"\nmultipliers = \"logic\"\n";
+    write_engine_table("scene-virtex6-lx760.csv", "q7", 3000);
+  }
+
+  void write_engine_table(const std::string& name, const std::string& lane, int luts) {
+    write_table(name, "virtex6-lx760");
+    std::ofstream table(path("characterisation") / name, std::ios::app);
+    const std::string fixed = ",," + lane + ",,fixed_norm,logic,0,";
+    row(table, "segment" + fixed + "12", 9, luts, 0);
+    row(table, "conversion" + fixed + "0", 2, 300, 0);
+    row(table, "engine" + fixed + "4", 0, 500, 0);
+    row(table, "engine" + fixed + "16", 0, 700, 0);
+    row(table, "reference_port,,s53e8,,,embedded,1,0", 0, 100, 0);
+  }
+
+  /// The format and the second tier's of the best plan.
+  std::pair<int, nlohmann::json> best(const std::string& options = "") {
+    const Outcome found = mixcmp("optimise scene.toml --json -o plan.toml" + options);
+    EXPECT_EQ(found.exit_code, 0) << found.output;
+    const nlohmann::json report = json_of(found);
+    return {report.at("best"), report.value("second_tier", nlohmann::json("not said"))};
+  }
+};
+
+TEST_F(TwoTiers, TheyAreTakenWhereTheyPay) {
+  const std::string one_tier = "scene-one-tier-virtex6-lx760.csv";
+  const Outcome without = mixcmp("optimise scene.toml");
+  EXPECT_NE(without.output.find("[comparison], one tier left out"), std::string::npos)
+      << without.output;
+  EXPECT_NE(without.output.find("characterise scene.toml --set second_tier.format=none"),
+            std::string::npos);
+  write_engine_table(one_tier, "q15", 6000);
+  EXPECT_EQ(best(), std::pair(7, nlohmann::json("q15")));
+  EXPECT_NE(mixcmp("check plan.toml").output.find("second tier        q15"), std::string::npos);
+  write_engine_table(one_tier, "q15", 1500);
+  EXPECT_EQ(best(), std::pair(15, nlohmann::json(nullptr)));
+  EXPECT_NE(read("plan.toml").find("[second_tier]\nformat = \"none\"\n"), std::string::npos);
+  EXPECT_EQ(mixcmp("check plan.toml").output.find("second tier"), std::string::npos);
+  const Outcome text = mixcmp("optimise scene.toml");
+  EXPECT_NE(text.output.find("* [comparison], one tier"), std::string::npos) << text.output;
+}
+
+TEST_F(TwoTiers, ATierThatTheUserNamesIsKept) {
+  write_engine_table("scene-one-tier-virtex6-lx760.csv", "q15", 1500);
+  EXPECT_EQ(best(" --set second_tier.format=q15").first, 7);
+  EXPECT_EQ(best(" --set second_tier.format=none").first, 15);
+  EXPECT_EQ(best(" --table characterisation/scene-virtex6-lx760.csv").first, 7);
+}
+
 /// A Yosys that finds a reference nine times as large as anything else.
 TEST_F(OptimiseCommand, WithoutATableAQuickOneIsMade) {
   const std::string yosys = instead_of(

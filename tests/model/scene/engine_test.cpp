@@ -160,17 +160,27 @@ TEST_F(EngineSection, ASecondTierIsALaneInFixedPoint) {
   ASSERT_TRUE(scene.second_tier.has_value());
   EXPECT_EQ(scene.second_tier->format_name(), "q13");
   EXPECT_EQ(scene.second_tier->multipliers, scene::Multipliers::logic);
-  const std::string accepted = "; accepted qW, such as q13";
-  EXPECT_EQ(
-      error(engine + "[second_tier]\nformat = \"s17e8\"\n"),
-      ":10: second_tier.format: a second tier is a lane in fixed point: received s17e8" + accepted);
-  EXPECT_EQ(error(engine + "[second_tier]\nformat = \"block9\"\n"),
-            ":10: second_tier.format: a second tier is a lane in fixed point: received block9" +
-                accepted);
+  for (const std::string format : {"s17e8", "block9", "q9g70", "seven"}) {
+    EXPECT_EQ(
+        error(engine + "[second_tier]\nformat = \"" + format + "\"\n"),
+        ":10: second_tier.format: a second tier is a lane in fixed point, or none: received \"" +
+            format + "\"; accepted \"none\", or qW with W 2..48, likewise W + G of qWgG");
+  }
   EXPECT_NE(error(engine + "[second_tier]\nmultipliers = \"logic\"\n").find("second_tier.format"),
             std::string::npos);
   EXPECT_NE(error(engine + "[second_tier]\nformat = \"q13\"\nwidth = 3\n").find("unknown"),
             std::string::npos);
+}
+
+/// As a plan without it is laid over a scene that has one.
+TEST_F(EngineSection, ASecondTierCanBeLeftOut) {
+  const std::string engine = "[engine]\nkind = \"pairwise\"\n";
+  EXPECT_FALSE(load(engine)->leaves_out_second_tier);
+  EXPECT_FALSE(load(engine + "[second_tier]\nformat = \"q13\"\n")->leaves_out_second_tier);
+  const scene::Scene scene =
+      load(engine + "[second_tier]\nformat = \"none\"\nmultipliers = \"logic\"\n").value();
+  EXPECT_FALSE(scene.second_tier.has_value());
+  EXPECT_TRUE(scene.leaves_out_second_tier);
 }
 
 TEST_F(EngineSection, OnlyAPairwiseEngineHasASecondTier) {
