@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <tuple>
 
+#include "generator/datapath/fold_plan.hpp"
 #include "model/common/check.hpp"
 
 namespace mixcmp::datapath {
@@ -25,14 +25,6 @@ struct UnitKey {
   friend bool operator<(const UnitKey& a, const UnitKey& b) { return a.fields() < b.fields(); }
 };
 
-/// Operations that share units, and these.
-struct UnitClass {
-  std::vector<NodeId> operations;
-  Step step;               ///< of each of its units, if started in cycle 0
-  std::size_t first_unit;  ///< index of shared_units
-  std::size_t units;
-};
-
 class Folder {
 public:
   Folder(const TypedGraph& graph, scene::Multipliers multipliers, int interval, UnitPlacer& placer,
@@ -47,8 +39,9 @@ public:
     schedule_.initiation_interval = interval_;
     schedule_.steps.resize(graph_.nodes.size());
     find_classes();
-    find_ways_left();
-    place_all();
+    find_nodes();
+    plan();
+    bind();
   }
 
 private:
@@ -82,25 +75,44 @@ private:
     std::map<UnitKey, std::size_t> known;
     class_of_.assign(count(), 0);
     for (NodeId id = 0; id < static_cast<NodeId>(count()); ++id) {
-      const TypedNode& node = graph_.nodes[id];
-      if (!has_unit(node)) continue;
-      const auto [entry, is_new] = known.emplace(key_of(id), classes_.size());
-      if (is_new) classes_.push_back({});
+      if (!has_unit(graph_.nodes[id])) continue;
+      const auto [entry, is_new] = known.emplace(key_of(id), classes().size());
+      if (is_new) classes().push_back({});
       class_of_[id] = entry->second;
-      classes_[entry->second].operations.push_back(id);
+      classes()[entry->second].operations.push_back(id);
     }
-    for (UnitClass& shared : classes_) make_units(shared);
+    for (UnitClass& shared : classes()) choose_unit(shared);
   }
 
-  void make_units(UnitClass& shared) {
-    shared.step = placer_.place(
-        unit_for(graph_, graph_.nodes[representative(shared)], multipliers_, placer_.delays()), 0);
-    shared.first_unit = schedule_.shared_units.size();
-    shared.units = (shared.operations.size() + interval_ - 1) / interval_;
-    schedule_.shared_units.resize(shared.first_unit + shared.units,
-                                  {shared.step.unit, shared.step.cuts, {}, selects(shared)});
-    busy_.resize(schedule_.shared_units.size(), std::vector<bool>(interval_, false));
+  void choose_unit(UnitClass& shared) {
+    const TypedNode& node = graph_.nodes[representative(shared)];
+    Unit unit = unit_for(graph_, node, multipliers_, placer_.delays());
+    if (node.operation == Operation::square && multipliers_ == scene::Multipliers::logic) {
+      auto serial = serial_square_unit(node, graph_.arithmetic.subnormals, placer_.delays());
+      if (serial && is_smaller(shared, *serial, unit, node.operand_format)) unit = *serial;
+    }
+    shared.cycles = unit.initiation_interval;
+    shared.units = units_needed(shared, unit);
+    units_.push_back(placer_.place(std::move(unit), 0));
   }
+
+  /// Tells whether serial squarers for a class take fewer tables than squarers that take a square
+  /// in every cycle.
+  bool is_smaller(const UnitClass& shared, const Unit& serial, const Unit& parallel,
+                  FloatFormat operands) const {
+    if (serial.initiation_interval > interval_) return false;
+    const auto serials = static_cast<double>(units_needed(shared, serial));
+    const auto parallels = static_cast<double>(units_needed(shared, parallel));
+    return serials * serial_square_tables(operands) < parallels * logic_square_tables(operands);
+  }
+
+  /// Units of which each takes as many operations as the interval has room for.
+  std::size_t units_needed(const UnitClass& shared, const Unit& unit) const {
+    const auto most = static_cast<std::size_t>(interval_ / unit.initiation_interval);
+    return (shared.operations.size() + most - 1) / most;
+  }
+
+  std::vector<UnitClass>& classes() { return folded_.classes; }
 
   /// The operation whose unit computes all of the class: a multiplication where there is one.
   NodeId representative(const UnitClass& shared) const {
@@ -110,64 +122,93 @@ private:
     return product == shared.operations.end() ? shared.operations.front() : *product;
   }
 
-  /// Cycles from the operands of a node to its result. A unit with several operations reads its
-  /// operands through a register.
-  int latency(NodeId id) const {
-    if (!has_unit(graph_.nodes[id])) return 0;
-    const UnitClass& shared = classes_[class_of_[id]];
-    return shared.step.ready_cycle + (selects(shared) ? 1 : 0);
-  }
-
-  bool selects(const UnitClass& shared) const { return shared.operations.size() > shared.units; }
-
-  /// The longest way from the operands of each node to a verdict.
-  void find_ways_left() {
-    way_left_.assign(count(), 0);
-    for (std::size_t k = count(); k-- > 0;) {
-      way_left_[k] += latency(static_cast<NodeId>(k));
-      for (const int operand : operands_of(graph_.nodes[k])) {
-        way_left_[operand] = std::max(way_left_[operand], way_left_[k]);
-      }
+  void find_nodes() {
+    folded_.interval = interval_;
+    for (NodeId id = 0; id < static_cast<NodeId>(count()); ++id) {
+      const TypedNode& node = graph_.nodes[id];
+      folded_.nodes.push_back(
+          {kind_of(node), operands_of(node), node.format.width(), 0, class_of_[id]});
+    }
+    for (const Sides& part : graph_.parts) {
+      const TypedNode& f = graph_.nodes[part.f];
+      folded_.compared.push_back(f.is_sign_of_sum() ? operands_of(f)
+                                                    : std::vector<NodeId>{part.f, part.g});
     }
   }
 
-  void place_all() {
-    std::vector<NodeId> left(count());
-    for (NodeId id = 0; id < static_cast<NodeId>(count()); ++id) left[id] = id;
-    std::stable_sort(left.begin(), left.end(),
-                     [&](NodeId a, NodeId b) { return way_left_[a] > way_left_[b]; });
-    placed_.assign(count(), false);
-    for (int cycle = 0; !left.empty(); ++cycle) {
-      // Wires that follow a node in the same cycle may come before it in the list.
-      while (std::erase_if(left, [&](NodeId id) { return place(id, cycle); }) > 0) continue;
-    }
+  static FoldedNode::Kind kind_of(const TypedNode& node) {
+    if (has_unit(node)) return FoldedNode::Kind::operation;
+    if (node.operation == Operation::input) return FoldedNode::Kind::input;
+    if (node.operation == Operation::constant) return FoldedNode::Kind::constant;
+    return FoldedNode::Kind::wires;
   }
 
-  /// Places a node in `cycle` if its operands are ready and a unit is free; says whether it did.
-  bool place(NodeId id, int cycle) {
-    for (const int operand : operands_of(graph_.nodes[id])) {
-      if (!placed_[operand] || schedule_.steps[operand].ready_cycle > cycle) return false;
+  /// A unit with several operations reads its operands through registers, unless all of them come
+  /// out of one other unit: then they are read where they come out, if the plan allows that.
+  void plan() {
+    for (UnitClass& shared : classes()) shared.reads_results = may_read_results(shared);
+    if (try_plan()) return;
+    for (UnitClass& shared : classes()) shared.reads_results = false;
+    MIXCMP_CHECK(try_plan());
+  }
+
+  bool try_plan() {
+    for (FoldedNode& node : folded_.nodes) {
+      if (node.kind != FoldedNode::Kind::operation) continue;
+      node.latency = units_[node.unit_class].ready_cycle;
+      if (selects(classes()[node.unit_class])) ++node.latency;
     }
-    if (has_unit(graph_.nodes[id])) {
-      const UnitClass& shared = classes_[class_of_[id]];
-      const auto unit = free_unit(shared, cycle % interval_);
-      if (!unit) return false;
-      busy_[*unit][cycle % interval_] = true;
-      schedule_.shared_units[*unit].operations.push_back(id);
-      schedule_.steps[id].unit = shared.step.unit;
-      schedule_.steps[id].cuts = shared.step.cuts;
-    }
-    schedule_.steps[id].start_cycle = cycle;
-    schedule_.steps[id].ready_cycle = cycle + latency(id);
-    placed_[id] = true;
+    auto plan = list_schedule(folded_);
+    if (!plan) return false;
+    plan_ = waiting_takes_cells() ? reduce_storage(folded_, *plan) : *plan;
     return true;
   }
 
-  std::optional<std::size_t> free_unit(const UnitClass& shared, int phase) const {
-    for (std::size_t unit = shared.first_unit; unit < shared.first_unit + shared.units; ++unit) {
-      if (!busy_[unit][phase]) return unit;
+  /// Where a cell is a table of four inputs and a register, a register alone takes a cell. Wider
+  /// tables have registers to spare, and what waits costs less than reading it where it comes.
+  bool waiting_takes_cells() const { return placer_.delays().lut_inputs < 5; }
+
+  static bool selects(const UnitClass& shared) {
+    return shared.operations.size() > shared.units && !shared.reads_results;
+  }
+
+  bool may_read_results(const UnitClass& shared) const {
+    if (shared.units > 1 || shared.operations.size() == 1) return false;
+    const NodeId first = graph_.nodes[shared.operations.front()].operands.front();
+    return std::all_of(shared.operations.begin(), shared.operations.end(), [&](NodeId id) {
+      // Subtractions change a sign on the way into their unit, products with constants have one.
+      const Operation operation = graph_.nodes[id].operation;
+      return operation == Operation::square && is_result_of(id, class_of_[first], shared);
+    });
+  }
+
+  /// Tells whether the operand of a square is a result of the class `source`, which is not its own.
+  bool is_result_of(NodeId id, std::size_t source, const UnitClass& own) const {
+    const NodeId operand = graph_.nodes[id].operands.front();
+    const UnitClass& operand_class = folded_.classes[class_of_[operand]];
+    return has_unit(graph_.nodes[operand]) && class_of_[operand] == source &&
+           operand_class.units == 1 && &operand_class != &own;
+  }
+
+  /// Writes the plan into the schedule.
+  void bind() {
+    for (std::size_t k = 0; k < classes().size(); ++k) {
+      UnitClass& shared = classes()[k];
+      const std::size_t first = schedule_.shared_units.size();
+      schedule_.shared_units.resize(first + shared.units,
+                                    {units_[k].unit, units_[k].cuts, {}, selects(shared)});
+      std::stable_sort(shared.operations.begin(), shared.operations.end(),
+                       [&](NodeId a, NodeId b) { return plan_.starts[a] < plan_.starts[b]; });
+      for (const NodeId id : shared.operations) {
+        schedule_.shared_units[first + plan_.units[id]].operations.push_back(id);
+        schedule_.steps[id].unit = units_[k].unit;
+        schedule_.steps[id].cuts = units_[k].cuts;
+      }
     }
-    return std::nullopt;
+    for (std::size_t k = 0; k < count(); ++k) {
+      schedule_.steps[k].start_cycle = plan_.starts[k];
+      schedule_.steps[k].ready_cycle = plan_.starts[k] + folded_.nodes[k].latency;
+    }
   }
 
   const TypedGraph& graph_;
@@ -175,11 +216,10 @@ private:
   int interval_;
   UnitPlacer& placer_;
   Schedule& schedule_;
-  std::vector<UnitClass> classes_;
-  std::vector<std::size_t> class_of_;
-  std::vector<std::vector<bool>> busy_;  ///< by unit and phase
-  std::vector<int> way_left_;
-  std::vector<bool> placed_;
+  FoldedGraph folded_ = {};
+  std::vector<std::size_t> class_of_;  ///< of each operation
+  std::vector<Step> units_;            ///< of each class, if started in cycle 0
+  FoldPlan plan_;
 };
 
 /// Tells whether a node is an operand of the comparison, perhaps with another sign.

@@ -36,7 +36,9 @@ struct SharedUnit {
   Unit unit;
   std::vector<bool> cuts;
   std::vector<NodeId> operations;  ///< by their start cycles
-  bool selects = false;  ///< operands are read through a register, since there may be several
+  /// Operands are read through registers, since they come from several places. A unit without them
+  /// has one operation, or reads all from one other unit in the cycles in which they come.
+  bool selects = false;
 };
 
 /// When each node of a graph is computed. All paths are balanced: an operand is delayed by

@@ -8,6 +8,7 @@
 
 #include "generator/datapath/embedded_square.hpp"
 #include "generator/datapath/logic_product.hpp"
+#include "generator/datapath/serial_square.hpp"
 #include "generator/datapath/units.hpp"
 #include "model/common/check.hpp"
 
@@ -79,6 +80,7 @@ public:
   /// Adds all stages of fp_product, with the DIGIT_STAGE that suits the device's look-up tables.
   /// Returns whether that is 1.
   bool add_fastest_product(int precision, LogicProduct::Kind kind, scene::Multipliers multipliers);
+  void add_serial_square(SerialSquare square);
   void add_round(FloatFormat result, bool denormalises, int dropped_bits);
   void add_select_round(FloatFormat result, Subnormals subnormals, double sticky_ns);
   void add_last_selection(FloatFormat result);
@@ -236,6 +238,16 @@ inline bool StageList::add_fastest_product(int precision, LogicProduct::Kind kin
     add_product(precision, kind, multipliers);
   }
   return has_digit_stage;
+}
+
+/// The stages of fp_square_steps: what is in front of the sum, then a stage for each step.
+inline void StageList::add_serial_square(SerialSquare square) {
+  add_registered("digits", lut_delay_ns(3) + carry(SerialSquare::step_bits + 1));
+  add_registered("two rows", lut_delay_ns(1) + carry(square.row_bits()));
+  add_registered("three rows", carry(square.row_bits()));
+  for (int step = 0; step < square.cycles(); ++step) {
+    add_registered("step " + std::to_string(step), lut_delay_ns(1) + carry(square.sum_bits()));
+  }
 }
 
 /// The stages of fp_round. The last `dropped_bits` bits of a fraction that arrives too wide are

@@ -240,6 +240,30 @@ Unit unit_for(const TypedNode& node, Subnormals subnormals, Multipliers multipli
   MIXCMP_CHECK(!"only wires, or a sum whose unit depends on the graph");
 }
 
+std::optional<Unit> serial_square_unit(const TypedNode& square, Subnormals subnormals,
+                                       const DelayTable& delays) {
+  const FloatFormat operands = square.operand_format;
+  const FloatFormat result = square.format;
+  const SerialSquare steps(operands.precision());
+  if (delays.lut_inputs >= 5 || !steps.fits(result.precision())) return std::nullopt;
+  StageList stages(delays);
+  stages.add_operand(operands, squares_vanish(operands, result) ? Subnormals::flush : subnormals);
+  stages.add_serial_square(steps);
+  stages.add_select_round(result, subnormals, stages.lut_delay_ns(2));
+  Unit unit = std::move(stages).unit("fp_serial_square");
+  unit.initiation_interval = steps.cycles();
+  return unit;
+}
+
+double logic_square_tables(FloatFormat operands) {
+  const double bits = operands.precision();
+  return 11.4 * bits + 0.76 * bits * bits;
+}
+
+double serial_square_tables(FloatFormat operands) {
+  return 80 + 15.8 * operands.precision();
+}
+
 Unit compare_unit(FloatFormat format, const DelayTable& delays) {
   StageList stages(delays);
   stages.add("compare", stages.carry(format.width() - 1));

@@ -33,6 +33,9 @@ struct Unit {
   scene::Multipliers multipliers = scene::Multipliers::embedded;  ///< logic: print EMBEDDED = 0
   devices::MultiplierSize multiplier;  ///< embedded multipliers only: FACTOR_A, FACTOR_B
   bool has_digit_stage = false;        ///< multipliers of logic only: DIGIT_STAGE
+  /// Cycles for which an operation keeps the unit; above 1 it has an input `start`, which is 1 when
+  /// its operand is there.
+  int initiation_interval = 1;
 };
 
 /// A multiplication of the node `operand` by 2^exponent, or by -2^exponent.
@@ -57,6 +60,15 @@ Unit unit_for(const TypedGraph& graph, const TypedNode& node, scene::Multipliers
 /// of two takes a multiplier here. Not for fused sums.
 Unit unit_for(const TypedNode& node, Subnormals subnormals, scene::Multipliers multipliers,
               const DelayTable& delays);
+/// The unit of logic that takes several cycles for a square, where there is one: not for operands
+/// of few bits, nor for devices with look-up tables of five inputs or more, where rows cost nothing
+/// beside the sums that they are added to.
+std::optional<Unit> serial_square_unit(const TypedNode& square, Subnormals subnormals,
+                                       const DelayTable& delays);
+/// About how many look-up tables of four inputs fp_square takes in logic, and fp_serial_square.
+/// Both fit what Yosys 0.23 makes of them for the iCE40 with 13 to 53 bits, within one part in ten.
+double logic_square_tables(FloatFormat operands);
+double serial_square_tables(FloatFormat operands);
 Unit compare_unit(FloatFormat format, const DelayTable& delays);
 Unit ulp_distance_unit(FloatFormat format, const DelayTable& delays);
 Unit interval_decision_unit(FloatFormat format, const DelayTable& delays);

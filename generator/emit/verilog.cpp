@@ -183,6 +183,18 @@ std::string print(const PhaseRegisters& registers, const std::string& indent) {
   return text + fmt::format("{0}  endcase\n{0}end\n", indent);
 }
 
+std::string print(const PhaseFlag& flag, const std::string& indent) {
+  std::vector<std::string> phases;
+  for (const Literal& phase : flag.phases) {
+    phases.push_back(fmt::format("(phase == {})", print_phase(phase)));
+  }
+  const std::string declared = fmt::format("{}wire {} =", indent, flag.name);
+  const std::string line = fmt::format("{} {};\n", declared, fmt::join(phases, " || "));
+  if (line.size() <= line_length) return line;
+  const std::string next_line = "\n" + indent + "    ";
+  return fmt::format("{}{}{};\n", declared, next_line, fmt::join(phases, next_line + "|| "));
+}
+
 std::string print_items(const std::vector<ModuleItem>& items, const std::string& indent);
 
 std::string print(const ForGenerate& loop, const std::string& indent) {
@@ -234,6 +246,7 @@ std::string print(const ModuleItem& item, std::size_t range_width, const std::st
           [&](const Instance& i) { return "\n" + print(i, indent); },
           [&](const HeldValue& h) { return print(h, indent); },
           [&](const PhaseRegisters& r) { return print(r, indent); },
+          [&](const PhaseFlag& f) { return print(f, indent); },
           [&](const std::shared_ptr<const ForGenerate>& loop) { return print(*loop, indent); },
       },
       item);

@@ -65,24 +65,59 @@ void FloatNodes::build_selecting_units() {
   for (const auto& [index, unit] : selecting_.units()) build_selecting_unit(unit, index);
 }
 
-/// A unit of a folded datapath, behind the registers of its operands.
+/// The input by which a unit that takes several cycles for an operation knows when its operand is
+/// there.
+Operand FloatNodes::build_start(const std::string& unit, std::vector<Literal> phases) {
+  const std::string name = datapath_.pool().unique(unit + "_start");
+  datapath_.add(PhaseFlag{name, std::move(phases)});
+  return net(name);
+}
+
+/// The phases in which the operands of a shared unit are there: where it selects them, a cycle
+/// after they are read into its registers.
+std::vector<Literal> FloatNodes::start_phases(const SelectingUnits::Unit& unit,
+                                              bool selects) const {
+  std::vector<Literal> phases;
+  for (const PhaseCase& read : unit.cases) {
+    phases.push_back(datapath_.phase(static_cast<int>(read.phase.value) + (selects ? 1 : 0)));
+  }
+  return phases;
+}
+
+/// A unit of a folded datapath, behind the registers of its operands if it has any.
 void FloatNodes::build_selecting_unit(const SelectingUnits::Unit& unit, std::size_t index) {
   const datapath::SharedUnit& shared = schedule_.shared_units[index];
   std::vector<std::string> registers;
   std::vector<Connection> connections = {{"aclk", net("aclk")}};
   for (std::size_t k = 0; k < unit.cases.front().values.size(); ++k) {
     const std::string port = k == 0 ? "a" : "b";
-    registers.push_back(datapath_.pool().unique(unit.name + "_" + port));
-    connections.push_back({port, net(registers.back())});
+    if (shared.selects) {
+      registers.push_back(datapath_.pool().unique(unit.name + "_" + port));
+      connections.push_back({port, net(registers.back())});
+    } else {
+      connections.push_back({port, unit.cases.front().values[k]});
+    }
   }
   connections.push_back({"y", net(unit.name + "_result")});
   connections.push_back({"exceptional", bit(unused_name_, unused_flags_++)});
   error::Hazards hazards = {false, false, false, false};
   for (const NodeId id : shared.operations) hazards = either(hazards, hazards_of(id));
-  datapath_.add(Comment{fmt::format("The {}: {} operations, {} cycles from operands to result.",
-                                    unit.name, unit.cases.size(),
-                                    std::count(shared.cuts.begin(), shared.cuts.end(), true) + 1)});
-  datapath_.add(PhaseRegisters{unit.node.operand_format.width(), std::move(registers), unit.cases});
+  datapath_.add(Comment{fmt::format(
+      "The {}: {} operations, {} cycles from operands to result.", unit.name, unit.cases.size(),
+      std::count(shared.cuts.begin(), shared.cuts.end(), true) + (shared.selects ? 1 : 0))});
+  if (shared.selects) {
+    datapath_.add(
+        PhaseRegisters{unit.node.operand_format.width(), std::move(registers), unit.cases});
+  } else {
+    for (const PhaseCase& read : unit.cases) {
+      datapath_.add(
+          Comment{fmt::format("Phase {}: {}.", static_cast<int>(read.phase.value), read.comment)});
+    }
+  }
+  if (shared.unit.initiation_interval > 1) {
+    const Operand start = build_start(unit.name, start_phases(unit, shared.selects));
+    connections.insert(connections.begin() + 1, {"start", start});
+  }
   datapath_.add(Instance{shared.unit.module, "unit_" + unit.name,
                          unit_parameters(unit.node, hazards, {shared.unit, shared.cuts}),
                          std::move(connections)});
@@ -219,6 +254,10 @@ void FloatNodes::build_unit(NodeId id) {
   datapath_.add(Wire{node.format.width(), names_[id], nullptr});
   values_[id].value = net(names_[id]);
   connections.push_back({"exceptional", flag_output(id)});
+  if (step.unit.initiation_interval > 1) {
+    const Operand start = build_start(names_[id], {datapath_.phase(step.start_cycle)});
+    connections.insert(connections.begin() + 1, {"start", start});
+  }
   datapath_.add(Instance{step.unit.module, datapath_.pool().unique("unit_" + names_[id]),
                          unit_parameters(node, hazards_of(id), step), std::move(connections)});
   if (exceptional_ == ExceptionalFlags::gathered) gather_flags(id);

@@ -51,6 +51,8 @@ private:
   void build_squared_sum(NodeId id);
   void declare_selecting_units();
   void build_selecting_units();
+  Operand build_start(const std::string& unit, std::vector<Literal> phases);
+  std::vector<Literal> start_phases(const SelectingUnits::Unit& unit, bool selects) const;
   void build_selecting_unit(const SelectingUnits::Unit& unit, std::size_t index);
   std::vector<Operand> unit_operands(NodeId id);
   Operand negated(NodeId id, const Operand& operand);

@@ -128,9 +128,14 @@ struct PhaseRegisters {
   std::vector<std::string> names;
   std::vector<PhaseCase> cases;
 };
+/// A wire that is 1 in some phases.
+struct PhaseFlag {
+  std::string name;
+  std::vector<Literal> phases;  ///< at least one
+};
 struct ForGenerate;
 using ModuleItem = std::variant<Comment, Wire, Assignment, Instance, HeldValue, PhaseRegisters,
-                                std::shared_ptr<const ForGenerate>>;
+                                PhaseFlag, std::shared_ptr<const ForGenerate>>;
 
 /// A generate loop: `items` repeated for `count` values of `variable`, from `first` on.
 struct ForGenerate {

@@ -188,6 +188,32 @@ std::vector<Connection> add_request_register(const std::vector<Connection>& requ
   return waiting;
 }
 
+std::string reset_phases_name(const DatapathGroup& group) {
+  return group.label + "_reset_phases";
+}
+
+/// Declares the phases in which the references of a folded group begin after reset, one field for
+/// each reference of the engine up to the last one of the group. Where operands are read late they
+/// are spread over the interval: requests come in turn, one in a cycle, and a reference that takes
+/// its operands late has few cycles until it wants the next.
+void declare_reset_phases(const DatapathGroup& group, std::vector<ModuleItem>& items) {
+  const int interval = group.schedule.initiation_interval;
+  const int bits = phase_bits(interval);
+  const bool is_late = group.schedule.last_operand_phase + group.count + 2 > interval;
+  std::vector<Operand> phases;
+  for (int k = group.count - 1; k >= 0; --k) {
+    const int later = is_late ? k * interval / group.count : 0;
+    phases.push_back(literal(bits, static_cast<Bits>((interval - later) % interval)));
+  }
+  if (group.first > 0) phases.push_back(zeros(group.first * bits));
+  const std::string name = reset_phases_name(group);
+  items.push_back(
+      Wire{(group.first + group.count) * bits, name, concatenation(std::move(phases)), true});
+  if (group.first > 0) {
+    items.push_back(Wire{1, "unused_" + name, all_bits(slice(name, group.first * bits - 1, 0))});
+  }
+}
+
 ModuleItem reference_loop(const SystemShape& system, const DatapathGroup& group) {
   std::vector<ModuleItem> items;
   const auto one = [](const std::string& name, int width) {
@@ -197,10 +223,12 @@ ModuleItem reference_loop(const SystemShape& system, const DatapathGroup& group)
       {"s_request_tvalid", one("request_tvalid", 1)},
       {"s_request_tready", one("request_tready", 1)},
       {"s_request_tdata", concatenation({net("request_tag"), net("request_operands")})}};
+  std::vector<Connection> connections = clock_and_reset();
   if (!takes_every_cycle(group)) {
     request = add_request_register(request, system.tag_bits + system.operand_bits(), items);
+    connections.push_back({"reset_phase", one(reset_phases_name(group),
+                                              phase_bits(group.schedule.initiation_interval))});
   }
-  std::vector<Connection> connections = clock_and_reset();
   connections.insert(connections.end(), request.begin(), request.end());
   connections.push_back({"m_answer_valid", one("answer_valid", 1)});
   connections.push_back({"m_answer_tdata", one("answer_tdata", system.tag_bits + verdict_bits)});
@@ -337,6 +365,7 @@ Module pairwise_module(const PairwiseShape& shape, const SystemShape& system) {
     items.push_back(segment_loop(shape, segments));
   }
   for (const DatapathGroup& group : system.reference_groups) {
+    if (!takes_every_cycle(group)) declare_reset_phases(group, items);
     items.push_back(reference_loop(system, group));
   }
   return module;

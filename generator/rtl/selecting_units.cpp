@@ -43,7 +43,7 @@ SelectingUnits::SelectingUnits(const TypedGraph& graph, const datapath::Schedule
                                NamePool& pool) {
   for (std::size_t k = 0; k < schedule.shared_units.size(); ++k) {
     const datapath::SharedUnit& shared = schedule.shared_units[k];
-    if (!shared.selects) continue;
+    if (!shared.selects && shared.operations.size() == 1) continue;
     const TypedNode node = common_node(graph, shared.operations);
     const Operation named = datapath::scaling_of(graph, node) ? Operation::convert : node.operation;
     units_.emplace(k, Unit{pool.unique(unit_name(named)), node, {}});

@@ -11,7 +11,7 @@
 namespace mixcmp::rtl {
 
 /// The units of a folded datapath that several operations share: the name of each, and what it
-/// reads in each phase.
+/// reads in each phase, through registers or straight from one other unit.
 class SelectingUnits {
 public:
   struct Unit {

@@ -242,6 +242,8 @@ ModuleItem reference_loop(const SystemShape& shape, const DatapathGroup& group) 
     connections.push_back({"s_refetch_tdata", slice("refetched", shape.operand_bits() - 1, 0)});
   }
   if (shape.counts_answers()) connect("answers", "answers", shape.counter_bits);
+  const int interval = group.schedule.initiation_interval;
+  if (interval > 1) connections.push_back({"reset_phase", literal(phase_bits(interval), 0)});
   return channel_loop("reference", group, std::move(items), std::move(connections));
 }
 
@@ -364,13 +366,14 @@ Module reference_channel_module(const SystemShape& shape, const DatapathGroup& g
   }
   if (shape.refetches()) add_per_reference_refetch(module.ports, shape, 1, false);
   if (shape.counts_answers()) add_output(module.ports, shape.counter_bits, "answers");
+  const datapath::Schedule& schedule = group.schedule;
+  const bool folded = schedule.initiation_interval > 1;
+  const int bits = phase_bits(schedule.initiation_interval);
+  if (folded) module.ports.push_back({Direction::input, bits, "reset_phase", true});
 
   std::vector<ModuleItem>& items = module.items;
   items.push_back(Wire{shape.operand_bits(), "reference_operands", nullptr});
   items.push_back(Wire{verdict_bits, "reference_verdict", nullptr});
-  const datapath::Schedule& schedule = group.schedule;
-  const bool folded = schedule.initiation_interval > 1;
-  const int bits = phase_bits(schedule.initiation_interval);
   const std::string phase = folded ? "reference_phase" : "unused_reference_phase";
   items.push_back(Wire{bits, phase, nullptr, folded});
   std::vector<Connection> reference = {by_name("aclk")};
@@ -381,6 +384,7 @@ Module reference_channel_module(const SystemShape& shape, const DatapathGroup& g
 
   std::vector<Connection> port = clock_and_reset();
   for (const Bundle& bundle : reference_bundles(shape)) port.push_back(by_name(bundle.port));
+  port.push_back({"reset_phase", folded ? net("reset_phase") : literal(bits, 0)});
   port.push_back({"reference_phase", net(phase)});
   append(port, {"reference_operands", "reference_verdict"});
   connect_refetch(shape, items, port);

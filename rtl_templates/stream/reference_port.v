@@ -4,8 +4,8 @@
 // comes in while they wait. CARRIED = 0: the payload is the tag; it leaves on m_refetch one cycle
 // after the request, and the operands come on s_refetch. 2^OUTSTANDING_BITS + 1 tags may wait for
 // theirs. INITIATION_INTERVAL = 1: operands are taken at once, and the answer leaves
-// REFERENCE_LATENCY cycles later. Above 1: reference_phase counts the cycles of the interval. In
-// phase 0 a comparison starts if its operands are there; they are taken in phase
+// REFERENCE_LATENCY cycles later. Above 1: reference_phase counts the cycles of the interval, from
+// reset_phase on. In phase 0 a comparison starts if its operands are there; they are taken in phase
 // LAST_OPERAND_PHASE, and the answer leaves REFERENCE_LATENCY cycles after the start. Reset forgets
 // all requests: whoever answers m_refetch must be reset with it.
 `default_nettype none
@@ -28,6 +28,7 @@ module reference_port #(
   input  wire                                                                                   s_request_tvalid,
   output wire                                                                                   s_request_tready,
   input  wire [LANE_BITS+SLOT_BITS+(CARRIED != 0 ? (OPERAND_BITS-1)>>BEAT_BITS : TAG_BITS-1):0] s_request_tdata,
+  input  wire [PHASE_BITS-1:0]                                                                  reset_phase,  // a constant below INITIATION_INTERVAL
   output wire [PHASE_BITS-1:0]                                                                  reference_phase,
   output wire [OPERAND_BITS-1:0]                                                                reference_operands,
   input  wire [1:0]                                                                             reference_verdict,
@@ -168,6 +169,8 @@ module reference_port #(
 
   generate
     if (INITIATION_INTERVAL <= 1) begin : g_every_cycle
+      wire unused_reset_phase = &reset_phase;
+
       assign take            = 1'b1;
       assign reference_phase = {PHASE_BITS{1'b0}};
 
@@ -210,7 +213,7 @@ module reference_port #(
 
       always @(posedge aclk) begin
         if (!aresetn) begin
-          phase_q <= FIRST;
+          phase_q <= reset_phase;
         end else if (phase_q == LAST_PHASE[PHASE_BITS-1:0]) begin
           phase_q <= FIRST;
         end else begin

@@ -122,6 +122,16 @@ emit::GeneratedSystem arg_min_of_four() {
   return generated(design);
 }
 
+/// Each in turn, a third of the interval after the one before.
+TEST(Engine, FoldedReferencesBeginInDifferentPhases) {
+  design::Design design = spheres(8, 3);
+  design.references.front().structure.initiation_interval = 4;
+  const emit::GeneratedSystem system = generated(design);
+  const std::string text = verilog_of(system, system.signature.engine->top);
+  EXPECT_NE(text.find("references_reset_phases = {2'b10, 2'b11, 2'b00};"), std::string::npos)
+      << text;
+}
+
 TEST(ArgMinEngine, SignatureTellsItsStreams) {
   const emit::SignatureEngine engine = *arg_min_of_four().signature.engine;
   EXPECT_EQ(engine.kind, scene::EngineKind::arg_min);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "generator/datapath/delays.hpp"
 #include "generator/rtl/reference_module.hpp"
@@ -162,6 +163,44 @@ TEST(LaneModule, SignChecksAreWires) {
                         .value();
   ASSERT_EQ(lane.checks.size(), 2u);
   EXPECT_EQ(count(instances(graph, lane), "fp_range_check"), 0);
+}
+
+/// The phases in which the squares of a folded reference start, by its schedule; `later` cycles
+/// later.
+std::set<Bits> start_phases(const TypedGraph& graph, const datapath::Schedule& schedule,
+                            int later) {
+  std::set<Bits> phases;
+  for (std::size_t id = 0; id < graph.nodes.size(); ++id) {
+    if (graph.nodes[id].operation != Operation::square) continue;
+    const int cycle = schedule.steps[id].start_cycle + later;
+    phases.insert(static_cast<Bits>(cycle % schedule.initiation_interval));
+  }
+  return phases;
+}
+
+std::set<Bits> start_phases(const rtl::Module& module) {
+  std::set<Bits> phases;
+  for (const rtl::ModuleItem& item : module.items) {
+    const auto* flag = std::get_if<rtl::PhaseFlag>(&item);
+    if (flag == nullptr) continue;
+    for (const rtl::Literal& phase : flag->phases) phases.insert(phase.value);
+  }
+  return phases;
+}
+
+/// The squarer's operands are results of the adder, or come a cycle later out of registers.
+TEST(ReferenceModule, SquarersStartWhenTheirOperandIsThere) {
+  for (const auto& [f, later] :
+       {std::pair{"(a - b)^2 + (c - d)^2", 0}, {"(a - b)^2 + c^2", 1}, {"(a - b)^2 + d", 0}}) {
+    const Graph graph = graph_of(f, "(a + b)^2 + c + d");
+    const TypedGraph reference = reference_graph(graph, {format("s24e8")});
+    const datapath::Schedule schedule = datapath::schedule_reference(
+        reference, {.multipliers = scene::Multipliers::logic, .initiation_interval = 16},
+        datapath::delays_of("ice40-hx8k").value(), 90);
+    EXPECT_EQ(start_phases(rtl::reference_module("reference", graph.inputs(), reference, schedule)),
+              start_phases(reference, schedule, later))
+        << f;
+  }
 }
 
 /// The names that a module declares: of ports, wires and instances.

@@ -82,6 +82,23 @@ TEST(Verilog, LongConcatenationsAreBrokenBetweenParts) {
       << emit::to_verilog(module);
 }
 
+TEST(Verilog, PhasesStandOnOneLineOrOnOneEach) {
+  Module module;
+  module.name = "phases";
+  module.items = {
+      PhaseFlag{"few", {Literal{4, 3}, Literal{4, 11}}},
+      PhaseFlag{"squarer_start",
+                {Literal{4, 0}, Literal{4, 3}, Literal{4, 6}, Literal{4, 9}, Literal{4, 12}}}};
+  const std::string text = emit::to_verilog(module);
+  EXPECT_NE(text.find("  wire few = (phase == 4'd3) || (phase == 4'd11);\n"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("  wire squarer_start =\n"
+                      "      (phase == 4'd0)\n"
+                      "      || (phase == 4'd3)\n"),
+            std::string::npos)
+      << text;
+}
+
 TEST(Verilog, LongAlternativesTakeALineEach) {
   const std::string longest(60, 'a');
   Module module = {"m", {}, {}, {}};

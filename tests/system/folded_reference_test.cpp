@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "model/fixed/fixed_lane.hpp"
+#include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
@@ -18,6 +21,7 @@ struct Case {
   scene::ResultOrder order = scene::ResultOrder::tagged;
   scene::Multipliers multipliers = scene::Multipliers::embedded;
   const char* reference = "s4e4";
+  const char* device = "virtex6-lx760";
 };
 
 void PrintTo(const Case& c, std::ostream* stream) {
@@ -41,16 +45,30 @@ design::Design design_of(const Case& c) {
       .system = {}};
   design.system.operands = c.operands;
   design.system.order = c.order;
+  design.system.device = c.device;
   return design;
 }
 
-/// Every pair of encodings, NaNs and infinities too.
+constexpr std::size_t encodings = 256;
+
+/// All encodings of a format of eight bits, NaNs and infinities too; of others as many, those at
+/// the ends of the range among them.
+std::vector<Bits> encodings_of(FloatFormat format) {
+  std::vector<Bits> all;
+  if (format.width() > 8) all = special_encodings(format);
+  std::mt19937_64 random(19);
+  while (all.size() < encodings) {
+    all.push_back(format.width() > 8 ? random_encoding(format, random) : Bits{all.size()});
+  }
+  return all;
+}
+
 data::Comparisons every_pair(const design::Design& design) {
   const FloatFormat format = design.reference.input_format;
   data::Table table{.format = format, .columns = {"a", "b"}, .values = {}, .labels = {}};
-  const Bits count = Bits{1} << format.width();
-  for (Bits a = 0; a < count; ++a) {
-    for (Bits b = 0; b < count; ++b) table.values.insert(table.values.end(), {a, b});
+  const std::vector<Bits> values = encodings_of(format);
+  for (const Bits a : values) {
+    for (const Bits b : values) table.values.insert(table.values.end(), {a, b});
   }
   return data::Comparisons::rows(table, design.inputs).value();
 }
@@ -73,6 +91,7 @@ constexpr auto refetched = scene::OperandStore::refetched;
 constexpr auto carried = scene::OperandStore::carried;
 constexpr auto in_order = scene::ResultOrder::in_order;
 constexpr auto tagged = scene::ResultOrder::tagged;
+constexpr auto logic = scene::Multipliers::logic;
 
 INSTANTIATE_TEST_SUITE_P(
     Of, FoldedReference,
@@ -84,13 +103,57 @@ INSTANTIATE_TEST_SUITE_P(
              2,
              refetched,
              in_order},
+        Case{"squares_of_sums_16",
+             {{"(a - b)^2 + (a + b)^2 + (b - 0.5)^2", "(a - 1.5)^2"}},
+             16,
+             1,
+             refetched,
+             tagged,
+             logic},
+        Case{"squares_by_steps_16",
+             {{"(a - b)^2 + (a + b)^2 + (b - 0.5)^2", "(a - 1.5)^2"}},
+             16,
+             3,
+             refetched,
+             tagged,
+             logic,
+             "s24e8",
+             "ice40-hx8k"},
+        // Sides that are the same number: a wrong bit on either is another verdict.
+        Case{"equal_sides_by_steps_16",
+             {{"(a - b)^2 + (a + b)^2", "(b - a)^2 + (b + a)^2"}},
+             16,
+             1,
+             carried,
+             tagged,
+             logic,
+             "s24e8",
+             "ice40-hx8k"},
+        Case{"squares_of_operands_by_steps_21",
+             {{"(a - b)^2 + a^2 + b^2", "(a - 1.5)^2"}, {"(a + b)^2 + 1", "a"}},
+             21,
+             1,
+             carried,
+             in_order,
+             logic,
+             "s19e4",
+             "ice40-hx8k"},
+        Case{"one_square_by_steps_5",
+             {{"(a - b)^2 + a", "b"}},
+             5,
+             2,
+             carried,
+             tagged,
+             logic,
+             "s24e8",
+             "ice40-hx8k"},
         Case{"products_and_signs_5",
              {{"a * b - abs(b) * a + 0.75", "-a * max(a, b) + min(a, -b)"}},
              5,
              1,
              carried,
              in_order,
-             scene::Multipliers::logic},
+             logic},
         Case{"late_operands_3", {{"((a + b) * b + a) * b + a", "a - b * 0.7"}}, 3, 1, refetched},
         Case{"powers_of_two_and_parts_4", {{"a / 4 + b / 4", "(a * -2 - b) * 2"}, {"a", "b"}}, 4},
         Case{"longer_than_needed_64", {{"(a - b)^2 + b", "a * b"}}, 64}),

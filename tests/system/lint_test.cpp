@@ -79,6 +79,15 @@ design::Design with_arg_min(int lanes, const std::function<void(design::Design&)
   return design;
 }
 
+/// References of binary32 that square by steps, since the device has look-up tables of four inputs.
+design::Design folded_by_steps(int references) {
+  design::Design design = sphere_design(format("s12e8"), format("s24e8"), 2, references);
+  design.references.front().structure = {scene::Multipliers::logic, 16};
+  design.system.device = "ice40-hx8k";
+  design.system.target_mhz = 95;
+  return design;
+}
+
 design::Design with_counter_port(design::Design design) {
   design.system.counters = scene::CounterAccess::axi_lite;
   design.system.counter_bits = 48;
@@ -103,6 +112,10 @@ std::vector<Variant> variants() {
       {"counter_port_padded_7x3", with_counter_port(odd)},
       {"pairwise_counter_port", with_counter_port(with_pairs(base, 9))},
       {"arg_min_counter_port", with_counter_port(with_arg_min(8, [](auto&) {}))},
+      {"folded_8x1",
+       with(base, [](auto& d) { d.references.front().structure.initiation_interval = 16; })},
+      {"folded_by_steps", folded_by_steps(1)},
+      {"pairwise_folded_by_steps", with_pairs(folded_by_steps(3), 64)},
       {"slow_clock", with(base, [](auto& d) { d.system.target_mhz = 10; })},
       {"fast_clock", with(base, [](auto& d) { d.system.target_mhz = 900; })},
       {"padded_7x3", odd},

@@ -14,6 +14,7 @@ namespace mixcmp::test::pairwise_throughput_test {
 namespace {
 
 constexpr std::uint64_t items = 700;
+constexpr auto logic = scene::Multipliers::logic;
 
 /// An engine and data that give it something to do.
 struct Load {
@@ -26,16 +27,19 @@ struct Load {
   double radius_max;
   int second_tier = 0;  ///< its bits; 0: none. First lanes are then in fixed point of four bits.
   double tolerance = 0.05;
+  const char* device = "virtex6-lx760";
+  scene::Multipliers multipliers = scene::Multipliers::embedded;
 };
 
 design::Design design_of(const Load& load) {
   design::Design design =
       sphere_design(format(load.lane_format), format("s24e8"), load.lanes, load.references);
-  design.references.front().structure.initiation_interval = load.interval;
+  design.references.front().structure = {load.multipliers, load.interval};
   design.system = with_engine(design.system, {.kind = scene::EngineKind::pairwise,
                                               .capacity = 1024,
                                               .report = {Verdict::less},
                                               .report_streams = load.streams});
+  design.system.device = load.device;
   if (load.second_tier > 0) {
     const FloatFormat reference = design.reference.input_format;
     design.lanes.front().lane = fixed_spheres({.bits = 4}, reference);
@@ -145,7 +149,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Load{"ManyReportsBesideEachOther", 16, 2, 1, 1, "s12e8", 25},
                     Load{"AFoldedReference", 16, 2, 1, 16, "s8e8", 20},
                     Load{"FoldedReferencesBesideEachOther", 16, 2, 3, 16, "s6e8",
-                         20},                                           // references
+                         20},  // references
+                    // References that read their operands late.
+                    Load{"ALateReference", 16, 2, 1, 16, "s8e8", 20, 0, 0.05, "ice40-hx8k", logic},
+                    Load{"LateReferencesBesideEachOther", 16, 2, 3, 16, "s6e8", 20, 0, 0.05,
+                         "ice40-hx8k", logic},
                     Load{"ASecondTier", 16, 2, 1, 1, "s12e8", 10, 11},  // words
                     // Bursts at one of two tiers hold up the other.
                     Load{"ASecondTierAskedTooOften", 16, 2, 1, 1, "s12e8", 60, 11, 0.1}),

@@ -269,6 +269,7 @@ module stream_system_bench #(
           .s_request_tvalid  (named_valid[i]),
           .s_request_tready  (named_ready[i]),
           .s_request_tdata   (named_data[i*NAMED_BITS +: NAMED_BITS]),
+          .reset_phase       (4'd0),
           .reference_phase   (unused_phase),
           .reference_operands(operands),
           .reference_verdict (verdict),

@@ -25,6 +25,7 @@ module reference_port_proof #(
 
   localparam [3:0] NONE = 0;
   localparam [3:0] ONE  = 1;
+  localparam [1:0] RESET_PHASE = INTERVAL - 1;
   localparam MOST_QUIET = LATENCY + 2 * INTERVAL + 6;
   localparam PART_BITS  = 2 >> BEAT_BITS;
 
@@ -72,6 +73,7 @@ module reference_port_proof #(
     .s_request_tvalid  (s_valid),
     .s_request_tready  (s_ready),
     .s_request_tdata   ({s_lane, chosen, s_payload[PART_BITS-1:0]}),
+    .reset_phase       (RESET_PHASE),
     .reference_phase   (phase),
     .reference_operands(operands),
     .reference_verdict (verdict),
