@@ -31,6 +31,11 @@ struct Load {
   scene::Multipliers multipliers = scene::Multipliers::embedded;
 };
 
+/// The name of a test's parameter.
+void PrintTo(const Load& load, std::ostream* out) {
+  *out << load.name;
+}
+
 design::Design design_of(const Load& load) {
   design::Design design =
       sphere_design(format(load.lane_format), format("s24e8"), load.lanes, load.references);
