@@ -96,6 +96,10 @@ void print_engine(const emit::Signature& signature) {
   }
   print(fmt::format("{}: up to {} items of {} bytes, {}\n", engine.top, engine.capacity,
                     engine.item_bytes, what_leaves(engine)));
+  if (const auto& tier = signature.second_tier) {
+    print(fmt::format("  second tier behind each group: a lane in {} ({} cycles)\n", tier->format,
+                      tier->latency_cycles));
+  }
 }
 
 void print_text(const emit::GeneratedSystem& system, const std::vector<GroupProof>& proofs,
@@ -103,9 +107,8 @@ void print_text(const emit::GeneratedSystem& system, const std::vector<GroupProo
   print_parts(system.signature);
   print_engine(system.signature);
   for (const std::string& note : system.notes) print(fmt::format("note: {}\n", note));
-  const bool one_kind = system.signature.lane_groups.size() == 1;
   for (const GroupProof& proof : proofs) {
-    print(fmt::format("error bound{}: {}\n", one_kind ? "" : " of " + proof.name,
+    print(fmt::format("error bound{}: {}\n", proofs.size() == 1 ? "" : " of " + proof.name,
                       proof.quick.proof.verdict()));
   }
   print(fmt::format("{} files in {}\n", system.files.size(), directory.string()));

@@ -25,8 +25,9 @@ struct PairwiseSet {
 std::uint64_t pairwise_word_cycles(std::uint64_t items, int lanes);
 
 /// Cycles from a set's first item to its closing beat, about: the longest of what words, exceptions
-/// (a cycle each), a second tier and recomputations need (a cycle each of the items' memory, N / p_H
-/// each of the references), and the way of a word through all segments and the last one's lanes.
+/// (a cycle each), a second tier and recomputations need (a cycle each of the items' memory, N /
+/// p_H each of the references), and the way of a word through all segments and the last one's
+/// lanes.
 double pairwise_cycles(const PairwiseSet& set);
 
 }  // namespace mixcmp::performance

@@ -333,8 +333,7 @@ Result<Scene> interpret(SceneSettings read) {
               .reduced = std::move(lanes.reduced),
               .lanes = std::move(lanes.groups),
               .second_tier = std::move(second_tier),
-              .leaves_out_second_tier =
-                  has_no_tier && settings.root.find("second_tier") != nullptr,
+              .leaves_out_second_tier = has_no_tier && settings.root.find("second_tier") != nullptr,
               .references = std::move(references),
               .system = with_engine(std::move(system), engine),
               .data = std::move(data),

@@ -306,6 +306,18 @@ TEST_F(TwoTiers, ATierThatTheUserNamesIsKept) {
   EXPECT_EQ(best(" --table characterisation/scene-virtex6-lx760.csv").first, 7);
 }
 
+TEST_F(TwoTiers, GenerateTellsOfBoth) {
+  const Outcome run = mixcmp(
+      "generate scene.toml -o rtl --set system.lanes=12 --set system.references=1 "
+      "--set reduced.format=q7 --set reduced.multipliers=logic");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_NE(run.output.find("\n  second tier behind each group: a lane in q15 ("),
+            std::string::npos)
+      << run.output;
+  EXPECT_NE(run.output.find("\nerror bound of q7: "), std::string::npos);
+  EXPECT_NE(run.output.find("\nerror bound of second_tier_q15: "), std::string::npos);
+}
+
 /// A Yosys that finds a reference nine times as large as anything else.
 TEST_F(OptimiseCommand, WithoutATableAQuickOneIsMade) {
   const std::string yosys = instead_of(
