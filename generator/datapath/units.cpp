@@ -234,7 +234,7 @@ Unit unit_for(const TypedNode& node, Subnormals subnormals, Multipliers multipli
     case Operation::input:
     case Operation::constant:
     case Operation::negate:
-    case Operation::absolute: break;
+    case Operation::absolute:
     case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(!"only wires, or a sum whose unit depends on the graph");

@@ -8,17 +8,17 @@
 `default_nettype none
 
 module fp_serial_square #(
-  parameter        EXPONENT_BITS        = 8,
-  parameter        PRECISION            = 24,
-  parameter        RESULT_EXPONENT_BITS = EXPONENT_BITS,
-  parameter        RESULT_PRECISION     = PRECISION,
-  parameter        SPECIAL_OPERANDS     = 1,
-  parameter        OVERFLOW             = 1,
-  parameter        UNDERFLOW            = 1,
-  parameter        GRADUAL              = 0,
-  parameter        TOWARD_ZERO          = 0,
-  parameter        CYCLES               = (PRECISION + 5) / 6,
-  parameter [CYCLES+8:0] CUTS           = 0
+  parameter              EXPONENT_BITS        = 8,
+  parameter              PRECISION            = 24,
+  parameter              RESULT_EXPONENT_BITS = EXPONENT_BITS,
+  parameter              RESULT_PRECISION     = PRECISION,
+  parameter              SPECIAL_OPERANDS     = 1,
+  parameter              OVERFLOW             = 1,
+  parameter              UNDERFLOW            = 1,
+  parameter              GRADUAL              = 0,
+  parameter              TOWARD_ZERO          = 0,
+  parameter              CYCLES               = (PRECISION + 5) / 6,
+  parameter [CYCLES+8:0] CUTS                 = 0
 ) (
   input  wire                                             aclk,
   input  wire                                             start,

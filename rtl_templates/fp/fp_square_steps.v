@@ -9,11 +9,11 @@
 // alone. r + 0101...01 has these digits, each plus one, so that an addition finds them and a row, m
 // times a digit, is gates of four inputs.
 //
-// Steps of a square in the cycles after `start`:
+// The register that a step fills in each cycle after `start`:
 //
-//   cycle 0      1      2      3      4 ..
-//   digits_q <=  two_q  three_q sum_q        step 0
-//                digits_q <= .. ..     sum_q step 1
+//   cycle   0         1         2         3         4
+//   step 0  digits_q  two_q     three_q   sum_q
+//   step 1            digits_q  two_q     three_q   sum_q
 `default_nettype none
 
 module fp_square_steps #(
