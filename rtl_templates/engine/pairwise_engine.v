@@ -388,16 +388,38 @@ module pairwise_engine #(
         .j_read_data (fetched_items[ITEM_BITS +: ITEM_BITS])
       );
 
+      // Which stream's pair goes next decides nothing at the expanders in the same cycle.
+      wire [STREAMS-1:0]           queued_valid;
+      wire [STREAMS-1:0]           queued_ready;
+      wire [STREAMS*PAIR_BITS-1:0] queued_pair;
+      wire [STREAMS-1:0]           queued_last;
+
+      for (s = 0; s < STREAMS; s = s + 1) begin : g_queued
+        stream_fifo #(
+          .WIDTH     (1 + PAIR_BITS),
+          .DEPTH_BITS(1)
+        ) queued (
+          .aclk         (aclk),
+          .aresetn      (aresetn),
+          .s_axis_tvalid(undecided_valid[s]),
+          .s_axis_tready(undecided_ready[s]),
+          .s_axis_tdata ({undecided_last[s], undecided_pair[s*PAIR_BITS +: PAIR_BITS]}),
+          .m_axis_tvalid(queued_valid[s]),
+          .m_axis_tready(queued_ready[s]),
+          .m_axis_tdata ({queued_last[s], queued_pair[s*PAIR_BITS +: PAIR_BITS]})
+        );
+      end
+
       closing_tree #(
         .INPUTS(STREAMS),
         .WIDTH (PAIR_BITS)
       ) merge_undecided (
         .aclk         (aclk),
         .aresetn      (aresetn),
-        .s_axis_tvalid(undecided_valid),
-        .s_axis_tready(undecided_ready),
-        .s_axis_tdata (undecided_pair),
-        .s_axis_tlast (undecided_last),
+        .s_axis_tvalid(queued_valid),
+        .s_axis_tready(queued_ready),
+        .s_axis_tdata (queued_pair),
+        .s_axis_tlast (queued_last),
         .m_axis_tvalid(pair_valid),
         .m_axis_tready(pair_ready),
         .m_axis_tdata ({pair_lane, pair_j, pair_base}),
