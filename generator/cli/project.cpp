@@ -62,8 +62,7 @@ void add_project(emit::GeneratedSystem& system, const ProjectOptions& options,
   std::vector<project::TestVector> vectors;
   project::EngineVectors engine_vectors;
   if (loaded.data) {
-    const bool has_system = !system.signature.ports.empty();  // not in a pairwise engine
-    if (has_system) {
+    if (!system.signature.engine) {
       vectors = verilator_tb::test_vectors(design, *loaded.data, system.signature, options.vectors);
     }
     engine_vectors =

@@ -62,12 +62,12 @@ characterise::SynthesisJob EngineParts::segment() const {
 }
 
 int EngineParts::conversion_latency_cycles() const {
-  return scheduled_.pairwise->words.schedule.latency_cycles;
+  return scheduled_.pairwise->words.latency_cycles();
 }
 
 characterise::SynthesisJob EngineParts::conversion() const {
   const rtl::PairwiseShape& shape = *scheduled_.pairwise;
-  return module_job(rtl::item_word_module(shape.word_module, shape.words, shape.engine));
+  return module_job(rtl::item_word_module(shape.words, data::Item::first, shape.engine));
 }
 
 characterise::SynthesisJob EngineParts::engine() const {

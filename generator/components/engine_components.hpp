@@ -26,7 +26,7 @@ public:
   characterise::SynthesisJob segment() const;
 
   /// Whether items are converted when they are loaded.
-  bool converts() const { return scheduled_.pairwise->words.converts(); }
+  bool converts() const { return scheduled_.pairwise->words.items.converts(); }
   int conversion_latency_cycles() const;
   characterise::SynthesisJob conversion() const;
 

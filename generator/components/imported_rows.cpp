@@ -62,10 +62,9 @@ public:
       : maker_(scene, data), design_(design), reports_(reports) {}
 
   Result<std::vector<ImportedRow>> run() {
-    if (design_.system.engine.kind == scene::EngineKind::pairwise) return no_rows_of_an_engine();
+    if (design_.system.engine.kind != scene::EngineKind::none) return no_rows_of_an_engine();
     MIXCMP_TRY(scheduled, emit::schedule_system(design_));
     shape_ = std::move(scheduled.shape);
-    inside_ = scheduled.engine ? "system/" : "";
     MIXCMP_TRY(lanes, add_lanes());
     MIXCMP_TRY(fifos, add_fifos());
     if (shape_.recomputes()) {
@@ -76,17 +75,17 @@ public:
   }
 
 private:
-  /// Its lanes have no streams of their own and begin behind the conversion, as no row's do.
-  static Error no_rows_of_an_engine() {
+  /// Its lanes begin behind the conversion, as no row's do.
+  Error no_rows_of_an_engine() const {
     return {
         .field = "engine.kind",
-        .message = "the lanes of a pairwise engine share segments, of which a table has no rows",
-        .received = "pairwise",
+        .message = "the lanes of an engine read words of its items, of which a table has no rows",
+        .received = std::string(to_string(design_.system.engine.kind)),
         .accepted = "none: generate and compile the system with --set engine.kind=none"};
   }
 
   std::string path(const rtl::DatapathGroup& group, int number, const std::string& part) const {
-    return fmt::format("{}g_{}[{}].channel/{}", inside_, group.label, number, part);
+    return fmt::format("g_{}[{}].channel/{}", group.label, number, part);
   }
 
   Result<Area> area_of(const std::string& path) const {
@@ -199,7 +198,7 @@ private:
   Result<Done> add_crossbar() {
     const int ports = (shape_.lanes + shape_.references - 1) / shape_.references;
     if (!measured_ports.allow(ports)) return Done{};
-    MIXCMP_TRY(area, area_of(inside_ + "recomputation"));
+    MIXCMP_TRY(area, area_of("recomputation"));
     MIXCMP_TRY(component, maker_.make({.kind = ComponentKind::crossbar, .ports = ports}));
     add(component, component.latency_cycles, scaled(area, ports, shape_.lanes), 1);
     return Done{};
@@ -209,7 +208,6 @@ private:
   const design::Design& design_;
   const ImportedReports& reports_;
   rtl::SystemShape shape_;
-  std::string inside_;
   std::vector<ImportedRow> rows_;
 };
 

@@ -145,14 +145,28 @@ int shortest_latency_cycles(const rtl::SystemShape& shape) {
   return shortest->schedule.latency_cycles + shape.channel_latency_cycles();
 }
 
-Described describe_top(const Design& design, const rtl::SystemShape& shape) {
-  const int tdata_bits = shape.tdata_bytes() * 8;
+/// What a lane gets of a comparison.
+std::vector<std::string> operand_facts(const Design& design, const ScheduledSystem& scheduled) {
+  const rtl::SystemShape& shape = scheduled.shape;
+  const int tdata_bits = shape.lane_tdata_bytes() * 8;
+  if (const rtl::ItemWords* words = scheduled.words()) {
+    return {fmt::format("s_axis_tdata, {} bits a lane, words of the engine around it, the first "
+                        "lowest:",
+                        tdata_bits),
+            fmt::format("  the row's, {} bits, and two candidates', {} bits each.",
+                        words->rows.bits(), words->items.bits())};
+  }
+  return {fmt::format("s_axis_tdata, {} bits a lane, operands {} bits each, the first lowest:",
+                      tdata_bits, shape.input_width),
+          fmt::format("  {}.", fmt::join(design.inputs, ", "))};
+}
+
+Described describe_top(const Design& design, const ScheduledSystem& scheduled) {
+  const rtl::SystemShape& shape = scheduled.shape;
   std::vector<std::string> facts = count_facts(design, shape);
   const auto add = [&facts](std::string fact) { facts.push_back(std::move(fact)); };
   add("Every per-lane port is a vector of one field a lane, lane 0 in the lowest bits.");
-  add(fmt::format("s_axis_tdata, {} bits a lane, operands {} bits each, the first lowest:",
-                  tdata_bits, shape.input_width));
-  add(fmt::format("  {}.", fmt::join(design.inputs, ", ")));
+  for (std::string& fact : operand_facts(design, scheduled)) add(std::move(fact));
   add(fmt::format("s_axis_tuser, m_axis_tuser, {} bits a lane: the tag.", shape.tag_bits));
   add("m_axis_tdata, 8 bits a lane: {4'b0, undecided, recomputed, verdict[1:0]};");
   add("  verdict: 0 less, 1 equal, 2 greater, 3 unordered.");
@@ -170,9 +184,11 @@ Described describe_top(const Design& design, const rtl::SystemShape& shape) {
   return {rtl::top_module(shape), std::move(facts)};
 }
 
-std::vector<std::string> describe_arg_min(const rtl::EngineShape& engine,
+std::vector<std::string> describe_arg_min(const rtl::ArgMinShape& arg_min,
                                           const rtl::SystemShape& shape) {
-  int latency_cycles = 0;
+  constexpr int queue_cycles = 2;  // behind the conversion of rows
+  const rtl::EngineShape& engine = arg_min.engine;
+  int latency_cycles = arg_min.words.latency_cycles() + queue_cycles;
   for (const rtl::DatapathGroup& lanes : shape.lane_groups) {
     latency_cycles +=
         lanes.count * (lanes.schedule.latency_cycles + shape.channel_latency_cycles() + 1);
@@ -274,19 +290,21 @@ Described describe_pairwise(const rtl::PairwiseShape& shape, const rtl::SystemSh
   return {rtl::pairwise_module(shape, system), std::move(facts)};
 }
 
-Described describe_conversion(const rtl::PairwiseShape& shape) {
+/// What computes the words of `what`.
+Described describe_conversion(const rtl::ItemWords& words, data::Item item, const char* what,
+                              const rtl::EngineShape& engine) {
+  const rtl::Word& word = words.of(item);
   std::vector<std::string> facts = {
-      fmt::format("{}: what the lanes know of an item, computed when it is loaded.",
-                  shape.word_module),
-      fmt::format("Columns: {} bits each, {}.", shape.engine.column_width,
-                  fmt::join(shape.engine.columns, ", ")),
+      fmt::format("{}: what the lanes know of {}, computed when it is loaded.", word.module, what),
+      fmt::format("Columns: {} bits each, {}.", engine.column_width,
+                  fmt::join(engine.columns_of(item), ", ")),
       "word, the first field lowest:"};
-  for (const rtl::ItemWords::Field& field : shape.words.fields) {
+  for (const rtl::Word::Field& field : word.fields) {
     facts.push_back(
         fmt::format("  {} in [{}:{}]", field.name, field.low + field.width - 1, field.low));
   }
-  for (std::string& fact : timing_facts(shape.words.schedule)) facts.push_back(std::move(fact));
-  return {rtl::item_word_module(shape.word_module, shape.words, shape.engine), std::move(facts)};
+  for (std::string& fact : timing_facts(word.schedule)) facts.push_back(std::move(fact));
+  return {rtl::item_word_module(words, item, engine), std::move(facts)};
 }
 
 /// A lane that reads words; `made` is the lane as designed, which reads operands.
@@ -294,11 +312,15 @@ Described describe_word_lane(const Design& design, const design::Lane& made,
                              const rtl::WordLane& lane, const rtl::DatapathGroup& lanes) {
   std::vector<std::string> ports;
   for (const rtl::LanePort& port : lane.ports) ports.push_back(port.name);
+  const bool of_row =
+      std::any_of(lane.ports.begin(), lane.ports.end(),
+                  [](const rtl::LanePort& port) { return port.item == data::Item::row; });
+  const char* const whose = of_row ? "the row and of candidates i and j" : "items i and j";
   Described described = {
       rtl::word_lane_module(lanes.datapath, lane, lanes.schedule),
       {fmt::format("{}: decides {} in reduced precision, or says it cannot.", lanes.datapath,
                    what_is_asked(design)),
-       fmt::format("Operands: of the words of items i and j, {}.", fmt::join(ports, ", ")),
+       fmt::format("Operands: of the words of {}, {}.", whose, fmt::join(ports, ", ")),
        arithmetic_fact(made)}};
   for (std::string& fact : decision_facts(made)) {
     described.facts.push_back(std::move(fact));
@@ -344,18 +366,29 @@ void add_references(const Design& design, const rtl::SystemShape& shape, ModuleL
   }
 }
 
+void add_conversion(const rtl::ItemWords& words, data::Item item, const char* what,
+                    const rtl::EngineShape& engine, ModuleList& modules) {
+  const rtl::Word& word = words.of(item);
+  if (!word.converts()) return;
+  modules.add(word.module, [&] { return describe_conversion(words, item, what, engine); });
+}
+
+/// The lanes of group k, which read words.
+void add_word_lane(const Design& design, const rtl::ItemWords& words, std::size_t k,
+                   const rtl::SystemShape& system, ModuleList& modules) {
+  const rtl::DatapathGroup& group = system.lane_groups[k];
+  modules.add(group.datapath, [&] {
+    return describe_word_lane(design, design.lanes[k].lane, words.lanes[k], group);
+  });
+}
+
 std::vector<Described> describe_pairwise_modules(const Design& design,
                                                  const rtl::PairwiseShape& shape,
                                                  const rtl::SystemShape& system) {
   ModuleList modules;
-  if (shape.words.converts()) {
-    modules.add(shape.word_module, [&] { return describe_conversion(shape); });
-  }
+  add_conversion(shape.words, data::Item::first, "an item", shape.engine, modules);
   for (std::size_t k = 0; k < system.lane_groups.size(); ++k) {
-    modules.add(system.lane_groups[k].datapath, [&] {
-      return describe_word_lane(design, design.lanes[k].lane, shape.words.lanes[k],
-                                system.lane_groups[k]);
-    });
+    add_word_lane(design, shape.words, k, system, modules);
   }
   if (system.second_tier) {
     modules.add(system.second_tier->datapath, [&] {
@@ -374,20 +407,29 @@ std::vector<Described> describe_pairwise_modules(const Design& design,
 std::vector<Described> describe_system_modules(const Design& design,
                                                const ScheduledSystem& scheduled) {
   const rtl::SystemShape& shape = scheduled.shape;
+  const rtl::ItemWords* const words = scheduled.words();
   ModuleList modules;
+  if (words != nullptr) {
+    add_conversion(*words, data::Item::first, "a candidate", *scheduled.engine, modules);
+    add_conversion(*words, data::Item::row, "a row", *scheduled.engine, modules);
+  }
   for (std::size_t k = 0; k < shape.lane_groups.size(); ++k) {
     const rtl::DatapathGroup& group = shape.lane_groups[k];
-    modules.add(group.datapath, [&] {
-      return describe_lane(design, group.datapath, design.lanes[k], group.schedule);
-    });
+    if (words != nullptr) {
+      add_word_lane(design, *words, k, shape, modules);
+    } else {
+      modules.add(group.datapath, [&] {
+        return describe_lane(design, group.datapath, design.lanes[k], group.schedule);
+      });
+    }
     modules.add(group.channel, [&] { return describe_lane_channel(shape, group); });
   }
   add_references(design, shape, modules);
-  modules.add(shape.top, [&] { return describe_top(design, shape); });
-  if (scheduled.engine) {
+  modules.add(shape.top, [&] { return describe_top(design, scheduled); });
+  if (scheduled.arg_min) {
     modules.add(scheduled.engine->top, [&] {
-      return Described{rtl::arg_min_module(*scheduled.engine, shape),
-                       describe_arg_min(*scheduled.engine, shape)};
+      return Described{rtl::arg_min_module(*scheduled.arg_min, shape),
+                       describe_arg_min(*scheduled.arg_min, shape)};
     });
   }
   return modules.take();

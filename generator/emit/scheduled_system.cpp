@@ -41,8 +41,9 @@ void add_group(std::vector<rtl::DatapathGroup>& groups, rtl::DatapathGroup group
   groups.push_back(std::move(group));
 }
 
-/// The groups of a design's lanes; of a pairwise engine, of what is left of them behind `words`.
+/// The groups of a design's lanes; of an engine, of what is left of them behind `words`.
 std::vector<rtl::DatapathGroup> lane_groups(const design::Design& design,
+                                            const rtl::SystemShape& shape,
                                             const std::optional<rtl::ItemWords>& words,
                                             const datapath::DelayTable& delays) {
   const std::vector<std::string> names = lane_group_names(design);
@@ -58,6 +59,7 @@ std::vector<rtl::DatapathGroup> lane_groups(const design::Design& design,
         fmt::format("{}{}_{}_{}_l{}", design.system.prefix, design.name,
                     words ? "pair_lane" : "lane", names[k], schedule.latency_cycles);
     add_group(groups, {.datapath = modules.unique(name, lanes),
+                       .operands = shape.operand_ports(),
                        .channel = {},
                        .label = names.size() == 1 ? "lanes" : labels.unique("lanes_" + names[k]),
                        .schedule = std::move(schedule),
@@ -77,6 +79,7 @@ std::optional<rtl::DatapathGroup> second_tier(const design::Design& design,
   return rtl::DatapathGroup{
       .datapath = fmt::format("{}{}_second_lane_{}_l{}", design.system.prefix, design.name,
                               design::format_name(tier.lane), schedule.latency_cycles),
+      .operands = {},
       .channel = {},
       .label = "second_tier",
       .schedule = std::move(schedule),
@@ -84,6 +87,7 @@ std::optional<rtl::DatapathGroup> second_tier(const design::Design& design,
 }
 
 std::vector<rtl::DatapathGroup> reference_groups(const design::Design& design,
+                                                 const rtl::SystemShape& shape,
                                                  const datapath::DelayTable& delays) {
   const std::vector<std::string> names = reference_group_names(design);
   rtl::NamePool labels({});
@@ -95,6 +99,7 @@ std::vector<rtl::DatapathGroup> reference_groups(const design::Design& design,
     add_group(groups,
               {.datapath = fmt::format("{}{}_reference_{}_l{}", design.system.prefix, design.name,
                                        names[k], schedule.latency_cycles),
+               .operands = shape.operand_ports(),
                .channel = {},
                .label = names.size() == 1 ? "references" : labels.unique("references_" + names[k]),
                .schedule = std::move(schedule),
@@ -122,23 +127,14 @@ std::string top_name(const design::Design& design) {
 }
 
 /// The slots that the slowest lane needs.
-int slots_of(const rtl::SystemShape& shape) {
-  int slots = 0;
+int slots_of(const rtl::SystemShape& shape, const scene::EngineSpec& engine) {
+  int slowest_cycles = 0;
   for (const rtl::DatapathGroup& lanes : shape.lane_groups) {
-    slots = std::max(slots, design::slots_for(lanes.schedule.latency_cycles, shape.recomputes()));
+    slowest_cycles = std::max(slowest_cycles, lanes.schedule.latency_cycles);
   }
-  return slots;
-}
-
-rtl::PairwiseShape pairwise_shape(const design::Design& design, const rtl::SystemShape& shape,
-                                  const rtl::EngineShape& engine, rtl::ItemWords words) {
-  const std::string word_module = fmt::format("{}{}_item_l{}", design.system.prefix, design.name,
-                                              words.schedule.latency_cycles);
-  const bool converts = words.converts();
-  return {.engine = engine,
-          .words = std::move(words),
-          .word_module = converts ? word_module : "",
-          .segments = rtl::segment_groups(shape, engine.spec.lanes_per_group)};
+  return engine.kind == scene::EngineKind::arg_min
+             ? design::chain_slots_for(slowest_cycles)
+             : design::slots_for(slowest_cycles, shape.recomputes());
 }
 
 /// Makes the counters in the modules narrow: the port on which they are read widens them.
@@ -151,9 +147,14 @@ void narrow_counters(ScheduledSystem& scheduled) {
 
 }  // namespace
 
+const rtl::ItemWords* ScheduledSystem::words() const {
+  if (pairwise) return &pairwise->words;
+  return arg_min ? &arg_min->words : nullptr;
+}
+
 std::vector<rtl::Counters> ScheduledSystem::counters() const {
   if (pairwise) return rtl::pairwise_counters(*pairwise, shape);
-  return engine ? rtl::arg_min_counters(shape) : rtl::system_counters(shape);
+  return arg_min ? rtl::arg_min_counters(shape) : rtl::system_counters(shape);
 }
 
 namespace {
@@ -163,6 +164,25 @@ namespace {
 bool has_ports_of_two_widths(const scene::SystemSpec& system) {
   const auto device = devices::find_device(system.device);
   return device.ok() && device->quartus_part.empty();
+}
+
+/// What else the engine is made of, around a system whose lanes are scheduled.
+void add_engine(std::optional<rtl::ItemWords> words, rtl::SystemShape& shape,
+                ScheduledSystem& scheduled) {
+  if (!scheduled.engine) return;
+  const rtl::EngineShape& engine = *scheduled.engine;
+  switch (engine.spec.kind) {
+    case scene::EngineKind::none: return;
+    case scene::EngineKind::pairwise:
+      scheduled.pairwise =
+          rtl::PairwiseShape{.engine = engine,
+                             .words = std::move(*words),
+                             .segments = rtl::segment_groups(shape, engine.spec.lanes_per_group)};
+      return;
+    case scene::EngineKind::arg_min:
+      scheduled.arg_min = rtl::arg_min_shape(engine, std::move(*words), shape);
+      return;
+  }
 }
 
 }  // namespace
@@ -194,16 +214,12 @@ Result<ScheduledSystem> schedule_system(const design::Design& design) {
   ScheduledSystem scheduled;
   scheduled.engine = rtl::engine_shape(shape, design.inputs, design.system.engine);
   std::optional<rtl::ItemWords> words;
-  if (design.system.engine.kind == scene::EngineKind::pairwise) {
-    words = rtl::item_words(design, *scheduled.engine, delays);
-  }
-  shape.lane_groups = lane_groups(design, words, delays);
+  if (scheduled.engine) words = rtl::item_words(design, *scheduled.engine, delays);
+  shape.lane_groups = lane_groups(design, shape, words, delays);
   shape.second_tier = second_tier(design, words, delays);
-  shape.reference_groups = reference_groups(design, delays);
-  shape.slot_bits = std::countr_zero(static_cast<unsigned>(slots_of(shape)));
-  if (words) {
-    scheduled.pairwise = pairwise_shape(design, shape, *scheduled.engine, std::move(*words));
-  }
+  shape.reference_groups = reference_groups(design, shape, delays);
+  shape.slot_bits = std::countr_zero(static_cast<unsigned>(slots_of(shape, design.system.engine)));
+  add_engine(std::move(words), shape, scheduled);
   scheduled.shape = std::move(shape);
   if (design.system.counters == scene::CounterAccess::axi_lite) narrow_counters(scheduled);
   return scheduled;

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "generator/rtl/arg_min_module.hpp"
 #include "generator/rtl/counter_port.hpp"
 #include "generator/rtl/engine_shape.hpp"
 #include "generator/rtl/pairwise_module.hpp"
@@ -19,6 +20,11 @@ struct ScheduledSystem {
   /// What else a pairwise engine is made of. Its lanes are those of the shape, behind the
   /// conversion of their operands.
   std::optional<rtl::PairwiseShape> pairwise;
+  /// What an arg-min engine is made of around the system, whose lanes begin there, too.
+  std::optional<rtl::ArgMinShape> arg_min;
+
+  /// What the lanes of an engine know of its items; null where there is no engine.
+  const rtl::ItemWords* words() const;
 
   /// The counters of the outermost module.
   std::vector<rtl::Counters> counters() const;

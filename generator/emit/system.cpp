@@ -88,7 +88,7 @@ Signature signature_of(const Design& design, const ScheduledSystem& scheduled) {
           .lane_groups = lanes_of(design, shape),
           .reference_groups = references_of(design, shape),
           .tdata_bytes = shape.tdata_bytes(),
-          .tag_bits = shape.tag_bits,
+          .tag_bits = shape.ask_bits(),
           .counter_bits = shape.has_counter_port() ? shape.read_counter_bits : shape.counter_bits,
           .counter_map = counter_map(scheduled),
           .slots = 1 << shape.slot_bits,
@@ -271,7 +271,7 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
   GeneratedSystem system = {signature_of(design, scheduled), {}, slow_stages(scheduled.shape)};
   system.signature.spec_hash = spec_hash(modules, templates);
   system.signature.second_tier = second_tier_of(design, scheduled);
-  if (!scheduled.pairwise) {
+  if (!scheduled.engine) {
     system.signature.ports = signature_ports(find_module(modules, scheduled.shape.top));
   }
   if (scheduled.engine) {

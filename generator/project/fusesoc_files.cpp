@@ -32,7 +32,7 @@ std::vector<GeneratedFile> fusesoc_files(const ProjectSpec& spec) {
   Values values = common_values(spec, "#");
   const YosysOptions yosys = yosys_options(spec.device.synthesis);
   values["SOURCES"] = source_list(spec, "      - ", "\n");
-  values["BENCH"] = spec.benches().front();
+  values["BENCH"] = spec.bench();
   values["DEVICE"] = spec.device.name;
   values["ARCHITECTURE"] = yosys.architecture;
   values["SYNTHESIS_OPTIONS"] = yosys.options;

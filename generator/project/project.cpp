@@ -92,11 +92,8 @@ const std::string& ProjectSpec::build_top() const {
   return signature.engine ? signature.engine->top : signature.top;
 }
 
-std::vector<std::string> ProjectSpec::benches() const {
-  std::vector<std::string> benches;
-  if (!vectors.empty()) benches.push_back(signature.top + "_tb");
-  if (tests_engine()) benches.push_back(signature.engine->top + "_tb");
-  return benches;
+std::string ProjectSpec::bench() const {
+  return vectors.empty() && !tests_engine() ? "" : build_top() + "_tb";
 }
 
 const std::vector<emit::SignaturePort>& ProjectSpec::build_ports() const {
@@ -109,7 +106,7 @@ Result<std::vector<GeneratedFile>> project_files(const ProjectSpec& spec,
   if (!spec.vectors.empty()) append(files, testbench_files(spec));
   if (spec.tests_engine()) append(files, engine_testbench_files(spec));
   for (const Tool tool : tools) {
-    MIXCMP_CHECK(!spec.benches().empty() || !runs_test_bench(tool));
+    MIXCMP_CHECK(!spec.bench().empty() || !runs_test_bench(tool));
     MIXCMP_TRY(more, files_for(tool, spec));
     append(files, std::move(more));
   }

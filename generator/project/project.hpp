@@ -29,8 +29,7 @@ std::string start_command(Tool tool, const std::string& top, const std::string& 
 struct ProjectSpec {
   const emit::Signature& signature;
   const devices::Device& device;
-  /// Vector k is for lane k modulo the number of lanes. Empty: there is no test bench of the
-  /// system.
+  /// Vector k is for lane k modulo the number of lanes. Empty: there is an engine, or no data.
   const std::vector<TestVector>& vectors;
   /// For the test bench of the engine, where there is one and there are vectors.
   const EngineVectors& engine_vectors;
@@ -39,10 +38,10 @@ struct ProjectSpec {
 
   /// The module to build, which is the engine's where there is one.
   const std::string& build_top() const;
-  /// Whether there is a test bench of the engine, alone or beside that of the system inside it.
+  /// Whether there is a test bench of the engine.
   bool tests_engine() const { return !std::holds_alternative<std::monostate>(engine_vectors); }
-  /// The test benches: of the system, unless its engine has none inside, and of the engine.
-  std::vector<std::string> benches() const;
+  /// The test bench, of the engine where there is one; empty without data.
+  std::string bench() const;
   /// The ports of that module.
   const std::vector<emit::SignaturePort>& build_ports() const;
 };

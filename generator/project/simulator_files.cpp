@@ -1,5 +1,4 @@
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include "generator/project/builders.hpp"
 
@@ -9,21 +8,11 @@ namespace {
 /// From this number of lanes on, Icarus takes longer than half a minute to compile a system.
 constexpr int large_system_lanes = 24;
 
-std::string tested(const ProjectSpec& spec) {
-  const std::string& top = spec.signature.top;
-  if (!spec.tests_engine()) return "the test bench of " + top;
-  if (spec.vectors.empty()) return "the test bench of " + spec.signature.engine->top;
-  return fmt::format("the test benches of {} and of its engine", top);
-}
-
-/// The values of the scripts that run test benches: that of the system, then that of the engine
-/// around it.
+/// The values of the scripts that run the test bench.
 Values simulator_values(const ProjectSpec& spec) {
   Values values = common_values(spec, "#");
-  const std::vector<std::string> benches = spec.benches();
-  values["BENCHES"] = fmt::format("{}", fmt::join(benches, " "));
-  values["TESTED"] = tested(spec);
-  values["WAVES_REMARK"] = benches.size() > 1 ? " Waves are those of the engine." : "";
+  values["BENCH"] = spec.bench();
+  values["TESTED"] = "the test bench of " + spec.build_top();
   return values;
 }
 

@@ -26,27 +26,40 @@ design::Lane with_named_inputs(const rtl::WordLane& reading) {
 
 /// The lanes of group k as they are built.
 design::Lane built_lane(const BuiltSystem& system, std::size_t k) {
-  if (!system.scheduled.pairwise) return system.design.lanes[k].lane;
-  return with_named_inputs(system.scheduled.pairwise->words.lanes[k]);
+  const rtl::ItemWords* const words = system.scheduled.words();
+  return words != nullptr ? with_named_inputs(words->lanes[k]) : system.design.lanes[k].lane;
 }
 
-/// The conversion of items, which lanes in fixed point leave to the engine around them.
-void add_conversion(page::Section& section, const BuiltSystem& system) {
-  if (!system.scheduled.pairwise || !system.scheduled.pairwise->words.converts()) return;
-  const rtl::ItemWords& words = system.scheduled.pairwise->words;
-  const page::Pipeline pipeline = schematic::item_pipeline(words.split->loader, words.schedule);
-  section.content.push_back(page::heading("The conversion of an item"));
+/// What computes the words of `what`, a conversion that lanes in fixed point leave to the engine
+/// around them.
+void add_conversion(page::Section& section, const rtl::ItemWords& words, data::Item item,
+                    const std::string& what) {
+  const rtl::Word& word = words.of(item);
+  if (!word.converts()) return;
+  const page::Pipeline pipeline = schematic::item_pipeline(words.loader_of(item), word.schedule);
+  section.content.push_back(page::heading("The conversion of " + what));
   section.content.push_back(page::figure(
       draw(pipeline),
-      fmt::format(
-          "What lanes know of an item, a word of {} bits, computed once, when it is loaded: "
-          "{}.",
-          words.bits(), schematic::counted(pipeline.cycles, "cycle"))));
+      fmt::format("What lanes know of {}, a word of {} bits, computed once, when it is loaded: {}.",
+                  what, word.bits(), schematic::counted(pipeline.cycles, "cycle"))));
+}
+
+void add_conversions(page::Section& section, const BuiltSystem& system) {
+  const rtl::ItemWords* const words = system.scheduled.words();
+  if (words == nullptr) return;
+  const bool pairwise = system.scheduled.pairwise.has_value();
+  add_conversion(section, *words, data::Item::first, pairwise ? "an item" : "a candidate");
+  add_conversion(section, *words, data::Item::row, "a row");
+}
+
+const char* operands_of_lane(const BuiltSystem& system) {
+  if (system.scheduled.pairwise) return "the words of two items";
+  return system.scheduled.arg_min ? "the words of a row and two candidates" : "the operands";
 }
 
 void add_lanes(page::Section& section, const BuiltSystem& system) {
   const std::vector<std::string> names = lane_group_names(system.design);
-  const char* const from = system.scheduled.pairwise ? "the words of two items" : "the operands";
+  const char* const from = operands_of_lane(system);
   for (std::size_t k = 0; k < names.size(); ++k) {
     const page::Pipeline pipeline = schematic::lane_pipeline(
         built_lane(system, k), system.scheduled.shape.lane_groups[k].schedule);
@@ -109,7 +122,7 @@ page::Section system_section(const IfThere<BuiltSystem>& there) {
   section.content.push_back(page::paragraph(
       "In the pictures of datapaths time runs downwards, a row of registers a line. A box is a "
       "unit with the format of its result; a dashed line is a value that waits in registers."));
-  add_conversion(section, system);
+  add_conversions(section, system);
   add_lanes(section, system);
   add_second_tier(section, system);
   add_references(section, system);

@@ -1,7 +1,11 @@
 #include "generator/rtl/arg_min_module.hpp"
 
+#include <bit>
+
 #include "generator/rtl/connections.hpp"
 #include "generator/rtl/engine_operands.hpp"
+#include "generator/rtl/unread_bits.hpp"
+#include "model/common/check.hpp"
 
 namespace mixcmp::rtl {
 namespace {
@@ -31,61 +35,180 @@ std::vector<Port> arg_min_ports(const EngineShape& engine, const SystemShape& sy
   return ports;
 }
 
-void declare_lane_streams(const EngineShape& engine, const SystemShape& system,
-                          std::vector<ModuleItem>& items) {
-  items.push_back(Comment{"Pairs from the engine, their operands to the lanes, verdicts back."});
-  for (const auto& [width, name] :
-       std::vector<std::pair<int, std::string>>{{1, "pair_tvalid"},
-                                                {1, "pair_tready"},
-                                                {engine.row_bits(), "pair_row"},
-                                                {engine.item_bits(), "pair_best"},
-                                                {engine.item_bits(), "pair_own"},
-                                                {system.tdata_bytes() * 8, "operands"},
-                                                {1, "result_tvalid"},
-                                                {1, "result_tready"},
-                                                {result_bits, "result_tdata"},
-                                                {system.tag_bits, "result_tag"}}) {
-    items.push_back(Wire{system.lanes * width, name, nullptr, true});
+/// The words of a comparison, as a lane gets them: that of the row lowest, then that of the best
+/// candidate, then that of the lane's own.
+int lowest_bit_of(data::Item item, const ItemWords& words) {
+  switch (item) {
+    case data::Item::row: return 0;
+    case data::Item::first: return words.rows.bits();
+    case data::Item::second: return words.rows.bits() + words.items.bits();
   }
-  items.push_back(Wire{1, "unused_result_tag", all_bits(net("result_tag"))});
-  std::vector<ModuleItem> mapping;
-  mapping.push_back(Wire{engine.row_bits(), "row", indexed("pair_row", "lane", engine.row_bits())});
-  mapping.push_back(
-      Wire{engine.item_bits(), "best", indexed("pair_best", "lane", engine.item_bits())});
-  mapping.push_back(
-      Wire{engine.item_bits(), "own", indexed("pair_own", "lane", engine.item_bits())});
-  map_operands(engine, system, {"row", "best", "own"},
-               indexed("operands", "lane", system.tdata_bytes() * 8), mapping);
-  items.push_back(loop("lane", 0, system.lanes, "lane_operands", std::move(mapping)));
+  MIXCMP_CHECK(false);
 }
 
-Instance arg_min_instance(const EngineShape& engine, const SystemShape& system,
+/// Pairs from the engine to the lanes, as words; verdicts back. The row's word is in the tag.
+void declare_lane_streams(const ArgMinShape& shape, const SystemShape& system,
                           std::vector<ModuleItem>& items) {
+  const int word_bits = shape.words.items.bits();
+  const int tdata_bits = system.lane_tdata_bytes() * 8;
+  items.push_back(Comment{"Pairs from the engine, their words to the lanes, verdicts back."});
+  declare({{1, "pair_tvalid"},
+           {1, "pair_tready"},
+           {word_bits, "pair_best"},
+           {word_bits, "pair_own"},
+           {system.tag_bits, "pair_tag"},
+           {tdata_bits, "words"},
+           {1, "result_tvalid"},
+           {1, "result_tready"},
+           {result_bits, "result_tdata"},
+           {system.tag_bits, "result_tag"}},
+          system.lanes, items);
+  std::vector<ModuleItem> mapping;
+  mapping.push_back(Wire{system.tag_bits, "tag", indexed("pair_tag", "lane", system.tag_bits)});
+  const int names_bits = system.ask_bits();
+  consume_unread("tag", system.tag_bits, {{names_bits, system.tag_bits - names_bits}}, mapping);
+  std::vector<Operand> words = {indexed("pair_own", "lane", word_bits),
+                                indexed("pair_best", "lane", word_bits),
+                                slice("tag", system.tag_bits - 1, names_bits)};
+  const int padding = tdata_bits - system.lane_operand_bits();
+  if (padding > 0) words.insert(words.begin(), literal(padding, 0));
+  mapping.push_back(
+      Assignment{indexed("words", "lane", tdata_bits), concatenation(std::move(words))});
+  items.push_back(loop("lane", 0, system.lanes, "lane_words", std::move(mapping)));
+}
+
+/// Tags from the references to the engine; rows and candidates back, as operands.
+void declare_refetch_streams(const ArgMinShape& shape, const SystemShape& system,
+                             std::vector<ModuleItem>& items) {
+  const EngineShape& engine = shape.engine;
+  const int answer_bits = engine.row_bits() + 2 * engine.item_bits();
+  const int tdata_bits = system.tdata_bytes() * 8;
+  items.push_back(Comment{"Undecided pairs by their tags, their operands to the references."});
+  declare({{1, "refetch_tvalid"},
+           {1, "refetch_tready"},
+           {system.refetch_bits(), "refetch_tdata"},
+           {system.ask_bits(), "asked"},
+           {1, "refetched_tvalid"},
+           {1, "refetched_tready"},
+           {answer_bits, "refetched_tdata"},
+           {tdata_bits, "operands"}},
+          system.references, items);
+  std::vector<ModuleItem> mapping;
+  mapping.push_back(Wire{system.refetch_bits(), "tag",
+                         indexed("refetch_tdata", "reference", system.refetch_bits())});
+  consume_unread("tag", system.refetch_bits(), {{0, system.ask_bits()}}, mapping);
+  mapping.push_back(Assignment{indexed("asked", "reference", system.ask_bits()),
+                               slice("tag", system.ask_bits() - 1, 0)});
+  mapping.push_back(
+      Wire{answer_bits, "answer", indexed("refetched_tdata", "reference", answer_bits)});
+  int low = 0;
+  for (const auto& [width, name] : Nets{
+           {engine.row_bits(), "row"}, {engine.item_bits(), "best"}, {engine.item_bits(), "own"}}) {
+    mapping.push_back(Wire{width, name, slice("answer", low + width - 1, low)});
+    low += width;
+  }
+  map_operands(engine, system, {"row", "best", "own"}, indexed("operands", "reference", tdata_bits),
+               mapping);
+  items.push_back(
+      loop("reference", 0, system.references, "reference_operands", std::move(mapping)));
+}
+
+void add_conversions(const ArgMinShape& shape, std::vector<ModuleItem>& items) {
+  items.push_back(Comment{"What the lanes know of a candidate and of a row."});
+  items.push_back(Wire{shape.engine.item_bits(), "candidate", nullptr});
+  add_conversion(shape.words, data::Item::first, shape.engine,
+                 {.columns = "candidate", .word = "candidate_word", .instance = "conversion"},
+                 items);
+  add_conversion(shape.words, data::Item::row, shape.engine,
+                 {.columns = "s_axis_tdata", .word = "row_word", .instance = "row_conversion"},
+                 items);
+}
+
+Instance arg_min_instance(const ArgMinShape& shape, const SystemShape& system,
+                          std::vector<ModuleItem>& items) {
+  const EngineShape& engine = shape.engine;
   std::vector<Connection> connections = clock_and_reset();
   append(connections, {"s_candidate_tvalid", "s_candidate_tready"});
   connections.push_back(
       {"s_candidate_tdata", slice("s_candidate_tdata", engine.item_bits() - 1, 0)});
-  append(connections, {"s_candidate_tlast", "s_axis_tvalid", "s_axis_tready"});
-  connections.push_back({"s_axis_tdata", slice("s_axis_tdata", engine.row_bits() - 1, 0)});
   append(connections,
-         {"s_axis_tuser", "s_axis_tlast", "pair_tvalid", "pair_tready", "pair_row", "pair_best",
-          "pair_own", "result_tvalid", "result_tready", "result_tdata", "m_axis_tvalid",
-          "m_axis_tready", "m_axis_tdata", "m_axis_tuser", "m_axis_tlast", "overrun"});
+         {"s_candidate_tlast", "candidate", "candidate_word", "s_axis_tvalid", "s_axis_tready"});
+  connections.push_back({"s_axis_tdata", slice("s_axis_tdata", engine.row_bits() - 1, 0)});
+  append(connections, {"s_axis_tuser", "s_axis_tlast", "row_word", "pair_tvalid", "pair_tready",
+                       "pair_best", "pair_own", "pair_tag", "result_tvalid", "result_tready",
+                       "result_tdata", "result_tag", "refetch_tvalid", "refetch_tready"});
+  connections.push_back({"refetch_tdata", net("asked")});
+  append(connections, {"refetched_tvalid", "refetched_tready", "refetched_tdata", "m_axis_tvalid",
+                       "m_axis_tready", "m_axis_tdata", "m_axis_tuser", "m_axis_tlast", "overrun"});
   connect_counters(system, own_counters, items, connections);
-  TemplateInstance around = arg_min_template(engine, system);
+  TemplateInstance around = arg_min_template(shape, system);
   return {around.module, "engine", std::move(around.parameters), std::move(connections)};
+}
+
+/// The system, between the streams to the lanes and to the references.
+Instance system_instance(const SystemShape& system) {
+  std::vector<Connection> connections = clock_and_reset();
+  for (const auto& [port, name] :
+       std::vector<std::pair<std::string, std::string>>{{"s_axis_tvalid", "pair_tvalid"},
+                                                        {"s_axis_tready", "pair_tready"},
+                                                        {"s_axis_tdata", "words"},
+                                                        {"s_axis_tuser", "pair_tag"},
+                                                        {"m_axis_tvalid", "result_tvalid"},
+                                                        {"m_axis_tready", "result_tready"},
+                                                        {"m_axis_tdata", "result_tdata"},
+                                                        {"m_axis_tuser", "result_tag"},
+                                                        {"m_refetch_tvalid", "refetch_tvalid"},
+                                                        {"m_refetch_tready", "refetch_tready"},
+                                                        {"m_refetch_tdata", "refetch_tdata"},
+                                                        {"s_refetch_tvalid", "refetched_tvalid"},
+                                                        {"s_refetch_tready", "refetched_tready"},
+                                                        {"s_refetch_tdata", "operands"}}) {
+    connections.push_back({port, net(name)});
+  }
+  for (const Counters& each : system_counters(system)) connections.push_back(by_name(each.name));
+  return {system.top, "system", {}, std::move(connections)};
+}
+
+/// Bits of the number of a row inside: there is a place for every row that finds room in the
+/// chain, in the queue before it and in the conversion.
+int place_bits(const ItemWords& words, const SystemShape& system) {
+  constexpr int around_lane = 2;  // rows before a lane and behind it
+  constexpr int queue_and_more = 16;
+  const int inside = system.lanes * ((1 << system.slot_bits) + around_lane) +
+                     3 * words.latency_cycles() + queue_and_more;
+  return std::bit_width(static_cast<unsigned>(inside - 1));
 }
 
 }  // namespace
 
-TemplateInstance arg_min_template(const EngineShape& engine, const SystemShape& system) {
+ArgMinShape arg_min_shape(const EngineShape& engine, ItemWords words, SystemShape& system) {
+  const int places = place_bits(words, system);
+  system.asking_bits = 2 * engine.index_bits() + places;
+  system.tag_bits = words.rows.bits() + system.asking_bits;
+  system.word_bits = words.rows.bits() + 2 * words.items.bits();
+  for (std::size_t k = 0; k < system.lane_groups.size(); ++k) {
+    std::vector<OperandPort>& ports = system.lane_groups[k].operands;
+    ports.clear();
+    for (const LanePort& port : words.lanes[k].ports) {
+      ports.push_back({port.name, lowest_bit_of(port.item, words) + port.low, port.width});
+    }
+  }
+  return {.engine = engine, .words = std::move(words), .place_bits = places};
+}
+
+TemplateInstance arg_min_template(const ArgMinShape& shape, const SystemShape& system) {
+  const EngineShape& engine = shape.engine;
   return {"arg_min_engine",
           {{"CANDIDATES", engine.capacity},
            {"CANDIDATE_BITS", engine.item_bits()},
            {"ROW_BITS", engine.row_bits()},
+           {"WORD_BITS", shape.words.items.bits()},
+           {"ROW_WORD_BITS", shape.words.rows.bits()},
+           {"WORD_LATENCY", shape.words.latency_cycles()},
            {"TAG_BITS", engine.spec.row_tag_bits},
            {"INDEX_BITS", engine.index_bits()},
-           {"SLOT_BITS", system.slot_bits},
+           {"PLACE_BITS", shape.place_bits},
+           {"REFERENCES", system.references},
            {"COUNTER_BITS", system.counter_bits}}};
 }
 
@@ -96,16 +219,18 @@ std::vector<Counters> arg_min_counters(const SystemShape& system) {
   return counters;
 }
 
-Module arg_min_module(const EngineShape& engine, const SystemShape& system) {
+Module arg_min_module(const ArgMinShape& shape, const SystemShape& system) {
+  const EngineShape& engine = shape.engine;
   Module module = {engine.top, {}, arg_min_ports(engine, system), {}};
   std::vector<ModuleItem>& items = module.items;
-  declare_lane_streams(engine, system, items);
-  consume_padding("s_candidate_tdata", engine.item_bits(), engine.item_bytes() * 8, items);
-  consume_padding("s_axis_tdata", engine.row_bits(), engine.row_bytes() * 8, items);
-  Instance around = arg_min_instance(engine, system, items);
+  consume_unread("s_candidate_tdata", engine.item_bytes() * 8, {{0, engine.item_bits()}}, items);
+  consume_unread("s_axis_tdata", engine.row_bytes() * 8, {{0, engine.row_bits()}}, items);
+  add_conversions(shape, items);
+  declare_lane_streams(shape, system, items);
+  declare_refetch_streams(shape, system, items);
+  Instance around = arg_min_instance(shape, system, items);
   items.push_back(std::move(around));
-  // The engine keeps the rows' tags itself: the system's own tags are unused zeros.
-  items.push_back(system_instance(system, zeros(system.lanes * system.tag_bits)));
+  items.push_back(system_instance(system));
   return module;
 }
 

@@ -2,17 +2,29 @@
 
 #include "generator/rtl/counter_port.hpp"
 #include "generator/rtl/engine_shape.hpp"
+#include "generator/rtl/item_words.hpp"
 
 namespace mixcmp::rtl {
 
+/// An arg-min engine: what its modules agree on.
+struct ArgMinShape {
+  EngineShape engine;
+  ItemWords words;
+  int place_bits = 0;  ///< 2^place_bits rows may be inside
+};
+
+/// Makes the system inside an engine one whose lanes read words, and whose references ask the
+/// engine for operands; returns the engine around it. The system's lanes are scheduled.
+ArgMinShape arg_min_shape(const EngineShape& engine, ItemWords words, SystemShape& system);
+
 /// The template arg_min_engine, which makes the comparisons, with its parameters; unconnected.
-TemplateInstance arg_min_template(const EngineShape& engine, const SystemShape& system);
+TemplateInstance arg_min_template(const ArgMinShape& shape, const SystemShape& system);
 
 /// The counters of the engine's top: those of the system inside and its own.
 std::vector<Counters> arg_min_counters(const SystemShape& system);
 
 /// The engine's top module around the system: it takes candidates and rows, and returns the index
 /// of the best candidate for each row.
-Module arg_min_module(const EngineShape& engine, const SystemShape& system);
+Module arg_min_module(const ArgMinShape& shape, const SystemShape& system);
 
 }  // namespace mixcmp::rtl

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "generator/rtl/connections.hpp"
+#include "generator/rtl/datapath_builder.hpp"
 #include "generator/rtl/net_names.hpp"
 
 namespace mixcmp::rtl {
@@ -32,6 +33,12 @@ std::vector<Operand> unused_columns(const EngineShape& engine, const ItemNets& n
 }
 
 }  // namespace
+
+void declare(const Nets& nets, int count, std::vector<ModuleItem>& items) {
+  for (const auto& [width, name] : nets) {
+    items.push_back(Wire{count * width, name, nullptr, true});
+  }
+}
 
 Operand packed_operands(const EngineShape& engine, const SystemShape& system, const ItemNets& nets,
                         std::vector<ModuleItem>& items) {
@@ -67,13 +74,6 @@ std::shared_ptr<const ForGenerate> loop(const std::string& variable, int first, 
       ForGenerate{variable, first, count, label, std::move(items)});
 }
 
-void consume_padding(const std::string& port, int bits, int port_bits,
-                     std::vector<ModuleItem>& items) {
-  if (port_bits == bits) return;
-  items.push_back(Wire{1, "unused_" + port,
-                       all_bits(concatenation({literal(1, 0), slice(port, port_bits - 1, bits)}))});
-}
-
 void connect_counters(const SystemShape& system, const std::vector<Counters>& counters,
                       std::vector<ModuleItem>& items, std::vector<Connection>& connections) {
   for (const auto& [counter, count] : counters) {
@@ -86,33 +86,25 @@ void connect_counters(const SystemShape& system, const std::vector<Counters>& co
   }
 }
 
-Instance system_instance(const SystemShape& system, const Operand& tag) {
-  std::vector<Connection> connections = clock_and_reset();
-  for (const auto& [port, name] :
-       std::vector<std::pair<std::string, std::string>>{{"s_axis_tvalid", "pair_tvalid"},
-                                                        {"s_axis_tready", "pair_tready"},
-                                                        {"s_axis_tdata", "operands"}}) {
-    connections.push_back({port, net(name)});
-  }
-  connections.push_back({"s_axis_tuser", tag});
-  for (const auto& [port, name] :
-       std::vector<std::pair<std::string, std::string>>{{"m_axis_tvalid", "result_tvalid"},
-                                                        {"m_axis_tready", "result_tready"},
-                                                        {"m_axis_tdata", "result_tdata"},
-                                                        {"m_axis_tuser", "result_tag"}}) {
-    connections.push_back({port, net(name)});
-  }
-  if (system.refetches()) {
-    for (const char* part : {"tvalid", "tready", "tdata"}) {
-      connections.push_back(
-          {std::string("m_refetch_") + part, net(std::string("refetch_") + part)});
+void add_conversion(const ItemWords& words, data::Item item, const EngineShape& engine,
+                    const ConvertedNets& nets, std::vector<ModuleItem>& items) {
+  const Word& word = words.of(item);
+  items.push_back(Wire{word.bits(), nets.word, nullptr});
+  if (!word.converts()) {
+    std::vector<Operand> fields;
+    for (const std::size_t k : word.columns) {
+      fields.insert(fields.begin(), column_of(engine, nets.columns, k));
     }
-    connections.push_back({"s_refetch_tvalid", net("answer_tvalid")});
-    connections.push_back({"s_refetch_tready", net("answer_tready")});
-    connections.push_back({"s_refetch_tdata", net("answer_operands")});
+    items.push_back(Assignment{net(nets.word), concatenation(std::move(fields))});
+    return;
   }
-  for (const Counters& each : system_counters(system)) connections.push_back(by_name(each.name));
-  return {system.top, "system", {}, std::move(connections)};
+  std::vector<Connection> connections = {by_name("aclk")};
+  const std::vector<std::string> ports = input_ports(engine.columns_of(item));
+  for (std::size_t k = 0; k < ports.size(); ++k) {
+    connections.push_back({ports[k], column_of(engine, nets.columns, k)});
+  }
+  connections.push_back({"word", net(nets.word)});
+  items.push_back(Instance{word.module, nets.instance, {}, std::move(connections)});
 }
 
 }  // namespace mixcmp::rtl

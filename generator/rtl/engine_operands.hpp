@@ -3,14 +3,20 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "generator/rtl/counter_port.hpp"
 #include "generator/rtl/engine_shape.hpp"
+#include "generator/rtl/item_words.hpp"
 
-/// Parts that the modules of all engines share: operands taken out of items, counters, and the
-/// instance of the system.
+/// Parts that the modules of all engines share: words and operands taken out of items, counters.
 namespace mixcmp::rtl {
+
+/// Widths and names of nets.
+using Nets = std::vector<std::pair<int, std::string>>;
+/// Adds vectors of `count` fields each, of these widths.
+void declare(const Nets& nets, int count, std::vector<ModuleItem>& items);
 
 /// The nets that hold the items of a comparison, by data::Item; empty where there is none.
 using ItemNets = std::array<std::string, 3>;
@@ -23,20 +29,23 @@ Operand packed_operands(const EngineShape& engine, const SystemShape& system, co
 void map_operands(const EngineShape& engine, const SystemShape& system, const ItemNets& nets,
                   const Operand& target, std::vector<ModuleItem>& items);
 
+/// The nets around the conversion of items or rows.
+struct ConvertedNets {
+  std::string columns;
+  std::string word;
+  std::string instance;
+};
+/// Adds the datapath that computes the word of an item or a row, or wires where the word is
+/// columns.
+void add_conversion(const ItemWords& words, data::Item item, const EngineShape& engine,
+                    const ConvertedNets& nets, std::vector<ModuleItem>& items);
+
 /// A generate loop with `variable` from `first` to first + count - 1.
 std::shared_ptr<const ForGenerate> loop(const std::string& variable, int first, int count,
                                         const std::string& label, std::vector<ModuleItem> items);
 
-/// Consumes the bits of `port` above its lowest `bits`, if there are any.
-void consume_padding(const std::string& port, int bits, int port_bits,
-                     std::vector<ModuleItem>& items);
-
 /// Connects an engine's counters to its ports or, if the system does not count, to unused nets.
 void connect_counters(const SystemShape& system, const std::vector<Counters>& counters,
                       std::vector<ModuleItem>& items, std::vector<Connection>& connections);
-
-/// An instance of the system: its streams are connected to the nets pair_*, operands and result_*,
-/// its s_axis_tuser to `tag`.
-Instance system_instance(const SystemShape& system, const Operand& tag);
 
 }  // namespace mixcmp::rtl

@@ -187,8 +187,8 @@ void FixedNodes::build_loaded(NodeId id) {
   const std::vector<fixed::LoadedFlag> ports = fixed::flags_read(lane_);
   std::vector<Signal> flags;
   for (const std::size_t flag : loaded.flags) {
-    const auto port = std::find(ports.begin(), ports.end(),
-                                fixed::LoadedFlag{.second = loaded.second, .flag = flag});
+    const auto port =
+        std::find(ports.begin(), ports.end(), fixed::LoadedFlag{.role = loaded.role, .flag = flag});
     const auto index =
         static_cast<int>(lane_.loaded_inputs.size()) + static_cast<int>(port - ports.begin());
     flags.push_back({net(datapath_.port(index)), datapath_.port(index), 1, 0});

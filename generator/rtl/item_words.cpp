@@ -10,6 +10,7 @@
 #include "generator/rtl/fixed_nodes.hpp"
 #include "generator/rtl/float_lane_module.hpp"
 #include "generator/rtl/net_names.hpp"
+#include "model/common/check.hpp"
 
 namespace mixcmp::rtl {
 namespace {
@@ -20,6 +21,34 @@ const fixed::FixedLane* splittable(const design::Lane& lane) {
   return made != nullptr && !made->format.is_block ? made : nullptr;
 }
 
+fixed::ItemRole role_of(data::Item item) {
+  switch (item) {
+    case data::Item::row: return fixed::ItemRole::row;
+    case data::Item::first: return fixed::ItemRole::first;
+    case data::Item::second: return fixed::ItemRole::second;
+  }
+  MIXCMP_CHECK(false);
+}
+
+data::Item item_of(fixed::ItemRole role) {
+  switch (role) {
+    case fixed::ItemRole::row: return data::Item::row;
+    case fixed::ItemRole::first: return data::Item::first;
+    case fixed::ItemRole::second: return data::Item::second;
+  }
+  MIXCMP_CHECK(false);
+}
+
+/// What tells the ports of one item from those of the other: "_i", "_j".
+std::string port_suffix(data::Item item) {
+  switch (item) {
+    case data::Item::row: return "";
+    case data::Item::first: return "_i";
+    case data::Item::second: return "_j";
+  }
+  MIXCMP_CHECK(false);
+}
+
 class WordMaker {
 public:
   WordMaker(const design::Design& design, const EngineShape& engine)
@@ -27,15 +56,24 @@ public:
 
   ItemWords run() {
     split_lanes();
-    if (words_.converts()) add_converted_fields();
+    if (words_.split) {
+      add_converted_fields(data::Item::first);
+      add_converted_fields(data::Item::row);
+    }
     for (const design::LaneGroup& group : design_.lanes) {
       words_.lanes.push_back(word_lane(group.lane));
     }
     if (design_.second_tier) words_.second_tier = word_lane(design_.second_tier->lane);
+    // A word that no lane reads has a field all the same.
+    for (const data::Item item : {data::Item::first, data::Item::row}) {
+      if (!engine_.columns_of(item).empty() && word_of(item).fields.empty()) column_field(item, 0);
+    }
     return std::move(words_);
   }
 
 private:
+  Word& word_of(data::Item item) { return item == data::Item::row ? words_.rows : words_.items; }
+
   void split_lanes() {
     std::vector<const fixed::FixedLane*> lanes;
     for (const design::LaneGroup& group : design_.lanes) {
@@ -45,35 +83,36 @@ private:
     if (lanes.empty()) return;
     std::vector<fixed::ItemInput> inputs;
     for (const EngineShape::Source& source : engine_.sources) {
-      inputs.push_back(
-          {.column = static_cast<int>(source.column), .second = source.item == data::Item::second});
+      inputs.push_back({.column = static_cast<int>(source.column), .role = role_of(source.item)});
     }
-    words_.split = fixed::split_by_item(lanes, inputs, engine_.columns);
+    words_.split = fixed::split_by_item(lanes, inputs, engine_.columns, engine_.row_columns);
   }
 
-  void add_converted_fields() {
-    const fixed::FixedLane& loader = words_.split->loader;
+  void add_converted_fields(data::Item item) {
+    const fixed::ItemLoader& loader = words_.split->of(role_of(item));
+    const std::vector<std::string>& columns = engine_.columns_of(item);
     NamePool pool({});
-    const std::vector<std::string> names = name_nodes(loader, engine_.columns, pool);
-    for (const NodeId id : loader.outputs) {
-      const fixed::FixedNode& node = loader.nodes[id];
+    const std::vector<std::string> names = name_nodes(loader.lane, columns, pool);
+    for (const NodeId id : loader.lane.outputs) {
+      const fixed::FixedNode& node = loader.lane.nodes[id];
       const bool is_input = node.operation == Operation::input;
-      add_field(is_input ? engine_.columns[node.input] : names[id], node.format.width);
+      add_field(item, is_input ? columns[node.input] : names[id], node.format.width);
     }
-    for (std::size_t flag = 0; flag < words_.split->flags.size(); ++flag) {
-      add_field("out_of_range", 1);
+    for (std::size_t flag = 0; flag < loader.flags.size(); ++flag) {
+      add_field(item, item == data::Item::row ? "row_out_of_range" : "out_of_range", 1);
     }
   }
 
-  std::size_t add_field(const std::string& name, int width) {
-    const int low = words_.fields.empty() ? 0 : words_.bits();
-    words_.fields.push_back({names_.unique(name), width, low});
-    return words_.fields.size() - 1;
+  std::size_t add_field(data::Item item, const std::string& name, int width) {
+    Word& word = word_of(item);
+    const int low = word.bits();
+    word.fields.push_back({names_.unique(name), width, low});
+    return word.fields.size() - 1;
   }
 
-  LanePort port_of(std::size_t field, bool second, int dropped_bits = 0) const {
-    const ItemWords::Field& bits = words_.fields[field];
-    return {bits.name + (second ? "_j" : "_i"), second, bits.low + dropped_bits,
+  LanePort port_of(data::Item item, std::size_t field, int dropped_bits = 0) {
+    const Word::Field& bits = word_of(item).fields[field];
+    return {bits.name + port_suffix(item), item, bits.low + dropped_bits,
             bits.width - dropped_bits};
   }
 
@@ -83,14 +122,14 @@ private:
                                        : lane_of_columns(lane);
   }
 
-  WordLane lane_of_fields(const fixed::FixedLane& lane) const {
+  WordLane lane_of_fields(const fixed::FixedLane& lane) {
     WordLane made{lane, {}};
     for (const fixed::LoadedInput& loaded : lane.loaded_inputs) {
-      made.ports.push_back(port_of(loaded.field, loaded.second, loaded.dropped_bits));
+      made.ports.push_back(port_of(item_of(loaded.role), loaded.field, loaded.dropped_bits));
     }
-    const std::size_t first_flag = words_.split->loader.outputs.size();
     for (const fixed::LoadedFlag& flag : fixed::flags_read(lane)) {
-      made.ports.push_back(port_of(first_flag + flag.flag, flag.second));
+      const std::size_t first_flag = words_.split->of(flag.role).lane.outputs.size();
+      made.ports.push_back(port_of(item_of(flag.role), first_flag + flag.flag));
     }
     return made;
   }
@@ -100,21 +139,22 @@ private:
     const std::vector<std::string> names = input_ports(design_.inputs);
     for (std::size_t k = 0; k < engine_.sources.size(); ++k) {
       const EngineShape::Source& source = engine_.sources[k];
-      const ItemWords::Field& bits = words_.fields[column_field(source.column)];
-      made.ports.push_back({names[k], source.item == data::Item::second, bits.low, bits.width});
+      const Word::Field& bits =
+          word_of(source.item).fields[column_field(source.item, source.column)];
+      made.ports.push_back({names[k], source.item, bits.low, bits.width});
     }
     return made;
   }
 
-  /// The field that holds a column as it arrives.
-  std::size_t column_field(std::size_t column) {
-    const auto known = std::find(words_.columns.begin(), words_.columns.end(), column);
-    if (known == words_.columns.end()) {
-      words_.columns.push_back(column);
-      return add_field(engine_.columns[column], engine_.column_width);
-    }
-    const auto behind = static_cast<std::size_t>(words_.columns.end() - known);
-    return words_.fields.size() - behind;
+  /// The field that holds a column as it arrives; adds it where it is new.
+  std::size_t column_field(data::Item item, std::size_t column) {
+    Word& word = word_of(item);
+    const std::size_t converted = word.fields.size() - word.columns.size();
+    const auto known = std::find(word.columns.begin(), word.columns.end(), column);
+    const auto place = static_cast<std::size_t>(known - word.columns.begin());
+    if (known != word.columns.end()) return converted + place;
+    word.columns.push_back(column);
+    return add_field(item, engine_.columns_of(item)[column], engine_.column_width);
   }
 
   const design::Design& design_;
@@ -135,19 +175,20 @@ scene::Multipliers multipliers_of(const design::Design& design) {
   return scene::Multipliers::logic;
 }
 
-void build_word(DatapathBuilder& datapath, const ItemWords& words) {
-  const fixed::FixedLane& loader = words.split->loader;
-  FixedNodes nodes(datapath, loader, words.schedule);
+void build_word(DatapathBuilder& datapath, const ItemWords& words, data::Item item) {
+  const fixed::FixedLane& loader = words.loader_of(item);
+  const Word& word = words.of(item);
+  FixedNodes nodes(datapath, loader, word.schedule);
   nodes.build();
-  const int cycle = words.schedule.latency_cycles;
+  const int cycle = word.schedule.latency_cycles;
   std::vector<Operand> fields;
   for (const NodeId id : loader.outputs) fields.push_back(datapath.at(nodes.value(id), cycle));
-  for (const std::vector<NodeId>& inputs : words.split->flags) {
+  for (const std::vector<NodeId>& inputs : words.split->of(role_of(item)).flags) {
     std::vector<Signal> misfits;
     for (const NodeId id : inputs) misfits.push_back(nodes.out_of_range(id));
     fields.push_back(datapath.any_at(misfits, cycle));
   }
-  for (const std::size_t column : words.columns) {
+  for (const std::size_t column : word.columns) {
     const std::string& port = datapath.port(static_cast<int>(column));
     const int width = loader.input_format.width();
     fields.push_back(datapath.at({net(port), port, width, 0}, cycle));
@@ -157,23 +198,43 @@ void build_word(DatapathBuilder& datapath, const ItemWords& words) {
   datapath.add(Assignment{net("word"), concatenation(std::move(fields))});
 }
 
+/// Schedules what computes the words, so that those of items and of rows are there after as many
+/// cycles, and names its modules.
+void schedule_words(const design::Design& design, const EngineShape& engine,
+                    const datapath::DelayTable& delays, ItemWords& words) {
+  const bool has_rows = !engine.row_columns.empty();
+  const auto schedule = [&](const fixed::FixedLane& loader) {
+    return datapath::schedule_lane(loader, multipliers_of(design), delays,
+                                   design.system.target_mhz);
+  };
+  words.items.schedule = schedule(words.split->items.lane);
+  if (has_rows) words.rows.schedule = schedule(words.split->rows.lane);
+  const int latency_cycles =
+      std::max(words.items.schedule.latency_cycles, words.rows.schedule.latency_cycles);
+  const auto name = [&](Word& word, const char* what) {
+    word.schedule.latency_cycles = latency_cycles;
+    word.module =
+        fmt::format("{}{}_{}_l{}", design.system.prefix, design.name, what, latency_cycles);
+  };
+  name(words.items, has_rows ? "candidate" : "item");
+  if (has_rows) name(words.rows, "row");
+}
+
 }  // namespace
 
 ItemWords item_words(const design::Design& design, const EngineShape& engine,
                      const datapath::DelayTable& delays) {
   ItemWords words = WordMaker(design, engine).run();
-  if (words.converts()) {
-    words.schedule = datapath::schedule_lane(words.split->loader, multipliers_of(design), delays,
-                                             design.system.target_mhz);
-  }
+  if (words.split) schedule_words(design, engine, delays, words);
   return words;
 }
 
-Module item_word_module(const std::string& name, const ItemWords& words,
-                        const EngineShape& engine) {
-  return datapath_module(name, operands_of_width(engine.columns, engine.column_width),
-                         {{Direction::output, words.bits(), "word"}},
-                         [&](DatapathBuilder& datapath) { build_word(datapath, words); });
+Module item_word_module(const ItemWords& words, data::Item item, const EngineShape& engine) {
+  const Word& word = words.of(item);
+  return datapath_module(word.module,
+                         operands_of_width(engine.columns_of(item), engine.column_width),
+                         {{Direction::output, word.bits(), "word"}},
+                         [&](DatapathBuilder& datapath) { build_word(datapath, words, item); });
 }
 
 Module word_lane_module(const std::string& name, const WordLane& lane,

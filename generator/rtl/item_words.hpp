@@ -11,13 +11,14 @@
 #include "model/design/design.hpp"
 #include "model/fixed/item_split.hpp"
 
-/// What the lanes of a pairwise engine know of an item: computed once, when the item is loaded.
+/// What the lanes of an engine know of its items, and of its rows where it has any: computed once,
+/// when they are loaded.
 namespace mixcmp::rtl {
 
-/// A port of a lane: bits of the word of one of its two items.
+/// A port of a lane: bits of the word of one of its items, or of the row.
 struct LanePort {
   std::string name;
-  bool second;  ///< of item j; else of item i
+  data::Item item;
   int low;
   int width;
 };
@@ -29,7 +30,8 @@ struct WordLane {
   std::vector<LanePort> ports;  ///< in the order of the lane's inputs
 };
 
-struct ItemWords {
+/// The word of an item, or of a row.
+struct Word {
   /// Bits of the word, the first field lowest: what was computed, its flags, columns as they
   /// arrive.
   struct Field {
@@ -37,23 +39,37 @@ struct ItemWords {
     int width;
     int low;
   };
-  std::vector<Field> fields;
-  std::optional<fixed::ItemSplit> split;  ///< none where nothing is computed
-  datapath::Schedule schedule;
+  std::vector<Field> fields;         ///< none of a row in an engine without rows
   std::vector<std::size_t> columns;  ///< those that the word holds as they arrive
-  std::vector<WordLane> lanes;       ///< one per group of the design's lanes
-  std::optional<WordLane> second_tier;
+  datapath::Schedule schedule;
+  std::string module;  ///< computes it; empty where nothing is computed
 
-  int bits() const { return fields.back().low + fields.back().width; }
-  bool converts() const { return split.has_value(); }
+  int bits() const { return fields.empty() ? 0 : fields.back().low + fields.back().width; }
+  bool converts() const { return !module.empty(); }
 };
 
-/// Splits the lanes of a design with a pairwise engine.
+struct ItemWords {
+  Word items;
+  Word rows;                              ///< takes as long to compute as that of an item
+  std::optional<fixed::ItemSplit> split;  ///< none where nothing is computed
+  std::vector<WordLane> lanes;            ///< one per group of the design's lanes
+  std::optional<WordLane> second_tier;
+
+  const Word& of(data::Item item) const { return item == data::Item::row ? rows : items; }
+  /// What computes the word of an item or a row; only for words that are converted.
+  const fixed::FixedLane& loader_of(data::Item item) const {
+    return (item == data::Item::row ? split->rows : split->items).lane;
+  }
+  int latency_cycles() const { return items.schedule.latency_cycles; }
+};
+
+/// Splits the lanes of a design with an engine.
 ItemWords item_words(const design::Design& design, const EngineShape& engine,
                      const datapath::DelayTable& delays);
 
-/// The datapath that computes an item's word from its columns; only for words that are converted.
-Module item_word_module(const std::string& name, const ItemWords& words, const EngineShape& engine);
+/// The datapath that computes the word of an item or a row from its columns; only for words that
+/// are converted.
+Module item_word_module(const ItemWords& words, data::Item item, const EngineShape& engine);
 
 /// A lane that reads words; `header` is left to the caller.
 Module word_lane_module(const std::string& name, const WordLane& lane,

@@ -6,6 +6,7 @@
 #include "generator/rtl/connections.hpp"
 #include "generator/rtl/datapath_builder.hpp"
 #include "generator/rtl/engine_operands.hpp"
+#include "generator/rtl/unread_bits.hpp"
 
 namespace mixcmp::rtl {
 namespace {
@@ -33,14 +34,6 @@ std::vector<Port> pairwise_ports(const PairwiseShape& shape, const SystemShape& 
   add_output(ports, streams, "m_axis_tlast", vector);
   add_counters(pairwise_counters(shape, system), system, ports);
   return ports;
-}
-
-using Nets = std::vector<std::pair<int, std::string>>;
-
-void declare(const Nets& nets, int count, std::vector<ModuleItem>& items) {
-  for (const auto& [width, name] : nets) {
-    items.push_back(Wire{count * width, name, nullptr, true});
-  }
 }
 
 /// `wide` fields of a vector, the lowest but one up, with another net below them or above them.
@@ -107,28 +100,6 @@ ModuleItem segment_loop(const PairwiseShape& shape, const SegmentGroup& segments
   connect("m_axis_tlast", "entry_tlast", 1);
   items.push_back(Instance{segments.module, "segment", {}, std::move(connections)});
   return loop("s", segments.first, segments.count, segments.label, std::move(items));
-}
-
-/// The datapath that computes an item's word, or wires where the word is columns.
-void add_conversion(const PairwiseShape& shape, std::vector<ModuleItem>& items) {
-  const EngineShape& engine = shape.engine;
-  items.push_back(Comment{"What the lanes know of an item."});
-  items.push_back(Wire{shape.words.bits(), "item_word", nullptr});
-  const auto column = [&](std::size_t k) {
-    const int low = static_cast<int>(k) * engine.column_width;
-    return slice("s_axis_tdata", low + engine.column_width - 1, low);
-  };
-  if (!shape.words.converts()) {
-    std::vector<Operand> fields;
-    for (const std::size_t k : shape.words.columns) fields.insert(fields.begin(), column(k));
-    items.push_back(Assignment{net("item_word"), concatenation(std::move(fields))});
-    return;
-  }
-  std::vector<Connection> connections = {by_name("aclk")};
-  const std::vector<std::string> ports = input_ports(engine.columns);
-  for (std::size_t k = 0; k < ports.size(); ++k) connections.push_back({ports[k], column(k)});
-  connections.push_back({"word", net("item_word")});
-  items.push_back(Instance{shape.word_module, "conversion", {}, std::move(connections)});
 }
 
 void declare_requests(const PairwiseShape& shape, const SystemShape& system,
@@ -333,8 +304,8 @@ TemplateInstance pairwise_template(const PairwiseShape& shape, const SystemShape
            {"REFERENCES", system.references},
            {"CAPACITY", shape.engine.capacity},
            {"ITEM_BITS", shape.engine.item_bits()},
-           {"WORD_BITS", shape.words.bits()},
-           {"WORD_LATENCY", shape.words.schedule.latency_cycles},
+           {"WORD_BITS", shape.words.items.bits()},
+           {"WORD_LATENCY", shape.words.latency_cycles()},
            {"INDEX_BITS", shape.engine.index_bits()},
            {"REPORT", spec.report.mask()},
            {"CODE_BITS", code_bits(spec)},
@@ -355,8 +326,11 @@ std::vector<Counters> pairwise_counters(const PairwiseShape& shape, const System
 Module pairwise_module(const PairwiseShape& shape, const SystemShape& system) {
   Module module = {shape.engine.top, {}, pairwise_ports(shape, system), {}};
   std::vector<ModuleItem>& items = module.items;
-  consume_padding("s_axis_tdata", shape.engine.item_bits(), shape.engine.item_bytes() * 8, items);
-  add_conversion(shape, items);
+  consume_unread("s_axis_tdata", shape.engine.item_bytes() * 8, {{0, shape.engine.item_bits()}},
+                 items);
+  items.push_back(Comment{"What the lanes know of an item."});
+  add_conversion(shape.words, data::Item::first, shape.engine,
+                 {.columns = "s_axis_tdata", .word = "item_word", .instance = "conversion"}, items);
   declare_chain(shape, items);
   if (system.recomputes()) declare_requests(shape, system, items);
   Instance around = engine_instance(shape, system, items);

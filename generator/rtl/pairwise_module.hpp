@@ -11,7 +11,6 @@ namespace mixcmp::rtl {
 struct PairwiseShape {
   EngineShape engine;
   ItemWords words;
-  std::string word_module;  ///< computes an item's word; empty where nothing is computed
   std::vector<SegmentGroup> segments;
 
   int segment_count() const { return segments.back().first + segments.back().count; }

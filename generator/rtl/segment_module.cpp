@@ -7,6 +7,7 @@
 
 #include "generator/rtl/connections.hpp"
 #include "generator/rtl/engine_operands.hpp"
+#include "generator/rtl/unread_bits.hpp"
 
 namespace mixcmp::rtl {
 namespace {
@@ -28,30 +29,14 @@ int queue_bits(int may_come, int waiting) {
   return std::bit_width(static_cast<unsigned>(may_come + waiting - 1));
 }
 
-/// Bits of a word that no port of a lane reads.
-std::vector<Operand> unread(const std::string& word, const WordLane& lane, bool second, int bits) {
-  std::vector<bool> read(static_cast<std::size_t>(bits), false);
-  for (const LanePort& port : lane.ports) {
-    if (port.second != second) continue;
-    std::fill_n(read.begin() + port.low, port.width, true);
-  }
-  std::vector<Operand> slices;
-  for (int low = 0; low < bits;) {
-    int high = low;
-    while (high + 1 < bits && read[high + 1] == read[low]) ++high;
-    if (!read[low]) slices.push_back(slice(word, high, low));
-    low = high + 1;
-  }
-  return slices;
-}
-
-/// Consumes the bits of a word that no port of a lane reads.
-void consume_unread(const std::string& word, const WordLane& lane, bool second, int bits,
+/// Consumes the bits of an item's word that no port of a lane reads.
+void consume_unread(const std::string& word, const WordLane& lane, data::Item item, int bits,
                     std::vector<ModuleItem>& items) {
-  std::vector<Operand> unused = unread(word, lane, second, bits);
-  if (unused.empty()) return;
-  unused.insert(unused.begin(), literal(1, 0));
-  items.push_back(Wire{1, "unused_" + word, all_bits(concatenation(std::move(unused)))});
+  std::vector<BitRange> read;
+  for (const LanePort& port : lane.ports) {
+    if (port.item == item) read.push_back({port.low, port.width});
+  }
+  rtl::consume_unread(word, bits, read, items);
 }
 
 /// A lane between the words `item_i` and `item_j`.
@@ -59,8 +44,8 @@ Instance lane_instance(const std::string& module, const WordLane& lane, const st
                        const std::string& item_j, Operand verdict, Operand decided) {
   std::vector<Connection> connections = {by_name("aclk")};
   for (const LanePort& port : lane.ports) {
-    connections.push_back(
-        {port.name, slice(port.second ? item_j : item_i, port.low + port.width - 1, port.low)});
+    const std::string& word = port.item == data::Item::second ? item_j : item_i;
+    connections.push_back({port.name, slice(word, port.low + port.width - 1, port.low)});
   }
   connections.push_back({"verdict", std::move(verdict)});
   connections.push_back({"decided", std::move(decided)});
@@ -70,11 +55,11 @@ Instance lane_instance(const std::string& module, const WordLane& lane, const st
 /// The segment's own lanes, each between the word that it holds and the one that passes.
 void add_lanes(const SystemShape& system, const ItemWords& words, const SegmentGroup& segments,
                std::vector<ModuleItem>& items) {
-  const int bits = words.bits();
+  const int bits = words.items.bits();
   const WordLane& lane = words.lanes[segments.lane_group];
   std::vector<ModuleItem> body;
   body.push_back(Wire{bits, "item_i", indexed("held_words", "k", bits)});
-  consume_unread("item_i", lane, false, bits, body);
+  consume_unread("item_i", lane, data::Item::first, bits, body);
   body.push_back(lane_instance(system.lane_groups[segments.lane_group].datapath, lane, "item_i",
                                "item_j", indexed("verdicts", "k", verdict_bits),
                                indexed("decided", "k", 1)));
@@ -102,7 +87,7 @@ std::vector<Parameter> common_parameters(const EngineShape& engine, int lanes, i
 /// The lane of more precision behind the segment's own ones, with what remembers their words.
 void add_second_tier(const SystemShape& system, const EngineShape& engine, const ItemWords& words,
                      int lanes, std::vector<ModuleItem>& items) {
-  const int bits = words.bits();
+  const int bits = words.items.bits();
   const DatapathGroup& tier = *system.second_tier;
   items.push_back(Comment{"What they leave undecided is decided again with more precision."});
   for (const char* word : {"tier_item_i", "tier_item_j"}) {
@@ -110,8 +95,8 @@ void add_second_tier(const SystemShape& system, const EngineShape& engine, const
   }
   items.push_back(Wire{verdict_bits, "tier_verdict", nullptr});
   items.push_back(Wire{1, "tier_decided", nullptr});
-  consume_unread("tier_item_i", *words.second_tier, false, bits, items);
-  consume_unread("tier_item_j", *words.second_tier, true, bits, items);
+  consume_unread("tier_item_i", *words.second_tier, data::Item::first, bits, items);
+  consume_unread("tier_item_j", *words.second_tier, data::Item::second, bits, items);
   std::vector<Parameter> parameters =
       common_parameters(engine, lanes, bits, tier.schedule.latency_cycles);
   parameters.push_back(
@@ -189,7 +174,7 @@ std::vector<SegmentGroup> segment_groups(const SystemShape& system, int lanes_pe
 
 int chain_bits(const EngineShape& engine, const ItemWords& words) {
   constexpr int flags = 4;  // close, first, stays, meets
-  return flags + engine.index_bits() + words.bits();
+  return flags + engine.index_bits() + words.items.bits();
 }
 
 int code_bits(const scene::EngineSpec& engine) {
@@ -204,13 +189,13 @@ Module segment_module(const SystemShape& system, const EngineShape& engine, cons
                       const SegmentGroup& segments) {
   Module module = {segments.module, {}, segment_ports(engine, words, segments.lanes), {}};
   std::vector<ModuleItem>& items = module.items;
-  const int bits = words.bits();
+  const int bits = words.items.bits();
   const int lanes = segments.lanes;
   items.push_back(Wire{bits, "item_j", nullptr});
   items.push_back(Wire{lanes * bits, "held_words", nullptr, true});
   items.push_back(Wire{lanes * verdict_bits, "verdicts", nullptr, true});
   items.push_back(Wire{lanes, "decided", nullptr, true});
-  consume_unread("item_j", words.lanes[segments.lane_group], true, bits, items);
+  consume_unread("item_j", words.lanes[segments.lane_group], data::Item::second, bits, items);
   std::vector<Connection> connections = clock_and_reset();
   append(connections, {"s_word_tvalid", "s_word_tready", "s_word_tdata", "m_word_tvalid",
                        "m_word_tready", "m_word_tdata"});

@@ -5,6 +5,7 @@
 #include "generator/rtl/connections.hpp"
 #include "generator/rtl/counter_port.hpp"
 #include "generator/rtl/datapath_builder.hpp"
+#include "generator/rtl/unread_bits.hpp"
 
 namespace mixcmp::rtl {
 namespace {
@@ -14,12 +15,19 @@ namespace {
 constexpr int outstanding_bits = 4;
 
 /// Connects each operand port of a datapath to its slice of `packed`.
-void append_operands(std::vector<Connection>& connections, const SystemShape& shape,
+void append_operands(std::vector<Connection>& connections, const DatapathGroup& group,
                      const std::string& packed) {
-  for (std::size_t k = 0; k < shape.input_ports.size(); ++k) {
-    const int low = static_cast<int>(k) * shape.input_width;
-    connections.push_back({shape.input_ports[k], slice(packed, low + shape.input_width - 1, low)});
+  for (const OperandPort& port : group.operands) {
+    connections.push_back({port.name, slice(packed, port.low + port.width - 1, port.low)});
   }
+}
+
+/// Consumes the bits of a lane's words that are of other kinds of lanes.
+void consume_unread_words(const SystemShape& shape, const DatapathGroup& group,
+                          std::vector<ModuleItem>& items) {
+  std::vector<BitRange> read;
+  for (const OperandPort& port : group.operands) read.push_back({port.low, port.width});
+  consume_unread("lane_operands", shape.lane_operand_bits(), read, items);
 }
 
 const std::vector<std::string> request_stream = {"m_request_tvalid", "m_request_tready",
@@ -34,7 +42,7 @@ std::vector<Port> lane_channel_ports(const SystemShape& shape) {
   add_input(ports, 1, "aresetn");
   add_input(ports, 1, "s_axis_tvalid");
   add_output(ports, 1, "s_axis_tready");
-  add_input(ports, shape.operand_bits(), "s_axis_tdata");
+  add_input(ports, shape.lane_operand_bits(), "s_axis_tdata");
   add_input(ports, shape.tag_bits, "s_axis_tuser");
   if (shape.recomputes()) {
     add_output(ports, 1, "m_request_tvalid");
@@ -100,18 +108,19 @@ void connect_refetch(const SystemShape& shape, std::vector<ModuleItem>& items,
                      std::vector<Connection>& connections) {
   if (shape.refetches()) {
     append(connections, {"m_refetch_tvalid", "m_refetch_tready"});
-    connections.push_back({"m_refetch_tdata", slice("m_refetch_tdata", shape.tag_bits - 1, 0)});
+    connections.push_back({"m_refetch_tdata", slice("m_refetch_tdata", shape.ask_bits() - 1, 0)});
     append(connections, {"s_refetch_tvalid", "s_refetch_tready", "s_refetch_tdata"});
-    const int padding = shape.refetch_bits() - shape.tag_bits;
+    const int padding = shape.refetch_bits() - shape.ask_bits();
     if (padding > 0) {
-      items.push_back(Assignment{slice("m_refetch_tdata", shape.refetch_bits() - 1, shape.tag_bits),
-                                 literal(padding, 0)});
+      items.push_back(
+          Assignment{slice("m_refetch_tdata", shape.refetch_bits() - 1, shape.ask_bits()),
+                     literal(padding, 0)});
     }
     return;
   }
   items.push_back(Comment{"Operands are carried: nothing is fetched again."});
   items.push_back(Wire{1, "unused_refetch_tvalid", nullptr});
-  items.push_back(Wire{shape.tag_bits, "unused_refetch_tdata", nullptr});
+  items.push_back(Wire{shape.ask_bits(), "unused_refetch_tdata", nullptr});
   items.push_back(Wire{1, "unused_refetch_tready", nullptr});
   connections.push_back({"m_refetch_tvalid", net("unused_refetch_tvalid")});
   connections.push_back({"m_refetch_tready", literal(1, 0)});
@@ -127,7 +136,7 @@ std::vector<Port> top_ports(const SystemShape& shape) {
   add_input(ports, 1, "aresetn");
   add_input(ports, shape.lanes, "s_axis_tvalid", true);
   add_output(ports, shape.lanes, "s_axis_tready", true);
-  add_input(ports, shape.lanes * shape.tdata_bytes() * 8, "s_axis_tdata", true);
+  add_input(ports, shape.lanes * shape.lane_tdata_bytes() * 8, "s_axis_tdata", true);
   add_input(ports, shape.lanes * shape.tag_bits, "s_axis_tuser", true);
   add_output(ports, shape.lanes, "m_axis_tvalid", true);
   add_input(ports, shape.lanes, "m_axis_tready", true);
@@ -172,17 +181,6 @@ void declare(std::vector<ModuleItem>& items, const std::vector<Bundle>& bundles,
   }
 }
 
-/// Consumes the padding bits of one comparison's tdata, which nothing else reads.
-void consume_padding(const SystemShape& shape, std::vector<ModuleItem>& items,
-                     const std::string& word, const std::string& unused_name) {
-  const int padding = shape.tdata_bytes() * 8 - shape.operand_bits();
-  if (padding == 0) return;
-  const int top = shape.tdata_bytes() * 8 - 1;
-  items.push_back(
-      Wire{1, unused_name,
-           all_bits(concatenation({literal(1, 0), slice(word, top, top - padding + 1)}))});
-}
-
 /// A generate loop over the group's channels; each iteration holds `items` and one channel.
 ModuleItem channel_loop(const std::string& variable, const DatapathGroup& group,
                         std::vector<ModuleItem> items, std::vector<Connection> connections) {
@@ -193,16 +191,16 @@ ModuleItem channel_loop(const std::string& variable, const DatapathGroup& group,
 
 ModuleItem lane_loop(const SystemShape& shape, const DatapathGroup& group) {
   std::vector<ModuleItem> items;
-  const int tdata_bits = shape.tdata_bytes() * 8;
+  const int tdata_bits = shape.lane_tdata_bytes() * 8;
   items.push_back(Wire{tdata_bits, "tdata", indexed("s_axis_tdata", "lane", tdata_bits)});
-  consume_padding(shape, items, "tdata", "unused_padding");
+  consume_unread("tdata", tdata_bits, {{0, shape.lane_operand_bits()}}, items);
   std::vector<Connection> connections = clock_and_reset();
   const auto connect = [&](const std::string& port, const std::string& name, int width) {
     connections.push_back({port, indexed(name, "lane", width)});
   };
   connect("s_axis_tvalid", "s_axis_tvalid", 1);
   connect("s_axis_tready", "s_axis_tready", 1);
-  connections.push_back({"s_axis_tdata", slice("tdata", shape.operand_bits() - 1, 0)});
+  connections.push_back({"s_axis_tdata", slice("tdata", shape.lane_operand_bits() - 1, 0)});
   connect("s_axis_tuser", "s_axis_tuser", shape.tag_bits);
   if (shape.recomputes()) {
     for (const Bundle& bundle : lane_bundles(shape)) {
@@ -233,7 +231,7 @@ ModuleItem reference_loop(const SystemShape& shape, const DatapathGroup& group) 
     const int tdata_bits = shape.tdata_bytes() * 8;
     items.push_back(
         Wire{tdata_bits, "refetched", indexed("s_refetch_tdata", "reference", tdata_bits)});
-    consume_padding(shape, items, "refetched", "unused_padding");
+    consume_unread("refetched", tdata_bits, {{0, shape.operand_bits()}}, items);
     connect("m_refetch_tvalid", "m_refetch_tvalid", 1);
     connect("m_refetch_tready", "m_refetch_tready", 1);
     connect("m_refetch_tdata", "m_refetch_tdata", shape.refetch_bits());
@@ -283,7 +281,15 @@ int SystemShape::lane_bits() const {
 
 int SystemShape::payload_bits() const {
   return operands == scene::OperandStore::carried ? ((operand_bits() - 1) >> beat_bits) + 1
-                                                  : tag_bits;
+                                                  : ask_bits();
+}
+
+std::vector<OperandPort> SystemShape::operand_ports() const {
+  std::vector<OperandPort> ports;
+  for (std::size_t k = 0; k < input_ports.size(); ++k) {
+    ports.push_back({input_ports[k], static_cast<int>(k) * input_width, input_width});
+  }
+  return ports;
 }
 
 int SystemShape::channel_latency_cycles() const {
@@ -293,16 +299,20 @@ int SystemShape::channel_latency_cycles() const {
 
 TemplateInstance tracker_template(const SystemShape& shape, int lane_latency_cycles) {
   const bool in_order = shape.order == scene::ResultOrder::in_order;
-  return {in_order ? "lane_reorder" : "lane_scoreboard",
-          {{"OPERAND_BITS", shape.operand_bits()},
-           {"TAG_BITS", shape.tag_bits},
-           {"SLOT_BITS", shape.slot_bits},
-           {"LANE_LATENCY", lane_latency_cycles},
-           {"COUNTER_BITS", shape.counter_bits},
-           {"RECOMPUTE", shape.recomputes() ? 1 : 0},
-           {"CARRIED", shape.operands == scene::OperandStore::carried ? 1 : 0},
-           {"BEAT_BITS", shape.beat_bits},
-           {"BLOCK", shape.block_memory ? 1 : 0}}};
+  const bool carries =
+      shape.operands == scene::OperandStore::carried || shape.asking_bits > 0;  // tags, at least
+  TemplateInstance tracker{in_order ? "lane_reorder" : "lane_scoreboard",
+                           {{"OPERAND_BITS", shape.lane_operand_bits()},
+                            {"TAG_BITS", shape.tag_bits},
+                            {"SLOT_BITS", shape.slot_bits},
+                            {"LANE_LATENCY", lane_latency_cycles},
+                            {"COUNTER_BITS", shape.counter_bits},
+                            {"RECOMPUTE", shape.recomputes() ? 1 : 0},
+                            {"CARRIED", carries ? 1 : 0},
+                            {"BEAT_BITS", shape.beat_bits},
+                            {"BLOCK", shape.block_memory ? 1 : 0}}};
+  if (shape.asking_bits > 0) tracker.parameters.push_back({"ASK_BITS", shape.asking_bits});
+  return tracker;
 }
 
 TemplateInstance crossbar_template(const SystemShape& shape) {
@@ -318,12 +328,13 @@ TemplateInstance crossbar_template(const SystemShape& shape) {
 Module lane_channel_module(const SystemShape& shape, const DatapathGroup& group) {
   Module module = {group.channel, {}, lane_channel_ports(shape), {}};
   std::vector<ModuleItem>& items = module.items;
-  items.push_back(Wire{shape.operand_bits(), "lane_operands", nullptr});
+  items.push_back(Wire{shape.lane_operand_bits(), "lane_operands", nullptr});
+  consume_unread_words(shape, group, items);
   items.push_back(Wire{verdict_bits, "lane_verdict", nullptr});
   items.push_back(Wire{1, "lane_decided", nullptr});
 
   std::vector<Connection> lane = {by_name("aclk")};
-  append_operands(lane, shape, "lane_operands");
+  append_operands(lane, group, "lane_operands");
   lane.push_back({"verdict", net("lane_verdict")});
   lane.push_back({"decided", net("lane_decided")});
   items.push_back(Instance{group.datapath, "lane", {}, std::move(lane)});
@@ -343,7 +354,7 @@ TemplateInstance reference_port_template(const SystemShape& shape,
                                          const datapath::Schedule& reference) {
   return {"reference_port",
           {{"OPERAND_BITS", shape.operand_bits()},
-           {"TAG_BITS", shape.tag_bits},
+           {"TAG_BITS", shape.ask_bits()},
            {"LANE_BITS", shape.lane_bits()},
            {"SLOT_BITS", shape.slot_bits},
            {"REFERENCE_LATENCY", reference.latency_cycles},
@@ -378,7 +389,7 @@ Module reference_channel_module(const SystemShape& shape, const DatapathGroup& g
   items.push_back(Wire{bits, phase, nullptr, folded});
   std::vector<Connection> reference = {by_name("aclk")};
   if (folded) reference.push_back({"phase", net(phase)});
-  append_operands(reference, shape, "reference_operands");
+  append_operands(reference, group, "reference_operands");
   reference.push_back({"verdict", net("reference_verdict")});
   items.push_back(Instance{group.datapath, "reference", {}, std::move(reference)});
 

@@ -10,11 +10,19 @@
 
 namespace mixcmp::rtl {
 
+/// A port of a datapath: bits of what its channel holds of a comparison.
+struct OperandPort {
+  std::string name;
+  int low;
+  int width;
+};
+
 /// Lanes or references of one kind.
 struct DatapathGroup {
   std::string datapath;  ///< the module's name
-  std::string channel;   ///< the module that surrounds the datapath with its streams
-  std::string label;     ///< label of the loop that instantiates the channels
+  std::vector<OperandPort> operands;
+  std::string channel;  ///< the module that surrounds the datapath with its streams
+  std::string label;    ///< label of the loop that instantiates the channels
   datapath::Schedule schedule;
   int first = 0;  ///< the number of the group's first lane or reference
   int count = 0;
@@ -31,7 +39,11 @@ struct SystemShape {
   int input_width = 0;                   ///< bits of one operand
   int lanes = 0;                         ///< p_L
   int references = 0;                    ///< p_H
+  /// Bits that a lane gets of a comparison where it reads words of an engine's items; 0: operands.
+  int word_bits = 0;
   int tag_bits = 0;
+  /// The low bits of a tag by which a reference asks for operands; 0: the whole tag.
+  int asking_bits = 0;
   int slot_bits = 0;
   int counter_bits = 0;       ///< of each counter's output; 0: no counters
   int read_counter_bits = 0;  ///< of counts that software reads on a port; 0: there is no such port
@@ -43,8 +55,11 @@ struct SystemShape {
 
   int operand_bits() const { return input_width * static_cast<int>(input_ports.size()); }
   int tdata_bytes() const { return (operand_bits() + 7) / 8; }
+  int lane_operand_bits() const { return word_bits > 0 ? word_bits : operand_bits(); }
+  int lane_tdata_bytes() const { return (lane_operand_bits() + 7) / 8; }
+  int ask_bits() const { return asking_bits > 0 ? asking_bits : tag_bits; }
   /// Bits of a tag on the refetch stream, padded to bytes as AXI4-Stream wants it.
-  int refetch_bits() const { return (tag_bits + 7) / 8 * 8; }
+  int refetch_bits() const { return (ask_bits() + 7) / 8 * 8; }
   int lane_bits() const;     ///< width of a lane's number, at least 1
   int payload_bits() const;  ///< width of a request's tag, or of a beat's part of the operands
   /// Cycles that the channel adds to its lane's latency, for a decided comparison that never waits.
@@ -52,6 +67,8 @@ struct SystemShape {
   bool recomputes() const { return references > 0; }
   bool has_counter_port() const { return read_counter_bits > 0; }
   bool counts_answers() const { return has_counter_port() && recomputes(); }
+  /// The operand ports of a datapath that takes operands as they arrive.
+  std::vector<OperandPort> operand_ports() const;
   bool refetches() const { return recomputes() && operands == scene::OperandStore::refetched; }
 };
 

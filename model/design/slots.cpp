@@ -10,13 +10,23 @@ namespace {
 constexpr int channel_overhead_cycles = 6;
 /// Slots that recomputations may hold while the lane goes on at full rate.
 constexpr int recomputation_slots = 16;
+/// Slots in which rows of a chain wait behind one that is recomputed: most of them for as long as
+/// a reference takes (the paper's, about 30 cycles).
+constexpr int chain_slots = 32;
+
+int slots_beside(int lane_latency_cycles, int waiting) {
+  const int needed = lane_latency_cycles + channel_overhead_cycles + waiting;
+  return static_cast<int>(std::bit_ceil(static_cast<unsigned>(needed)));
+}
 
 }  // namespace
 
 int slots_for(int lane_latency_cycles, bool recomputes) {
-  const int needed =
-      lane_latency_cycles + channel_overhead_cycles + (recomputes ? recomputation_slots : 0);
-  return static_cast<int>(std::bit_ceil(static_cast<unsigned>(needed)));
+  return slots_beside(lane_latency_cycles, recomputes ? recomputation_slots : 0);
+}
+
+int chain_slots_for(int lane_latency_cycles) {
+  return slots_beside(lane_latency_cycles, chain_slots);
 }
 
 }  // namespace mixcmp::design

@@ -6,4 +6,9 @@ namespace mixcmp::design {
 /// which a lane of this latency runs at full rate, even while some recomputations are under way.
 int slots_for(int lane_latency_cycles, bool recomputes);
 
+/// The number of rows that may be inside one lane of an arg-min engine's chain. A comparison that
+/// is recomputed holds up the rows behind it, and the lanes before it go on for as long as these
+/// find slots.
+int chain_slots_for(int lane_latency_cycles);
+
 }  // namespace mixcmp::design

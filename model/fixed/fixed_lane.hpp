@@ -118,10 +118,14 @@ struct FixedPart {
   friend bool operator==(const FixedPart&, const FixedPart&) = default;
 };
 
+/// What an operand of a comparison belongs to: one of its two items, or the row that is compared
+/// with both.
+enum class ItemRole { first, second, row };
+
 /// An input of a lane whose operands were loaded before, see ItemSplit: an integer of its node's
-/// format, which is a field of the word of one of the two items, or the upper bits of one.
+/// format, which is a field of the word of an item or of the row, or the upper bits of one.
 struct LoadedInput {
-  bool second;                     ///< of item j; else of item i
+  ItemRole role;                   ///< whose word
   std::size_t field;               ///< of the word
   int dropped_bits;                ///< low bits of the field that are not the input's
   std::vector<std::size_t> flags;  ///< of the word; any: what the field was made of does not fit

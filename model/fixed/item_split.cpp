@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -11,20 +12,38 @@
 namespace mixcmp::fixed {
 namespace {
 
-/// What a node is computed from.
-enum class Reads { constants, first_item, second_item, both };
+/// What a node is computed from: constants alone, operands of one role, or of several.
+struct Reads {
+  std::optional<ItemRole> role = {};
+  bool several = false;
 
-Reads joined(Reads a, Reads b) {
-  if (a == b || b == Reads::constants) return a;
-  return a == Reads::constants ? b : Reads::both;
+  bool is_of_one() const { return role.has_value() && !several; }
+};
+
+Reads joined(const Reads& a, const Reads& b) {
+  const bool differ = a.role && b.role && a.role != b.role;
+  return {a.role ? a.role : b.role, a.several || b.several || differ};
 }
 
-bool is_of_one_item(Reads reads) {
-  return reads == Reads::first_item || reads == Reads::second_item;
-}
+/// The parts of all lanes that an operand matters to, by its role.
+using Affected = std::array<std::set<std::pair<std::size_t, std::size_t>>, 3>;
 
-/// The parts of all lanes that an operand matters to, where it is one of item i and one of item j.
-using Affected = std::array<std::set<std::pair<std::size_t, std::size_t>>, 2>;
+/// A loader in the making.
+struct Loading {
+  /// What the formats of one column's operand have in common if a coarser one is the upper bits of
+  /// a finer one: the power of two that bounds it, and whether it is signed. Units differ.
+  struct Operand {
+    int column;
+    int top;
+    bool is_signed;
+
+    friend auto operator<=>(const Operand&, const Operand&) = default;
+  };
+
+  ItemLoader& made;
+  std::map<Operand, FixedNode> finest = {};
+  std::map<NodeId, Affected> affected = {};  ///< [input of the loader]
+};
 
 /// The nodes that a criterion reads, to be renumbered.
 std::vector<NodeId*> nodes_of(FixedPart& part) {
@@ -39,14 +58,10 @@ std::vector<NodeId*> nodes_of(FixedPart& part) {
 class Splitter {
 public:
   Splitter(const std::vector<const FixedLane*>& lanes, const std::vector<ItemInput>& inputs,
-           const std::vector<std::string>& columns)
+           const std::vector<std::string>& columns, const std::vector<std::string>& row_columns)
       : inputs_(inputs),
-        split_{.loader = {.format = lanes.front()->format,
-                          .nodes = {},
-                          .input_names = columns,
-                          .input_format = lanes.front()->input_format,
-                          .parts = {}},
-               .flags = {},
+        split_{.items = empty_loader(*lanes.front(), columns),
+               .rows = empty_loader(*lanes.front(), row_columns),
                .lanes = {}} {
     for (const FixedLane* lane : lanes) note_finest(*lane);
     for (const FixedLane* lane : lanes) split_.lanes.push_back(split_lane(*lane));
@@ -58,17 +73,19 @@ public:
   }
 
 private:
-  /// What the formats of one column's operand have in common if a coarser one is the upper bits of
-  /// a finer one: the power of two that bounds it, and whether it is signed. Units differ.
-  struct Operand {
-    int column;
-    int top;
-    bool is_signed;
+  static ItemLoader empty_loader(const FixedLane& lane, const std::vector<std::string>& columns) {
+    return {.lane = {.format = lane.format,
+                     .nodes = {},
+                     .input_names = columns,
+                     .input_format = lane.input_format,
+                     .parts = {}},
+            .flags = {}};
+  }
 
-    friend auto operator<=>(const Operand&, const Operand&) = default;
-  };
+  Loading& loading_of(ItemRole role) { return role == ItemRole::row ? rows_ : items_; }
+  Loading& loading_of(const FixedNode& input) { return loading_of(inputs_[input.input].role); }
 
-  Operand operand_of(const FixedNode& input) const {
+  Loading::Operand operand_of(const FixedNode& input) const {
     const FixedFormat& format = input.format;
     return {inputs_[input.input].column, format.unit_exponent + format.magnitude_bits(),
             format.is_signed};
@@ -77,7 +94,8 @@ private:
   void note_finest(const FixedLane& lane) {
     for (const FixedNode& node : lane.nodes) {
       if (node.operation != Operation::input) continue;
-      FixedNode& finest = finest_.emplace(operand_of(node), node).first->second;
+      std::map<Loading::Operand, FixedNode>& known = loading_of(node).finest;
+      FixedNode& finest = known.emplace(operand_of(node), node).first->second;
       if (node.format.width > finest.format.width) finest = node;
       finest.input = inputs_[node.input].column;
     }
@@ -93,8 +111,8 @@ private:
     std::vector<NodeId> new_id(lane.nodes.size(), -1);
     for (const NodeId id : nodes_left(lane, reads)) {
       FixedNode node = lane.nodes[id];
-      if (is_of_one_item(reads[id])) {
-        node = loaded(lane, id, reads[id] == Reads::second_item, rest);
+      if (reads[id].is_of_one()) {
+        node = loaded(lane, id, *reads[id].role, rest);
       } else {
         for (int k = 0; k < arity(node.operation); ++k) node.operands[k] = new_id[node.operands[k]];
       }
@@ -108,17 +126,16 @@ private:
     return rest;
   }
 
-  /// A node that is checked is left to the pair: its check belongs to a part, not to an item.
+  /// A node that is checked is left to the pair, as one of several roles: its check belongs to a
+  /// part, not to an item.
   std::vector<Reads> reads_of(const FixedLane& lane) const {
     std::vector<Reads> reads;
     for (const FixedNode& node : lane.nodes) {
-      Reads now = Reads::constants;
-      if (node.operation == Operation::input) {
-        now = inputs_[node.input].second ? Reads::second_item : Reads::first_item;
-      }
+      Reads now;
+      if (node.operation == Operation::input) now.role = inputs_[node.input].role;
       for (int k = 0; k < arity(node.operation); ++k) now = joined(now, reads[node.operands[k]]);
-      const bool stays = is_checked(node) || is_common_cut(node);
-      reads.push_back(stays ? Reads::both : now);
+      now.several = now.several || is_checked(node) || is_common_cut(node);
+      reads.push_back(now);
     }
     return reads;
   }
@@ -131,7 +148,7 @@ private:
       for (const NodeId* id : nodes_of(part)) needed[*id] = true;
     }
     for (auto id = static_cast<NodeId>(lane.nodes.size()); id-- > 0;) {
-      if (!needed[id] || is_of_one_item(reads[id])) continue;
+      if (!needed[id] || reads[id].is_of_one()) continue;
       const FixedNode& node = lane.nodes[id];
       for (int k = 0; k < arity(node.operation); ++k) needed[node.operands[k]] = true;
     }
@@ -142,10 +159,12 @@ private:
     return left;
   }
 
-  /// The node that stands for a field of the word.
-  FixedNode loaded(const FixedLane& lane, NodeId id, bool second, FixedLane& rest) {
-    const NodeId made = is_input(lane, id) ? finest_input(lane.nodes[id]) : loader_node(lane, id);
-    std::vector<NodeId>& fields = split_.loader.outputs;
+  /// The node that stands for a field of a word.
+  FixedNode loaded(const FixedLane& lane, NodeId id, ItemRole role, FixedLane& rest) {
+    Loading& loading = loading_of(role);
+    const NodeId made =
+        is_input(lane, id) ? finest_input(lane.nodes[id]) : loader_node(loading, lane, id);
+    std::vector<NodeId>& fields = loading.made.lane.outputs;
     auto field = std::find(fields.begin(), fields.end(), made);
     if (field == fields.end()) field = fields.insert(fields.end(), made);
     FixedNode node = lane.nodes[id];
@@ -155,9 +174,9 @@ private:
     node.dropped_bits = 0;
     node.input = static_cast<int>(rest.loaded_inputs.size());
     rest.loaded_inputs.push_back(
-        {.second = second,
+        {.role = role,
          .field = static_cast<std::size_t>(field - fields.begin()),
-         .dropped_bits = split_.loader.nodes[made].format.width - node.format.width,
+         .dropped_bits = loading.made.lane.nodes[made].format.width - node.format.width,
          .flags = {}});
     return node;
   }
@@ -166,22 +185,25 @@ private:
     return lane.nodes[id].operation == Operation::input;
   }
 
-  /// The node of the loader that computes of an item's columns what `id` computes; one for all that
+  /// The node of the loader that computes of its columns what `id` computes; one for all that
   /// compute the same.
-  NodeId loader_node(const FixedLane& lane, NodeId id) {
+  NodeId loader_node(Loading& loading, const FixedLane& lane, NodeId id) {
     FixedNode node = lane.nodes[id];
-    if (node.operation == Operation::input) return upper_bits(finest_input(node), node);
+    if (node.operation == Operation::input) return upper_bits(loading, finest_input(node), node);
     for (int k = 0; k < arity(node.operation); ++k) {
-      node.operands[k] = loader_node(lane, node.operands[k]);
+      node.operands[k] = loader_node(loading, lane, node.operands[k]);
     }
-    return add_once(std::move(node));
+    return add_once(loading, std::move(node));
   }
 
-  NodeId finest_input(const FixedNode& input) { return add_once(finest_.at(operand_of(input))); }
+  NodeId finest_input(const FixedNode& input) {
+    Loading& loading = loading_of(input);
+    return add_once(loading, loading.finest.at(operand_of(input)));
+  }
 
   /// The loader's node for `input`'s operand in `input`'s format: `finest`, or its upper bits.
-  NodeId upper_bits(NodeId finest, const FixedNode& input) {
-    const int dropped = split_.loader.nodes[finest].format.width - input.format.width;
+  static NodeId upper_bits(Loading& loading, NodeId finest, const FixedNode& input) {
+    const int dropped = loading.made.lane.nodes[finest].format.width - input.format.width;
     if (dropped == 0) return finest;
     FixedNode cut = input;
     cut.operation = Operation::convert;
@@ -189,11 +211,11 @@ private:
     cut.input = -1;
     cut.conversion = Conversion::cut;
     cut.dropped_bits = dropped;
-    return add_once(std::move(cut));
+    return add_once(loading, std::move(cut));
   }
 
-  NodeId add_once(FixedNode node) {
-    std::vector<FixedNode>& nodes = split_.loader.nodes;
+  static NodeId add_once(Loading& loading, FixedNode node) {
+    std::vector<FixedNode>& nodes = loading.made.lane.nodes;
     const auto known = std::find(nodes.begin(), nodes.end(), node);
     if (known != nodes.end()) return static_cast<NodeId>(known - nodes.begin());
     nodes.push_back(std::move(node));
@@ -207,51 +229,63 @@ private:
       for (const NodeId id : fan_in(lane, lane.parts[part].difference)) {
         const FixedNode& node = lane.nodes[id];
         if (node.operation != Operation::input) continue;
-        affected_[finest_input(node)][inputs_[node.input].second ? 1 : 0].emplace(number, part);
+        const auto role = static_cast<std::size_t>(inputs_[node.input].role);
+        loading_of(node).affected[finest_input(node)][role].emplace(number, part);
       }
     }
   }
 
-  /// One flag for all operands that matter to the same parts.
   void make_flags() {
+    for (Loading* loading : {&items_, &rows_}) make_flags(*loading);
+  }
+
+  /// One flag for all operands that matter to the same parts.
+  void make_flags(Loading& loading) {
+    std::vector<std::vector<NodeId>>& flags = loading.made.flags;
     std::map<Affected, std::size_t> known;
     std::map<NodeId, std::size_t> flag_of;  // [input of the loader]
-    for (const auto& [input, affected] : affected_) {
-      const auto flag = known.emplace(affected, split_.flags.size()).first->second;
-      if (flag == split_.flags.size()) split_.flags.emplace_back();
-      split_.flags[flag].push_back(input);
+    for (const auto& [input, affected] : loading.affected) {
+      const auto flag = known.emplace(affected, flags.size()).first->second;
+      if (flag == flags.size()) flags.emplace_back();
+      flags[flag].push_back(input);
       flag_of[input] = flag;
     }
     for (FixedLane& lane : split_.lanes) {
       for (LoadedInput& loaded : lane.loaded_inputs) {
-        std::set<std::size_t> flags;
-        for (const NodeId id : fan_in(split_.loader, split_.loader.outputs[loaded.field])) {
-          const auto flag = flag_of.find(id);
-          if (flag != flag_of.end()) flags.insert(flag->second);
-        }
-        loaded.flags.assign(flags.begin(), flags.end());
+        if (&loading_of(loaded.role) == &loading) note_flags(loading.made.lane, flag_of, loaded);
       }
     }
   }
 
+  static void note_flags(const FixedLane& loader, const std::map<NodeId, std::size_t>& flag_of,
+                         LoadedInput& loaded) {
+    std::set<std::size_t> flags;
+    for (const NodeId id : fan_in(loader, loader.outputs[loaded.field])) {
+      const auto flag = flag_of.find(id);
+      if (flag != flag_of.end()) flags.insert(flag->second);
+    }
+    loaded.flags.assign(flags.begin(), flags.end());
+  }
+
   const std::vector<ItemInput>& inputs_;
   ItemSplit split_;
-  std::map<Operand, FixedNode> finest_;
-  std::map<NodeId, Affected> affected_;  ///< [input of the loader]
+  Loading items_{split_.items};
+  Loading rows_{split_.rows};
 };
 
 }  // namespace
 
 ItemSplit split_by_item(const std::vector<const FixedLane*>& lanes,
                         const std::vector<ItemInput>& inputs,
-                        const std::vector<std::string>& columns) {
-  return Splitter(lanes, inputs, columns).run();
+                        const std::vector<std::string>& columns,
+                        const std::vector<std::string>& row_columns) {
+  return Splitter(lanes, inputs, columns, row_columns).run();
 }
 
 std::vector<LoadedFlag> flags_read(const FixedLane& lane) {
   std::set<LoadedFlag> flags;
   for (const LoadedInput& loaded : lane.loaded_inputs) {
-    for (const std::size_t flag : loaded.flags) flags.insert({loaded.second, flag});
+    for (const std::size_t flag : loaded.flags) flags.insert({loaded.role, flag});
   }
   return {flags.begin(), flags.end()};
 }

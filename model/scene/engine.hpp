@@ -40,8 +40,8 @@ struct EngineSpec {
   int lanes_per_group = 8;  ///< lanes of a pairwise engine that work in lock step
 
   /// Width in bits of a comparison's tag inside the system. The tag of a pair is {j, i}. An arg_min
-  /// engine keeps the row's tag (row_tag_bits) to itself: its comparisons have a tag of one bit,
-  /// which it does not use.
+  /// engine keeps the row's tag (row_tag_bits) to itself: tags of its comparisons follow from the
+  /// lanes' latencies, and 1 stands for them here.
   int tag_bits() const;
 };
 

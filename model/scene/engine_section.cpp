@@ -45,10 +45,11 @@ Result<Done> check_arg_min_system(const settings::Settings& settings, const Engi
     return section.mistake(key, message, received, accepted);
   };
   const std::string decided = "the arg-min engine decides it";
-  OperandStore operands = OperandStore::carried;
+  OperandStore operands = OperandStore::refetched;
   section.choice("operands", operands, {OperandStore::carried, OperandStore::refetched});
-  if (operands != OperandStore::carried) {
-    return refuse("operands", decided, "\"refetched\"", "\"carried\", or no key");
+  if (operands != OperandStore::refetched) {
+    return refuse("operands", decided, "\"carried\"",
+                  "\"refetched\", or no key: the engine's memories hold the operands");
   }
   ResultOrder order = ResultOrder::in_order;
   section.choice("order", order, {ResultOrder::tagged, ResultOrder::in_order});
@@ -168,12 +169,10 @@ SystemSpec with_engine(SystemSpec system, const EngineSpec& engine) {
   system.engine = engine;
   switch (engine.kind) {
     case EngineKind::none: return system;
-    case EngineKind::pairwise: system.operands = OperandStore::refetched; break;
-    case EngineKind::arg_min:
-      system.operands = OperandStore::carried;
-      system.order = ResultOrder::in_order;
-      break;
+    case EngineKind::pairwise: break;
+    case EngineKind::arg_min: system.order = ResultOrder::in_order; break;
   }
+  system.operands = OperandStore::refetched;
   system.tag_bits = engine.tag_bits();
   return system;
 }

@@ -3,57 +3,81 @@
 // Fewer are as good as the last one repeated; those beyond are accepted and left out, and `overrun`
 // says so until the next load. Then rows come in, each with a tag and tlast, and leave in their
 // order as {index of the candidate, tag, tlast}. Lane k - 1 compares candidate k with the best of
-// candidates 0 to k - 1: it must return one result {6'b0, verdict} for each pair, in order, and
-// decide all.
+// candidates 0 to k - 1: it must return one result {6'b0, verdict} for each pair, in order, with the
+// pair's tag, and decide all.
+// Lanes see words: `candidate_word` and `row_word` come WORD_LATENCY cycles behind `candidate` and
+// s_axis_tdata. Full candidates and rows stay in memories, of which the references ask for a pair by
+// the low bits of its tag, {index of its own candidate, of the best, place of the row}.
+// 2^PLACE_BITS rows may be inside.
 // A load that follows is taken when no row is inside; while it is offered no row comes in.
-// Interval 1; latency CANDIDATES - 1 times that of a lane plus one. Rows come in 2 cycles
-// after the last candidate at the earliest. Counters wrap: rows that have left, cycles in which
-// a row was offered to complete candidates, none on offer, and not taken. Reset forgets all.
+// Interval 1; latency CANDIDATES - 1 times that of a lane plus one, and WORD_LATENCY + 2. Rows come
+// in 2 cycles after the last candidate at the earliest. Counters wrap: rows that have left, cycles
+// in which a row was offered to complete candidates, none on offer, and not taken. Reset forgets
+// all; lanes and references have to be reset, too.
 `default_nettype none
 
 module arg_min_engine #(
   parameter CANDIDATES = 3,       // 2 .. 2^INDEX_BITS
   parameter CANDIDATE_BITS = 32,
   parameter ROW_BITS = 32,
+  parameter WORD_BITS = 32,       // of a candidate
+  parameter ROW_WORD_BITS = 32,
+  parameter WORD_LATENCY = 0,
   parameter TAG_BITS = 8,
   parameter INDEX_BITS = 2,
-  parameter SLOT_BITS = 5,        // 2^SLOT_BITS + 1 rows may be inside one lane
+  parameter PLACE_BITS = 6,
+  parameter REFERENCES = 1,
   parameter COUNTER_BITS = 32
 ) (
-  input  wire                                             aclk,
-  input  wire                                             aresetn,
-  input  wire                                             s_candidate_tvalid,
-  output wire                                             s_candidate_tready,
-  input  wire [CANDIDATE_BITS-1:0]                        s_candidate_tdata,
-  input  wire                                             s_candidate_tlast,
-  input  wire                                             s_axis_tvalid,
-  output wire                                             s_axis_tready,
-  input  wire [ROW_BITS-1:0]                              s_axis_tdata,
-  input  wire [TAG_BITS-1:0]                              s_axis_tuser,
-  input  wire                                             s_axis_tlast,
-  output wire [CANDIDATES-2:0]                            pair_tvalid,
-  input  wire [CANDIDATES-2:0]                            pair_tready,
-  output wire [(CANDIDATES-1)*ROW_BITS-1:0]               pair_row,
-  output wire [(CANDIDATES-1)*CANDIDATE_BITS-1:0]         pair_best,
-  output wire [(CANDIDATES-1)*CANDIDATE_BITS-1:0]         pair_own,
-  input  wire [CANDIDATES-2:0]                            result_tvalid,
-  output wire [CANDIDATES-2:0]                            result_tready,
-  input  wire [(CANDIDATES-1)*8-1:0]                      result_tdata,
-  output wire                                             m_axis_tvalid,
-  input  wire                                             m_axis_tready,
-  output wire [8*((INDEX_BITS+7)/8)-1:0]                  m_axis_tdata,
-  output wire [TAG_BITS-1:0]                              m_axis_tuser,
-  output wire                                             m_axis_tlast,
-  output wire                                             overrun,
-  output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0] rows,
-  output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0] stalled_cycles
+  input  wire                                                               aclk,
+  input  wire                                                               aresetn,
+  input  wire                                                               s_candidate_tvalid,
+  output wire                                                               s_candidate_tready,
+  input  wire [CANDIDATE_BITS-1:0]                                          s_candidate_tdata,
+  input  wire                                                               s_candidate_tlast,
+  output wire [CANDIDATE_BITS-1:0]                                          candidate,
+  input  wire [WORD_BITS-1:0]                                               candidate_word,
+  input  wire                                                               s_axis_tvalid,
+  output wire                                                               s_axis_tready,
+  input  wire [ROW_BITS-1:0]                                                s_axis_tdata,
+  input  wire [TAG_BITS-1:0]                                                s_axis_tuser,
+  input  wire                                                               s_axis_tlast,
+  input  wire [ROW_WORD_BITS-1:0]                                           row_word,
+  output wire [CANDIDATES-2:0]                                              pair_tvalid,
+  input  wire [CANDIDATES-2:0]                                              pair_tready,
+  output wire [(CANDIDATES-1)*WORD_BITS-1:0]                                pair_best,
+  output wire [(CANDIDATES-1)*WORD_BITS-1:0]                                pair_own,
+  output wire [(CANDIDATES-1)*(ROW_WORD_BITS+2*INDEX_BITS+PLACE_BITS)-1:0]  pair_tag,  // row's word on top
+  input  wire [CANDIDATES-2:0]                                              result_tvalid,
+  output wire [CANDIDATES-2:0]                                              result_tready,
+  input  wire [(CANDIDATES-1)*8-1:0]                                        result_tdata,
+  input  wire [(CANDIDATES-1)*(ROW_WORD_BITS+2*INDEX_BITS+PLACE_BITS)-1:0]  result_tag,
+  input  wire [REFERENCES-1:0]                                              refetch_tvalid,
+  output wire [REFERENCES-1:0]                                              refetch_tready,
+  input  wire [REFERENCES*(2*INDEX_BITS+PLACE_BITS)-1:0]                    refetch_tdata,
+  output wire [REFERENCES-1:0]                                              refetched_tvalid,
+  input  wire [REFERENCES-1:0]                                              refetched_tready,
+  output wire [REFERENCES*(2*CANDIDATE_BITS+ROW_BITS)-1:0]                  refetched_tdata,  // {own, best, row}
+  output wire                                                               m_axis_tvalid,
+  input  wire                                                               m_axis_tready,
+  output wire [8*((INDEX_BITS+7)/8)-1:0]                                    m_axis_tdata,
+  output wire [TAG_BITS-1:0]                                                m_axis_tuser,
+  output wire                                                               m_axis_tlast,
+  output wire                                                               overrun,
+  output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]                   rows,
+  output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]                   stalled_cycles
 );
 
-  localparam STAGES       = CANDIDATES - 1;
-  localparam FIELD_BITS   = 8 * ((INDEX_BITS + 7) / 8);
-  localparam PAYLOAD_BITS = 1 + TAG_BITS + ROW_BITS;
-  localparam INSIDE_BITS  = SLOT_BITS + INDEX_BITS + 1;  // 2^SLOT_BITS + 2 rows in each stage
-  localparam [INSIDE_BITS-1:0] ONE = 1;
+  localparam STAGES        = CANDIDATES - 1;
+  localparam FIELD_BITS    = 8 * ((INDEX_BITS + 7) / 8);
+  localparam ROW_LINK_BITS = ROW_WORD_BITS + PLACE_BITS;
+  localparam PAIR_BITS     = ROW_WORD_BITS + 2 * INDEX_BITS + PLACE_BITS;
+  localparam [PLACE_BITS:0]   ONE_ROW   = 1;
+  localparam [PLACE_BITS-1:0] ONE_PLACE = 1;
+
+  // Rows that may be inside the conversion when their queue says stop, and room for some more.
+  localparam MAY_COME   = WORD_LATENCY + 2;
+  localparam QUEUE_BITS = bits_for(MAY_COME + 4);
 
   function integer bits_for;  // to name one of `count`
     input integer count;
@@ -76,6 +100,15 @@ module arg_min_engine #(
     if (ROW_BITS < 1) begin : g_refused_row_bits
       ROW_BITS_is_below_1 refused ();
     end
+    if (WORD_BITS < 1) begin : g_refused_word_bits
+      WORD_BITS_is_below_1 refused ();
+    end
+    if (ROW_WORD_BITS < 1) begin : g_refused_row_word_bits
+      ROW_WORD_BITS_is_below_1 refused ();
+    end
+    if (WORD_LATENCY < 0) begin : g_refused_word_latency
+      WORD_LATENCY_is_below_0 refused ();
+    end
     if (TAG_BITS < 1) begin : g_refused_tag_bits
       TAG_BITS_is_below_1 refused ();
     end
@@ -88,8 +121,11 @@ module arg_min_engine #(
     if (((CANDIDATES - 1) >>> INDEX_BITS) > 0) begin : g_refused_last_candidate
       INDEX_BITS_is_too_small_for_CANDIDATES refused ();
     end
-    if (SLOT_BITS < 1) begin : g_refused_slot_bits
-      SLOT_BITS_is_below_1 refused ();
+    if (PLACE_BITS < 1) begin : g_refused_place_bits
+      PLACE_BITS_is_below_1 refused ();
+    end
+    if (REFERENCES < 1) begin : g_refused_references
+      REFERENCES_is_below_1 refused ();
     end
     if (COUNTER_BITS < 0) begin : g_refused_counter_bits
       COUNTER_BITS_is_below_0 refused ();
@@ -98,18 +134,21 @@ module arg_min_engine #(
 
   // Words go from the last stage to the first, rows from the first to the last: link k of either
   // is before stage k + 1.
-  wire [STAGES:0]                      word_valid;
-  wire [CANDIDATES*INDEX_BITS-1:0]     word_index;
-  wire [CANDIDATES*CANDIDATE_BITS-1:0] word_data;
-  wire [STAGES:0]                      row_valid;
-  wire [STAGES:0]                      row_ready;
-  wire [CANDIDATES*PAYLOAD_BITS-1:0]   row_data;
-  wire [CANDIDATES*INDEX_BITS-1:0]     row_best;
+  wire [STAGES:0]                     word_valid;
+  wire [CANDIDATES*INDEX_BITS-1:0]    word_index;
+  wire [CANDIDATES*WORD_BITS-1:0]     word_data;
+  wire [STAGES:0]                     row_valid;
+  wire [STAGES:0]                     row_ready;
+  wire [CANDIDATES*ROW_LINK_BITS-1:0] row_data;
+  wire [CANDIDATES*INDEX_BITS-1:0]    row_best;
 
-  wire                                 complete;
-  wire                                 waiting;
-  wire                                 idle;
-  wire                                 open = complete && !waiting;
+  // Candidates: into the memory as they are, into the chain as words.
+  wire                  loaded_valid;
+  wire [INDEX_BITS-1:0] loaded_index;
+  wire                  complete;
+  wire                  waiting;
+  wire                  idle;
+  wire                  open = complete && !waiting;
 
   candidate_loader #(
     .CANDIDATES    (CANDIDATES),
@@ -122,19 +161,127 @@ module arg_min_engine #(
     .s_axis_tready(s_candidate_tready),
     .s_axis_tdata (s_candidate_tdata),
     .s_axis_tlast (s_candidate_tlast),
-    .m_word_valid (word_valid[STAGES]),
-    .m_word_index (word_index[STAGES*INDEX_BITS +: INDEX_BITS]),
-    .m_word_data  (word_data[STAGES*CANDIDATE_BITS +: CANDIDATE_BITS]),
+    .m_word_valid (loaded_valid),
+    .m_word_index (loaded_index),
+    .m_word_data  (candidate),
     .idle         (idle),
     .complete     (complete),
     .waiting      (waiting),
     .overrun      (overrun)
   );
 
-  assign row_valid[0]               = s_axis_tvalid && open;
-  assign row_data[PAYLOAD_BITS-1:0] = {s_axis_tlast, s_axis_tuser, s_axis_tdata};
-  assign row_best[INDEX_BITS-1:0]   = {INDEX_BITS{1'b0}};
-  assign s_axis_tready              = row_ready[0] && open;
+  valid_delay_line #(
+    .LENGTH(WORD_LATENCY)
+  ) loaded_beside_word (
+    .aclk   (aclk),
+    .aresetn(aresetn),
+    .d      (loaded_valid),
+    .q      (word_valid[STAGES])
+  );
+
+  delay_line #(
+    .WIDTH (INDEX_BITS),
+    .LENGTH(WORD_LATENCY)
+  ) index_beside_word (
+    .aclk(aclk),
+    .d   (loaded_index),
+    .q   (word_index[STAGES*INDEX_BITS +: INDEX_BITS])
+  );
+
+  assign word_data[STAGES*WORD_BITS +: WORD_BITS] = candidate_word;
+
+  // Rows inside, each in a place of its own: they leave in their order, so places are taken and
+  // come free in turn.
+  wire                  enters = s_axis_tvalid && s_axis_tready;
+  wire                  leaves = m_axis_tvalid && m_axis_tready;
+  reg  [PLACE_BITS:0]   inside_q;
+  reg  [PLACE_BITS-1:0] free_place_q;
+  wire                  full   = inside_q[PLACE_BITS];
+  wire                  room;
+
+  assign idle          = (inside_q == {(PLACE_BITS+1){1'b0}});
+  assign s_axis_tready = open && room && !full;
+
+  always @(posedge aclk) begin
+    if (!aresetn) begin
+      inside_q     <= {(PLACE_BITS+1){1'b0}};
+      free_place_q <= {PLACE_BITS{1'b0}};
+    end else begin
+      if (enters && !leaves) begin
+        inside_q <= inside_q + ONE_ROW;
+      end else if (leaves && !enters) begin
+        inside_q <= inside_q - ONE_ROW;
+      end
+      if (enters) begin
+        free_place_q <= free_place_q + ONE_PLACE;
+      end
+    end
+  end
+
+  // A free place is written in every cycle, whatever is on offer: the row that takes it comes last.
+  operand_memory #(
+    .REFERENCES    (REFERENCES),
+    .CANDIDATE_BITS(CANDIDATE_BITS),
+    .ROW_BITS      (ROW_BITS),
+    .INDEX_BITS    (INDEX_BITS),
+    .PLACE_BITS    (PLACE_BITS)
+  ) operands (
+    .aclk           (aclk),
+    .aresetn        (aresetn),
+    .row_write      (!full),
+    .row_place      (free_place_q),
+    .row            (s_axis_tdata),
+    .candidate_write(loaded_valid),
+    .candidate_index(loaded_index),
+    .candidate      (candidate),
+    .s_ask_tvalid   (refetch_tvalid),
+    .s_ask_tready   (refetch_tready),
+    .s_ask_tdata    (refetch_tdata),
+    .m_answer_tvalid(refetched_tvalid),
+    .m_answer_tready(refetched_tready),
+    .m_answer_tdata (refetched_tdata)
+  );
+
+  // The conversion of rows cannot wait; the queue behind it does.
+  wire                     converted;
+  reg  [PLACE_BITS-1:0]    next_place_q;  // of the row that the chain takes next
+  wire [ROW_WORD_BITS-1:0] next_word;
+
+  valid_delay_line #(
+    .LENGTH(WORD_LATENCY)
+  ) row_beside_word (
+    .aclk   (aclk),
+    .aresetn(aresetn),
+    .d      (enters),
+    .q      (converted)
+  );
+
+  exception_queue #(
+    .WIDTH     (ROW_WORD_BITS),
+    .DEPTH_BITS(QUEUE_BITS),
+    .MAY_COME  (MAY_COME)
+  ) converted_rows (
+    .aclk         (aclk),
+    .aresetn      (aresetn),
+    .on_offer     (1'b0),
+    .room         (room),
+    .push         (converted),
+    .beat         (row_word),
+    .m_axis_tvalid(row_valid[0]),
+    .m_axis_tready(row_ready[0]),
+    .m_axis_tdata (next_word)
+  );
+
+  always @(posedge aclk) begin
+    if (!aresetn) begin
+      next_place_q <= {PLACE_BITS{1'b0}};
+    end else if (row_valid[0] && row_ready[0]) begin
+      next_place_q <= next_place_q + ONE_PLACE;
+    end
+  end
+
+  assign row_data[ROW_LINK_BITS-1:0] = {next_word, next_place_q};
+  assign row_best[INDEX_BITS-1:0]    = {INDEX_BITS{1'b0}};
 
   genvar k;
   generate
@@ -142,48 +289,64 @@ module arg_min_engine #(
       wire unused_flags = &result_tdata[k*8+2 +: 6];
 
       arg_min_stage #(
-        .STAGE         (k + 1),
-        .CANDIDATE_BITS(CANDIDATE_BITS),
-        .ROW_BITS      (ROW_BITS),
-        .PAYLOAD_BITS  (PAYLOAD_BITS),
-        .INDEX_BITS    (INDEX_BITS),
-        .BEST_BITS     (bits_for(k + 1)),
-        .SLOT_BITS     (SLOT_BITS)
+        .STAGE        (k + 1),
+        .WORD_BITS    (WORD_BITS),
+        .ROW_WORD_BITS(ROW_WORD_BITS),
+        .PLACE_BITS   (PLACE_BITS),
+        .INDEX_BITS   (INDEX_BITS),
+        .BEST_BITS    (bits_for(k + 1))
       ) stage (
         .aclk          (aclk),
         .aresetn       (aresetn),
         .s_word_valid  (word_valid[k+1]),
         .s_word_index  (word_index[(k+1)*INDEX_BITS +: INDEX_BITS]),
-        .s_word_data   (word_data[(k+1)*CANDIDATE_BITS +: CANDIDATE_BITS]),
+        .s_word_data   (word_data[(k+1)*WORD_BITS +: WORD_BITS]),
         .m_word_valid  (word_valid[k]),
         .m_word_index  (word_index[k*INDEX_BITS +: INDEX_BITS]),
-        .m_word_data   (word_data[k*CANDIDATE_BITS +: CANDIDATE_BITS]),
+        .m_word_data   (word_data[k*WORD_BITS +: WORD_BITS]),
         .s_row_tvalid  (row_valid[k]),
         .s_row_tready  (row_ready[k]),
-        .s_row_tdata   (row_data[k*PAYLOAD_BITS +: PAYLOAD_BITS]),
+        .s_row_tdata   (row_data[k*ROW_LINK_BITS +: ROW_LINK_BITS]),
         .s_row_best    (row_best[k*INDEX_BITS +: INDEX_BITS]),
         .m_row_tvalid  (row_valid[k+1]),
         .m_row_tready  (row_ready[k+1]),
-        .m_row_tdata   (row_data[(k+1)*PAYLOAD_BITS +: PAYLOAD_BITS]),
+        .m_row_tdata   (row_data[(k+1)*ROW_LINK_BITS +: ROW_LINK_BITS]),
         .m_row_best    (row_best[(k+1)*INDEX_BITS +: INDEX_BITS]),
         .pair_tvalid   (pair_tvalid[k]),
         .pair_tready   (pair_tready[k]),
-        .pair_row      (pair_row[k*ROW_BITS +: ROW_BITS]),
-        .pair_best     (pair_best[k*CANDIDATE_BITS +: CANDIDATE_BITS]),
-        .pair_own      (pair_own[k*CANDIDATE_BITS +: CANDIDATE_BITS]),
+        .pair_best     (pair_best[k*WORD_BITS +: WORD_BITS]),
+        .pair_own      (pair_own[k*WORD_BITS +: WORD_BITS]),
+        .pair_tag      (pair_tag[k*PAIR_BITS +: PAIR_BITS]),
         .result_tvalid (result_tvalid[k]),
         .result_tready (result_tready[k]),
-        .result_verdict(result_tdata[k*8 +: 2])
+        .result_verdict(result_tdata[k*8 +: 2]),
+        .result_tag    (result_tag[k*PAIR_BITS +: PAIR_BITS])
       );
     end
   endgenerate
 
-  // Candidate 0 stays in the memories.
-  wire unused_word = &{word_valid[0], word_index[INDEX_BITS-1:0], word_data[CANDIDATE_BITS-1:0]};
+  // The word of candidate 0 stays in the memories, that of a row behind the last stage.
+  wire unused_word = &{word_valid[0], word_index[INDEX_BITS-1:0], word_data[WORD_BITS-1:0]};
+  wire unused_row  = &row_data[STAGES*ROW_LINK_BITS +: ROW_LINK_BITS];
 
-  // Out.
-  wire                  unused_row = &row_data[STAGES*PAYLOAD_BITS +: ROW_BITS];
+  // Out. A row's tag waits for it here.
+  wire                  unused_tag_ready;
+  wire                  unused_tag_valid;
   reg  [FIELD_BITS-1:0] tdata;
+
+  stream_fifo #(
+    .WIDTH     (1 + TAG_BITS),
+    .DEPTH_BITS(PLACE_BITS)
+  ) tags (
+    .aclk         (aclk),
+    .aresetn      (aresetn),
+    .s_axis_tvalid(enters),
+    .s_axis_tready(unused_tag_ready),
+    .s_axis_tdata ({s_axis_tlast, s_axis_tuser}),
+    .m_axis_tvalid(unused_tag_valid),
+    .m_axis_tready(leaves),
+    .m_axis_tdata ({m_axis_tlast, m_axis_tuser})
+  );
 
   always @* begin
     tdata = {FIELD_BITS{1'b0}};
@@ -193,25 +356,6 @@ module arg_min_engine #(
   assign m_axis_tvalid     = row_valid[STAGES];
   assign row_ready[STAGES] = m_axis_tready;
   assign m_axis_tdata      = tdata;
-  assign m_axis_tuser      = row_data[STAGES*PAYLOAD_BITS+ROW_BITS +: TAG_BITS];
-  assign m_axis_tlast      = row_data[CANDIDATES*PAYLOAD_BITS-1];
-
-  // Rows inside.
-  wire                   enters = s_axis_tvalid && s_axis_tready;
-  wire                   leaves = m_axis_tvalid && m_axis_tready;
-  reg  [INSIDE_BITS-1:0] inside_q;
-
-  assign idle = (inside_q == {INSIDE_BITS{1'b0}});
-
-  always @(posedge aclk) begin
-    if (!aresetn) begin
-      inside_q <= {INSIDE_BITS{1'b0}};
-    end else if (enters && !leaves) begin
-      inside_q <= inside_q + ONE;
-    end else if (leaves && !enters) begin
-      inside_q <= inside_q - ONE;
-    end
-  end
 
   event_counter #(
     .COUNTER_BITS(COUNTER_BITS)
@@ -227,7 +371,7 @@ module arg_min_engine #(
   ) stall_counter (
     .aclk   (aclk),
     .aresetn(aresetn),
-    .step   (row_valid[0] && !row_ready[0]),
+    .step   (s_axis_tvalid && open && !s_axis_tready),
     .count  (stalled_cycles)
   );
 

@@ -1,8 +1,8 @@
-// candidate_loader: numbers the candidates of one load and sends them into the chain, one a cycle.
+// candidate_loader: numbers the candidates of one load and sends them on, one a cycle.
 // Exactly CANDIDATES words leave for a load: of fewer the last is repeated, which as a tie wins
 // nothing; those beyond are accepted, not sent, and raise `overrun`, which the next load clears.
-// `complete`: every stage holds its candidates. The next load comes in once nothing is inside;
-// while it waits, `waiting` keeps rows out. Latency 1. Reset forgets the load.
+// `complete`: all have left. The next load comes in once nothing is inside; while it waits,
+// `waiting` keeps rows out. Latency 1. Reset forgets the load.
 `default_nettype none
 
 module candidate_loader #(

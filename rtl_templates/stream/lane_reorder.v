@@ -4,7 +4,9 @@
 // head of the first takes the head of the second. 2^SLOT_BITS slots are used circularly. Latency of
 // a decided one: LANE_LATENCY + 4. One comparison per cycle if all are decided, the sink is ready
 // and 2^SLOT_BITS >= LANE_LATENCY + 4. A request of carried operands is a packet of 2^BEAT_BITS
-// beats {slot, part of the operands}. Reset forgets all comparisons and clears the counters.
+// beats {slot, part of the operands}. ASK_BITS > 0: the low bits of the tag are carried in the place
+// of the operands, which references ask for by them. Reset forgets all comparisons and clears the
+// counters.
 `default_nettype none
 
 module lane_reorder #(
@@ -15,6 +17,7 @@ module lane_reorder #(
   parameter COUNTER_BITS = 32,
   parameter RECOMPUTE = 1,
   parameter CARRIED = 1,
+  parameter ASK_BITS = 0,
   parameter BEAT_BITS = 0,
   parameter BLOCK = 0
 ) (
@@ -29,7 +32,7 @@ module lane_reorder #(
   input  wire                                                                         lane_decided,
   output wire                                                                         m_request_tvalid,
   input  wire                                                                         m_request_tready,
-  output wire [SLOT_BITS+(CARRIED != 0 ? (OPERAND_BITS-1)>>BEAT_BITS : TAG_BITS-1):0] m_request_tdata,
+  output wire [SLOT_BITS+(CARRIED != 0 ? ((ASK_BITS > 0 ? ASK_BITS : OPERAND_BITS)-1)>>BEAT_BITS : TAG_BITS-1):0] m_request_tdata,
   input  wire                                                                         s_answer_valid,
   input  wire [SLOT_BITS-1:0]                                                         s_answer_slot,
   input  wire [1:0]                                                                   s_answer_verdict,
@@ -42,7 +45,8 @@ module lane_reorder #(
   output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]                             stalls
 );
 
-  localparam PART_BITS    = ((OPERAND_BITS - 1) >> BEAT_BITS) + 1;
+  localparam CARRIED_BITS = (ASK_BITS > 0) ? ASK_BITS : OPERAND_BITS;
+  localparam PART_BITS    = ((CARRIED_BITS - 1) >> BEAT_BITS) + 1;
   localparam REQUEST_BITS = SLOT_BITS + ((CARRIED != 0) ? PART_BITS : TAG_BITS);
   localparam [SLOT_BITS:0] ONE = 1;
 
@@ -53,6 +57,8 @@ module lane_reorder #(
     end
     if (TAG_BITS < 1) begin : g_refused_tag_bits
       TAG_BITS_is_below_1 refused ();
+    end else if ((ASK_BITS < 0) || (ASK_BITS > TAG_BITS)) begin : g_refused_ask_bits
+      ASK_BITS_is_not_0_to_TAG_BITS refused ();
     end
     if (SLOT_BITS < 1) begin : g_refused_slot_bits
       SLOT_BITS_is_below_1 refused ();
@@ -239,8 +245,16 @@ module lane_reorder #(
       assign m_request_tdata  = {REQUEST_BITS{1'b0}};
     end
     if ((RECOMPUTE != 0) && (CARRIED != 0)) begin : g_carried
+      wire [CARRIED_BITS-1:0] carried;
+
+      if (ASK_BITS > 0) begin : g_names
+        assign carried = s_axis_tuser[CARRIED_BITS-1:0];
+      end else begin : g_operands
+        assign carried = s_axis_tdata;
+      end
+
       carried_operands #(
-        .OPERAND_BITS(OPERAND_BITS),
+        .OPERAND_BITS(CARRIED_BITS),
         .SLOT_BITS   (SLOT_BITS),
         .BEAT_BITS   (BEAT_BITS),
         .BLOCK       (BLOCK)
@@ -249,7 +263,7 @@ module lane_reorder #(
         .aresetn         (aresetn),
         .start_valid     (accept),
         .start_slot      (next_q[SLOT_BITS-1:0]),
-        .start_operands  (s_axis_tdata),
+        .start_operands  (carried),
         .undecided_valid (exit_valid && !exit_decided),
         .undecided_slot  (exit_slot),
         .m_request_tvalid(m_request_tvalid),

@@ -134,10 +134,11 @@ design::Design pairwise_design() {
 TEST(Schematic, APairwiseEnginesConversionAndLanesHaveABoxForEachUnit) {
   const emit::ScheduledSystem scheduled = emit::schedule_system(pairwise_design()).value();
   const rtl::ItemWords& words = scheduled.pairwise->words;
-  const Pipeline conversion = schematic::item_pipeline(words.split->loader, words.schedule);
+  const Pipeline conversion =
+      schematic::item_pipeline(words.loader_of(data::Item::first), words.items.schedule);
   EXPECT_EQ(boxes(conversion),
-            unit_instances(rtl::item_word_module("item", words, *scheduled.engine)));
-  EXPECT_EQ(conversion.cycles, words.schedule.latency_cycles);
+            unit_instances(rtl::item_word_module(words, data::Item::first, *scheduled.engine)));
+  EXPECT_EQ(conversion.cycles, words.latency_cycles());
   EXPECT_EQ(conversion.units.front().title, "cx");
   const Schedule& schedule = scheduled.shape.lane_groups[0].schedule;
   fixed::FixedLane lane = std::get<fixed::FixedLane>(words.lanes[0].lane);

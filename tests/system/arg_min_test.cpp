@@ -6,6 +6,7 @@
 
 #include "model/error/certified_lane.hpp"
 #include "model/expression/parser.hpp"
+#include "model/fixed/fixed_lane.hpp"
 #include "model/number/exact.hpp"
 #include "model/number/verdict.hpp"
 #include "model/workload/compare_by_reference.hpp"
@@ -19,11 +20,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Squared distances in the plane: K candidates, K - 1 lanes of a few digits.
-design::Design nearest_point(int lanes, int references, const char* reduced = "s6e8") {
+Graph squared_distances() {
   Graph graph;
   const NodeId f = parse_expression(graph, "(x - cxi)^2 + (y - cyi)^2", {}).value();
   graph.compare(f, parse_expression(graph, "(x - cxj)^2 + (y - cyj)^2", {}).value());
+  return graph;
+}
+
+/// Squared distances in the plane: K candidates, K - 1 lanes of a few digits.
+design::Design nearest_point(int lanes, int references, const char* reduced = "s6e8") {
+  const Graph graph = squared_distances();
   TypedGraph lane = lane_graph(graph, format("s24e8"), {format(reduced)}, LaneInputs::exact);
   const std::vector<bool> any_sign(graph.inputs().size(), false);
   design::Design design{
@@ -38,10 +44,20 @@ design::Design nearest_point(int lanes, int references, const char* reduced = "s
   return design;
 }
 
+/// Lanes in fixed point, whose operands are in [0, 8).
+design::LaneGroup fixed_lanes(FixedPoint number, int count) {
+  const std::vector<std::optional<Range>> ranges(6, Range{0, 7.9375});
+  return {.lane = fixed::fixed_lane(squared_distances(), format("s24e8"),
+                                    {.format = number, .ranges = ranges})
+                      .value(),
+          .count = count};
+}
+
 enum class Special {
   none,
   nans,   ///< some coordinates are NaN
   twins,  ///< every point comes twice
+  far,    ///< some coordinates are outside the ranges of lanes in fixed point
 };
 
 /// Points of a grid of `steps` steps.
@@ -52,8 +68,14 @@ data::Table points(FloatFormat format, const std::vector<std::string>& columns, 
     const std::size_t twice = k / columns.size() / 2 * columns.size() + k % columns.size();
     const std::uint64_t random =
         verilator_tb::counter_random(seed, special == Special::twins ? twice : k);
-    const bool is_nan = special == Special::nans && (random >> 32) % 16 == 0;
-    table.values.push_back(is_nan ? format.quiet_nan() : from_rational(format, random % steps));
+    const bool is_special = (random >> 32) % 16 == 0;
+    if (special == Special::nans && is_special) {
+      table.values.push_back(format.quiet_nan());
+    } else {
+      const std::uint64_t value = random % steps;
+      table.values.push_back(
+          from_rational(format, special == Special::far && is_special ? 100 + value : value));
+    }
   }
   return table;
 }
@@ -104,6 +126,55 @@ TEST_P(ArgMinSystem, AndUnderStallsAndResetsWithTiesAndNans) {
 
 INSTANTIATE_TEST_SUITE_P(Lanes, ArgMinSystem, testing::Values(1, 2, 5),
                          [](const auto& instance) { return fmt::format("{}", instance.param); });
+
+/// Operands that do not fit a lane's words go to the references, as do differences that are too
+/// small: points come twice, some of them far away or nowhere.
+TEST_P(ArgMinSystem, InFixedPointUnderStallsAndResets) {
+  design::Design design = nearest_point(GetParam(), 1);
+  design.lanes = {fixed_lanes({.bits = 6}, GetParam())};
+  const auto candidates = static_cast<std::size_t>(GetParam()) + 1;
+  for (const Special special : {Special::none, Special::nans, Special::twins, Special::far}) {
+    const verilator_tb::VerifyReport report =
+        simulate(design, data(design, 200, candidates, 8, special),
+                 {.traffic = verilator_tb::TrafficKind::stressed,
+                  .traffic_seed = static_cast<std::uint64_t>(special) + 1,
+                  .resets = 3});
+    expect_passed(report, 200, candidates);
+    EXPECT_GT(report.recomputations, 10u);
+    if (special == Special::none) EXPECT_LT(report.recomputations, report.comparisons);
+  }
+}
+
+TEST_P(ArgMinSystem, InFixedPointARowACycle) {
+  design::Design design = nearest_point(GetParam(), 1);
+  design.lanes = {fixed_lanes({.bits = 12}, GetParam())};
+  const auto candidates = static_cast<std::size_t>(GetParam()) + 1;
+  const verilator_tb::VerifyReport report = simulate(design, data(design, 500, candidates, 8), {});
+  expect_passed(report, 500, candidates);
+  EXPECT_LT(report.cycles, 500u + report.arg_min->latency.maximum_cycles + 100);
+}
+
+/// Words hold what lanes in fixed point convert, in the finer format, and columns as they arrive.
+/// Whole and folded references take turns at the memories.
+TEST(ArgMinSystemOf, LanesOfSeveralKindsAndThreeReferences) {
+  design::Design design = nearest_point(2, 3);
+  design.lanes.push_back(fixed_lanes({.bits = 5}, 2));
+  design.lanes.push_back(fixed_lanes({.bits = 9}, 1));
+  design::ReferenceGroup folded = design.references.front();
+  folded.structure.initiation_interval = 4;
+  folded.count = 2;
+  design.references.front().count = 1;
+  design.references.push_back(folded);
+  for (const Special special : {Special::far, Special::nans}) {
+    const verilator_tb::VerifyReport report =
+        simulate(design, data(design, 150, 6, 8, special),
+                 {.traffic = verilator_tb::TrafficKind::stressed, .traffic_seed = 3, .resets = 2});
+    expect_passed(report, 150, 6);
+    for (const verilator_tb::GroupReport& group : report.groups) {
+      EXPECT_GT(group.recomputations, 0u);
+    }
+  }
+}
 
 TEST(ArgMinSystemOf, FewerCandidatesThanItHolds) {
   const design::Design design = nearest_point(5, 2);
@@ -165,6 +236,12 @@ INSTANTIATE_TEST_SUITE_P(
     Faults, BrokenArgMin,
     testing::Values(Fault{"ties", "mixcmp_arg_min_stage.v", "(result_verdict == GREATER)",
                           "(result_verdict != 2'b00)"},
+                    Fault{"place", "mixcmp_arg_min_engine.v", "{next_word, next_place_q}",
+                          "{next_word, free_place_q}"},
+                    Fault{"operands", "mixcmp_operand_memory.v", "candidate_index : best",
+                          "candidate_index : own"},
+                    Fault{"row", "mixcmp_arg_min_engine.v", ".row_write      (!full)",
+                          ".row_write      (1'b0)"},
                     Fault{"own", "mixcmp_arg_min_stage.v", "&& (index_q != OWN)", ""},
                     Fault{"short_load", "mixcmp_candidate_loader.v", "keep || repeated", "keep"},
                     Fault{"reload", "mixcmp_candidate_loader.v", "&& idle)", ")"},

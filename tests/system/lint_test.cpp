@@ -88,6 +88,25 @@ design::Design folded_by_steps(int references) {
   return design;
 }
 
+/// Lanes in fixed point of several widths, and one that takes what the others have converted as it
+/// arrives.
+void in_fixed_point(design::Design& design) {
+  const Graph graph = [] {
+    Graph made;
+    const NodeId f = parse_expression(made, "(x - cxi)^2 + (y - cyi)^2", {}).value();
+    made.compare(f, parse_expression(made, "(x - cxj)^2 + (y - cyj)^2", {}).value());
+    return made;
+  }();
+  for (const int bits : {7, 12}) {
+    design.lanes.push_back(
+        {.lane = fixed::fixed_lane(graph, design.reference.input_format,
+                                   {.format = {.bits = bits},
+                                    .ranges = std::vector<std::optional<Range>>(6, Range{-4, 4})})
+                     .value(),
+         .count = 2});
+  }
+}
+
 design::Design with_counter_port(design::Design design) {
   design.system.counters = scene::CounterAccess::axi_lite;
   design.system.counter_bits = 48;
@@ -151,6 +170,16 @@ std::vector<Variant> variants() {
        with(with_pairs(base, 9), [](auto& d) { d.system.counter_bits = 0; })},
       {"arg_min_3", with_arg_min(2, [](auto&) {})},
       {"arg_min_2", with_arg_min(1, [](auto& d) { d.system.engine.row_tag_bits = 1; })},
+      {"arg_min_mixed_6x3", with_arg_min(2,
+                                         [](auto& d) {
+                                           in_fixed_point(d);
+                                           d.references.front().count = 3;
+                                         })},
+      {"arg_min_fixed", with_arg_min(2,
+                                     [](auto& d) {
+                                       in_fixed_point(d);
+                                       d.lanes.erase(d.lanes.begin());
+                                     })},
       {"arg_min_no_counters", with_arg_min(8, [](auto& d) { d.system.counter_bits = 0; })},
       {"lane_only", sphere_design(format("s12e6"), format("s24e8"), 3, 0)},
       {"single_lane", sphere_design(format("s4e8"), format("s11e8"), 1, 1)},

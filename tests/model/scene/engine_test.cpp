@@ -86,10 +86,10 @@ TEST_F(EngineSection, ArgMinDecidesOrderOperandsAndTag) {
   EXPECT_EQ(scene.system.engine.kind, scene::EngineKind::arg_min);
   EXPECT_EQ(scene.system.engine.row_tag_bits, 9);
   EXPECT_EQ(scene.system.order, scene::ResultOrder::in_order);
-  EXPECT_EQ(scene.system.operands, scene::OperandStore::carried);
+  EXPECT_EQ(scene.system.operands, scene::OperandStore::refetched);
   EXPECT_EQ(scene.system.tag_bits, 1);
   EXPECT_EQ(load(arg_min, nearest)->system.engine.row_tag_bits, 16);
-  EXPECT_TRUE(load(arg_min + "[system]\norder = \"in_order\"\noperands = \"carried\"\n"
+  EXPECT_TRUE(load(arg_min + "[system]\norder = \"in_order\"\noperands = \"refetched\"\n"
                              "tag_bits = 1\nreferences = 1\n",
                    nearest)
                   .ok());
@@ -103,9 +103,9 @@ TEST_F(EngineSection, ArgMinTellsItsMistakes) {
   EXPECT_EQ(told("[system]\norder = \"tagged\"\n"),
             ":10: system.order: the arg-min engine decides it: received \"tagged\"; accepted "
             "\"in_order\", or no key");
-  EXPECT_EQ(told("[system]\noperands = \"refetched\"\n"),
-            ":10: system.operands: the arg-min engine decides it: received \"refetched\"; accepted "
-            "\"carried\", or no key");
+  EXPECT_EQ(told("[system]\noperands = \"carried\"\n"),
+            ":10: system.operands: the arg-min engine decides it: received \"carried\"; accepted "
+            "\"refetched\", or no key: the engine's memories hold the operands");
   EXPECT_EQ(told("[system]\ntag_bits = 8\n"),
             ":10: system.tag_bits: the arg-min engine decides it: received 8; accepted 1, or no "
             "key: a row's tag is engine.tag_bits wide");

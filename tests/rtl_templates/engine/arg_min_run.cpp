@@ -13,6 +13,30 @@ enum Verdict : std::uint32_t { less, equal, greater, unordered };
 
 constexpr std::uint32_t nan_cost = ~0u;
 
+/// A word names what it was made of, in other bits: what stands for the other is noticed.
+class Words {
+public:
+  constexpr Words(int bits, int word_bits, std::uint32_t factor)
+      : mask_((1u << bits) - 1), top_(word_bits - bits), factor_(factor), inverse_(1) {
+    for (int k = 0; k < 5; ++k) inverse_ *= 2 - factor_ * inverse_;
+  }
+  constexpr std::uint32_t word_of(std::uint32_t full) const {
+    return (full * factor_ & mask_) << top_ | (full & 1);
+  }
+  constexpr std::uint32_t full_of(std::uint32_t word) const {
+    return (word >> top_) * inverse_ & mask_;
+  }
+
+private:
+  std::uint32_t mask_;
+  int top_;
+  std::uint32_t factor_, inverse_;
+};
+
+constexpr Words candidate_words(ArgMinRun::candidate_bits, ArgMinRun::word_bits, 0x9e3779b1u);
+constexpr Words row_words(ArgMinRun::row_bits, ArgMinRun::row_word_bits, 0x85ebca6bu);
+static_assert(row_words.full_of(row_words.word_of(4711)) == 4711);
+
 }  // namespace
 
 ArgMinRun::ArgMinRun(const ArgMinSpec& spec, std::uint64_t seed, ArgMinTraffic traffic)
@@ -21,6 +45,7 @@ ArgMinRun::ArgMinRun(const ArgMinSpec& spec, std::uint64_t seed, ArgMinTraffic t
       dut_(spec.make()),
       random_(seed),
       lanes_(spec.candidates - 1),
+      references_(static_cast<std::size_t>(spec.references)),
       chosen_(spec.candidates) {
   reset();
   resets_ = 0;
@@ -48,6 +73,11 @@ void ArgMinRun::reset() {
     dut_->pair_tready.set_bit(k, false);
     dut_->result_tvalid.set_bit(k, false);
     lanes_[k] = {};
+  }
+  for (std::size_t r = 0; r < references_.size(); ++r) {
+    dut_->refetch_tvalid.set_bit(r, false);
+    dut_->refetched_tready.set_bit(r, false);
+    references_[r] = {};
   }
   dut_->aresetn.set_bit(0, false);
   dut_->eval();
@@ -126,12 +156,17 @@ void ArgMinRun::check_counters() {
 
 void ArgMinRun::cycle() {
   drive();
+  convert();
   dut_->eval();
   const bool loading = loading_;
   // What leaves has come in before this cycle.
   take_result();
   take_candidate();
   take_row();
+  for (std::size_t r = 0; r < references_.size(); ++r) {
+    recompute(r);
+    ask(r);
+  }
   for (std::size_t k = 0; k < lanes_.size(); ++k) {
     give_result(k);
     take_pair(k);
@@ -161,20 +196,71 @@ void ArgMinRun::drive_streams() {
   dut_->s_axis_tlast.set_bit(0, offering_ ? row_last_ : random_.chance(0.5));
 }
 
+/// Hands the words of what was there `word_latency` cycles before to the engine.
+void ArgMinRun::convert() {
+  const auto latency = static_cast<std::size_t>(spec_.word_latency);
+  const auto convert_one = [&](std::deque<std::uint32_t>& inside, std::uint32_t full) {
+    inside.push_front(full);
+    inside.resize(latency + 1);
+    return inside.back();
+  };
+  dut_->eval();
+  const auto candidate = static_cast<std::uint32_t>(dut_->candidate.field(0, candidate_bits));
+  const auto row = static_cast<std::uint32_t>(dut_->s_axis_tdata.field(0, row_bits));
+  dut_->candidate_word.set_field(
+      0, word_bits, candidate_words.word_of(convert_one(converting_candidates_, candidate)));
+  dut_->row_word.set_field(0, row_word_bits, row_words.word_of(convert_one(converting_rows_, row)));
+}
+
+/// The oldest pair of a lane that still waits for its reference.
+ArgMinRun::Pair* ArgMinRun::undecided_pair(std::size_t lane) {
+  std::deque<Pair>& inside = lanes_[lane].inside;
+  const auto found =
+      std::find_if(inside.begin(), inside.end(), [](const Pair& pair) { return pair.undecided; });
+  return found == inside.end() ? nullptr : &*found;
+}
+
 void ArgMinRun::drive() {
   drive_streams();
+  for (std::size_t r = 0; r < references_.size(); ++r) {
+    const Reference& reference = references_[r];
+    const bool asks = !reference.asking.empty();
+    std::uint64_t tag = random_.word();
+    if (asks) {
+      const std::size_t lane = reference.asking.front();
+      // Of the lane's pairs it has asked for so many already.
+      auto before = std::count(reference.waiting.begin(), reference.waiting.end(), lane);
+      for (const Pair& pair : lanes_[lane].inside) {
+        if (!pair.undecided || before-- > 0) continue;
+        tag = pair.tag;
+        break;
+      }
+    }
+    dut_->refetch_tvalid.set_bit(r, asks);
+    dut_->refetch_tdata.set_field(r * name_bits(), name_bits(),
+                                  tag & ((std::uint64_t{1} << name_bits()) - 1));
+    dut_->refetched_tready.set_bit(r, random_.chance(traffic_.recompute));
+  }
   dut_->m_axis_tready.set_bit(0,
                               (held_result_ || !traffic_.wary) && random_.chance(traffic_.accept));
   for (std::size_t k = 0; k < lanes_.size(); ++k) {
     Lane& lane = lanes_[k];
     dut_->pair_tready.set_bit(k, lane.inside.size() < slots && random_.chance(traffic_.take));
     if (!lane.giving) {
-      lane.giving = !lane.inside.empty() && lane.inside.front().due <= cycles_ &&
-                    random_.chance(traffic_.give);
+      lane.giving = !lane.inside.empty() && !lane.inside.front().undecided &&
+                    lane.inside.front().due <= cycles_ && random_.chance(traffic_.give);
     }
     dut_->result_tvalid.set_bit(k, lane.giving);
-    const std::uint32_t verdict = lane.giving ? lane.inside.front().verdict : random_.below(4);
-    dut_->result_tdata.set_field(8 * k, 8, verdict | random_.below(2) << 2);
+    std::uint32_t answer = random_.below(4);
+    std::uint64_t tag = random_.word();
+    if (lane.giving) {
+      const Pair& pair = lane.inside.front();
+      answer = verdict(pair.row, pair.best, pair.own);
+      tag = pair.tag;
+    }
+    dut_->result_tdata.set_field(8 * k, 8, answer | random_.below(2) << 2);
+    const int pair_bits = row_word_bits + name_bits();
+    dut_->result_tag.set_field(k * pair_bits, pair_bits, tag);
   }
 }
 
@@ -210,19 +296,57 @@ void ArgMinRun::take_row() {
 void ArgMinRun::take_pair(std::size_t k) {
   Lane& lane = lanes_[k];
   const bool valid = dut_->pair_tvalid.bit(k), ready = dut_->pair_tready.bit(k);
-  const auto row = static_cast<std::uint32_t>(dut_->pair_row.field(k * row_bits, row_bits));
-  const auto field = [&](const harness::Port& port) {
-    return static_cast<std::uint32_t>(port.field(k * candidate_bits, candidate_bits));
+  const int pair_bits = row_word_bits + name_bits();
+  const std::uint64_t tag = dut_->pair_tag.field(k * pair_bits, pair_bits);
+  const auto word = [&](const harness::Port& port) {
+    return static_cast<std::uint32_t>(port.field(k * word_bits, word_bits));
   };
-  const std::uint32_t best = field(dut_->pair_best), own = field(dut_->pair_own);
-  if (lane.held && (!valid || lane.held_pair != std::vector<std::uint64_t>{row, best, own})) {
+  const std::uint32_t best = word(dut_->pair_best), own = word(dut_->pair_own);
+  if (lane.held && (!valid || lane.held_pair != std::vector<std::uint64_t>{tag, best, own})) {
     fail(fmt::format("lane {} saw an offer change", k));
   }
   lane.held = valid && !ready;
-  lane.held_pair = {row, best, own};
+  lane.held_pair = {tag, best, own};
   if (!valid || !ready) return;
-  lane.inside.push_back(
-      {verdict(row, best, own), cycles_ + static_cast<std::uint64_t>(traffic_.lane_latency)});
+  const auto row = static_cast<std::uint32_t>(tag >> name_bits());
+  lane.inside.push_back({row_words.full_of(row), candidate_words.full_of(best),
+                         candidate_words.full_of(own), tag,
+                         cycles_ + static_cast<std::uint64_t>(traffic_.lane_latency),
+                         random_.chance(traffic_.undecided)});
+  if (lane.inside.back().undecided) references_[k % references_.size()].asking.push_back(k);
+}
+
+void ArgMinRun::ask(std::size_t r) {
+  Reference& reference = references_[r];
+  if (!dut_->refetch_tvalid.bit(r) || !dut_->refetch_tready.bit(r)) return;
+  reference.waiting.push_back(reference.asking.front());
+  reference.asking.pop_front();
+}
+
+/// Holds the operands that a reference gets against what the words of its pair stand for.
+void ArgMinRun::recompute(std::size_t r) {
+  Reference& reference = references_[r];
+  const bool valid = dut_->refetched_tvalid.bit(r), ready = dut_->refetched_tready.bit(r);
+  const auto first = r * static_cast<std::size_t>(2 * candidate_bits + row_bits);
+  const auto field = [&](std::size_t low, int bits) {
+    return dut_->refetched_tdata.field(first + low, bits);
+  };
+  const std::vector<std::uint64_t> operands = {field(0, row_bits), field(row_bits, candidate_bits),
+                                               field(row_bits + candidate_bits, candidate_bits)};
+  if (reference.held && (!valid || operands != reference.held_operands)) {
+    fail(fmt::format("reference {} saw an offer change", r));
+  }
+  reference.held = valid && !ready;
+  reference.held_operands = operands;
+  if (!valid || !ready) return;
+  if (reference.waiting.empty()) return fail(fmt::format("operands of no pair, reference {}", r));
+  Pair& pair = *undecided_pair(reference.waiting.front());
+  reference.waiting.pop_front();
+  if (operands != std::vector<std::uint64_t>{pair.row, pair.best, pair.own}) {
+    fail(fmt::format("reference {} got other operands than its lane", r));
+  }
+  pair.undecided = false;
+  ++recomputed_;
 }
 
 void ArgMinRun::give_result(std::size_t k) {

@@ -21,9 +21,12 @@ public:
 
   harness::Port aclk, aresetn;
   harness::Port s_candidate_tvalid, s_candidate_tready, s_candidate_tdata, s_candidate_tlast;
-  harness::Port s_axis_tvalid, s_axis_tready, s_axis_tdata, s_axis_tuser, s_axis_tlast;
-  harness::Port pair_tvalid, pair_tready, pair_row, pair_best, pair_own;
-  harness::Port result_tvalid, result_tready, result_tdata;
+  harness::Port candidate, candidate_word;
+  harness::Port s_axis_tvalid, s_axis_tready, s_axis_tdata, s_axis_tuser, s_axis_tlast, row_word;
+  harness::Port pair_tvalid, pair_tready, pair_best, pair_own, pair_tag;
+  harness::Port result_tvalid, result_tready, result_tdata, result_tag;
+  harness::Port refetch_tvalid, refetch_tready, refetch_tdata;
+  harness::Port refetched_tvalid, refetched_tready, refetched_tdata;
   harness::Port m_axis_tvalid, m_axis_tready, m_axis_tdata, m_axis_tuser, m_axis_tlast;
   harness::Port overrun, rows, stalled_cycles;
 };
@@ -33,6 +36,9 @@ struct ArgMinSpec {
   std::function<std::unique_ptr<ArgMinDut>()> make;
   std::uint32_t candidates;
   int index_bits;
+  int place_bits;
+  int word_latency;
+  int references;
 };
 
 inline void PrintTo(const ArgMinSpec& spec, std::ostream* stream) {
@@ -42,11 +48,13 @@ inline void PrintTo(const ArgMinSpec& spec, std::ostream* stream) {
 /// Chances per cycle, and of a cost being NaN.
 struct ArgMinTraffic {
   const char* name = "";
-  double load = 1.0;    ///< that a candidate is offered
-  double offer = 1.0;   ///< that a row is
-  double take = 1.0;    ///< that a lane takes a pair
-  double give = 1.0;    ///< that a lane gives a result
-  double accept = 1.0;  ///< that a result is taken
+  double load = 1.0;       ///< that a candidate is offered
+  double offer = 1.0;      ///< that a row is
+  double take = 1.0;       ///< that a lane takes a pair
+  double give = 1.0;       ///< that a lane gives a result
+  double accept = 1.0;     ///< that a result is taken
+  double undecided = 0.0;  ///< that a lane leaves a pair to its reference
+  double recompute = 1.0;  ///< that a reference takes the operands of a pair
   double nan = 0.1;
   double reset = 0.0;
   int lane_latency = 1;
@@ -54,12 +62,15 @@ struct ArgMinTraffic {
   bool impatient = false;  ///< rows are offered before and while candidates are loaded, too
 };
 
-/// Puts model lanes around an engine, which know rows and candidates only by the pairs they get,
-/// and holds what comes out against a search that is made here, one candidate after the other.
+/// Puts model lanes around an engine, which know rows and candidates only by their words, and model
+/// references, which get full operands for the pairs that lanes leave undecided. Holds what comes
+/// out against a search that is made here, one candidate after the other.
 class ArgMinRun {
 public:
   static constexpr int candidate_bits = 21;
   static constexpr int row_bits = 13;
+  static constexpr int word_bits = 23;
+  static constexpr int row_word_bits = 15;
   static constexpr int tag_bits = 9;
   static constexpr std::size_t slots = 17;  ///< pairs that a lane holds
 
@@ -81,6 +92,8 @@ public:
   /// Of `index` among all that left.
   std::uint64_t chosen(std::uint32_t index) const { return chosen_[index]; }
   std::uint64_t ties() const { return ties_; }
+  /// Pairs of which a reference got the operands.
+  std::uint64_t recomputed() const { return recomputed_; }
   std::uint64_t incomparable() const { return incomparable_; }
   /// Of the last row: from its acceptance to its departure.
   std::uint64_t latency() const { return latency_; }
@@ -96,15 +109,24 @@ private:
     bool last;
     std::uint64_t accepted;  ///< in this cycle
   };
-  struct Result {
-    std::uint32_t verdict;
-    std::uint64_t due;  ///< not before this cycle
+  /// A pair inside a lane, by what the words stand for.
+  struct Pair {
+    std::uint32_t row, best, own;
+    std::uint64_t tag;
+    std::uint64_t due;  ///< no result before this cycle
+    bool undecided;     ///< until a reference has decided it
   };
   struct Lane {
-    std::deque<Result> inside;
+    std::deque<Pair> inside;
     bool held = false;  ///< a pair was offered and not taken in the last cycle
     std::vector<std::uint64_t> held_pair;
     bool giving = false;
+  };
+  struct Reference {
+    std::deque<std::size_t> asking;   ///< lanes with a pair of which it has not asked yet
+    std::deque<std::size_t> waiting;  ///< lanes with a pair whose operands are on their way
+    bool held = false;                ///< operands were offered and not taken in the last cycle
+    std::vector<std::uint64_t> held_operands;
   };
 
   void fail(const std::string& what);
@@ -118,7 +140,12 @@ private:
   void take_row();
   void take_pair(std::size_t k);
   void give_result(std::size_t k);
+  void ask(std::size_t r);
+  void recompute(std::size_t r);
   void take_result();
+  void convert();
+  int name_bits() const { return 2 * spec_.index_bits + spec_.place_bits; }
+  Pair* undecided_pair(std::size_t lane);
   std::uint32_t cost(std::uint32_t row, std::uint32_t candidate) const;
   std::uint32_t verdict(std::uint32_t row, std::uint32_t best, std::uint32_t own) const;
   std::uint32_t least(std::uint32_t row);
@@ -128,6 +155,9 @@ private:
   std::unique_ptr<ArgMinDut> dut_;
   RandomSource random_;
   std::vector<Lane> lanes_;
+  std::vector<Reference> references_;
+  /// What is inside the conversions, the newest first.
+  std::deque<std::uint32_t> converting_candidates_, converting_rows_;
   std::vector<std::uint32_t> candidates_;  ///< of this load, all that are offered
   std::vector<std::uint32_t> held_;        ///< of the last whole load
   std::size_t loaded_ = 0;                 ///< of them, accepted
@@ -143,7 +173,7 @@ private:
   std::uint64_t held_data_ = 0;
   std::uint64_t cycles_ = 0;
   std::uint64_t loaded_at_ = 0, left_at_ = 0;
-  std::uint64_t left_ = 0, resets_ = 0, ties_ = 0, incomparable_ = 0;
+  std::uint64_t left_ = 0, resets_ = 0, ties_ = 0, incomparable_ = 0, recomputed_ = 0;
   std::uint64_t latency_ = 0, settling_ = 0, interval_ = 0;
   std::uint32_t counted_ = 0;     ///< rows that left since reset
   std::uint32_t stalled_ = 0;     ///< cycles in which a row waited for room alone, likewise

@@ -20,11 +20,13 @@ public:
 #define BIND(PORT) PORT = harness::Port(model_->PORT)
     BIND(aclk), BIND(aresetn);
     BIND(s_candidate_tvalid), BIND(s_candidate_tready), BIND(s_candidate_tdata);
-    BIND(s_candidate_tlast);
+    BIND(s_candidate_tlast), BIND(candidate), BIND(candidate_word);
     BIND(s_axis_tvalid), BIND(s_axis_tready), BIND(s_axis_tdata), BIND(s_axis_tuser);
-    BIND(s_axis_tlast);
-    BIND(pair_tvalid), BIND(pair_tready), BIND(pair_row), BIND(pair_best), BIND(pair_own);
-    BIND(result_tvalid), BIND(result_tready), BIND(result_tdata);
+    BIND(s_axis_tlast), BIND(row_word);
+    BIND(pair_tvalid), BIND(pair_tready), BIND(pair_best), BIND(pair_own), BIND(pair_tag);
+    BIND(result_tvalid), BIND(result_tready), BIND(result_tdata), BIND(result_tag);
+    BIND(refetch_tvalid), BIND(refetch_tready), BIND(refetch_tdata);
+    BIND(refetched_tvalid), BIND(refetched_tready), BIND(refetched_tdata);
     BIND(m_axis_tvalid), BIND(m_axis_tready), BIND(m_axis_tdata), BIND(m_axis_tuser);
     BIND(m_axis_tlast), BIND(overrun), BIND(rows), BIND(stalled_cycles);
 #undef BIND
@@ -44,8 +46,14 @@ std::unique_ptr<ArgMinDut> make() {
 }
 
 const std::vector<ArgMinSpec> engines = {
-#define ENGINE(CANDIDATES, INDEX_BITS) \
-  {"ArgMinOf" #CANDIDATES, make<VArgMinOf##CANDIDATES>, CANDIDATES, INDEX_BITS},
+#define ENGINE(CANDIDATES, INDEX_BITS, PLACE_BITS, WORD_LATENCY, REFERENCES) \
+  {"ArgMinOf" #CANDIDATES "Places" #PLACE_BITS,                              \
+   make<VArgMinOf##CANDIDATES##Places##PLACE_BITS>,                          \
+   CANDIDATES,                                                               \
+   INDEX_BITS,                                                               \
+   PLACE_BITS,                                                               \
+   WORD_LATENCY,                                                             \
+   REFERENCES},
 #include "arg_min_engines.inc"
 #undef ENGINE
 };
@@ -59,6 +67,8 @@ const std::vector<ArgMinTraffic> traffics = {
     {.name = "SlowResults", .give = 0.3},
     {.name = "SlowSink", .accept = 0.1},
     {.name = "WarySink", .accept = 0.8, .wary = true},
+    {.name = "Recomputed", .undecided = 0.3, .lane_latency = 6},
+    {.name = "AllRecomputed", .undecided = 1.0, .recompute = 0.4},
     {.name = "Impatient", .load = 0.6, .accept = 0.8, .lane_latency = 2, .impatient = true},
     {.name = "AllSlow",
      .load = 0.5,
@@ -66,6 +76,8 @@ const std::vector<ArgMinTraffic> traffics = {
      .take = 0.5,
      .give = 0.5,
      .accept = 0.4,
+     .undecided = 0.1,
+     .recompute = 0.5,
      .nan = 0.02,
      .lane_latency = 3,
      .impatient = true},
@@ -86,6 +98,7 @@ TEST_P(ArgMin, EachRowLeavesOnceInOrderWithTheIndexOfItsLeastCandidate) {
     for (std::uint32_t k = 0; k < std::min(candidates, 9u); ++k) EXPECT_GT(run.chosen(k), 0u) << k;
     EXPECT_GT(run.ties(), 30u);
     EXPECT_GT(run.incomparable(), 10u);
+    EXPECT_GE(run.recomputed(), traffic.undecided * 1000);
   }
 }
 
@@ -131,6 +144,9 @@ TEST_P(ArgMin, AResetForgetsTheLoadAndItsRows) {
 TEST_P(ArgMin, TakesARowACycleAndAsLongAsItsLanesAndOneCycleEach) {
   const std::uint32_t candidates = GetParam().candidates;
   for (const int lane_latency : {2, 5, 12, 16}) {
+    const auto latency = (candidates - 1) * (static_cast<std::uint64_t>(lane_latency) + 1) +
+                         static_cast<std::uint64_t>(GetParam().word_latency) + 2;
+    if (latency > std::uint64_t{1} << GetParam().place_bits) continue;  // rows wait for a place
     ArgMinRun run(GetParam(), 34, {.name = "FullSpeed", .lane_latency = lane_latency});
     run.run_load(candidates, 300);
     run.drain();
@@ -138,8 +154,20 @@ TEST_P(ArgMin, TakesARowACycleAndAsLongAsItsLanesAndOneCycleEach) {
     EXPECT_EQ(run.stalled_cycles(), 0u);
     EXPECT_EQ(run.interval(), 1u);
     EXPECT_EQ(run.settling(), 2u);
-    EXPECT_EQ(run.latency(), (candidates - 1) * (static_cast<std::uint64_t>(lane_latency) + 1));
+    EXPECT_EQ(run.latency(), latency);
   }
+}
+
+/// One lane, one reference, and places enough.
+TEST(ArgMinOfTwo, AReferenceGetsTheOperandsOfAPairACycle) {
+  ArgMinRun run(engines.front(), 36,
+                {.name = "AllRecomputed", .undecided = 1.0, .lane_latency = 9});
+  run.run_load(2, 300);
+  run.drain();
+  EXPECT_EQ(run.failure(), "");
+  EXPECT_EQ(run.recomputed(), 300u);
+  EXPECT_EQ(run.stalled_cycles(), 0u);
+  EXPECT_EQ(run.interval(), 1u);
 }
 
 std::string name_of(const ::testing::TestParamInfo<ArgMinSpec>& info) {
