@@ -58,7 +58,7 @@ characterise::SynthesisJob EngineParts::segment() const {
   }
   modules.push_back(
       rtl::segment_module(scheduled_.shape, shape.engine, shape.words, shape.segments.front()));
-  return modules_job(std::move(modules));
+  return modules_job(modules);
 }
 
 int EngineParts::conversion_latency_cycles() const {

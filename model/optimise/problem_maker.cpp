@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "model/common/check.hpp"
 #include "model/design/request_beats.hpp"
@@ -77,8 +78,12 @@ devices::Area between(const devices::Area& low, const devices::Area& high, int p
 
 ProblemMaker::ProblemMaker(const scene::Scene& scene, const characterise::Characterisation& table,
                            const Rates& rates, const OptimiseOptions& options,
-                           const std::optional<characterise::ComponentKey>& second_tier)
-    : scene_(scene), table_(table), rates_(rates), options_(options), second_tier_(second_tier) {
+                           std::optional<characterise::ComponentKey> second_tier)
+    : scene_(scene),
+      table_(table),
+      rates_(rates),
+      options_(options),
+      second_tier_(std::move(second_tier)) {
   communication_.fixed = options.fixed_communication.value_or(devices::Area{});
   sort_rows();
   leave_out_untimed();

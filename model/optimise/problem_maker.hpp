@@ -14,7 +14,7 @@ public:
   /// `second_tier`: the key of the engine's second tier, see second_tier_key.
   ProblemMaker(const scene::Scene& scene, const characterise::Characterisation& table,
                const Rates& rates, const OptimiseOptions& options,
-               const std::optional<characterise::ComponentKey>& second_tier);
+               std::optional<characterise::ComponentKey> second_tier);
 
   /// The precisions for which the table has lanes, with the options at hand.
   std::vector<int> precisions() const;
