@@ -306,6 +306,27 @@ TEST_F(TwoTiers, ATierThatTheUserNamesIsKept) {
   EXPECT_EQ(best(" --table characterisation/scene-virtex6-lx760.csv").first, 7);
 }
 
+/// Its segments and its merge would be added up with parts that are not the scene's.
+TEST_F(TwoTiers, ATableOfAnotherEngineIsRefused) {
+  const std::string name = "characterisation/scene-virtex6-lx760.csv";
+  const std::string engine =
+      "pairwise, 512 items, segments of 12, less equal unordered as pairs by 1 stream, second tier "
+      "q15 logic";
+  write(name, "# engine: " + engine + "\n" + read(name));
+  const Outcome fits = mixcmp("optimise scene.toml");
+  EXPECT_EQ(fits.exit_code, 0) << fits.output;
+  for (const std::string other :
+       {"engine.capacity=256", "engine.lanes_per_group=8", "engine.report_as=count",
+        "engine.report_streams=2", "second_tier.format=q13", "second_tier.multipliers=embedded"}) {
+    expect_refused("optimise scene.toml --no-characterise --set " + other,
+                   "the table is of another engine: received " + engine);
+  }
+  const std::string before = read(name);
+  expect_refused("characterise scene.toml --bounds fixed_norm --set engine.capacity=256",
+                 "its rows are of another engine: received " + engine);
+  EXPECT_EQ(read(name), before);
+}
+
 TEST_F(TwoTiers, GenerateTellsOfBoth) {
   const Outcome run = mixcmp(
       "generate scene.toml -o rtl --set system.lanes=12 --set system.references=1 "

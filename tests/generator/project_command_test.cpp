@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/program.hpp"
+#include "tests/generator/project_fixture.hpp"
 
 /// `generate --project`: the files for other tools do what they say, wherever they lie.
 namespace mixcmp::test::project_command_test {
@@ -13,58 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Project : public ProgramTest {
-protected:
-  Project() {
-    write("data.csv", data());
-    write("scene.toml",
-          "[comparison]\nname = \"scene\"\nf = \"a\"\ng = \"b\"\n"
-          "[reference]\nformat = \"binary32\"\n"
-          "[reduced]\nformat = \"s8e8\"\ninputs = \"rounded\"\n"
-          "[system]\nlanes = 2\nreferences = 1\ndevice = \"ice40-hx8k\"\n"
-          "[data]\nfile = \"data.csv\"\n");
-  }
-
-  /// Rows whose b differs from a by nothing, by too little for 8 bits, and by much.
-  static std::string data() {
-    std::string text = "a,b\n";
-    constexpr double factors[] = {1, 1 + 1e-5, 1 - 1e-5, 1.5, 0.75};
-    for (int k = 0; k < 150; ++k) {
-      const double a = 1 + 0.37 * (k % 29);
-      text += fmt::format("{:.7f},{:.7f}\n", a, a * factors[k % 5]);
-    }
-    return text;
-  }
-
-  /// Generates into the folder `rtl`.
-  void generate(const std::string& arguments) {
-    const Outcome run = mixcmp("generate scene.toml --no-prove -o rtl " + arguments);
-    ASSERT_EQ(run.exit_code, 0) << run.output;
-  }
-
-  /// Runs a command in the test's folder.
-  Outcome in_folder(const std::string& command) const {
-    return shell(fmt::format("cd '{}' && {}", directory_.path().string(), command));
-  }
-
-  static bool is_installed(const std::string& tool) {
-    return shell("command -v " + tool).exit_code == 0;
-  }
-
-  /// Runs the test bench with one line of a module in rtl changed by sed.
-  Outcome run_changed(const std::string& file, const std::string& change) {
-    const Outcome changed =
-        in_folder(fmt::format("rm -rf changed && cp -r rtl changed && sed -i '{1}' changed/{0} && "
-                              "! cmp -s changed/{0} rtl/{0}",
-                              file, change));
-    EXPECT_EQ(changed.exit_code, 0) << "nothing changed: " << change;
-    return in_folder("changed/icarus/run work");
-  }
-
-  void expect_in(const std::string& text, const std::string& words) {
-    EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
-  }
-};
+class Project : public ProjectTest {};
+class EngineProject : public EngineProjectTest {};
 
 TEST_F(Project, TheTestBenchPassesInIcarusFromAnyFolder) {
   generate("--project icarus");
@@ -167,45 +117,6 @@ TEST_F(Project, TheTestBenchPassesForEveryKindOfSystem) {
     fs::remove_all(path("rtl"));
   }
 }
-
-class EngineProject : public Project {
-protected:
-  /// Items whose differences tie, nearly tie, or are far apart.
-  void write_pairs(const std::string& pairing = "pairs = \"all\"\n") {
-    std::string data = "a,b\n";
-    for (int k = 0; k < 12; ++k) {
-      const double a = 1 + 0.37 * k;
-      data += fmt::format("{:.7f},{:.7f}\n", a, k % 3 == 0 ? a : a * (1 + 0.003 * (k % 5)));
-    }
-    write("data.csv", data);
-    write_engine("ai - aj", "bi - bj", "[engine]\nkind = \"pairwise\"\ncapacity = 16\n", pairing);
-  }
-
-  /// Points between centres, some of them in the middle of two.
-  void write_chain() {
-    write("data.csv", "p\n0.5\n1.0001\n1.75\n2.5\n2.9999\n3.25\n1\n3\n0\n4\n");
-    write("centres.csv", "c\n0\n2\n4\n");
-    write_engine("(p - ci)^2", "(p - cj)^2", "[engine]\nkind = \"arg_min\"\ntag_bits = 5\n",
-                 "with = \"centres.csv\"\npairs = \"arg_min\"\n");
-  }
-
-  Outcome run_engine_changed(const std::string& file, const std::string& change) {
-    Outcome run = run_changed(file, change);
-    EXPECT_NE(run.exit_code, 0) << change << "\n" << run.output;
-    return run;
-  }
-
-private:
-  void write_engine(const std::string& f, const std::string& g, const std::string& engine,
-                    const std::string& pairing) {
-    write("scene.toml",
-          fmt::format("[comparison]\nname = \"near\"\nf = \"{}\"\ng = \"{}\"\n"
-                      "[reference]\nformat = \"binary32\"\n[reduced]\nformat = \"s8e8\"\n"
-                      "[system]\nlanes = 2\nreferences = 1\ndevice = \"ice40-hx8k\"\n{}"
-                      "[data]\nfile = \"data.csv\"\n{}",
-                      f, g, engine, pairing));
-  }
-};
 
 TEST_F(EngineProject, ThePairwiseEngineIsTested) {
   write_pairs();
@@ -401,152 +312,6 @@ TEST_F(Project, NextpnrIsOfItsDevicesAlone) {
                  "--project: nextpnr does not place on the scene's device: received artix7-200t; "
                  "accepted --device with one of ecp5-85k, ice40-hx8k, ice40-up5k");
   EXPECT_FALSE(fs::exists(path("rtl")));
-}
-
-class VendorScript : public EngineProject {
-protected:
-  void SetUp() override {
-    if (!is_installed("tclsh")) GTEST_SKIP() << "tclsh is not installed (Debian: tcl)";
-  }
-
-  Outcome tcl(const std::string& script) {
-    return in_folder(fmt::format("tclsh '{}' {}", MIXCMP_VENDOR_COMMANDS, script));
-  }
-};
-
-TEST_F(VendorScript, VivadoSynthesisesAndPackages) {
-  generate("--project vivado --device artix7-200t");
-  const Outcome synthesis = tcl("rtl/vivado/synthesise.tcl");
-  EXPECT_EQ(synthesis.exit_code, 0) << synthesis.output;
-  expect_in(synthesis.output, "mixcmp_lane_tracker.v");
-  expect_in(synthesis.output, "read_xdc scene_s8e8_2x1.xdc\n");
-  expect_in(synthesis.output,
-            "synth_design -top scene_s8e8_2x1 -part xc7a200tfbg676-2 -mode out_of_context\n");
-  expect_in(synthesis.output, "210.5 MHz (target 200 MHz)");  // a slack of 0.25 of 5 ns
-  EXPECT_EQ(read("scene_s8e8_2x1_vivado/scene_s8e8_2x1.json"), read("rtl/scene_s8e8_2x1.json"));
-  const Outcome constraint = tcl("rtl/vivado/scene_s8e8_2x1.xdc");
-  expect_in(constraint.output, "create_clock -name aclk -period 5.000 ports\n");
-  const Outcome packaging = tcl("rtl/vivado/package_ip.tcl xc7k325tffg900-2 here");
-  EXPECT_EQ(packaging.exit_code, 0) << packaging.output;
-  expect_in(packaging.output, "create_project -force package project -part xc7k325tffg900-2\n");
-  expect_in(packaging.output, "set_property top scene_s8e8_2x1_streams sources_1\n");
-  for (const char* stream : {"s_axis_0", "m_axis_0", "s_axis_1", "m_axis_1"}) {
-    expect_in(packaging.output, fmt::format("infer_bus_interface {0}_tvalid {0}_tready {0}_tdata "
-                                            "{0}_tuser xilinx.com:interface:axis_rtl:1.0",
-                                            stream));
-    expect_in(packaging.output, fmt::format("-busif {} -clock aclk", stream));
-  }
-}
-
-TEST_F(VendorScript, StreamsOfReportsArePackagedEach) {
-  write_pairs();
-  generate(
-      "--project vivado --device artix7-200t --set engine.report_streams=2 "
-      "--set engine.lanes_per_group=1");
-  const Outcome packaging = tcl("rtl/vivado/package_ip.tcl");
-  EXPECT_EQ(packaging.exit_code, 0) << packaging.output;
-  expect_in(packaging.output, "set_property top near_s8e8_2x1_pairwise_streams sources_1\n");
-  for (const char* stream : {"s_axis", "m_axis_0", "m_axis_1"}) {
-    expect_in(packaging.output, fmt::format("infer_bus_interface {0}_tvalid {0}_tready {0}_tdata "
-                                            "{0}_tuser {0}_tlast xilinx.com",
-                                            stream));
-  }
-}
-
-TEST_F(VendorScript, QuartusCompiles) {
-  generate("--project quartus");
-  const Outcome nameless = tcl("rtl/quartus/compile.tcl");
-  EXPECT_EQ(nameless.exit_code, 1) << nameless.output;
-  expect_in(nameless.output, "Quartus has no ice40-hx8k: name a part");
-  const Outcome run = tcl("rtl/quartus/compile.tcl 5CEBA4F23C7");
-  EXPECT_EQ(run.exit_code, 0) << run.output;
-  expect_in(run.output, "set_global_assignment -name FAMILY Cyclone V\n");
-  expect_in(run.output, "set_global_assignment -name VERILOG_FILE scene_s8e8_2x1.v\n");
-  expect_in(run.output, "set_global_assignment -name SDC_FILE scene_s8e8_2x1.sdc\n");
-  expect_in(run.output, "set_instance_assignment -name VIRTUAL_PIN OFF -to aclk\n");
-  EXPECT_EQ(read("output_files/scene_s8e8_2x1.json"), read("rtl/scene_s8e8_2x1.json"));
-}
-
-TEST_F(VendorScript, AFileThatIsNotThereIsAnError) {
-  generate("--project vivado,quartus --device artix7-200t");
-  fs::remove(path("rtl/mixcmp_lane_tracker.v"));
-  for (const char* script : {"vivado/synthesise.tcl", "quartus/compile.tcl 5CEBA4F23C7"}) {
-    const Outcome run = tcl(std::string("rtl/") + script);
-    EXPECT_EQ(run.exit_code, 1) << run.output;
-    expect_in(run.output, "mixcmp_lane_tracker.v");
-  }
-}
-
-TEST_F(Project, ACoreFileNamesFilesThatAreThere) {
-  if (shell("python3 -c 'import yaml'").exit_code != 0) {
-    GTEST_SKIP() << "python3-yaml is not installed";
-  }
-  generate("--project fusesoc --device artix7-200t");
-  const Outcome run = in_folder(fmt::format("python3 '{}' rtl", MIXCMP_CHECK_CORE));
-  EXPECT_EQ(run.exit_code, 0) << run.output;
-  EXPECT_EQ(run.output, "default lint sim synth synth_vivado\n");
-}
-
-TEST_F(Project, FuseSocRunsItsTargets) {
-  if (!is_installed("fusesoc")) GTEST_SKIP() << "fusesoc is not installed";
-  generate("--project fusesoc --vectors 50");
-  for (const char* target : {"lint", "sim", "synth"}) {
-    const Outcome run = in_folder(fmt::format(
-        "fusesoc --cores-root rtl run --target {} mixcmp:comparison:scene_s8e8_2x1", target));
-    EXPECT_EQ(run.exit_code, 0) << target << "\n" << run.output;
-    if (target == std::string("sim")) expect_in(run.output, "PASSED: 200 comparisons");
-  }
-}
-
-TEST_F(Project, CocotbPasses) {
-  if (!is_installed("cocotb-config")) GTEST_SKIP() << "cocotb is not installed";
-  generate("--project icarus --vectors 50");
-  const Outcome run = in_folder("mkdir work && cd work && make -f ../rtl/cocotb/Makefile");
-  EXPECT_EQ(run.exit_code, 0) << run.output;
-  expect_in(run.output, "PASS=2 FAIL=0");
-}
-
-TEST_F(Project, CocotbLeavesNothingInTheGeneratedFolder) {
-  if (!is_installed("python3")) GTEST_SKIP() << "python3 is not installed";
-  generate("--project icarus --vectors 5");
-  // A cocotb that only imports the test, as the simulator's Python does.
-  fs::create_directories(path("stub/cocotb"));
-  write("stub/cocotb-config", "#!/bin/sh\nprintf '%s' \"$STUB\"\n");
-  write("stub/Makefile.sim", "all:\n\tpython3 -c 'import $(MODULE)'\n");
-  write("stub/cocotb/__init__.py", "def test(): return lambda function: function\n");
-  write("stub/cocotb/clock.py", "Clock = None\n");
-  write("stub/cocotb/triggers.py", "FallingEdge = ReadOnly = None\n");
-  const Outcome run = in_folder(
-      "chmod +x stub/cocotb-config && unset PYTHONDONTWRITEBYTECODE && mkdir work && cd work && "
-      "STUB=\"$PWD/../stub\" PYTHONPATH=\"$PWD/../stub\" PATH=\"$PWD/../stub:$PATH\" "
-      "make -f ../rtl/cocotb/Makefile");
-  EXPECT_EQ(run.exit_code, 0) << run.output;
-  EXPECT_TRUE(fs::exists(path("rtl/cocotb/test_scene_s8e8_2x1.py")));
-  generate("--project icarus --vectors 5");
-}
-
-TEST_F(Project, TheCocotbTestIsPython) {
-  if (!is_installed("python3")) GTEST_SKIP() << "python3 is not installed";
-  generate("--project icarus --vectors 5");
-  const Outcome run = in_folder(
-      "python3 -W error -c 'import ast, sys; ast.parse(open(sys.argv[1]).read())' "
-      "rtl/cocotb/test_scene_s8e8_2x1.py");
-  EXPECT_EQ(run.exit_code, 0) << run.output;
-}
-
-TEST_F(Project, GhdlTakesTheComponents) {
-  if (!is_installed("ghdl")) GTEST_SKIP() << "ghdl is not installed";
-  generate("--project vivado --set comparison.name=a__b");
-  const Outcome run = in_folder("ghdl -s --std=93 rtl/integration/*_components.vhd");
-  EXPECT_EQ(run.exit_code, 0) << run.output;
-}
-
-TEST_F(EngineProject, GhdlTakesTheComponents) {
-  if (!is_installed("ghdl")) GTEST_SKIP() << "ghdl is not installed";
-  write_pairs();
-  generate("--project vivado --set engine.report_streams=2 --set engine.lanes_per_group=1");
-  const Outcome run = in_folder("ghdl -s --std=93 rtl/integration/*_components.vhd");
-  EXPECT_EQ(run.exit_code, 0) << run.output;
 }
 
 TEST_F(Project, TheSameSceneGivesTheSameBytes) {

@@ -95,7 +95,7 @@ std::uint64_t second_tier_cycles(const FirstVerdicts& verdicts, std::uint64_t fi
   return std::max<std::uint64_t>(undecided, told ? 1 : 0);
 }
 
-/// The same for all items of a set, of the segment that needs most.
+/// Cycles that the second tier of the segment with most to do needs for a whole set.
 std::uint64_t second_tier_cycles(const FirstVerdicts& verdicts, std::uint64_t lanes) {
   std::uint64_t most = 0;
   for (std::uint64_t segment = 0; segment < lanes; segment += lanes_per_segment) {
@@ -143,6 +143,7 @@ TEST_P(PairwiseThroughput, IsThePredictedOne) {
         second_tier_cycles(FirstVerdicts(design, pairs), static_cast<std::uint64_t>(load.lanes));
   }
   const double predicted = performance::pairwise_cycles(set);
+  fmt::print("{}: {} cycles, {:.0f} predicted\n", load.name, report.cycles, predicted);
   EXPECT_NEAR(static_cast<double>(report.cycles), predicted, load.tolerance * predicted)
       << to_text(report);
 }
