@@ -327,17 +327,18 @@ void ProblemMaker::add_lane(PrecisionPlan& plan, const characterise::Measurement
       is_pairwise() ? in_segment(plan, row) : with_fifo(row, fifo);
   if (!lane) return;
   const double mhz = clock_of(row, options_.clocks.lane_mhz, lane->streams_mhz);
-  plan.lanes.push_back({row,
-                        lane->area,
-                        *rate,
-                        {.name = lane_name(row.key),
-                         .clock_hz = mhz * hertz_per_mhz,
-                         .initiation_interval = 1,
-                         .recomputation_rate = rate->value(),
-                         .area = lane->group,
-                         .group = lane->lanes},
-                        area_alone(row.key),
-                        second_tier_ ? area_alone(*second_tier_) : std::nullopt});
+  LaneImplementation& added = plan.lanes.emplace_back();
+  added.measured = row;
+  added.with_streams = lane->area;
+  added.rate = *rate;
+  added.kind = {.name = lane_name(row.key),
+                .clock_hz = mhz * hertz_per_mhz,
+                .initiation_interval = 1,
+                .recomputation_rate = rate->value(),
+                .area = lane->group,
+                .group = lane->lanes};
+  added.datapath = area_alone(row.key);
+  if (second_tier_) added.second_tier = area_alone(*second_tier_);
 }
 
 /// The area of a lane of this key alone; none where it was not measured. A lane without products
