@@ -207,7 +207,7 @@ TEST(ItemSplit, PartsSeeTheOperandsThatDoNotFit) {
       graph_of({{"(x - ai)^2", "y^2 + bi"}, {"x + aj", "ai + z"}}, Combination::any)};
   for (const Graph& graph : graphs) {
     const Split made = split_of(graph, 6, {0, 8});
-    const auto values = [&](const std::vector<std::string>& columns) {
+    const auto values_of = [&](const std::vector<std::string>& columns) {
       std::vector<Bits> values;
       for (std::size_t k = 0; k < columns.size(); ++k) {
         const char* text = random() % 3 > 0 ? "2.5" : texts[random() % texts.size()];
@@ -216,7 +216,8 @@ TEST(ItemSplit, PartsSeeTheOperandsThatDoNotFit) {
       return values;
     };
     for (int k = 0; k < 500; ++k) {
-      Walk(made, {values(made.columns), values(made.columns), values(made.row_columns)}).check();
+      Walk(made, {values_of(made.columns), values_of(made.columns), values_of(made.row_columns)})
+          .check();
     }
   }
 }
