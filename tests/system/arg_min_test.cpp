@@ -141,7 +141,9 @@ TEST_P(ArgMinSystem, InFixedPointUnderStallsAndResets) {
                   .resets = 3});
     expect_passed(report, 200, candidates);
     EXPECT_GT(report.recomputations, 10u);
-    if (special == Special::none) EXPECT_LT(report.recomputations, report.comparisons);
+    if (special == Special::none) {
+      EXPECT_LT(report.recomputations, report.comparisons);
+    }
   }
 }
 
