@@ -1,5 +1,6 @@
 #include "model/characterise/job_hash.hpp"
 
+#include "model/characterise/static_timing.hpp"
 #include "model/characterise/tools.hpp"
 #include "model/common/content_hash.hpp"
 
@@ -12,6 +13,7 @@ constexpr std::string_view method = "2";
 void add_timing(ContentHash& hash, const devices::Device& device, int seeds) {
   hash.add("timing").add(to_string(device.timing)).add(device.timing_synthesis);
   for (const std::string& argument : device.timing_arguments) hash.add(argument);
+  if (device.timing == devices::TimingTool::yosys_sta) hash.add(shift_register_output().text);
   if (!is_routed(device)) return;
   hash.add(std::to_string(seeds));
   // A design that does not fit has no clock, so the device's size matters.

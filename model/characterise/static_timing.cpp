@@ -5,6 +5,8 @@
 #include <optional>
 #include <regex>
 
+#include "embedded/timing_files.hpp"
+
 namespace mixcmp::characterise {
 namespace {
 
@@ -30,6 +32,10 @@ Result<int> longest_path_ps(std::string_view sta_text) {
   if (std::regex_search(text, found, latest)) picoseconds = std::stoi(found[1]);
   if (picoseconds > 0) return picoseconds;
   return Error{.message = "there is no path between registers"};
+}
+
+const EmbeddedFile& shift_register_output() {
+  return timing_files().front();
 }
 
 }  // namespace mixcmp::characterise

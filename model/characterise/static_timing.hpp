@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "model/common/embedded_file.hpp"
 #include "model/common/result.hpp"
 
 namespace mixcmp::characterise {
@@ -11,5 +12,8 @@ namespace mixcmp::characterise {
 /// text it prints. An error where the text names cells without known delays, since a longer path
 /// may lead through them, or where there is no path.
 Result<int> longest_path_ps(std::string_view sta_text);
+
+/// A techmap file that takes the last register of each shift register out of it.
+const EmbeddedFile& shift_register_output();
 
 }  // namespace mixcmp::characterise

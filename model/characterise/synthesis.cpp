@@ -79,14 +79,16 @@ Result<devices::Area> map_alone(const Run& run) {
 constexpr const char* end_of_timing = "end of the timing report";
 
 /// After -abc9 the carry cells in memory have lost their delays (Yosys 0.23 and 0.52): the netlist
-/// is read again, beside the library of cells.
+/// is read again, beside the library of cells. One pass: what a shift register becomes has one, too.
 std::string timing_script(const Run& run) {
   const std::string& top = run.job.top;
   return fmt::format(
       "{}{} -top {}\nselect {}\nwrite_rtlil -selected timing.il\ndesign -reset\n"
-      "read_rtlil timing.il\nread_verilog -lib -specify +/xilinx/cells_sim.v\n"
+      "read_rtlil timing.il\ntechmap -max_iter 1 -map {}\n"
+      "read_verilog -lib -specify +/xilinx/cells_sim.v\n"
       "hierarchy -top {}\ntee -q -o timing.txt sta\ntee -q -a timing.txt log {}\n",
-      read_sources(run), run.device.timing_synthesis, top, top, top, end_of_timing);
+      read_sources(run), run.device.timing_synthesis, top, top, shift_register_output().name, top,
+      end_of_timing);
 }
 
 /// A clock, or why there is none. A tool that fails is an error instead, since that is no property
@@ -97,6 +99,8 @@ struct Timing {
 };
 
 Result<Timing> estimate_clock(const Run& run) {
+  const EmbeddedFile& techmap = shift_register_output();
+  MIXCMP_TRY(written, write_file(run.directory / techmap.name, techmap.text));
   MIXCMP_TRY(ran, run_yosys(run, "timing", timing_script(run)));
   MIXCMP_TRY(log, read_file(run.directory / "timing.txt"));
   if (!log.ends_with(std::string(end_of_timing) + "\n")) {

@@ -27,6 +27,23 @@ module dut (input wire aclk, input wire [15:0] a, input wire [15:0] b, output re
 endmodule
 )";
 
+/// The same sum of what came in 8, 24 and 40 cycles ago.
+constexpr const char* delayed_adders = R"(
+module delayed_adder #(parameter LENGTH = 8) (
+  input wire aclk, input wire [15:0] a, input wire [15:0] b, output reg [15:0] y);
+  reg [32*LENGTH-1:0] rank_q;
+  always @(posedge aclk) begin
+    rank_q <= {rank_q, a, b};
+    y <= rank_q[32*LENGTH-1-:16] + rank_q[32*LENGTH-17-:16];
+  end
+endmodule
+module dut (input wire aclk, input wire [15:0] a, input wire [15:0] b, output wire [47:0] y);
+  delayed_adder #(.LENGTH(8)) one (.aclk(aclk), .a(a), .b(b), .y(y[15:0]));
+  delayed_adder #(.LENGTH(24)) large (.aclk(aclk), .a(a), .b(b), .y(y[31:16]));
+  delayed_adder #(.LENGTH(40)) two (.aclk(aclk), .a(a), .b(b), .y(y[47:32]));
+endmodule
+)";
+
 /// 24 x 24 bits, registered on all sides.
 constexpr const char* ice40_multiplier = R"(
 module dut (input wire aclk, input wire [15:0] a, input wire [15:0] b, output wire [31:0] y);
@@ -356,6 +373,16 @@ TEST_F(Synthesis, AnEstimateBeforeRoutingSeesTheCarryChain) {
   // Clock-to-output 303 ps, a LUT 238, onto the chain 400..600, along it 3 x 114, off it 200..340.
   EXPECT_GT(result->clock->mhz, 1e6 / 1900);
   EXPECT_LT(result->clock->mhz, 1e6 / 1400);
+}
+
+TEST_F(Synthesis, AnEstimateBeforeRoutingHasARegisterBehindEachShiftRegister) {
+  SKIP_WITHOUT_YOSYS();
+  // Of 8, 24 and 40 registers: in one LUT, in one and in two.
+  const auto result = run(delayed_adders, device("artix7-200t"), {});
+  ASSERT_TRUE(result.ok()) << result.error().to_string();
+  ASSERT_TRUE(result->clock.has_value()) << result->no_clock;
+  EXPECT_LT(result->area.registers, 3 * 16 + 32) << "no shift registers were made";
+  EXPECT_GT(result->clock->mhz, 1e6 / 1900);
 }
 
 /// A router of our own making, as $MIXCMP_NEXTPNR_ECP5: what is done with what it says.
