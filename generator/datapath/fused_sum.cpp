@@ -131,7 +131,7 @@ Unit fused_sum_unit(const TypedGraph& graph, const TypedNode& node, SquaredSums 
                     Multipliers multipliers, const DelayTable& delays) {
   const FusedSum sum(node.format, node.terms.size());
   const bool cancels = may_cancel(graph, node.terms);
-  StageList stages(delays);
+  StageList stages(delays, StageList::WideSums::whole);
   add_cut_sum(stages, graph, node, squared, multipliers, delays);
   stages.add("magnitude", cancels ? stages.carry(sum.sum_bits()) : 0);
   const int counted = cancels ? sum.sum_bits() : sum.growth_bits() + 1;
@@ -146,7 +146,7 @@ Unit fused_sum_unit(const TypedGraph& graph, const TypedNode& node, SquaredSums 
 Unit fused_comparison_unit(const TypedGraph& graph, const TypedNode& node, SquaredSums squared,
                            Multipliers multipliers, const DelayTable& delays) {
   const FusedSum sum(node.format, node.terms.size());
-  StageList stages(delays);
+  StageList stages(delays, StageList::WideSums::whole);
   add_cut_sum(stages, graph, node, squared, multipliers, delays);
   stages.add("decide", stages.lut_delay_ns(reduction_levels(sum.sum_bits()) + 1));
   return with_multipliers(std::move(stages).unit("fp_fused_comparison"), multipliers, delays);

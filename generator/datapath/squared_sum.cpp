@@ -78,9 +78,9 @@ void add_unnormalised_sum(StageList& stages, FloatFormat format, Subnormals subn
   stages.add_aligned_operands(format, precision + 2, subnormals, StageList::Order::by_exponent);
   // The larger operand is selected while the smaller one is still being aligned.
   const double selection = stages.lut_delay_ns(1);
-  stages.add_overlapping("sum", selection + stages.carry(precision + 4), selection);
+  stages.add_wide_sum("sum", selection, precision + 4, selection);
   stages.add("select", stages.lut_delay_ns(3));
-  stages.add("round sum", stages.carry(precision + 1) + stages.lut_delay_ns(1));
+  stages.add_wide_sum("round sum", stages.lut_delay_ns(1), precision + 1);
 }
 
 Unit squared_sum_unit(FloatFormat format, Subnormals subnormals, scene::Multipliers multipliers,

@@ -39,7 +39,10 @@ inline int count_levels(int bits) {
 /// Collects the stages of one unit in order, with their delays by a device's delay table.
 class StageList {
 public:
-  explicit StageList(const DelayTable& delays) : delays_(delays) {}
+  /// Whether the unit's template has a cut in the middle of its wide sums.
+  enum class WideSums { whole, halved };
+  explicit StageList(const DelayTable& delays, WideSums wide_sums = WideSums::halved)
+      : delays_(delays), wide_sums_(wide_sums) {}
 
   double lut_delay_ns(int levels) const { return levels * delays_.lut_ns; }
   double carry(int bits) const { return delays_.carry_start_ns + bits * delays_.carry_ns_per_bit; }
@@ -54,6 +57,10 @@ public:
   void add_overlapping(std::string name, double delay_ns, double overlap_ns) {
     stages_.push_back({.name = std::move(name), .delay_ns = delay_ns, .overlap_ns = overlap_ns});
   }
+
+  /// A sum whose operands are there `operands_ns` after the start: two stages where it is halved.
+  /// overlap_ns: as in add_overlapping.
+  void add_wide_sum(const std::string& name, double operands_ns, int bits, double overlap_ns = 0);
 
   /// Adds stages that are cut at the same places as each of `lists`, which work side by side.
   void add_slowest(const std::vector<StageList>& lists);
@@ -96,8 +103,21 @@ private:
   double deciding_ns() const { return lut_delay_ns(1); }
 
   const DelayTable& delays_;
+  WideSums wide_sums_;
   std::vector<Stage> stages_;
 };
+
+inline void StageList::add_wide_sum(const std::string& name, double operands_ns, int bits,
+                                    double overlap_ns) {
+  const int lower_bits = wide_sums_ == WideSums::halved ? bits / 2 : bits;
+  add_overlapping(name, operands_ns + carry(lower_bits), overlap_ns);
+  if (wide_sums_ == WideSums::whole) return;
+  // Without a register between them the halves are one carry chain, which starts once.
+  stages_.push_back({.name = name + ", upper half",
+                     .delay_ns = carry(bits - lower_bits),
+                     .overlap_ns = delays_.carry_start_ns,
+                     .is_upper_half = true});
+}
 
 inline void StageList::add_slowest(const std::vector<StageList>& lists) {
   const int first = static_cast<int>(stages_.size());
@@ -281,7 +301,7 @@ inline void StageList::add_last_selection(FloatFormat result) {
 }
 
 inline void StageList::add_round_and_pack(FloatFormat result) {
-  add("round", carry(result.width() + 2));
+  add_wide_sum("round", 0, result.width() + 2);
   add("pack", lut_delay_ns(1 + reduction_levels(result.exponent_bits()) + 1));
 }
 

@@ -16,29 +16,42 @@ std::vector<bool> UnitPlacer::choose_cuts(const Unit& unit) {
   for (const Stage& stage : unit.stages) {
     if (stage.delay_ns > logic_ns_) note_slow(unit, stage);
   }
-  const std::vector<bool> cuts = greedy_cuts(unit, -1);
+  const std::vector<Stage> stages = with_whole_sums(unit.stages);
+  const std::vector<bool> cuts = greedy_cuts(stages, -1);
   for (std::size_t k = 0; k < cuts.size(); ++k) {
-    const int needed = unit.stages[k].cut_needs;
-    if (cuts[k] && needed >= 0 && !cuts[needed]) return greedy_cuts(unit, needed);
+    const int needed = stages[k].cut_needs;
+    if (cuts[k] && needed >= 0 && !cuts[needed]) return greedy_cuts(stages, needed);
   }
   return cuts;
+}
+
+/// Leaves nothing to do for the upper half of a sum that fits into one period.
+std::vector<Stage> UnitPlacer::with_whole_sums(std::vector<Stage> stages) const {
+  for (std::size_t k = 1; k < stages.size(); ++k) {
+    Stage& upper = stages[k];
+    const double whole_ns = stages[k - 1].delay_ns + upper.delay_ns - upper.overlap_ns;
+    if (!upper.is_upper_half || whole_ns > logic_ns_) continue;
+    stages[k - 1].delay_ns = whole_ns;
+    upper.delay_ns = upper.overlap_ns = 0;
+  }
+  return stages;
 }
 
 /// Places registers from the operands on: one behind the stage `forced` (-1: none), and one in
 /// front of each stage that would not fit into the period, besides those that a unit has anyway.
 /// For a chain of stages this needs the fewest registers.
-std::vector<bool> UnitPlacer::greedy_cuts(const Unit& unit, int forced) const {
-  MIXCMP_CHECK(!unit.stages.empty());
-  std::vector<bool> cuts(unit.stages.size(), false);
+std::vector<bool> UnitPlacer::greedy_cuts(const std::vector<Stage>& stages, int forced) const {
+  MIXCMP_CHECK(!stages.empty());
+  std::vector<bool> cuts(stages.size(), false);
   double path_ns = 0;
-  for (std::size_t k = 0; k < unit.stages.size(); ++k) {
-    const double stage_ns = unit.stages[k].delay_ns;
-    path_ns += stage_ns - unit.stages[k].overlap_ns;
+  for (std::size_t k = 0; k < stages.size(); ++k) {
+    const double stage_ns = stages[k].delay_ns;
+    path_ns += stage_ns - stages[k].overlap_ns;
     if (k > 0 && (path_ns > logic_ns_ || static_cast<int>(k) - 1 == forced)) {
       cuts[k - 1] = true;
       path_ns = stage_ns;
     }
-    if (unit.stages[k].registered) {
+    if (stages[k].registered) {
       cuts[k] = true;
       path_ns = 0;
     }

@@ -24,7 +24,8 @@ public:
 
 private:
   std::vector<bool> choose_cuts(const Unit& unit);
-  std::vector<bool> greedy_cuts(const Unit& unit, int forced) const;
+  std::vector<Stage> with_whole_sums(std::vector<Stage> stages) const;
+  std::vector<bool> greedy_cuts(const std::vector<Stage>& stages, int forced) const;
   void note_slow(const Unit& unit, const Stage& stage);
 
   DelayTable delays_;

@@ -29,7 +29,7 @@ Unit add_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
   const int amount_bits = bits_for(precision + 2);
   StageList stages(delays);
   stages.add_aligned_operands(operands, aligned, subnormals, StageList::Order::by_magnitude);
-  stages.add("sum", stages.carry(aligned + 3));
+  stages.add_wide_sum("sum", 0, aligned + 3);
   stages.add("count", stages.lut_delay_ns(count_levels(precision + 2)));
   const double limit =
       gradual ? stages.carry(operands.exponent_bits() + 2) + stages.lut_delay_ns(1) : 0;
@@ -113,6 +113,7 @@ Unit scale_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
     const int exponent_bits = std::max(operands.exponent_bits(), result.exponent_bits());
     stages.add("denormalise", stages.carry(exponent_bits + 3));
     stages.add("round", stages.lut_delay_ns(1));
+    stages.add("round, upper half", 0);
     stages.add("pack", stages.lut_delay_ns(1 + reduction_levels(result.exponent_bits()) + 1));
   }
   return std::move(stages).unit("fp_convert");

@@ -24,6 +24,9 @@ struct Stage {
   int cut_needs = -1;
   /// The stage ends in a register whatever the period is: a block memory is read into one.
   bool registered = false;
+  /// The upper half of the sum that the stage before begins. A register between the two is for sums
+  /// that are too long for a period.
+  bool is_upper_half = false;
 };
 
 /// A template and its stages; bit k of its CUTS parameter registers the end of stage k.

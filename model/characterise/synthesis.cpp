@@ -79,7 +79,8 @@ Result<devices::Area> map_alone(const Run& run) {
 constexpr const char* end_of_timing = "end of the timing report";
 
 /// After -abc9 the carry cells in memory have lost their delays (Yosys 0.23 and 0.52): the netlist
-/// is read again, beside the library of cells. One pass: what a shift register becomes has one, too.
+/// is read again, beside the library of cells. One pass: what a shift register becomes has one,
+/// too.
 std::string timing_script(const Run& run) {
   const std::string& top = run.job.top;
   return fmt::format(

@@ -1,5 +1,5 @@
 // fp_add: a + b, or a - b with SUBTRACT, rounded once to the result format.
-// Latency: the population count of CUTS (twelve bits); initiation interval 1; no reset.
+// Latency: the population count of CUTS (fourteen bits); initiation interval 1; no reset.
 // Special values as IEEE 754: infinity - infinity is NaN, x - x is +0.
 // SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md.
 // CANCELLATION = 0 promises that what is added never has unlike signs, zeros aside.
@@ -17,7 +17,7 @@ module fp_add #(
   parameter        CANCELLATION         = 1,
   parameter        GRADUAL              = 0,
   parameter        TOWARD_ZERO          = 0,
-  parameter [11:0] CUTS                 = 12'b0
+  parameter [13:0] CUTS                 = 14'b0
 ) (
   input  wire                                             aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
@@ -124,101 +124,85 @@ module fp_add #(
     .suspect (s4_suspect)
   );
 
-  // Stage sum: minus x is not x plus one; the one enters as a carry out of an extra last place.
-  wire           s4_subtract = (CANCELLATION != 0) && s4_cancel;
-  wire [SUM-1:0] s4_addend   = {1'b0, s4_small} ^ {SUM{s4_subtract}};
-  wire [SUM-1:0] s4_sum;
-  wire           s4_unused_place;
-
-  assign {s4_sum, s4_unused_place} =
-      {1'b0, s4_large, {(SUM - 1 - PRECISION) {1'b0}}, 1'b1} + {s4_addend, s4_subtract};
-
+  // Stages sum, sum upper half: minus x is not x plus one.
+  wire                     s4_subtract = (CANCELLATION != 0) && s4_cancel;
   wire [EXPONENT_BITS-1:0] s5_exponent;
   wire [SUM-1:0]           s5_sum;
-  wire                     s5_sign;
-  wire                     s5_cancel;
-  wire                     s5_nan;
-  wire                     s5_infinite;
-  wire                     s5_operands_zero;
-  wire                     s5_suspect;
+  wire [5:0]               s5_flags;
+
+  fp_halved_sum #(
+    .WIDTH(SUM),
+    .CUTS (CUTS[4])
+  ) s4_sum (
+    .aclk (aclk),
+    .a    ({1'b0, s4_large, {(SUM - 1 - PRECISION) {1'b0}}}),
+    .b    ({1'b0, s4_small} ^ {SUM{s4_subtract}}),
+    .carry(s4_subtract),
+    .sum  (s5_sum)
+  );
 
   fp_rank #(
-    .WIDTH     (EXPONENT_BITS + SUM + 6),
+    .WIDTH     (EXPONENT_BITS + 6),
     .REGISTERED(CUTS[4])
   ) rank_4 (
     .aclk(aclk),
-    .d   ({s4_exponent, s4_sum, s4_sign, s4_cancel,
-           s4_nan, s4_infinite, s4_operands_zero, s4_suspect}),
-    .q   ({s5_exponent, s5_sum, s5_sign, s5_cancel,
-           s5_nan, s5_infinite, s5_operands_zero, s5_suspect})
+    .d   ({s4_exponent, s4_sign, s4_cancel, s4_nan, s4_infinite, s4_operands_zero, s4_suspect}),
+    .q   ({s5_exponent, s5_flags})
+  );
+
+  wire [EXPONENT_BITS-1:0] s6_exponent;
+  wire [SUM-1:0]           s6_sum;
+  wire                     s6_sign;
+  wire                     s6_cancel;
+  wire                     s6_nan;
+  wire                     s6_infinite;
+  wire                     s6_operands_zero;
+  wire                     s6_suspect;
+
+  fp_rank #(
+    .WIDTH     (EXPONENT_BITS + SUM + 6),
+    .REGISTERED(CUTS[5])
+  ) rank_5 (
+    .aclk(aclk),
+    .d   ({s5_exponent, s5_sum, s5_flags}),
+    .q   ({s6_exponent, s6_sum, s6_sign, s6_cancel,
+           s6_nan, s6_infinite, s6_operands_zero, s6_suspect})
   );
 
   // Stage count: leading zeros of the sum, and the room above exponent 1 to move it up in.
-  wire [COUNT_BITS-1:0] s5_count;
-  wire                  s5_empty;
+  wire [COUNT_BITS-1:0] s6_count;
+  wire                  s6_empty;
 
   generate
     if (GROWING) begin : g_growing
-      assign s5_count = {{(COUNT_BITS - 1) {1'b0}}, !s5_sum[SUM-1]};
-      assign s5_empty = 1'b0;
+      assign s6_count = {{(COUNT_BITS - 1) {1'b0}}, !s6_sum[SUM-1]};
+      assign s6_empty = 1'b0;
     end else begin : g_cancelling
       localparam COUNTED = 1 << COUNT_BITS;
 
-      wire [COUNTED-1:0] s5_counted = {
-        s5_sum[SUM-1:SUM-CANCELLING], {(COUNTED - CANCELLING) {1'b0}}
+      wire [COUNTED-1:0] s6_counted = {
+        s6_sum[SUM-1:SUM-CANCELLING], {(COUNTED - CANCELLING) {1'b0}}
       };
 
       fp_leading_zeros #(
         .COUNT_BITS(COUNT_BITS)
-      ) s5_leading_zeros (
+      ) s6_leading_zeros (
         .aclk (aclk),
-        .value(s5_counted),
-        .count(s5_count),
-        .empty(s5_empty)
+        .value(s6_counted),
+        .count(s6_count),
+        .empty(s6_empty)
       );
     end
   endgenerate
 
-  wire [EXPONENT_WIDTH-1:0] s5_room =
-      {{(EXPONENT_WIDTH - EXPONENT_BITS) {1'b0}}, s5_exponent} + REBIAS[EXPONENT_WIDTH-1:0];
+  wire [EXPONENT_WIDTH-1:0] s6_room =
+      {{(EXPONENT_WIDTH - EXPONENT_BITS) {1'b0}}, s6_exponent} + REBIAS[EXPONENT_WIDTH-1:0];
   // A gradual sum that may cancel is counted empty where both operands are zero.
-  wire                      s5_zero =
-      s5_empty || (s5_operands_zero && (GROWING || !SUBNORMALS));
-
-  wire [EXPONENT_WIDTH-1:0] s6_room;
-  wire [COUNT_BITS-1:0]     s6_count;
-  wire [SUM-1:0]            s6_sum;
-  wire [4:0]                s6_flags;
-
-  fp_rank #(
-    .WIDTH     (EXPONENT_WIDTH + COUNT_BITS + SUM + 5),
-    .REGISTERED(CUTS[5])
-  ) rank_5 (
-    .aclk(aclk),
-    .d   ({s5_room, s5_count, s5_sum, s5_sign && !(s5_zero && s5_cancel),
-           s5_nan, s5_infinite, s5_zero, s5_suspect}),
-    .q   ({s6_room, s6_count, s6_sum, s6_flags})
-  );
-
-  // Stage limit: a subnormal sum moves up no further than there is room.
-  wire [COUNT_BITS-1:0] s6_amount;
-
-  generate
-    if (SUBNORMALS != 0) begin : g_gradual
-      wire s6_no_room = s6_room[EXPONENT_WIDTH-1];
-      wire s6_little_room =
-          s6_room[EXPONENT_WIDTH-2:0] < {{(EXPONENT_WIDTH - 1 - COUNT_BITS) {1'b0}}, s6_count};
-      wire [COUNT_BITS-1:0] s6_possible =
-          s6_little_room ? s6_room[COUNT_BITS-1:0] : s6_count;
-
-      assign s6_amount = s6_possible & {COUNT_BITS{!s6_no_room}};
-    end else begin : g_flush
-      assign s6_amount = s6_count;
-    end
-  endgenerate
+  wire                      s6_zero =
+      s6_empty || (s6_operands_zero && (GROWING || !SUBNORMALS));
 
   wire [EXPONENT_WIDTH-1:0] s7_room;
-  wire [COUNT_BITS-1:0]     s7_amount;
+  wire [COUNT_BITS-1:0]     s7_count;
   wire [SUM-1:0]            s7_sum;
   wire [4:0]                s7_flags;
 
@@ -227,76 +211,108 @@ module fp_add #(
     .REGISTERED(CUTS[6])
   ) rank_6 (
     .aclk(aclk),
-    .d   ({s6_room, s6_amount, s6_sum, s6_flags}),
-    .q   ({s7_room, s7_amount, s7_sum, s7_flags})
+    .d   ({s6_room, s6_count, s6_sum, s6_sign && !(s6_zero && s6_cancel),
+           s6_nan, s6_infinite, s6_zero, s6_suspect}),
+    .q   ({s7_room, s7_count, s7_sum, s7_flags})
+  );
+
+  // Stage limit: a subnormal sum moves up no further than there is room.
+  wire [COUNT_BITS-1:0] s7_amount;
+
+  generate
+    if (SUBNORMALS != 0) begin : g_gradual
+      wire s7_no_room = s7_room[EXPONENT_WIDTH-1];
+      wire s7_little_room =
+          s7_room[EXPONENT_WIDTH-2:0] < {{(EXPONENT_WIDTH - 1 - COUNT_BITS) {1'b0}}, s7_count};
+      wire [COUNT_BITS-1:0] s7_possible =
+          s7_little_room ? s7_room[COUNT_BITS-1:0] : s7_count;
+
+      assign s7_amount = s7_possible & {COUNT_BITS{!s7_no_room}};
+    end else begin : g_flush
+      assign s7_amount = s7_count;
+    end
+  endgenerate
+
+  wire [EXPONENT_WIDTH-1:0] s8_room;
+  wire [COUNT_BITS-1:0]     s8_amount;
+  wire [SUM-1:0]            s8_sum;
+  wire [4:0]                s8_flags;
+
+  fp_rank #(
+    .WIDTH     (EXPONENT_WIDTH + COUNT_BITS + SUM + 5),
+    .REGISTERED(CUTS[7])
+  ) rank_7 (
+    .aclk(aclk),
+    .d   ({s7_room, s7_amount, s7_sum, s7_flags}),
+    .q   ({s8_room, s8_amount, s8_sum, s8_flags})
   );
 
   // Stage normalise by fours: the sum's first bit is the carry, one above the larger operand's
   // exponent.
-  wire [EXPONENT_WIDTH-1:0] s7_exponent =
-      s7_room + {{(EXPONENT_WIDTH - 1) {1'b0}}, 1'b1}
-      - {{(EXPONENT_WIDTH - COUNT_BITS) {1'b0}}, s7_amount};
-  wire [MOVED-1:0]          s7_moved;
-  wire                      s7_sticky;
+  wire [EXPONENT_WIDTH-1:0] s8_exponent =
+      s8_room + {{(EXPONENT_WIDTH - 1) {1'b0}}, 1'b1}
+      - {{(EXPONENT_WIDTH - COUNT_BITS) {1'b0}}, s8_amount};
+  wire [MOVED-1:0]          s8_moved;
+  wire                      s8_sticky;
 
   fp_shift_left #(
     .WIDTH      (SUM),
     .KEPT       (MOVED),
     .AMOUNT_BITS(COUNT_BITS)
-  ) s7_normalise (
-    .value  (s7_sum),
-    .amount ({s7_amount[COUNT_BITS-1:2], 2'b00}),
-    .shifted(s7_moved),
-    .sticky (s7_sticky)
+  ) s8_normalise (
+    .value  (s8_sum),
+    .amount ({s8_amount[COUNT_BITS-1:2], 2'b00}),
+    .shifted(s8_moved),
+    .sticky (s8_sticky)
   );
 
-  wire [EXPONENT_WIDTH-1:0] s8_exponent;
-  wire [MOVED-1:0]          s8_moved;
-  wire                      s8_sticky;
-  wire [1:0]                s8_rest;
-  wire [4:0]                s8_flags;
+  wire [EXPONENT_WIDTH-1:0] s9_exponent;
+  wire [MOVED-1:0]          s9_moved;
+  wire                      s9_sticky;
+  wire [1:0]                s9_rest;
+  wire [4:0]                s9_flags;
 
   fp_rank #(
     .WIDTH     (EXPONENT_WIDTH + MOVED + 8),
-    .REGISTERED(CUTS[7])
-  ) rank_7 (
+    .REGISTERED(CUTS[8])
+  ) rank_8 (
     .aclk(aclk),
-    .d   ({s7_exponent, s7_moved, s7_sticky, s7_amount[1:0], s7_flags}),
-    .q   ({s8_exponent, s8_moved, s8_sticky, s8_rest, s8_flags})
+    .d   ({s8_exponent, s8_moved, s8_sticky, s8_amount[1:0], s8_flags}),
+    .q   ({s9_exponent, s9_moved, s9_sticky, s9_rest, s9_flags})
   );
 
   // Stage normalise: by the places left.
-  wire [KEPT-1:0] s8_significand;
-  wire            s8_lost;
+  wire [KEPT-1:0] s9_significand;
+  wire            s9_lost;
 
   fp_shift_left #(
     .WIDTH      (MOVED),
     .KEPT       (KEPT),
     .AMOUNT_BITS(2)
-  ) s8_normalise (
-    .value  (s8_moved),
-    .amount (s8_rest),
-    .shifted(s8_significand),
-    .sticky (s8_lost)
+  ) s9_normalise (
+    .value  (s9_moved),
+    .amount (s9_rest),
+    .shifted(s9_significand),
+    .sticky (s9_lost)
   );
 
-  wire [EXPONENT_WIDTH-1:0] s9_exponent;
-  wire [KEPT-1:0]           s9_significand;
-  wire                      s9_sticky;
-  wire                      s9_sign;
-  wire                      s9_nan;
-  wire                      s9_infinite;
-  wire                      s9_zero;
-  wire                      s9_suspect;
+  wire [EXPONENT_WIDTH-1:0] s10_exponent;
+  wire [KEPT-1:0]           s10_significand;
+  wire                      s10_sticky;
+  wire                      s10_sign;
+  wire                      s10_nan;
+  wire                      s10_infinite;
+  wire                      s10_zero;
+  wire                      s10_suspect;
 
   fp_rank #(
     .WIDTH     (EXPONENT_WIDTH + KEPT + 6),
-    .REGISTERED(CUTS[8])
-  ) rank_8 (
+    .REGISTERED(CUTS[9])
+  ) rank_9 (
     .aclk(aclk),
-    .d   ({s8_exponent, s8_significand, s8_sticky || s8_lost, s8_flags}),
-    .q   ({s9_exponent, s9_significand, s9_sticky,
-           s9_sign, s9_nan, s9_infinite, s9_zero, s9_suspect})
+    .d   ({s9_exponent, s9_significand, s9_sticky || s9_lost, s9_flags}),
+    .q   ({s10_exponent, s10_significand, s10_sticky,
+           s10_sign, s10_nan, s10_infinite, s10_zero, s10_suspect})
   );
 
   // Stages denormalise, round, pack.
@@ -309,17 +325,17 @@ module fp_add #(
     .GRADUAL             (SUBNORMALS),
     .DENORMALISE         (DENORMALISE),
     .TOWARD_ZERO         (TOWARD_ZERO),
-    .CUTS                (CUTS[11:9])
-  ) s9_round (
+    .CUTS                (CUTS[13:10])
+  ) s10_round (
     .aclk       (aclk),
-    .sign       (s9_sign),
-    .exponent   (s9_exponent),
-    .significand(s9_significand),
-    .sticky     (s9_sticky),
-    .nan        (s9_nan),
-    .infinite   (s9_infinite),
-    .zero       (s9_zero),
-    .suspect    (s9_suspect),
+    .sign       (s10_sign),
+    .exponent   (s10_exponent),
+    .significand(s10_significand),
+    .sticky     (s10_sticky),
+    .nan        (s10_nan),
+    .infinite   (s10_infinite),
+    .zero       (s10_zero),
+    .suspect    (s10_suspect),
     .y          (y),
     .exceptional(exceptional)
   );

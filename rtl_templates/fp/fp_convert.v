@@ -1,5 +1,5 @@
 // fp_convert: a * 2^SCALE in another format or the same, rounded once.
-// Latency: the population count of CUTS (five bits); initiation interval 1; no reset.
+// Latency: the population count of CUTS (six bits); initiation interval 1; no reset.
 // Special values as IEEE 754, but for NaNs, which all become the one positive quiet NaN.
 // SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md.
 `default_nettype none
@@ -15,7 +15,7 @@ module fp_convert #(
   parameter       UNDERFLOW            = 1,
   parameter       GRADUAL              = 0,
   parameter       TOWARD_ZERO          = 0,
-  parameter [4:0] CUTS                 = 5'b0
+  parameter [5:0] CUTS                 = 6'b0
 ) (
   input  wire                                             aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
@@ -126,7 +126,7 @@ module fp_convert #(
     .GRADUAL             (SUBNORMALS),
     .DENORMALISE         (DENORMALISE),
     .TOWARD_ZERO         (TOWARD_ZERO),
-    .CUTS                (CUTS[4:2])
+    .CUTS                (CUTS[5:2])
   ) s2_round (
     .aclk       (aclk),
     .sign       (s2_sign),

@@ -1,5 +1,5 @@
 // fp_divide: a / b, rounded once to the result format; one quotient bit a stage.
-// Latency: the population count of CUTS (RESULT_PRECISION + 8 bits); initiation interval 1; no
+// Latency: the population count of CUTS (RESULT_PRECISION + 9 bits); initiation interval 1; no
 // reset.
 // Special values as IEEE 754: x / 0 is infinite, 0 / 0 and infinity / infinity are NaN.
 // SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md. A
@@ -16,7 +16,7 @@ module fp_divide #(
   parameter UNDERFLOW            = 1,
   parameter GRADUAL              = 0,
   parameter TOWARD_ZERO          = 0,
-  parameter [RESULT_PRECISION+7:0] CUTS = 0
+  parameter [RESULT_PRECISION+8:0] CUTS = 0
 ) (
   input  wire                                             aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
@@ -240,7 +240,7 @@ module fp_divide #(
     .UNDERFLOW           (UNDERFLOW),
     .GRADUAL             (SUBNORMALS),
     .TOWARD_ZERO         (TOWARD_ZERO),
-    .CUTS                (CUTS[DIGITS+5:DIGITS+2])
+    .CUTS                (CUTS[DIGITS+6:DIGITS+2])
   ) last_select_round (
     .aclk       (aclk),
     .sign       (last_sign),

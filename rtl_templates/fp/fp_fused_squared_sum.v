@@ -85,7 +85,7 @@ module fp_fused_squared_sum #(
     .EXPONENT_WIDTH(EXPONENT_WIDTH),
     .SUBTRACT      (SUBTRACT),
     .GRADUAL       (GRADUAL),
-    .CUTS          (CUTS[6:0])
+    .CUTS          ({CUTS[6], 1'b0, CUTS[5:4], 1'b0, CUTS[3:0]})
   ) s0_sum (
     .aclk       (aclk),
     .a          (a),

@@ -276,7 +276,7 @@ module fp_fused_sum #(
     .GRADUAL             (GRADUAL),
     .DENORMALISE         (0),
     .TOWARD_ZERO         (TOWARD_ZERO),
-    .CUTS                (CUTS[29:27])
+    .CUTS                ({CUTS[29:28], 1'b0, CUTS[27]})
   ) s27_round (
     .aclk       (aclk),
     .sign       (s27_sign),

@@ -1,5 +1,5 @@
 // fp_multiply: a * b, rounded once to the result format.
-// Latency: the population count of CUTS (fourteen bits); initiation interval 1; no reset.
+// Latency: the population count of CUTS (fifteen bits); initiation interval 1; no reset.
 // EMBEDDED = 0: the product is logic on any device; else it is of `*`, each of FACTOR_A by FACTOR_B
 // bits, for the device's multipliers. DIGIT_STAGE: fp_logic_product.
 // Special values as IEEE 754: infinity * 0 is NaN.
@@ -20,7 +20,7 @@ module fp_multiply #(
   parameter        DIGIT_STAGE          = 0,
   parameter        FACTOR_A             = 24,
   parameter        FACTOR_B             = 17,
-  parameter [13:0] CUTS                 = 14'b0
+  parameter [14:0] CUTS                 = 15'b0
 ) (
   input  wire                                             aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
@@ -237,7 +237,7 @@ module fp_multiply #(
     .UNDERFLOW           (UNDERFLOW),
     .GRADUAL             (SUBNORMALS),
     .TOWARD_ZERO         (TOWARD_ZERO),
-    .CUTS                (CUTS[ROUND+3:ROUND])
+    .CUTS                (CUTS[ROUND+4:ROUND])
   ) select_round (
     .aclk       (aclk),
     .sign       (last_sign),

@@ -1,5 +1,5 @@
 // fp_round: rounds an exact result, given by its leading bits and a sticky bit, and packs it.
-// Three cuts, initiation interval 1, no reset. Special values: `nan`, `infinite` and `zero` say
+// Four cuts, initiation interval 1, no reset. Special values: `nan`, `infinite` and `zero` say
 // that the result is one (the first of them wins) whatever exponent and significand are.
 // OVERFLOW = 0 or UNDERFLOW = 0 promises that no other result is too large or too small.
 `default_nettype none
@@ -15,7 +15,7 @@ module fp_round #(
   // 0: they do not, but a significand of exponent 1 may have leading zeros.
   parameter       DENORMALISE          = GRADUAL,
   parameter       TOWARD_ZERO          = 0,
-  parameter [2:0] CUTS                 = 3'b000
+  parameter [3:0] CUTS                 = 4'b0000
 ) (
   input  wire                                             aclk,
   input  wire                                             sign,
@@ -154,80 +154,102 @@ module fp_round #(
     .q   ({s1_field, s1_fraction, s1_up, s1_inexact_subnormal, s1_beyond, s1_flags})
   );
 
-  // Stage round: exponent and fraction are one number, so that a carry out of the fraction doubles
-  // it.
-  wire [ROUNDED_WIDTH-1:0] s1_rounded =
-      {s1_field, s1_fraction} + {{(ROUNDED_WIDTH - 1) {1'b0}}, s1_up};
+  // Stages round, round upper half: exponent and fraction are one number, so that a carry out of
+  // the fraction doubles it.
+  wire [ROUNDED_WIDTH-1:0] s2_rounded;
+  wire                     s2_inexact_subnormal;
+  wire                     s2_beyond;
+  wire [FLAGS-1:0]         s2_flags;
 
-  wire [EXPONENT_WIDTH-1:0] s2_field;
-  wire [FRACTION_BITS-1:0]  s2_fraction;
-  wire                      s2_inexact_subnormal;
-  wire                      s2_beyond;
-  wire                      s2_sign;
-  wire                      s2_nan;
-  wire                      s2_infinite;
-  wire                      s2_zero;
-  wire                      s2_suspect;
+  fp_halved_sum #(
+    .WIDTH(ROUNDED_WIDTH),
+    .CUTS (CUTS[1])
+  ) s1_round (
+    .aclk (aclk),
+    .a    ({s1_field, s1_fraction}),
+    .b    ({ROUNDED_WIDTH{1'b0}}),
+    .carry(s1_up),
+    .sum  (s2_rounded)
+  );
 
   fp_rank #(
-    .WIDTH     (ROUNDED_WIDTH + 2 + FLAGS),
+    .WIDTH     (2 + FLAGS),
     .REGISTERED(CUTS[1])
   ) rank_1 (
     .aclk(aclk),
-    .d   ({s1_rounded, s1_inexact_subnormal, s1_beyond, s1_flags}),
-    .q   ({s2_field, s2_fraction, s2_inexact_subnormal, s2_beyond,
-           s2_sign, s2_nan, s2_infinite, s2_zero, s2_suspect})
+    .d   ({s1_inexact_subnormal, s1_beyond, s1_flags}),
+    .q   ({s2_inexact_subnormal, s2_beyond, s2_flags})
+  );
+
+  wire [EXPONENT_WIDTH-1:0] s3_field;
+  wire [FRACTION_BITS-1:0]  s3_fraction;
+  wire                      s3_inexact_subnormal;
+  wire                      s3_beyond;
+  wire                      s3_sign;
+  wire                      s3_nan;
+  wire                      s3_infinite;
+  wire                      s3_zero;
+  wire                      s3_suspect;
+
+  fp_rank #(
+    .WIDTH     (ROUNDED_WIDTH + 2 + FLAGS),
+    .REGISTERED(CUTS[2])
+  ) rank_2 (
+    .aclk(aclk),
+    .d   ({s2_rounded, s2_inexact_subnormal, s2_beyond, s2_flags}),
+    .q   ({s3_field, s3_fraction, s3_inexact_subnormal, s3_beyond,
+           s3_sign, s3_nan, s3_infinite, s3_zero, s3_suspect})
   );
 
   // Stage pack: the field is too large from all ones on; with GRADUAL it is never too small.
   // A subnormal that was rounded up to the smallest normal number would have been rounded up to it
   // with an unbounded exponent too iff the bit beyond the guard bit was set.
-  wire s2_finite    = !(s2_nan || s2_infinite || s2_zero);
-  wire s2_negative  = s2_field[EXPONENT_WIDTH-1];
-  wire s2_too_large = (OVERFLOW != 0) && !(VANISHING && s2_negative)
-                      && ((|s2_field[EXPONENT_WIDTH-2:RESULT_EXPONENT_BITS])
-                          || (&s2_field[RESULT_EXPONENT_BITS-1:0]));
-  wire s2_too_small = VANISHING && (s2_negative || !(|s2_field));
-  wire s2_overflow  = s2_finite && s2_too_large;
-  wire s2_vanished  = s2_finite && s2_too_small;
-  wire s2_imprecise = s2_finite && (GRADUAL != 0) && s2_inexact_subnormal
-                      && !(s2_field[0] && s2_beyond);
+  wire s3_finite    = !(s3_nan || s3_infinite || s3_zero);
+  wire s3_negative  = s3_field[EXPONENT_WIDTH-1];
+  wire s3_too_large = (OVERFLOW != 0) && !(VANISHING && s3_negative)
+                      && ((|s3_field[EXPONENT_WIDTH-2:RESULT_EXPONENT_BITS])
+                          || (&s3_field[RESULT_EXPONENT_BITS-1:0]));
+  wire s3_too_small = VANISHING && (s3_negative || !(|s3_field));
+  wire s3_overflow  = s3_finite && s3_too_large;
+  wire s3_vanished  = s3_finite && s3_too_small;
+  wire s3_imprecise = s3_finite && (GRADUAL != 0) && s3_inexact_subnormal
+                      && !(s3_field[0] && s3_beyond);
 
-  wire s2_overflow_to_largest = s2_overflow && (TOWARD_ZERO != 0);
-  wire s2_all_ones            = (!SPECIAL_FIRST && (s2_nan || s2_infinite)) || s2_overflow;
-  wire s2_all_zeros           = (!SPECIAL_FIRST && s2_zero) || s2_vanished;
+  wire s3_overflow_to_largest = s3_overflow && (TOWARD_ZERO != 0);
+  wire s3_all_ones            = (!SPECIAL_FIRST && (s3_nan || s3_infinite)) || s3_overflow;
+  wire s3_all_zeros           = (!SPECIAL_FIRST && s3_zero) || s3_vanished;
   // Few gates deep, since it may become the reset of the result's register.
-  wire s2_replaces            = !SPECIAL_FIRST && (!s2_finite || s2_too_large || s2_too_small);
+  wire s3_replaces            = !SPECIAL_FIRST && (!s3_finite || s3_too_large || s3_too_small);
 
-  wire [RESULT_EXPONENT_BITS-1:0] s2_y_field =
-      ((s2_field[RESULT_EXPONENT_BITS-1:0] & {RESULT_EXPONENT_BITS{!s2_all_zeros}})
-       | {RESULT_EXPONENT_BITS{s2_all_ones}})
-      & {{(RESULT_EXPONENT_BITS - 1) {1'b1}}, !s2_overflow_to_largest};
+  wire [RESULT_EXPONENT_BITS-1:0] s3_y_field =
+      ((s3_field[RESULT_EXPONENT_BITS-1:0] & {RESULT_EXPONENT_BITS{!s3_all_zeros}})
+       | {RESULT_EXPONENT_BITS{s3_all_ones}})
+      & {{(RESULT_EXPONENT_BITS - 1) {1'b1}}, !s3_overflow_to_largest};
   // A choice with a constant: where a register follows, its reset makes it. A NaN's first bit has a
   // choice of its own, since synthesis finds a reset where all bits have the same constant.
-  wire                     s2_y_quiet    =
-      s2_replaces ? (s2_overflow_to_largest || s2_nan) : s2_fraction[FRACTION_BITS-1];
-  wire [FRACTION_BITS-1:0] s2_y_fraction;
+  wire                     s3_y_quiet    =
+      s3_replaces ? (s3_overflow_to_largest || s3_nan) : s3_fraction[FRACTION_BITS-1];
+  wire [FRACTION_BITS-1:0] s3_y_fraction;
 
   generate
     if (FRACTION_BITS > 1) begin : g_fraction
-      assign s2_y_fraction = {
-        s2_y_quiet,
-        s2_replaces ? {(FRACTION_BITS - 1) {s2_overflow_to_largest}}
-                    : s2_fraction[FRACTION_BITS-2:0]
+      assign s3_y_fraction = {
+        s3_y_quiet,
+        s3_replaces ? {(FRACTION_BITS - 1) {s3_overflow_to_largest}}
+                    : s3_fraction[FRACTION_BITS-2:0]
       };
     end else begin : g_one_bit
-      assign s2_y_fraction = s2_y_quiet;
+      assign s3_y_fraction = s3_y_quiet;
     end
   endgenerate
 
   fp_rank #(
     .WIDTH     (RESULT_EXPONENT_BITS + RESULT_PRECISION + 1),
-    .REGISTERED(CUTS[2])
-  ) rank_2 (
+    .REGISTERED(CUTS[3])
+  ) rank_3 (
     .aclk(aclk),
-    .d   ({s2_sign && !s2_nan, s2_y_field, s2_y_fraction,
-           s2_suspect || s2_overflow || s2_vanished || s2_imprecise}),
+    .d   ({s3_sign && !s3_nan, s3_y_field, s3_y_fraction,
+           s3_suspect || s3_overflow || s3_vanished || s3_imprecise}),
     .q   ({y, exceptional})
   );
 

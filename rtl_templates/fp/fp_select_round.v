@@ -1,5 +1,5 @@
 // fp_select_round: rounds and packs a result whose leading one is in the first or second place.
-// Four cuts, initiation interval 1, no reset. Special values and promises as in fp_round.
+// Five cuts, initiation interval 1, no reset. Special values and promises as in fp_round.
 // `exponent`, `tiny` and `amount` are what fp_subnormal_shift says of the second place's exponent:
 // a subnormal result moves down on the same way on which another's leading one is selected.
 `default_nettype none
@@ -14,7 +14,7 @@ module fp_select_round #(
   parameter       UNDERFLOW            = 1,
   parameter       GRADUAL              = 0,   // 1: with UNDERFLOW alone
   parameter       TOWARD_ZERO          = 0,
-  parameter [3:0] CUTS                 = 4'b0
+  parameter [4:0] CUTS                 = 5'b0
 ) (
   input  wire                                             aclk,
   input  wire                                             sign,
@@ -135,7 +135,7 @@ module fp_select_round #(
     .GRADUAL             (GRADUAL),
     .DENORMALISE         (0),
     .TOWARD_ZERO         (TOWARD_ZERO),
-    .CUTS                (CUTS[3:1])
+    .CUTS                (CUTS[4:1])
   ) s1_round (
     .aclk       (aclk),
     .sign       (s1_sign),

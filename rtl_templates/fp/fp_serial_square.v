@@ -18,7 +18,7 @@ module fp_serial_square #(
   parameter              GRADUAL              = 0,
   parameter              TOWARD_ZERO          = 0,
   parameter              CYCLES               = (PRECISION + 5) / 6,
-  parameter [CYCLES+8:0] CUTS                 = 0
+  parameter [CYCLES+9:0] CUTS                 = 0
 ) (
   input  wire                                             aclk,
   input  wire                                             start,
@@ -185,7 +185,7 @@ module fp_serial_square #(
     .UNDERFLOW           (UNDERFLOW),
     .GRADUAL             (SUBNORMALS),
     .TOWARD_ZERO         (TOWARD_ZERO),
-    .CUTS                (CUTS[ROUND+3:ROUND])
+    .CUTS                (CUTS[ROUND+4:ROUND])
   ) select_round (
     .aclk       (aclk),
     .sign       (1'b0),

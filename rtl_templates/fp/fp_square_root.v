@@ -1,5 +1,5 @@
 // fp_square_root: the root of a, rounded once to the result format; one bit a stage.
-// Latency: the population count of CUTS (RESULT_PRECISION + 6 bits); initiation interval 1; no
+// Latency: the population count of CUTS (RESULT_PRECISION + 7 bits); initiation interval 1; no
 // reset.
 // Special values as IEEE 754: the root of -0 is -0, of other negative numbers NaN.
 // SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md.
@@ -15,7 +15,7 @@ module fp_square_root #(
   parameter UNDERFLOW            = 1,
   parameter GRADUAL              = 0,
   parameter TOWARD_ZERO          = 0,
-  parameter [RESULT_PRECISION+5:0] CUTS = 0
+  parameter [RESULT_PRECISION+6:0] CUTS = 0
 ) (
   input  wire                                             aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0]               a,
@@ -230,7 +230,7 @@ module fp_square_root #(
     .GRADUAL             (SUBNORMALS),
     .DENORMALISE         (DENORMALISE),
     .TOWARD_ZERO         (TOWARD_ZERO),
-    .CUTS                (CUTS[ROOT+4:ROOT+2])
+    .CUTS                (CUTS[ROOT+5:ROOT+2])
   ) round (
     .aclk       (aclk),
     .sign       (round_sign),

@@ -1,6 +1,6 @@
 // fp_squared_sum: (a + b)^2, or (a - b)^2 with SUBTRACT. The sum is rounded, then its square: the
 // same bits as those of an fp_add and an fp_square behind it, in fewer gates.
-// Latency: the population count of CUTS (twenty bits); initiation interval 1; no reset.
+// Latency: the population count of CUTS (23 bits); initiation interval 1; no reset.
 // The rounded sum is squared as it leaves the adder, with leading zeros where its operands cancel,
 // and without its sign. So only the square is normalised, and in the same step it moves down if it
 // is subnormal.
@@ -16,7 +16,7 @@ module fp_squared_sum #(
   parameter        DIGIT_STAGE   = 0,
   parameter        FACTOR_A      = 24,
   parameter        FACTOR_B      = 17,
-  parameter [19:0] CUTS          = 20'b0
+  parameter [22:0] CUTS          = 23'b0
 ) (
   input  wire                               aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0] a,
@@ -37,8 +37,8 @@ module fp_squared_sum #(
   endfunction
 
   // Cuts SQUARE to NORMALISE - 1 are the product's.
-  localparam SQUARE    = 7;
-  localparam NORMALISE = 15;
+  localparam SQUARE    = 9;
+  localparam NORMALISE = 17;
 
   // The square's leading one is in the first or the second place; two places and a sticky bit
   // beyond PRECISION decide how it is rounded.
@@ -77,11 +77,11 @@ module fp_squared_sum #(
   endgenerate
 
   // Stages of the sum.
-  wire [SUM_EXPONENT-1:0] s7_exponent;
-  wire                    s7_carry;
-  wire [PRECISION-1:0]    s7_significand;
-  wire                    s7_nan;
-  wire                    s7_infinite;
+  wire [SUM_EXPONENT-1:0] s9_exponent;
+  wire                    s9_carry;
+  wire [PRECISION-1:0]    s9_significand;
+  wire                    s9_nan;
+  wire                    s9_infinite;
 
   fp_unnormalised_sum #(
     .EXPONENT_BITS (EXPONENT_BITS),
@@ -94,15 +94,15 @@ module fp_squared_sum #(
     .aclk       (aclk),
     .a          (a),
     .b          (b),
-    .exponent   (s7_exponent),
-    .carry      (s7_carry),
-    .significand(s7_significand),
-    .nan        (s7_nan),
-    .infinite   (s7_infinite)
+    .exponent   (s9_exponent),
+    .carry      (s9_carry),
+    .significand(s9_significand),
+    .nan        (s9_nan),
+    .infinite   (s9_infinite)
   );
 
   // Stages of the product.
-  wire [PRODUCT-1:0] s15_product;
+  wire [PRODUCT-1:0] s17_product;
 
   fp_product #(
     .PRECISION  (PRECISION),
@@ -113,92 +113,92 @@ module fp_squared_sum #(
     .FACTOR_B   (FACTOR_B),
     .LEADING_ONE(0),
     .CUTS       (CUTS[NORMALISE-1:SQUARE])
-  ) s7_product (
+  ) s9_product (
     .aclk   (aclk),
-    .a      (s7_significand),
-    .b      (s7_significand),
-    .product(s15_product)
+    .a      (s9_significand),
+    .b      (s9_significand),
+    .product(s17_product)
   );
 
   // Beside the product's first two stages: leading zeros of what is squared, and the room to move
-  // its square up in. The square's second place has exponent 2 e - BIAS, where e is the sum's: it is
-  // 2 HALF_BIAS - 1 lower than twice that, and the square has e - HALF_BIAS steps to exponent 1.
-  wire [COUNTED-1:0]      s7_counted = {s7_significand, {(COUNTED - PRECISION) {1'b0}}};
-  wire [COUNT_BITS-1:0]   s8_count;
-  wire                    s8_empty;
-  wire [SUM_EXPONENT-1:0] s7_room    =
-      s7_exponent - HALF_BIAS[SUM_EXPONENT-1:0] + {{(SUM_EXPONENT - 1) {1'b0}}, s7_carry};
-  wire [SUM_EXPONENT-1:0] s8_room;
-  wire [1:0]              s8_flags;
+  // its square up in. The square's second place has exponent 2 e - BIAS, where e is the sum's: it
+  // is 2 HALF_BIAS - 1 lower than twice that, and the square has e - HALF_BIAS steps to exponent 1.
+  wire [COUNTED-1:0]      s9_counted = {s9_significand, {(COUNTED - PRECISION) {1'b0}}};
+  wire [COUNT_BITS-1:0]   s10_count;
+  wire                    s10_empty;
+  wire [SUM_EXPONENT-1:0] s9_room    =
+      s9_exponent - HALF_BIAS[SUM_EXPONENT-1:0] + {{(SUM_EXPONENT - 1) {1'b0}}, s9_carry};
+  wire [SUM_EXPONENT-1:0] s10_room;
+  wire [1:0]              s10_flags;
 
   fp_leading_zeros #(
     .COUNT_BITS(COUNT_BITS),
     .REGISTERED(CUTS[SQUARE])
-  ) s7_leading_zeros (
+  ) s9_leading_zeros (
     .aclk (aclk),
-    .value(s7_counted),
-    .count(s8_count),
-    .empty(s8_empty)
+    .value(s9_counted),
+    .count(s10_count),
+    .empty(s10_empty)
   );
 
   fp_rank #(
     .WIDTH     (SUM_EXPONENT + 2),
     .REGISTERED(CUTS[SQUARE])
-  ) rank_7 (
+  ) rank_9 (
     .aclk(aclk),
-    .d   ({s7_room, s7_nan, s7_infinite}),
-    .q   ({s8_room, s8_flags})
+    .d   ({s9_room, s9_nan, s9_infinite}),
+    .q   ({s10_room, s10_flags})
   );
 
-  wire [SUM_EXPONENT-1:0] s9_room;
-  wire [COUNT_BITS-1:0]   s9_count;
-  wire [2:0]              s9_flags;
+  wire [SUM_EXPONENT-1:0] s11_room;
+  wire [COUNT_BITS-1:0]   s11_count;
+  wire [2:0]              s11_flags;
 
   fp_rank #(
     .WIDTH     (SUM_EXPONENT + COUNT_BITS + 3),
     .REGISTERED(CUTS[SQUARE+1])
-  ) rank_8 (
+  ) rank_10 (
     .aclk(aclk),
-    .d   ({s8_room, s8_count, s8_flags, s8_empty}),
-    .q   ({s9_room, s9_count, s9_flags})
+    .d   ({s10_room, s10_count, s10_flags, s10_empty}),
+    .q   ({s11_room, s11_count, s11_flags})
   );
 
   // Beside its third stage: a square with less room than it has zeros in front is subnormal. It
   // moves up by the room, which may be negative, and whatever its exponent is, its field is 0.
-  wire [SUM_EXPONENT-1:0] s9_zeros       = {{(SUM_EXPONENT - COUNT_BITS) {1'b0}}, s9_count};
-  wire [SUM_EXPONENT-1:0] s9_spare       = s9_room - s9_zeros;
-  wire                    s9_tiny        = (GRADUAL != 0) && s9_spare[SUM_EXPONENT-1];
-  wire [SUM_EXPONENT:0]   s9_exponent    = {s9_spare, 1'b1};
-  wire [SUM_EXPONENT-1:0] s9_room_steps  = s9_room + MARGIN[SUM_EXPONENT-1:0];
-  wire [STEP_BITS-1:0]    s9_tiny_steps  =
-      s9_room_steps[STEP_BITS-1:0] & {STEP_BITS{!s9_room_steps[SUM_EXPONENT-1]}};
-  wire [STEP_BITS-1:0]    s9_other_steps = s9_zeros[STEP_BITS-1:0] + MARGIN[STEP_BITS-1:0];
-  wire [STEP_BITS-1:0]    s9_steps       = s9_tiny ? s9_tiny_steps : s9_other_steps;
+  wire [SUM_EXPONENT-1:0] s11_zeros       = {{(SUM_EXPONENT - COUNT_BITS) {1'b0}}, s11_count};
+  wire [SUM_EXPONENT-1:0] s11_spare       = s11_room - s11_zeros;
+  wire                    s11_tiny        = (GRADUAL != 0) && s11_spare[SUM_EXPONENT-1];
+  wire [SUM_EXPONENT:0]   s11_exponent    = {s11_spare, 1'b1};
+  wire [SUM_EXPONENT-1:0] s11_room_steps  = s11_room + MARGIN[SUM_EXPONENT-1:0];
+  wire [STEP_BITS-1:0]    s11_tiny_steps  =
+      s11_room_steps[STEP_BITS-1:0] & {STEP_BITS{!s11_room_steps[SUM_EXPONENT-1]}};
+  wire [STEP_BITS-1:0]    s11_other_steps = s11_zeros[STEP_BITS-1:0] + MARGIN[STEP_BITS-1:0];
+  wire [STEP_BITS-1:0]    s11_steps       = s11_tiny ? s11_tiny_steps : s11_other_steps;
 
-  wire [SUM_EXPONENT:0] s15_exponent;
-  wire [STEP_BITS-1:0]  s15_steps;
-  wire [2:0]            s15_flags;
+  wire [SUM_EXPONENT:0] s17_exponent;
+  wire [STEP_BITS-1:0]  s17_steps;
+  wire [2:0]            s17_flags;
 
   fp_ranks #(
     .WIDTH(SUM_EXPONENT + 1 + STEP_BITS + 3),
     .COUNT(NORMALISE - SQUARE - 2),
     .CUTS (CUTS[NORMALISE-1:SQUARE+2])
-  ) ranks_9 (
+  ) ranks_11 (
     .aclk(aclk),
-    .d   ({s9_exponent, s9_steps, s9_flags}),
-    .q   ({s15_exponent, s15_steps, s15_flags})
+    .d   ({s11_exponent, s11_steps, s11_flags}),
+    .q   ({s17_exponent, s17_steps, s17_flags})
   );
 
   // Stage normalise by eights, of steps.
-  wire [PLACES-1:0] s15_places;
-  wire [EIGHTS-1:0] s15_moved;
-  wire              s15_sticky;
+  wire [PLACES-1:0] s17_places;
+  wire [EIGHTS-1:0] s17_moved;
+  wire              s17_sticky;
 
   generate
     if (MARGIN > 0) begin : g_margin
-      assign s15_places = {{(2 * MARGIN) {1'b0}}, s15_product};
+      assign s17_places = {{(2 * MARGIN) {1'b0}}, s17_product};
     end else begin : g_no_margin
-      assign s15_places = s15_product;
+      assign s17_places = s17_product;
     end
   endgenerate
 
@@ -206,80 +206,80 @@ module fp_squared_sum #(
     .WIDTH      (PLACES),
     .KEPT       (EIGHTS),
     .AMOUNT_BITS(STEP_BITS + 1)
-  ) s15_normalise (
-    .value  (s15_places),
-    .amount ({s15_steps[STEP_BITS-1:3], 4'b0000}),
-    .shifted(s15_moved),
-    .sticky (s15_sticky)
+  ) s17_normalise (
+    .value  (s17_places),
+    .amount ({s17_steps[STEP_BITS-1:3], 4'b0000}),
+    .shifted(s17_moved),
+    .sticky (s17_sticky)
   );
 
-  wire [SUM_EXPONENT:0] s16_exponent;
-  wire [2:0]            s16_steps;
-  wire [EIGHTS-1:0]     s16_value;
-  wire                  s16_sticky;
-  wire [2:0]            s16_flags;
+  wire [SUM_EXPONENT:0] s18_exponent;
+  wire [2:0]            s18_steps;
+  wire [EIGHTS-1:0]     s18_value;
+  wire                  s18_sticky;
+  wire [2:0]            s18_flags;
 
   fp_rank #(
     .WIDTH     (SUM_EXPONENT + 1 + 3 + EIGHTS + 4),
     .REGISTERED(CUTS[NORMALISE])
-  ) rank_15 (
+  ) rank_17 (
     .aclk(aclk),
-    .d   ({s15_exponent, s15_steps[2:0], s15_moved, s15_sticky, s15_flags}),
-    .q   ({s16_exponent, s16_steps, s16_value, s16_sticky, s16_flags})
+    .d   ({s17_exponent, s17_steps[2:0], s17_moved, s17_sticky, s17_flags}),
+    .q   ({s18_exponent, s18_steps, s18_value, s18_sticky, s18_flags})
   );
 
   // Stage normalise by twos.
-  wire [TWOS-1:0] s16_moved;
-  wire            s16_lost;
+  wire [TWOS-1:0] s18_moved;
+  wire            s18_lost;
 
   fp_shift_left #(
     .WIDTH      (EIGHTS),
     .KEPT       (TWOS),
     .AMOUNT_BITS(4)
-  ) s16_normalise (
-    .value  (s16_value),
-    .amount ({s16_steps[2:1], 2'b00}),
-    .shifted(s16_moved),
-    .sticky (s16_lost)
+  ) s18_normalise (
+    .value  (s18_value),
+    .amount ({s18_steps[2:1], 2'b00}),
+    .shifted(s18_moved),
+    .sticky (s18_lost)
   );
 
-  wire [SUM_EXPONENT:0] s17_exponent;
-  wire                  s17_step;
-  wire [TWOS-1:0]       s17_value;
-  wire                  s17_sticky;
-  wire                  s17_nan;
-  wire                  s17_infinite;
-  wire                  s17_zero;
+  wire [SUM_EXPONENT:0] s19_exponent;
+  wire                  s19_step;
+  wire [TWOS-1:0]       s19_value;
+  wire                  s19_sticky;
+  wire                  s19_nan;
+  wire                  s19_infinite;
+  wire                  s19_zero;
 
   fp_rank #(
     .WIDTH     (SUM_EXPONENT + 1 + 1 + TWOS + 4),
     .REGISTERED(CUTS[NORMALISE+1])
-  ) rank_16 (
+  ) rank_18 (
     .aclk(aclk),
-    .d   ({s16_exponent, s16_steps[0], s16_moved, s16_sticky || s16_lost, s16_flags}),
-    .q   ({s17_exponent, s17_step, s17_value, s17_sticky, s17_nan, s17_infinite, s17_zero})
+    .d   ({s18_exponent, s18_steps[0], s18_moved, s18_sticky || s18_lost, s18_flags}),
+    .q   ({s19_exponent, s19_step, s19_value, s19_sticky, s19_nan, s19_infinite, s19_zero})
   );
 
   // Stage select: by the last step, and by where the leading one is.
-  wire [KEPT-1:0] s17_moved;
-  wire            s17_lost;
+  wire [KEPT-1:0] s19_moved;
+  wire            s19_lost;
 
   fp_shift_left #(
     .WIDTH      (TWOS),
     .KEPT       (KEPT),
     .AMOUNT_BITS(2)
-  ) s17_normalise (
-    .value  (s17_value),
-    .amount ({s17_step, 1'b0}),
-    .shifted(s17_moved),
-    .sticky (s17_lost)
+  ) s19_normalise (
+    .value  (s19_value),
+    .amount ({s19_step, 1'b0}),
+    .shifted(s19_moved),
+    .sticky (s19_lost)
   );
 
-  wire                  s17_high        = s17_moved[KEPT-1];
-  wire [KEPT-2:0]       s17_significand = s17_high ? s17_moved[KEPT-1:1] : s17_moved[KEPT-2:0];
-  wire                  s17_beyond      = s17_sticky || s17_lost || (s17_high && s17_moved[0]);
-  wire [SUM_EXPONENT:0] s17_selected    =
-      s17_exponent + {{SUM_EXPONENT{1'b0}}, s17_high};
+  wire                  s19_high        = s19_moved[KEPT-1];
+  wire [KEPT-2:0]       s19_significand = s19_high ? s19_moved[KEPT-1:1] : s19_moved[KEPT-2:0];
+  wire                  s19_beyond      = s19_sticky || s19_lost || (s19_high && s19_moved[0]);
+  wire [SUM_EXPONENT:0] s19_selected    =
+      s19_exponent + {{SUM_EXPONENT{1'b0}}, s19_high};
   wire                  unused_exceptional;
 
   // Stages round, pack.
@@ -289,16 +289,16 @@ module fp_squared_sum #(
     .RESULT_PRECISION    (PRECISION),
     .GRADUAL             (GRADUAL),
     .DENORMALISE         (0),
-    .CUTS                (CUTS[19:17])
-  ) s17_round (
+    .CUTS                (CUTS[22:19])
+  ) s19_round (
     .aclk       (aclk),
     .sign       (1'b0),
-    .exponent   (s17_selected),
-    .significand(s17_significand),
-    .sticky     (s17_beyond),
-    .nan        (s17_nan),
-    .infinite   (s17_infinite),
-    .zero       (s17_zero),
+    .exponent   (s19_selected),
+    .significand(s19_significand),
+    .sticky     (s19_beyond),
+    .nan        (s19_nan),
+    .infinite   (s19_infinite),
+    .zero       (s19_zero),
     .suspect    (1'b0),
     .y          (y),
     .exceptional(unused_exceptional)

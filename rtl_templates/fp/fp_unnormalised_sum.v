@@ -1,8 +1,8 @@
 // fp_unnormalised_sum: the magnitude of a + b, or of a - b with SUBTRACT, rounded to nearest, ties
 // to even. It has leading zeros where its operands cancel.
-// Seven cuts, initiation interval 1, no reset. The magnitude is significand * 2^(exponent + carry),
-// where `exponent` is that of the leading place, biased and signed. A significand with leading zeros
-// was not rounded: it is exact.
+// Nine cuts, initiation interval 1, no reset. The magnitude is significand * 2^(exponent + carry),
+// where `exponent` is that of the leading place, biased and signed. A significand with leading
+// zeros was not rounded: it is exact.
 // A sum that is too large is not looked for. GRADUAL = 0 flushes operands and not the sum; if both
 // are zero the significand is arbitrary and the exponent is 0.
 `default_nettype none
@@ -13,7 +13,7 @@ module fp_unnormalised_sum #(
   parameter       EXPONENT_WIDTH = 10,   // EXPONENT_BITS + 2 or more
   parameter       SUBTRACT       = 0,
   parameter       GRADUAL        = 0,
-  parameter [6:0] CUTS           = 7'b0
+  parameter [8:0] CUTS           = 9'b0
 ) (
   input  wire                               aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0] a,
@@ -78,71 +78,115 @@ module fp_unnormalised_sum #(
     .suspect (s4_unused_suspect)
   );
 
-  // Stage sum: with unlike signs, small + (-1 - large) is -1 less their difference, large - small.
-  wire [SUM-1:0] s4_large_places = {1'b0, s4_large, {(SUM - 1 - PRECISION) {1'b0}}};
-  wire [SUM-1:0] s4_sum          = {1'b0, s4_small} + (s4_large_places ^ {SUM{s4_cancel}});
-
+  // Stages sum, sum upper half: with unlike signs, small + (-1 - large) is -1 less their
+  // difference, large - small.
+  wire [SUM-1:0]           s4_large_places = {1'b0, s4_large, {(SUM - 1 - PRECISION) {1'b0}}};
   wire [EXPONENT_BITS-1:0] s5_exponent;
   wire [SUM-1:0]           s5_sum;
   wire                     s5_cancel;
   wire [1:0]               s5_flags;
 
+  fp_halved_sum #(
+    .WIDTH(SUM),
+    .CUTS (CUTS[4])
+  ) s4_sum (
+    .aclk (aclk),
+    .a    ({1'b0, s4_small}),
+    .b    (s4_large_places ^ {SUM{s4_cancel}}),
+    .carry(1'b0),
+    .sum  (s5_sum)
+  );
+
   fp_rank #(
-    .WIDTH     (EXPONENT_BITS + SUM + 3),
+    .WIDTH     (EXPONENT_BITS + 3),
     .REGISTERED(CUTS[4])
   ) rank_4 (
     .aclk(aclk),
-    .d   ({s4_exponent, s4_sum, s4_cancel, s4_nan, s4_infinite}),
-    .q   ({s5_exponent, s5_sum, s5_cancel, s5_flags})
+    .d   ({s4_exponent, s4_cancel, s4_nan, s4_infinite}),
+    .q   ({s5_exponent, s5_cancel, s5_flags})
+  );
+
+  wire [EXPONENT_BITS-1:0] s6_exponent;
+  wire [SUM-1:0]           s6_sum;
+  wire                     s6_cancel;
+  wire [1:0]               s6_flags;
+
+  fp_rank #(
+    .WIDTH     (EXPONENT_BITS + SUM + 3),
+    .REGISTERED(CUTS[5])
+  ) rank_5 (
+    .aclk(aclk),
+    .d   ({s5_exponent, s5_sum, s5_cancel, s5_flags}),
+    .q   ({s6_exponent, s6_sum, s6_cancel, s6_flags})
   );
 
   // Stage select: the significand begins with a carry, with the larger operand's leading one, or
   // one place below. If it begins further below, nothing is beyond it and it is taken from there.
   // If the smaller operand was the larger one after all, the exponents are equal, and the sum lacks
   // the one that rounding up adds.
-  wire [SUM-1:0]       s5_bits      = s5_sum ^ {SUM{s5_cancel}};
-  wire                 s5_swapped   = s5_cancel && !s5_sum[SUM-1];
-  wire                 s5_carry     = !s5_cancel && s5_sum[SUM-1];
-  wire                 s5_below     = s5_cancel && s5_sum[SUM-1] && !s5_bits[SUM-2];
-  wire [PRECISION-1:0] s5_uncarried = s5_swapped ? s5_sum[SUM-2:3] : s5_bits[SUM-2:3];
-  wire [PRECISION-1:0] s5_shifted   = s5_carry ? s5_bits[SUM-1:4] : s5_bits[SUM-3:2];
-  wire [PRECISION-1:0] s5_selected  = (s5_carry || s5_below) ? s5_shifted : s5_uncarried;
-  wire                 s5_up        =
-      s5_swapped
-      || (s5_carry && s5_bits[3] && (s5_bits[4] || (|s5_bits[2:0])))
-      || (s5_below && s5_bits[1] && (s5_bits[2] || s5_bits[0]))
-      || (!s5_carry && !s5_below && s5_bits[2] && (s5_bits[3] || (|s5_bits[1:0])));
-  wire [EXPONENT_WIDTH-1:0] s5_moved_exponent =
-      {{(EXPONENT_WIDTH - EXPONENT_BITS) {1'b0}}, s5_exponent}
-      + {{(EXPONENT_WIDTH - 1) {s5_below}}, s5_carry || s5_below};
+  wire [SUM-1:0]       s6_bits      = s6_sum ^ {SUM{s6_cancel}};
+  wire                 s6_swapped   = s6_cancel && !s6_sum[SUM-1];
+  wire                 s6_carry     = !s6_cancel && s6_sum[SUM-1];
+  wire                 s6_below     = s6_cancel && s6_sum[SUM-1] && !s6_bits[SUM-2];
+  wire [PRECISION-1:0] s6_uncarried = s6_swapped ? s6_sum[SUM-2:3] : s6_bits[SUM-2:3];
+  wire [PRECISION-1:0] s6_shifted   = s6_carry ? s6_bits[SUM-1:4] : s6_bits[SUM-3:2];
+  wire [PRECISION-1:0] s6_selected  = (s6_carry || s6_below) ? s6_shifted : s6_uncarried;
+  wire                 s6_up        =
+      s6_swapped
+      || (s6_carry && s6_bits[3] && (s6_bits[4] || (|s6_bits[2:0])))
+      || (s6_below && s6_bits[1] && (s6_bits[2] || s6_bits[0]))
+      || (!s6_carry && !s6_below && s6_bits[2] && (s6_bits[3] || (|s6_bits[1:0])));
+  wire [EXPONENT_WIDTH-1:0] s6_moved_exponent =
+      {{(EXPONENT_WIDTH - EXPONENT_BITS) {1'b0}}, s6_exponent}
+      + {{(EXPONENT_WIDTH - 1) {s6_below}}, s6_carry || s6_below};
 
-  wire [EXPONENT_WIDTH-1:0] s6_exponent;
-  wire [PRECISION-1:0]      s6_selected;
-  wire                      s6_up;
-  wire [1:0]                s6_flags;
+  wire [EXPONENT_WIDTH-1:0] s7_exponent;
+  wire [PRECISION-1:0]      s7_selected;
+  wire                      s7_up;
+  wire [1:0]                s7_flags;
 
   fp_rank #(
     .WIDTH     (EXPONENT_WIDTH + PRECISION + 3),
-    .REGISTERED(CUTS[5])
-  ) rank_5 (
-    .aclk(aclk),
-    .d   ({s5_moved_exponent, s5_selected, s5_up, s5_flags}),
-    .q   ({s6_exponent, s6_selected, s6_up, s6_flags})
-  );
-
-  // Stage round sum: a carry out leaves zeros, of which the first becomes a one.
-  wire                 s6_carry;
-  wire [PRECISION-1:0] s6_rounded;
-
-  assign {s6_carry, s6_rounded} = {1'b0, s6_selected} + {{PRECISION{1'b0}}, s6_up};
-
-  fp_rank #(
-    .WIDTH     (EXPONENT_WIDTH + 1 + PRECISION + 2),
     .REGISTERED(CUTS[6])
   ) rank_6 (
     .aclk(aclk),
-    .d   ({s6_exponent, s6_carry, s6_rounded[PRECISION-1] || s6_carry, s6_rounded[PRECISION-2:0],
-           s6_flags}),
+    .d   ({s6_moved_exponent, s6_selected, s6_up, s6_flags}),
+    .q   ({s7_exponent, s7_selected, s7_up, s7_flags})
+  );
+
+  // Stages round sum, round upper half: a carry out leaves zeros, of which the first becomes a one.
+  wire [EXPONENT_WIDTH-1:0] s8_exponent;
+  wire                      s8_carry;
+  wire [PRECISION-1:0]      s8_rounded;
+  wire [1:0]                s8_flags;
+
+  fp_halved_sum #(
+    .WIDTH(PRECISION + 1),
+    .CUTS (CUTS[7])
+  ) s7_round (
+    .aclk (aclk),
+    .a    ({1'b0, s7_selected}),
+    .b    ({(PRECISION + 1) {1'b0}}),
+    .carry(s7_up),
+    .sum  ({s8_carry, s8_rounded})
+  );
+
+  fp_rank #(
+    .WIDTH     (EXPONENT_WIDTH + 2),
+    .REGISTERED(CUTS[7])
+  ) rank_7 (
+    .aclk(aclk),
+    .d   ({s7_exponent, s7_flags}),
+    .q   ({s8_exponent, s8_flags})
+  );
+
+  fp_rank #(
+    .WIDTH     (EXPONENT_WIDTH + 1 + PRECISION + 2),
+    .REGISTERED(CUTS[8])
+  ) rank_8 (
+    .aclk(aclk),
+    .d   ({s8_exponent, s8_carry, s8_rounded[PRECISION-1] || s8_carry, s8_rounded[PRECISION-2:0],
+           s8_flags}),
     .q   ({exponent, carry, significand, nan, infinite})
   );
 

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
+#include <map>
 #include <optional>
+#include <set>
 #include <tuple>
 
 #include "generator/datapath/delays.hpp"
@@ -20,15 +23,56 @@ namespace {
 
 constexpr double targets_mhz[] = {1, 50, 150, 250, 400, 600, 2000};
 
-double longest_path_ns(const datapath::Step& step) {
-  double longest = 0, path = 0;
-  for (std::size_t k = 0; k < step.unit.stages.size(); ++k) {
-    const datapath::Stage& stage = step.unit.stages[k];
-    path += path > 0 ? stage.delay_ns - stage.overlap_ns : stage.delay_ns;
-    longest = std::max(longest, path);
-    if (step.cuts[k]) path = 0;
+/// The delays of a unit's stages, and the masks of cuts that its template allows.
+class Stages {
+public:
+  explicit Stages(const datapath::Unit& unit) : stages_(unit.stages) {}
+
+  int count() const { return static_cast<int>(stages_.size()); }
+
+  double longest_path_ns(unsigned cuts) const {
+    double longest = 0, path = 0;
+    for (int k = 0; k < count(); ++k) {
+      path += path > 0 ? stages_[k].delay_ns - stages_[k].overlap_ns : stages_[k].delay_ns;
+      longest = std::max(longest, path);
+      if (is_cut(cuts, k)) path = 0;
+    }
+    return longest;
   }
-  return longest;
+
+  /// Each cut that asks for another has it.
+  bool has_needed(unsigned cuts) const {
+    for (int k = 0; k < count(); ++k) {
+      const int needed = stages_[k].cut_needs;
+      if (is_cut(cuts, k) && needed >= 0 && !is_cut(cuts, needed)) return false;
+    }
+    return true;
+  }
+
+  /// No sum that fits into `limit_ns` is cut into halves.
+  bool has_whole_sums(unsigned cuts, double limit_ns) const {
+    for (int k = 1; k < count(); ++k) {
+      const bool is_halved = stages_[k].is_upper_half && is_cut(cuts, k - 1);
+      const double whole_ns = stages_[k - 1].delay_ns + stages_[k].delay_ns - stages_[k].overlap_ns;
+      if (is_halved && whole_ns <= limit_ns) return false;
+    }
+    return true;
+  }
+
+private:
+  static bool is_cut(unsigned cuts, int stage) { return (cuts >> stage & 1) != 0; }
+
+  std::vector<datapath::Stage> stages_;
+};
+
+unsigned mask_of(const std::vector<bool>& cuts) {
+  unsigned mask = 0;
+  for (std::size_t k = 0; k < cuts.size(); ++k) mask |= static_cast<unsigned>(cuts[k]) << k;
+  return mask;
+}
+
+double longest_path_ns(const datapath::Step& step) {
+  return Stages(step.unit).longest_path_ns(mask_of(step.cuts));
 }
 
 double slowest_stage_ns(const datapath::Unit& unit) {
@@ -41,24 +85,17 @@ int registers(const std::vector<bool>& cuts) {
   return static_cast<int>(std::count(cuts.begin(), cuts.end(), true));
 }
 
-/// Each cut that asks for another has it.
-bool has_needed_cuts(const datapath::Step& step) {
-  for (std::size_t k = 0; k < step.cuts.size(); ++k) {
-    const int needed = step.unit.stages[k].cut_needs;
-    if (step.cuts[k] && needed >= 0 && !step.cuts[static_cast<std::size_t>(needed)]) return false;
-  }
-  return true;
-}
-
 /// Fewest registers, the last included, with no path over `limit_ns`: tries every mask.
 int fewest_registers(const datapath::Unit& unit, double limit_ns) {
-  const int stages = static_cast<int>(unit.stages.size());
-  int fewest = stages;
-  for (int mask = 0; mask < 1 << (stages - 1); ++mask) {
-    datapath::Step step = {unit, {}, 0, 0};
-    for (int k = 0; k < stages; ++k) step.cuts.push_back(k == stages - 1 || (mask >> k & 1) != 0);
-    if (!has_needed_cuts(step)) continue;
-    if (longest_path_ns(step) <= limit_ns) fewest = std::min(fewest, registers(step.cuts));
+  const Stages stages(unit);
+  const unsigned last = 1u << (stages.count() - 1);
+  int fewest = stages.count();
+  for (unsigned cuts = last; cuts < 2 * last; ++cuts) {
+    const int registers = std::popcount(cuts);
+    if (registers < fewest && stages.longest_path_ns(cuts) <= limit_ns && stages.has_needed(cuts) &&
+        stages.has_whole_sums(cuts, limit_ns)) {
+      fewest = registers;
+    }
   }
   return fewest;
 }
@@ -230,7 +267,7 @@ TEST(Schedule, NoRegisterIsBoughtForChainsThatOverlap) {
                        .format = format("s24e8")};
   const datapath::Unit unit =
       datapath::unit_for(node, Subnormals::flush, scene::Multipliers::logic, delays);
-  ASSERT_EQ(unit.stages.size(), 14u);
+  ASSERT_EQ(unit.stages.size(), 15u);
   ASSERT_EQ(unit.stages[3].name, "level 0");
   // Rows of 30 bits, two bits apart: a LUT, then three chains that each start once the one before
   // has passed two bits.
@@ -291,7 +328,7 @@ TEST(Schedule, AProductWithAPowerOfTwoTakesNoMultiplier) {
     const datapath::Unit unit =
         datapath::unit_for(scaled.graph, scaled.node(), scene::Multipliers::embedded, delays);
     EXPECT_EQ(unit.module, "fp_convert");
-    EXPECT_EQ(unit.stages.size(), 5u);
+    EXPECT_EQ(unit.stages.size(), 6u);
   }
   for (const char* text : {"x * 3", "x * -0.75", "x * y", "x * 0", "x * 0x1.8p-127"}) {
     const Product plain = product(text);
@@ -383,13 +420,35 @@ TEST(Schedule, SquaresByTheirSymmetryHaveTheirOwnStages) {
       .operation = Operation::square, .operand_format = format("s53e8"), .format = format("s53e8")};
   const datapath::Unit unit =
       datapath::unit_for(node, Subnormals::gradual, scene::Multipliers::embedded, delays);
-  ASSERT_EQ(unit.stages.size(), 14u);
+  ASSERT_EQ(unit.stages.size(), 15u);
   EXPECT_EQ(unit.stages[4].name, "link 0");
   EXPECT_EQ(unit.stages[6].delay_ns, delays.multiplier_add_ns);
   EXPECT_EQ(unit.stages[7].delay_ns, delays.multiplier_add_ns) << "adds the excess";
   EXPECT_EQ(unit.stages[6].cut_needs, 3);
   EXPECT_EQ(unit.stages[7].cut_needs, -1);
   EXPECT_EQ(unit.stages[9].name, "upper half");
+}
+
+/// A sum is cut into halves where it is too long for a period, and nowhere else.
+TEST(Schedule, WideSumsAreHalvedWhereTheyAreTooLong) {
+  const design::Design spheres = sphere_design(format("s17e8"), format("s53e8"), 1, 1);
+  const datapath::DelayTable delays = datapath::delays_of("virtex6-lx760").value();
+  const auto halved = [&](double target_mhz) {
+    const auto schedule = datapath::schedule_reference(spheres.reference, {}, delays, target_mhz);
+    std::map<std::string, std::set<std::string>> names;
+    for (const datapath::Step& step : schedule.steps) {
+      for (std::size_t k = 1; k < step.cuts.size(); ++k) {
+        const datapath::Stage& stage = step.unit.stages[k];
+        if (stage.is_upper_half && step.cuts[k - 1]) names[step.unit.module].insert(stage.name);
+      }
+    }
+    return names;
+  };
+  EXPECT_TRUE(halved(250).empty());
+  const std::map<std::string, std::set<std::string>> wide = {
+      {"fp_add", {"sum, upper half", "round, upper half"}},
+      {"fp_squared_sum", {"sum, upper half", "round sum, upper half", "round, upper half"}}};
+  EXPECT_EQ(halved(400), wide);
 }
 
 /// Where the wire from logic to a multiplier is long, it has a cycle of its own at a high target.
@@ -400,8 +459,8 @@ TEST(Schedule, FactorsWaitInTheMultipliersRegisters) {
     const auto schedule = datapath::schedule_reference(squared.graph, {}, delays, target_mhz);
     const auto step = std::find_if(schedule.steps.begin(), schedule.steps.end(),
                                    [](const auto& s) { return s.unit.module == "fp_squared_sum"; });
-    EXPECT_EQ(step->unit.stages[7].name, "factors");
-    return std::vector<bool>{step->cuts[6], step->cuts[7]};
+    EXPECT_EQ(step->unit.stages[9].name, "factors");
+    return std::vector<bool>{step->cuts[8], step->cuts[9]};
   };
   EXPECT_EQ(cuts(190), (std::vector<bool>{true, true}));
   EXPECT_EQ(cuts(30), (std::vector<bool>{false, false}));

@@ -65,7 +65,7 @@ module fp_units #(
                 .CANCELLATION        (!PROMISED[3]),
                 .GRADUAL             (gradual),
                 .TOWARD_ZERO         (toward_zero),
-                .CUTS                (CUTS[11:0])
+                .CUTS                (CUTS[13:0])
             ) unit (
                 .aclk       (aclk),
                 .a          (x0),
@@ -87,7 +87,7 @@ module fp_units #(
               .UNDERFLOW           (!PROMISED[2]),
               .GRADUAL             (gradual),
               .TOWARD_ZERO         (toward_zero),
-              .CUTS                (CUTS[13:0])
+              .CUTS                (CUTS[14:0])
           ) multiply (
               .aclk       (aclk),
               .a          (x0),
@@ -108,7 +108,7 @@ module fp_units #(
               .UNDERFLOW           (!PROMISED[2]),
               .GRADUAL             (gradual),
               .TOWARD_ZERO         (toward_zero),
-              .CUTS                (CUTS[13:0])
+              .CUTS                (CUTS[14:0])
           ) square (
               .aclk       (aclk),
               .a          (x0),
@@ -128,7 +128,7 @@ module fp_units #(
               .UNDERFLOW           (!PROMISED[2]),
               .GRADUAL             (gradual),
               .TOWARD_ZERO         (toward_zero),
-              .CUTS                (CUTS[RESULT_PRECISION+7:0])
+              .CUTS                (CUTS[RESULT_PRECISION+8:0])
           ) divide (
               .aclk       (aclk),
               .a          (x0),
@@ -149,7 +149,7 @@ module fp_units #(
               .UNDERFLOW           (!PROMISED[2]),
               .GRADUAL             (gradual),
               .TOWARD_ZERO         (toward_zero),
-              .CUTS                (CUTS[RESULT_PRECISION+5:0])
+              .CUTS                (CUTS[RESULT_PRECISION+6:0])
           ) square_root (
               .aclk       (aclk),
               .a          (x0),
@@ -169,7 +169,7 @@ module fp_units #(
               .UNDERFLOW           (!PROMISED[2]),
               .GRADUAL             (gradual),
               .TOWARD_ZERO         (toward_zero),
-              .CUTS                (CUTS[4:0])
+              .CUTS                (CUTS[5:0])
           ) convert (
               .aclk       (aclk),
               .a          (x0),
@@ -190,7 +190,7 @@ module fp_units #(
               .GRADUAL             (gradual),
               .TOWARD_ZERO         (toward_zero),
               .EMBEDDED            (0),
-              .CUTS                (CUTS[13:0])
+              .CUTS                (CUTS[14:0])
           ) logic_multiply (
               .aclk       (aclk),
               .a          (x0),
@@ -212,7 +212,7 @@ module fp_units #(
               .GRADUAL             (gradual),
               .TOWARD_ZERO         (toward_zero),
               .EMBEDDED            (0),
-              .CUTS                (CUTS[13:0])
+              .CUTS                (CUTS[14:0])
           ) logic_square (
               .aclk       (aclk),
               .a          (x0),

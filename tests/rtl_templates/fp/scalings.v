@@ -36,7 +36,7 @@ module scalings #(
           .UNDERFLOW           (1 - slot / 2 % 2),
           .GRADUAL             (slot / 8 % 2),
           .TOWARD_ZERO         (slot / 4 % 2),
-          .CUTS                ((slot % 2 != 0) ? 5'b10110 : 5'b00000)
+          .CUTS                ((slot % 2 != 0) ? 6'b101010 : 6'b000000)
       ) unit (
           .aclk       (aclk),
           .a          (a),

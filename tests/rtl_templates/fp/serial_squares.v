@@ -9,7 +9,7 @@ module serial_squares #(
     parameter       PRECISION            = 13,
     parameter       RESULT_EXPONENT_BITS = EXPONENT_BITS,
     parameter       RESULT_PRECISION     = PRECISION,
-    parameter [5:0] SOME_CUTS            = 6'h0  // in front of the steps two, and four behind them
+    parameter [6:0] SOME_CUTS            = 7'h0  // in front of the steps two, and five behind them
 ) (
     input wire                               aclk,
     input wire                               start,
@@ -27,7 +27,7 @@ module serial_squares #(
 
   generate
     for (slot = 0; slot < 10; slot = slot + 1) begin : built
-      localparam [5:0] OUTER = (slot % 2 == 1) ? SOME_CUTS : 6'h0;
+      localparam [6:0] OUTER = (slot % 2 == 1) ? SOME_CUTS : 7'h0;
 
       wire [RESULT-1:0] square;
 
@@ -41,7 +41,7 @@ module serial_squares #(
           .UNDERFLOW           (slot < 8),
           .GRADUAL             (slot / 2 % 2),
           .TOWARD_ZERO         (slot / 4 % 2),
-          .CUTS                ({OUTER[5:2], {(CYCLES + 3) {1'b1}}, OUTER[1:0]})
+          .CUTS                ({OUTER[6:2], {(CYCLES + 3) {1'b1}}, OUTER[1:0]})
       ) unit (
           .aclk       (aclk),
           .start      (start),

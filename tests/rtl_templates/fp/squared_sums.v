@@ -7,7 +7,7 @@
 module squared_sums #(
     parameter        EXPONENT_BITS = 4,
     parameter        PRECISION     = 4,
-    parameter [19:0] SOME_CUTS     = 20'h0
+    parameter [22:0] SOME_CUTS     = 23'h0
 ) (
     input wire                               aclk,
     input wire [EXPONENT_BITS+PRECISION-1:0] a,
@@ -32,7 +32,7 @@ module squared_sums #(
           .GRADUAL      (slot / 2 % 2),
           .EMBEDDED     (slot / 4 == slot % 2),
           .DIGIT_STAGE  (slot / 2 % 2),
-          .CUTS         ((slot % 2 == 1) ? SOME_CUTS : 20'h0)
+          .CUTS         ((slot % 2 == 1) ? SOME_CUTS : 23'h0)
       ) unit (
           .aclk(aclk),
           .a   (a),

@@ -1,0 +1,62 @@
+// fp_halved_sum: a + b + carry, modulo 2^WIDTH; with its cut the lower half of the bits is added in
+// front of it and the upper half behind it, so that each carry chain has half the length.
+// Latency: CUTS; initiation interval 1; no reset.
+`default_nettype none
+
+module fp_halved_sum #(
+  parameter       WIDTH = 8,
+  parameter [0:0] CUTS  = 1'b0
+) (
+  input  wire             aclk,
+  input  wire [WIDTH-1:0] a,
+  input  wire [WIDTH-1:0] b,
+  input  wire             carry,
+  output wire [WIDTH-1:0] sum
+);
+
+  localparam LOWER = WIDTH / 2;
+  localparam UPPER = WIDTH - LOWER;
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if (WIDTH < 2) begin : g_refused_width
+      WIDTH_is_below_2 refused ();
+    end
+  endgenerate
+
+  // A carry enters as a carry out of an extra last place.
+  generate
+    if (CUTS != 0) begin : g_halves
+      wire [LOWER:0]   s0_lower;
+      wire [UPPER-1:0] s1_a;
+      wire [UPPER-1:0] s1_b;
+      wire             s1_carry;
+      wire [LOWER-1:0] s1_lower;
+      wire [UPPER-1:0] s1_upper;
+      wire             s0_unused_place;
+      wire             s1_unused_place;
+
+      assign {s0_lower, s0_unused_place} =
+          {1'b0, a[LOWER-1:0], 1'b1} + {1'b0, b[LOWER-1:0], carry};
+
+      fp_rank #(
+        .WIDTH(2 * UPPER + LOWER + 1)
+      ) rank_0 (
+        .aclk(aclk),
+        .d   ({a[WIDTH-1:LOWER], b[WIDTH-1:LOWER], s0_lower}),
+        .q   ({s1_a, s1_b, s1_carry, s1_lower})
+      );
+
+      assign {s1_upper, s1_unused_place} = {s1_a, 1'b1} + {s1_b, s1_carry};
+      assign sum                         = {s1_upper, s1_lower};
+    end else begin : g_whole
+      wire unused_aclk = aclk;
+      wire unused_place;
+
+      assign {sum, unused_place} = {a, 1'b1} + {b, carry};
+    end
+  endgenerate
+
+endmodule
+
+`default_nettype wire
