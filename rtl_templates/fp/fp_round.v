@@ -167,8 +167,8 @@ module fp_round #(
   ) s1_round (
     .aclk (aclk),
     .a    ({s1_field, s1_fraction}),
-    .b    ({ROUNDED_WIDTH{1'b0}}),
-    .carry(s1_up),
+    .b    ({{(ROUNDED_WIDTH - 1) {1'b0}}, s1_up}),
+    .carry(1'b0),
     .sum  (s2_rounded)
   );
 

@@ -166,8 +166,8 @@ module fp_unnormalised_sum #(
   ) s7_round (
     .aclk (aclk),
     .a    ({1'b0, s7_selected}),
-    .b    ({(PRECISION + 1) {1'b0}}),
-    .carry(s7_up),
+    .b    ({{PRECISION{1'b0}}, s7_up}),
+    .carry(1'b0),
     .sum  ({s8_carry, s8_rounded})
   );
 
