@@ -8,6 +8,7 @@
 #include <set>
 
 #include "generator/datapath/delays.hpp"
+#include "generator/emit/verilog.hpp"
 #include "generator/rtl/reference_module.hpp"
 #include "model/error/certified_lane.hpp"
 #include "tests/support/graphs.hpp"
@@ -20,14 +21,18 @@ namespace {
 using error::ErrorBoundKind;
 using error::Lane;
 
+rtl::Module module_of(const Graph& graph, const Lane& lane,
+                      scene::Multipliers multipliers = scene::Multipliers::embedded) {
+  const datapath::Schedule schedule =
+      datapath::schedule_lane(lane, multipliers, datapath::delays_of("virtex6-lx760").value(), 250);
+  return rtl::lane_module("lane", graph.inputs(), design::Lane(lane), schedule);
+}
+
 std::vector<rtl::Instance> instances(
     const Graph& graph, const Lane& lane,
     scene::Multipliers multipliers = scene::Multipliers::embedded) {
-  const datapath::Schedule schedule =
-      datapath::schedule_lane(lane, multipliers, datapath::delays_of("virtex6-lx760").value(), 250);
   std::vector<rtl::Instance> found;
-  for (const rtl::ModuleItem& item :
-       rtl::lane_module("lane", graph.inputs(), design::Lane(lane), schedule).items) {
+  for (const rtl::ModuleItem& item : module_of(graph, lane, multipliers).items) {
     if (const auto* instance = std::get_if<rtl::Instance>(&item)) found.push_back(*instance);
   }
   return found;
@@ -155,14 +160,17 @@ TEST(LaneModule, RangeChecksAreThoseOfTheLane) {
 
 TEST(LaneModule, SignChecksAreWires) {
   const Graph graph = graph_of("a + b", "a * 0.3");
-  const Lane lane = error::certified_lane(
-                        lane_graph(graph, format("s24e8"), {format("s8e8")}, LaneInputs::rounded),
-                        {.kind = ErrorBoundKind::relative,
-                         .ranges = {Range{0, 100}, Range{0, 100}},
-                         .hazards = error::HazardRemoval::keep})
-                        .value();
+  Lane lane = error::certified_lane(
+                  lane_graph(graph, format("s24e8"), {format("s8e8")}, LaneInputs::rounded),
+                  {.kind = ErrorBoundKind::relative,
+                   .ranges = {Range{0, 100}, Range{0, 100}},
+                   .hazards = error::HazardRemoval::keep})
+                  .value();
   ASSERT_EQ(lane.checks.size(), 2u);
+  lane.checks.back().sign = error::RequiredSign::nonpositive;
   EXPECT_EQ(count(instances(graph, lane), "fp_range_check"), 0);
+  const std::string text = emit::to_verilog(module_of(graph, lane));
+  EXPECT_NE(text.find("wire wrong_sign = a[31] | ~b[31];"), std::string::npos) << text;
 }
 
 /// The phases in which the squares of a folded reference start, by its schedule; `later` cycles

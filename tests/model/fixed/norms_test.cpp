@@ -138,13 +138,17 @@ TEST(Norms, HaveThresholdsOfTheDifferenceWithinReach) {
   EXPECT_FALSE(golden::evaluate_lane(lane, inputs).decided) << "less, in truth";
 }
 
-/// All that a + 30 can be is beyond the reach of 2^m.
+/// All that a + 30 or a - 30 can be is beyond the reach of 2^m. The radius is c, as the other side
+/// has two squares.
 TEST(Norms, HaveNoReachThatNothingIsWithin) {
-  const Graph graph = graph_of("(a + 30)^2", "b^2");
-  for (const Range& range : {Range{0, 3}, Range{-3, 0}}) {
-    const fixed::FixedOptions options{.format = {.bits = 6}, .ranges = {range, Range{0, 1}}};
-    const FixedLane lane = fixed::fixed_lane(graph, format_of(24, 8), options).value();
-    for (const FixedNode& node : lane.nodes) EXPECT_LE(node.value.low, node.value.high);
+  for (const char* f : {"(a + 30)^2 + b^2", "(a - 30)^2 + b^2"}) {
+    for (const Range& range : {Range{0, 3}, Range{-3, 0}}) {
+      const fixed::FixedOptions options{.format = {.bits = 6},
+                                        .ranges = {range, Range{0, 1}, Range{0, 1}}};
+      const FixedLane lane =
+          fixed::fixed_lane(graph_of(f, "c^2"), format_of(24, 8), options).value();
+      EXPECT_TRUE(std::none_of(lane.nodes.begin(), lane.nodes.end(), fixed::is_reach)) << f;
+    }
   }
 }
 

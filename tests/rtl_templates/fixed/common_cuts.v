@@ -1,7 +1,8 @@
 // common_cuts: the units of common cuts at small widths, for the tests alone.
 // Slot k has COUNT = 1 + k / MOSTS integers of WIDTH + MOST bits and a sign, MOST = 1 + k % MOSTS:
-// the number of bits that they drop, and the first of them without these. The masks of cuts are
-// the slots' numbers.
+// the number of bits that they drop, and the first of them without these; also the lowest WIDTH + 1
+// bits of the first, an integer that is narrower than the others. The masks of cuts are the slots'
+// numbers.
 `default_nettype none
 
 module common_cuts #(
@@ -16,6 +17,7 @@ module common_cuts #(
   // Read by hierarchical name, zero-extended.
   wire [63:0] drops[0:COUNTS*MOSTS-1]  /* verilator public_flat_rd */;
   wire [63:0] cut[0:COUNTS*MOSTS-1]  /* verilator public_flat_rd */;
+  wire [63:0] narrow_cut[0:COUNTS*MOSTS-1]  /* verilator public_flat_rd */;
 
   genvar slot, k;
 
@@ -30,6 +32,7 @@ module common_cuts #(
       wire [COUNT*(MOST+1)-1:0] excess;
       wire [DROP_BITS-1:0]      drop;
       wire [WIDTH:0]            y;
+      wire [WIDTH:0]            narrow_y;
 
       for (k = 0; k < COUNT; k = k + 1) begin : g_excess
         assign excess[k*(MOST+1)+:MOST+1] = integers[k*(WIDTH+MOSTS+1)+WIDTH+:MOST+1];
@@ -69,8 +72,22 @@ module common_cuts #(
           .y   (y)
       );
 
-      assign drops[slot] = {{(64 - DROP_BITS) {1'b0}}, drop};
-      assign cut[slot]   = {{(63 - WIDTH) {1'b0}}, y};
+      fixed_common_cut #(
+          .A_WIDTH  (WIDTH + 1),
+          .MOST     (MOST),
+          .DROP_BITS(DROP_BITS),
+          .WIDTH    (WIDTH + 1),
+          .CUTS     (CUT)
+      ) narrow_unit (
+          .aclk(aclk),
+          .a   (waited[WIDTH:0]),
+          .drop(drop),
+          .y   (narrow_y)
+      );
+
+      assign drops[slot]      = {{(64 - DROP_BITS) {1'b0}}, drop};
+      assign cut[slot]        = {{(63 - WIDTH) {1'b0}}, y};
+      assign narrow_cut[slot] = {{(63 - WIDTH) {1'b0}}, narrow_y};
     end
   endgenerate
 

@@ -72,6 +72,10 @@ protected:
   }
 
 private:
+  static std::uint64_t answer(int cut) {
+    return static_cast<std::uint64_t>(cut & ((2 << width) - 1));
+  }
+
   void compare(int slot) {
     const int count = 1 + slot / mosts, most = 1 + slot % mosts;
     const auto drop_cycles = static_cast<std::size_t>(std::popcount(slot % 4u));
@@ -83,9 +87,10 @@ private:
               static_cast<std::uint64_t>(drop_of(of_drop, count)))
         << "slot " << slot << ", first integer " << of_drop[0];
     const Integers of_cut = read_by(history_[(cycle_ - cut_cycles) % history_.size()], most);
-    const int cut = of_cut[0] >> drop_of(of_cut, count);
-    EXPECT_EQ(units_.rootp->common_cuts__DOT__cut[slot],
-              static_cast<std::uint64_t>(cut & ((2 << width) - 1)))
+    const int dropped = drop_of(of_cut, count), narrow = from_low_bits(of_cut[0], width + 1);
+    EXPECT_EQ(units_.rootp->common_cuts__DOT__cut[slot], answer(of_cut[0] >> dropped))
+        << "slot " << slot << ", first integer " << of_cut[0];
+    EXPECT_EQ(units_.rootp->common_cuts__DOT__narrow_cut[slot], answer(narrow >> dropped))
         << "slot " << slot << ", first integer " << of_cut[0];
   }
 

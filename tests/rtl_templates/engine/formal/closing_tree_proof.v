@@ -1,5 +1,6 @@
 // closing_tree_proof: of every input's words each leaves closing_tree once, unchanged, in the order of
 // its input; one closing beat leaves behind all of them, and its low bits are the sum of the inputs'.
+// A closing beat that does not leave does not wait for `m_ready`.
 // One input is watched, and of it one word at a time. Words are {input, watched, data}. Behind its
 // closing beat an input sends nothing until the merged one has left, as in the engine, which takes the
 // next set then.
@@ -60,7 +61,7 @@ module closing_tree_proof #(
   reg               watching = 1'b0;
   reg  [1:0]        word;
   reg  [1:0]        sum      = 2'd0;
-  reg  [3:0]        quiet    = NONE;  // cycles without a beat to take although one is due
+  reg  [3:0]        quiet    = NONE;  // cycles without a beat to take although something waits
   reg  [INPUTS-1:0] closed   = {INPUTS{1'b0}};
   reg  [INPUTS-1:0] offered  = {INPUTS{1'b0}};
   reg  [INPUTS-1:0] offered_last;
@@ -73,6 +74,7 @@ module closing_tree_proof #(
   wire              closes  = m_valid && m_ready && m_last;
   wire              chosen  = enter && choose && !watching;
   wire              all_closed = (closed == {INPUTS{1'b1}});
+  wire              stalls  = (s_valid != {INPUTS{1'b0}}) && (taken == {INPUTS{1'b0}});
   reg  [3:0]        entered;
   reg  [1:0]        more;
   integer           k;
@@ -104,7 +106,7 @@ module closing_tree_proof #(
     end else begin
       total  <= total + entered - {3'b000, m_valid && m_ready && !m_last};
       inside <= inside + {3'b000, enter} - {3'b000, leave};
-      quiet  <= (((total != NONE) || all_closed) && !m_valid) ? quiet + ONE : NONE;
+      quiet  <= (((total != NONE) || all_closed || stalls) && !m_valid) ? quiet + ONE : NONE;
       closed <= closes ? {INPUTS{1'b0}} : closed | (taken & s_last);
       sum    <= closes ? 2'd0 : more;
       if (leave && m_watched) begin
