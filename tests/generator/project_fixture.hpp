@@ -62,7 +62,7 @@ protected:
   }
 };
 
-/// The same with an engine in the scene.
+/// Projects of scenes with an engine.
 class EngineProjectTest : public ProjectTest {
 protected:
   /// Items whose differences tie, nearly tie, or are far apart.

@@ -27,7 +27,7 @@ module dut (input wire aclk, input wire [15:0] a, input wire [15:0] b, output re
 endmodule
 )";
 
-/// The same sum of what came in 8, 24 and 40 cycles ago.
+/// Three adders: their operands came in 8, 24 and 40 cycles ago.
 constexpr const char* delayed_adders = R"(
 module delayed_adder #(parameter LENGTH = 8) (
   input wire aclk, input wire [15:0] a, input wire [15:0] b, output reg [15:0] y);
@@ -377,7 +377,7 @@ TEST_F(Synthesis, AnEstimateBeforeRoutingSeesTheCarryChain) {
 
 TEST_F(Synthesis, AnEstimateBeforeRoutingHasARegisterBehindEachShiftRegister) {
   SKIP_WITHOUT_YOSYS();
-  // Of 8, 24 and 40 registers: in one LUT, in one and in two.
+  // A shift register of 40 registers is a chain of two LUTs, shorter ones are one LUT.
   const auto result = run(delayed_adders, device("artix7-200t"), {});
   ASSERT_TRUE(result.ok()) << result.error().to_string();
   ASSERT_TRUE(result->clock.has_value()) << result->no_clock;
