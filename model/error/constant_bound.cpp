@@ -103,7 +103,7 @@ private:
   Result<mpq_class> fold_reciprocal(NodeId id) const {
     const mpq_class least = least_magnitude(range(id));
     if (least == 0) return stands_in_the_way(id, "may be zero");
-    return mpq_class(1 / binade(least));
+    return mpq_class(1 / least);
   }
 
   Error stands_in_the_way(NodeId id, const char* what) const {
