@@ -76,7 +76,8 @@ std::optional<NodeId> squared_sum_of(const TypedGraph& graph, NodeId square) {
 void add_unnormalised_sum(StageList& stages, FloatFormat format, Subnormals subnormals) {
   const int precision = format.precision();
   stages.add_aligned_operands(format, precision + 2, subnormals, StageList::Order::by_exponent);
-  // The larger operand is selected while the smaller one is still being aligned.
+  // The larger operand is selected while the smaller one is still being aligned, or with MOVED_LAST
+  // the smaller one's last place is.
   const double selection = stages.lut_delay_ns(1);
   stages.add_wide_sum("sum", selection, precision + 4, selection);
   stages.add("select", stages.lut_delay_ns(3));
@@ -103,6 +104,7 @@ Unit squared_sum_unit(FloatFormat format, Subnormals subnormals, scene::Multipli
   unit.multipliers = multipliers;
   unit.multiplier = delays.multiplier_size;
   unit.has_digit_stage = has_digit_stage;
+  unit.moves_last = delays.lut_inputs < 5;
   return unit;
 }
 

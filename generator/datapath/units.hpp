@@ -36,6 +36,7 @@ struct Unit {
   scene::Multipliers multipliers = scene::Multipliers::embedded;  ///< logic: print EMBEDDED = 0
   devices::MultiplierSize multiplier;  ///< embedded multipliers only: FACTOR_A, FACTOR_B
   bool has_digit_stage = false;        ///< multipliers of logic only: DIGIT_STAGE
+  bool moves_last = false;             ///< fp_squared_sum only: MOVED_LAST
   /// Cycles for which an operation keeps the unit; above 1 it has an input `start`, which is 1 when
   /// its operand is there.
   int initiation_interval = 1;

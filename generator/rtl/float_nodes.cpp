@@ -211,6 +211,7 @@ void FloatNodes::build_squared_sum(NodeId id) {
   parameters.push_back({"SUBTRACT", graph_.nodes[sum].operation == Operation::subtract ? 1 : 0});
   const bool gradual = graph_.arithmetic.subnormals == Subnormals::gradual;
   parameters.push_back({"GRADUAL", gradual ? 1 : 0});
+  if (step.unit.moves_last) parameters.push_back({"MOVED_LAST", 1});
   append_multiplier_parameters(step.unit, parameters);
   parameters.push_back({"CUTS", cut_mask(step)});
   datapath_.add(

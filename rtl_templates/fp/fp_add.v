@@ -91,7 +91,9 @@ module fp_add #(
   // which significand is aligned on the other.
   wire [EXPONENT_BITS-1:0] s4_exponent;
   wire [PRECISION-1:0]     s4_large;
+  wire                     s4_unused_moves;
   wire [ALIGNED:0]         s4_small;
+  wire [ALIGNED:0]         s4_unused_moved;
   wire                     s4_sign;
   wire                     s4_cancel;
   wire                     s4_nan;
@@ -115,7 +117,9 @@ module fp_add #(
     .b       (b),
     .exponent(s4_exponent),
     .larger  (s4_large),
+    .moves   (s4_unused_moves),
     .smaller (s4_small),
+    .moved   (s4_unused_moved),
     .sign    (s4_sign),
     .cancel  (s4_cancel),
     .nan     (s4_nan),
@@ -258,10 +262,11 @@ module fp_add #(
   fp_shift_left #(
     .WIDTH      (SUM),
     .KEPT       (MOVED),
-    .AMOUNT_BITS(COUNT_BITS)
+    .AMOUNT_BITS(COUNT_BITS - 2),
+    .STEP       (4)
   ) s8_normalise (
     .value  (s8_sum),
-    .amount ({s8_amount[COUNT_BITS-1:2], 2'b00}),
+    .amount (s8_amount[COUNT_BITS-1:2]),
     .shifted(s8_moved),
     .sticky (s8_sticky)
   );

@@ -14,9 +14,12 @@ module fp_aligned_operands #(
   // 1: `larger` has the larger magnitude, and `sign` is its sign. 0: it has the larger exponent,
   // and `sign` is the sign of an operand that is not zero: the sum's if signs are alike.
   parameter       ORDERED          = 1,
+  parameter       COMPLEMENTED     = 0,     // 1: `larger` is complemented if the signs are unlike
   // 1: `larger` is selected behind the last cut instead of in stage swap. That takes no gates of
-  // its own where it is added at once, but more registers.
+  // its own where it is added at once and look-up tables have six inputs, but more registers.
   parameter       SELECTED_LAST    = 0,
+  // 1: the smaller operand is left to move by its last place where it is added (fp_selected_sum).
+  parameter       MOVED_LAST       = 0,
   parameter [3:0] CUTS             = 4'b0000
 ) (
   input  wire                               aclk,
@@ -24,7 +27,9 @@ module fp_aligned_operands #(
   input  wire [EXPONENT_BITS+PRECISION-1:0] b,
   output wire [EXPONENT_BITS-1:0]           exponent,  // of `larger`, biased
   output wire [PRECISION-1:0]               larger,    // arbitrary if both are zero
-  output wire [ALIGNED:0]                   smaller,   // the last bit is sticky
+  output wire                               moves,     // the smaller operand is `moved`
+  output wire [ALIGNED:0]                   smaller,   // otherwise; the last bit is sticky in both
+  output wire [ALIGNED:0]                   moved,
   output wire                               sign,
   output wire                               cancel,    // the signs are unlike
   output wire                               nan,
@@ -115,7 +120,7 @@ module fp_aligned_operands #(
   );
 
   wire                     s0_b_sign = s0_b_packed_sign ^ (SUBTRACT != 0);
-  wire                     s0_swap;
+  wire                     s0_a_leads;
   wire [EXPONENT_BITS-1:0] s0_a_above_b;
   wire [EXPONENT_BITS-1:0] s0_b_above_a;
 
@@ -135,13 +140,14 @@ module fp_aligned_operands #(
   assign {s0_b_above_a, s0_unused_b_place} =
       {s0_b_field, 1'b1} + {~s0_a_field, s0_a_normal || !s0_b_normal};
 
+  // A carry out, which goes into its register without a gate behind it.
   generate
     if (ORDERED != 0) begin : g_by_magnitude
       wire unused_not_below = s0_a_not_below;
 
-      assign s0_swap = a[EXPONENT_BITS+PRECISION-2:0] < b[EXPONENT_BITS+PRECISION-2:0];
+      assign s0_a_leads = a[EXPONENT_BITS+PRECISION-2:0] >= b[EXPONENT_BITS+PRECISION-2:0];
     end else begin : g_by_exponent
-      assign s0_swap = !s0_a_not_below;
+      assign s0_a_leads = s0_a_not_below;
     end
   endgenerate
 
@@ -151,7 +157,7 @@ module fp_aligned_operands #(
   wire [PRECISION-1:0]     s1_b_significand;
   wire [EXPONENT_BITS-1:0] s1_a_above_b;
   wire [EXPONENT_BITS-1:0] s1_b_above_a;
-  wire                     s1_swap;
+  wire                     s1_a_leads;
   wire                     s1_a_zero;
   wire                     s1_b_zero;
   wire                     s1_a_sign;
@@ -176,13 +182,15 @@ module fp_aligned_operands #(
     .REGISTERED(CUTS[0])
   ) rank_0_order (
     .aclk(aclk),
-    .d   ({s0_a_above_b, s0_b_above_a, s0_swap, s0_a_zero, s0_b_zero, s0_a_sign, s0_b_sign,
+    .d   ({s0_a_above_b, s0_b_above_a, s0_a_leads, s0_a_zero, s0_b_zero, s0_a_sign, s0_b_sign,
            s0_a_infinite, s0_b_infinite, s0_a_nan, s0_b_nan, s0_a_flushed || s0_b_flushed}),
-    .q   ({s1_a_above_b, s1_b_above_a, s1_swap, s1_a_zero, s1_b_zero, s1_a_sign, s1_b_sign,
+    .q   ({s1_a_above_b, s1_b_above_a, s1_a_leads, s1_a_zero, s1_b_zero, s1_a_sign, s1_b_sign,
            s1_a_infinite, s1_b_infinite, s1_a_nan, s1_b_nan, s1_flushed})
   );
 
-  // Stage swap: a zero as the smaller operand adds nothing.
+  // Stage swap: a zero as the smaller operand adds nothing. Beyond its width the smaller operand is
+  // no more than a sticky bit.
+  wire                     s1_swap       = !s1_a_leads;
   wire [EXPONENT_BITS-1:0] s1_exponent   = s1_swap ? s1_b_exponent : s1_a_exponent;
   wire [PRECISION-1:0]     s1_other      = s1_swap ? s1_a_significand : s1_b_significand;
   wire                     s1_other_zero = s1_swap ? s1_a_zero : s1_b_zero;
@@ -197,29 +205,30 @@ module fp_aligned_operands #(
   wire                     s1_zero       = s1_a_zero && s1_b_zero;
   wire                     s1_suspect    = s1_infinite || s1_nan || s1_flushed;
 
+  wire [DISTANCE_WIDTH-1:0] s1_wide_distance = {
+    {(DISTANCE_WIDTH - EXPONENT_BITS) {1'b0}}, s1_distance
+  };
+  wire                   s1_far    = |s1_wide_distance[DISTANCE_WIDTH-1:AMOUNT_BITS];
+  wire [AMOUNT_BITS-1:0] s1_amount = s1_wide_distance[AMOUNT_BITS-1:0] | {AMOUNT_BITS{s1_far}};
+
   wire [EXPONENT_BITS-1:0] s2_exponent;
   wire [PRECISION-1:0]     s2_small;
-  wire [EXPONENT_BITS-1:0] s2_distance;
+  wire [AMOUNT_BITS-1:0]   s2_amount;
   wire                     s2_sign;
   wire                     s2_cancel;
   wire [FLAGS-1:0]         s2_flags;
 
   fp_rank #(
-    .WIDTH     (2 * EXPONENT_BITS + PRECISION + 2 + FLAGS),
+    .WIDTH     (EXPONENT_BITS + PRECISION + AMOUNT_BITS + 2 + FLAGS),
     .REGISTERED(CUTS[1])
   ) rank_1 (
     .aclk(aclk),
-    .d   ({s1_exponent, s1_small, s1_distance, s1_sign, s1_cancel,
+    .d   ({s1_exponent, s1_small, s1_amount, s1_sign, s1_cancel,
            s1_nan, s1_infinite, s1_zero, s1_suspect}),
-    .q   ({s2_exponent, s2_small, s2_distance, s2_sign, s2_cancel, s2_flags})
+    .q   ({s2_exponent, s2_small, s2_amount, s2_sign, s2_cancel, s2_flags})
   );
 
-  // Stage align by fours: beyond its width the smaller operand is no more than a sticky bit.
-  wire [DISTANCE_WIDTH-1:0] s2_wide_distance = {
-    {(DISTANCE_WIDTH - EXPONENT_BITS) {1'b0}}, s2_distance
-  };
-  wire                   s2_far    = |s2_wide_distance[DISTANCE_WIDTH-1:AMOUNT_BITS];
-  wire [AMOUNT_BITS-1:0] s2_amount = s2_wide_distance[AMOUNT_BITS-1:0] | {AMOUNT_BITS{s2_far}};
+  // Stage align by fours.
   wire [ALIGNED-1:0]     s2_widened;
   wire [ALIGNED-1:0]     s2_moved;
   wire [AMOUNT_BITS-1:0] s2_lost;
@@ -259,28 +268,33 @@ module fp_aligned_operands #(
     .q   ({s3_exponent, s3_moved, s3_lost_before, s3_rest, s3_sign, s3_cancel, s3_flags})
   );
 
-  // Stage align: by the places left.
+  // Stage align: by the places left. What the last place will move out is lost already.
+  wire               s3_moves  = (MOVED_LAST != 0) && s3_rest[0];
   wire [ALIGNED-1:0] s3_aligned;
   wire [1:0]         s3_lost;
+  wire               s3_sticky =
+      (|s3_lost_before) || (|s3_lost) || (s3_moves && s3_aligned[0]);
 
   fp_shift_right #(
     .WIDTH      (ALIGNED),
     .AMOUNT_BITS(2)
   ) s3_align (
     .value  (s3_moved),
-    .amount (s3_rest),
+    .amount ({s3_rest[1], s3_rest[0] && !s3_moves}),
     .shifted(s3_aligned),
     .lost   (s3_lost)
   );
 
   fp_rank #(
-    .WIDTH     (EXPONENT_BITS + ALIGNED + 3 + FLAGS),
+    .WIDTH     (EXPONENT_BITS + ALIGNED + 4 + FLAGS),
     .REGISTERED(CUTS[3])
   ) rank_3 (
     .aclk(aclk),
-    .d   ({s3_exponent, s3_aligned, (|s3_lost_before) || (|s3_lost), s3_sign, s3_cancel, s3_flags}),
-    .q   ({exponent, smaller, sign, cancel, nan, infinite, zero, suspect})
+    .d   ({s3_exponent, s3_moves, s3_aligned, s3_sticky, s3_sign, s3_cancel, s3_flags}),
+    .q   ({exponent, moves, smaller, sign, cancel, nan, infinite, zero, suspect})
   );
+
+  assign moved = {1'b0, smaller[ALIGNED:2], smaller[0]};
 
   // The larger operand, from stage swap on.
   generate
@@ -288,6 +302,7 @@ module fp_aligned_operands #(
       wire                 last_swap;
       wire [PRECISION-1:0] last_a_significand;
       wire [PRECISION-1:0] last_b_significand;
+      wire                 last_complement = (COMPLEMENTED != 0) && cancel;
 
       fp_ranks #(
         .WIDTH(2 * PRECISION + 1),
@@ -299,15 +314,19 @@ module fp_aligned_operands #(
         .q   ({last_swap, last_a_significand, last_b_significand})
       );
 
-      assign larger = last_swap ? last_b_significand : last_a_significand;
+      assign larger =
+          (last_swap ? last_b_significand : last_a_significand) ^ {PRECISION{last_complement}};
     end else begin : g_selected_first
+      wire [PRECISION-1:0] s1_larger     = s1_swap ? s1_b_significand : s1_a_significand;
+      wire                 s1_complement = (COMPLEMENTED != 0) && s1_cancel;
+
       fp_ranks #(
         .WIDTH(PRECISION),
         .COUNT(3),
         .CUTS (CUTS[3:1])
       ) ranks_1 (
         .aclk(aclk),
-        .d   (s1_swap ? s1_b_significand : s1_a_significand),
+        .d   (s1_larger ^ {PRECISION{s1_complement}}),
         .q   (larger)
       );
     end

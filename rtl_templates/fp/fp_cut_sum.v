@@ -300,10 +300,11 @@ module fp_cut_sum #(
       fp_shift_left #(
         .WIDTH      (PLACES),
         .KEPT       (MOVED),
-        .AMOUNT_BITS(AMOUNT_BITS)
+        .AMOUNT_BITS(AMOUNT_BITS - LOW_BITS),
+        .STEP       (1 << LOW_BITS)
       ) s16_align (
         .value  ({{MARGIN{1'b0}}, s16_product}),
-        .amount ({s16_amount[AMOUNT_BITS-1:LOW_BITS], {LOW_BITS{1'b0}}}),
+        .amount (s16_amount[AMOUNT_BITS-1:LOW_BITS]),
         .shifted(s16_moved),
         .sticky (s16_unused_rest)
       );

@@ -106,11 +106,12 @@ module fp_select_round #(
   );
 
   // Stage select: by the places left. A one in the first place is one exponent up and moves down by
-  // one; a tiny result's exponent is 1.
+  // one, unless the result is tiny and has moved already. Without a leading one a tiny result is
+  // subnormal, whatever its exponent is.
   wire                      s1_high     = s1_value[MOVED-1];
   wire [1:0]                s1_amount   = {s1_rest[1], s1_rest[0] || (s1_high && !s1_tiny)};
   wire [EXPONENT_WIDTH-1:0] s1_selected =
-      s1_exponent + {{(EXPONENT_WIDTH - 1) {1'b0}}, s1_high || s1_tiny};
+      s1_exponent + {{(EXPONENT_WIDTH - 1) {1'b0}}, s1_high};
   wire [MOVED-2:0]          s1_significand;
   wire                      s1_unused_place;
   wire [1:0]                s1_lost;

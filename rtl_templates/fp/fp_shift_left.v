@@ -1,17 +1,23 @@
-// fp_shift_left: moves a value up and keeps its KEPT leading bits; `sticky` is the OR of the rest.
+// fp_shift_left: moves a value up by `amount` steps of STEP places and keeps its KEPT leading bits;
+// `sticky` is the OR of the rest.
 // Combinational. KEPT is at most WIDTH; ones must not be moved out at the top.
 `default_nettype none
 
 module fp_shift_left #(
   parameter WIDTH       = 27,
   parameter KEPT        = 26,
-  parameter AMOUNT_BITS = 5
+  parameter AMOUNT_BITS = 5,
+  parameter STEP        = 1
 ) (
   input  wire [WIDTH-1:0]       value,
   input  wire [AMOUNT_BITS-1:0] amount,
   output wire [KEPT-1:0]        shifted,
   output wire                   sticky
 );
+
+  // Places below the kept ones, in groups of a step from the top; the last group may be shorter.
+  localparam BELOW  = WIDTH - KEPT;
+  localparam GROUPS = (BELOW + STEP - 1) / STEP;
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
@@ -24,29 +30,48 @@ module fp_shift_left #(
     if ((AMOUNT_BITS < 1) || (AMOUNT_BITS > 30)) begin : g_refused_amount_bits
       AMOUNT_BITS_is_not_1_to_30 refused ();
     end
+    if (STEP < 1) begin : g_refused_step
+      STEP_is_below_1 refused ();
+    end
   endgenerate
 
   reg [WIDTH-1:0] moving;
-  reg             lost;
 
   integer k;
 
-  // Before the step of 2^k at most 2^(k+1) - 1 places are left to go: what lies further than that
-  // below the kept bits goes into the sticky bit now and is not moved along.
   always @* begin
     moving = value;
-    lost   = 1'b0;
     for (k = AMOUNT_BITS - 1; k >= 0; k = k - 1) begin
-      lost   = lost || (|(moving & ({WIDTH{1'b1}} >> (KEPT + (2 << k) - 1))));
-      moving = moving & ~({WIDTH{1'b1}} >> (KEPT + (2 << k) - 1));
-      if (amount[k]) begin
-        moving = moving << (1 << k);
-      end
+      if (amount[k]) moving = moving << (STEP << k);
     end
   end
 
-  assign shifted = moving[WIDTH-1:WIDTH-KEPT];
-  assign sticky  = lost || (|(moving & ~({WIDTH{1'b1}} << (WIDTH - KEPT))));
+  assign shifted = moving[WIDTH-1:BELOW];
+
+  // Group g stays below unless there are more than g steps. That is known without moving anything.
+  generate
+    if (BELOW > 0) begin : g_below
+      wire [GROUPS-1:0] lost;
+      genvar            g;
+
+      for (g = 0; g < GROUPS; g = g + 1) begin : g_groups
+        localparam TOP    = BELOW - g * STEP;
+        localparam BOTTOM = (TOP > STEP) ? TOP - STEP : 0;
+
+        if (((g + 1) >> AMOUNT_BITS) != 0) begin : g_always
+          assign lost[g] = |value[TOP-1:BOTTOM];
+        end else begin : g_sometimes
+          localparam [AMOUNT_BITS-1:0] GROUP = g;
+
+          assign lost[g] = (amount <= GROUP) && (|value[TOP-1:BOTTOM]);
+        end
+      end
+
+      assign sticky = |lost;
+    end else begin : g_nothing_below
+      assign sticky = 1'b0;
+    end
+  endgenerate
 
 endmodule
 

@@ -4,7 +4,8 @@
 // The rounded sum is squared as it leaves the adder, with leading zeros where its operands cancel,
 // and without its sign. So only the square is normalised, and in the same step it moves down if it
 // is subnormal.
-// EMBEDDED, DIGIT_STAGE, FACTOR_A, FACTOR_B: as in fp_square. Special values as IEEE 754.
+// EMBEDDED, DIGIT_STAGE, FACTOR_A, FACTOR_B: as in fp_square; MOVED_LAST: as in fp_unnormalised_sum.
+// Special values as IEEE 754.
 `default_nettype none
 
 module fp_squared_sum #(
@@ -14,6 +15,7 @@ module fp_squared_sum #(
   parameter        GRADUAL       = 0,
   parameter        EMBEDDED      = 1,
   parameter        DIGIT_STAGE   = 0,
+  parameter        MOVED_LAST    = 0,
   parameter        FACTOR_A      = 24,
   parameter        FACTOR_B      = 17,
   parameter [22:0] CUTS          = 23'b0
@@ -89,6 +91,7 @@ module fp_squared_sum #(
     .EXPONENT_WIDTH(SUM_EXPONENT),
     .SUBTRACT      (SUBTRACT),
     .GRADUAL       (GRADUAL),
+    .MOVED_LAST    (MOVED_LAST),
     .CUTS          (CUTS[SQUARE-1:0])
   ) s0_sum (
     .aclk       (aclk),
@@ -205,10 +208,11 @@ module fp_squared_sum #(
   fp_shift_left #(
     .WIDTH      (PLACES),
     .KEPT       (EIGHTS),
-    .AMOUNT_BITS(STEP_BITS + 1)
+    .AMOUNT_BITS(STEP_BITS - 3),
+    .STEP       (16)
   ) s17_normalise (
     .value  (s17_places),
-    .amount ({s17_steps[STEP_BITS-1:3], 4'b0000}),
+    .amount (s17_steps[STEP_BITS-1:3]),
     .shifted(s17_moved),
     .sticky (s17_sticky)
   );
@@ -235,10 +239,11 @@ module fp_squared_sum #(
   fp_shift_left #(
     .WIDTH      (EIGHTS),
     .KEPT       (TWOS),
-    .AMOUNT_BITS(4)
+    .AMOUNT_BITS(2),
+    .STEP       (4)
   ) s18_normalise (
     .value  (s18_value),
-    .amount ({s18_steps[2:1], 2'b00}),
+    .amount (s18_steps[2:1]),
     .shifted(s18_moved),
     .sticky (s18_lost)
   );
@@ -267,10 +272,11 @@ module fp_squared_sum #(
   fp_shift_left #(
     .WIDTH      (TWOS),
     .KEPT       (KEPT),
-    .AMOUNT_BITS(2)
+    .AMOUNT_BITS(1),
+    .STEP       (2)
   ) s19_normalise (
     .value  (s19_value),
-    .amount ({s19_step, 1'b0}),
+    .amount (s19_step),
     .shifted(s19_moved),
     .sticky (s19_lost)
   );

@@ -13,6 +13,7 @@ module fp_unnormalised_sum #(
   parameter       EXPONENT_WIDTH = 10,   // EXPONENT_BITS + 2 or more
   parameter       SUBTRACT       = 0,
   parameter       GRADUAL        = 0,
+  parameter       MOVED_LAST     = 0,    // 1: for look-up tables of four inputs
   parameter [8:0] CUTS           = 9'b0
 ) (
   input  wire                               aclk,
@@ -46,7 +47,9 @@ module fp_unnormalised_sum #(
   // Stages compare, swap, align by fours, align: the larger operand is that of the larger exponent.
   wire [EXPONENT_BITS-1:0] s4_exponent;
   wire [PRECISION-1:0]     s4_large;
+  wire                     s4_moves;
   wire [ALIGNED:0]         s4_small;
+  wire [ALIGNED:0]         s4_moved;
   wire                     s4_unused_sign;
   wire                     s4_cancel;
   wire                     s4_nan;
@@ -61,7 +64,9 @@ module fp_unnormalised_sum #(
     .SUBTRACT     (SUBTRACT),
     .GRADUAL      (GRADUAL),
     .ORDERED      (0),
-    .SELECTED_LAST(1),
+    .COMPLEMENTED (1),
+    .SELECTED_LAST(MOVED_LAST == 0),
+    .MOVED_LAST   (MOVED_LAST),
     .CUTS         (CUTS[3:0])
   ) s0_aligned_operands (
     .aclk    (aclk),
@@ -69,7 +74,9 @@ module fp_unnormalised_sum #(
     .b       (b),
     .exponent(s4_exponent),
     .larger  (s4_large),
+    .moves   (s4_moves),
     .smaller (s4_small),
+    .moved   (s4_moved),
     .sign    (s4_unused_sign),
     .cancel  (s4_cancel),
     .nan     (s4_nan),
@@ -80,22 +87,41 @@ module fp_unnormalised_sum #(
 
   // Stages sum, sum upper half: with unlike signs, small + (-1 - large) is -1 less their
   // difference, large - small.
-  wire [SUM-1:0]           s4_large_places = {1'b0, s4_large, {(SUM - 1 - PRECISION) {1'b0}}};
+  wire [SUM-1:0]           s4_large_places = {s4_cancel, s4_large, {3{s4_cancel}}};
   wire [EXPONENT_BITS-1:0] s5_exponent;
   wire [SUM-1:0]           s5_sum;
   wire                     s5_cancel;
   wire [1:0]               s5_flags;
 
-  fp_halved_sum #(
-    .WIDTH(SUM),
-    .CUTS (CUTS[4])
-  ) s4_sum (
-    .aclk (aclk),
-    .a    ({1'b0, s4_small}),
-    .b    (s4_large_places ^ {SUM{s4_cancel}}),
-    .carry(1'b0),
-    .sum  (s5_sum)
-  );
+  generate
+    if (MOVED_LAST != 0) begin : g_moved_last
+      fp_selected_sum #(
+        .WIDTH(SUM),
+        .CUTS (CUTS[4])
+      ) s4_sum (
+        .aclk  (aclk),
+        .a     (s4_large_places),
+        .select(s4_moves),
+        .b     ({1'b0, s4_small}),
+        .c     ({1'b0, s4_moved}),
+        .carry (1'b0),
+        .sum   (s5_sum)
+      );
+    end else begin : g_selected_last
+      wire unused_moves = ^{s4_moves, s4_moved};
+
+      fp_halved_sum #(
+        .WIDTH(SUM),
+        .CUTS (CUTS[4])
+      ) s4_sum (
+        .aclk (aclk),
+        .a    ({1'b0, s4_small}),
+        .b    (s4_large_places),
+        .carry(1'b0),
+        .sum  (s5_sum)
+      );
+    end
+  endgenerate
 
   fp_rank #(
     .WIDTH     (EXPONENT_BITS + 3),
@@ -126,10 +152,11 @@ module fp_unnormalised_sum #(
   // the one that rounding up adds.
   wire [SUM-1:0]       s6_bits      = s6_sum ^ {SUM{s6_cancel}};
   wire                 s6_swapped   = s6_cancel && !s6_sum[SUM-1];
+  wire                 s6_inverted  = s6_cancel && s6_sum[SUM-1];
   wire                 s6_carry     = !s6_cancel && s6_sum[SUM-1];
-  wire                 s6_below     = s6_cancel && s6_sum[SUM-1] && !s6_bits[SUM-2];
-  wire [PRECISION-1:0] s6_uncarried = s6_swapped ? s6_sum[SUM-2:3] : s6_bits[SUM-2:3];
-  wire [PRECISION-1:0] s6_shifted   = s6_carry ? s6_bits[SUM-1:4] : s6_bits[SUM-3:2];
+  wire                 s6_below     = s6_inverted && !s6_bits[SUM-2];
+  wire [PRECISION-1:0] s6_uncarried = s6_sum[SUM-2:3] ^ {PRECISION{s6_inverted}};
+  wire [PRECISION-1:0] s6_shifted   = s6_carry ? s6_sum[SUM-1:4] : ~s6_sum[SUM-3:2];
   wire [PRECISION-1:0] s6_selected  = (s6_carry || s6_below) ? s6_shifted : s6_uncarried;
   wire                 s6_up        =
       s6_swapped

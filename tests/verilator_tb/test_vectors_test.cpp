@@ -105,7 +105,8 @@ TEST_F(TestVectors, EndWithSpecialValuesInEveryInput) {
 }
 
 TEST_F(TestVectors, HaveTheWordOfTheLaneThatTheyGoTo) {
-  comparisons_ = spheres_at(std::vector<float>(50, 2.06F));  // decided with nine digits, not with six
+  comparisons_ =
+      spheres_at(std::vector<float>(50, 2.06F));  // decided with nine digits, not with six
   const std::vector<project::TestVector> vectors = pick(50);
   int recomputed = 0;
   for (std::size_t k = 0; k < vectors.size(); ++k) {

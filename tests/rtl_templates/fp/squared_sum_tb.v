@@ -8,6 +8,7 @@ module squared_sum_tb;
   parameter PRECISION     = 3;
   parameter SUBTRACT      = 1;
   parameter GRADUAL       = 1;
+  parameter MOVED_LAST    = 0;
 
   localparam PACKED = EXPONENT_BITS + PRECISION;
   localparam COUNT  = 1 << PACKED;
@@ -50,7 +51,8 @@ module squared_sum_tb;
       .EXPONENT_BITS(EXPONENT_BITS),
       .PRECISION    (PRECISION),
       .SUBTRACT     (SUBTRACT),
-      .GRADUAL      (GRADUAL)
+      .GRADUAL      (GRADUAL),
+      .MOVED_LAST   (MOVED_LAST)
   ) dut (
       .aclk(aclk),
       .a   (a),
