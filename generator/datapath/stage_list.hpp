@@ -144,8 +144,8 @@ inline void StageList::add_aligned_operands(FloatFormat operands, int aligned,
                            carry(operands.exponent_bits());
   const bool by_magnitude = order == Order::by_magnitude;
   add("compare", by_magnitude ? std::max(carry(operands.width() - 1), exponents) : exponents);
-  add("swap", lut_delay_ns(2));
-  add("align by fours", lut_delay_ns(shift_levels(bits_for(aligned) - 2) + 1));
+  add("swap", lut_delay_ns(1));
+  add("align by fours", lut_delay_ns(1 + shift_levels(bits_for(aligned) - 2) + 1));
   add("align", lut_delay_ns(shift_levels(2) + 1));
 }
 

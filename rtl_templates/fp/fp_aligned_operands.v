@@ -208,27 +208,28 @@ module fp_aligned_operands #(
   wire [DISTANCE_WIDTH-1:0] s1_wide_distance = {
     {(DISTANCE_WIDTH - EXPONENT_BITS) {1'b0}}, s1_distance
   };
-  wire                   s1_far    = |s1_wide_distance[DISTANCE_WIDTH-1:AMOUNT_BITS];
-  wire [AMOUNT_BITS-1:0] s1_amount = s1_wide_distance[AMOUNT_BITS-1:0] | {AMOUNT_BITS{s1_far}};
+  wire                     s1_far        = |s1_wide_distance[DISTANCE_WIDTH-1:AMOUNT_BITS];
 
   wire [EXPONENT_BITS-1:0] s2_exponent;
   wire [PRECISION-1:0]     s2_small;
-  wire [AMOUNT_BITS-1:0]   s2_amount;
+  wire [AMOUNT_BITS-1:0]   s2_distance;
+  wire                     s2_far;
   wire                     s2_sign;
   wire                     s2_cancel;
   wire [FLAGS-1:0]         s2_flags;
 
   fp_rank #(
-    .WIDTH     (EXPONENT_BITS + PRECISION + AMOUNT_BITS + 2 + FLAGS),
+    .WIDTH     (EXPONENT_BITS + PRECISION + AMOUNT_BITS + 3 + FLAGS),
     .REGISTERED(CUTS[1])
   ) rank_1 (
     .aclk(aclk),
-    .d   ({s1_exponent, s1_small, s1_amount, s1_sign, s1_cancel,
+    .d   ({s1_exponent, s1_small, s1_wide_distance[AMOUNT_BITS-1:0], s1_far, s1_sign, s1_cancel,
            s1_nan, s1_infinite, s1_zero, s1_suspect}),
-    .q   ({s2_exponent, s2_small, s2_amount, s2_sign, s2_cancel, s2_flags})
+    .q   ({s2_exponent, s2_small, s2_distance, s2_far, s2_sign, s2_cancel, s2_flags})
   );
 
   // Stage align by fours.
+  wire [AMOUNT_BITS-1:0] s2_amount = s2_distance | {AMOUNT_BITS{s2_far}};
   wire [ALIGNED-1:0]     s2_widened;
   wire [ALIGNED-1:0]     s2_moved;
   wire [AMOUNT_BITS-1:0] s2_lost;

@@ -17,6 +17,7 @@ module fp_compare #(
 
   localparam SIGN     = EXPONENT_BITS + PRECISION - 1;
   localparam EXPONENT = PRECISION - 1;
+  localparam HALF     = SIGN / 2;
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
@@ -28,38 +29,49 @@ module fp_compare #(
     end
   endgenerate
 
-  // Stage compare: packed magnitudes order as integers.
+  // Stage compare: packed magnitudes order as integers. What many bits say is put together in stage
+  // decide.
   wire s0_a_fraction  = |a[EXPONENT-1:0];
   wire s0_b_fraction  = |b[EXPONENT-1:0];
-  wire s0_a_zero      = !(|a[SIGN-1:EXPONENT]) && !((GRADUAL != 0) && s0_a_fraction);
-  wire s0_b_zero      = !(|b[SIGN-1:EXPONENT]) && !((GRADUAL != 0) && s0_b_fraction);
-  wire s0_a_nan       = (&a[SIGN-1:EXPONENT]) && s0_a_fraction;
-  wire s0_b_nan       = (&b[SIGN-1:EXPONENT]) && s0_b_fraction;
-  wire s0_both_zero   = s0_a_zero && s0_b_zero;
-  wire s0_unordered   = s0_a_nan || s0_b_nan;
-  wire s0_below       = a[SIGN-1:0] < b[SIGN-1:0];
-  wire s0_same        = a[SIGN-1:0] == b[SIGN-1:0];
+  wire s0_a_field     = |a[SIGN-1:EXPONENT];
+  wire s0_b_field     = |b[SIGN-1:EXPONENT];
+  wire s0_a_all_ones  = &a[SIGN-1:EXPONENT];
+  wire s0_b_all_ones  = &b[SIGN-1:EXPONENT];
+  wire s0_not_below   = a[SIGN-1:0] >= b[SIGN-1:0];  // a carry out, which needs no gate behind it
+  wire s0_same_upper  = a[SIGN-1:HALF] == b[SIGN-1:HALF];
+  wire s0_same_lower  = a[HALF-1:0] == b[HALF-1:0];
 
   wire s1_a_sign;
   wire s1_b_sign;
-  wire s1_both_zero;
-  wire s1_unordered;
-  wire s1_below;
-  wire s1_same;
+  wire s1_a_fraction;
+  wire s1_b_fraction;
+  wire s1_a_field;
+  wire s1_b_field;
+  wire s1_a_all_ones;
+  wire s1_b_all_ones;
+  wire s1_not_below;
+  wire s1_same_upper;
+  wire s1_same_lower;
 
   fp_rank #(
-    .WIDTH     (6),
+    .WIDTH     (11),
     .REGISTERED(CUTS[0])
   ) rank_0 (
     .aclk(aclk),
-    .d   ({a[SIGN], b[SIGN], s0_both_zero, s0_unordered, s0_below, s0_same}),
-    .q   ({s1_a_sign, s1_b_sign, s1_both_zero, s1_unordered, s1_below, s1_same})
+    .d   ({a[SIGN], b[SIGN], s0_a_fraction, s0_b_fraction, s0_a_field, s0_b_field,
+           s0_a_all_ones, s0_b_all_ones, s0_not_below, s0_same_upper, s0_same_lower}),
+    .q   ({s1_a_sign, s1_b_sign, s1_a_fraction, s1_b_fraction, s1_a_field, s1_b_field,
+           s1_a_all_ones, s1_b_all_ones, s1_not_below, s1_same_upper, s1_same_lower})
   );
 
   // Stage decide: unlike signs decide alone, negative numbers order against their magnitudes.
-  wire s1_like  = s1_a_sign == s1_b_sign;
-  wire s1_equal = s1_both_zero || (s1_like && s1_same);
-  wire s1_less  = s1_like ? (s1_below ^ s1_a_sign) : s1_a_sign;
+  wire s1_fraction  = (GRADUAL != 0) && (s1_a_fraction || s1_b_fraction);
+  wire s1_both_zero = !s1_a_field && !s1_b_field && !s1_fraction;
+  wire s1_unordered = (s1_a_all_ones && s1_a_fraction) || (s1_b_all_ones && s1_b_fraction);
+  wire s1_like      = s1_a_sign == s1_b_sign;
+  wire s1_same      = s1_same_upper && s1_same_lower;
+  wire s1_equal     = s1_both_zero || (s1_like && s1_same);
+  wire s1_less      = s1_like ? (!s1_not_below ^ s1_a_sign) : s1_a_sign;
 
   fp_rank #(
     .WIDTH     (2),
