@@ -241,6 +241,16 @@ INSTANTIATE_TEST_SUITE_P(
                {2, mpq_class(9, 4) - mpq_class(1, 256)},
                just_above_one,
                {-1, 1}},
+              [](const Rationals& x) { return mpq_class((x[0] * x[1] - x[2]) / x[3]); }},
+        Aimed{"quotient_of_a_wide_divisor",
+              "(a * b - d) / e",
+              format_of(8, 8),
+              Rounding::nearest_even,
+              {about_root_of_two,
+               about_root_of_two,
+               {2, mpq_class(9, 4) - mpq_class(1, 256)},
+               {mpq_class(1, 8), mpq_class(15, 8) - mpq_class(1, 256)},
+               {-2, 2}},
               [](const Rationals& x) { return mpq_class((x[0] * x[1] - x[2]) / x[3]); }}),
     [](const auto& tested) { return tested.param.name; });
 
