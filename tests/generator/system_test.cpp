@@ -243,10 +243,12 @@ emit::GeneratedSystem ecp5_system() {
   return emit::generate_system(design, command).value();
 }
 
-TEST(System, Ecp5HasItsMultiplierAsACellBesideTheTemplate) {
+TEST(System, Ecp5HasItsCellsBesideTheTemplates) {
   const emit::GeneratedSystem system = ecp5_system();
-  const std::string name = "mixcmp_embedded_multiplier.v";
-  ASSERT_EQ(system.signature.cells, std::vector<std::string>{name + ".ecp5"});
+  const std::string name = "mixcmp_embedded_multiplier.v", adder = "mixcmp_fp_selected_sum.v";
+  ASSERT_EQ(system.signature.cells, (std::vector<std::string>{name + ".ecp5", adder + ".ecp5"}));
+  EXPECT_NE(find(system, adder + ".ecp5")->text.find("CCU2C"), std::string::npos);
+  EXPECT_EQ(find(system, adder)->text.find("CCU2C"), std::string::npos);
   const std::string& cell = find(system, name + ".ecp5")->text;
   EXPECT_NE(cell.find("\nmodule mixcmp_embedded_multiplier #("), std::string::npos) << cell;
   EXPECT_NE(cell.find("MULT18X18D"), std::string::npos);
