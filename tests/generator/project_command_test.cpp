@@ -79,9 +79,9 @@ TEST_F(Project, TheTestBenchFindsFaultsThatTheDataAloneDoNotShow) {
   };
   expect_found("scene_s8e8_2x1.v", "s/(comparisons\\[lane/(comparisons[(1 - lane)/",
                "comparisons of lane 0: the counter is");
-  expect_found("mixcmp_fp_compare.v", "s/s1_equal = s1_both_zero ||/s1_equal =/",
+  expect_found("mixcmp_fp_compare.v", "s/s1_equal .*= s1_both_zero ||/s1_equal =/",
                "expected equal, recomputed; got");
-  expect_found("mixcmp_fp_compare.v", "s/= s0_a_nan || s0_b_nan/= s0_a_nan/",
+  expect_found("mixcmp_fp_compare.v", "s/ || (s1_b_all_ones .. s1_b_fraction)//",
                "expected unordered, recomputed; got");
 }
 
