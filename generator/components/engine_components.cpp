@@ -34,8 +34,7 @@ std::vector<int> measured_segments(const scene::Scene& scene) {
     return {fewest, growth * fewest};
   }
   const int lanes = *scene.lane_count();
-  const int fewer = lanes < growth ? lanes : lanes / growth;
-  return {fewer, lanes < growth ? growth * lanes : lanes};
+  return {std::max(1, lanes / growth), lanes == 1 ? growth : lanes};
 }
 
 Result<EngineParts> EngineParts::make(const scene::Scene& scene, const design::LaneGroup& lanes) {

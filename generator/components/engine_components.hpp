@@ -12,8 +12,8 @@ namespace mixcmp::components {
 
 /// The numbers of segments with which the scene's engine is measured. What an engine takes grows by
 /// the same amount with each further segment, so that two are enough. What an arg-min engine takes
-/// for a lane grows with the number of candidates, too: the larger number, where there are four
-/// lanes or more, is that of the scene, which a plan has. The scene's lanes are known.
+/// for a lane grows with the number of candidates, too: the larger number, but of a single lane, is
+/// the scene's, which a plan has. The scene's lanes are known.
 std::vector<int> measured_segments(const scene::Scene& scene);
 
 /// The numbers of references with which the memory of an arg-min engine is measured.

@@ -56,21 +56,33 @@ struct Line {
   devices::Area each;
 };
 
-/// The line through two sizes, whole numbers that are no less than either. Where it would begin
-/// below zero, it goes through zero and the larger size.
+/// The line through two sizes, whole numbers that are no less than either.
 Line line_through(const MeasuredSizes& sizes) {
   const int fewest = sizes.smallest->key.ports;
+  const int more = sizes.largest->key.ports - fewest;
+  const devices::Area& small = sizes.smallest->area;
+  const devices::Area each = changed(sizes.largest->area, [&](int amount, auto resource) {
+    return std::max(0, (amount - small.*resource + more - 1) / more);
+  });
+  return {.own = changed(small,
+                         [&](int amount, auto resource) {
+                           return std::max(0, amount - fewest * (each.*resource));
+                         }),
+          .each = each};
+}
+
+/// A line that has the larger size exactly, and begins no lower than at zero.
+Line line_to_the_larger(const MeasuredSizes& sizes) {
   const int most = sizes.largest->key.ports;
-  Line line;
-  for (const devices::Resource& resource : devices::bounded_resources) {
-    const int small = sizes.smallest->area.*resource.amount;
-    const int large = sizes.largest->area.*resource.amount;
-    int each = std::max(0, (large - small + most - fewest - 1) / (most - fewest));
-    if (small < fewest * each) each = std::max(0, (large + most - 1) / most);
-    line.each.*resource.amount = each;
-    line.own.*resource.amount = std::max(0, small - fewest * each);
-  }
-  return line;
+  const int more = most - sizes.smallest->key.ports;
+  const devices::Area& small = sizes.smallest->area;
+  const devices::Area each = changed(sizes.largest->area, [&](int amount, auto resource) {
+    return std::min(std::max(0, amount - small.*resource) / more, amount / most);
+  });
+  return {
+      .own = changed(sizes.largest->area,
+                     [&](int amount, auto resource) { return amount - most * (each.*resource); }),
+      .each = each};
 }
 
 void limit(std::optional<double>& mhz, const Measurement& row) {
@@ -100,7 +112,9 @@ std::optional<EngineArea> engine_area(const characterise::Characterisation& tabl
     missing.insert(fmt::format("engines of two sizes around segments in {}", segment.key.format));
     return std::nullopt;
   }
-  const Line line = line_through(engines);
+  // A chain is planned with as many lanes as the larger engine has.
+  const Line line =
+      kind == scene::EngineKind::arg_min ? line_to_the_larger(engines) : line_through(engines);
   EngineArea area{.own = without(line.own, memory_share(table, kind, missing)),
                   .group = segment.area + line.each,
                   .lane = {},

@@ -281,6 +281,7 @@ void ProblemMaker::note_largest_crossbar(const PrecisionPlan& plan) {
   const int served =
       performance::lanes_of_references(chosen->lane_count(), chosen->reference_count()).front();
   if (static_cast<std::size_t>(served) + 1 < known) return;
+  if (served == plan.problem.max_lanes) return;  // it serves all lanes that there may be
   notes_.insert(
       fmt::format("L = {}: a reference serves {} lanes, since no larger crossbar was measured",
                   plan.precision, served));

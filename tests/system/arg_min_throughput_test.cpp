@@ -10,6 +10,7 @@
 #include "model/number/exact.hpp"
 #include "model/performance/chain.hpp"
 #include "model/workload/compare_by_reference.hpp"
+#include "model/workload/load_comparisons.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
 
@@ -79,19 +80,32 @@ data::Comparisons data_of(const Load& load, const design::Design& design) {
       .value();
 }
 
-performance::Chain chain_of(const Load& load, const design::Design& design) {
+performance::Chain chain_of(const design::Design& design) {
   const emit::ScheduledSystem scheduled = emit::schedule_system(design).value();
   const rtl::SystemShape& shape = scheduled.shape;
-  return {.lanes = load.lanes,
+  const datapath::Schedule& reference = shape.reference_groups.front().schedule;
+  return {.lanes = shape.lanes,
           .streams = {.order = scene::ResultOrder::in_order,
                       .lane_latency_cycles = shape.lane_groups.front().schedule.latency_cycles,
-                      .reference_latency_cycles =
-                          shape.reference_groups.front().schedule.latency_cycles,
-                      .initiation_interval_cycles = load.interval,
+                      .reference_latency_cycles = reference.latency_cycles,
+                      .initiation_interval_cycles = reference.initiation_interval,
                       .slots = 1 << shape.slot_bits,
-                      .lanes_served = (load.lanes + load.references - 1) / load.references},
-          .references = load.references,
+                      .lanes_served = (shape.lanes + shape.references - 1) / shape.references},
+          .references = shape.references,
           .word_latency_cycles = scheduled.words()->latency_cycles()};
+}
+
+/// The cycles by the comparisons that the golden model says the lanes leave undecided.
+double predicted_cycles(const design::Design& design, const data::Comparisons& rows) {
+  const auto& lane = std::get<fixed::FixedLane>(design.lanes.front().lane);
+  const performance::Chain chain = chain_of(design);
+  std::vector<Bits> operands(rows.input_count());
+  const auto undecided = [&](std::uint64_t row, int stage) {
+    const auto lanes = static_cast<std::uint64_t>(chain.lanes);
+    rows.fetch(row * lanes + static_cast<std::uint64_t>(stage), operands);
+    return !golden::evaluate_lane(lane, operands).decided;
+  };
+  return performance::chain_cycles(chain, rows.table().rows(), undecided);
 }
 
 class ArgMinThroughput : public testing::TestWithParam<Load> {};
@@ -102,22 +116,28 @@ TEST_P(ArgMinThroughput, IsThePredictedOne) {
   const data::Comparisons rows = data_of(load, design);
   const auto report = simulate(design, rows, {});
   ASSERT_TRUE(report.passed()) << to_text(report);
-  const auto& lane = std::get<fixed::FixedLane>(design.lanes.front().lane);
-  std::vector<Bits> operands(rows.input_count());
-  const performance::Chain chain = chain_of(load, design);
-  const auto undecided = [&](std::uint64_t row, int stage) {
-    rows.fetch(row * static_cast<std::uint64_t>(load.lanes) + static_cast<std::uint64_t>(stage),
-               operands);
-    return !golden::evaluate_lane(lane, operands).decided;
-  };
-  const double predicted = performance::chain_cycles(chain, load.rows, undecided);
+  const double predicted = predicted_cycles(design, rows);
   const double rate = double(report.recomputations) / static_cast<double>(report.comparisons);
-  const double expected = performance::random_chain_cycles(chain, load.rows, rate);
+  const double expected = performance::random_chain_cycles(chain_of(design), load.rows, rate);
   fmt::print("{}: {} cycles, {:.0f} predicted, {:.0f} by the rate {:.2e} alone\n", load.name,
              report.cycles, predicted, expected, rate);
   EXPECT_NEAR(static_cast<double>(report.cycles), predicted, load.tolerance * predicted)
       << to_text(report);
   EXPECT_NEAR(static_cast<double>(report.cycles), expected, load.tolerance * expected);
+}
+
+/// The protein's atoms past the centres of its residues, whose recomputations come in clusters.
+TEST(ArgMinThroughputOf, TheResiduesOfTheExampleIsThePredictedOne) {
+  const std::string file = std::string(MIXCMP_SOURCE_DIR) + "/examples/kmeans/residues_chain.toml";
+  const std::vector<std::string> overrides = {"reduced.format=q13"};
+  const scene::Scene scene = scene::load_scene(file, overrides).value();
+  const data::Comparisons rows = workload::load_comparisons(scene).value();
+  const design::Design design = design::make_design(scene, &rows).value();
+  const double predicted = predicted_cycles(design, rows);
+  const auto report = simulate(design, rows, {});
+  ASSERT_TRUE(report.passed()) << to_text(report);
+  fmt::print("residues: {} cycles, {:.0f} predicted\n", report.cycles, predicted);
+  EXPECT_NEAR(static_cast<double>(report.cycles), predicted, 0.05 * predicted) << to_text(report);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -117,8 +117,11 @@ TEST_F(ChainPlan, OfEquallyFastPrecisionsTheSmallestIsBest) {
 }
 
 TEST_F(ChainPlan, IsNeverShort) {
-  device_.available.luts = luts_of_chain(100, 1) * 5 / 4;  // a fifth is slack
-  EXPECT_EQ(optimise_now().best()->precision, 10);
+  device_.available.dsps = 60;
+  device_.available.luts = (luts_of_chain(100, 1) * 5 + 3) / 4;  // a fifth is slack
+  const Optimisation fits = optimise_now();
+  ASSERT_NE(fits.best(), nullptr);
+  EXPECT_EQ(fits.best()->precision, 10);
   device_.available.luts -= 2;
   const Optimisation found = optimise_now();
   EXPECT_EQ(found.best(), nullptr);
@@ -199,17 +202,19 @@ TEST_F(ChainPlan, AnEngineToBeGeneratedIsHeldAgainstTheSameAreas) {
 }
 
 /// Memories that grow with the number of candidates make a chain's area bend upwards.
-TEST_F(ChainPlan, ALineThatWouldBeginBelowZeroGoesThroughZeroAndTheLargerEngine) {
+TEST_F(ChainPlan, TakesWhatTheLargerEngineTakesHoweverLittleTheSmallerDoes) {
   characterise::Measurement segment;
   for (auto& row : table_.rows) {
     if (row.key.kind == ComponentKind::engine && row.key.ports == 3) row.area.luts = 30;
+    if (row.key.kind == ComponentKind::operand_memory) row.area.luts = 0;
     if (row.key.kind == ComponentKind::segment) segment = row;
   }
   std::set<std::string> missing;
   const auto area =
       optimise::engine_area(table_, segment, scene::EngineKind::arg_min, missing).value();
-  EXPECT_EQ(area.own.luts, 0);
-  EXPECT_EQ(area.group.luts - segment.area.luts, (engine_luts + 9 * stage_luts + 11) / 12);
+  EXPECT_GE(area.own.luts, 0);
+  EXPECT_EQ(area.own.luts + lanes * (area.group.luts - segment.area.luts),
+            engine_luts + 9 * stage_luts);
 }
 
 }  // namespace
