@@ -5,6 +5,7 @@
 #include "generator/api/state.hpp"
 #include "generator/components/planning.hpp"
 #include "generator/report/plan_report.hpp"
+#include "model/design/design.hpp"
 #include "model/devices/device.hpp"
 #include "model/optimise/plan_inputs.hpp"
 #include "model/optimise/plan_summary.hpp"
@@ -15,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 components::Planning load_planning(const SceneState& state, const PlanOptions& options) {
-  value_or_throw(components::check_can_be_planned(state.scene), state);
+  const data::Comparisons* data = state.data ? &*state.data : nullptr;
+  const scene::Scene scene = value_or_throw(design::with_chain_lanes(state.scene, data), state);
   const devices::Device device =
       value_or_throw(devices::find_device(state.scene.system.device), state);
   if (options.table.empty() && state.source.text) {
@@ -28,7 +30,7 @@ components::Planning load_planning(const SceneState& state, const PlanOptions& o
                              ? optimise::default_table(state.source.path, state.scene, device.name)
                              : options.table;
   return value_or_throw(
-      components::load_planning(state.scene, state.data ? &*state.data : nullptr, device, table,
+      components::load_planning(scene, data, device, table,
                                 {.field = "table", .accepted = "what mixcmp characterise writes"}));
 }
 

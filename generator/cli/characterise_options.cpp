@@ -9,6 +9,7 @@
 #include <sstream>
 #include <thread>
 
+#include "model/common/check.hpp"
 #include "model/common/quote.hpp"
 #include "model/profile/profile.hpp"
 #include "model/scene/bound_choice.hpp"
@@ -87,15 +88,24 @@ Result<Done> check_memories(const components::ComponentQuery& query) {
                  "embedded, logic, or --bounds with fixed_norm or another of fixed point");
 }
 
-/// The parts of the systems that a scene makes: of a pairwise engine, or of a system whose lanes
-/// take streams.
+/// The parts of the systems that a scene makes: of an engine, or of a system whose lanes take
+/// streams.
 std::set<ComponentKind> parts_of_system(const scene::Scene& scene) {
-  if (scene.system.engine.kind == scene::EngineKind::pairwise) {
-    return {ComponentKind::lane,   ComponentKind::segment,   ComponentKind::conversion,
-            ComponentKind::engine, ComponentKind::reference, ComponentKind::reference_port};
+  std::set<ComponentKind> parts = {ComponentKind::lane, ComponentKind::reference,
+                                   ComponentKind::reference_port};
+  switch (scene.system.engine.kind) {
+    case scene::EngineKind::none:
+      parts.insert({ComponentKind::fifo, ComponentKind::crossbar});
+      return parts;
+    case scene::EngineKind::pairwise:
+      parts.insert({ComponentKind::segment, ComponentKind::conversion, ComponentKind::engine});
+      return parts;
+    case scene::EngineKind::arg_min:
+      parts.insert({ComponentKind::segment, ComponentKind::conversion, ComponentKind::engine,
+                    ComponentKind::operand_memory, ComponentKind::crossbar});
+      return parts;
   }
-  return {ComponentKind::lane, ComponentKind::fifo, ComponentKind::crossbar,
-          ComponentKind::reference, ComponentKind::reference_port};
+  MIXCMP_CHECK(false);
 }
 
 Result<std::set<ComponentKind>> component_kinds(const std::string& text,
@@ -235,9 +245,9 @@ void add_characterise_options(const Verb& verb, CharacteriseCommand& command) {
               "of references, in cycles: 16 or 1,4,16 (default: as reference.initiation_interval "
               "says; 1,4,16 where that is \"auto\")");
   verb.option("--components", command.components,
-              "what to measure: lane, fifo, crossbar; of a pairwise engine segment, conversion, "
-              "engine; reference, reference_port; unit (default: all that the scene's systems "
-              "have)");
+              "what to measure: lane, fifo, crossbar; of an engine segment, conversion, engine, "
+              "operand_memory; reference, reference_port; unit (default: all that the scene's "
+              "systems have)");
   verb.option("--ports", command.ports,
               "lanes at one reference's crossbar (default: " + command.ports + ")");
   verb.flag("--quick", command.quick,

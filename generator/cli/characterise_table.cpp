@@ -48,7 +48,7 @@ std::vector<std::pair<std::string, std::string>> spec_of(const scene::Scene& sce
       {"tag_bits", std::to_string(system.tag_bits)},
       {"counter_bits", std::to_string(system.counter_bits)},
       {"tools", tools}};
-  if (system.engine.kind == scene::EngineKind::pairwise) {
+  if (system.engine.kind != scene::EngineKind::none) {
     spec.insert(spec.end() - 1, {"engine", characterise::engine_text(scene)});
   }
   return spec;
@@ -58,9 +58,8 @@ std::vector<std::pair<std::string, std::string>> spec_of(const scene::Scene& sce
 /// all RTL, or for another engine.
 Result<Done> check_rows_can_stay(const characterise::Characterisation& table, const fs::path& path,
                                  const scene::Scene& scene) {
-  const bool is_pairwise = scene.system.engine.kind == scene::EngineKind::pairwise;
   const std::string target = fmt::format("{}", scene.system.target_mhz);
-  const std::string engine = is_pairwise ? characterise::engine_text(scene) : "";
+  const std::string engine = characterise::engine_text(scene);
   for (const auto& [name, text] : table.spec) {
     if (name == "target_mhz" && text != target) {
       return Error{
@@ -70,7 +69,7 @@ Result<Done> check_rows_can_stay(const characterise::Characterisation& table, co
           .received = text,
           .accepted = fmt::format("--target-mhz {}, or another path by -o for {}", text, target)};
     }
-    if (name == "engine" && is_pairwise && text != engine) {
+    if (name == "engine" && !engine.empty() && text != engine) {
       return Error{.file = path.string(),
                    .field = name,
                    .message = "its rows are of another engine",
@@ -268,15 +267,16 @@ CharacteriseReport measure_table(const CharacteriseCommand& command, const Loade
   const devices::Device device = value_or_exit(devices::find_device(loaded.scene.system.device));
   const components::CharacteriseOptions options =
       prepared_options(command, loaded, device, counted);
-  const fs::path path = table_of(command, loaded.scene, device);
-  check_place(path, inputs_of_campaign(command, loaded.scene, options));
-  const auto previous = value_or_exit(previous_table(path, loaded.scene, device.name));
-  CharacteriseReport report =
-      value_or_exit(components::characterise(loaded.scene, loaded.data ? &*loaded.data : nullptr,
-                                             device, options, previous ? &*previous : nullptr));
+  const data::Comparisons* data = loaded.data ? &*loaded.data : nullptr;
+  const scene::Scene scene = value_or_exit(with_chain_lanes(loaded.scene, data, command.scene));
+  const fs::path path = table_of(command, scene, device);
+  check_place(path, inputs_of_campaign(command, scene, options));
+  const auto previous = value_or_exit(previous_table(path, scene, device.name));
+  CharacteriseReport report = value_or_exit(
+      components::characterise(scene, data, device, options, previous ? &*previous : nullptr));
   show_progress("");
   if (report.interrupted_by == 0 && !nothing_measured(report)) {
-    write_table(report, command, loaded.scene, path, previous);
+    write_table(report, command, scene, path, previous);
   }
   return report;
 }

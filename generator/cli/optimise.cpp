@@ -172,8 +172,7 @@ bool lacks_tables(const OptimiseCommand& command, const std::vector<LoadedScene>
   const PlanningOptions& planning = command.planning;
   if (command.no_characterise || !planning.table.empty()) return false;
   return std::none_of(formulations.begin(), formulations.end(), [&](const LoadedScene& each) {
-    const bool is_chain = each.scene.system.engine.kind == scene::EngineKind::arg_min;
-    return is_chain || path_exists(table_of(planning, each.scene));  // of a chain nothing to plan
+    return path_exists(table_of(planning, each.scene));
   });
 }
 

@@ -180,6 +180,13 @@ Error as_user_error(const Error& found, const SceneOptions& options) {
   return error;
 }
 
+Result<scene::Scene> with_chain_lanes(const scene::Scene& scene, const data::Comparisons* data,
+                                      const SceneOptions& options) {
+  Result<scene::Scene> chain = design::with_chain_lanes(scene, data);
+  if (!chain.ok()) return as_user_error(chain.error(), options);
+  return chain;
+}
+
 Result<LoadedScene> load(const SceneOptions& options) {
   Result<scene::Scene> loaded_scene = scene::load_scene(options.scene, options.settings);
   if (!loaded_scene.ok()) return as_user_error(loaded_scene.error(), options);

@@ -50,6 +50,10 @@ Result<Done> check_has_data(const LoadedScene& loaded, const std::string& why);
 /// the shortcut that set it.
 Error as_user_error(const Error& found, const SceneOptions& options);
 
+/// The scene with the lanes of its chain, by design::with_chain_lanes. `data` may be null.
+Result<scene::Scene> with_chain_lanes(const scene::Scene& scene, const data::Comparisons* data,
+                                      const SceneOptions& options);
+
 /// Accepts a whole number in these limits, which help and errors then state. It is decimal, without
 /// zeros in front: CLI11 would take "010" for eight.
 Condition within(settings::Limits limits);

@@ -132,11 +132,10 @@ Result<Planning> load_planning(const PlanningOptions& options, const scene::Scen
                                                       .last_precision = "--last",
                                                       .lane_mhz = "--lane-mhz",
                                                       .reference_mhz = "--reference-mhz"}));
-  const Result<Done> possible = components::check_can_be_planned(scene);
-  if (!possible.ok()) return as_user_error(possible.error(), options.scene);
+  MIXCMP_TRY(chain, with_chain_lanes(scene, data, options.scene));
   MIXCMP_TRY(device, devices::find_device(scene.system.device));
   const std::filesystem::path table = table_of(options, scene);
-  MIXCMP_TRY(planning, components::load_planning(scene, data, device, table,
+  MIXCMP_TRY(planning, components::load_planning(chain, data, device, table,
                                                  advice(options, scene, device, table)));
   tell_of_other_target(scene, planning, options.scene);
   for (const std::string& note : planning.notes) tell_note(note);

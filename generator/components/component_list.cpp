@@ -73,9 +73,14 @@ public:
     }
     MIXCMP_TRY(references, visit_references());
     MIXCMP_TRY(fifos, visit_all(ComponentKind::fifo, slots_));
-    if (recomputes() && !maker_.is_pairwise()) {
+    if (recomputes() && maker_.has_crossbar()) {
       MIXCMP_TRY(crossbars,
                  visit_all(ComponentKind::crossbar, {query_.ports.begin(), query_.ports.end()}));
+    }
+    if (maker_.engine().kind == scene::EngineKind::arg_min) {
+      MIXCMP_TRY(memories,
+                 visit_all(ComponentKind::operand_memory,
+                           {measured_memory_references.begin(), measured_memory_references.end()}));
     }
     if (asked(ComponentKind::unit)) {
       for (const ComponentKey& unit : units_) {
@@ -115,11 +120,11 @@ private:
         missing_.push_back({key, lane.error()});
         continue;
       }
-      if (!maker_.is_pairwise()) {
+      if (!maker_.has_engine()) {
         slots_.insert(design::slots_for(lane->latency_cycles, recomputes()));
       }
       take(*lane);
-      if (maker_.is_pairwise()) {
+      if (maker_.has_engine()) {
         MIXCMP_TRY(visited, visit_engine_parts(key));
       }
     }
@@ -132,18 +137,18 @@ private:
     return key ? visit(*key) : Done{};
   }
 
-  /// What a pairwise engine of such lanes has. Lanes in floating point and in block floating point
+  /// What an engine of such lanes has. Lanes in floating point and in block floating point
   /// have no conversion.
   Result<Done> visit_engine_parts(ComponentKey key) {
-    const scene::EngineSpec& engine = maker_.scene().system.engine;
     if (asked(ComponentKind::segment)) {
       key.kind = ComponentKind::segment;
-      key.ports = engine.lanes_per_group;
+      key.ports = maker_.engine().lanes_per_segment();
       MIXCMP_TRY(visited, visit(key));
     }
     if (asked(ComponentKind::engine)) {
       key.kind = ComponentKind::engine;
-      for (const int segments : measured_segments(engine)) {
+      MIXCMP_TRY(sizes, maker_.engine_sizes());
+      for (const int segments : sizes) {
         key.ports = segments;
         MIXCMP_TRY(visited, visit(key));
       }

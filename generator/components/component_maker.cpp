@@ -9,6 +9,7 @@
 #include "generator/components/synthesis_jobs.hpp"
 #include "generator/datapath/delays.hpp"
 #include "generator/datapath/lane_schedule.hpp"
+#include "generator/rtl/arg_min_module.hpp"
 #include "generator/rtl/datapath_builder.hpp"
 #include "generator/rtl/lane_module.hpp"
 #include "generator/rtl/reference_module.hpp"
@@ -30,7 +31,7 @@ using scene::Multipliers;
 /// Comparisons that the constants of profiled lanes are measured on: as many as for `generate`.
 constexpr std::uint64_t constant_samples = 100'000;
 /// The slots of lanes with 11 to 42 cycles. For other lanes a request is a bit narrower or wider.
-constexpr int crossbar_slots = 64;
+constexpr int crossbar_slot_bits = 6;
 constexpr int crossbar_radix = 4;
 constexpr int answer_cycles = 2;
 
@@ -156,6 +157,7 @@ Result<Component> ComponentMaker::make(const ComponentKey& key) {
     case ComponentKind::segment: return make_segment(key);
     case ComponentKind::conversion: return make_conversion(key);
     case ComponentKind::engine: return make_engine(key);
+    case ComponentKind::operand_memory: return make_operand_memory(key);
   }
   MIXCMP_CHECK(false);
 }
@@ -181,7 +183,7 @@ Result<design::Lane> ComponentMaker::lane(const ComponentKey& key) {
 }
 
 Result<Component> ComponentMaker::make_lane(const ComponentKey& key) {
-  if (is_pairwise()) return make_word_lane(key);
+  if (has_engine()) return make_word_lane(key);
   MIXCMP_TRY(multipliers, multipliers_of(key));
   MIXCMP_TRY(lane, this->lane(key));
   MIXCMP_TRY(built, lane_rtl(scene_.graph.inputs(), lane, multipliers, scene_.system));
@@ -189,9 +191,9 @@ Result<Component> ComponentMaker::make_lane(const ComponentKey& key) {
 }
 
 Result<Component> ComponentMaker::make_word_lane(const ComponentKey& key) {
-  MIXCMP_TRY(lanes, lane_group(key, scene_.system.engine.lanes_per_group));
-  MIXCMP_TRY(parts, EngineParts::make(scene_, lanes));
-  return datapath(key, parts.lane_latency_cycles(), parts.lane(), has_product(lanes.lane));
+  MIXCMP_TRY(lane, this->lane(key));
+  MIXCMP_TRY(parts, engine_parts(key));
+  return datapath(key, parts.lane_latency_cycles(), parts.lane(), has_product(lane));
 }
 
 Result<Done> ComponentMaker::check_reference(const ComponentKey& key) const {
@@ -230,7 +232,8 @@ Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {
 Result<Component> ComponentMaker::make_reference_port(const ComponentKey& key) {
   const TypedGraph graph = reference_graph(scene_.graph, scene_.reference);
   MIXCMP_TRY(schedule, reference_schedule(key, graph));
-  Component port{key, 0, template_job(rtl::reference_port_template(request_shape(), schedule)), {}};
+  MIXCMP_TRY(shape, request_shape());
+  Component port{key, 0, template_job(rtl::reference_port_template(shape, schedule)), {}};
   if (!has_product(graph)) port.key.multipliers.clear();
   return port;
 }
@@ -247,13 +250,41 @@ rtl::SystemShape ComponentMaker::stream_shape() const {
   return shape;
 }
 
-rtl::SystemShape ComponentMaker::request_shape() const {
+Result<rtl::SystemShape> ComponentMaker::request_shape() const {
   rtl::SystemShape shape = stream_shape();
   shape.references = 1;
-  if (is_pairwise()) return rtl::reference_shape(shape);
+  if (!has_crossbar()) return rtl::reference_shape(shape);
   shape.lanes = scene::max_lanes;  // numbered as in the largest system: a few bits more than most
-  shape.slot_bits = std::countr_zero(static_cast<unsigned>(crossbar_slots));
+  shape.slot_bits = crossbar_slot_bits;
+  if (has_engine()) {
+    MIXCMP_TRY(chain, this->chain());
+    shape.lanes = chain.engine.capacity - 1;
+    shape.asking_bits = rtl::asking_bits(chain.engine, chain.place_bits);
+  }
   return shape;
+}
+
+Result<ComponentMaker::Chain> ComponentMaker::chain() const {
+  MIXCMP_TRY(scene, design::with_chain_lanes(scene_, data_));
+  rtl::SystemShape shape = stream_shape();
+  shape.lanes = *scene.lane_count();
+  return Chain{.engine = *rtl::engine_shape(shape, scene.graph.inputs(), scene.system.engine),
+               .place_bits = rtl::place_bits(shape.lanes, crossbar_slot_bits, 0)};
+}
+
+Result<std::vector<int>> ComponentMaker::engine_sizes() const {
+  MIXCMP_TRY(scene, design::with_chain_lanes(scene_, data_));
+  return measured_segments(scene);
+}
+
+Result<EngineParts> ComponentMaker::engine_parts(const ComponentKey& key) {
+  MIXCMP_TRY(scene, design::with_chain_lanes(scene_, data_));
+  const bool is_chain = engine().kind == scene::EngineKind::arg_min;
+  const int own = is_chain ? *scene.lane_count() : engine().lanes_per_segment();
+  const bool is_engine = key.kind == ComponentKind::engine;
+  const int count = is_engine ? key.ports * engine().lanes_per_segment() : own;
+  MIXCMP_TRY(lanes, lane_group(key, count));
+  return EngineParts::make(scene_, lanes);
 }
 
 Result<Component> ComponentMaker::make_fifo(const ComponentKey& key) {
@@ -271,7 +302,7 @@ Result<Component> ComponentMaker::make_crossbar(const ComponentKey& key) {
   if (!measured_ports.allow(key.ports)) {
     return out_of_range("ports", key.ports, to_string(measured_ports));
   }
-  const rtl::SystemShape shape = request_shape();
+  MIXCMP_TRY(shape, request_shape());
   rtl::TemplateInstance crossbar = rtl::crossbar_template(shape);
   for (rtl::Parameter& parameter : crossbar.parameters) {
     if (parameter.name == "LANES") parameter.value = key.ports;
@@ -291,21 +322,23 @@ Result<design::LaneGroup> ComponentMaker::lane_group(const ComponentKey& key, in
 }
 
 Result<Component> ComponentMaker::make_segment(const ComponentKey& key) {
-  if (key.ports != scene_.system.engine.lanes_per_group) {
-    return out_of_range(
-        "ports", key.ports,
-        fmt::format("{}, as engine.lanes_per_group says", scene_.system.engine.lanes_per_group));
+  if (key.ports != engine().lanes_per_segment()) {
+    const char* const reason = engine().kind == scene::EngineKind::pairwise
+                                   ? ", as engine.lanes_per_group says"
+                                   : ": each lane of the chain by itself";
+    return out_of_range("ports", key.ports,
+                        fmt::format("{}{}", engine().lanes_per_segment(), reason));
   }
-  MIXCMP_TRY(lanes, lane_group(key, key.ports));
-  MIXCMP_TRY(parts, EngineParts::make(scene_, lanes));
+  MIXCMP_TRY(lane, this->lane(key));
+  MIXCMP_TRY(parts, engine_parts(key));
   Component segment{key, parts.lane_latency_cycles(), parts.segment(), {}};
-  if (!has_product(lanes.lane)) segment.key.multipliers.clear();
+  if (!has_product(lane)) segment.key.multipliers.clear();
   return segment;
 }
 
 Result<Component> ComponentMaker::make_conversion(const ComponentKey& key) {
-  MIXCMP_TRY(lanes, lane_group(key, scene_.system.engine.lanes_per_group));
-  MIXCMP_TRY(parts, EngineParts::make(scene_, lanes));
+  MIXCMP_TRY(lane, this->lane(key));
+  MIXCMP_TRY(parts, engine_parts(key));
   if (!parts.converts()) {
     return Error{.field = "format",
                  .message = "lanes of this format take items as they arrive",
@@ -313,17 +346,28 @@ Result<Component> ComponentMaker::make_conversion(const ComponentKey& key) {
                  .accepted = "lanes in fixed point, such as q13"};
   }
   Component conversion{key, parts.conversion_latency_cycles(), parts.conversion(), {}};
-  if (!has_product(lanes.lane)) conversion.key.multipliers.clear();
+  if (!has_product(lane)) conversion.key.multipliers.clear();
   return conversion;
 }
 
 Result<Component> ComponentMaker::make_engine(const ComponentKey& key) {
-  const int lanes_per_segment = scene_.system.engine.lanes_per_group;
-  MIXCMP_TRY(lanes, lane_group(key, key.ports * lanes_per_segment));
-  MIXCMP_TRY(parts, EngineParts::make(scene_, lanes));
+  MIXCMP_TRY(lane, this->lane(key));
+  MIXCMP_TRY(parts, engine_parts(key));
   Component engine{key, 0, parts.engine(), {}};
-  if (!has_product(lanes.lane)) engine.key.multipliers.clear();
+  if (!has_product(lane)) engine.key.multipliers.clear();
   return engine;
+}
+
+Result<Component> ComponentMaker::make_operand_memory(const ComponentKey& key) const {
+  if (!settings::limits::references.allow(key.ports) || key.ports < 1) {
+    return out_of_range("ports", key.ports, fmt::format("1..{}", scene::max_references));
+  }
+  MIXCMP_TRY(chain, this->chain());
+  return Component{
+      key,
+      0,
+      template_job(rtl::operand_memory_template(chain.engine, chain.place_bits, key.ports)),
+      {}};
 }
 
 Result<Done> ComponentMaker::give_constants(scene::ReducedSpec& lane) {

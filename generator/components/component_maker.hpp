@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "generator/rtl/engine_shape.hpp"
 #include "generator/rtl/system_modules.hpp"
 #include "model/characterise/synthesis.hpp"
 #include "model/data/comparisons.hpp"
@@ -14,6 +15,8 @@
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::components {
+
+class EngineParts;
 
 /// How many lanes per reference a crossbar may have that is measured alone. Yosys maps 128 in a
 /// minute but not 512 in five. Generated systems may have more.
@@ -54,7 +57,13 @@ public:
   Result<design::Lane> lane(const characterise::ComponentKey& key);
 
   const scene::Scene& scene() const { return scene_; }
-  bool is_pairwise() const { return scene_.system.engine.kind == scene::EngineKind::pairwise; }
+  const scene::EngineSpec& engine() const { return scene_.system.engine; }
+  /// Whether the scene's lanes read words of the items of an engine.
+  bool has_engine() const { return engine().kind != scene::EngineKind::none; }
+  /// Whether requests for recomputation pass a crossbar.
+  bool has_crossbar() const { return engine().kind != scene::EngineKind::pairwise; }
+  /// The numbers of segments with which the engine is measured.
+  Result<std::vector<int>> engine_sizes() const;
 
 private:
   using Constants = std::pair<std::optional<mpq_class>, std::optional<mpq_class>>;  ///< RE_f, RE_g
@@ -68,8 +77,17 @@ private:
   Result<Component> make_segment(const characterise::ComponentKey& key);
   Result<Component> make_conversion(const characterise::ComponentKey& key);
   Result<Component> make_engine(const characterise::ComponentKey& key);
+  Result<Component> make_operand_memory(const characterise::ComponentKey& key) const;
   /// Lanes of a key, as a group of a design.
   Result<design::LaneGroup> lane_group(const characterise::ComponentKey& key, int count);
+  /// The parts of an engine with lanes of this key: as many as decide the widths inside.
+  Result<EngineParts> engine_parts(const characterise::ComponentKey& key);
+  /// An arg-min engine as far as its candidates and rows decide it.
+  struct Chain {
+    rtl::EngineShape engine;
+    int place_bits;  ///< of lanes with as many slots as a crossbar is measured with
+  };
+  Result<Chain> chain() const;
   Result<Done> check_reference(const characterise::ComponentKey& key) const;
   Result<datapath::Schedule> reference_schedule(const characterise::ComponentKey& key,
                                                 const TypedGraph& graph) const;
@@ -79,7 +97,7 @@ private:
   /// them.
   rtl::SystemShape stream_shape() const;
   /// What a request for recomputation carries in the largest system, or in the scene's engine.
-  rtl::SystemShape request_shape() const;
+  Result<rtl::SystemShape> request_shape() const;
 
   scene::Scene scene_;
   const data::Comparisons* data_;

@@ -26,13 +26,19 @@ design::Design design_of(const scene::Scene& scene, const design::LaneGroup& lan
 
 }  // namespace
 
-std::vector<int> measured_segments(const scene::EngineSpec& engine) {
-  const int fewest = std::max(fewest_segments, engine.report_streams);
-  return {fewest, 4 * fewest};
+std::vector<int> measured_segments(const scene::Scene& scene) {
+  constexpr int growth = 4;
+  const scene::EngineSpec& engine = scene.system.engine;
+  if (engine.kind == scene::EngineKind::pairwise) {
+    const int fewest = std::max(fewest_segments, engine.report_streams);
+    return {fewest, growth * fewest};
+  }
+  const int lanes = *scene.lane_count();
+  return {std::max(1, lanes / growth), lanes == 1 ? growth : lanes};
 }
 
 Result<EngineParts> EngineParts::make(const scene::Scene& scene, const design::LaneGroup& lanes) {
-  MIXCMP_CHECK(scene.system.engine.kind == scene::EngineKind::pairwise);
+  MIXCMP_CHECK(scene.system.engine.kind != scene::EngineKind::none);
   MIXCMP_TRY(second_tier, design::design_second_tier(scene));
   MIXCMP_TRY(scheduled, emit::schedule_system(design_of(scene, lanes, std::move(second_tier))));
   return EngineParts(std::move(scheduled));
@@ -44,14 +50,18 @@ int EngineParts::lane_latency_cycles() const {
 
 rtl::Module EngineParts::lane() const {
   const rtl::DatapathGroup& lanes = scheduled_.shape.lane_groups.front();
-  return rtl::word_lane_module(lanes.datapath, scheduled_.pairwise->words.lanes.front(),
-                               lanes.schedule);
+  return rtl::word_lane_module(lanes.datapath, words().lanes.front(), lanes.schedule);
 }
 
 characterise::SynthesisJob EngineParts::segment() const {
-  const rtl::PairwiseShape& shape = *scheduled_.pairwise;
   std::vector<rtl::Module> modules;
   modules.push_back(lane());
+  if (scheduled_.arg_min) {
+    const rtl::SystemShape& system = scheduled_.shape;
+    modules.push_back(rtl::lane_channel_module(system, system.lane_groups.front()));
+    return modules_job(modules);
+  }
+  const rtl::PairwiseShape& shape = *scheduled_.pairwise;
   if (const auto& tier = scheduled_.shape.second_tier) {
     modules.push_back(
         rtl::word_lane_module(tier->datapath, *shape.words.second_tier, tier->schedule));
@@ -62,16 +72,22 @@ characterise::SynthesisJob EngineParts::segment() const {
 }
 
 int EngineParts::conversion_latency_cycles() const {
-  return scheduled_.pairwise->words.latency_cycles();
+  return words().latency_cycles();
 }
 
 characterise::SynthesisJob EngineParts::conversion() const {
-  const rtl::PairwiseShape& shape = *scheduled_.pairwise;
-  return module_job(rtl::item_word_module(shape.words, data::Item::first, shape.engine));
+  std::vector<rtl::Module> modules = {
+      rtl::item_word_module(words(), data::Item::first, *scheduled_.engine)};
+  if (!scheduled_.arg_min) return modules_job(modules);
+  modules.push_back(rtl::item_word_module(words(), data::Item::row, *scheduled_.engine));
+  modules.push_back(rtl::arg_min_conversions_module(*scheduled_.arg_min));
+  return modules_job(modules);
 }
 
 characterise::SynthesisJob EngineParts::engine() const {
-  return template_job(rtl::pairwise_template(*scheduled_.pairwise, scheduled_.shape));
+  return template_job(scheduled_.arg_min
+                          ? rtl::arg_min_template(*scheduled_.arg_min, scheduled_.shape)
+                          : rtl::pairwise_template(*scheduled_.pairwise, scheduled_.shape));
 }
 
 }  // namespace mixcmp::components

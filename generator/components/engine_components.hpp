@@ -1,41 +1,52 @@
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "generator/components/component_maker.hpp"
 #include "generator/emit/scheduled_system.hpp"
 #include "model/design/design.hpp"
 
-/// The parts of a pairwise engine, each ready to be synthesised alone.
+/// The parts of an engine, each ready to be synthesised alone.
 namespace mixcmp::components {
 
-/// The numbers of segments with which an engine is measured: what it takes grows by the same amount
-/// with each further segment, so that two are enough.
-std::vector<int> measured_segments(const scene::EngineSpec& engine);
+/// The numbers of segments with which the scene's engine is measured. What an engine takes grows by
+/// the same amount with each further segment, so that two are enough. What an arg-min engine takes
+/// for a lane grows with the number of candidates, too: the larger number, but of a single lane, is
+/// the scene's, which a plan has. The scene's lanes are known.
+std::vector<int> measured_segments(const scene::Scene& scene);
 
-/// A pairwise engine with lanes of one kind, scheduled for its device and clock.
+/// The numbers of references with which the memory of an arg-min engine is measured.
+inline constexpr std::array measured_memory_references = {1, 4};
+
+/// An engine with lanes of one kind, scheduled for its device and clock.
 class EngineParts {
 public:
-  /// `lanes` of this kind, in segments of `engine.lanes_per_group`. An error means that the device
-  /// is unknown.
+  /// `lanes` of this kind, in segments of `engine.lanes_per_segment()`. An error means that the
+  /// device is unknown.
   static Result<EngineParts> make(const scene::Scene& scene, const design::LaneGroup& lanes);
 
   /// Cycles of a lane behind the conversion.
   int lane_latency_cycles() const;
   /// A lane alone, behind the conversion.
   rtl::Module lane() const;
-  /// The first segment with its lanes.
+  /// The first segment with its lanes; of an arg-min engine a lane with the buffer around it.
   characterise::SynthesisJob segment() const;
 
-  /// Whether items are converted when they are loaded.
-  bool converts() const { return scheduled_.pairwise->words.items.converts(); }
+  /// Whether items and rows are converted when they come in.
+  bool converts() const { return words().items.converts(); }
   int conversion_latency_cycles() const;
   characterise::SynthesisJob conversion() const;
 
-  /// Everything else: loading, the chain's beginning, the merge of exceptions, recomputation,
-  /// reports.
+  /// Everything else but crossbar and references. Of a pairwise engine: loading, the chain's
+  /// beginning, the merge of exceptions, recomputation, reports. Of an arg-min engine with one
+  /// reference: loading, the memories of full rows and candidates, the stages of the chain.
   characterise::SynthesisJob engine() const;
 
 private:
   explicit EngineParts(emit::ScheduledSystem scheduled) : scheduled_(std::move(scheduled)) {}
+
+  const rtl::ItemWords& words() const { return *scheduled_.words(); }
 
   emit::ScheduledSystem scheduled_;
 };

@@ -43,16 +43,6 @@ void note_imported(Planning& planning) {
 
 }  // namespace
 
-Result<Done> check_can_be_planned(const scene::Scene& scene) {
-  if (scene.system.engine.kind != scene::EngineKind::arg_min) return Done{};
-  return Error{.field = "engine.kind",
-               .message =
-                   "nothing is to be planned: the arg-min engine has a lane for each "
-                   "candidate but the first",
-               .received = "arg_min",
-               .accepted = "none, for a system whose lanes take comparisons"};
-}
-
 Result<Planning> load_planning(const scene::Scene& scene, const data::Comparisons* data,
                                const devices::Device& device, const std::filesystem::path& table,
                                const TableAdvice& advice) {

@@ -13,16 +13,13 @@ namespace mixcmp::components {
 
 /// What plans are made from.
 struct Planning {
-  scene::Scene scene;  ///< with the target_mhz that the table was measured for
+  /// With the target_mhz that the table was measured for, and the lanes that a chain has.
+  scene::Scene scene;
   devices::Device device;
   characterise::Characterisation table;
   std::filesystem::path table_path;
   std::vector<std::string> notes;  ///< for the user: what the table's rows are not
 };
-
-/// Refuses a scene with an arg-min engine, whose chain of lanes leaves nothing to choose. The error
-/// names the scene's key, without its place.
-Result<Done> check_can_be_planned(const scene::Scene& scene);
 
 /// How an error calls the table's path, and what the user can do where no table is.
 struct TableAdvice {
@@ -31,7 +28,8 @@ struct TableAdvice {
 };
 
 /// Reads the table of a scene's device. `data` may be null. It is an error if there is no table, or
-/// if it is of another device or scene.
+/// if it is of another device or scene. `scene` has the lanes of its chain:
+/// design::with_chain_lanes.
 Result<Planning> load_planning(const scene::Scene& scene, const data::Comparisons* data,
                                const devices::Device& device, const std::filesystem::path& table,
                                const TableAdvice& advice);

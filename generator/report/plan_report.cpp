@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "generator/report/plan_shares.hpp"
 #include "generator/report/units.hpp"
 #include "model/optimise/plan_summary.hpp"
 #include "model/performance/performance.hpp"
@@ -54,6 +55,19 @@ std::string row(const PrecisionPlan& plan, bool best) {
                      s.throughput_per_s / giga, s.kinds);
 }
 
+/// What a plan of an engine counts, a line each.
+std::string counted_text(const PrecisionPlan& plan) {
+  std::string text = fmt::format("  {:<36}", "counts");
+  for (const Resource& resource : bounded_resources) text += fmt::format(" {:>8}", resource.name);
+  for (const PartShare& part : shares_of(plan)) {
+    text += fmt::format("\n    {:<34}", part.name);
+    for (const Resource& resource : bounded_resources) {
+      text += fmt::format(" {:>8}", part.area.*resource.amount);
+    }
+  }
+  return text + "\n";
+}
+
 std::string best_text(const Optimisation& optimisation) {
   const PrecisionPlan* best = optimisation.best();
   if (best == nullptr) return "no precision has a feasible plan\n";
@@ -63,6 +77,7 @@ std::string best_text(const Optimisation& optimisation) {
       "leaves\n",
       s.precision, s.lanes, s.references, s.throughput_per_s / giga, s.kinds,
       shares(s.used, optimisation));
+  if (is_in_engine(*best)) text += counted_text(*best);
   const double baseline = baseline_per_s(optimisation);
   if (baseline == 0) return text + "references alone: none fits\n";
   const auto& alone = std::get<Allocation>(optimisation.reference_only);
@@ -96,6 +111,15 @@ Json json_of(const PrecisionPlan& plan) {
           {"throughput_per_s", s.throughput_per_s},
           {"used", json_of(s.used)},
           {"kinds", std::move(kinds)}};
+}
+
+/// What the plan counts, by the names of its parts.
+Json counted_json(const PrecisionPlan& plan) {
+  Json parts = Json::array();
+  for (const PartShare& part : shares_of(plan)) {
+    parts.push_back({{"part", part.name}, {"area", json_of(part.area)}});
+  }
+  return parts;
 }
 
 }  // namespace
@@ -134,7 +158,10 @@ Json to_json(const Optimisation& optimisation) {
                  {"crossover_precision", nullptr},
                  {"notes", optimisation.notes}};
   for (const PrecisionPlan& plan : optimisation.plans) report["plans"].push_back(json_of(plan));
-  if (const PrecisionPlan* best = optimisation.best()) report["best"] = best->precision;
+  if (const PrecisionPlan* best = optimisation.best()) {
+    report["best"] = best->precision;
+    report["counted"] = counted_json(*best);
+  }
   if (optimisation.crossover) report["crossover_precision"] = *optimisation.crossover;
   return report;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "model/common/check.hpp"
+#include "model/performance/performance.hpp"
 
 namespace mixcmp::report {
 namespace {
@@ -48,13 +49,26 @@ std::vector<PartShare> shares_of_lanes(const optimise::PrecisionPlan& plan,
   return parts;
 }
 
+/// The crossbar's share of all references.
+Area crossbar_of(const optimise::Communication& communication, const optimise::Allocation& chosen) {
+  Area sum;
+  for (const int served :
+       performance::lanes_of_references(chosen.lane_count(), chosen.reference_count())) {
+    sum += communication.crossbar[served];
+  }
+  return sum;
+}
+
 }  // namespace
+
+bool is_in_engine(const optimise::PrecisionPlan& plan) {
+  return plan.lanes.front().measured.key.kind == characterise::ComponentKind::segment;
+}
 
 std::vector<PartShare> shares_of(const optimise::PrecisionPlan& plan) {
   const optimise::Allocation* chosen = plan.allocation();
   MIXCMP_CHECK(chosen != nullptr);
-  const bool in_engine =
-      plan.lanes.front().measured.key.kind == characterise::ComponentKind::segment;
+  const bool in_engine = is_in_engine(plan);
   std::vector<PartShare> parts = shares_of_lanes(plan, *chosen, in_engine);
   Area sum;
   for (std::size_t k = 0; k < chosen->references.size(); ++k) {
@@ -63,6 +77,9 @@ std::vector<PartShare> shares_of(const optimise::PrecisionPlan& plan) {
     const optimise::ReferenceKind& reference = plan.problem.references[k];
     parts.push_back(
         {fmt::format("{} x reference {}", count, reference.name), count * reference.area});
+  }
+  if (in_engine && !plan.problem.communication.crossbar.empty()) {
+    parts.push_back({"crossbar", crossbar_of(plan.problem.communication, *chosen)});
   }
   for (const PartShare& part : parts) sum += part.area;
   parts.push_back({in_engine ? "engine" : "crossbar", difference(chosen->used, sum)});

@@ -169,21 +169,23 @@ Instance system_instance(const SystemShape& system) {
   return {system.top, "system", {}, std::move(connections)};
 }
 
-/// Bits of the number of a row inside: there is a place for every row that finds room in the
-/// chain, in the queue before it and in the conversion.
-int place_bits(const ItemWords& words, const SystemShape& system) {
+}  // namespace
+
+int place_bits(int lanes, int slot_bits, int word_latency_cycles) {
   constexpr int around_lane = 2;  // rows before a lane and behind it
   constexpr int queue_and_more = 16;
-  const int inside = system.lanes * ((1 << system.slot_bits) + around_lane) +
-                     3 * words.latency_cycles() + queue_and_more;
+  const int inside =
+      lanes * ((1 << slot_bits) + around_lane) + 3 * word_latency_cycles + queue_and_more;
   return std::bit_width(static_cast<unsigned>(inside - 1));
 }
 
-}  // namespace
+int asking_bits(const EngineShape& engine, int place_bits) {
+  return 2 * engine.index_bits() + place_bits;
+}
 
 ArgMinShape arg_min_shape(const EngineShape& engine, ItemWords words, SystemShape& system) {
-  const int places = place_bits(words, system);
-  system.asking_bits = 2 * engine.index_bits() + places;
+  const int places = place_bits(system.lanes, system.slot_bits, words.latency_cycles());
+  system.asking_bits = asking_bits(engine, places);
   system.tag_bits = words.rows.bits() + system.asking_bits;
   system.word_bits = words.rows.bits() + 2 * words.items.bits();
   for (std::size_t k = 0; k < system.lane_groups.size(); ++k) {
@@ -210,6 +212,35 @@ TemplateInstance arg_min_template(const ArgMinShape& shape, const SystemShape& s
            {"PLACE_BITS", shape.place_bits},
            {"REFERENCES", system.references},
            {"COUNTER_BITS", system.counter_bits}}};
+}
+
+TemplateInstance operand_memory_template(const EngineShape& engine, int place_bits,
+                                         int references) {
+  return {"operand_memory",
+          {{"REFERENCES", references},
+           {"CANDIDATE_BITS", engine.item_bits()},
+           {"ROW_BITS", engine.row_bits()},
+           {"INDEX_BITS", engine.index_bits()},
+           {"PLACE_BITS", place_bits}}};
+}
+
+Module arg_min_conversions_module(const ArgMinShape& shape) {
+  const EngineShape& engine = shape.engine;
+  Module module = {engine.top + "_conversions", {}, {}, {}};
+  add_input(module.ports, 1, "aclk");
+  add_input(module.ports, engine.item_bits(), "candidate");
+  add_input(module.ports, engine.row_bits(), "row");
+  add_output(module.ports, shape.words.items.bits(), "candidate_word");
+  add_output(module.ports, shape.words.rows.bits(), "row_word");
+  const auto convert = [&](data::Item item, const std::string& columns,
+                           const std::string& instance) {
+    const std::string word = "converted_" + columns;
+    add_conversion(shape.words, item, engine, {columns, word, instance}, module.items);
+    module.items.push_back(Assignment{net(columns + "_word"), net(word)});
+  };
+  convert(data::Item::first, "candidate", "conversion");
+  convert(data::Item::row, "row", "row_conversion");
+  return module;
 }
 
 std::vector<Counters> arg_min_counters(const SystemShape& system) {

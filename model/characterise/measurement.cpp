@@ -37,6 +37,7 @@ std::string_view to_string(ComponentKind kind) {
     case ComponentKind::segment: return "segment";
     case ComponentKind::conversion: return "conversion";
     case ComponentKind::engine: return "engine";
+    case ComponentKind::operand_memory: return "operand_memory";
   }
   MIXCMP_CHECK(false);
 }
@@ -51,7 +52,8 @@ bool depends_on_lane(ComponentKind kind) {
     case ComponentKind::reference:
     case ComponentKind::fifo:
     case ComponentKind::crossbar:
-    case ComponentKind::reference_port: return false;
+    case ComponentKind::reference_port:
+    case ComponentKind::operand_memory: return false;
   }
   MIXCMP_CHECK(false);
 }
@@ -68,7 +70,9 @@ const Measurement* Characterisation::find(const ComponentKey& key) const {
   return row != rows.end() && row->key == key ? &*row : nullptr;
 }
 
-std::string engine_text(const scene::Scene& scene) {
+namespace {
+
+std::string pairwise_text(const scene::Scene& scene) {
   const scene::EngineSpec& engine = scene.system.engine;
   std::string text = fmt::format(
       "pairwise, {} items, segments of {}, {} as {} by {} stream{}", engine.capacity,
@@ -79,6 +83,21 @@ std::string engine_text(const scene::Scene& scene) {
                         to_string(scene.second_tier->multipliers));
   }
   return text;
+}
+
+}  // namespace
+
+std::string engine_text(const scene::Scene& scene) {
+  const scene::EngineSpec& engine = scene.system.engine;
+  switch (engine.kind) {
+    case scene::EngineKind::none: return "";
+    case scene::EngineKind::pairwise: return pairwise_text(scene);
+    case scene::EngineKind::arg_min:
+      return fmt::format("arg_min, {} candidates, row tags of {} bit{}",
+                         scene.lane_count().value_or(0) + 1, engine.row_tag_bits,
+                         engine.row_tag_bits == 1 ? "" : "s");
+  }
+  MIXCMP_CHECK(false);
 }
 
 }  // namespace mixcmp::characterise

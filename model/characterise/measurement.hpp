@@ -40,21 +40,26 @@ std::string_view to_string(AreaStage stage);
 
 enum class ComponentKind {
   unit,       ///< one floating-point or bound unit; for information only
-  lane,       ///< one reduced datapath alone; of a pairwise engine behind the conversion
+  lane,       ///< one reduced datapath alone; of an engine behind the conversion
   reference,  ///< one reference datapath alone
   fifo,       ///< the scoreboard or reorder buffer around one lane
   crossbar,   ///< the share of the crossbar that one reference has when it serves `ports` lanes
   reference_port,  ///< the streams around one reference
-  segment,         ///< of a pairwise engine: `ports` lanes in lock step with all that they share
-  conversion,      ///< of a pairwise engine: what computes an item's word when it is loaded
-  engine,          ///< of a pairwise engine: all else that it has with `ports` segments
+  /// Of an engine: `ports` lanes with all that is theirs alone. Lanes of a pairwise engine work in
+  /// lock step and share it; a lane of an arg-min engine has its own.
+  segment,
+  conversion,  ///< of an engine: what computes the words of items and rows when they come in
+  /// Of an engine: all else that it has with `ports` segments, but crossbar and references.
+  engine,
+  operand_memory,  ///< of an arg-min engine: full rows and candidates for `ports` references
 };
 std::string_view to_string(ComponentKind kind);
 
 inline constexpr std::array component_kinds = {
-    ComponentKind::unit,    ComponentKind::lane,       ComponentKind::reference,
-    ComponentKind::fifo,    ComponentKind::crossbar,   ComponentKind::reference_port,
-    ComponentKind::segment, ComponentKind::conversion, ComponentKind::engine};
+    ComponentKind::unit,          ComponentKind::lane,       ComponentKind::reference,
+    ComponentKind::fifo,          ComponentKind::crossbar,   ComponentKind::reference_port,
+    ComponentKind::segment,       ComponentKind::conversion, ComponentKind::engine,
+    ComponentKind::operand_memory};
 
 /// Whether components of this kind depend on what a lane is: on its format, inputs, bound and
 /// multipliers.
@@ -72,7 +77,8 @@ struct ComponentKey {
   std::string multipliers;                  ///< of lanes, references and units with a product
   Sums sums = Sums::composed;               ///< of a reference; composed of everything else
   int initiation_interval = 0;              ///< of a reference, in cycles
-  /// Of a crossbar and of a segment: lanes; of a fifo: slots; of an engine: segments.
+  /// Of a crossbar and of a segment: lanes; of a fifo: slots; of an engine: segments; of an operand
+  /// memory: references.
   int ports = 0;
 
   friend auto operator<=>(const ComponentKey&, const ComponentKey&) = default;
@@ -105,7 +111,8 @@ struct Characterisation {
   const Measurement* find(const ComponentKey& key) const;
 };
 
-/// What the parts of a scene's pairwise engine depend on, in words: the spec "engine" of a table.
+/// What the parts of a scene's engine depend on, in words: the spec "engine" of a table. Empty
+/// where there is no engine.
 std::string engine_text(const scene::Scene& scene);
 
 /// CSV (RFC 4180) with one row per component and comment lines ("# device: ...") before the header.

@@ -21,12 +21,13 @@ namespace {
 /// The number of comparisons that are measured for the paper's constants, RE_f and RE_g.
 constexpr std::uint64_t profile_samples = 100'000;
 
-/// The error for an "auto" that nothing has resolved. It suggests `mixcmp optimise`, but not for an
-/// arg-min engine: that verb plans no chain of lanes.
+/// The error for an "auto" that nothing has resolved. It suggests `mixcmp optimise`, but not for
+/// the lanes of an arg-min engine: that verb, too, has their number from the candidates.
 Error unresolved(const scene::Scene& scene, const std::string& field, const std::string& option,
                  const std::string& accepted) {
   std::string ways = fmt::format("{}, in the scene or by {}", accepted, option);
-  if (scene.system.engine.kind != scene::EngineKind::arg_min) {
+  const bool is_chain = scene.system.engine.kind == scene::EngineKind::arg_min;
+  if (!is_chain || field != "system.lanes") {
     ways += fmt::format("; or a plan, made by: mixcmp optimise {} -o plan.toml",
                         quoted(scene.path.filename().string()));
   }
@@ -386,6 +387,20 @@ Result<Done> check_multipliers(const Lane& lane, scene::Multipliers multipliers)
                .accepted = fmt::format("embedded or logic, or a format with fewer bits: magnitudes "
                                        "of at most {}",
                                        fixed::most_table_bits)};
+}
+
+Result<scene::Scene> with_chain_lanes(scene::Scene scene, const data::Comparisons* data) {
+  if (scene.system.engine.kind != scene::EngineKind::arg_min) return scene;
+  int lanes = 0;
+  for (const scene::LaneGroupSpec& group : scene.lane_groups()) {
+    MIXCMP_TRY(count, lane_count(scene, group, data));
+    lanes += count;
+  }
+  if (data != nullptr) {
+    MIXCMP_TRY(fits, check_engine_data(scene.system.engine, lanes, *data));
+  }
+  if (scene.lanes.empty()) scene.system.lanes = lanes;
+  return scene;
 }
 
 Result<Design> make_design(const scene::Scene& scene, const data::Comparisons* data,

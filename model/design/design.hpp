@@ -61,6 +61,11 @@ Result<Design> make_design(const scene::Scene& scene, const data::Comparisons* d
 Result<Lane> design_lane(const scene::Scene& scene, const scene::ReducedSpec& reduced,
                          const data::Comparisons* data, MeasureErrors measure = nullptr);
 
+/// The scene with the number of lanes that its arg-min engine has: where it is "auto", one for each
+/// of the data's candidates but the first. It is an error where nothing tells that number, or where
+/// it is too low for the data. Other scenes stay as they are. `data` may be null.
+Result<scene::Scene> with_chain_lanes(scene::Scene scene, const data::Comparisons* data);
+
 /// Makes the lane of a scene's [second_tier]; none where it has no such section.
 Result<std::optional<LaneGroup>> design_second_tier(const scene::Scene& scene);
 

@@ -28,6 +28,7 @@ bool is_possible(const Kind& kind) {
 void check(const AllocationProblem& problem) {
   for (const LaneKind& lane : problem.lanes) {
     MIXCMP_CHECK(is_possible(lane));
+    MIXCMP_CHECK(problem.min_lanes == 1 || problem.min_lanes % lane.group == 0);
     MIXCMP_CHECK(lane.recomputation_rate >= 0 && lane.recomputation_rate <= 1);
     // Groups need pooled references: otherwise the lanes of each reference are counted.
     MIXCMP_CHECK(lane.group == 1 || problem.sharing == ReferenceSharing::pooled);
@@ -166,7 +167,8 @@ private:
       return;
     }
     fixed.lanes = std::accumulate(relaxed.lanes.begin(), relaxed.lanes.end(), 0);
-    while (*fixed.lanes > 0 && performance::is_within(best_per_s_, *fixed.lanes * *alike)) {
+    while (*fixed.lanes >= problem_.min_lanes &&
+           performance::is_within(best_per_s_, *fixed.lanes * *alike)) {
       if (try_exactly(fixed)) return;
       --*fixed.lanes;
     }

@@ -81,6 +81,7 @@ struct AllocationProblem {
   /// Recomputations per cycle of the lanes' clock that the whole system can start, however many
   /// references it has.
   double recomputations_per_cycle = std::numeric_limits<double>::infinity();
+  int min_lanes = 1;  ///< a multiple of the groups' lanes
   int max_lanes = settings::limits::lanes.most;
   int max_references = settings::limits::references.most;
 };
@@ -94,7 +95,7 @@ struct Allocation {
   int reference_count() const;
 };
 
-/// No plan is feasible, not even one lane with the references that it needs.
+/// No plan is feasible, not even the fewest lanes with the references that they need.
 struct Infeasible {
   struct Shortage {
     std::string resource;

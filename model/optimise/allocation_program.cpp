@@ -93,7 +93,8 @@ private:
       program().add_column(fmt::format("references_{}", k), 0,
                            kinds_.has_reference(k) ? most_references : 0);
     }
-    program().add_row("least_lanes", all_lanes(), Relation::at_least, fixed_.lanes.value_or(1));
+    program().add_row("least_lanes", all_lanes(), Relation::at_least,
+                      fixed_.lanes.value_or(problem_.min_lanes));
     program().add_row("most_lanes", all_lanes(), Relation::at_most,
                       fixed_.lanes.value_or(problem_.max_lanes));
     program().add_row("least_references", all_references(1), Relation::at_least, least_references);

@@ -28,16 +28,18 @@ devices::Area share(const devices::Area& area, int parts) {
   return changed(area, [&](int amount, auto) { return (amount + parts - 1) / parts; });
 }
 
-/// The smallest and the largest engine with such lanes that was measured.
-struct MeasuredEngines {
+/// The smallest and the largest component that was measured of those that differ in their number
+/// of ports alone.
+struct MeasuredSizes {
   const Measurement* smallest = nullptr;
   const Measurement* largest = nullptr;
+
+  bool are_two() const { return smallest != largest; }
 };
 
-MeasuredEngines engines_of(const characterise::Characterisation& table, ComponentKey key) {
-  MeasuredEngines found;
+MeasuredSizes sizes_of(const characterise::Characterisation& table, ComponentKey key) {
+  MeasuredSizes found;
   for (const Measurement& row : table.rows) {
-    key.kind = ComponentKind::engine;
     key.ports = row.key.ports;
     if (row.key != key) continue;
     if (found.smallest == nullptr || row.key.ports < found.smallest->key.ports) {
@@ -46,6 +48,41 @@ MeasuredEngines engines_of(const characterise::Characterisation& table, Componen
     if (found.largest == nullptr || row.key.ports > found.largest->key.ports) found.largest = &row;
   }
   return found;
+}
+
+/// An area that grows with a number of ports: own + ports x each.
+struct Line {
+  devices::Area own;
+  devices::Area each;
+};
+
+/// The line through two sizes, whole numbers that are no less than either.
+Line line_through(const MeasuredSizes& sizes) {
+  const int fewest = sizes.smallest->key.ports;
+  const int more = sizes.largest->key.ports - fewest;
+  const devices::Area& small = sizes.smallest->area;
+  const devices::Area each = changed(sizes.largest->area, [&](int amount, auto resource) {
+    return std::max(0, (amount - small.*resource + more - 1) / more);
+  });
+  return {.own = changed(small,
+                         [&](int amount, auto resource) {
+                           return std::max(0, amount - fewest * (each.*resource));
+                         }),
+          .each = each};
+}
+
+/// A line that has the larger size exactly, and begins no lower than at zero.
+Line line_to_the_larger(const MeasuredSizes& sizes) {
+  const int most = sizes.largest->key.ports;
+  const int more = most - sizes.smallest->key.ports;
+  const devices::Area& small = sizes.smallest->area;
+  const devices::Area each = changed(sizes.largest->area, [&](int amount, auto resource) {
+    return std::min(std::max(0, amount - small.*resource) / more, amount / most);
+  });
+  return {
+      .own = changed(sizes.largest->area,
+                     [&](int amount, auto resource) { return amount - most * (each.*resource); }),
+      .each = each};
 }
 
 void limit(std::optional<double>& mhz, const Measurement& row) {
@@ -57,30 +94,34 @@ bool is_converted(const ComponentKey& key) {
   return format.fixed_point && !format.fixed_point->is_block;
 }
 
+/// The area of a whole without a part of it, which is no more.
+devices::Area without(const devices::Area& whole, const devices::Area& part) {
+  return changed(whole,
+                 [&](int amount, auto resource) { return std::max(0, amount - part.*resource); });
+}
+
 }  // namespace
 
 std::optional<EngineArea> engine_area(const characterise::Characterisation& table,
-                                      const Measurement& segment, std::set<std::string>& missing) {
-  const MeasuredEngines engines = engines_of(table, segment.key);
-  if (engines.smallest == engines.largest) {
+                                      const Measurement& segment, scene::EngineKind kind,
+                                      std::set<std::string>& missing) {
+  ComponentKey key = segment.key;
+  key.kind = ComponentKind::engine;
+  const MeasuredSizes engines = sizes_of(table, key);
+  if (!engines.are_two()) {
     missing.insert(fmt::format("engines of two sizes around segments in {}", segment.key.format));
     return std::nullopt;
   }
-  const int fewest = engines.smallest->key.ports;
-  const int more = engines.largest->key.ports - fewest;
-  const devices::Area& small = engines.smallest->area;
-  const devices::Area each = changed(engines.largest->area, [&](int amount, auto resource) {
-    return std::max(0, (amount - small.*resource + more - 1) / more);
-  });
-  EngineArea area;
-  area.own = changed(small, [&](int amount, auto resource) {
-    return std::max(0, amount - fewest * (each.*resource));
-  });
-  area.group = segment.area + each;
+  // A chain is planned with as many lanes as the larger engine has.
+  const Line line =
+      kind == scene::EngineKind::arg_min ? line_to_the_larger(engines) : line_through(engines);
+  EngineArea area{.own = without(line.own, memory_share(table, kind, missing)),
+                  .group = segment.area + line.each,
+                  .lane = {},
+                  .mhz = {}};
   area.lane = share(area.group, segment.key.ports);
   limit(area.mhz, *engines.largest);
   if (!is_converted(segment.key)) return area;
-  ComponentKey key = segment.key;
   key.kind = ComponentKind::conversion;
   key.ports = 0;
   const Measurement* conversion = table.find(key);
@@ -91,6 +132,15 @@ std::optional<EngineArea> engine_area(const characterise::Characterisation& tabl
   area.own += conversion->area;
   limit(area.mhz, *conversion);
   return area;
+}
+
+devices::Area memory_share(const characterise::Characterisation& table, scene::EngineKind kind,
+                           std::set<std::string>& missing) {
+  if (kind != scene::EngineKind::arg_min) return {};
+  const MeasuredSizes memories = sizes_of(table, {.kind = ComponentKind::operand_memory});
+  if (memories.are_two()) return line_through(memories).each;
+  missing.insert("operand memories of two sizes");
+  return {};
 }
 
 }  // namespace mixcmp::optimise

@@ -9,24 +9,30 @@
 
 namespace mixcmp::optimise {
 
-/// What a pairwise engine takes of a device beside its references.
+/// What an engine takes of a device beside its references.
 struct EngineArea {
-  devices::Area own;          ///< conversion, loading, recomputation, reports: whatever its lanes
-  devices::Area group;        ///< a segment, its second tier, and its share of the merge
+  /// Conversion, loading, recomputation, reports: whatever its lanes. Of an arg-min engine without
+  /// what belongs to its references.
+  devices::Area own;
+  devices::Area group;        ///< a segment, its second tier, and its share of what connects them
   devices::Area lane;         ///< a lane with its share of both, rounded up
   std::optional<double> mhz;  ///< the lowest clock of these parts; none if none was measured
 };
 
-/// The area of an engine whose lanes are those of `segment`, a row of that kind. The merge grows
-/// with the number of segments: its slope is that between the smallest and the largest engine of
-/// the table. Parts that the table lacks are added to `missing`, in words; where the engine itself
-/// lacks, there is no area.
+/// The area of an engine whose lanes are those of `segment`, a row of that kind. What connects the
+/// segments (the merge of a pairwise engine, the stages of a chain) grows with their number: the
+/// slope is that between the smallest and the largest engine of the table. Parts that the table
+/// lacks are added to `missing`, in words; where the engine itself lacks, there is no area.
 std::optional<EngineArea> engine_area(const characterise::Characterisation& table,
                                       const characterise::Measurement& segment,
-                                      std::set<std::string>& missing);
+                                      scene::EngineKind kind, std::set<std::string>& missing);
 
-/// Recomputations that a pairwise engine can start per cycle: its memory gives both items of a
-/// pair.
+/// What a reference has of the engine's operand memory: its register, and its part of the tree of
+/// arbiters, by the smallest and the largest memory of the table. Nothing but of an arg-min engine.
+devices::Area memory_share(const characterise::Characterisation& table, scene::EngineKind kind,
+                           std::set<std::string>& missing);
+
+/// Recomputations that an engine can start per cycle: its memory gives the operands of one pair.
 inline constexpr double engine_recomputations_per_cycle = 1;
 
 }  // namespace mixcmp::optimise

@@ -168,7 +168,7 @@ std::optional<Amounts> demand_of(const AllocationProblem& problem, const Counts&
 
 std::optional<Allocation> plan_of(const AllocationProblem& problem, const Counts& counts) {
   const int lane_count = total(counts.lanes);
-  if (lane_count < 1 || lane_count > problem.max_lanes) return std::nullopt;
+  if (lane_count < problem.min_lanes || lane_count > problem.max_lanes) return std::nullopt;
   if (total(counts.references) > problem.max_references) return std::nullopt;
   const std::optional<Amounts> demand = demand_of(problem, counts);
   if (!demand || !fits(problem, *demand)) return std::nullopt;

@@ -43,15 +43,15 @@ std::optional<LaneInputs> inputs_of(const design::LaneGroup& group) {
   return floating ? std::optional(group.inputs) : std::nullopt;
 }
 
-bool is_pairwise(const design::Design& design) {
-  return design.system.engine.kind == scene::EngineKind::pairwise;
+bool has_engine(const design::Design& design) {
+  return design.system.engine.kind != scene::EngineKind::none;
 }
 
-/// The row of a lane, or of the segment that a pairwise engine has it in.
+/// The row of a lane, or of the segment that an engine has it in.
 const characterise::Measurement* row_of(const characterise::Characterisation& table,
                                         const design::Design& design,
                                         const design::LaneGroup& group) {
-  const bool in_segment = is_pairwise(design);
+  const bool in_segment = has_engine(design);
   return find(table,
               {.kind = in_segment ? characterise::ComponentKind::segment
                                   : characterise::ComponentKind::lane,
@@ -60,7 +60,7 @@ const characterise::Measurement* row_of(const characterise::Characterisation& ta
                .inputs = inputs_of(group),
                .bound = bound_of(group.lane),
                .multipliers = {},
-               .ports = in_segment ? design.system.engine.lanes_per_group : 0},
+               .ports = in_segment ? design.system.engine.lanes_per_segment() : 0},
               group.multipliers);
 }
 
@@ -105,6 +105,17 @@ bool add_references(Amounts& sum, const design::Design& design,
   return true;
 }
 
+/// Adds each reference's share of the crossbar; nothing where the table has no crossbar.
+void add_crossbar(Amounts& sum, const design::Design& design,
+                  const characterise::Characterisation& table) {
+  for (const int served :
+       performance::lanes_of_references(design.lane_count(), design.reference_count())) {
+    const characterise::Measurement* share =
+        largest(table, characterise::ComponentKind::crossbar, served);
+    if (share != nullptr) add(sum, 1, share->area);
+  }
+}
+
 std::optional<Amounts> measured_engine(const design::Design& design,
                                        const characterise::Characterisation& table) {
   Amounts lanes{}, own{};
@@ -112,7 +123,8 @@ std::optional<Amounts> measured_engine(const design::Design& design,
     const characterise::Measurement* segment = row_of(table, design, group);
     if (segment == nullptr) return std::nullopt;
     std::set<std::string> missing;
-    const std::optional<EngineArea> engine = engine_area(table, *segment, missing);
+    const std::optional<EngineArea> engine =
+        engine_area(table, *segment, design.system.engine.kind, missing);
     if (!engine) return std::nullopt;
     const int groups = (group.count + segment->key.ports - 1) / segment->key.ports;
     add(lanes, groups, engine->group);
@@ -121,6 +133,9 @@ std::optional<Amounts> measured_engine(const design::Design& design,
   }
   for (std::size_t r = 0; r < own.size(); ++r) lanes[r] += own[r];
   if (!add_references(lanes, design, table)) return std::nullopt;
+  std::set<std::string> missing;
+  add(lanes, design.reference_count(), memory_share(table, design.system.engine.kind, missing));
+  add_crossbar(lanes, design, table);
   return lanes;
 }
 
@@ -135,21 +150,16 @@ std::optional<Amounts> measured_system(const design::Design& design,
     slowest = std::max(slowest, row->latency_cycles);
   }
   if (!add_references(sum, design, table)) return std::nullopt;
-  const int references = design.reference_count();
-  const int slots = design::slots_for(slowest, references > 0);
+  const int slots = design::slots_for(slowest, design.reference_count() > 0);
   const characterise::Measurement* fifo = largest(table, characterise::ComponentKind::fifo, slots);
   if (fifo != nullptr) add(sum, design.lane_count(), fifo->area);
-  for (const int served : performance::lanes_of_references(design.lane_count(), references)) {
-    const characterise::Measurement* share =
-        largest(table, characterise::ComponentKind::crossbar, served);
-    if (share != nullptr) add(sum, 1, share->area);
-  }
+  add_crossbar(sum, design, table);
   return sum;
 }
 
 std::optional<Amounts> measured_amounts(const design::Design& design,
                                         const characterise::Characterisation& table) {
-  return is_pairwise(design) ? measured_engine(design, table) : measured_system(design, table);
+  return has_engine(design) ? measured_engine(design, table) : measured_system(design, table);
 }
 
 /// Products cost no LUTs where embedded multipliers may take them.

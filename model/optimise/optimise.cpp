@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
 
+#include "model/design/design.hpp"
 #include "model/optimise/crossover.hpp"
 #include "model/optimise/problem_maker.hpp"
 #include "model/optimise/second_tier.hpp"
@@ -14,8 +17,12 @@
 namespace mixcmp::optimise {
 namespace {
 
+bool is_chain(const scene::Scene& scene) {
+  return scene.system.engine.kind == scene::EngineKind::arg_min;
+}
+
 /// Solves the baseline: the references take the place of lanes, have no streams around them and
-/// need no recomputation.
+/// need no recomputation. In the place of a chain there are no more of them than it has lanes.
 AllocationResult fill_with_references(const scene::Scene& scene, const devices::Device& device,
                                       const std::vector<ReferenceImplementation>& references,
                                       ClockDomains domains) {
@@ -29,6 +36,7 @@ AllocationResult fill_with_references(const scene::Scene& scene, const devices::
   problem.available = device.available;
   problem.slack = scene.system.slack;
   problem.clocks = domains;
+  if (is_chain(scene)) problem.max_lanes = *scene.lane_count();
   return allocate(problem);
 }
 
@@ -46,6 +54,22 @@ std::optional<int> crossover_of(const Optimisation& found) {
   }
   return crossover_precision(lanes, references,
                              performance::usable(found.device.available, found.slack));
+}
+
+/// Tells how many chains such as the best plan's the device has room for: a chain has the lanes
+/// that its candidates need, however large the device is.
+void note_room(Optimisation& found) {
+  const PrecisionPlan* best = found.best();
+  if (best == nullptr) return;
+  const devices::Area room = performance::usable(found.device.available, found.slack);
+  int chains = std::numeric_limits<int>::max();
+  for (const devices::Resource& resource : devices::bounded_resources) {
+    const int used = best->allocation()->used.*resource.amount;
+    if (used > 0) chains = std::min(chains, room.*resource.amount / used);
+  }
+  found.notes.push_back(
+      fmt::format("there is room for {} such engine{}; the plan, and what generate writes, is one",
+                  chains, chains == 1 ? "" : "s"));
 }
 
 Error nothing_to_choose_from(const scene::Scene& scene, const std::string& what) {
@@ -136,11 +160,20 @@ double PrecisionPlan::clock_mhz() const {
   return chosen == nullptr ? 0 : chosen->throughput_per_s / chosen->lane_count() / hertz_per_mhz;
 }
 
+bool is_better(const PrecisionPlan& a, const PrecisionPlan& b, const devices::Device& device) {
+  if (a.throughput_per_s() != b.throughput_per_s()) {
+    return a.throughput_per_s() > b.throughput_per_s();
+  }
+  if (a.allocation() == nullptr || b.allocation() == nullptr) return false;
+  return device_share(a.allocation()->used, device.available) <
+         device_share(b.allocation()->used, device.available);
+}
+
 const PrecisionPlan* Optimisation::best() const {
   const PrecisionPlan* best = nullptr;
   for (const PrecisionPlan& plan : plans) {
     if (plan.allocation() == nullptr || (crossover && plan.precision >= *crossover)) continue;
-    if (best == nullptr || plan.throughput_per_s() > best->throughput_per_s()) best = &plan;
+    if (best == nullptr || is_better(plan, *best, device)) best = &plan;
   }
   return best;
 }
@@ -162,6 +195,7 @@ Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& 
                               const characterise::Characterisation& table, const Rates& rates,
                               const OptimiseOptions& options) {
   MIXCMP_TRY(possible, check_options(options));
+  MIXCMP_TRY(known_chain, design::with_chain_lanes(scene, nullptr));
   MIXCMP_TRY(second_tier, second_tier_key(scene));
   ProblemMaker maker(scene, table, rates, options, second_tier);
   if (maker.precisions().empty()) return no_lane(scene);
@@ -184,6 +218,7 @@ Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& 
   all.crossover = crossover_of(all);
   all.basis = maker.basis();
   all.notes = maker.notes();
+  if (is_chain(scene)) note_room(all);
   if (!maker.missing().empty()) return incomplete(scene, maker.missing());
   if (all.plans.empty()) return nothing_to_choose_from(scene, "lane with a known rate");
   return all;

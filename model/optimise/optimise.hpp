@@ -87,6 +87,9 @@ struct PrecisionPlan {
   double clock_mhz() const;           ///< of the lanes used; with separate clocks their mean
 };
 
+/// Whether plan `a` compares more a second than plan `b`, or as much with less of the device.
+bool is_better(const PrecisionPlan& a, const PrecisionPlan& b, const devices::Device& device);
+
 struct Optimisation {
   std::string scene;
   devices::Device device;
@@ -101,7 +104,7 @@ struct Optimisation {
   std::vector<std::string> notes;    ///< for the user: what was left out or limited
 
   /// The plan with the highest T(equ) below L_max, the crossover precision; null if none is
-  /// feasible.
+  /// feasible. Of equally fast ones it is that which takes the smallest part of the device.
   const PrecisionPlan* best() const;
 };
 
@@ -109,8 +112,9 @@ struct Optimisation {
 /// references: estimate before routing" if one clock is given and the other is not.
 std::string describe_clocks(const Optimisation& optimisation);
 
-/// Runs Algorithm 1. It is an error if check_options refuses the options, if the table has no lane
-/// or no reference for these options, or no lane of it has a known rate.
+/// Runs Algorithm 1. The number of an arg-min engine's lanes is the scene's. It is an error if
+/// check_options refuses the options, if the table has no lane or no reference for these options,
+/// or no lane of it has a known rate.
 Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& device,
                               const characterise::Characterisation& table, const Rates& rates,
                               const OptimiseOptions& options);

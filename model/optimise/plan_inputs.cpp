@@ -65,9 +65,9 @@ Result<characterise::Characterisation> read_table(const fs::path& path, const sc
   MIXCMP_TRY(table, characterise::read_characterisation(path));
   if (table.device != device.name) return of_another(path, "device", table.device, device.name);
   if (table.scene != scene.name) return of_another(path, "scene", table.scene, scene.name);
+  const std::string wanted = characterise::engine_text(scene);
   for (const auto& [name, text] : table.spec) {
-    if (name != "engine" || scene.system.engine.kind != scene::EngineKind::pairwise) continue;
-    const std::string wanted = characterise::engine_text(scene);
+    if (name != "engine" || wanted.empty()) continue;
     if (text != wanted) return of_another(path, "engine", text, wanted);
   }
   return table;

@@ -87,7 +87,7 @@ ProblemMaker::ProblemMaker(const scene::Scene& scene, const characterise::Charac
   communication_.fixed = options.fixed_communication.value_or(devices::Area{});
   sort_rows();
   leave_out_untimed();
-  const bool has_crossbar = scene.system.references != 0 && !is_pairwise();
+  const bool has_crossbar = scene.system.references != 0 && engine() != scene::EngineKind::pairwise;
   if (!options_.fixed_communication && has_crossbar) add_crossbar();
 }
 
@@ -112,14 +112,32 @@ std::vector<ReferenceImplementation> ProblemMaker::references() {
 std::optional<PrecisionPlan> ProblemMaker::plan(
     int precision, const devices::Device& device,
     const std::vector<ReferenceImplementation>& references) {
-  PrecisionPlan plan{.precision = precision, .lanes = {}, .problem = {}, .result = Infeasible{}};
+  std::optional<PrecisionPlan> best;
   left_out_.clear();
-  const Rows& rows = lanes_.at(precision);
+  for (const Rows& rows : plannable_together(lanes_.at(precision))) {
+    PrecisionPlan plan = plan_of(precision, rows, device, references);
+    if (plan.lanes.empty()) continue;
+    if (!best || is_better(plan, *best, device)) best = std::move(plan);
+  }
+  if (!best && left_out_.empty()) return std::nullopt;
+  if (!best) {
+    best = PrecisionPlan{.precision = precision,
+                         .lanes = {},
+                         .problem = {},
+                         .result = Infeasible{.shortages = {}, .message = left_out_}};
+  }
+  note_largest_crossbar(*best);
+  return best;
+}
+
+PrecisionPlan ProblemMaker::plan_of(int precision, const Rows& rows, const devices::Device& device,
+                                    const std::vector<ReferenceImplementation>& references) {
+  PrecisionPlan plan{.precision = precision, .lanes = {}, .problem = {}, .result = Infeasible{}};
   plan.problem.communication = communication_;
   const int slots = slots_for(rows);
   const characterise::Measurement* fifo = fifo_of(slots);
   for (const characterise::Measurement* row : rows) add_lane(plan, *row, fifo);
-  const bool has_fifos = !is_pairwise() && !options_.fixed_communication;
+  const bool has_fifos = !has_engine() && !options_.fixed_communication;
   if (!plan.lanes.empty() && fifo == nullptr && has_fifos) {
     missing_.insert(fmt::format("a fifo of {} slots", slots));
   }
@@ -129,19 +147,28 @@ std::optional<PrecisionPlan> ProblemMaker::plan(
     double& clock = plan.problem.references.back().clock_hz;
     if (!options_.clocks.reference_mhz) clock = std::min(clock, crossbar_mhz_ * hertz_per_mhz);
   }
-  if (is_pairwise()) {
-    plan.problem.sharing = ReferenceSharing::pooled;  // whichever is free takes the next pair
-    plan.problem.recomputations_per_cycle = engine_recomputations_per_cycle;
-    plan.problem.max_lanes = settings::limits::engine_lanes.most;
-  }
+  limit_engine(plan.problem);
   plan.problem.available = device.available;
   plan.problem.slack = scene_.system.slack;
   plan.problem.clocks = options_.clocks.domains;
-  if (plan.lanes.empty() && left_out_.empty()) return std::nullopt;
-  plan.result = plan.lanes.empty() ? Infeasible{.shortages = {}, .message = left_out_}
-                                   : allocate(plan.problem);
-  note_largest_crossbar(plan);
+  if (!plan.lanes.empty()) plan.result = allocate(plan.problem);
   return plan;
+}
+
+/// What the kind of engine says of a plan's numbers.
+void ProblemMaker::limit_engine(AllocationProblem& problem) const {
+  switch (engine()) {
+    case scene::EngineKind::none: return;
+    case scene::EngineKind::pairwise:
+      problem.sharing = ReferenceSharing::pooled;  // whichever is free takes the next pair
+      problem.max_lanes = settings::limits::engine_lanes.most;
+      break;
+    case scene::EngineKind::arg_min:
+      // Fewer lanes leave candidates out, and more have none to hold.
+      problem.min_lanes = problem.max_lanes = *scene_.lane_count();
+      break;
+  }
+  problem.recomputations_per_cycle = engine_recomputations_per_cycle;
 }
 
 void ProblemMaker::sort_rows() {
@@ -159,9 +186,9 @@ void ProblemMaker::sort_rows() {
 
 /// Whether this is a row of lanes as the scene's systems have them: in segments, or one by one.
 bool ProblemMaker::is_lane(const characterise::ComponentKey& key) const {
-  if (!is_pairwise()) return key.kind == characterise::ComponentKind::lane;
+  if (!has_engine()) return key.kind == characterise::ComponentKind::lane;
   return key.kind == characterise::ComponentKind::segment &&
-         key.ports == scene_.system.engine.lanes_per_group;
+         key.ports == scene_.system.engine.lanes_per_segment();
 }
 
 /// A reference of the scene's format and sums, and of its initiation interval unless that is
@@ -254,9 +281,21 @@ void ProblemMaker::note_largest_crossbar(const PrecisionPlan& plan) {
   const int served =
       performance::lanes_of_references(chosen->lane_count(), chosen->reference_count()).front();
   if (static_cast<std::size_t>(served) + 1 < known) return;
+  if (served == plan.problem.max_lanes) return;  // it serves all lanes that there may be
   notes_.insert(
       fmt::format("L = {}: a reference serves {} lanes, since no larger crossbar was measured",
                   plan.precision, served));
+}
+
+std::vector<ProblemMaker::Rows> ProblemMaker::plannable_together(const Rows& lanes) const {
+  if (engine() != scene::EngineKind::arg_min) return {lanes};
+  std::map<int, Rows> by_slots;
+  for (const characterise::Measurement* lane : lanes) {
+    by_slots[design::chain_slots_for(lane->latency_cycles)].push_back(lane);
+  }
+  std::vector<Rows> all;
+  for (auto& [slots, rows] : by_slots) all.push_back(std::move(rows));
+  return all;
 }
 
 /// All lanes of a system have the slots that the lane of the longest latency needs.
@@ -324,7 +363,7 @@ void ProblemMaker::add_lane(PrecisionPlan& plan, const characterise::Measurement
   }
   if (!has_enough_exponents(row)) return;
   const std::optional<Surrounded> lane =
-      is_pairwise() ? in_segment(plan, row) : with_fifo(row, fifo);
+      has_engine() ? in_segment(plan, row) : with_fifo(row, fifo);
   if (!lane) return;
   const double mhz = clock_of(row, options_.clocks.lane_mhz, lane->streams_mhz);
   LaneImplementation& added = plan.lanes.emplace_back();
@@ -366,7 +405,7 @@ std::optional<ProblemMaker::Surrounded> ProblemMaker::with_fifo(
 /// plan's lanes needs.
 std::optional<ProblemMaker::Surrounded> ProblemMaker::in_segment(
     PrecisionPlan& plan, const characterise::Measurement& segment) {
-  const std::optional<EngineArea> engine = engine_area(table_, segment, missing_);
+  const std::optional<EngineArea> engine = engine_area(table_, segment, this->engine(), missing_);
   if (!engine) return std::nullopt;
   devices::Area& own = plan.problem.communication.fixed;
   for (const devices::Resource& resource : devices::bounded_resources) {
@@ -376,15 +415,16 @@ std::optional<ProblemMaker::Surrounded> ProblemMaker::in_segment(
   return Surrounded{engine->lane, engine->group, segment.key.ports, engine->mhz};
 }
 
-/// A reference with the streams around it. Tables of systems whose lanes take streams may lack
-/// them.
+/// A reference with the streams around it, and its share of an engine's memory. Tables of systems
+/// whose lanes take streams may lack both.
 devices::Area ProblemMaker::area_with_port(const characterise::Measurement& reference) {
   characterise::ComponentKey key = reference.key;
   key.kind = characterise::ComponentKind::reference_port;
   const characterise::Measurement* port = table_.find(key);
-  if (port != nullptr) return reference.area + port->area;
-  if (is_pairwise()) missing_.insert("the port of a reference");
-  return reference.area;
+  devices::Area area = reference.area + memory_share(table_, engine(), missing_);
+  if (port != nullptr) return area + port->area;
+  if (has_engine()) missing_.insert("the port of a reference");
+  return area;
 }
 
 }  // namespace mixcmp::optimise

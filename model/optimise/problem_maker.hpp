@@ -47,6 +47,12 @@ private:
   void add_crossbar();
   void note_largest_crossbar(const PrecisionPlan& plan);
   int slots_for(const Rows& lanes) const;
+  /// Lanes that may be in one plan: of a chain those with equally many slots, which were measured
+  /// with their own.
+  std::vector<Rows> plannable_together(const Rows& lanes) const;
+  PrecisionPlan plan_of(int precision, const Rows& rows, const devices::Device& device,
+                        const std::vector<ReferenceImplementation>& references);
+  void limit_engine(AllocationProblem& problem) const;
   const characterise::Measurement* fifo_of(int slots) const;
 
   double clock_of(const characterise::Measurement& row, const std::optional<double>& given,
@@ -68,7 +74,8 @@ private:
   std::optional<devices::Area> area_alone(characterise::ComponentKey key) const;
   devices::Area area_with_port(const characterise::Measurement& reference);
 
-  bool is_pairwise() const { return scene_.system.engine.kind == scene::EngineKind::pairwise; }
+  scene::EngineKind engine() const { return scene_.system.engine.kind; }
+  bool has_engine() const { return engine() != scene::EngineKind::none; }
 
   const scene::Scene& scene_;
   const characterise::Characterisation& table_;

@@ -12,25 +12,40 @@
 namespace mixcmp::optimise {
 namespace {
 
-/// How many references one lane needs: 0, without a kind of reference, if it recomputes nothing;
-/// none if no number suffices.
+/// The fewest lanes of a kind that a system may have.
+int fewest(const LaneKind& lane, const AllocationProblem& problem) {
+  return std::max(lane.group, problem.min_lanes);
+}
+
+/// Whether `count` references of a capacity serve `lanes` lanes, each of which asks so often.
+bool serve(int count, double capacity, int lanes, double asked, const AllocationProblem& problem) {
+  const int most = performance::lanes_of_references(lanes, count).front();
+  const std::size_t ports = problem.communication.crossbar.size();
+  if (ports > 0 && static_cast<std::size_t>(most) >= ports) return false;
+  return problem.sharing == ReferenceSharing::pooled
+             ? performance::is_within(lanes * asked, count * capacity)
+             : performance::is_within(most * asked, capacity);
+}
+
+/// How many references the fewest lanes need: 0, without a kind of reference, if they recompute
+/// nothing; none if no number suffices.
 std::optional<int> references_needed(const LaneKind& lane, const ReferenceKind* reference,
                                      const AllocationProblem& problem) {
   if (lane.recomputation_rate == 0) return reference == nullptr ? std::optional(0) : std::nullopt;
   if (reference == nullptr) return std::nullopt;
-  if (!performance::is_within(asked_per_cycle(lane), problem.recomputations_per_cycle)) {
-    return std::nullopt;
-  }
+  const int lanes = fewest(lane, problem);
+  const double started = problem.recomputations_per_cycle;
+  if (!performance::is_within(lanes * asked_per_cycle(lane), started)) return std::nullopt;
   const bool one_clock = problem.clocks == ClockDomains::single;
   const double clock = one_clock ? std::min(lane.clock_hz, reference->clock_hz) : any_clock;
   const double asked = throughput_per_s(lane, clock) * lane.recomputation_rate;
   const double capacity = throughput_per_s(*reference, clock);
-  // A second reference helps a single lane only where references are pooled.
+  // More references than lanes help only where they are pooled.
   const int most = problem.sharing == ReferenceSharing::pooled
                        ? problem.max_references
-                       : std::min(1, problem.max_references);
+                       : std::min(lanes, problem.max_references);
   for (int count = 1; count <= most; ++count) {
-    if (performance::is_within(asked, count * capacity)) return count;
+    if (serve(count, capacity, lanes, asked, problem)) return count;
   }
   return std::nullopt;
 }
@@ -39,7 +54,7 @@ Counts smallest_system(const AllocationProblem& problem, std::size_t lane,
                        const ReferenceKind* reference, int references) {
   Counts counts{std::vector<int>(problem.lanes.size(), 0),
                 std::vector<int>(problem.references.size(), 0)};
-  counts.lanes[lane] = problem.lanes[lane].group;
+  counts.lanes[lane] = fewest(problem.lanes[lane], problem);
   if (reference != nullptr) counts.references[reference - problem.references.data()] = references;
   return counts;
 }
@@ -118,6 +133,8 @@ Infeasible explain_infeasible(const AllocationProblem& problem) {
     return {{},
             problem.references.empty() || problem.max_references < 1
                 ? "every lane needs a reference, and there is none to build"
+            : problem.min_lanes > 1
+                ? fmt::format("no number of references serves {} lanes", problem.min_lanes)
                 : "no reference is fast enough for a single lane, or none has a port for it"};
   }
   const auto always = shortages_of(least_of_each(demands), room);

@@ -43,6 +43,10 @@ struct EngineSpec {
   /// engine keeps the row's tag (row_tag_bits) to itself: tags of its comparisons follow from the
   /// lanes' latencies, and 1 stands for them here.
   int tag_bits() const;
+
+  /// Lanes that an engine has in one piece with what they share, and that a plan has together: a
+  /// group of a pairwise engine, one lane of a chain.
+  int lanes_per_segment() const;
 };
 
 /// The width in bits of the index of one of `count` items, counted from 0.

@@ -165,6 +165,10 @@ int EngineSpec::tag_bits() const {
   return kind == EngineKind::arg_min ? 1 : 2 * index_bits_for(capacity);
 }
 
+int EngineSpec::lanes_per_segment() const {
+  return kind == EngineKind::pairwise ? lanes_per_group : 1;
+}
+
 SystemSpec with_engine(SystemSpec system, const EngineSpec& engine) {
   system.engine = engine;
   switch (engine.kind) {

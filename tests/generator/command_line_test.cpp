@@ -165,7 +165,7 @@ TEST_F(CommandLine, WhatIsNotChosenNamesWhoChooses) {
 }
 
 /// A chain of lanes; its candidates decide how many.
-TEST_F(CommandLine, NothingIsPlannedForAChain) {
+TEST_F(CommandLine, AChainHasALaneForEachCandidateButTheFirst) {
   write("points.csv", "p\n1\n2\n");
   write("centres.csv", "c\n1\n2\n5\n");
   std::ofstream(path("chain.toml"))
@@ -176,11 +176,13 @@ TEST_F(CommandLine, NothingIsPlannedForAChain) {
   const Outcome check = mixcmp("check chain.toml --json");
   ASSERT_EQ(check.exit_code, 0) << check.output;
   EXPECT_EQ(nlohmann::json::parse(check.output)["generate"]["top"], "chain_s8e8_2x1");
-  for (const char* verb : {"optimise", "explore"}) {
-    expect_refused(fmt::format("{} chain.toml", verb), "chain.toml:12: engine.kind: ");
+  for (const char* options : {"", " --set engine.kind=none"}) {
+    expect_refused(fmt::format("optimise chain.toml --no-characterise{}", options),
+                   "mixcmp characterise chain.toml");
   }
-  expect_refused("optimise chain.toml --set engine.kind=none --no-characterise",
-                 "mixcmp characterise chain.toml");
+  expect_refused("optimise chain.toml --no-characterise --set system.lanes=1",
+                 "system.lanes: the data have more candidates than the engine: received 3 "
+                 "candidates, 1 lanes");
   for (const char* verb : {"generate", "verify"}) {
     expect_refused(fmt::format("{} chain.toml --lanes 1", verb),
                    "--lanes: system.lanes: the data have more candidates than the engine: received "

@@ -10,11 +10,14 @@
 #include "generator/components/component_list.hpp"
 #include "generator/components/shortlist.hpp"
 #include "generator/components/synthesis_jobs.hpp"
+#include "generator/components/whole_job.hpp"
 #include "generator/emit/system.hpp"
 #include "model/characterise/job_hash.hpp"
 #include "model/design/slots.hpp"
 #include "model/devices/device.hpp"
 #include "model/number/lane_format.hpp"
+#include "model/optimise/feasibility.hpp"
+#include "model/optimise/footprint.hpp"
 #include "model/profile/profiled_error.hpp"
 #include "model/scene/bound_choice.hpp"
 #include "model/workload/load_comparisons.hpp"
@@ -178,6 +181,108 @@ TEST_F(Components, OfAnEngineAreWhatGenerateWrites) {
       EXPECT_NE(source(component, "pairwise_engine.v").find("parameter STREAMS = 2,"),
                 std::string::npos);
     }
+  }
+}
+
+constexpr const char* nearest =
+    "[comparison]\nname = \"nearest\"\n"
+    "f = \"(x - cxi)^2 + (y - cyi)^2\"\ng = \"(x - cxj)^2 + (y - cyj)^2\"\n"
+    "[inputs]\n\"*\" = { range = [0, 100] }\n"
+    "[reference]\nformat = \"s24e8\"\n";
+
+const std::string one_chain =
+    "[reduced]\nformat = \"q9\"\n[system]\nlanes = 6\nreferences = 1\nprefix = \"\"\n"
+    "[engine]\nkind = \"arg_min\"\n";
+
+components::ComponentQuery parts_of_a_chain() {
+  return {.kinds = {characterise::ComponentKind::lane, characterise::ComponentKind::segment,
+                    characterise::ComponentKind::conversion, characterise::ComponentKind::engine,
+                    characterise::ComponentKind::operand_memory,
+                    characterise::ComponentKind::crossbar, characterise::ComponentKind::reference,
+                    characterise::ComponentKind::reference_port},
+          .precisions = {9},
+          .bounds = {scene::parse_bound_choice("fixed_norm").value()},
+          .multipliers = {scene::Multipliers::embedded},
+          .ports = {1, 6}};
+}
+
+TEST_F(Components, OfAChainAreWhatGenerateWrites) {
+  const scene::Scene chain = scene(one_chain, nearest);
+  const auto system = emit::generate_system(design::make_design(chain, nullptr).value(), "");
+  ASSERT_TRUE(system.ok());
+  const Found found = find(chain, parts_of_a_chain());
+  const auto written_of = [](const components::Component& component) {
+    const std::regex scene_name("engine_(pair_lane|item)");  // components have no scene's name
+    return std::regex_replace(from_ports(source(component, component.job.top + ".v")), scene_name,
+                              "nearest_$1");
+  };
+  std::map<characterise::ComponentKind, std::vector<int>> ports;
+  for (const auto& [key, component] : found.components) {
+    ports[key.kind].push_back(key.ports);
+    if (key.kind == characterise::ComponentKind::lane) {
+      EXPECT_EQ(written_of(component), from_ports(generated(*system, "_pair_lane_q9")));
+    }
+    if (key.kind == characterise::ComponentKind::segment) {
+      const auto channel = std::find_if(
+          system->files.begin(), system->files.end(), [](const emit::GeneratedFile& file) {
+            return file.name.find("_pair_lane_q9") != std::string::npos &&
+                   file.name.find("channel") != std::string::npos;
+          });
+      ASSERT_NE(channel, system->files.end());
+      EXPECT_EQ(written_of(component), from_ports(components::without_comments(channel->text)));
+    }
+    if (key.kind == characterise::ComponentKind::engine) {
+      const std::string parameter = fmt::format("parameter CANDIDATES = {},", key.ports + 1);
+      EXPECT_NE(source(component, "arg_min_engine.v").find(parameter), std::string::npos);
+    }
+    if (key.kind == characterise::ComponentKind::conversion) {
+      EXPECT_NE(source(component, component.job.top + ".v").find("row_conversion"),
+                std::string::npos);
+    }
+  }
+  EXPECT_EQ(ports[characterise::ComponentKind::segment], std::vector<int>{1});
+  EXPECT_EQ(ports[characterise::ComponentKind::engine], (std::vector<int>{1, 6}));
+  EXPECT_EQ(ports[characterise::ComponentKind::operand_memory], (std::vector<int>{1, 4}));
+  EXPECT_EQ(ports[characterise::ComponentKind::crossbar], (std::vector<int>{1, 6}));
+  EXPECT_EQ(ports[characterise::ComponentKind::conversion].size(), 1u);
+  EXPECT_EQ(ports[characterise::ComponentKind::reference_port].size(), 1u);
+}
+
+TEST_F(Components, OfAChainNeedItsNumberOfLanes) {
+  const std::string unknown = std::regex_replace(one_chain, std::regex("lanes = 6\n"), "");
+  components::ComponentMaker maker(scene(unknown, nearest), nullptr);
+  const auto missing = for_each_component(maker, parts_of_a_chain(), [](const auto&) {});
+  ASSERT_FALSE(missing.ok());
+  EXPECT_EQ(missing.error().field, "system.lanes");
+}
+
+/// The rows of a table, added up as `optimise` does, against the whole engine in one run of Yosys.
+/// A small reference keeps the run short.
+TEST_F(Components, OfAChainTakeWhatTheWholeTakes) {
+  const std::string small = std::regex_replace(std::string(nearest), std::regex("s24e8"), "s12e5");
+  const scene::Scene chain = scene(one_chain, small);
+  const devices::Device device = devices::find_device(chain.system.device).value();
+  const components::CharacteriseReport report =
+      components::characterise(chain, nullptr, device,
+                               {.query = parts_of_a_chain(),
+                                .synthesis = {.effort = characterise::TimingEffort::area_only},
+                                .store = directory_.path() / "store.sqlite"},
+                               nullptr)
+          .value();
+  ASSERT_TRUE(report.failed.empty()) << report.failed.front().message;
+  const design::Design design = design::make_design(chain, nullptr).value();
+  const optimise::Footprint parts = optimise::footprint_of(design, &report.table, device);
+  ASSERT_TRUE(parts.measured);
+  const auto system = emit::generate_system(design, "").value();
+  const auto whole =
+      synthesise(components::system_job(system), device,
+                 {.effort = characterise::TimingEffort::area_only}, directory_.path() / "whole");
+  ASSERT_TRUE(whole.ok()) << whole.error().to_string();
+  const optimise::Amounts amounts = optimise::amounts_of(whole->area);
+  for (std::size_t r = 0; r < amounts.size(); ++r) {
+    const auto all = static_cast<double>(amounts[r]);
+    EXPECT_NEAR(static_cast<double>(parts.amounts[r]), all, 0.06 * all)
+        << devices::bounded_resources[r].name;
   }
 }
 

@@ -48,6 +48,12 @@ TEST_F(PlanShares, LanesAndSecondTiersWithoutWhatIsAroundThem) {
                           {"engine", 50}}));
 }
 
+TEST_F(PlanShares, AnEngineWithACrossbarTellsOfBoth) {
+  plan_.problem.communication.crossbar.assign(25, Area{.luts = 7});
+  EXPECT_EQ(luts(),
+            (Luts{{"24 x q7", 200}, {"1 x reference s53e8", 40}, {"crossbar", 7}, {"engine", 43}}));
+}
+
 TEST_F(PlanShares, LanesOneByOneHaveScoreboards) {
   plan_.lanes.front().measured.key.kind = characterise::ComponentKind::lane;
   plan_.lanes.front().kind.group = 1;

@@ -102,6 +102,16 @@ TEST(Allocation, OfGroupsIsTheBestOfEverythingInRandomProblems) {
   EXPECT_GT(feasible, 100);
 }
 
+TEST(Allocation, OfALeastNumberOfLanesIsTheBestOfEverythingInRandomProblems) {
+  RandomProblems problems(19);
+  int feasible = 0;
+  for (int number = 0; number < 300; ++number) {
+    feasible += expect_same(problems.next_with_least_lanes(), number) ? 1 : 0;
+  }
+  EXPECT_GT(feasible, 60);
+  EXPECT_LT(feasible, 240);
+}
+
 TEST(Allocation, IsTheSameEveryTime) {
   RandomProblems problems(12);
   for (int number = 0; number < 40; ++number) {

@@ -205,7 +205,8 @@ TEST_F(EnginePlan, LanesInFixedPointNeedTheirConversion) {
     table_.rows.back().key.ports = segments;
   }
   sort();
-  ASSERT_TRUE(optimise::engine_area(table_, segment, missing).has_value());
+  ASSERT_TRUE(
+      optimise::engine_area(table_, segment, scene::EngineKind::pairwise, missing).has_value());
   EXPECT_EQ(missing, std::set<std::string>{"a conversion to q9"});
   table_.rows.push_back(segment);
   table_.rows.back().key.kind = ComponentKind::conversion;
@@ -213,7 +214,8 @@ TEST_F(EnginePlan, LanesInFixedPointNeedTheirConversion) {
   table_.rows.back().area.luts = 99;
   sort();
   missing.clear();
-  EXPECT_EQ(optimise::engine_area(table_, segment, missing)->own.luts, 800 + 99);
+  EXPECT_EQ(optimise::engine_area(table_, segment, scene::EngineKind::pairwise, missing)->own.luts,
+            800 + 99);
   EXPECT_TRUE(missing.empty());
 }
 

@@ -42,6 +42,13 @@ public:
     return problem;
   }
 
+  /// A problem whose plans have a given number of lanes, or some more.
+  optimise::AllocationProblem next_with_least_lanes() {
+    optimise::AllocationProblem problem = next();
+    problem.min_lanes = chance(0.5) ? problem.max_lanes : number(1, problem.max_lanes);
+    return problem;
+  }
+
 private:
   int number(int low, int high) { return std::uniform_int_distribution(low, high)(engine_); }
   bool chance(double part) { return std::bernoulli_distribution(part)(engine_); }
