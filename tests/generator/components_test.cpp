@@ -10,14 +10,11 @@
 #include "generator/components/component_list.hpp"
 #include "generator/components/shortlist.hpp"
 #include "generator/components/synthesis_jobs.hpp"
-#include "generator/components/whole_job.hpp"
 #include "generator/emit/system.hpp"
 #include "model/characterise/job_hash.hpp"
 #include "model/design/slots.hpp"
 #include "model/devices/device.hpp"
 #include "model/number/lane_format.hpp"
-#include "model/optimise/feasibility.hpp"
-#include "model/optimise/footprint.hpp"
 #include "model/profile/profiled_error.hpp"
 #include "model/scene/bound_choice.hpp"
 #include "model/workload/load_comparisons.hpp"
@@ -254,36 +251,6 @@ TEST_F(Components, OfAChainNeedItsNumberOfLanes) {
   const auto missing = for_each_component(maker, parts_of_a_chain(), [](const auto&) {});
   ASSERT_FALSE(missing.ok());
   EXPECT_EQ(missing.error().field, "system.lanes");
-}
-
-/// The rows of a table, added up as `optimise` does, against the whole engine in one run of Yosys.
-/// A small reference keeps the run short.
-TEST_F(Components, OfAChainTakeWhatTheWholeTakes) {
-  const std::string small = std::regex_replace(std::string(nearest), std::regex("s24e8"), "s12e5");
-  const scene::Scene chain = scene(one_chain, small);
-  const devices::Device device = devices::find_device(chain.system.device).value();
-  const components::CharacteriseReport report =
-      components::characterise(chain, nullptr, device,
-                               {.query = parts_of_a_chain(),
-                                .synthesis = {.effort = characterise::TimingEffort::area_only},
-                                .store = directory_.path() / "store.sqlite"},
-                               nullptr)
-          .value();
-  ASSERT_TRUE(report.failed.empty()) << report.failed.front().message;
-  const design::Design design = design::make_design(chain, nullptr).value();
-  const optimise::Footprint parts = optimise::footprint_of(design, &report.table, device);
-  ASSERT_TRUE(parts.measured);
-  const auto system = emit::generate_system(design, "").value();
-  const auto whole =
-      synthesise(components::system_job(system), device,
-                 {.effort = characterise::TimingEffort::area_only}, directory_.path() / "whole");
-  ASSERT_TRUE(whole.ok()) << whole.error().to_string();
-  const optimise::Amounts amounts = optimise::amounts_of(whole->area);
-  for (std::size_t r = 0; r < amounts.size(); ++r) {
-    const auto all = static_cast<double>(amounts[r]);
-    EXPECT_NEAR(static_cast<double>(parts.amounts[r]), all, 0.06 * all)
-        << devices::bounded_resources[r].name;
-  }
 }
 
 TEST_F(Components, TheLaneOfASecondTierIsOne) {
