@@ -8,5 +8,6 @@ exec unshare --mount sh -c '
   shift 2
   mount --rbind / "$root/host" &&
     mount -t proc proc "$root/proc" &&
-    TMPDIR=/host${TMPDIR:-/tmp} exec chroot "$root" sh -c "cd \"/host\$0\" && exec \"\$@\"" "$directory" "$@"
+    TMPDIR=/host${TMPDIR:-/tmp} exec chroot "$root" \
+      sh -c "cd \"/host\$0\" && exec \"\$@\"" "$directory" "$@"
 ' sh "$root" "$(pwd -P)" "$@"

@@ -4,8 +4,8 @@
 // The rounded sum is squared as it leaves the adder, with leading zeros where its operands cancel,
 // and without its sign. So only the square is normalised, and in the same step it moves down if it
 // is subnormal.
-// EMBEDDED, DIGIT_STAGE, FACTOR_A, FACTOR_B: as in fp_square; MOVED_LAST: as in fp_unnormalised_sum.
-// Special values as IEEE 754.
+// EMBEDDED, DIGIT_STAGE, FACTOR_A, FACTOR_B: as in fp_square. MOVED_LAST: as in
+// fp_unnormalised_sum. Special values as IEEE 754.
 `default_nettype none
 
 module fp_squared_sum #(

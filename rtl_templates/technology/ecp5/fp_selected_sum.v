@@ -84,8 +84,8 @@ module fp_selected_sum #(
 
       assign carries[0] = 1'b0;
 
-      // The table of a ^ (select ? c : b): whether a carry passes. Where it does not, the cell takes
-      // its carry from a and `select` alone, by the table's part for b = c = 0, which is a.
+      // The table of a ^ (select ? c : b) tells whether a carry passes. Where it does not, the cell
+      // takes its carry from a and `select` alone, by the table's part for b = c = 0, which is a.
       for (k = 0; k < CELLS; k = k + 1) begin : g_cells
         CCU2C #(
           .INIT0    (16'h569a),
