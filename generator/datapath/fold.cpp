@@ -86,7 +86,7 @@ private:
 
   void choose_unit(UnitClass& shared) {
     const TypedNode& node = graph_.nodes[representative(shared)];
-    Unit unit = unit_for(graph_, node, multipliers_, placer_.delays());
+    Unit unit = unit_for(graph_, node, {}, multipliers_, placer_.delays());
     if (node.operation == Operation::square && multipliers_ == scene::Multipliers::logic) {
       auto serial = serial_square_unit(node, graph_.arithmetic.subnormals, placer_.delays());
       if (serial && is_smaller(shared, *serial, unit, node.operand_format)) unit = *serial;

@@ -77,7 +77,7 @@ void add_terms(StageList& stages, const TypedNode& node, const Kinds& kinds, Sub
   if (kinds.squared_sums) {
     operands.push_back(count_of_squared_sum(sum, node.format, multipliers, delays));
   }
-  stages.add_slowest(operands);
+  stages.add_side_by_side(operands);
   const int candidates = static_cast<int>(node.terms.size()) + (gradual ? 1 : 0);
   std::vector<StageList> beside = {exponent_stages(sum, candidates, delays)};
   for (const auto kind : {LogicProduct::Kind::product, LogicProduct::Kind::square}) {
@@ -90,7 +90,7 @@ void add_terms(StageList& stages, const TypedNode& node, const Kinds& kinds, Sub
     if (kinds.products || kinds.squares)
       beside.back().begin_with(beside.back().factors_ns(multipliers));
   }
-  stages.add_slowest(beside);
+  stages.add_side_by_side(beside);
 }
 
 /// Adds the stages of fp_cut_sum.
@@ -119,8 +119,9 @@ bool may_cancel(const TypedGraph& graph, const std::vector<FusedTerm>& terms) {
   return !sign.nonnegative && !sign.nonpositive;
 }
 
-Unit with_multipliers(Unit unit, Multipliers multipliers, const DelayTable& delays) {
+Unit on_device(Unit unit, Multipliers multipliers, const DelayTable& delays) {
   unit.multipliers = multipliers;
+  unit.sum_selects = delays.sum_selects;
   unit.multiplier = delays.multiplier_size;
   return unit;
 }
@@ -140,7 +141,7 @@ Unit fused_sum_unit(const TypedGraph& graph, const TypedNode& node, SquaredSums 
   const double limit = limits ? stages.carry(sum.exponent_bits()) + stages.lut_delay_ns(1) : 0;
   stages.add("normalise", limit + stages.lut_delay_ns(shift_levels(bits_for(counted))));
   stages.add_round(node.format, false, 0);
-  return with_multipliers(std::move(stages).unit("fp_fused_sum"), multipliers, delays);
+  return on_device(std::move(stages).unit("fp_fused_sum"), multipliers, delays);
 }
 
 Unit fused_comparison_unit(const TypedGraph& graph, const TypedNode& node, SquaredSums squared,
@@ -149,7 +150,7 @@ Unit fused_comparison_unit(const TypedGraph& graph, const TypedNode& node, Squar
   StageList stages(delays, StageList::WideSums::whole);
   add_cut_sum(stages, graph, node, squared, multipliers, delays);
   stages.add("decide", stages.lut_delay_ns(reduction_levels(sum.sum_bits()) + 1));
-  return with_multipliers(std::move(stages).unit("fp_fused_comparison"), multipliers, delays);
+  return on_device(std::move(stages).unit("fp_fused_comparison"), multipliers, delays);
 }
 
 }  // namespace mixcmp::datapath

@@ -6,6 +6,7 @@
 #include "generator/datapath/fused_sum.hpp"
 #include "generator/datapath/squared_sum.hpp"
 #include "generator/datapath/unit_placer.hpp"
+#include "model/error/hazards.hpp"
 
 namespace mixcmp::datapath {
 namespace {
@@ -24,7 +25,9 @@ public:
   Scheduler(const DelayTable& delays, double target_mhz)
       : placer_(delays, target_mhz), delays_(placer_.delays()) {}
 
-  void place_nodes(const TypedGraph& graph, scene::Multipliers multipliers, SquaredSums squared) {
+  /// hazards: one per node; empty: nothing is ruled out.
+  void place_nodes(const TypedGraph& graph, const std::vector<error::Hazards>& hazards,
+                   scene::Multipliers multipliers, SquaredSums squared) {
     const std::vector<bool> inside = sums_in_squares(graph, squared);
     for (NodeId id = 0; id < static_cast<NodeId>(graph.nodes.size()); ++id) {
       const TypedNode& node = graph.nodes[id];
@@ -32,7 +35,8 @@ public:
       if (inside[id] || !has_unit(node)) {
         schedule_.steps.push_back({.start_cycle = start, .ready_cycle = start});
       } else {
-        schedule_.steps.push_back(place(node_unit(graph, id, multipliers, squared), start));
+        const error::Hazards hazard = hazards.empty() ? error::Hazards{} : hazards[id];
+        schedule_.steps.push_back(place(node_unit(graph, id, hazard, multipliers, squared), start));
       }
     }
   }
@@ -86,8 +90,8 @@ public:
   Schedule finish() { return placer_.finish(std::move(schedule_)); }
 
 private:
-  Unit node_unit(const TypedGraph& graph, NodeId id, scene::Multipliers multipliers,
-                 SquaredSums squared) const {
+  Unit node_unit(const TypedGraph& graph, NodeId id, const error::Hazards& hazards,
+                 scene::Multipliers multipliers, SquaredSums squared) const {
     const TypedNode& node = graph.nodes[id];
     if (node.operation == Operation::fused_sum) {
       return fused_sum_unit(graph, node, squared, multipliers, delays_);
@@ -95,7 +99,7 @@ private:
     if (squared == SquaredSums::together && squared_sum_of(graph, id)) {
       return squared_sum_unit(node.format, graph.arithmetic.subnormals, multipliers, delays_);
     }
-    return unit_for(graph, node, multipliers, delays_);
+    return unit_for(graph, node, hazards, multipliers, delays_);
   }
 
   void place_bounds(const error::AbsoluteBoundCriterion& criterion, const TypedGraph& graph,
@@ -139,7 +143,7 @@ private:
 Schedule schedule_lane(const error::Lane& lane, scene::Multipliers multipliers,
                        const DelayTable& delays, double target_mhz) {
   Scheduler scheduler(delays, target_mhz);
-  scheduler.place_nodes(lane.graph, multipliers, SquaredSums::apart);
+  scheduler.place_nodes(lane.graph, lane.hazards, multipliers, SquaredSums::apart);
   scheduler.place_checks(lane.checks);
   for (std::size_t k = 0; k < lane.parts.size(); ++k) {
     scheduler.decide(lane.parts[k], lane.graph, lane.graph.parts[k]);
@@ -156,7 +160,8 @@ Schedule schedule_reference(const TypedGraph& reference,
   if (folded) {
     scheduler.place_folded(reference, structure.multipliers, structure.initiation_interval);
   } else {
-    scheduler.place_nodes(reference, structure.multipliers, squared);
+    scheduler.place_nodes(reference, error::structural_hazards(reference), structure.multipliers,
+                          squared);
   }
   for (const Sides& part : reference.parts) {
     scheduler.compare(reference, part, structure.multipliers, squared);

@@ -76,11 +76,11 @@ std::optional<NodeId> squared_sum_of(const TypedGraph& graph, NodeId square) {
 void add_unnormalised_sum(StageList& stages, FloatFormat format, Subnormals subnormals) {
   const int precision = format.precision();
   stages.add_aligned_operands(format, precision + 2, subnormals, StageList::Order::by_exponent);
-  // The larger operand is selected while the smaller one is still being aligned, or with MOVED_LAST
-  // the smaller one's last place is.
+  // The larger operand is selected while the smaller one is still being aligned, or the smaller
+  // one's last place is moved.
   const double selection = stages.lut_delay_ns(1);
   stages.add_wide_sum("sum", selection, precision + 4, selection);
-  stages.add("select", stages.lut_delay_ns(3));
+  stages.add("select", stages.lut_delay_ns(stages.has_wide_tables() ? 2 : 3));
   stages.add_wide_sum("round sum", stages.lut_delay_ns(1), precision + 1);
 }
 
@@ -93,7 +93,7 @@ Unit squared_sum_unit(FloatFormat format, Subnormals subnormals, scene::Multipli
   const bool has_digit_stage =
       product.add_fastest_product(precision, LogicProduct::Kind::square, multipliers);
   const StageList beside = exponent_stages(format, product.count(), delays);
-  stages.add_slowest({std::move(product), beside});
+  stages.add_side_by_side({std::move(product), beside});
   const int margin = subnormals == Subnormals::gradual ? (precision + 4) / 2 : 0;
   const int step_bits = bits_for(margin + precision - 1);
   stages.add("normalise by eights",
@@ -104,7 +104,7 @@ Unit squared_sum_unit(FloatFormat format, Subnormals subnormals, scene::Multipli
   unit.multipliers = multipliers;
   unit.multiplier = delays.multiplier_size;
   unit.has_digit_stage = has_digit_stage;
-  unit.moves_last = delays.lut_inputs < 5;
+  unit.sum_selects = delays.sum_selects;
   return unit;
 }
 

@@ -44,6 +44,8 @@ public:
   explicit StageList(const DelayTable& delays, WideSums wide_sums = WideSums::halved)
       : delays_(delays), wide_sums_(wide_sums) {}
 
+  /// Tells whether a look-up table has more than four inputs.
+  bool has_wide_tables() const { return delays_.lut_inputs >= 5; }
   double lut_delay_ns(int levels) const { return levels * delays_.lut_ns; }
   double carry(int bits) const { return delays_.carry_start_ns + bits * delays_.carry_ns_per_bit; }
   void add(std::string name, double delay_ns) { stages_.push_back({std::move(name), delay_ns}); }
@@ -63,7 +65,7 @@ public:
   void add_wide_sum(const std::string& name, double operands_ns, int bits, double overlap_ns = 0);
 
   /// Adds stages that are cut at the same places as each of `lists`, which work side by side.
-  void add_slowest(const std::vector<StageList>& lists);
+  void add_side_by_side(const std::vector<StageList>& lists);
 
   /// Lets the first stage do something else before its own work.
   void begin_with(double delay_ns) { stages_.front().delay_ns += delay_ns; }
@@ -88,7 +90,7 @@ public:
   /// Returns whether that is 1.
   bool add_fastest_product(int precision, LogicProduct::Kind kind, scene::Multipliers multipliers);
   void add_serial_square(SerialSquare square);
-  void add_round(FloatFormat result, bool denormalises, int dropped_bits);
+  void add_round(FloatFormat result, bool denormalises, int dropped_bits, double select_ns = 0);
   void add_select_round(FloatFormat result, Subnormals subnormals, double sticky_ns);
   void add_last_selection(FloatFormat result);
 
@@ -119,19 +121,17 @@ inline void StageList::add_wide_sum(const std::string& name, double operands_ns,
                      .is_upper_half = true});
 }
 
-inline void StageList::add_slowest(const std::vector<StageList>& lists) {
-  const int first = static_cast<int>(stages_.size());
+inline void StageList::add_side_by_side(const std::vector<StageList>& lists) {
+  const int first = count();
   for (std::size_t k = 0; k < lists.front().stages_.size(); ++k) {
-    Stage slowest = {.name = lists.front().stages_[k].name, .delay_ns = 0};
-    double alone_ns = 0;
+    Stage joint = {.name = lists.front().stages_[k].name, .delay_ns = 0, .forks = k == 0};
     for (const StageList& list : lists) {
       const Stage& stage = list.stages_[k];
-      slowest.delay_ns = std::max(slowest.delay_ns, stage.delay_ns);
-      alone_ns = std::max(alone_ns, stage.delay_ns - stage.overlap_ns);
-      if (stage.cut_needs >= 0) slowest.cut_needs = first + stage.cut_needs;
+      joint.delay_ns = std::max(joint.delay_ns, stage.delay_ns);
+      joint.chains.push_back({stage.delay_ns, stage.overlap_ns});
+      if (stage.cut_needs >= 0) joint.cut_needs = first + stage.cut_needs;
     }
-    slowest.overlap_ns = slowest.delay_ns - alone_ns;
-    stages_.push_back(std::move(slowest));
+    stages_.push_back(std::move(joint));
   }
 }
 
@@ -146,7 +146,8 @@ inline void StageList::add_aligned_operands(FloatFormat operands, int aligned,
   add("compare", by_magnitude ? std::max(carry(operands.width() - 1), exponents) : exponents);
   add("swap", lut_delay_ns(1));
   add("align by fours", lut_delay_ns(1 + shift_levels(bits_for(aligned) - 2) + 1));
-  add("align", lut_delay_ns(shift_levels(2) + 1));
+  // What is lost joins in the same tables, where they have six inputs.
+  add("align", lut_delay_ns(shift_levels(2) + (has_wide_tables() ? 0 : 1)));
 }
 
 /// The stages of fp_operand; they are only wires where subnormals are flushed.
@@ -249,7 +250,7 @@ inline void StageList::add_product(int precision, LogicProduct::Kind kind,
 /// Tables of five inputs or more decode a digit and add its row in one.
 inline bool StageList::add_fastest_product(int precision, LogicProduct::Kind kind,
                                            scene::Multipliers multipliers) {
-  const bool has_digit_stage = multipliers == scene::Multipliers::logic && delays_.lut_inputs < 5 &&
+  const bool has_digit_stage = multipliers == scene::Multipliers::logic && !has_wide_tables() &&
                                precision <= LogicProduct::most_bits_behind_digits;
   add_factors(multipliers);
   if (has_digit_stage) {
@@ -271,14 +272,15 @@ inline void StageList::add_serial_square(SerialSquare square) {
 }
 
 /// The stages of fp_round. The last `dropped_bits` bits of a fraction that arrives too wide are
-/// ORed into the sticky bit.
-inline void StageList::add_round(FloatFormat result, bool denormalises, int dropped_bits) {
+/// ORed into the sticky bit; `select_ns` is what it takes to select the places that are kept.
+inline void StageList::add_round(FloatFormat result, bool denormalises, int dropped_bits,
+                                 double select_ns) {
   const int amount_bits = bits_for(result.precision() + 2);
   const double distance = carry(result.exponent_bits() + 2) + lut_delay_ns(1);
   const double sticky = lut_delay_ns(reduction_levels(std::max(dropped_bits, 1)));
   const double moved =
       denormalises ? std::max(distance, sticky) + lut_delay_ns(shift_levels(amount_bits)) : sticky;
-  add("denormalise", moved + deciding_ns());
+  add("denormalise", moved + select_ns + deciding_ns());
   add_round_and_pack(result);
 }
 

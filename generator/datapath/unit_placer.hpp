@@ -8,7 +8,7 @@
 
 namespace mixcmp::datapath {
 
-/// Places units in time, each with as few registers as the period allows.
+/// Places units in time, each with as few ranks of registers as the period allows.
 class UnitPlacer {
 public:
   UnitPlacer(const DelayTable& delays, double target_mhz)
@@ -24,8 +24,6 @@ public:
 
 private:
   std::vector<bool> choose_cuts(const Unit& unit);
-  std::vector<Stage> with_whole_sums(std::vector<Stage> stages) const;
-  std::vector<bool> greedy_cuts(const std::vector<Stage>& stages, int forced) const;
   void note_slow(const Unit& unit, const Stage& stage);
 
   DelayTable delays_;

@@ -21,24 +21,41 @@ int bias_difference(FloatFormat result, FloatFormat operands) {
   return result.bias() - operands.bias();
 }
 
+/// A unit that selects what it rounds.
+Unit rounded_by(Unit unit, const DelayTable& delays) {
+  unit.sum_selects = delays.sum_selects;
+  return unit;
+}
+
+/// The stages "count" to "normalise by fours" of fp_add. A sum that only grows moves by one place,
+/// as its first bit says.
+void add_normalisation(StageList& stages, FloatFormat operands, bool gradual, bool grows) {
+  const double exponent = stages.carry(operands.exponent_bits() + 2);
+  const int amount_bits = bits_for(operands.precision() + 2);
+  stages.add("count", grows ? 0 : stages.lut_delay_ns(count_levels(operands.precision() + 2)));
+  stages.add("limit", gradual && !grows ? exponent + stages.lut_delay_ns(1) : 0);
+  const double by_fours = grows ? 0 : stages.lut_delay_ns(shift_levels(amount_bits - 2));
+  stages.add("normalise by fours", std::max(by_fours, exponent));
+}
+
 Unit add_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
-              const DelayTable& delays) {
-  const bool gradual = subnormals == Subnormals::gradual;
-  const int precision = operands.precision();
-  const int aligned = std::max(precision, result.precision() + 1) + 1;
-  const int amount_bits = bits_for(precision + 2);
+              const error::Hazards& hazards, const DelayTable& delays) {
+  const bool gradual = subnormals == Subnormals::gradual && hazards.underflow;
+  const bool grows =
+      !hazards.cancellation && (!gradual || result.exponent_bits() == operands.exponent_bits());
+  const int aligned = std::max(operands.precision(), result.precision() + 1) + 1;
   StageList stages(delays);
-  stages.add_aligned_operands(operands, aligned, subnormals, StageList::Order::by_magnitude);
+  stages.add_aligned_operands(
+      operands, aligned, gradual ? Subnormals::gradual : Subnormals::flush,
+      hazards.cancellation ? StageList::Order::by_magnitude : StageList::Order::by_exponent);
   stages.add_wide_sum("sum", 0, aligned + 3);
-  stages.add("count", stages.lut_delay_ns(count_levels(precision + 2)));
-  const double limit =
-      gradual ? stages.carry(operands.exponent_bits() + 2) + stages.lut_delay_ns(1) : 0;
-  stages.add("limit", limit);
-  stages.add("normalise by fours", stages.lut_delay_ns(shift_levels(amount_bits - 2)));
-  stages.add("normalise", stages.lut_delay_ns(shift_levels(2)));
+  add_normalisation(stages, operands, gradual, grows);
   const bool denormalises = gradual && result.exponent_bits() < operands.exponent_bits();
-  stages.add_round(result, denormalises, 0);
-  return std::move(stages).unit("fp_add");
+  // The places left are moved in the rounding, but in front of what denormalises.
+  const double last_places = stages.lut_delay_ns(shift_levels(2));
+  stages.add("normalise", denormalises ? last_places : 0);
+  stages.add_round(result, denormalises, 0, denormalises ? 0 : last_places);
+  return rounded_by(std::move(stages).unit("fp_add"), delays);
 }
 
 /// Tells whether the square of every subnormal operand is less than half the smallest result.
@@ -60,7 +77,7 @@ Unit multiply_unit(LogicProduct::Kind kind, FloatFormat operands, FloatFormat re
   unit.multipliers = multipliers;
   unit.multiplier = delays.multiplier_size;
   unit.has_digit_stage = has_digit_stage;
-  return unit;
+  return rounded_by(std::move(unit), delays);
 }
 
 Unit divide_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
@@ -72,7 +89,7 @@ Unit divide_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals
   }
   stages.add_select_round(result, subnormals,
                           stages.lut_delay_ns(1 + reduction_levels(operands.precision())));
-  return std::move(stages).unit("fp_divide");
+  return rounded_by(std::move(stages).unit("fp_divide"), delays);
 }
 
 Unit square_root_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
@@ -200,8 +217,8 @@ bool has_unit(const TypedNode& node) {
   return error::has_unit(node.operation) && !node.is_sign_of_sum();
 }
 
-Unit unit_for(const TypedGraph& graph, const TypedNode& node, Multipliers multipliers,
-              const DelayTable& delays) {
+Unit unit_for(const TypedGraph& graph, const TypedNode& node, const error::Hazards& hazards,
+              Multipliers multipliers, const DelayTable& delays) {
   const Subnormals subnormals = graph.arithmetic.subnormals;
   if (const auto scaling = scaling_of(graph, node)) {
     return scale_unit(node.operand_format, node.format, subnormals, scaling->exponent, delays);
@@ -209,18 +226,18 @@ Unit unit_for(const TypedGraph& graph, const TypedNode& node, Multipliers multip
   if (node.operation == Operation::fused_sum) {
     return fused_sum_unit(graph, node, SquaredSums::apart, multipliers, delays);
   }
-  Unit unit = unit_for(node, subnormals, multipliers, delays);
+  Unit unit = unit_for(node, subnormals, hazards, multipliers, delays);
   if (multiplies_by_zero(graph, node)) leave_special_values(unit, node.operand_format, delays);
   return unit;
 }
 
-Unit unit_for(const TypedNode& node, Subnormals subnormals, Multipliers multipliers,
-              const DelayTable& delays) {
+Unit unit_for(const TypedNode& node, Subnormals subnormals, const error::Hazards& hazards,
+              Multipliers multipliers, const DelayTable& delays) {
   const FloatFormat operands = node.operand_format;
   const FloatFormat result = node.format;
   switch (node.operation) {
     case Operation::add:
-    case Operation::subtract: return add_unit(operands, result, subnormals, delays);
+    case Operation::subtract: return add_unit(operands, result, subnormals, hazards, delays);
     case Operation::multiply:
       return multiply_unit(LogicProduct::Kind::product, operands, result, subnormals, multipliers,
                            delays);
@@ -253,7 +270,7 @@ std::optional<Unit> serial_square_unit(const TypedNode& square, Subnormals subno
   stages.add_select_round(result, subnormals, stages.lut_delay_ns(2));
   Unit unit = std::move(stages).unit("fp_serial_square");
   unit.initiation_interval = steps.cycles();
-  return unit;
+  return rounded_by(std::move(unit), delays);
 }
 
 double logic_square_tables(FloatFormat operands) {

@@ -13,6 +13,12 @@ namespace mixcmp::datapath {
 
 using devices::DelayTable;
 
+/// What one of several chains of logic takes between two cut points.
+struct ChainDelay {
+  double ns;
+  double overlap_ns = 0;  ///< as in Stage
+};
+
 /// The logic between two cut points of a unit.
 struct Stage {
   std::string name;  ///< as in the comment of the template
@@ -27,6 +33,11 @@ struct Stage {
   /// The upper half of the sum that the stage before begins. A register between the two is for sums
   /// that are too long for a period.
   bool is_upper_half = false;
+  /// What each of several chains takes that are at work side by side; delay_ns is that of the
+  /// slowest. Empty: one chain.
+  std::vector<ChainDelay> chains = {};
+  /// The first stage of such chains: they begin when the stage before has ended.
+  bool forks = false;
 };
 
 /// A template and its stages; bit k of its CUTS parameter registers the end of stage k.
@@ -36,7 +47,7 @@ struct Unit {
   scene::Multipliers multipliers = scene::Multipliers::embedded;  ///< logic: print EMBEDDED = 0
   devices::MultiplierSize multiplier;  ///< embedded multipliers only: FACTOR_A, FACTOR_B
   bool has_digit_stage = false;        ///< multipliers of logic only: DIGIT_STAGE
-  bool moves_last = false;             ///< fp_squared_sum only: MOVED_LAST
+  int sum_selects = 2;                 ///< units that select what they round: SUM_SELECTS
   /// Cycles for which an operation keeps the unit; above 1 it has an input `start`, which is 1 when
   /// its operand is there.
   int initiation_interval = 1;
@@ -58,12 +69,12 @@ std::optional<Scaling> scaling_of(const TypedGraph& graph, const TypedNode& node
 bool has_unit(const TypedNode& node);
 
 /// The unit that computes `node` of `graph`, which has one.
-Unit unit_for(const TypedGraph& graph, const TypedNode& node, scene::Multipliers multipliers,
-              const DelayTable& delays);
-/// The unit that computes `node` if nothing is known of its operands: a multiplication by a power
-/// of two takes a multiplier here. Not for fused sums.
-Unit unit_for(const TypedNode& node, Subnormals subnormals, scene::Multipliers multipliers,
-              const DelayTable& delays);
+Unit unit_for(const TypedGraph& graph, const TypedNode& node, const error::Hazards& hazards,
+              scene::Multipliers multipliers, const DelayTable& delays);
+/// The unit that computes `node` if nothing is known of its operands but what `hazards` rules out:
+/// a multiplication by a power of two takes a multiplier here. Not for fused sums.
+Unit unit_for(const TypedNode& node, Subnormals subnormals, const error::Hazards& hazards,
+              scene::Multipliers multipliers, const DelayTable& delays);
 /// The unit of logic that takes several cycles for a square, where there is one: not for operands
 /// of few bits, nor for devices with look-up tables of five inputs or more, where rows cost nothing
 /// beside the sums that they are added to.

@@ -149,13 +149,16 @@ std::vector<std::string> input_ports(const std::vector<std::string>& inputs) {
   return ports;
 }
 
-void append_multiplier_parameters(const datapath::Unit& unit, std::vector<Parameter>& parameters) {
+void append_device_parameters(const datapath::Unit& unit, std::vector<Parameter>& parameters) {
   if (unit.multipliers == scene::Multipliers::logic) {
     parameters.push_back({"EMBEDDED", 0});
     if (unit.has_digit_stage) parameters.push_back({"DIGIT_STAGE", 1});
   } else if (unit.multiplier != devices::MultiplierSize{}) {
     parameters.push_back({"FACTOR_A", unit.multiplier.a_bits});
     parameters.push_back({"FACTOR_B", unit.multiplier.b_bits});
+  }
+  if (unit.sum_selects != datapath::Unit{}.sum_selects) {
+    parameters.push_back({"SUM_SELECTS", unit.sum_selects});
   }
 }
 

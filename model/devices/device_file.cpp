@@ -66,6 +66,8 @@ Result<Done> read_figures(const settings::Settings& settings, Device& device) {
     if (device.available.dsps > 0) section.require(key);
   }
   section.integer("lut_inputs", device.delays.lut_inputs, 4, 8);
+  device.delays.sum_selects = device.delays.lut_inputs < 6 ? 0 : 2;
+  section.integer("sum_selects", device.delays.sum_selects, 0, 2);
   section.integer("multiplier_a_bits", device.delays.multiplier_size.a_bits, 2, 64);
   section.integer("multiplier_b_bits", device.delays.multiplier_size.b_bits, 2, 64);
   section.integer("memory_bits", device.delays.memory_block.bits, 1, most);

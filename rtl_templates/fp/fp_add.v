@@ -3,6 +3,8 @@
 // Special values as IEEE 754: infinity - infinity is NaN, x - x is +0.
 // SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md.
 // CANCELLATION = 0 promises that what is added never has unlike signs, zeros aside.
+// SUM_SELECTS: so many bits may select what is added without gates of their own. 2 for look-up
+// tables of six inputs, 1 for those of four in carry cells that select, otherwise 0.
 `default_nettype none
 
 module fp_add #(
@@ -17,6 +19,7 @@ module fp_add #(
   parameter        CANCELLATION         = 1,
   parameter        GRADUAL              = 0,
   parameter        TOWARD_ZERO          = 0,
+  parameter        SUM_SELECTS          = 2,
   parameter [13:0] CUTS                 = 14'b0
 ) (
   input  wire                                             aclk,
@@ -220,11 +223,12 @@ module fp_add #(
     .q   ({s7_room, s7_count, s7_sum, s7_flags})
   );
 
-  // Stage limit: a subnormal sum moves up no further than there is room.
+  // Stage limit: a subnormal sum moves up no further than there is room. For one place there is,
+  // since the least exponent of an operand is 1.
   wire [COUNT_BITS-1:0] s7_amount;
 
   generate
-    if (SUBNORMALS != 0) begin : g_gradual
+    if ((SUBNORMALS != 0) && !GROWING) begin : g_gradual
       wire s7_no_room = s7_room[EXPONENT_WIDTH-1];
       wire s7_little_room =
           s7_room[EXPONENT_WIDTH-2:0] < {{(EXPONENT_WIDTH - 1 - COUNT_BITS) {1'b0}}, s7_count};
@@ -232,7 +236,7 @@ module fp_add #(
           s7_little_room ? s7_room[COUNT_BITS-1:0] : s7_count;
 
       assign s7_amount = s7_possible & {COUNT_BITS{!s7_no_room}};
-    end else begin : g_flush
+    end else begin : g_unlimited
       assign s7_amount = s7_count;
     end
   endgenerate
@@ -286,23 +290,43 @@ module fp_add #(
     .q   ({s9_exponent, s9_moved, s9_sticky, s9_rest, s9_flags})
   );
 
-  // Stage normalise: by the places left.
-  wire [KEPT-1:0] s9_significand;
-  wire            s9_lost;
+  // Stage normalise: by the places left, unless the rounding does that.
+  localparam ROUNDED = (DENORMALISE != 0) ? KEPT : KEPT + 3;
 
-  fp_shift_left #(
-    .WIDTH      (MOVED),
-    .KEPT       (KEPT),
-    .AMOUNT_BITS(2)
-  ) s9_normalise (
-    .value  (s9_moved),
-    .amount (s9_rest),
-    .shifted(s9_significand),
-    .sticky (s9_lost)
-  );
+  wire [ROUNDED-1:0] s9_significand;
+  wire [1:0]         s9_amount;
+  wire               s9_lost;
+
+  generate
+    if (DENORMALISE != 0) begin : g_normalised
+      assign s9_amount = 2'b00;
+
+      fp_shift_left #(
+        .WIDTH      (MOVED),
+        .KEPT       (KEPT),
+        .AMOUNT_BITS(2)
+      ) s9_normalise (
+        .value  (s9_moved),
+        .amount (s9_rest),
+        .shifted(s9_significand),
+        .sticky (s9_lost)
+      );
+    end else begin : g_left_to_rounding
+      // Up by the rest is down by three less it, three places below.
+      assign s9_amount = ~s9_rest;
+      assign s9_lost   = 1'b0;
+
+      if (MOVED < ROUNDED) begin : g_narrow
+        assign s9_significand = {s9_moved, {(ROUNDED - MOVED) {1'b0}}};
+      end else begin : g_as_wide
+        assign s9_significand = s9_moved;
+      end
+    end
+  endgenerate
 
   wire [EXPONENT_WIDTH-1:0] s10_exponent;
-  wire [KEPT-1:0]           s10_significand;
+  wire [ROUNDED-1:0]        s10_significand;
+  wire [1:0]                s10_amount;
   wire                      s10_sticky;
   wire                      s10_sign;
   wire                      s10_nan;
@@ -311,12 +335,12 @@ module fp_add #(
   wire                      s10_suspect;
 
   fp_rank #(
-    .WIDTH     (EXPONENT_WIDTH + KEPT + 6),
+    .WIDTH     (EXPONENT_WIDTH + ROUNDED + 8),
     .REGISTERED(CUTS[9])
   ) rank_9 (
     .aclk(aclk),
-    .d   ({s9_exponent, s9_significand, s9_sticky || s9_lost, s9_flags}),
-    .q   ({s10_exponent, s10_significand, s10_sticky,
+    .d   ({s9_exponent, s9_significand, s9_amount, s9_sticky || s9_lost, s9_flags}),
+    .q   ({s10_exponent, s10_significand, s10_amount, s10_sticky,
            s10_sign, s10_nan, s10_infinite, s10_zero, s10_suspect})
   );
 
@@ -330,12 +354,15 @@ module fp_add #(
     .GRADUAL             (SUBNORMALS),
     .DENORMALISE         (DENORMALISE),
     .TOWARD_ZERO         (TOWARD_ZERO),
+    .AMOUNT_BITS         ((DENORMALISE != 0) ? 0 : 2),
+    .SUM_SELECTS         (SUM_SELECTS),
     .CUTS                (CUTS[13:10])
   ) s10_round (
     .aclk       (aclk),
     .sign       (s10_sign),
     .exponent   (s10_exponent),
-    .significand(s10_significand),
+    .value      (s10_significand),
+    .amount     (s10_amount),
     .sticky     (s10_sticky),
     .nan        (s10_nan),
     .infinite   (s10_infinite),

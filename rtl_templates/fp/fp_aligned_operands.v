@@ -120,34 +120,34 @@ module fp_aligned_operands #(
   );
 
   wire                     s0_b_sign = s0_b_packed_sign ^ (SUBTRACT != 0);
-  wire                     s0_a_leads;
+  wire                     s0_b_leads;
   wire [EXPONENT_BITS-1:0] s0_a_above_b;
   wire [EXPONENT_BITS-1:0] s0_b_above_a;
 
   // A subnormal number's exponent is 1 and not its field, 0, so a normal number is above it by one
-  // less than the fields say. Which numbers are subnormal is known late: only the carry into a
-  // difference depends on it.
+  // less than the fields say. Which numbers are subnormal is known late: only the borrow of a
+  // difference's extra last place depends on it.
   wire [EXPONENT_BITS-1:0] s0_a_field  = a[EXPONENT_BITS+PRECISION-2:PRECISION-1];
   wire [EXPONENT_BITS-1:0] s0_b_field  = b[EXPONENT_BITS+PRECISION-2:PRECISION-1];
   wire                     s0_a_normal = s0_a_significand[PRECISION-1];
   wire                     s0_b_normal = s0_b_significand[PRECISION-1];
-  wire                     s0_a_not_below;
+  wire                     s0_a_below;
   wire                     s0_unused_a_place;
   wire                     s0_unused_b_place;
 
-  assign {s0_a_not_below, s0_a_above_b, s0_unused_a_place} =
-      {1'b0, s0_a_field, 1'b1} + {1'b0, ~s0_b_field, s0_b_normal || !s0_a_normal};
+  assign {s0_a_below, s0_a_above_b, s0_unused_a_place} =
+      {1'b0, s0_a_field, 1'b0} - {1'b0, s0_b_field, s0_a_normal && !s0_b_normal};
   assign {s0_b_above_a, s0_unused_b_place} =
-      {s0_b_field, 1'b1} + {~s0_a_field, s0_a_normal || !s0_b_normal};
+      {s0_b_field, 1'b0} - {s0_a_field, s0_b_normal && !s0_a_normal};
 
-  // A carry out, which goes into its register without a gate behind it.
+  // A borrow out, which goes into its register without a gate behind it.
   generate
     if (ORDERED != 0) begin : g_by_magnitude
-      wire unused_not_below = s0_a_not_below;
+      wire unused_below = s0_a_below;
 
-      assign s0_a_leads = a[EXPONENT_BITS+PRECISION-2:0] >= b[EXPONENT_BITS+PRECISION-2:0];
+      assign s0_b_leads = a[EXPONENT_BITS+PRECISION-2:0] < b[EXPONENT_BITS+PRECISION-2:0];
     end else begin : g_by_exponent
-      assign s0_a_leads = s0_a_not_below;
+      assign s0_b_leads = s0_a_below;
     end
   endgenerate
 
@@ -157,7 +157,7 @@ module fp_aligned_operands #(
   wire [PRECISION-1:0]     s1_b_significand;
   wire [EXPONENT_BITS-1:0] s1_a_above_b;
   wire [EXPONENT_BITS-1:0] s1_b_above_a;
-  wire                     s1_a_leads;
+  wire                     s1_swap;
   wire                     s1_a_zero;
   wire                     s1_b_zero;
   wire                     s1_a_sign;
@@ -182,15 +182,14 @@ module fp_aligned_operands #(
     .REGISTERED(CUTS[0])
   ) rank_0_order (
     .aclk(aclk),
-    .d   ({s0_a_above_b, s0_b_above_a, s0_a_leads, s0_a_zero, s0_b_zero, s0_a_sign, s0_b_sign,
+    .d   ({s0_a_above_b, s0_b_above_a, s0_b_leads, s0_a_zero, s0_b_zero, s0_a_sign, s0_b_sign,
            s0_a_infinite, s0_b_infinite, s0_a_nan, s0_b_nan, s0_a_flushed || s0_b_flushed}),
-    .q   ({s1_a_above_b, s1_b_above_a, s1_a_leads, s1_a_zero, s1_b_zero, s1_a_sign, s1_b_sign,
+    .q   ({s1_a_above_b, s1_b_above_a, s1_swap, s1_a_zero, s1_b_zero, s1_a_sign, s1_b_sign,
            s1_a_infinite, s1_b_infinite, s1_a_nan, s1_b_nan, s1_flushed})
   );
 
   // Stage swap: a zero as the smaller operand adds nothing. Beyond its width the smaller operand is
   // no more than a sticky bit.
-  wire                     s1_swap       = !s1_a_leads;
   wire [EXPONENT_BITS-1:0] s1_exponent   = s1_swap ? s1_b_exponent : s1_a_exponent;
   wire [PRECISION-1:0]     s1_other      = s1_swap ? s1_a_significand : s1_b_significand;
   wire                     s1_other_zero = s1_swap ? s1_a_zero : s1_b_zero;
@@ -252,20 +251,26 @@ module fp_aligned_operands #(
     .lost   (s2_lost)
   );
 
+  // What the last step moves out is known last.
+  wire [AMOUNT_BITS+2:0] s2_all_lost  = {3'b000, s2_lost};
+  wire                   s2_lost_far  = |s2_all_lost[AMOUNT_BITS+2:3];
+  wire                   s2_lost_near = |s2_all_lost[2:0];
+
   wire [EXPONENT_BITS-1:0] s3_exponent;
   wire [ALIGNED-1:0]       s3_moved;
-  wire [AMOUNT_BITS-1:0]   s3_lost_before;
+  wire [1:0]               s3_lost_before;
   wire [1:0]               s3_rest;
   wire                     s3_sign;
   wire                     s3_cancel;
   wire [FLAGS-1:0]         s3_flags;
 
   fp_rank #(
-    .WIDTH     (EXPONENT_BITS + ALIGNED + AMOUNT_BITS + 4 + FLAGS),
+    .WIDTH     (EXPONENT_BITS + ALIGNED + 6 + FLAGS),
     .REGISTERED(CUTS[2])
   ) rank_2 (
     .aclk(aclk),
-    .d   ({s2_exponent, s2_moved, s2_lost, s2_amount[1:0], s2_sign, s2_cancel, s2_flags}),
+    .d   ({s2_exponent, s2_moved, s2_lost_far, s2_lost_near, s2_amount[1:0], s2_sign, s2_cancel,
+           s2_flags}),
     .q   ({s3_exponent, s3_moved, s3_lost_before, s3_rest, s3_sign, s3_cancel, s3_flags})
   );
 

@@ -22,6 +22,7 @@ module fp_cut_sum #(
   parameter             CANCELLATION   = 1,
   parameter             GRADUAL        = 0,
   parameter             EMBEDDED       = 1,
+  parameter             SUM_SELECTS    = 2,
   parameter             FACTOR_A       = 24,
   parameter             FACTOR_B       = 17,
   parameter             WINDOW         = 33,   // a term has two bits in front of its point
@@ -132,6 +133,7 @@ module fp_cut_sum #(
           .SUBTRACT      (DIFFERENCES[k]),
           .GRADUAL       (GRADUAL),
           .EMBEDDED      (EMBEDDED),
+          .SUM_SELECTS   (SUM_SELECTS),
           .FACTOR_A      (FACTOR_A),
           .FACTOR_B      (FACTOR_B),
           .CUTS          (CUTS[15:0])

@@ -3,7 +3,7 @@
 // reset.
 // Special values as IEEE 754: x / 0 is infinite, 0 / 0 and infinity / infinity are NaN.
 // SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md. A
-// divisor of zero is an overflow.
+// divisor of zero is an overflow. SUM_SELECTS: as in fp_add.
 `default_nettype none
 
 module fp_divide #(
@@ -16,6 +16,7 @@ module fp_divide #(
   parameter UNDERFLOW            = 1,
   parameter GRADUAL              = 0,
   parameter TOWARD_ZERO          = 0,
+  parameter SUM_SELECTS          = 2,
   parameter [RESULT_PRECISION+8:0] CUTS = 0
 ) (
   input  wire                                             aclk,
@@ -240,6 +241,7 @@ module fp_divide #(
     .UNDERFLOW           (UNDERFLOW),
     .GRADUAL             (SUBNORMALS),
     .TOWARD_ZERO         (TOWARD_ZERO),
+    .SUM_SELECTS         (SUM_SELECTS),
     .CUTS                (CUTS[DIGITS+6:DIGITS+2])
   ) last_select_round (
     .aclk       (aclk),

@@ -18,6 +18,7 @@ module fp_fused_comparison #(
   parameter [TERMS-1:0] NEGATED       = 0,
   parameter             GRADUAL       = 0,
   parameter             EMBEDDED      = 1,
+  parameter             SUM_SELECTS   = 2,
   parameter             FACTOR_A      = 24,
   parameter             FACTOR_B      = 17,
   parameter [24:0]      CUTS          = 25'b0
@@ -82,6 +83,7 @@ module fp_fused_comparison #(
     .CANCELLATION  (1),
     .GRADUAL       (GRADUAL),
     .EMBEDDED      (EMBEDDED),
+    .SUM_SELECTS   (SUM_SELECTS),
     .FACTOR_A      (FACTOR_A),
     .FACTOR_B      (FACTOR_B),
     .WINDOW        (WINDOW),

@@ -17,6 +17,7 @@ module fp_fused_squared_sum #(
   parameter        SUBTRACT       = 0,
   parameter        GRADUAL        = 0,
   parameter        EMBEDDED       = 1,
+  parameter        SUM_SELECTS    = 2,
   parameter        FACTOR_A       = 24,
   parameter        FACTOR_B       = 17,
   parameter [15:0] CUTS           = 16'b0
@@ -85,6 +86,7 @@ module fp_fused_squared_sum #(
     .EXPONENT_WIDTH(EXPONENT_WIDTH),
     .SUBTRACT      (SUBTRACT),
     .GRADUAL       (GRADUAL),
+    .SUM_SELECTS   (SUM_SELECTS),
     .CUTS          ({CUTS[6], 1'b0, CUTS[5:4], 1'b0, CUTS[3:0]})
   ) s0_sum (
     .aclk       (aclk),

@@ -1,10 +1,11 @@
 // fp_halved_sum: a + b + carry, modulo 2^WIDTH; with its cut the lower half of the bits is added in
 // front of it and the upper half behind it, so that each carry chain has half the length.
-// Latency: CUTS; initiation interval 1; no reset.
+// Latency: CUTS; initiation interval 1; no reset. GATED: as in fp_chain_sum.
 `default_nettype none
 
 module fp_halved_sum #(
   parameter       WIDTH = 8,
+  parameter       GATED = 0,
   parameter [0:0] CUTS  = 1'b0
 ) (
   input  wire             aclk,
@@ -24,7 +25,6 @@ module fp_halved_sum #(
     end
   endgenerate
 
-  // A carry enters as a carry out of an extra last place.
   generate
     if (CUTS != 0) begin : g_halves
       wire [LOWER:0]   s0_lower;
@@ -33,11 +33,16 @@ module fp_halved_sum #(
       wire             s1_carry;
       wire [LOWER-1:0] s1_lower;
       wire [UPPER-1:0] s1_upper;
-      wire             s0_unused_place;
-      wire             s1_unused_place;
 
-      assign {s0_lower, s0_unused_place} =
-          {1'b0, a[LOWER-1:0], 1'b1} + {1'b0, b[LOWER-1:0], carry};
+      fp_chain_sum #(
+        .WIDTH(LOWER + 1),
+        .GATED(GATED)
+      ) s0_sum (
+        .a    ({1'b0, a[LOWER-1:0]}),
+        .b    ({1'b0, b[LOWER-1:0]}),
+        .carry(carry),
+        .sum  (s0_lower)
+      );
 
       fp_rank #(
         .WIDTH(2 * UPPER + LOWER + 1)
@@ -47,13 +52,28 @@ module fp_halved_sum #(
         .q   ({s1_a, s1_b, s1_carry, s1_lower})
       );
 
-      assign {s1_upper, s1_unused_place} = {s1_a, 1'b1} + {s1_b, s1_carry};
-      assign sum                         = {s1_upper, s1_lower};
+      fp_chain_sum #(
+        .WIDTH(UPPER)
+      ) s1_sum (
+        .a    (s1_a),
+        .b    (s1_b),
+        .carry(s1_carry),
+        .sum  (s1_upper)
+      );
+
+      assign sum = {s1_upper, s1_lower};
     end else begin : g_whole
       wire unused_aclk = aclk;
-      wire unused_place;
 
-      assign {sum, unused_place} = {a, 1'b1} + {b, carry};
+      fp_chain_sum #(
+        .WIDTH(WIDTH),
+        .GATED(GATED)
+      ) whole (
+        .a    (a),
+        .b    (b),
+        .carry(carry),
+        .sum  (sum)
+      );
     end
   endgenerate
 

@@ -3,7 +3,8 @@
 // EMBEDDED = 0: the product is logic on any device; else it is of `*`, each of FACTOR_A by FACTOR_B
 // bits, for the device's multipliers. DIGIT_STAGE: fp_logic_product.
 // Special values as IEEE 754: infinity * 0 is NaN.
-// SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md.
+// SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md. SUM_SELECTS:
+// as in fp_add.
 `default_nettype none
 
 module fp_multiply #(
@@ -16,6 +17,7 @@ module fp_multiply #(
   parameter        UNDERFLOW            = 1,
   parameter        GRADUAL              = 0,
   parameter        TOWARD_ZERO          = 0,
+  parameter        SUM_SELECTS          = 2,
   parameter        EMBEDDED             = 1,
   parameter        DIGIT_STAGE          = 0,
   parameter        FACTOR_A             = 24,
@@ -237,6 +239,7 @@ module fp_multiply #(
     .UNDERFLOW           (UNDERFLOW),
     .GRADUAL             (SUBNORMALS),
     .TOWARD_ZERO         (TOWARD_ZERO),
+    .SUM_SELECTS         (SUM_SELECTS),
     .CUTS                (CUTS[ROUND+4:ROUND])
   ) select_round (
     .aclk       (aclk),

@@ -2,6 +2,8 @@
 // Four cuts, initiation interval 1, no reset. Special values: `nan`, `infinite` and `zero` say
 // that the result is one (the first of them wins) whatever exponent and significand are.
 // OVERFLOW = 0 or UNDERFLOW = 0 promises that no other result is too large or too small.
+// Where the leading bits still have to be selected, the gates in front of the rounding's carry
+// chain have inputs to spare for it: they are the low ones of `value` moved down by `amount`.
 `default_nettype none
 
 module fp_round #(
@@ -15,17 +17,21 @@ module fp_round #(
   // 0: they do not, but a significand of exponent 1 may have leading zeros.
   parameter       DENORMALISE          = GRADUAL,
   parameter       TOWARD_ZERO          = 0,
+  parameter       AMOUNT_BITS          = 0,      // 0 to 2; not with DENORMALISE
+  parameter       SUM_SELECTS          = 2,      // as in fp_add
   parameter [3:0] CUTS                 = 4'b0000
 ) (
   input  wire                                             aclk,
   input  wire                                             sign,
-  input  wire [EXPONENT_WIDTH-1:0]                        exponent,     // biased and signed
-  input  wire [RESULT_PRECISION+1:0]                      significand,  // two bits beyond it
+  input  wire [EXPONENT_WIDTH-1:0]                        exponent,  // biased and signed
+  // What is kept of it has two bits beyond RESULT_PRECISION.
+  input  wire [RESULT_PRECISION+(1<<AMOUNT_BITS):0]       value,
+  input  wire [1:0]                                       amount,
   input  wire                                             sticky,
   input  wire                                             nan,
   input  wire                                             infinite,
   input  wire                                             zero,
-  input  wire                                             suspect,  // exceptional already
+  input  wire                                             suspect,   // exceptional already
   output wire [RESULT_EXPONENT_BITS+RESULT_PRECISION-1:0] y,
   output wire                                             exceptional
 );
@@ -48,6 +54,15 @@ module fp_round #(
   // A special result is put in front of the rounding, where it shares the adder's gates, if
   // nothing behind the rounding has to replace its result anyway.
   localparam SPECIAL_FIRST = (OVERFLOW == 0) && !VANISHING;
+
+  // How much of the move waits until the fraction is rounded, and the bits that it chooses from.
+  localparam LATE_MOST = (SUM_SELECTS < AMOUNT_BITS) ? SUM_SELECTS : AMOUNT_BITS;
+  localparam LATE_BITS = SPECIAL_FIRST ? 0 : LATE_MOST;
+  localparam PLACES    = RESULT_PRECISION + 1 + (1 << AMOUNT_BITS);
+  localparam HELD      = FRACTION_BITS - 1 + (1 << LATE_BITS);
+
+  localparam [1:0] MOVING = (1 << AMOUNT_BITS) - 1;
+  localparam [1:0] LATE   = (1 << LATE_BITS) - 1;
 
   localparam [FRACTION_BITS-1:0] NO_FRACTION = 0;
   localparam [FRACTION_BITS-1:0] QUIET       = ~(~NO_FRACTION >> 1);
@@ -72,45 +87,86 @@ module fp_round #(
     if ((DENORMALISE != 0) && (GRADUAL == 0)) begin : g_refused_denormalise
       DENORMALISE_without_GRADUAL refused ();
     end
+    if ((AMOUNT_BITS < 0) || (AMOUNT_BITS > 2)) begin : g_refused_amount_bits
+      AMOUNT_BITS_is_not_0_to_2 refused ();
+    end
+    if ((SUM_SELECTS < 0) || (SUM_SELECTS > 2)) begin : g_refused_sum_selects
+      SUM_SELECTS_is_not_0_to_2 refused ();
+    end
+    if ((DENORMALISE != 0) && (AMOUNT_BITS != 0)) begin : g_refused_two_moves
+      AMOUNT_BITS_with_DENORMALISE refused ();
+    end
   endgenerate
 
   // Stage denormalise: below exponent 1 the significand moves down instead of the exponent.
+  // Otherwise the value moves by the part of the amount that does not wait, and what will be left
+  // of it is looked at.
   wire [WIDTH-1:0] s0_significand;
+  wire [HELD-1:0]  s0_held;
+  wire [1:0]       s0_amount = amount & LATE;
   wire             s0_sticky;
 
   generate
     if (DENORMALISE != 0) begin : g_denormalise
-      localparam AMOUNT_BITS = width_of(WIDTH);
+      localparam DOWN_BITS = width_of(WIDTH);
 
       wire [EXPONENT_WIDTH-1:0] unused_limited;
       wire                      unused_tiny;
-      wire [AMOUNT_BITS-1:0]    amount;
-      wire [AMOUNT_BITS-1:0]    lost;
+      wire [DOWN_BITS-1:0]      down;
+      wire [DOWN_BITS-1:0]      lost;
 
       fp_subnormal_shift #(
         .EXPONENT_WIDTH(EXPONENT_WIDTH),
-        .AMOUNT_BITS   (AMOUNT_BITS)
+        .AMOUNT_BITS   (DOWN_BITS)
       ) subnormal_shift (
         .exponent(exponent),
         .limited (unused_limited),
         .tiny    (unused_tiny),
-        .amount  (amount)
+        .amount  (down)
       );
 
       fp_shift_right #(
         .WIDTH      (WIDTH),
-        .AMOUNT_BITS(AMOUNT_BITS)
+        .AMOUNT_BITS(DOWN_BITS)
       ) shift (
-        .value  (significand),
-        .amount (amount),
+        .value  (value),
+        .amount (down),
         .shifted(s0_significand),
         .lost   (lost)
       );
 
+      assign s0_held   = s0_significand[WIDTH-2:2];
       assign s0_sticky = sticky || (|lost);
     end else begin : g_normal
-      assign s0_significand = significand;
-      assign s0_sticky      = sticky;
+      wire [PLACES-1:0] early;
+      wire [PLACES-1:0] moved;
+      wire [1:0]        lost_early;
+      wire [1:0]        lost;
+      wire              unused_places = ^early ^ (^moved);
+
+      fp_shift_right #(
+        .WIDTH      (PLACES),
+        .AMOUNT_BITS(2)
+      ) shift_early (
+        .value  (value),
+        .amount (amount & MOVING & ~LATE),
+        .shifted(early),
+        .lost   (lost_early)
+      );
+
+      fp_shift_right #(
+        .WIDTH      (PLACES),
+        .AMOUNT_BITS(2)
+      ) shift (
+        .value  (early),
+        .amount (s0_amount),
+        .shifted(moved),
+        .lost   (lost)
+      );
+
+      assign s0_significand = moved[WIDTH-1:0];
+      assign s0_held        = early[HELD+1:2];
+      assign s0_sticky      = sticky || (|lost_early) || (|lost);
     end
   endgenerate
 
@@ -125,33 +181,40 @@ module fp_round #(
       exponent & {EXPONENT_WIDTH{s0_leading || (GRADUAL == 0)}};
   wire                      s0_inexact_subnormal = !s0_leading && (s0_guard || s0_tail);
 
-  wire s0_nan       = SPECIAL_FIRST && nan;
   wire s0_all_ones  = SPECIAL_FIRST && (nan || infinite);
   wire s0_all_zeros = SPECIAL_FIRST && zero;
   wire s0_finite    = !(s0_all_ones || s0_all_zeros);
 
   wire [EXPONENT_WIDTH-1:0] s0_known_field    =
       (s0_field & {EXPONENT_WIDTH{!s0_all_zeros}}) | {EXPONENT_WIDTH{s0_all_ones}};
-  wire [FRACTION_BITS-1:0]  s0_known_fraction =
-      (s0_significand[WIDTH-2:2] & {FRACTION_BITS{s0_finite}}) | (QUIET & {FRACTION_BITS{s0_nan}});
+  wire [HELD-1:0]           s0_known;
   wire                      s0_up             =
       (TOWARD_ZERO == 0) && s0_finite && s0_guard && (s0_odd || s0_tail);
 
+  generate
+    if (SPECIAL_FIRST) begin : g_special_first
+      assign s0_known = (s0_held & {HELD{s0_finite}}) | (QUIET & {HELD{nan}});
+    end else begin : g_special_last
+      assign s0_known = s0_held;
+    end
+  endgenerate
+
   wire [EXPONENT_WIDTH-1:0] s1_field;
-  wire [FRACTION_BITS-1:0]  s1_fraction;
+  wire [HELD-1:0]           s1_held;
+  wire [1:0]                s1_amount;
   wire                      s1_up;
   wire                      s1_inexact_subnormal;
   wire                      s1_beyond;
   wire [FLAGS-1:0]          s1_flags;
 
   fp_rank #(
-    .WIDTH     (ROUNDED_WIDTH + 3 + FLAGS),
+    .WIDTH     (EXPONENT_WIDTH + HELD + 5 + FLAGS),
     .REGISTERED(CUTS[0])
   ) rank_0 (
     .aclk(aclk),
-    .d   ({s0_known_field, s0_known_fraction, s0_up, s0_inexact_subnormal, s0_beyond,
+    .d   ({s0_known_field, s0_known, s0_amount, s0_up, s0_inexact_subnormal, s0_beyond,
            sign, nan, infinite, zero, suspect}),
-    .q   ({s1_field, s1_fraction, s1_up, s1_inexact_subnormal, s1_beyond, s1_flags})
+    .q   ({s1_field, s1_held, s1_amount, s1_up, s1_inexact_subnormal, s1_beyond, s1_flags})
   );
 
   // Stages round, round upper half: exponent and fraction are one number, so that a carry out of
@@ -161,16 +224,40 @@ module fp_round #(
   wire                     s2_beyond;
   wire [FLAGS-1:0]         s2_flags;
 
-  fp_halved_sum #(
-    .WIDTH(ROUNDED_WIDTH),
-    .CUTS (CUTS[1])
-  ) s1_round (
-    .aclk (aclk),
-    .a    ({s1_field, s1_fraction}),
-    .b    ({{(ROUNDED_WIDTH - 1) {1'b0}}, s1_up}),
-    .carry(1'b0),
-    .sum  (s2_rounded)
-  );
+  generate
+    if (LATE_BITS == 0) begin : g_selected
+      wire unused_amount = ^s1_amount;
+
+      fp_halved_sum #(
+        .WIDTH(ROUNDED_WIDTH),
+        .CUTS (CUTS[1])
+      ) s1_round (
+        .aclk (aclk),
+        .a    ({s1_field, s1_held}),
+        .b    ({{(ROUNDED_WIDTH - 1) {1'b0}}, s1_up}),
+        .carry(1'b0),
+        .sum  (s2_rounded)
+      );
+    end else begin : g_selecting
+      wire [HELD-1:0]          by_twos = s1_amount[1] ? s1_held >> 2 : s1_held;
+      wire [FRACTION_BITS-1:0] stays   = by_twos[FRACTION_BITS-1:0];
+      wire [FRACTION_BITS-1:0] moves   = by_twos[FRACTION_BITS:1];
+      wire                     unused_by_twos = ^by_twos;
+
+      fp_selected_sum #(
+        .WIDTH(ROUNDED_WIDTH),
+        .CUTS (CUTS[1])
+      ) s1_round (
+        .aclk  (aclk),
+        .a     ({{(ROUNDED_WIDTH - 1) {1'b0}}, s1_up}),
+        .select(s1_amount[0]),
+        .b     ({s1_field, stays}),
+        .c     ({s1_field, moves}),
+        .carry (1'b0),
+        .sum   (s2_rounded)
+      );
+    end
+  endgenerate
 
   fp_rank #(
     .WIDTH     (2 + FLAGS),

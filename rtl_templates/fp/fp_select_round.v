@@ -14,6 +14,7 @@ module fp_select_round #(
   parameter       UNDERFLOW            = 1,
   parameter       GRADUAL              = 0,   // 1: with UNDERFLOW alone
   parameter       TOWARD_ZERO          = 0,
+  parameter       SUM_SELECTS          = 2,   // as in fp_add
   parameter [4:0] CUTS                 = 5'b0
 ) (
   input  wire                                             aclk,
@@ -112,19 +113,6 @@ module fp_select_round #(
   wire [1:0]                s1_amount   = {s1_rest[1], s1_rest[0] || (s1_high && !s1_tiny)};
   wire [EXPONENT_WIDTH-1:0] s1_selected =
       s1_exponent + {{(EXPONENT_WIDTH - 1) {1'b0}}, s1_high};
-  wire [MOVED-2:0]          s1_significand;
-  wire                      s1_unused_place;
-  wire [1:0]                s1_lost;
-
-  fp_shift_right #(
-    .WIDTH      (MOVED),
-    .AMOUNT_BITS(2)
-  ) s1_shift (
-    .value  (s1_value),
-    .amount (s1_amount),
-    .shifted({s1_unused_place, s1_significand}),
-    .lost   (s1_lost)
-  );
 
   // Stages round, pack. The cut behind the selection stands behind the decision to round up.
   fp_round #(
@@ -136,13 +124,16 @@ module fp_select_round #(
     .GRADUAL             (GRADUAL),
     .DENORMALISE         (0),
     .TOWARD_ZERO         (TOWARD_ZERO),
+    .AMOUNT_BITS         (2),
+    .SUM_SELECTS         (SUM_SELECTS),
     .CUTS                (CUTS[4:1])
   ) s1_round (
     .aclk       (aclk),
     .sign       (s1_sign),
     .exponent   (s1_selected),
-    .significand(s1_significand),
-    .sticky     (s1_sticky || (|s1_lost)),
+    .value      ({2'b00, s1_value}),
+    .amount     (s1_amount),
+    .sticky     (s1_sticky),
     .nan        (s1_nan),
     .infinite   (s1_infinite),
     .zero       (s1_zero),

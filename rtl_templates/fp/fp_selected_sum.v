@@ -24,6 +24,7 @@ module fp_selected_sum #(
 
   fp_halved_sum #(
     .WIDTH(WIDTH),
+    .GATED(1),
     .CUTS (CUTS)
   ) halved_sum (
     .aclk (aclk),

@@ -4,7 +4,8 @@
 // interval CYCLES: `start` says that an operand is there, and comes again after CYCLES cycles at
 // the earliest. No reset: `start` ends what is left of an earlier square.
 // Special values as IEEE 754.
-// SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md.
+// SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md. SUM_SELECTS:
+// as in fp_add.
 `default_nettype none
 
 module fp_serial_square #(
@@ -17,6 +18,7 @@ module fp_serial_square #(
   parameter              UNDERFLOW            = 1,
   parameter              GRADUAL              = 0,
   parameter              TOWARD_ZERO          = 0,
+  parameter              SUM_SELECTS          = 2,
   parameter              CYCLES               = (PRECISION + 5) / 6,
   parameter [CYCLES+9:0] CUTS                 = 0
 ) (
@@ -185,6 +187,7 @@ module fp_serial_square #(
     .UNDERFLOW           (UNDERFLOW),
     .GRADUAL             (SUBNORMALS),
     .TOWARD_ZERO         (TOWARD_ZERO),
+    .SUM_SELECTS         (SUM_SELECTS),
     .CUTS                (CUTS[ROUND+4:ROUND])
   ) select_round (
     .aclk       (aclk),

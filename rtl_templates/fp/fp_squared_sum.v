@@ -4,8 +4,8 @@
 // The rounded sum is squared as it leaves the adder, with leading zeros where its operands cancel,
 // and without its sign. So only the square is normalised, and in the same step it moves down if it
 // is subnormal.
-// EMBEDDED, DIGIT_STAGE, FACTOR_A, FACTOR_B: as in fp_square. MOVED_LAST: as in
-// fp_unnormalised_sum. Special values as IEEE 754.
+// EMBEDDED, DIGIT_STAGE, FACTOR_A, FACTOR_B: as in fp_square. SUM_SELECTS: as in fp_add. Special
+// values as IEEE 754.
 `default_nettype none
 
 module fp_squared_sum #(
@@ -15,7 +15,7 @@ module fp_squared_sum #(
   parameter        GRADUAL       = 0,
   parameter        EMBEDDED      = 1,
   parameter        DIGIT_STAGE   = 0,
-  parameter        MOVED_LAST    = 0,
+  parameter        SUM_SELECTS   = 2,
   parameter        FACTOR_A      = 24,
   parameter        FACTOR_B      = 17,
   parameter [22:0] CUTS          = 23'b0
@@ -91,7 +91,7 @@ module fp_squared_sum #(
     .EXPONENT_WIDTH(SUM_EXPONENT),
     .SUBTRACT      (SUBTRACT),
     .GRADUAL       (GRADUAL),
-    .MOVED_LAST    (MOVED_LAST),
+    .SUM_SELECTS   (SUM_SELECTS),
     .CUTS          (CUTS[SQUARE-1:0])
   ) s0_sum (
     .aclk       (aclk),
@@ -265,43 +265,37 @@ module fp_squared_sum #(
     .q   ({s19_exponent, s19_step, s19_value, s19_sticky, s19_nan, s19_infinite, s19_zero})
   );
 
-  // Stage select: by the last step, and by where the leading one is.
-  wire [KEPT-1:0] s19_moved;
-  wire            s19_lost;
-
-  fp_shift_left #(
-    .WIDTH      (TWOS),
-    .KEPT       (KEPT),
-    .AMOUNT_BITS(1),
-    .STEP       (2)
-  ) s19_normalise (
-    .value  (s19_value),
-    .amount (s19_step),
-    .shifted(s19_moved),
-    .sticky (s19_lost)
-  );
-
-  wire                  s19_high        = s19_moved[KEPT-1];
-  wire [KEPT-2:0]       s19_significand = s19_high ? s19_moved[KEPT-1:1] : s19_moved[KEPT-2:0];
-  wire                  s19_beyond      = s19_sticky || s19_lost || (s19_high && s19_moved[0]);
-  wire [SUM_EXPONENT:0] s19_selected    =
-      s19_exponent + {{SUM_EXPONENT{1'b0}}, s19_high};
+  // Stages select, round, pack: the last step and the place of the leading one are selected where
+  // the square is rounded. Of KEPT places the first is a one, or the second is.
+  wire [KEPT+1:0]       s19_places;
+  wire                  s19_high     = s19_step ? s19_places[KEPT-1] : s19_places[KEPT+1];
+  wire [SUM_EXPONENT:0] s19_selected = s19_exponent + {{SUM_EXPONENT{1'b0}}, s19_high};
   wire                  unused_exceptional;
 
-  // Stages round, pack.
+  generate
+    if (TWOS < KEPT + 2) begin : g_narrow
+      assign s19_places = {s19_value, {(KEPT + 2 - TWOS) {1'b0}}};
+    end else begin : g_as_wide
+      assign s19_places = s19_value;
+    end
+  endgenerate
+
   fp_round #(
     .EXPONENT_WIDTH      (SUM_EXPONENT + 1),
     .RESULT_EXPONENT_BITS(EXPONENT_BITS),
     .RESULT_PRECISION    (PRECISION),
     .GRADUAL             (GRADUAL),
     .DENORMALISE         (0),
+    .AMOUNT_BITS         (2),
+    .SUM_SELECTS         (SUM_SELECTS),
     .CUTS                (CUTS[22:19])
   ) s19_round (
     .aclk       (aclk),
     .sign       (1'b0),
     .exponent   (s19_selected),
-    .significand(s19_significand),
-    .sticky     (s19_beyond),
+    .value      (s19_places),
+    .amount     ({!s19_step, s19_high}),
+    .sticky     (s19_sticky),
     .nan        (s19_nan),
     .infinite   (s19_infinite),
     .zero       (s19_zero),

@@ -13,7 +13,7 @@ module fp_unnormalised_sum #(
   parameter       EXPONENT_WIDTH = 10,   // EXPONENT_BITS + 2 or more
   parameter       SUBTRACT       = 0,
   parameter       GRADUAL        = 0,
-  parameter       MOVED_LAST     = 0,    // 1: for look-up tables of four inputs
+  parameter       SUM_SELECTS    = 2,    // as in fp_add
   parameter [8:0] CUTS           = 9'b0
 ) (
   input  wire                               aclk,
@@ -30,6 +30,10 @@ module fp_unnormalised_sum #(
   // in front, for its carry.
   localparam ALIGNED = PRECISION + 2;
   localparam SUM     = ALIGNED + 2;
+
+  // With two bits that select, the larger operand is selected where it is added. Otherwise the
+  // smaller one moves by its last place there.
+  localparam MOVED_LAST = (SUM_SELECTS < 2);
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
@@ -65,7 +69,7 @@ module fp_unnormalised_sum #(
     .GRADUAL      (GRADUAL),
     .ORDERED      (0),
     .COMPLEMENTED (1),
-    .SELECTED_LAST(MOVED_LAST == 0),
+    .SELECTED_LAST(!MOVED_LAST),
     .MOVED_LAST   (MOVED_LAST),
     .CUTS         (CUTS[3:0])
   ) s0_aligned_operands (
@@ -94,7 +98,7 @@ module fp_unnormalised_sum #(
   wire [1:0]               s5_flags;
 
   generate
-    if (MOVED_LAST != 0) begin : g_moved_last
+    if (MOVED_LAST) begin : g_moved_last
       fp_selected_sum #(
         .WIDTH(SUM),
         .CUTS (CUTS[4])
@@ -112,6 +116,7 @@ module fp_unnormalised_sum #(
 
       fp_halved_sum #(
         .WIDTH(SUM),
+        .GATED(1),
         .CUTS (CUTS[4])
       ) s4_sum (
         .aclk (aclk),
@@ -150,22 +155,20 @@ module fp_unnormalised_sum #(
   // one place below. If it begins further below, nothing is beyond it and it is taken from there.
   // If the smaller operand was the larger one after all, the exponents are equal, and the sum lacks
   // the one that rounding up adds.
-  wire [SUM-1:0]       s6_bits      = s6_sum ^ {SUM{s6_cancel}};
-  wire                 s6_swapped   = s6_cancel && !s6_sum[SUM-1];
-  wire                 s6_inverted  = s6_cancel && s6_sum[SUM-1];
-  wire                 s6_carry     = !s6_cancel && s6_sum[SUM-1];
-  wire                 s6_below     = s6_inverted && !s6_bits[SUM-2];
-  wire [PRECISION-1:0] s6_uncarried = s6_sum[SUM-2:3] ^ {PRECISION{s6_inverted}};
-  wire [PRECISION-1:0] s6_shifted   = s6_carry ? s6_sum[SUM-1:4] : ~s6_sum[SUM-3:2];
-  wire [PRECISION-1:0] s6_selected  = (s6_carry || s6_below) ? s6_shifted : s6_uncarried;
-  wire                 s6_up        =
+  wire [SUM-1:0] s6_bits     = s6_sum ^ {SUM{s6_cancel}};
+  wire           s6_swapped  = s6_cancel && !s6_sum[SUM-1];
+  wire           s6_inverted = s6_cancel && s6_sum[SUM-1];
+  wire           s6_carry    = !s6_cancel && s6_sum[SUM-1];
+  wire           s6_below    = s6_inverted && !s6_bits[SUM-2];
+  wire           s6_shifts   = s6_carry || s6_below;
+  wire           s6_up       =
       s6_swapped
       || (s6_carry && s6_bits[3] && (s6_bits[4] || (|s6_bits[2:0])))
       || (s6_below && s6_bits[1] && (s6_bits[2] || s6_bits[0]))
       || (!s6_carry && !s6_below && s6_bits[2] && (s6_bits[3] || (|s6_bits[1:0])));
   wire [EXPONENT_WIDTH-1:0] s6_moved_exponent =
       {{(EXPONENT_WIDTH - EXPONENT_BITS) {1'b0}}, s6_exponent}
-      + {{(EXPONENT_WIDTH - 1) {s6_below}}, s6_carry || s6_below};
+      + {{(EXPONENT_WIDTH - 1) {s6_below}}, s6_shifts};
 
   wire [EXPONENT_WIDTH-1:0] s7_exponent;
   wire [PRECISION-1:0]      s7_selected;
@@ -173,13 +176,48 @@ module fp_unnormalised_sum #(
   wire [1:0]                s7_flags;
 
   fp_rank #(
-    .WIDTH     (EXPONENT_WIDTH + PRECISION + 3),
+    .WIDTH     (EXPONENT_WIDTH + 3),
     .REGISTERED(CUTS[6])
   ) rank_6 (
     .aclk(aclk),
-    .d   ({s6_moved_exponent, s6_selected, s6_up, s6_flags}),
-    .q   ({s7_exponent, s7_selected, s7_up, s7_flags})
+    .d   ({s6_moved_exponent, s6_up, s6_flags}),
+    .q   ({s7_exponent, s7_up, s7_flags})
   );
+
+  // Two bits select from three of the sum, in front of the rank or where the significand is
+  // rounded.
+  function [PRECISION-1:0] selected(input [PRECISION+1:0] sum, input shifts, input inverted);
+    selected = shifts ? (inverted ? ~sum[PRECISION-1:0] : sum[PRECISION+1:2])
+                      : sum[PRECISION:1] ^ {PRECISION{inverted}};
+  endfunction
+
+  generate
+    if (SUM_SELECTS < 2) begin : g_in_front
+      fp_rank #(
+        .WIDTH     (PRECISION),
+        .REGISTERED(CUTS[6])
+      ) rank_6_selected (
+        .aclk(aclk),
+        .d   (selected(s6_sum[SUM-1:2], s6_shifts, s6_inverted)),
+        .q   (s7_selected)
+      );
+    end else begin : g_behind
+      wire [PRECISION+1:0] s7_sum;
+      wire                 s7_shifts;
+      wire                 s7_inverted;
+
+      fp_rank #(
+        .WIDTH     (PRECISION + 4),
+        .REGISTERED(CUTS[6])
+      ) rank_6_sum (
+        .aclk(aclk),
+        .d   ({s6_sum[SUM-1:2], s6_shifts, s6_inverted}),
+        .q   ({s7_sum, s7_shifts, s7_inverted})
+      );
+
+      assign s7_selected = selected(s7_sum, s7_shifts, s7_inverted);
+    end
+  endgenerate
 
   // Stages round sum, round upper half: a carry out leaves zeros, of which the first becomes a one.
   wire [EXPONENT_WIDTH-1:0] s8_exponent;
@@ -189,11 +227,12 @@ module fp_unnormalised_sum #(
 
   fp_halved_sum #(
     .WIDTH(PRECISION + 1),
+    .GATED(SUM_SELECTS == 2),
     .CUTS (CUTS[7])
   ) s7_round (
     .aclk (aclk),
-    .a    ({1'b0, s7_selected}),
-    .b    ({{PRECISION{1'b0}}, s7_up}),
+    .a    ({{PRECISION{1'b0}}, s7_up}),
+    .b    ({1'b0, s7_selected}),
     .carry(1'b0),
     .sum  ({s8_carry, s8_rounded})
   );

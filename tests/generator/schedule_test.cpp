@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "generator/datapath/delays.hpp"
 #include "generator/datapath/embedded_square.hpp"
@@ -31,11 +32,11 @@ public:
   int count() const { return static_cast<int>(stages_.size()); }
 
   double longest_path_ns(unsigned cuts) const {
-    double longest = 0, path = 0;
+    double longest = 0;
     for (int k = 0; k < count(); ++k) {
-      path += path > 0 ? stages_[k].delay_ns - stages_[k].overlap_ns : stages_[k].delay_ns;
-      longest = std::max(longest, path);
-      if (is_cut(cuts, k)) path = 0;
+      for (int chain = 0; chain < chains(k); ++chain) {
+        longest = std::max(longest, ready_ns(cuts, k, chain));
+      }
     }
     return longest;
   }
@@ -49,18 +50,33 @@ public:
     return true;
   }
 
-  /// No sum that fits into `limit_ns` is cut into halves.
-  bool has_whole_sums(unsigned cuts, double limit_ns) const {
-    for (int k = 1; k < count(); ++k) {
-      const bool is_halved = stages_[k].is_upper_half && is_cut(cuts, k - 1);
-      const double whole_ns = stages_[k - 1].delay_ns + stages_[k].delay_ns - stages_[k].overlap_ns;
-      if (is_halved && whole_ns <= limit_ns) return false;
-    }
-    return true;
+  int halved_sums(unsigned cuts) const {
+    int halved = 0;
+    for (int k = 1; k < count(); ++k) halved += stages_[k].is_upper_half && is_cut(cuts, k - 1);
+    return halved;
   }
 
 private:
   static bool is_cut(unsigned cuts, int stage) { return (cuts >> stage & 1) != 0; }
+
+  int chains(int stage) const {
+    return std::max(1, static_cast<int>(stages_[stage].chains.size()));
+  }
+
+  /// How long after the last register the result of a chain of a stage is there.
+  double ready_ns(unsigned cuts, int k, int chain) const {
+    const datapath::Stage& stage = stages_[k];
+    const auto [ns, overlap_ns] = stage.chains.empty()
+                                      ? datapath::ChainDelay{stage.delay_ns, stage.overlap_ns}
+                                      : stage.chains[chain];
+    if (k == 0 || is_cut(cuts, k - 1)) return ns;
+    double before = 0;
+    const bool joins = stage.forks || chains(k) != chains(k - 1);
+    for (int other = 0; other < chains(k - 1); ++other) {
+      if (joins || other == chain) before = std::max(before, ready_ns(cuts, k - 1, other));
+    }
+    return before + ns - overlap_ns;
+  }
 
   std::vector<datapath::Stage> stages_;
 };
@@ -75,6 +91,10 @@ double longest_path_ns(const datapath::Step& step) {
   return Stages(step.unit).longest_path_ns(mask_of(step.cuts));
 }
 
+int halved_sums(const datapath::Step& step) {
+  return Stages(step.unit).halved_sums(mask_of(step.cuts));
+}
+
 double slowest_stage_ns(const datapath::Unit& unit) {
   double slowest = 0;
   for (const datapath::Stage& stage : unit.stages) slowest = std::max(slowest, stage.delay_ns);
@@ -85,16 +105,16 @@ int registers(const std::vector<bool>& cuts) {
   return static_cast<int>(std::count(cuts.begin(), cuts.end(), true));
 }
 
-/// Fewest registers, the last included, with no path over `limit_ns`: tries every mask.
-int fewest_registers(const datapath::Unit& unit, double limit_ns) {
+/// Of the masks with no path over `limit_ns` those with the fewest registers, the last included,
+/// and of these the one with the fewest sums in halves: both numbers. Tries every mask.
+std::pair<int, int> fewest_cuts(const datapath::Unit& unit, double limit_ns) {
   const Stages stages(unit);
   const unsigned last = 1u << (stages.count() - 1);
-  int fewest = stages.count();
+  std::pair<int, int> fewest = {stages.count() + 1, 0};
   for (unsigned cuts = last; cuts < 2 * last; ++cuts) {
-    const int registers = std::popcount(cuts);
-    if (registers < fewest && stages.longest_path_ns(cuts) <= limit_ns && stages.has_needed(cuts) &&
-        stages.has_whole_sums(cuts, limit_ns)) {
-      fewest = registers;
+    const std::pair numbers = {std::popcount(cuts), stages.halved_sums(cuts)};
+    if (numbers < fewest && stages.longest_path_ns(cuts) <= limit_ns && stages.has_needed(cuts)) {
+      fewest = numbers;
     }
   }
   return fewest;
@@ -146,7 +166,9 @@ TEST_P(CutsOfProducts, AreTheFewestThatMeetThePeriodAndTheOutputIsRegistered) {
     EXPECT_TRUE(step.cuts.back()) << step.unit.module;
     if (slowest_stage_ns(step.unit) <= logic_ns) {
       EXPECT_LE(longest_path_ns(step), logic_ns) << step.unit.module;
-      EXPECT_EQ(registers(step.cuts), fewest_registers(step.unit, logic_ns)) << step.unit.module;
+      EXPECT_EQ(std::pair(registers(step.cuts), halved_sums(step)),
+                fewest_cuts(step.unit, logic_ns))
+          << step.unit.module;
     } else {
       EXPECT_FALSE(schedule.slow_stages.empty()) << step.unit.module;
     }
@@ -182,7 +204,9 @@ TEST_P(ScheduleAtTarget, RowsOfMultipliersAreCutBehindRegisteredMultipliers) {
       EXPECT_TRUE(rows_wait_for_multipliers(step, rows)) << device;
       if (slowest_stage_ns(step.unit) > logic_ns) continue;
       EXPECT_LE(longest_path_ns(step), logic_ns) << device;
-      EXPECT_EQ(registers(step.cuts), fewest_registers(step.unit, logic_ns)) << device;
+      EXPECT_EQ(std::pair(registers(step.cuts), halved_sums(step)),
+                fewest_cuts(step.unit, logic_ns))
+          << device;
     }
     EXPECT_EQ(squares, 4) << device;
   }
@@ -266,7 +290,7 @@ TEST(Schedule, NoRegisterIsBoughtForChainsThatOverlap) {
                        .operand_format = format("s24e8"),
                        .format = format("s24e8")};
   const datapath::Unit unit =
-      datapath::unit_for(node, Subnormals::flush, scene::Multipliers::logic, delays);
+      datapath::unit_for(node, Subnormals::flush, {}, scene::Multipliers::logic, delays);
   ASSERT_EQ(unit.stages.size(), 15u);
   ASSERT_EQ(unit.stages[3].name, "level 0");
   // Rows of 30 bits, two bits apart: a LUT, then three chains that each start once the one before
@@ -326,7 +350,7 @@ TEST(Schedule, AProductWithAPowerOfTwoTakesNoMultiplier) {
     EXPECT_NE(scaled.graph.nodes[static_cast<std::size_t>(scaling->operand)].operation,
               Operation::constant);
     const datapath::Unit unit =
-        datapath::unit_for(scaled.graph, scaled.node(), scene::Multipliers::embedded, delays);
+        datapath::unit_for(scaled.graph, scaled.node(), {}, scene::Multipliers::embedded, delays);
     EXPECT_EQ(unit.module, "fp_convert");
     EXPECT_EQ(unit.stages.size(), 6u);
   }
@@ -334,7 +358,7 @@ TEST(Schedule, AProductWithAPowerOfTwoTakesNoMultiplier) {
     const Product plain = product(text);
     EXPECT_FALSE(datapath::scaling_of(plain.graph, plain.node())) << text;
     const datapath::Unit unit =
-        datapath::unit_for(plain.graph, plain.node(), scene::Multipliers::embedded, delays);
+        datapath::unit_for(plain.graph, plain.node(), {}, scene::Multipliers::embedded, delays);
     EXPECT_EQ(unit.module, "fp_multiply") << text;
   }
 }
@@ -419,7 +443,7 @@ TEST(Schedule, SquaresByTheirSymmetryHaveTheirOwnStages) {
   const TypedNode node{
       .operation = Operation::square, .operand_format = format("s53e8"), .format = format("s53e8")};
   const datapath::Unit unit =
-      datapath::unit_for(node, Subnormals::gradual, scene::Multipliers::embedded, delays);
+      datapath::unit_for(node, Subnormals::gradual, {}, scene::Multipliers::embedded, delays);
   ASSERT_EQ(unit.stages.size(), 15u);
   EXPECT_EQ(unit.stages[4].name, "link 0");
   EXPECT_EQ(unit.stages[6].delay_ns, delays.multiplier_add_ns);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -201,7 +202,8 @@ TEST(System, EveryVerilogFileSaysItIsUnencumberedAndNamesNoPathOrDate) {
     EXPECT_NE(text.find("unencumbered"), std::string::npos) << name;
     EXPECT_EQ(text.find("/home"), std::string::npos) << name;
     EXPECT_EQ(text.find("/work"), std::string::npos) << name;
-    EXPECT_EQ(text.find("202"), std::string::npos) << name << " seems to hold a year";
+    EXPECT_FALSE(std::regex_search(text, std::regex("\\b20[2-9][0-9]\\b")))
+        << name << " seems to hold a year";
   }
 }
 

@@ -50,6 +50,7 @@ module fp_units #(
           localparam [127:0] CUTS = (column >= 2) ? SOME_CUTS : ALL_OR_NONE;
           localparam [3:0] COUNTED_UP = (column >= 2) ? column - 2 : 0;
           localparam [3:0] PROMISED = (column == 11) ? 15 : COUNTED_UP;
+          localparam SELECTS = (column + gradual + 2 * toward_zero) % 3;
 
           for (subtract = 0; subtract < 2; subtract = subtract + 1) begin : add
             wire [RESULT_PACKED-1:0] r;
@@ -65,6 +66,7 @@ module fp_units #(
                 .CANCELLATION        (!PROMISED[3]),
                 .GRADUAL             (gradual),
                 .TOWARD_ZERO         (toward_zero),
+                .SUM_SELECTS         (SELECTS),
                 .CUTS                (CUTS[13:0])
             ) unit (
                 .aclk       (aclk),
@@ -87,6 +89,7 @@ module fp_units #(
               .UNDERFLOW           (!PROMISED[2]),
               .GRADUAL             (gradual),
               .TOWARD_ZERO         (toward_zero),
+              .SUM_SELECTS         (SELECTS),
               .CUTS                (CUTS[14:0])
           ) multiply (
               .aclk       (aclk),
@@ -108,6 +111,7 @@ module fp_units #(
               .UNDERFLOW           (!PROMISED[2]),
               .GRADUAL             (gradual),
               .TOWARD_ZERO         (toward_zero),
+              .SUM_SELECTS         (SELECTS),
               .CUTS                (CUTS[14:0])
           ) square (
               .aclk       (aclk),
@@ -128,6 +132,7 @@ module fp_units #(
               .UNDERFLOW           (!PROMISED[2]),
               .GRADUAL             (gradual),
               .TOWARD_ZERO         (toward_zero),
+              .SUM_SELECTS         (SELECTS),
               .CUTS                (CUTS[RESULT_PRECISION+8:0])
           ) divide (
               .aclk       (aclk),
@@ -189,6 +194,7 @@ module fp_units #(
               .UNDERFLOW           (!PROMISED[2]),
               .GRADUAL             (gradual),
               .TOWARD_ZERO         (toward_zero),
+              .SUM_SELECTS         (SELECTS),
               .EMBEDDED            (0),
               .CUTS                (CUTS[14:0])
           ) logic_multiply (
@@ -211,6 +217,7 @@ module fp_units #(
               .UNDERFLOW           (!PROMISED[2]),
               .GRADUAL             (gradual),
               .TOWARD_ZERO         (toward_zero),
+              .SUM_SELECTS         (SELECTS),
               .EMBEDDED            (0),
               .CUTS                (CUTS[14:0])
           ) logic_square (

@@ -99,6 +99,7 @@ module fused_sums #(
           .CANCELLATION (!ONE_SIGN || (VARIANT == 1)),
           .GRADUAL      (GRADUAL),
           .EMBEDDED     (VARIANT == 0),
+          .SUM_SELECTS  ((VARIANT == 0) ? 2 : 1),
           .CUTS         ((VARIANT == 1) ? SOME_CUTS : 30'h0)
       ) unit (
           .aclk       (aclk),
@@ -119,6 +120,7 @@ module fused_sums #(
           .NEGATED      (NEGATED),
           .GRADUAL      (GRADUAL),
           .EMBEDDED     (VARIANT == 0),
+          .SUM_SELECTS  ((VARIANT == 0) ? 2 : 1),
           .CUTS         ((VARIANT == 1) ? SOME_CUTS[24:0] : 25'h0)
       ) comparison (
           .aclk   (aclk),

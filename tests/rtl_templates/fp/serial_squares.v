@@ -41,6 +41,7 @@ module serial_squares #(
           .UNDERFLOW           (slot < 8),
           .GRADUAL             (slot / 2 % 2),
           .TOWARD_ZERO         (slot / 4 % 2),
+          .SUM_SELECTS         (slot % 3),
           .CUTS                ({OUTER[6:2], {(CYCLES + 3) {1'b1}}, OUTER[1:0]})
       ) unit (
           .aclk       (aclk),

@@ -8,7 +8,7 @@ module squared_sum_tb;
   parameter PRECISION     = 3;
   parameter SUBTRACT      = 1;
   parameter GRADUAL       = 1;
-  parameter MOVED_LAST    = 0;
+  parameter SUM_SELECTS   = 2;
 
   localparam PACKED = EXPONENT_BITS + PRECISION;
   localparam COUNT  = 1 << PACKED;
@@ -52,7 +52,7 @@ module squared_sum_tb;
       .PRECISION    (PRECISION),
       .SUBTRACT     (SUBTRACT),
       .GRADUAL      (GRADUAL),
-      .MOVED_LAST   (MOVED_LAST)
+      .SUM_SELECTS  (SUM_SELECTS)
   ) dut (
       .aclk(aclk),
       .a   (a),

@@ -1,7 +1,8 @@
 // squared_sums: fp_squared_sum in eight variants, for the regression alone. The slots are
 // {SUBTRACT, GRADUAL, cuts}, the cuts counting fastest: 0 none, 1 SOME_CUTS. Slots whose first and
 // last bit are alike have a product of multipliers, the others one of logic; GRADUAL ones of those
-// find its digits in a stage of their own. Slots with an odd number of ones are MOVED_LAST.
+// find its digits in a stage of their own. Slots with an even number of ones have SUM_SELECTS = 2,
+// of the others slot 7 has 1 and the rest 0.
 `default_nettype none
 
 module squared_sums #(
@@ -32,7 +33,7 @@ module squared_sums #(
           .GRADUAL      (slot / 2 % 2),
           .EMBEDDED     (slot / 4 == slot % 2),
           .DIGIT_STAGE  (slot / 2 % 2),
-          .MOVED_LAST   ((slot / 4 + slot / 2 + slot) % 2),
+          .SUM_SELECTS  ((slot == 7) ? 1 : ((slot / 4 + slot / 2 + slot) % 2 == 0) ? 2 : 0),
           .CUTS         ((slot % 2 == 1) ? SOME_CUTS : 23'h0)
       ) unit (
           .aclk(aclk),

@@ -192,7 +192,7 @@ int UnitsUnderTest::stage_count(int behaviour) const {
   const Subnormals subnormals = which.gradual ? Subnormals::gradual : Subnormals::flush;
   const bool logic = which.unit == logic_multiply || which.unit == logic_square;
   const auto multipliers = logic ? scene::Multipliers::logic : scene::Multipliers::embedded;
-  return count(datapath::unit_for(node, subnormals, multipliers, delays));
+  return count(datapath::unit_for(node, subnormals, {}, multipliers, delays));
 }
 
 Answer UnitsUnderTest::answer(int behaviour, const Stimulus& stimulus) const {
