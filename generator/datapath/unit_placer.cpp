@@ -36,9 +36,9 @@ private:
 };
 
 /// Finds the fewest cuts, the last included, between which every path fits into `logic_ns`, a stage
-/// that does not fit by itself aside. Of equal numbers it takes that with the fewest sums in halves,
-/// then that whose cuts are latest. By dynamic programming: the best cuts of stages 0 to k begin
-/// with the best of some stages 0 to j.
+/// that does not fit by itself aside. Of equal numbers it takes that with the fewest sums in
+/// halves, then that whose cuts are latest. By dynamic programming: the best cuts of stages 0 to k
+/// begin with the best of some stages 0 to j.
 class CutSearch {
 public:
   /// forced: a stage that ends in a cut, or -1.

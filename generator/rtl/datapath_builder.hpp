@@ -92,8 +92,8 @@ std::vector<Port> lane_outputs();
 /// gets "_2" appended.
 std::vector<std::string> input_ports(const std::vector<std::string>& inputs);
 
-/// Appends what depends on the device, where that is not the template's default: what multipliers are
-/// made of, and what carry chains select.
+/// Appends what depends on the device, where that is not the template's default: what multipliers
+/// are made of, and what carry chains select.
 void append_device_parameters(const datapath::Unit& unit, std::vector<Parameter>& parameters);
 
 /// The value of a unit's CUTS parameter.
