@@ -52,7 +52,7 @@ Unit add_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
   add_normalisation(stages, operands, gradual, grows);
   const bool denormalises = gradual && result.exponent_bits() < operands.exponent_bits();
   // The places left are moved in the rounding, but in front of what denormalises.
-  const double last_places = stages.lut_delay_ns(stages.has_wide_tables() ? 1 : 2);
+  const double last_places = stages.lut_delay_ns(grows || stages.has_wide_tables() ? 1 : 2);
   stages.add("normalise", denormalises ? last_places : 0);
   stages.add_round(result, denormalises, 0, denormalises ? 0 : last_places);
   return rounded_by(std::move(stages).unit("fp_add"), delays);

@@ -256,10 +256,11 @@ module fp_add #(
   );
 
   // Stage normalise by fours: the sum's first bit is the carry, one above the larger operand's
-  // exponent.
+  // exponent. A sum that only grows moves up by 0 or 1.
+  wire [EXPONENT_WIDTH-1:0] s8_above    =
+      s8_room + {{(EXPONENT_WIDTH - 1) {1'b0}}, !GROWING || !s8_amount[0]};
   wire [EXPONENT_WIDTH-1:0] s8_exponent =
-      s8_room + {{(EXPONENT_WIDTH - 1) {1'b0}}, 1'b1}
-      - {{(EXPONENT_WIDTH - COUNT_BITS) {1'b0}}, s8_amount};
+      GROWING ? s8_above : s8_above - {{(EXPONENT_WIDTH - COUNT_BITS) {1'b0}}, s8_amount};
   wire [MOVED-1:0]          s8_moved;
   wire                      s8_sticky;
 
