@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <span>
 
 #include "model/common/quote.hpp"
 #include "model/data/sphere_family.hpp"
@@ -49,7 +50,9 @@ data::ColumnNames read_column_names(const std::string& field, const settings::Se
   const auto* list = std::get_if<settings::Setting::Array>(&entry.value);
   names.is_list = list != nullptr;
   wrong = &entry;
-  for (const settings::Setting& item : list == nullptr ? settings::Setting::Array{entry} : *list) {
+  const std::span<const settings::Setting> items =
+      list == nullptr ? std::span(&entry, 1) : std::span(*list);
+  for (const settings::Setting& item : items) {
     const std::optional<data::ColumnKey> column = column_key(item);
     if (!column) {
       if (list != nullptr) wrong = &item;

@@ -120,7 +120,7 @@ TEST_F(CsvTest, OtherSeparatorsAndMissingHeadersAreTold) {
             ":1: y: no such column: received a first line that seems to be "
             "several lines that end in CR alone; accepted a first line that "
             "names the columns, with ',' between them");
-  EXPECT_EQ(error(std::string("\xff\xfex\0,\0y\0\n\0", 12)), seems("text in UTF-16, or no text"));
+  EXPECT_EQ(error(std::string("\xff\xfex\0,\0y\0\n\0", 10)), seems("text in UTF-16, or no text"));
   EXPECT_EQ(error("x,y\n1,2\n# the end\n"),
             ":3: wrong number of fields: received 1, the line seems to be a comment; accepted 2, "
             "as in the first line");
