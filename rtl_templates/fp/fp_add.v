@@ -313,7 +313,7 @@ module fp_add #(
         .sticky (s9_lost)
       );
     end else begin : g_left_to_rounding
-      // Up by the rest is down by three less it, three places below.
+      // fp_round moves down and keeps the low places: by three less what is left to move up.
       assign s9_amount = ~s9_rest;
       assign s9_lost   = 1'b0;
 
