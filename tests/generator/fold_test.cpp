@@ -190,7 +190,7 @@ TEST(FoldedSpheres, KeepTwoValuesAndNoRegisterInFrontOfTheSquarer) {
       graph_of("(a - b)^2 + (c - d)^2 + (a - d)^2", "(b + c)^2"), {.format = format("s24e8")});
   const datapath::Schedule schedule = datapath::schedule_reference(
       graph, {.multipliers = scene::Multipliers::logic, .initiation_interval = 16},
-      datapath::delays_of("ice40-hx8k").value(), 100);
+      datapath::delays_of("ice40-hx8k").value(), 95);
   std::set<NodeId> waiting;
   const auto read = [&](NodeId id, int cycle) {
     const bool computed = datapath::has_unit(graph.nodes[id]);
