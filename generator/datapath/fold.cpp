@@ -86,7 +86,8 @@ private:
 
   void choose_unit(UnitClass& shared) {
     const TypedNode& node = graph_.nodes[representative(shared)];
-    Unit unit = unit_for(graph_, node, {}, multipliers_, placer_.delays());
+    const error::Hazards any_hazard = {};  // operations with other hazards may share the unit
+    Unit unit = unit_for(graph_, node, any_hazard, multipliers_, placer_.delays());
     if (node.operation == Operation::square && multipliers_ == scene::Multipliers::logic) {
       auto serial = serial_square_unit(node, graph_.arithmetic.subnormals, placer_.delays());
       if (serial && is_smaller(shared, *serial, unit, node.operand_format)) unit = *serial;

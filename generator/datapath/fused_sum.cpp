@@ -121,9 +121,8 @@ bool may_cancel(const TypedGraph& graph, const std::vector<FusedTerm>& terms) {
 
 Unit on_device(Unit unit, Multipliers multipliers, const DelayTable& delays) {
   unit.multipliers = multipliers;
-  unit.sum_selects = delays.sum_selects;
   unit.multiplier = delays.multiplier_size;
-  return unit;
+  return with_sum_selects(std::move(unit), delays);
 }
 
 }  // namespace

@@ -35,8 +35,8 @@ public:
       if (inside[id] || !has_unit(node)) {
         schedule_.steps.push_back({.start_cycle = start, .ready_cycle = start});
       } else {
-        const error::Hazards hazard = hazards.empty() ? error::Hazards{} : hazards[id];
-        schedule_.steps.push_back(place(node_unit(graph, id, hazard, multipliers, squared), start));
+        const error::Hazards own = hazards.empty() ? error::Hazards{} : hazards[id];
+        schedule_.steps.push_back(place(node_unit(graph, id, own, multipliers, squared), start));
       }
     }
   }

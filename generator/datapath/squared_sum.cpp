@@ -76,11 +76,11 @@ std::optional<NodeId> squared_sum_of(const TypedGraph& graph, NodeId square) {
 void add_unnormalised_sum(StageList& stages, FloatFormat format, Subnormals subnormals) {
   const int precision = format.precision();
   stages.add_aligned_operands(format, precision + 2, subnormals, StageList::Order::by_exponent);
-  // The larger operand is selected while the smaller one is still being aligned, or the smaller
-  // one's last place is moved.
+  // In front of the sum, with SUM_SELECTS = 2, the larger operand is selected while the smaller one
+  // is still being aligned. Otherwise the smaller one moves by its last place.
   const double selection = stages.lut_delay_ns(1);
   stages.add_wide_sum("sum", selection, precision + 4, selection);
-  stages.add("select", stages.lut_delay_ns(stages.has_wide_tables() ? 2 : 3));
+  stages.add("select", stages.lut_delay_ns(stages.selects_in_sums() ? 2 : 3));
   stages.add_wide_sum("round sum", stages.lut_delay_ns(1), precision + 1);
 }
 
@@ -104,8 +104,7 @@ Unit squared_sum_unit(FloatFormat format, Subnormals subnormals, scene::Multipli
   unit.multipliers = multipliers;
   unit.multiplier = delays.multiplier_size;
   unit.has_digit_stage = has_digit_stage;
-  unit.sum_selects = delays.sum_selects;
-  return unit;
+  return with_sum_selects(std::move(unit), delays);
 }
 
 }  // namespace mixcmp::datapath

@@ -36,6 +36,12 @@ inline int count_levels(int bits) {
   return (2 * bits_for(bits) + 2) / 3;
 }
 
+/// Sets SUM_SELECTS, for templates that have it.
+inline Unit with_sum_selects(Unit unit, const DelayTable& delays) {
+  unit.sum_selects = delays.sum_selects;
+  return unit;
+}
+
 /// Collects the stages of one unit in order, with their delays by a device's delay table.
 class StageList {
 public:
@@ -46,6 +52,8 @@ public:
 
   /// Tells whether a look-up table has more than four inputs.
   bool has_wide_tables() const { return delays_.lut_inputs >= 5; }
+  /// Tells whether two bits may select what a carry chain adds at no cost.
+  bool selects_in_sums() const { return delays_.sum_selects >= 2; }
   double lut_delay_ns(int levels) const { return levels * delays_.lut_ns; }
   double carry(int bits) const { return delays_.carry_start_ns + bits * delays_.carry_ns_per_bit; }
   void add(std::string name, double delay_ns) { stages_.push_back({std::move(name), delay_ns}); }
@@ -128,7 +136,7 @@ inline void StageList::add_side_by_side(const std::vector<StageList>& lists) {
     for (const StageList& list : lists) {
       const Stage& stage = list.stages_[k];
       joint.delay_ns = std::max(joint.delay_ns, stage.delay_ns);
-      joint.chains.push_back({stage.delay_ns, stage.overlap_ns});
+      joint.chains.push_back({.delay_ns = stage.delay_ns, .overlap_ns = stage.overlap_ns});
       if (stage.cut_needs >= 0) joint.cut_needs = first + stage.cut_needs;
     }
     stages_.push_back(std::move(joint));
@@ -139,14 +147,14 @@ inline void StageList::add_side_by_side(const std::vector<StageList>& lists) {
 inline void StageList::add_aligned_operands(FloatFormat operands, int aligned,
                                             Subnormals subnormals, Order order) {
   const bool gradual = subnormals == Subnormals::gradual;
-  // Whether a number is subnormal is known before the carry into the exponents' difference.
+  // Whether a number is subnormal is known before the borrow of the exponents' difference.
   const double exponents = lut_delay_ns(gradual ? reduction_levels(operands.exponent_bits()) : 0) +
                            carry(operands.exponent_bits());
   const bool by_magnitude = order == Order::by_magnitude;
   add("compare", by_magnitude ? std::max(carry(operands.width() - 1), exponents) : exponents);
   add("swap", lut_delay_ns(1));
   add("align by fours", lut_delay_ns(1 + shift_levels(bits_for(aligned) - 2) + 1));
-  // What is lost joins in the same tables, where they have six inputs.
+  // With tables of five inputs or more, the sticky bit takes no table behind the shift's.
   add("align", lut_delay_ns(shift_levels(2) + (has_wide_tables() ? 0 : 1)));
 }
 

@@ -9,18 +9,19 @@
 namespace mixcmp::datapath {
 namespace {
 
-/// When the chains of logic behind a register have ended.
+/// Sums up, for each chain of logic behind a register, the time at which it ends.
 class Path {
 public:
   explicit Path(const Stage& first) {
-    for (const ChainDelay& chain : chains_of(first)) ends_.push_back(chain.ns);
+    for (const ChainDelay& chain : chains_of(first)) ends_.push_back(chain.delay_ns);
   }
 
   void add(const Stage& stage) {
     const std::vector<ChainDelay> chains = chains_of(stage);
+    // Where chains fork or join, all begin when the slowest of those before has ended.
     if (stage.forks || chains.size() != ends_.size()) ends_.assign(chains.size(), end_ns());
     for (std::size_t k = 0; k < chains.size(); ++k) {
-      ends_[k] += chains[k].ns - chains[k].overlap_ns;
+      ends_[k] += chains[k].delay_ns - chains[k].overlap_ns;
     }
   }
 
@@ -35,10 +36,9 @@ private:
   std::vector<double> ends_;
 };
 
-/// Finds the fewest cuts, the last included, between which every path fits into `logic_ns`, a stage
-/// that does not fit by itself aside. Of equal numbers it takes that with the fewest sums in
-/// halves, then that whose cuts are latest. By dynamic programming: the best cuts of stages 0 to k
-/// begin with the best of some stages 0 to j.
+/// Finds the fewest cuts, the output's included, with at most `logic_ns` of logic between two of
+/// them; a stage that is longer stands alone. Among equals it prefers fewer halved sums, then later
+/// cuts. By dynamic programming: the best cuts in front of a stage extend those of an earlier one.
 class CutSearch {
 public:
   /// forced: a stage that ends in a cut, or -1.
@@ -56,7 +56,7 @@ public:
 
 private:
   /// The best cuts of the stages before some `end`.
-  struct Cuts {
+  struct Choice {
     int number = 0;
     int halved_sums = 0;
     int start = 0;  ///< the first stage behind the last cut but one
@@ -69,19 +69,19 @@ private:
   bool halves_a_sum(int end) const { return end < count() && stages_[end].is_upper_half; }
 
   /// Tries all places for the last cut but one, the latest first.
-  Cuts best_before(int end) const {
-    Cuts best = extended(end - 1, end);
+  Choice best_before(int end) const {
+    Choice best = extended(end - 1, end);
     for (int start = end - 2; start >= 0 && !must_cut(start) && fits(start, end); --start) {
-      const Cuts cuts = extended(start, end);
-      if (std::tie(cuts.number, cuts.halved_sums) < std::tie(best.number, best.halved_sums)) {
-        best = cuts;
+      const Choice choice = extended(start, end);
+      if (std::tie(choice.number, choice.halved_sums) < std::tie(best.number, best.halved_sums)) {
+        best = choice;
       }
     }
     return best;
   }
 
-  Cuts extended(int start, int end) const {
-    const Cuts& before = best_[start];
+  Choice extended(int start, int end) const {
+    const Choice& before = best_[start];
     return {before.number + 1, before.halved_sums + (halves_a_sum(end) ? 1 : 0), start};
   }
 
@@ -94,7 +94,7 @@ private:
   const std::vector<Stage>& stages_;
   double logic_ns_;
   int forced_;
-  std::vector<Cuts> best_;
+  std::vector<Choice> best_;
 };
 
 }  // namespace

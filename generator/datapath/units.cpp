@@ -21,41 +21,44 @@ int bias_difference(FloatFormat result, FloatFormat operands) {
   return result.bias() - operands.bias();
 }
 
-/// A unit that selects what it rounds.
-Unit rounded_by(Unit unit, const DelayTable& delays) {
-  unit.sum_selects = delays.sum_selects;
-  return unit;
-}
+enum class Normalisation { by_one_place, unlimited, limited_by_room };
 
-/// The stages "count" to "normalise by fours" of fp_add. A sum that only grows moves by one place,
-/// as its first bit says.
-void add_normalisation(StageList& stages, FloatFormat operands, bool gradual, bool grows) {
+/// The stages "count" to "normalise by fours" of fp_add. A sum that only grows moves up by one
+/// place if its first bit is 0, so it needs neither a count nor the shift by fours.
+void add_normalisation(StageList& stages, FloatFormat operands, Normalisation normalisation) {
+  const bool counts = normalisation != Normalisation::by_one_place;
   const double exponent = stages.carry(operands.exponent_bits() + 2);
   const int amount_bits = bits_for(operands.precision() + 2);
-  stages.add("count", grows ? 0 : stages.lut_delay_ns(count_levels(operands.precision() + 2)));
-  stages.add("limit", gradual && !grows ? exponent + stages.lut_delay_ns(1) : 0);
-  const double by_fours = grows ? 0 : stages.lut_delay_ns(shift_levels(amount_bits - 2));
+  stages.add("count", counts ? stages.lut_delay_ns(count_levels(operands.precision() + 2)) : 0);
+  stages.add("limit", normalisation == Normalisation::limited_by_room
+                          ? exponent + stages.lut_delay_ns(1)
+                          : 0);
+  const double by_fours = counts ? stages.lut_delay_ns(shift_levels(amount_bits - 2)) : 0;
   stages.add("normalise by fours", std::max(by_fours, exponent));
 }
 
 Unit add_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
               const error::Hazards& hazards, const DelayTable& delays) {
-  const bool gradual = subnormals == Subnormals::gradual && hazards.underflow;
+  // Without underflow there are no subnormals, as in the template.
+  const Subnormals kept = hazards.underflow ? subnormals : Subnormals::flush;
+  const bool gradual = kept == Subnormals::gradual;
   const bool grows =
       !hazards.cancellation && (!gradual || result.exponent_bits() == operands.exponent_bits());
   const int aligned = std::max(operands.precision(), result.precision() + 1) + 1;
   StageList stages(delays);
   stages.add_aligned_operands(
-      operands, aligned, gradual ? Subnormals::gradual : Subnormals::flush,
+      operands, aligned, kept,
       hazards.cancellation ? StageList::Order::by_magnitude : StageList::Order::by_exponent);
   stages.add_wide_sum("sum", 0, aligned + 3);
-  add_normalisation(stages, operands, gradual, grows);
+  Normalisation normalisation = gradual ? Normalisation::limited_by_room : Normalisation::unlimited;
+  if (grows) normalisation = Normalisation::by_one_place;
+  add_normalisation(stages, operands, normalisation);
+  // fp_round moves by the places left, unless it denormalises: then fp_add does in front of it.
   const bool denormalises = gradual && result.exponent_bits() < operands.exponent_bits();
-  // The places left are moved in the rounding, but in front of what denormalises.
-  const double last_places = stages.lut_delay_ns(grows || stages.has_wide_tables() ? 1 : 2);
+  const double last_places = stages.lut_delay_ns(grows || stages.selects_in_sums() ? 1 : 2);
   stages.add("normalise", denormalises ? last_places : 0);
   stages.add_round(result, denormalises, 0, denormalises ? 0 : last_places);
-  return rounded_by(std::move(stages).unit("fp_add"), delays);
+  return with_sum_selects(std::move(stages).unit("fp_add"), delays);
 }
 
 /// Tells whether the square of every subnormal operand is less than half the smallest result.
@@ -77,7 +80,7 @@ Unit multiply_unit(LogicProduct::Kind kind, FloatFormat operands, FloatFormat re
   unit.multipliers = multipliers;
   unit.multiplier = delays.multiplier_size;
   unit.has_digit_stage = has_digit_stage;
-  return rounded_by(std::move(unit), delays);
+  return with_sum_selects(std::move(unit), delays);
 }
 
 Unit divide_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
@@ -89,7 +92,7 @@ Unit divide_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals
   }
   stages.add_select_round(result, subnormals,
                           stages.lut_delay_ns(1 + reduction_levels(operands.precision())));
-  return rounded_by(std::move(stages).unit("fp_divide"), delays);
+  return with_sum_selects(std::move(stages).unit("fp_divide"), delays);
 }
 
 Unit square_root_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
@@ -270,7 +273,7 @@ std::optional<Unit> serial_square_unit(const TypedNode& square, Subnormals subno
   stages.add_select_round(result, subnormals, stages.lut_delay_ns(2));
   Unit unit = std::move(stages).unit("fp_serial_square");
   unit.initiation_interval = steps.cycles();
-  return rounded_by(std::move(unit), delays);
+  return with_sum_selects(std::move(unit), delays);
 }
 
 double logic_square_tables(FloatFormat operands) {

@@ -13,10 +13,10 @@ namespace mixcmp::datapath {
 
 using devices::DelayTable;
 
-/// What one of several chains of logic takes between two cut points.
+/// One of several chains of logic that work side by side in a stage; times as in Stage.
 struct ChainDelay {
-  double ns;
-  double overlap_ns = 0;  ///< as in Stage
+  double delay_ns;
+  double overlap_ns = 0;
 };
 
 /// The logic between two cut points of a unit.
@@ -33,21 +33,24 @@ struct Stage {
   /// The upper half of the sum that the stage before begins. A register between the two is for sums
   /// that are too long for a period.
   bool is_upper_half = false;
-  /// What each of several chains takes that are at work side by side; delay_ns is that of the
-  /// slowest. Empty: one chain.
+  /// Chains of logic that work side by side, delay_ns being the longest of theirs; empty: one, of
+  /// delay_ns and overlap_ns.
   std::vector<ChainDelay> chains = {};
-  /// The first stage of such chains: they begin when the stage before has ended.
+  /// These chains begin together, when all of the stage before has ended.
   bool forks = false;
 };
+
+/// The templates' default of SUM_SELECTS.
+constexpr int default_sum_selects = 2;
 
 /// A template and its stages; bit k of its CUTS parameter registers the end of stage k.
 struct Unit {
   std::string module;
   std::vector<Stage> stages;
   scene::Multipliers multipliers = scene::Multipliers::embedded;  ///< logic: print EMBEDDED = 0
-  devices::MultiplierSize multiplier;  ///< embedded multipliers only: FACTOR_A, FACTOR_B
-  bool has_digit_stage = false;        ///< multipliers of logic only: DIGIT_STAGE
-  int sum_selects = 2;                 ///< units that select what they round: SUM_SELECTS
+  devices::MultiplierSize multiplier;     ///< embedded multipliers only: FACTOR_A, FACTOR_B
+  bool has_digit_stage = false;           ///< multipliers of logic only: DIGIT_STAGE
+  int sum_selects = default_sum_selects;  ///< SUM_SELECTS; as it is for units without it
   /// Cycles for which an operation keeps the unit; above 1 it has an input `start`, which is 1 when
   /// its operand is there.
   int initiation_interval = 1;

@@ -149,7 +149,7 @@ std::vector<std::string> input_ports(const std::vector<std::string>& inputs) {
   return ports;
 }
 
-void append_device_parameters(const datapath::Unit& unit, std::vector<Parameter>& parameters) {
+void append_technology_parameters(const datapath::Unit& unit, std::vector<Parameter>& parameters) {
   if (unit.multipliers == scene::Multipliers::logic) {
     parameters.push_back({"EMBEDDED", 0});
     if (unit.has_digit_stage) parameters.push_back({"DIGIT_STAGE", 1});
@@ -157,7 +157,7 @@ void append_device_parameters(const datapath::Unit& unit, std::vector<Parameter>
     parameters.push_back({"FACTOR_A", unit.multiplier.a_bits});
     parameters.push_back({"FACTOR_B", unit.multiplier.b_bits});
   }
-  if (unit.sum_selects != datapath::Unit{}.sum_selects) {
+  if (unit.sum_selects != datapath::default_sum_selects) {
     parameters.push_back({"SUM_SELECTS", unit.sum_selects});
   }
 }

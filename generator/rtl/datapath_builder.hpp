@@ -92,9 +92,9 @@ std::vector<Port> lane_outputs();
 /// gets "_2" appended.
 std::vector<std::string> input_ports(const std::vector<std::string>& inputs);
 
-/// Appends what depends on the device, where that is not the template's default: what multipliers
-/// are made of, and what carry chains select.
-void append_device_parameters(const datapath::Unit& unit, std::vector<Parameter>& parameters);
+/// Appends the parameters that say what a unit is made of (multipliers, selections in front of
+/// carry chains), each where it is not the template's default.
+void append_technology_parameters(const datapath::Unit& unit, std::vector<Parameter>& parameters);
 
 /// The value of a unit's CUTS parameter.
 Literal cut_mask(const datapath::Step& step);

@@ -431,7 +431,7 @@ std::vector<Parameter> FixedNodes::parameters(NodeId id) const {
   append_positive_factors(id, parameters);
   if (node.dropped_bits > 0) parameters.push_back({"DROPPED", node.dropped_bits});
   parameters.push_back({"WIDTH", node.format.width});
-  append_device_parameters(schedule_.steps[id].unit, parameters);
+  append_technology_parameters(schedule_.steps[id].unit, parameters);
   parameters.push_back({"CUTS", cut_mask(schedule_.steps[id])});
   return parameters;
 }

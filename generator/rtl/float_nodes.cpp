@@ -211,7 +211,7 @@ void FloatNodes::build_squared_sum(NodeId id) {
   parameters.push_back({"SUBTRACT", graph_.nodes[sum].operation == Operation::subtract ? 1 : 0});
   const bool gradual = graph_.arithmetic.subnormals == Subnormals::gradual;
   parameters.push_back({"GRADUAL", gradual ? 1 : 0});
-  append_device_parameters(step.unit, parameters);
+  append_technology_parameters(step.unit, parameters);
   parameters.push_back({"CUTS", cut_mask(step)});
   datapath_.add(
       Comment{fmt::format("Cycles {} to {}: {}^2, in {}; what is squared is rounded, too.",
@@ -409,7 +409,7 @@ std::vector<Parameter> FloatNodes::unit_parameters(const TypedNode& node,
   if (!hazards.overflow) parameters.push_back({"OVERFLOW", 0});
   if (!hazards.underflow) parameters.push_back({"UNDERFLOW", 0});
   if (!hazards.cancellation) parameters.push_back({"CANCELLATION", 0});
-  append_device_parameters(step.unit, parameters);
+  append_technology_parameters(step.unit, parameters);
   parameters.push_back({"CUTS", cut_mask(step)});
   return parameters;
 }

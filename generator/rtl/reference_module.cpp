@@ -24,7 +24,7 @@ PartDecision build_fused_comparison(DatapathBuilder& datapath, FloatNodes& nodes
   std::vector<Parameter> parameters = format_parameters(reference.arithmetic.format);
   for (Parameter& term : nodes.term_parameters(node)) parameters.push_back(std::move(term));
   parameters.push_back(gradual_parameter(reference.arithmetic));
-  append_device_parameters(step.unit, parameters);
+  append_technology_parameters(step.unit, parameters);
   parameters.push_back({"CUTS", cut_mask(step)});
   datapath.add(Instance{step.unit.module,
                         made.instance,

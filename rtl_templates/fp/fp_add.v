@@ -3,8 +3,8 @@
 // Special values as IEEE 754: infinity - infinity is NaN, x - x is +0.
 // SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md.
 // CANCELLATION = 0 promises that what is added never has unlike signs, zeros aside.
-// SUM_SELECTS: so many bits may select what is added without gates of their own. 2 for look-up
-// tables of six inputs, 1 for those of four in carry cells that select, otherwise 0.
+// SUM_SELECTS: how many bits may select an operand of a carry chain in its own look-up tables: 2
+// where these have six inputs, 1 in carry cells of four inputs that select (ECP5), otherwise 0.
 `default_nettype none
 
 module fp_add #(
@@ -58,7 +58,7 @@ module fp_add #(
   localparam CANCELLING = PRECISION + 2;
   localparam SUM        = ALIGNED + 2;
   localparam KEPT       = RESULT_PRECISION + 2;
-  // The last three places that it may move up are left to a stage of their own.
+  // MOVED has room for the last three places, by which stage normalise or fp_round moves it up.
   localparam MOVED      = (SUM < KEPT + 3) ? SUM : KEPT + 3;
 
   localparam COUNT_BITS     = GROWING ? 3 : bits_for(CANCELLING);
@@ -223,8 +223,8 @@ module fp_add #(
     .q   ({s7_room, s7_count, s7_sum, s7_flags})
   );
 
-  // Stage limit: a subnormal sum moves up no further than there is room. For one place there is,
-  // since the least exponent of an operand is 1.
+  // Stage limit: a subnormal sum moves up no further than there is room. A sum that only grows moves
+  // up by one place at most, for which there always is room: exponents of operands are 1 or more.
   wire [COUNT_BITS-1:0] s7_amount;
 
   generate
@@ -256,13 +256,20 @@ module fp_add #(
   );
 
   // Stage normalise by fours: the sum's first bit is the carry, one above the larger operand's
-  // exponent. A sum that only grows moves up by 0 or 1.
-  wire [EXPONENT_WIDTH-1:0] s8_above    =
-      s8_room + {{(EXPONENT_WIDTH - 1) {1'b0}}, !GROWING || !s8_amount[0]};
-  wire [EXPONENT_WIDTH-1:0] s8_exponent =
-      GROWING ? s8_above : s8_above - {{(EXPONENT_WIDTH - COUNT_BITS) {1'b0}}, s8_amount};
+  // exponent.
+  wire [EXPONENT_WIDTH-1:0] s8_exponent;
   wire [MOVED-1:0]          s8_moved;
   wire                      s8_sticky;
+
+  generate
+    if (GROWING) begin : g_moves_by_one
+      assign s8_exponent = s8_room + {{(EXPONENT_WIDTH - 1) {1'b0}}, !s8_amount[0]};
+    end else begin : g_moves_by_amount
+      assign s8_exponent =
+          s8_room + {{(EXPONENT_WIDTH - 1) {1'b0}}, 1'b1}
+          - {{(EXPONENT_WIDTH - COUNT_BITS) {1'b0}}, s8_amount};
+    end
+  endgenerate
 
   fp_shift_left #(
     .WIDTH      (SUM),
@@ -292,11 +299,11 @@ module fp_add #(
   );
 
   // Stage normalise: by the places left, unless the rounding does that.
-  localparam ROUNDED = (DENORMALISE != 0) ? KEPT : KEPT + 3;
+  localparam TO_ROUND = (DENORMALISE != 0) ? KEPT : KEPT + 3;
 
-  wire [ROUNDED-1:0] s9_significand;
-  wire [1:0]         s9_amount;
-  wire               s9_lost;
+  wire [TO_ROUND-1:0] s9_value;
+  wire [1:0]          s9_amount;
+  wire                s9_lost;
 
   generate
     if (DENORMALISE != 0) begin : g_normalised
@@ -309,24 +316,24 @@ module fp_add #(
       ) s9_normalise (
         .value  (s9_moved),
         .amount (s9_rest),
-        .shifted(s9_significand),
+        .shifted(s9_value),
         .sticky (s9_lost)
       );
     end else begin : g_left_to_rounding
-      // fp_round moves down and keeps the low places: by three less what is left to move up.
+      // fp_round moves down and keeps the low places: up by s9_rest is down by 3 - s9_rest.
       assign s9_amount = ~s9_rest;
       assign s9_lost   = 1'b0;
 
-      if (MOVED < ROUNDED) begin : g_narrow
-        assign s9_significand = {s9_moved, {(ROUNDED - MOVED) {1'b0}}};
+      if (MOVED < TO_ROUND) begin : g_narrow
+        assign s9_value = {s9_moved, {(TO_ROUND - MOVED) {1'b0}}};
       end else begin : g_as_wide
-        assign s9_significand = s9_moved;
+        assign s9_value = s9_moved;
       end
     end
   endgenerate
 
   wire [EXPONENT_WIDTH-1:0] s10_exponent;
-  wire [ROUNDED-1:0]        s10_significand;
+  wire [TO_ROUND-1:0]        s10_value;
   wire [1:0]                s10_amount;
   wire                      s10_sticky;
   wire                      s10_sign;
@@ -336,12 +343,12 @@ module fp_add #(
   wire                      s10_suspect;
 
   fp_rank #(
-    .WIDTH     (EXPONENT_WIDTH + ROUNDED + 8),
+    .WIDTH     (EXPONENT_WIDTH + TO_ROUND + 8),
     .REGISTERED(CUTS[9])
   ) rank_9 (
     .aclk(aclk),
-    .d   ({s9_exponent, s9_significand, s9_amount, s9_sticky || s9_lost, s9_flags}),
-    .q   ({s10_exponent, s10_significand, s10_amount, s10_sticky,
+    .d   ({s9_exponent, s9_value, s9_amount, s9_sticky || s9_lost, s9_flags}),
+    .q   ({s10_exponent, s10_value, s10_amount, s10_sticky,
            s10_sign, s10_nan, s10_infinite, s10_zero, s10_suspect})
   );
 
@@ -362,7 +369,7 @@ module fp_add #(
     .aclk       (aclk),
     .sign       (s10_sign),
     .exponent   (s10_exponent),
-    .value      (s10_significand),
+    .value      (s10_value),
     .amount     (s10_amount),
     .sticky     (s10_sticky),
     .nan        (s10_nan),

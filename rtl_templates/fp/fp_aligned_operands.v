@@ -120,7 +120,7 @@ module fp_aligned_operands #(
   );
 
   wire                     s0_b_sign = s0_b_packed_sign ^ (SUBTRACT != 0);
-  wire                     s0_b_leads;
+  wire                     s0_swap;
   wire [EXPONENT_BITS-1:0] s0_a_above_b;
   wire [EXPONENT_BITS-1:0] s0_b_above_a;
 
@@ -140,14 +140,14 @@ module fp_aligned_operands #(
   assign {s0_b_above_a, s0_unused_b_place} =
       {s0_b_field, 1'b0} - {s0_a_field, s0_b_normal && !s0_a_normal};
 
-  // A borrow out, which goes into its register without a gate behind it.
+  // The order is a borrow out, so that no gate stands between the carry chain and the register.
   generate
     if (ORDERED != 0) begin : g_by_magnitude
       wire unused_below = s0_a_below;
 
-      assign s0_b_leads = a[EXPONENT_BITS+PRECISION-2:0] < b[EXPONENT_BITS+PRECISION-2:0];
+      assign s0_swap = a[EXPONENT_BITS+PRECISION-2:0] < b[EXPONENT_BITS+PRECISION-2:0];
     end else begin : g_by_exponent
-      assign s0_b_leads = s0_a_below;
+      assign s0_swap = s0_a_below;
     end
   endgenerate
 
@@ -182,7 +182,7 @@ module fp_aligned_operands #(
     .REGISTERED(CUTS[0])
   ) rank_0_order (
     .aclk(aclk),
-    .d   ({s0_a_above_b, s0_b_above_a, s0_b_leads, s0_a_zero, s0_b_zero, s0_a_sign, s0_b_sign,
+    .d   ({s0_a_above_b, s0_b_above_a, s0_swap, s0_a_zero, s0_b_zero, s0_a_sign, s0_b_sign,
            s0_a_infinite, s0_b_infinite, s0_a_nan, s0_b_nan, s0_a_flushed || s0_b_flushed}),
     .q   ({s1_a_above_b, s1_b_above_a, s1_swap, s1_a_zero, s1_b_zero, s1_a_sign, s1_b_sign,
            s1_a_infinite, s1_b_infinite, s1_a_nan, s1_b_nan, s1_flushed})
@@ -251,10 +251,11 @@ module fp_aligned_operands #(
     .lost   (s2_lost)
   );
 
-  // What the last step moves out is known last.
-  wire [AMOUNT_BITS+2:0] s2_all_lost  = {3'b000, s2_lost};
-  wire                   s2_lost_far  = |s2_all_lost[AMOUNT_BITS+2:3];
-  wire                   s2_lost_near = |s2_all_lost[2:0];
+  // The step by four is the last of this stage. What it loses has a register of its own, so that no
+  // gate stands behind that step.
+  wire [AMOUNT_BITS+2:0] s2_all_lost     = {3'b000, s2_lost};
+  wire                   s2_lost_before  = |s2_all_lost[AMOUNT_BITS+2:3];
+  wire                   s2_lost_by_four = |s2_all_lost[2:0];
 
   wire [EXPONENT_BITS-1:0] s3_exponent;
   wire [ALIGNED-1:0]       s3_moved;
@@ -269,8 +270,8 @@ module fp_aligned_operands #(
     .REGISTERED(CUTS[2])
   ) rank_2 (
     .aclk(aclk),
-    .d   ({s2_exponent, s2_moved, s2_lost_far, s2_lost_near, s2_amount[1:0], s2_sign, s2_cancel,
-           s2_flags}),
+    .d   ({s2_exponent, s2_moved, s2_lost_before, s2_lost_by_four, s2_amount[1:0], s2_sign,
+           s2_cancel, s2_flags}),
     .q   ({s3_exponent, s3_moved, s3_lost_before, s3_rest, s3_sign, s3_cancel, s3_flags})
   );
 

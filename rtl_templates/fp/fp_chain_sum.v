@@ -1,7 +1,7 @@
 // fp_chain_sum: a + b + carry, modulo 2^WIDTH, in one carry chain. Combinational.
-// GATED = 1 says that `b` comes from gates: look-up tables with inputs to spare take them in, in
-// front of the chain. The chain itself reads `a` alone then, as the minuend of a subtraction; of a
-// sum Yosys takes either operand.
+// GATED = 1: gates that compute `b` should share the look-up tables of the chain. A carry cell also
+// reads one operand directly, which then has to be `a`. Yosys takes the minuend of a subtraction
+// for it, but either operand of an addition. So the sum is written as a - ~b - 1.
 `default_nettype none
 
 module fp_chain_sum #(
@@ -21,7 +21,7 @@ module fp_chain_sum #(
     end
   endgenerate
 
-  // A carry enters as a carry, or no borrow, out of an extra last place.
+  // The carry enters through an extra last place: as its carry out, or as no borrow out.
   wire unused_place;
 
   generate

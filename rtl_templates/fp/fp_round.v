@@ -2,8 +2,8 @@
 // Four cuts, initiation interval 1, no reset. Special values: `nan`, `infinite` and `zero` say
 // that the result is one (the first of them wins) whatever exponent and significand are.
 // OVERFLOW = 0 or UNDERFLOW = 0 promises that no other result is too large or too small.
-// Where the leading bits still have to be selected, the gates in front of the rounding's carry
-// chain have inputs to spare for it: they are the low ones of `value` moved down by `amount`.
+// The bits that are rounded are the low ones of `value` moved down by `amount`. Up to SUM_SELECTS
+// bits of `amount` take effect in the look-up tables of the rounding's carry chain.
 `default_nettype none
 
 module fp_round #(
@@ -24,9 +24,9 @@ module fp_round #(
   input  wire                                             aclk,
   input  wire                                             sign,
   input  wire [EXPONENT_WIDTH-1:0]                        exponent,  // biased and signed
-  // What is kept of it has two bits beyond RESULT_PRECISION.
+  // Its low RESULT_PRECISION + 2 bits are rounded once it has moved.
   input  wire [RESULT_PRECISION+(1<<AMOUNT_BITS):0]       value,
-  input  wire [1:0]                                       amount,
+  input  wire [1:0]                                       amount,    // the low AMOUNT_BITS are read
   input  wire                                             sticky,
   input  wire                                             nan,
   input  wire                                             infinite,
@@ -55,14 +55,15 @@ module fp_round #(
   // nothing behind the rounding has to replace its result anyway.
   localparam SPECIAL_FIRST = (OVERFLOW == 0) && !VANISHING;
 
-  // How much of the move waits until the fraction is rounded, and the bits that it chooses from.
-  localparam LATE_MOST = (SUM_SELECTS < AMOUNT_BITS) ? SUM_SELECTS : AMOUNT_BITS;
-  localparam LATE_BITS = SPECIAL_FIRST ? 0 : LATE_MOST;
+  // The bits of `amount` that wait for the sum: none where special results take the tables' inputs.
+  // HELD is how many bits of the value the sum then selects from.
+  localparam LATE_LIMIT = (SUM_SELECTS < AMOUNT_BITS) ? SUM_SELECTS : AMOUNT_BITS;
+  localparam LATE_BITS = SPECIAL_FIRST ? 0 : LATE_LIMIT;
   localparam PLACES    = RESULT_PRECISION + 1 + (1 << AMOUNT_BITS);
   localparam HELD      = FRACTION_BITS - 1 + (1 << LATE_BITS);
 
-  localparam [1:0] MOVING = (1 << AMOUNT_BITS) - 1;
-  localparam [1:0] LATE   = (1 << LATE_BITS) - 1;
+  localparam [1:0] AMOUNT_MASK = (1 << AMOUNT_BITS) - 1;
+  localparam [1:0] LATE_MASK   = (1 << LATE_BITS) - 1;
 
   localparam [FRACTION_BITS-1:0] NO_FRACTION = 0;
   localparam [FRACTION_BITS-1:0] QUIET       = ~(~NO_FRACTION >> 1);
@@ -99,11 +100,11 @@ module fp_round #(
   endgenerate
 
   // Stage denormalise: below exponent 1 the significand moves down instead of the exponent.
-  // Otherwise the value moves by the part of the amount that does not wait, and what will be left
-  // of it is looked at.
+  // Otherwise the value moves by the part of `amount` that does not wait for the sum. A copy moves by
+  // all of it: its bits tell whether to round up and whether the result is subnormal.
   wire [WIDTH-1:0] s0_significand;
   wire [HELD-1:0]  s0_held;
-  wire [1:0]       s0_amount = amount & LATE;
+  wire [1:0]       s0_amount = amount & LATE_MASK;
   wire             s0_sticky;
 
   generate
@@ -138,19 +139,19 @@ module fp_round #(
       assign s0_held   = s0_significand[WIDTH-2:2];
       assign s0_sticky = sticky || (|lost);
     end else begin : g_normal
-      wire [PLACES-1:0] early;
-      wire [PLACES-1:0] moved;
+      wire [PLACES-1:0] s0_early;
+      wire [PLACES-1:0] s0_moved;
       wire [1:0]        lost_early;
       wire [1:0]        lost;
-      wire              unused_places = ^early ^ (^moved);
+      wire              unused_places = ^s0_early ^ (^s0_moved);
 
       fp_shift_right #(
         .WIDTH      (PLACES),
         .AMOUNT_BITS(2)
       ) shift_early (
         .value  (value),
-        .amount (amount & MOVING & ~LATE),
-        .shifted(early),
+        .amount (amount & AMOUNT_MASK & ~LATE_MASK),
+        .shifted(s0_early),
         .lost   (lost_early)
       );
 
@@ -158,14 +159,14 @@ module fp_round #(
         .WIDTH      (PLACES),
         .AMOUNT_BITS(2)
       ) shift (
-        .value  (early),
+        .value  (s0_early),
         .amount (s0_amount),
-        .shifted(moved),
+        .shifted(s0_moved),
         .lost   (lost)
       );
 
-      assign s0_significand = moved[WIDTH-1:0];
-      assign s0_held        = early[HELD+1:2];
+      assign s0_significand = s0_moved[WIDTH-1:0];
+      assign s0_held        = s0_early[HELD+1:2];
       assign s0_sticky      = sticky || (|lost_early) || (|lost);
     end
   endgenerate
@@ -239,10 +240,10 @@ module fp_round #(
         .sum  (s2_rounded)
       );
     end else begin : g_selecting
-      wire [HELD-1:0]          by_twos = s1_amount[1] ? s1_held >> 2 : s1_held;
-      wire [FRACTION_BITS-1:0] stays   = by_twos[FRACTION_BITS-1:0];
-      wire [FRACTION_BITS-1:0] moves   = by_twos[FRACTION_BITS:1];
-      wire                     unused_by_twos = ^by_twos;
+      wire [HELD-1:0]          s1_by_twos      = s1_amount[1] ? s1_held >> 2 : s1_held;
+      wire [FRACTION_BITS-1:0] s1_unmoved      = s1_by_twos[FRACTION_BITS-1:0];
+      wire [FRACTION_BITS-1:0] s1_moved_by_one = s1_by_twos[FRACTION_BITS:1];
+      wire                     unused_by_twos  = ^s1_by_twos;
 
       fp_selected_sum #(
         .WIDTH(ROUNDED_WIDTH),
@@ -251,8 +252,8 @@ module fp_round #(
         .aclk  (aclk),
         .a     ({{(ROUNDED_WIDTH - 1) {1'b0}}, s1_up}),
         .select(s1_amount[0]),
-        .b     ({s1_field, stays}),
-        .c     ({s1_field, moves}),
+        .b     ({s1_field, s1_unmoved}),
+        .c     ({s1_field, s1_moved_by_one}),
         .carry (1'b0),
         .sum   (s2_rounded)
       );

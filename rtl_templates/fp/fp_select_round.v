@@ -106,15 +106,14 @@ module fp_select_round #(
            s1_sign, s1_nan, s1_infinite, s1_zero, s1_suspect})
   );
 
-  // Stage select: by the places left. A one in the first place is one exponent up and moves down by
-  // one, unless the result is tiny and has moved already. Without a leading one a tiny result is
-  // subnormal, whatever its exponent is.
+  // Stage select: how far the value still has to move down. With a one in the first place that is
+  // one place more and one exponent up, unless the result is tiny and has moved already. Without a
+  // leading one a tiny result is subnormal, whatever its exponent is.
   wire                      s1_high     = s1_value[MOVED-1];
   wire [1:0]                s1_amount   = {s1_rest[1], s1_rest[0] || (s1_high && !s1_tiny)};
   wire [EXPONENT_WIDTH-1:0] s1_selected =
       s1_exponent + {{(EXPONENT_WIDTH - 1) {1'b0}}, s1_high};
-
-  // Stages round, pack. The cut behind the selection stands behind the decision to round up.
+  // Stages round, pack. fp_round moves the value; its first cut is behind the decision to round up.
   fp_round #(
     .EXPONENT_WIDTH      (EXPONENT_WIDTH),
     .RESULT_EXPONENT_BITS(RESULT_EXPONENT_BITS),

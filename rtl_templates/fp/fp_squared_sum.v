@@ -265,8 +265,9 @@ module fp_squared_sum #(
     .q   ({s19_exponent, s19_step, s19_value, s19_sticky, s19_nan, s19_infinite, s19_zero})
   );
 
-  // Stages select, round, pack: the last step and the place of the leading one are selected where
-  // the square is rounded. Of KEPT places the first is a one, or the second is.
+  // Stages select, round, pack. The square begins in the first or the second of KEPT places, behind
+  // the two that the last step skips. fp_round moves down: by two unless that step is taken, and by
+  // one if the first place has a one.
   wire [KEPT+1:0]       s19_places;
   wire                  s19_high     = s19_step ? s19_places[KEPT-1] : s19_places[KEPT+1];
   wire [SUM_EXPONENT:0] s19_selected = s19_exponent + {{SUM_EXPONENT{1'b0}}, s19_high};

@@ -31,9 +31,9 @@ module fp_unnormalised_sum #(
   localparam ALIGNED = PRECISION + 2;
   localparam SUM     = ALIGNED + 2;
 
-  // With two bits that select, the larger operand is selected where it is added. Otherwise the
-  // smaller one moves by its last place there.
-  localparam MOVED_LAST = (SUM_SELECTS < 2);
+  // Two bits may select: the larger operand, and where the significand begins, wait for the sums.
+  // Otherwise the smaller operand moves by its last place where it is added.
+  localparam SELECTS_LATE = (SUM_SELECTS == 2);
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
@@ -42,6 +42,9 @@ module fp_unnormalised_sum #(
     end
     if (PRECISION < 3) begin : g_refused_precision
       PRECISION_is_below_3 refused ();
+    end
+    if ((SUM_SELECTS < 0) || (SUM_SELECTS > 2)) begin : g_refused_sum_selects
+      SUM_SELECTS_is_not_0_to_2 refused ();
     end
     if (EXPONENT_WIDTH < EXPONENT_BITS + 2) begin : g_refused_exponent_width
       EXPONENT_WIDTH_is_too_small_for_EXPONENT_BITS refused ();
@@ -69,8 +72,8 @@ module fp_unnormalised_sum #(
     .GRADUAL      (GRADUAL),
     .ORDERED      (0),
     .COMPLEMENTED (1),
-    .SELECTED_LAST(!MOVED_LAST),
-    .MOVED_LAST   (MOVED_LAST),
+    .SELECTED_LAST(SELECTS_LATE),
+    .MOVED_LAST   (!SELECTS_LATE),
     .CUTS         (CUTS[3:0])
   ) s0_aligned_operands (
     .aclk    (aclk),
@@ -98,7 +101,7 @@ module fp_unnormalised_sum #(
   wire [1:0]               s5_flags;
 
   generate
-    if (MOVED_LAST) begin : g_moved_last
+    if (!SELECTS_LATE) begin : g_moved_last
       fp_selected_sum #(
         .WIDTH(SUM),
         .CUTS (CUTS[4])
@@ -184,15 +187,17 @@ module fp_unnormalised_sum #(
     .q   ({s7_exponent, s7_up, s7_flags})
   );
 
-  // Two bits select from three of the sum, in front of the rank or where the significand is
-  // rounded.
+  // A bit of the significand is one of three neighbouring bits of the sum, or its complement.
   function [PRECISION-1:0] selected(input [PRECISION+1:0] sum, input shifts, input inverted);
-    selected = shifts ? (inverted ? ~sum[PRECISION-1:0] : sum[PRECISION+1:2])
-                      : sum[PRECISION:1] ^ {PRECISION{inverted}};
+    reg [PRECISION-1:0] shifted;
+    begin
+      shifted  = inverted ? ~sum[PRECISION-1:0] : sum[PRECISION+1:2];
+      selected = shifts ? shifted : (sum[PRECISION:1] ^ {PRECISION{inverted}});
+    end
   endfunction
 
   generate
-    if (SUM_SELECTS < 2) begin : g_in_front
+    if (!SELECTS_LATE) begin : g_in_front
       fp_rank #(
         .WIDTH     (PRECISION),
         .REGISTERED(CUTS[6])
@@ -227,7 +232,7 @@ module fp_unnormalised_sum #(
 
   fp_halved_sum #(
     .WIDTH(PRECISION + 1),
-    .GATED(SUM_SELECTS == 2),
+    .GATED(SELECTS_LATE),
     .CUTS (CUTS[7])
   ) s7_round (
     .aclk (aclk),

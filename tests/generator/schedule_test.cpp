@@ -66,16 +66,16 @@ private:
   /// How long after the last register the result of a chain of a stage is there.
   double ready_ns(unsigned cuts, int k, int chain) const {
     const datapath::Stage& stage = stages_[k];
-    const auto [ns, overlap_ns] = stage.chains.empty()
-                                      ? datapath::ChainDelay{stage.delay_ns, stage.overlap_ns}
-                                      : stage.chains[chain];
-    if (k == 0 || is_cut(cuts, k - 1)) return ns;
+    const auto [delay_ns, overlap_ns] = stage.chains.empty()
+                                            ? datapath::ChainDelay{stage.delay_ns, stage.overlap_ns}
+                                            : stage.chains[chain];
+    if (k == 0 || is_cut(cuts, k - 1)) return delay_ns;
     double before = 0;
     const bool joins = stage.forks || chains(k) != chains(k - 1);
     for (int other = 0; other < chains(k - 1); ++other) {
       if (joins || other == chain) before = std::max(before, ready_ns(cuts, k - 1, other));
     }
-    return before + ns - overlap_ns;
+    return before + delay_ns - overlap_ns;
   }
 
   std::vector<datapath::Stage> stages_;
