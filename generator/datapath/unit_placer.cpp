@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <optional>
 #include <tuple>
 
 #include "model/common/check.hpp"
@@ -18,7 +19,7 @@ public:
 
   void add(const Stage& stage) {
     const std::vector<ChainDelay> chains = chains_of(stage);
-    // Where chains fork or join, all begin when the slowest of those before has ended.
+    // Chains that fork or join begin when the slowest chain of the stage before has ended.
     if (stage.forks || chains.size() != ends_.size()) ends_.assign(chains.size(), end_ns());
     for (std::size_t k = 0; k < chains.size(); ++k) {
       ends_[k] += chains[k].delay_ns - chains[k].overlap_ns;
@@ -41,8 +42,8 @@ private:
 /// cuts. By dynamic programming: the best cuts in front of a stage extend those of an earlier one.
 class CutSearch {
 public:
-  /// forced: a stage that ends in a cut, or -1.
-  CutSearch(const std::vector<Stage>& stages, double logic_ns, int forced)
+  /// forced: a stage that ends in a cut whatever the period is.
+  CutSearch(const std::vector<Stage>& stages, double logic_ns, std::optional<int> forced = {})
       : stages_(stages), logic_ns_(logic_ns), forced_(forced), best_(stages.size() + 1) {
     MIXCMP_CHECK(!stages.empty());
     for (int end = 1; end <= count(); ++end) best_[end] = best_before(end);
@@ -93,7 +94,7 @@ private:
 
   const std::vector<Stage>& stages_;
   double logic_ns_;
-  int forced_;
+  std::optional<int> forced_;
   std::vector<Choice> best_;
 };
 
@@ -109,7 +110,7 @@ std::vector<bool> UnitPlacer::choose_cuts(const Unit& unit) {
   for (const Stage& stage : unit.stages) {
     if (stage.delay_ns > logic_ns_) note_slow(unit, stage);
   }
-  const std::vector<bool> cuts = CutSearch(unit.stages, logic_ns_, -1).cuts();
+  const std::vector<bool> cuts = CutSearch(unit.stages, logic_ns_).cuts();
   for (std::size_t k = 0; k < cuts.size(); ++k) {
     const int needed = unit.stages[k].cut_needs;
     if (cuts[k] && needed >= 0 && !cuts[needed]) {

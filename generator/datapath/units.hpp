@@ -30,8 +30,8 @@ struct Stage {
   int cut_needs = -1;
   /// The stage ends in a register whatever the period is: a block memory is read into one.
   bool registered = false;
-  /// The upper half of the sum that the stage before begins. A register between the two is for sums
-  /// that are too long for a period.
+  /// The upper half of the sum that the stage before begins. A register between the two halves its
+  /// carry chain.
   bool is_upper_half = false;
   /// Chains of logic that work side by side, delay_ns being the longest of theirs; empty: one, of
   /// delay_ns and overlap_ns.

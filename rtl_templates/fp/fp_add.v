@@ -333,7 +333,7 @@ module fp_add #(
   endgenerate
 
   wire [EXPONENT_WIDTH-1:0] s10_exponent;
-  wire [TO_ROUND-1:0]        s10_value;
+  wire [TO_ROUND-1:0]       s10_value;
   wire [1:0]                s10_amount;
   wire                      s10_sticky;
   wire                      s10_sign;

@@ -113,6 +113,7 @@ module fp_select_round #(
   wire [1:0]                s1_amount   = {s1_rest[1], s1_rest[0] || (s1_high && !s1_tiny)};
   wire [EXPONENT_WIDTH-1:0] s1_selected =
       s1_exponent + {{(EXPONENT_WIDTH - 1) {1'b0}}, s1_high};
+
   // Stages round, pack. fp_round moves the value; its first cut is behind the decision to round up.
   fp_round #(
     .EXPONENT_WIDTH      (EXPONENT_WIDTH),

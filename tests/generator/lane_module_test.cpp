@@ -22,17 +22,18 @@ using error::ErrorBoundKind;
 using error::Lane;
 
 rtl::Module module_of(const Graph& graph, const Lane& lane,
-                      scene::Multipliers multipliers = scene::Multipliers::embedded) {
+                      scene::Multipliers multipliers = scene::Multipliers::embedded,
+                      const std::string& device = "virtex6-lx760") {
   const datapath::Schedule schedule =
-      datapath::schedule_lane(lane, multipliers, datapath::delays_of("virtex6-lx760").value(), 250);
+      datapath::schedule_lane(lane, multipliers, datapath::delays_of(device).value(), 250);
   return rtl::lane_module("lane", graph.inputs(), design::Lane(lane), schedule);
 }
 
-std::vector<rtl::Instance> instances(
-    const Graph& graph, const Lane& lane,
-    scene::Multipliers multipliers = scene::Multipliers::embedded) {
+std::vector<rtl::Instance> instances(const Graph& graph, const Lane& lane,
+                                     scene::Multipliers multipliers = scene::Multipliers::embedded,
+                                     const std::string& device = "virtex6-lx760") {
   std::vector<rtl::Instance> found;
-  for (const rtl::ModuleItem& item : module_of(graph, lane, multipliers).items) {
+  for (const rtl::ModuleItem& item : module_of(graph, lane, multipliers, device).items) {
     if (const auto* instance = std::get_if<rtl::Instance>(&item)) found.push_back(*instance);
   }
   return found;
@@ -122,6 +123,26 @@ TEST(LaneModule, ProductsAndNothingElseAreToldToBeLogic) {
     products += product;
   }
   EXPECT_EQ(products, 2);
+}
+
+/// In front of carry chains: two bits on Virtex-6, which is the templates' default.
+TEST(LaneModule, UnitsSelectAsManyBitsAsTheDeviceCan) {
+  const Graph graph = graph_of("a * b + a^2", "a / b");
+  const Lane lane = lane_of(graph, ErrorBoundKind::running, Subnormals::gradual, {});
+  const std::set<std::string> select = {"fp_add", "fp_multiply", "fp_square", "fp_divide"};
+  const auto expect = [&](const std::string& device, std::optional<long long> bits) {
+    std::set<std::string> found;
+    for (const auto& instance : instances(graph, lane, scene::Multipliers::embedded, device)) {
+      const bool selects = select.contains(instance.module);
+      EXPECT_EQ(parameter(instance, "SUM_SELECTS"), selects ? bits : std::nullopt)
+          << instance.module << " on " << device;
+      if (selects) found.insert(instance.module);
+    }
+    EXPECT_EQ(found, select);
+  };
+  expect("virtex6-lx760", std::nullopt);
+  expect("ecp5-85k", 1);
+  expect("ice40-hx8k", 0);
 }
 
 TEST(LaneModule, HazardsThatRangesRuleOutAreNotBuilt) {

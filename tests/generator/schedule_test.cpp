@@ -105,8 +105,8 @@ int registers(const std::vector<bool>& cuts) {
   return static_cast<int>(std::count(cuts.begin(), cuts.end(), true));
 }
 
-/// Of the masks with no path over `limit_ns` those with the fewest registers, the last included,
-/// and of these the one with the fewest sums in halves: both numbers. Tries every mask.
+/// The fewest registers, the last included, that leave no path over `limit_ns`, and the fewest sums
+/// in halves that so many registers allow. Tries every mask.
 std::pair<int, int> fewest_cuts(const datapath::Unit& unit, double limit_ns) {
   const Stages stages(unit);
   const unsigned last = 1u << (stages.count() - 1);
@@ -453,8 +453,8 @@ TEST(Schedule, SquaresByTheirSymmetryHaveTheirOwnStages) {
   EXPECT_EQ(unit.stages[9].name, "upper half");
 }
 
-/// A sum is cut into halves where it is too long for a period, and nowhere else.
-TEST(Schedule, WideSumsAreHalvedWhereTheyAreTooLong) {
+/// A sum is cut into halves where that saves a register, and nowhere else.
+TEST(Schedule, WideSumsAreHalvedWhereThatSavesARegister) {
   const design::Design spheres = sphere_design(format("s17e8"), format("s53e8"), 1, 1);
   const datapath::DelayTable delays = datapath::delays_of("virtex6-lx760").value();
   const auto halved = [&](double target_mhz) {

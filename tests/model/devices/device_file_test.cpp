@@ -75,6 +75,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NegativeDsps", "dsps = 0", "dsps = -1", 5, "device.dsps", "-1"},
         Mistake{"MemoryOfThreeReaders", "dsps = 0", "dsps = 0\nmemory_read_ports = 3", 6,
                 "device.memory_read_ports", "3"},
+        Mistake{"ThreeSelections", "dsps = 0", "dsps = 0\nsum_selects = 3", 6, "device.sum_selects",
+                "3"},
         Mistake{"EmptyMemory", "dsps = 0", "dsps = 0\nmemory_bits = 0", 6, "device.memory_bits",
                 "0"},
         Mistake{"ZeroLuts", "luts = 10", "luts = 0", 3, "device.luts", "0"},
@@ -119,6 +121,13 @@ TEST(DeviceFile, IsReadAsWritten) {
   EXPECT_EQ(device->timing_arguments, (std::vector<std::string>{"--85k", "--speed", "8"}));
   EXPECT_EQ(device->delays.carry_ns_per_bit, 0.1);
   EXPECT_EQ(device->sources, std::vector<std::string>{"luts: a data sheet"});
+}
+
+/// Six inputs of a table have room for two bits that select, four for what the file says.
+TEST(DeviceFile, SelectionsFollowTheTablesInputsUnlessGiven) {
+  EXPECT_EQ(with("luts", "luts")->delays.sum_selects, 2);
+  EXPECT_EQ(with("dsps = 0", "dsps = 0\nlut_inputs = 4")->delays.sum_selects, 0);
+  EXPECT_EQ(with("dsps = 0", "dsps = 0\nsum_selects = 1\nlut_inputs = 4")->delays.sum_selects, 1);
 }
 
 TEST(DeviceFile, BrokenSyntaxIsToldWithItsLine) {
