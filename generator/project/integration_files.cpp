@@ -1,5 +1,8 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cctype>
+
 #include "generator/emit/verilog.hpp"
 #include "generator/project/builders.hpp"
 #include "generator/project/stream_wrapper.hpp"
@@ -74,6 +77,28 @@ GeneratedFile vhdl_package(const ProjectSpec& spec, const std::vector<Unit>& uni
                               common_values(spec, "--").at("PROVENANCE"), package, components)};
 }
 
+std::string in_capitals(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char letter) { return std::toupper(letter); });
+  return name;
+}
+
+/// What C and C++ need to read the counters of an AXI4-Lite port.
+GeneratedFile counters_header(const ProjectSpec& spec) {
+  Values values = common_values(spec, "//");
+  const std::string name = in_capitals(spec.build_top());
+  std::string kinds;
+  for (const emit::SignatureCounters& counters : spec.signature.counter_map) {
+    kinds += fmt::format("#define {0}_{1}_OFFSET {2}\n#define {0}_{1}_COUNT {3}\n", name,
+                         in_capitals(counters.name), counters.offset, counters.count);
+  }
+  values["NAME"] = name;
+  values["KINDS"] = kinds;
+  values["COUNTER_BITS"] = std::to_string(spec.signature.counter_bits);
+  return file_from(fmt::format("integration/{}_counters.h", spec.build_top()), "counters.h",
+                   values);
+}
+
 }  // namespace
 
 std::vector<GeneratedFile> integration_files(const ProjectSpec& spec) {
@@ -86,6 +111,7 @@ std::vector<GeneratedFile> integration_files(const ProjectSpec& spec) {
   }
   files.push_back(instantiation_template(spec, units));
   files.push_back(vhdl_package(spec, units));
+  if (emit::counter_address_bits(spec.signature) > 0) files.push_back(counters_header(spec));
   return files;
 }
 

@@ -274,6 +274,31 @@ TEST_F(EngineProject, StreamsOfReportsHaveAWrapper) {
   expect_in(read("rtl/integration/near_s8e8_2x1_pairwise.veo"), ".m_axis_1_tvalid");
 }
 
+/// The port is a memory here, whose word k holds k.
+TEST_F(Project, SoftwareReadsCountersWithAHeader) {
+  generate("--project yosys");
+  EXPECT_FALSE(fs::exists(path("rtl/integration/scene_s8e8_2x1_counters.h")));
+  generate("--project yosys --set system.counters=axi_lite --set system.counter_bits=40");
+  write("reader.c", R"(
+#include "rtl/integration/scene_s8e8_2x1_counters.h"
+int main(void) {
+  uint32_t words[SCENE_S8E8_2X1_ANSWERS_OFFSET / 4 + 2];
+  for (uint32_t k = 0; k < sizeof words / sizeof *words; ++k) words[k] = k;
+  if (SCENE_S8E8_2X1_STALLS_COUNT != 2 || SCENE_S8E8_2X1_ANSWERS_COUNT != 1) return 1;
+  /* behind the comparisons of two lanes and the recomputations of one */
+  const uint64_t read = scene_s8e8_2x1_count(words, SCENE_S8E8_2X1_RECOMPUTATIONS_OFFSET, 1);
+  if (read != (7ull << 32 | 6)) return 2;
+  if (scene_s8e8_2x1_counted((1ull << 40) - 3, 4) != 7) return 3;
+  return 0;
+}
+)");
+  for (const char* compiler : {"cc -std=c99", "c++ -x c++"}) {
+    const Outcome run = in_folder(
+        fmt::format("{} -Wall -Wextra -pedantic -Werror reader.c -o reader && ./reader", compiler));
+    EXPECT_EQ(run.exit_code, 0) << compiler << "\n" << run.output;
+  }
+}
+
 TEST_F(Project, VerilatorTakesFoldersOfAnyNameButBuildsInNoneWithBlanks) {
   generate("--project verilator --vectors 5");
   fs::rename(path("rtl"), path("o ut $x [y]"));

@@ -14,6 +14,8 @@
 #include "generator/datapath/embedded_square.hpp"
 #include "generator/datapath/fixed_schedule.hpp"
 #include "generator/datapath/squared_sum.hpp"
+#include "generator/datapath/stage_list.hpp"
+#include "generator/datapath/unit_placer.hpp"
 #include "model/error/certified_lane.hpp"
 #include "model/expression/parser.hpp"
 #include "tests/support/graphs.hpp"
@@ -473,6 +475,27 @@ TEST(Schedule, WideSumsAreHalvedWhereThatSavesARegister) {
       {"fp_add", {"sum, upper half", "round, upper half"}},
       {"fp_squared_sum", {"sum, upper half", "round sum, upper half", "round, upper half"}}};
   EXPECT_EQ(halved(400), wide);
+}
+
+/// Of two chains side by side each has its own path; chains that fork anew wait for both.
+TEST(Schedule, ChainsForkWhenAllBeforeHaveEnded) {
+  const datapath::DelayTable delays = {.register_ns = 0};
+  const auto chain = [&](double first_ns, double second_ns) {
+    datapath::StageList stages(delays);
+    stages.add("first", first_ns);
+    stages.add("second", second_ns);
+    return stages;
+  };
+  const auto cuts = [&](datapath::StageList stages) {
+    return datapath::UnitPlacer(delays, 200).place(std::move(stages).unit("u"), 0).cuts;
+  };
+  datapath::StageList beside(delays);
+  beside.add_side_by_side({chain(3, 1), chain(1, 3)});
+  EXPECT_EQ(cuts(beside), (std::vector<bool>{false, true})) << "4 ns each of 5";
+  datapath::StageList anew(delays);
+  anew.add_side_by_side({chain(0, 3), chain(0, 1)});
+  anew.add_side_by_side({chain(1, 0), chain(3, 0)});
+  EXPECT_EQ(cuts(anew), (std::vector<bool>{false, true, false, true})) << "3 and 3 of 5";
 }
 
 /// Where the wire from logic to a multiplier is long, it has a cycle of its own at a high target.
