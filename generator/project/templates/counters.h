@@ -16,7 +16,8 @@
 // Reads counter k of the kind at `offset`. `base`: where the port is mapped, aligned to 4 bytes.
 // The low word comes first: it makes the port keep the high word that belongs to it. So no two
 // threads may read at once.
-static inline uint64_t @BUILD_TOP@_count(const volatile void *base, uint32_t offset, uint32_t k) {
+static inline uint64_t @BUILD_TOP@_count(
+    const volatile void *base, uint32_t offset, uint32_t k) {
   const volatile uint32_t *const word = (const volatile uint32_t *)base + offset / 4 + 2 * k;
   const uint64_t low = word[0];
   const uint64_t high = word[1];
