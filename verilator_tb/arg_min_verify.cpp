@@ -6,6 +6,7 @@
 #include <set>
 
 #include "verilator_tb/arg_min_judge.hpp"
+#include "verilator_tb/engine_model.hpp"
 #include "verilator_tb/engine_verify.hpp"
 
 namespace mixcmp::verilator_tb {
@@ -85,9 +86,13 @@ Result<VerifyReport> verify_arg_min(const System& system, const design::Design& 
                                     const data::Comparisons& comparisons,
                                     const VerifyOptions& options) {
   ArgMinJudge judge(system.signature, design, comparisons, options);
-  return run_engine(system, options, judge, [&](const Executable& executable) {
-    return run_trials(system, comparisons, options, executable, judge);
-  });
+  MIXCMP_TRY(report, run_engine(system, options, judge, [&](const Executable& executable) {
+               return run_trials(system, comparisons, options, executable, judge);
+             }));
+  if (options.traffic == TrafficKind::full_rate) {
+    report.arg_min->expected_cycles = expected_arg_min_cycles(design, report);
+  }
+  return report;
 }
 
 }  // namespace mixcmp::verilator_tb

@@ -68,11 +68,11 @@ std::string pair_text(const harness::wire::ReportedPair& report) {
 PairwiseJudge::PairwiseJudge(const emit::Signature& signature, const design::Design& design,
                              const data::Comparisons& comparisons, const VerifyOptions& options)
     : EngineJudge(signature, design, comparisons, options) {
-  std::uint64_t items = 0;
-  for (const data::Table& table : comparisons.tables()) items += table.rows();
+  const std::uint64_t others = comparisons.tables().size() > 1 ? comparisons.tables()[1].rows() : 0;
   report_.engine =
       PairwiseFigures{.top = signature.engine->top,
-                      .items = items,
+                      .items = comparisons.table().rows() + others,
+                      .others = others,
                       .item_bytes = static_cast<std::uint64_t>(signature.engine->item_bytes),
                       .pair_bytes = static_cast<std::uint64_t>(signature.tdata_bytes)};
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "model/performance/pairwise.hpp"
+#include "verilator_tb/engine_model.hpp"
 #include "verilator_tb/engine_verify.hpp"
 #include "verilator_tb/pairwise_judge.hpp"
 
@@ -17,16 +19,6 @@ struct Trial {
   std::uint64_t reset_after = 0;
   PairwiseJudge::Use use = PairwiseJudge::Use::check;
 };
-
-/// How many words pass the first lane for a set: those of a block for every block.
-std::uint64_t words_of(const SetRange& set, std::uint64_t lanes) {
-  std::uint64_t words = 0;
-  for (std::uint64_t base = 0; base < set.items.count; base += lanes) {
-    words += set.others.count > 0 ? std::min(lanes, set.items.count - base) + set.others.count
-                                  : set.items.count - base;
-  }
-  return words;
-}
 
 /// Plans sets, with the seeds of their places.
 class TrialPlan {
@@ -59,14 +51,16 @@ std::vector<Trial> plan_trials(const System& system, const data::Comparisons& co
                                const VerifyOptions& options) {
   const auto lanes = static_cast<std::uint64_t>(system.signature.lanes);
   TrialPlan plan(comparisons, options.traffic_seed);
-  const std::uint64_t words = words_of(plan.whole(), lanes);
+  const SetRange whole = plan.whole();
+  const std::uint64_t words = performance::pairwise_word_cycles(
+      whole.items.count, whole.others.count, system.signature.lanes);
   for (int k = 0; k < options.resets; ++k) {
-    plan.add({.set = plan.whole(), .reset_after = 1 + plan.draw() % words});
+    plan.add({.set = whole, .reset_after = 1 + plan.draw() % words});
   }
   for (const std::uint64_t count : std::set<std::uint64_t>{1, 2, 3, lanes, lanes + 1}) {
     plan.add_small(count);
   }
-  plan.add({.set = plan.whole(), .use = PairwiseJudge::Use::figures});
+  plan.add({.set = whole, .use = PairwiseJudge::Use::figures});
   plan.add_small(2);
   return plan.take();
 }
@@ -117,9 +111,13 @@ Result<VerifyReport> verify_pairwise(const System& system, const design::Design&
                                      const data::Comparisons& comparisons,
                                      const VerifyOptions& options) {
   PairwiseJudge judge(system.signature, design, comparisons, options);
-  return run_engine(system, options, judge, [&](const Executable& executable) {
-    return run_trials(system, comparisons, options, executable, judge);
-  });
+  MIXCMP_TRY(report, run_engine(system, options, judge, [&](const Executable& executable) {
+               return run_trials(system, comparisons, options, executable, judge);
+             }));
+  if (options.traffic == TrafficKind::full_rate) {
+    report.engine->expected_cycles = expected_pairwise_cycles(design, report);
+  }
+  return report;
 }
 
 }  // namespace mixcmp::verilator_tb

@@ -109,6 +109,10 @@ std::string totals(const VerifyReport& r) {
   return text + truth_lines(r);
 }
 
+std::string expectation_line(const std::optional<double>& cycles) {
+  return cycles ? line("cycles by the model", fmt::format("{:.0f}", *cycles)) : "";
+}
+
 std::string engine_lines(const VerifyReport& r) {
   if (!r.engine) return {};
   const PairwiseFigures& engine = *r.engine;
@@ -116,6 +120,7 @@ std::string engine_lines(const VerifyReport& r) {
                                                 engine.sets, engine.items));
   text += line("reported pairs", std::to_string(engine.reported));
   text += line("cycles per pair", fmt::format("{:.5f}", ratio(r.cycles, r.comparisons)));
+  text += expectation_line(engine.expected_cycles);
   text += line("stalled cycles", fmt::format("{} ({:.3f} %)", engine.stalled_cycles,
                                              100 * ratio(engine.stalled_cycles, r.cycles)));
   return text + line("bytes in per pair", fmt::format("{:.4f} (streamed as pairs: {})",
@@ -131,6 +136,7 @@ std::string arg_min_lines(const VerifyReport& r) {
       line("rows", fmt::format("{} ({:.3f} per cycle)", engine.rows, ratio(engine.rows, r.cycles)));
   if (!r.certified) text += line("rows unlike the reference", std::to_string(engine.wrong_rows));
   text += latency_line("latency of a row", engine.latency);
+  text += expectation_line(engine.expected_cycles);
   text += line("loading", fmt::format("{} cycles", engine.loading_cycles));
   return text + line("stalled cycles", std::to_string(engine.stalled_cycles));
 }

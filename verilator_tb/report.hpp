@@ -111,12 +111,14 @@ struct GroupReport {
 /// The figures of a pairwise engine on all of the scene's items as one set.
 struct PairwiseFigures {
   std::string top;
-  std::uint64_t items = 0;
+  std::uint64_t items = 0;           ///< of both tables, where there are two
+  std::uint64_t others = 0;          ///< those of the second table
   std::uint64_t item_bytes = 0;      ///< bytes of an item on its stream
   std::uint64_t pair_bytes = 0;      ///< bytes of a comparison on a stream without an engine
   std::uint64_t reported = 0;        ///< pairs reported
   std::uint64_t stalled_cycles = 0;  ///< cycles with a ready item not taken; 0 without counters
   std::uint64_t sets = 0;            ///< sets simulated, small and interrupted ones included
+  std::optional<double> expected_cycles;  ///< expected_pairwise_cycles, at full rate
 };
 
 /// The figures of an arg-min engine, whose rows meet all of the scene's candidates.
@@ -129,6 +131,7 @@ struct ArgMinFigures {
   std::uint64_t stalled_cycles = 0;  ///< cycles with an offered row not taken; 0 without counters
   std::uint64_t loads = 0;           ///< loads simulated, short and interrupted ones included
   Latency latency;                   ///< cycles from a row's acceptance to its departure
+  std::optional<double> expected_cycles;  ///< expected_arg_min_cycles, at full rate
 };
 
 /// The shortest failing run that was found after a failure, by its first finding.

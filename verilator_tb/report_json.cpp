@@ -86,6 +86,10 @@ Json to_json(const GroupReport& group, bool with_truth) {
   return json;
 }
 
+void add_expectation(Json& engine, const std::optional<double>& cycles) {
+  if (cycles) engine["expected_cycles"] = *cycles;
+}
+
 /// Adds the figures that only a system with an engine has.
 void add_engines(Json& json, const VerifyReport& r) {
   if (r.engine) {
@@ -98,6 +102,7 @@ void add_engines(Json& json, const VerifyReport& r) {
                       {"stalled_cycles", r.engine->stalled_cycles},
                       {"item_bytes_per_pair", r.item_bytes_per_pair()},
                       {"sets", r.engine->sets}};
+    add_expectation(json["engine"], r.engine->expected_cycles);
   }
   if (r.arg_min) {
     const ArgMinFigures& engine = *r.arg_min;
@@ -110,6 +115,7 @@ void add_engines(Json& json, const VerifyReport& r) {
                        {"loading_cycles", engine.loading_cycles},
                        {"stalled_cycles", engine.stalled_cycles},
                        {"loads", engine.loads}};
+    add_expectation(json["arg_min"], engine.expected_cycles);
   }
 }
 

@@ -10,15 +10,18 @@ constexpr double fetch_cycles = 1;  ///< of the items' memory, for a pair
 
 }  // namespace
 
-std::uint64_t pairwise_word_cycles(std::uint64_t items, int lanes) {
+std::uint64_t pairwise_word_cycles(std::uint64_t items, std::uint64_t others, int lanes) {
   const auto block = static_cast<std::uint64_t>(lanes);
   std::uint64_t cycles = 0;
-  for (std::uint64_t first = 0; first < items; first += block) cycles += items - first;
+  for (std::uint64_t first = 0; first < items; first += block) {
+    const std::uint64_t left = items - first;
+    cycles += others > 0 ? std::min(block, left) + others : left;
+  }
   return cycles;
 }
 
 double pairwise_cycles(const PairwiseSet& set) {
-  const auto words = static_cast<double>(pairwise_word_cycles(set.items, set.lanes));
+  const auto words = static_cast<double>(pairwise_word_cycles(set.items, set.others, set.lanes));
   const auto exceptions = static_cast<double>(set.exceptions);
   double recomputing = 0;
   if (set.references > 0) {

@@ -3,16 +3,15 @@
 
 #include <cstdlib>
 
-#include "generator/emit/scheduled_system.hpp"
 #include "model/expression/parser.hpp"
 #include "model/fixed/fixed_lane.hpp"
 #include "model/golden/fixed_evaluate.hpp"
 #include "model/number/exact.hpp"
-#include "model/performance/chain.hpp"
 #include "model/workload/compare_by_reference.hpp"
 #include "model/workload/load_comparisons.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
+#include "verilator_tb/engine_model.hpp"
 
 /// The cycles that a whole arg-min engine takes for a stream of rows, beside those of the
 /// performance model.
@@ -80,25 +79,10 @@ data::Comparisons data_of(const Load& load, const design::Design& design) {
       .value();
 }
 
-performance::Chain chain_of(const design::Design& design) {
-  const emit::ScheduledSystem scheduled = emit::schedule_system(design).value();
-  const rtl::SystemShape& shape = scheduled.shape;
-  const datapath::Schedule& reference = shape.reference_groups.front().schedule;
-  return {.lanes = shape.lanes,
-          .streams = {.order = scene::ResultOrder::in_order,
-                      .lane_latency_cycles = shape.lane_groups.front().schedule.latency_cycles,
-                      .reference_latency_cycles = reference.latency_cycles,
-                      .initiation_interval_cycles = reference.initiation_interval,
-                      .slots = 1 << shape.slot_bits,
-                      .lanes_served = (shape.lanes + shape.references - 1) / shape.references},
-          .references = shape.references,
-          .word_latency_cycles = scheduled.words()->latency_cycles()};
-}
-
 /// The cycles by the comparisons that the golden model says the lanes leave undecided.
 double predicted_cycles(const design::Design& design, const data::Comparisons& rows) {
   const auto& lane = std::get<fixed::FixedLane>(design.lanes.front().lane);
-  const performance::Chain chain = chain_of(design);
+  const performance::Chain chain = verilator_tb::chain_of(design);
   std::vector<Bits> operands(rows.input_count());
   const auto undecided = [&](std::uint64_t row, int stage) {
     const auto lanes = static_cast<std::uint64_t>(chain.lanes);
@@ -117,10 +101,9 @@ TEST_P(ArgMinThroughput, IsThePredictedOne) {
   const auto report = simulate(design, rows, {});
   ASSERT_TRUE(report.passed()) << to_text(report);
   const double predicted = predicted_cycles(design, rows);
-  const double rate = double(report.recomputations) / static_cast<double>(report.comparisons);
-  const double expected = performance::random_chain_cycles(chain_of(design), load.rows, rate);
+  const double expected = report.arg_min->expected_cycles.value();
   fmt::print("{}: {} cycles, {:.0f} predicted, {:.0f} by the rate {:.2e} alone\n", load.name,
-             report.cycles, predicted, expected, rate);
+             report.cycles, predicted, expected, report.recomputation_rate());
   EXPECT_NEAR(static_cast<double>(report.cycles), predicted, load.tolerance * predicted)
       << to_text(report);
   EXPECT_NEAR(static_cast<double>(report.cycles), expected, load.tolerance * expected);

@@ -5,9 +5,9 @@
 
 #include "model/data/uniform_spheres.hpp"
 #include "model/golden/fixed_evaluate.hpp"
-#include "model/performance/pairwise.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
+#include "verilator_tb/engine_model.hpp"
 
 /// The cycles that a whole engine takes for a set, beside those of the performance model.
 namespace mixcmp::test::pairwise_throughput_test {
@@ -110,22 +110,6 @@ std::uint64_t second_tier_cycles(const FirstVerdicts& verdicts, std::uint64_t la
   return most;
 }
 
-performance::PairwiseSet set_of(const Load& load, const verilator_tb::VerifyReport& report) {
-  const int segments = (load.lanes + 7) / 8;
-  // Streams share the segments, and reports are spread evenly over these.
-  const double share = double((segments + load.streams - 1) / load.streams) / segments;
-  const double exceptions =
-      static_cast<double>(report.engine->reported + report.recomputations) * share;
-  return {.items = items,
-          .lanes = load.lanes,
-          .segments = segments,
-          .lane_latency_cycles = 20,
-          .exceptions = static_cast<std::uint64_t>(exceptions),
-          .recomputations = report.recomputations,
-          .references = load.references,
-          .initiation_interval = load.interval};
-}
-
 class PairwiseThroughput : public testing::TestWithParam<Load> {};
 
 TEST_P(PairwiseThroughput, IsThePredictedOne) {
@@ -137,7 +121,8 @@ TEST_P(PairwiseThroughput, IsThePredictedOne) {
   const data::Comparisons pairs = data::Comparisons::all_pairs(table, design.inputs).value();
   const auto report = simulate(design, pairs, {});
   ASSERT_TRUE(report.passed()) << to_text(report);
-  performance::PairwiseSet set = set_of(load, report);
+  performance::PairwiseSet set = verilator_tb::pairwise_set_of(design, report);
+  EXPECT_EQ(report.engine->expected_cycles, performance::pairwise_cycles(set));
   if (design.second_tier) {
     set.second_tier_cycles =
         second_tier_cycles(FirstVerdicts(design, pairs), static_cast<std::uint64_t>(load.lanes));
