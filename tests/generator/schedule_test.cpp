@@ -455,6 +455,25 @@ TEST(Schedule, SquaresByTheirSymmetryHaveTheirOwnStages) {
   EXPECT_EQ(unit.stages[9].name, "upper half");
 }
 
+/// A sum of addends of one sign moves up by one place at most: it waits for no count of zeros.
+TEST(Schedule, SumsThatOnlyGrowCountNoZeros) {
+  const datapath::DelayTable delays = datapath::delays_of("virtex6-lx760").value();
+  const TypedNode node{
+      .operation = Operation::add, .operand_format = format("s53e8"), .format = format("s53e8")};
+  const auto ns_of = [&](bool cancellation, const std::string& stage) {
+    const datapath::Unit unit =
+        datapath::unit_for(node, Subnormals::gradual, {.cancellation = cancellation},
+                           scene::Multipliers::embedded, delays);
+    const auto found = std::find_if(unit.stages.begin(), unit.stages.end(),
+                                    [&](const auto& each) { return each.name == stage; });
+    return found->delay_ns;
+  };
+  for (const char* stage : {"count", "limit"}) {
+    EXPECT_EQ(ns_of(false, stage), 0) << stage;
+    EXPECT_GT(ns_of(true, stage), 0) << stage;
+  }
+}
+
 /// A sum is cut into halves where that saves a register, and nowhere else.
 TEST(Schedule, WideSumsAreHalvedWhereThatSavesARegister) {
   const design::Design spheres = sphere_design(format("s17e8"), format("s53e8"), 1, 1);
