@@ -89,7 +89,8 @@ Result<VerifyReport> verify_arg_min(const System& system, const design::Design& 
   MIXCMP_TRY(report, run_engine(system, options, judge, [&](const Executable& executable) {
                return run_trials(system, comparisons, options, executable, judge);
              }));
-  if (options.traffic == TrafficKind::full_rate) {
+  const bool is_whole = report.cycles > 0;
+  if (is_whole && options.traffic == TrafficKind::full_rate) {
     report.arg_min->expected_cycles = expected_arg_min_cycles(design, report);
   }
   return report;

@@ -16,7 +16,7 @@ int word_latency_cycles(const emit::ScheduledSystem& scheduled) {
   return scheduled.words()->latency_cycles() + slowest;
 }
 
-/// Of the slowest reference.
+/// The longest initiation interval of the design's references.
 int initiation_interval(const design::Design& design) {
   int slowest = 1;
   for (const design::ReferenceGroup& group : design.references) {
