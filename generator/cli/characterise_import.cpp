@@ -182,6 +182,7 @@ nlohmann::ordered_json json_of_row(const characterise::Measurement& row) {
                                  {"multipliers", row.key.multipliers},
                                  {"sums", to_string(row.key.sums)},
                                  {"initiation_interval", row.key.initiation_interval},
+                                 {"target_mhz", row.key.target_mhz},
                                  {"ports", row.key.ports},
                                  {"latency_cycles", row.latency_cycles},
                                  {"luts", row.area.luts},

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <sstream>
 #include <thread>
@@ -167,6 +168,26 @@ Result<std::vector<int>> initiation_intervals(const std::string& text, const sce
   return interval ? std::vector<int>{*interval} : usual_intervals;
 }
 
+/// Where the scene names no target for references: the system's, and half as much again, since the
+/// registers of the second cost little, and a reference must not be what sets the clock.
+std::vector<std::optional<int>> usual_targets(const scene::Scene& scene) {
+  const int more = static_cast<int>(std::lround(1.5 * scene.system.target_mhz));
+  if (!settings::limits::target_mhz.allow(more)) return {std::nullopt};
+  return {std::nullopt, more};
+}
+
+Result<std::vector<std::optional<int>>> reference_targets(const CharacteriseCommand& command,
+                                                          const scene::Scene& scene) {
+  using Targets = std::vector<std::optional<int>>;
+  if (!command.reference_targets.empty()) {
+    MIXCMP_TRY(targets, number_list("--reference-targets", command.reference_targets,
+                                    settings::limits::target_mhz));
+    return Targets(targets.begin(), targets.end());
+  }
+  const std::optional<int> target = scene.reference_structure.target_mhz;
+  return target || command.area_only ? Targets{target} : usual_targets(scene);
+}
+
 Result<components::ComponentQuery> query_of(const CharacteriseCommand& command,
                                             const scene::Scene& scene) {
   const settings::Limits allowed = settings::lane_precisions(scene.reference.format);
@@ -185,6 +206,8 @@ Result<components::ComponentQuery> query_of(const CharacteriseCommand& command,
   MIXCMP_TRY(possible, check_memories(query));
   MIXCMP_TRY(intervals, initiation_intervals(command.initiation_intervals, scene));
   query.initiation_intervals = intervals;
+  MIXCMP_TRY(targets, reference_targets(command, scene));
+  query.reference_targets = targets;
   const bool few_ports = command.quick && command.ports == CharacteriseCommand().ports;
   MIXCMP_TRY(ports, number_list("--ports", few_ports ? std::string(quick_ports) : command.ports,
                                 components::measured_ports));
@@ -204,8 +227,8 @@ void add_import_option(const Verb& verb, CharacteriseCommand& command) {
       "--project vivado or quartus leave, utilisation_by_instance.rpt and timing.rpt, or "
       "TOP.fit.rpt and TOP.sta.rpt (docs/characterise.md)");
   for (const char* other : {"--precisions", "--bounds", "--inputs", "--multipliers", "--exponents",
-                            "--components", "--initiation-intervals", "--ports", "--quick",
-                            "--area-only", "--seeds", "--jobs", "--store"}) {
+                            "--components", "--initiation-intervals", "--reference-targets",
+                            "--ports", "--quick", "--area-only", "--seeds", "--jobs", "--store"}) {
     import.excludes(other);
   }
 }
@@ -244,6 +267,11 @@ void add_characterise_options(const Verb& verb, CharacteriseCommand& command) {
   verb.option("--initiation-intervals", command.initiation_intervals,
               "of references, in cycles: 16 or 1,4,16 (default: as reference.initiation_interval "
               "says; 1,4,16 where that is \"auto\")");
+  verb.option(
+      "--reference-targets", command.reference_targets,
+      "MHz that the registers of references are placed for: 400,600 (default: as "
+      "reference.target_mhz says; without one the system's and, where clocks are asked for, "
+      "half as much again)");
   verb.option("--components", command.components,
               "what to measure: lane, fifo, crossbar; of an engine segment, conversion, engine, "
               "operand_memory; reference, reference_port; unit (default: all that the scene's "
@@ -290,7 +318,7 @@ const GroupForm& characterise_group() {
   static const GroupForm form{
       .name = "characterise",
       .options = {"precisions", "bounds", "inputs", "multipliers", "exponents",
-                  "initiation_intervals", "components", "ports", "seeds"},
+                  "initiation_intervals", "reference_targets", "components", "ports", "seeds"},
       .flags = {"quick", "area_only"}};
   return form;
 }
@@ -317,6 +345,7 @@ std::string characterise_command_line(const CharacteriseCommand& command) {
   add("--multipliers", command.multipliers, defaults.multipliers);
   add("--exponents", command.exponents, defaults.exponents);
   add("--initiation-intervals", command.initiation_intervals, defaults.initiation_intervals);
+  add("--reference-targets", command.reference_targets, defaults.reference_targets);
   add("--components", command.components, defaults.components);
   add("--ports", command.ports, defaults.ports);
   add("--seeds", std::to_string(command.seeds), std::to_string(defaults.seeds));

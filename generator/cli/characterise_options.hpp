@@ -19,6 +19,7 @@ struct CharacteriseCommand {
   std::string ports = "1-8,12,16,24,32,48,64,96,128";
   std::string exponents;             ///< empty: as the scene says
   std::string initiation_intervals;  ///< of references; empty: as the scene says
+  std::string reference_targets;     ///< MHz; empty: as the scene says, or the usual ones
   bool quick = false;
   bool area_only = false;
   int seeds = 3;

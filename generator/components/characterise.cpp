@@ -220,6 +220,7 @@ std::string label(const ComponentKey& key) {
   }
   if (key.sums == Sums::fused) text += " fused";
   if (key.initiation_interval > 1) text += fmt::format(" ii{}", key.initiation_interval);
+  if (key.target_mhz != 0) text += fmt::format(" for {} MHz", key.target_mhz);
   return key.ports == 0 ? text : fmt::format("{} {} ports", text, key.ports);
 }
 

@@ -167,14 +167,20 @@ private:
     if (!recomputes() || !wanted) return Done{};
     for (const Multipliers multipliers : reference_multipliers(query_)) {
       for (const int interval : query_.initiation_intervals) {
-        ComponentKey key = reference_key(maker_.scene().reference, {multipliers, interval});
-        MIXCMP_TRY(visited, visit(key));
-        if (!asked(ComponentKind::reference_port)) continue;
-        key.kind = ComponentKind::reference_port;
-        MIXCMP_TRY(port_visited, visit(key));
+        for (const std::optional<int> target : query_.reference_targets) {
+          MIXCMP_TRY(visited, visit_reference({multipliers, interval, target}));
+        }
       }
     }
     return Done{};
+  }
+
+  Result<Done> visit_reference(const design::ReferenceStructure& structure) {
+    ComponentKey key = reference_key(maker_.scene(), structure);
+    MIXCMP_TRY(visited, visit(key));
+    if (!asked(ComponentKind::reference_port)) return Done{};
+    key.kind = ComponentKind::reference_port;
+    return visit(key);
   }
 
   Result<Done> visit_all(ComponentKind kind, const std::set<int>& ports) {

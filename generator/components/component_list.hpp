@@ -29,6 +29,8 @@ struct ComponentQuery {
   std::vector<scene::Multipliers> multipliers = {scene::Multipliers::embedded,
                                                  scene::Multipliers::logic};
   std::vector<int> initiation_intervals = {1};  ///< of references, in cycles
+  /// MHz that the registers of references are placed for; none: the system's target.
+  std::vector<std::optional<int>> reference_targets = {std::nullopt};
   std::vector<int> ports;  ///< numbers of lanes at a crossbar with one reference
   /// If present: of the lanes that all this asks for, these alone.
   std::optional<std::set<characterise::ComponentKey>> lanes = {};

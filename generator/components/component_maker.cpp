@@ -131,13 +131,15 @@ Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs, const design::L
   return LaneRtl{schedule.latency_cycles, rtl::lane_module("lane", inputs, lane, schedule)};
 }
 
-ComponentKey reference_key(const Arithmetic& arithmetic,
-                           const design::ReferenceStructure& structure) {
+ComponentKey reference_key(const scene::Scene& scene, const design::ReferenceStructure& structure) {
+  const Arithmetic& arithmetic = scene.reference;
+  const int target_mhz = structure.target_mhz.value_or(0);
   return {.kind = ComponentKind::reference,
           .format = arithmetic.format.name(),
           .multipliers = std::string(to_string(structure.multipliers)),
           .sums = arithmetic.sums,
-          .initiation_interval = structure.initiation_interval};
+          .initiation_interval = structure.initiation_interval,
+          .target_mhz = target_mhz == scene.system.target_mhz ? 0 : target_mhz};
 }
 
 ComponentMaker::ComponentMaker(scene::Scene scene, const data::Comparisons* data)
@@ -217,8 +219,9 @@ Result<datapath::Schedule> ComponentMaker::reference_schedule(const ComponentKey
   MIXCMP_TRY(possible, check_reference(key));
   MIXCMP_TRY(multipliers, reference_multipliers_of(key));
   MIXCMP_TRY(delays, datapath::delays_of(scene_.system.device));
-  return datapath::schedule_reference(graph, {multipliers, key.initiation_interval}, delays,
-                                      scene_.system.target_mhz);
+  return datapath::schedule_reference(
+      graph, {multipliers, key.initiation_interval}, delays,
+      key.target_mhz == 0 ? scene_.system.target_mhz : key.target_mhz);
 }
 
 Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {

@@ -31,7 +31,7 @@ struct Component {
 };
 
 /// The key of a reference; its component is made without multipliers where it has no product.
-characterise::ComponentKey reference_key(const Arithmetic& arithmetic,
+characterise::ComponentKey reference_key(const scene::Scene& scene,
                                          const design::ReferenceStructure& structure);
 
 /// The datapath of one lane alone.

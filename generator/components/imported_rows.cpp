@@ -186,8 +186,8 @@ private:
   Result<Done> add_references() {
     for (std::size_t k = 0; k < design_.references.size(); ++k) {
       const rtl::DatapathGroup& group = shape_.reference_groups[k];
-      MIXCMP_TRY(component, maker_.make(reference_key(maker_.scene().reference,
-                                                      design_.references[k].structure)));
+      MIXCMP_TRY(component,
+                 maker_.make(reference_key(maker_.scene(), design_.references[k].structure)));
       MIXCMP_TRY(sum, sum_of(group.first, group.count,
                              [&](int number) { return path(group, number, "reference"); }));
       add(component, component.latency_cycles, scaled(sum, 1, group.count), group.count);

@@ -48,8 +48,9 @@ characterise::SynthesisJob system_job(const emit::GeneratedSystem& system) {
 Result<characterise::SynthesisJob> references_job(const scene::Scene& scene, int count) {
   ComponentMaker maker(scene, nullptr);
   // References that stand alone take a comparison in every cycle, whatever the system's do.
-  MIXCMP_TRY(reference,
-             maker.make(reference_key(scene.reference, {scene.reference_structure.multipliers})));
+  MIXCMP_TRY(reference, maker.make(reference_key(
+                            scene, {.multipliers = scene.reference_structure.multipliers,
+                                    .target_mhz = scene.reference_structure.target_mhz})));
   characterise::SynthesisJob job = reference.job;
   job.sources.push_back(
       {fmt::format("{}.v", alone), top_text(reference.job, rtl::input_ports(scene.graph.inputs()),

@@ -77,6 +77,7 @@ struct ComponentKey {
   std::string multipliers;                  ///< of lanes, references and units with a product
   Sums sums = Sums::composed;               ///< of a reference; composed of everything else
   int initiation_interval = 0;              ///< of a reference, in cycles
+  int target_mhz = 0;                       ///< of a reference; 0: the table's
   /// Of a crossbar and of a segment: lanes; of a fifo: slots; of an engine: segments; of an operand
   /// memory: references.
   int ports = 0;

@@ -54,6 +54,12 @@ std::string record(const Measurement& row, bool with_stage) {
 
 }  // namespace
 
+std::string traits_of_reference(const ComponentKey& key) {
+  std::string words = key.sums == Sums::fused ? std::string(to_string(key.sums)) : "";
+  if (key.target_mhz == 0) return words;
+  return fmt::format("{}{}at_{}_mhz", words, words.empty() ? "" : " ", key.target_mhz);
+}
+
 std::string to_csv(const Characterisation& table) {
   std::string text;
   const auto comment = [&](const std::string& name, const std::string& value) {

@@ -23,23 +23,20 @@ KeyColumn text_column(std::string_view name) {
           }};
 }
 
-/// The name of a unit; of a reference, whether its sums are fused: tables of composed references
-/// have no word for that.
+/// What a reference has that most have not, as words: "fused at_600_mhz".
+std::string traits_of_reference(const ComponentKey& key);
+Result<Done> set_traits_of_reference(ComponentKey& key, const std::string& words);
+
+/// The name of a unit; of a reference its traits.
 inline KeyColumn name_column() {
   return {"name",
           [](const ComponentKey& key) {
-            return key.sums == Sums::fused ? std::string(to_string(key.sums)) : key.name;
+            return depends_on_reference(key.kind) ? traits_of_reference(key) : key.name;
           },
           [](ComponentKey& key, const std::string& text) -> Result<Done> {
-            if (!depends_on_reference(key.kind)) {
-              key.name = text;
-              return Done{};
-            }
-            if (text == to_string(Sums::fused)) key.sums = Sums::fused;
-            if (text.empty() || key.sums == Sums::fused) return Done{};
-            return Error{.message = "not a kind of reference",
-                         .received = text,
-                         .accepted = "fused, or nothing"};
+            if (depends_on_reference(key.kind)) return set_traits_of_reference(key, text);
+            key.name = text;
+            return Done{};
           }};
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <sstream>
 
 #include "model/characterise/table_columns.hpp"
 #include "model/common/file.hpp"
@@ -285,7 +286,7 @@ private:
     return Error{.file = path_.string(),
                  .message = "two rows of one component",
                  .received = fmt::format("{} {} {} {} {} {}, initiation interval {}, ports {}",
-                                         to_string(twin->key.kind), twin->key.name,
+                                         to_string(twin->key.kind), name_column().get(twin->key),
                                          twin->key.format, to_string(twin->key.inputs),
                                          scene::to_string(twin->key.bound), twin->key.multipliers,
                                          twin->key.initiation_interval, twin->key.ports),
@@ -304,7 +305,38 @@ private:
   bool has_stages_ = false;
 };
 
+/// The number in "at_600_mhz".
+std::optional<int> target_in(std::string_view word) {
+  constexpr std::string_view before = "at_", behind = "_mhz";
+  if (!word.starts_with(before) || !word.ends_with(behind)) return std::nullopt;
+  if (word.size() < before.size() + behind.size()) return std::nullopt;
+  const std::string_view digits =
+      word.substr(before.size(), word.size() - before.size() - behind.size());
+  int mhz = 0;
+  const auto [stop, failed] = std::from_chars(digits.begin(), digits.end(), mhz);
+  const bool is_number = failed == std::errc() && stop == digits.end();
+  if (!is_number || !settings::limits::target_mhz.allow(mhz)) return std::nullopt;
+  return mhz;
+}
+
 }  // namespace
+
+Result<Done> set_traits_of_reference(ComponentKey& key, const std::string& words) {
+  std::istringstream text(words);
+  for (std::string word; text >> word;) {
+    const std::optional<int> target = target_in(word);
+    if (word == to_string(Sums::fused)) {
+      key.sums = Sums::fused;
+    } else if (target) {
+      key.target_mhz = *target;
+    } else {
+      return Error{.message = "not a kind of reference",
+                   .received = word,
+                   .accepted = "fused, a target as at_600_mhz, both or nothing"};
+    }
+  }
+  return Done{};
+}
 
 Result<Characterisation> read_characterisation(const std::filesystem::path& path) {
   MIXCMP_TRY(text, read_file(path));

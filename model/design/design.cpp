@@ -287,13 +287,14 @@ Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
                         fmt::format("{}..{}", fewest, scene::max_references));
     }
     if (*spec.count == 0) continue;
-    const auto& [multipliers, interval] = spec.structure;
+    const auto& [multipliers, interval, target_mhz] = spec.structure;
     if (!interval) {
       return unresolved(scene, "reference.initiation_interval",
                         "--set reference.initiation_interval=16",
                         to_string(settings::limits::initiation_interval));
     }
-    design.references.push_back({.structure = {multipliers, *interval}, .count = *spec.count});
+    design.references.push_back(
+        {.structure = {multipliers, *interval, target_mhz}, .count = *spec.count});
     shortest = std::min(shortest.value_or(*interval), *interval);
     MIXCMP_TRY(in_time, check_request_beats(scene.system, *interval));
   }

@@ -103,16 +103,22 @@ std::vector<std::string> lane_group_names(const Design& design) {
 
 std::vector<std::string> reference_group_names(const Design& design) {
   const auto& groups = design.references;
-  const bool alike = std::all_of(groups.begin(), groups.end(), [&](const ReferenceGroup& group) {
-    return group.structure.multipliers == groups.front().structure.multipliers;
-  });
+  const auto alike = [&](auto trait) {
+    return std::all_of(groups.begin(), groups.end(), [&](const ReferenceGroup& group) {
+      return group.structure.*trait == groups.front().structure.*trait;
+    });
+  };
+  using Structure = ReferenceStructure;
+  const bool same_multipliers = alike(&Structure::multipliers);
+  const bool same_target = alike(&Structure::target_mhz);
   std::vector<std::string> names;
   for (const ReferenceGroup& group : groups) {
     std::string& name = names.emplace_back(design.reference.arithmetic.format.name());
     if (design.reference.arithmetic.sums == Sums::fused) name += "_fused";
-    if (!alike) name += fmt::format("_{}", to_string(group.structure.multipliers));
-    const int interval = group.structure.initiation_interval;
+    const auto& [multipliers, interval, target_mhz] = group.structure;
+    if (!same_multipliers) name += fmt::format("_{}", to_string(multipliers));
     if (interval > 1) name += fmt::format("_ii{}", interval);
+    if (!same_target && target_mhz) name += fmt::format("_{}mhz", *target_mhz);
   }
   return names;
 }

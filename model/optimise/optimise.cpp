@@ -72,6 +72,30 @@ void note_room(Optimisation& found) {
                   chains, chains == 1 ? "" : "s"));
 }
 
+/// The lowest clock of the kinds that a plan has any of, in MHz.
+template <class Kinds>
+double lowest_mhz(const Kinds& kinds, const std::vector<int>& counts) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    if (counts[k] > 0) lowest = std::min(lowest, kinds[k].clock_hz / hertz_per_mhz);
+  }
+  return lowest;
+}
+
+/// Tells where a measured reference sets the clock of the best plan.
+void note_slow_reference(Optimisation& found) {
+  const PrecisionPlan* best = found.best();
+  const bool measured = !found.clocks.reference_mhz && found.basis != ClockBasis::target;
+  if (best == nullptr || !measured || found.clocks.domains != ClockDomains::single) return;
+  const double lanes = lowest_mhz(best->problem.lanes, best->allocation()->lanes);
+  const double references = lowest_mhz(best->problem.references, best->allocation()->references);
+  if (references >= lanes) return;
+  found.notes.push_back(
+      fmt::format("a reference sets the clock: {:.4g} MHz, where the lanes reach {:.4g}; `mixcmp "
+                  "characterise --reference-targets` measures references with more registers",
+                  references, lanes));
+}
+
 Error nothing_to_choose_from(const scene::Scene& scene, const std::string& what) {
   return {.file = scene.path.string(),
           .field = {},
@@ -219,6 +243,7 @@ Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& 
   all.basis = maker.basis();
   all.notes = maker.notes();
   if (is_chain(scene)) note_room(all);
+  note_slow_reference(all);
   if (!maker.missing().empty()) return incomplete(scene, maker.missing());
   if (all.plans.empty()) return nothing_to_choose_from(scene, "lane with a known rate");
   return all;

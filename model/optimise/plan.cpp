@@ -26,8 +26,10 @@ std::string multipliers_key(const characterise::ComponentKey& key) {
 
 /// Always written: the scene may leave the interval to the plan.
 std::string references_table(const characterise::ComponentKey& key, int count) {
-  return fmt::format("\n[[references]]\ncount = {}\n{}initiation_interval = {}\n", count,
-                     multipliers_key(key), key.initiation_interval);
+  const std::string target =
+      key.target_mhz == 0 ? "" : fmt::format("target_mhz = {}\n", key.target_mhz);
+  return fmt::format("\n[[references]]\ncount = {}\n{}initiation_interval = {}\n{}", count,
+                     multipliers_key(key), key.initiation_interval, target);
 }
 
 /// The scene's key for how operands enter a lane; empty in fixed point, where there is no choice.

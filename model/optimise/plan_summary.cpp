@@ -5,10 +5,12 @@
 namespace mixcmp::optimise {
 namespace {
 
-bool any_folded(const PrecisionPlan& plan, const Allocation& chosen) {
+/// Whether the plan has references that are folded, or placed for a target of their own.
+bool any_unusual(const PrecisionPlan& plan, const Allocation& chosen) {
   const std::vector<ReferenceKind>& references = plan.problem.references;
   for (std::size_t k = 0; k < references.size(); ++k) {
-    if (chosen.references[k] > 0 && references[k].initiation_interval > 1) return true;
+    const bool unusual = references[k].initiation_interval > 1 || references[k].has_own_target;
+    if (chosen.references[k] > 0 && unusual) return true;
   }
   return false;
 }
@@ -19,7 +21,7 @@ std::string kinds_of(const PrecisionPlan& plan, const Allocation& chosen) {
     if (count > 0) text += fmt::format("{}{} x {}", text.empty() ? "" : ", ", count, name);
   };
   for (std::size_t k = 0; k < plan.lanes.size(); ++k) add(chosen.lanes[k], plan.lanes[k].kind.name);
-  if (!any_folded(plan, chosen)) return text;
+  if (!any_unusual(plan, chosen)) return text;
   const std::vector<ReferenceKind>& references = plan.problem.references;
   for (std::size_t k = 0; k < references.size(); ++k) add(chosen.references[k], references[k].name);
   return text;

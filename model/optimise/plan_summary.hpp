@@ -16,7 +16,7 @@ struct PlanSummary {
   double throughput_per_s = 0;
   devices::Area used;
   /// "95 x s12e8 exact relative embedded, 12 x s12e8 exact relative logic", and the references
-  /// where any is folded: "2 x s53e8 embedded ii16".
+  /// where any is folded or has a target of its own: "2 x s53e8 embedded ii16".
   std::string kinds;
 };
 PlanSummary summary_of(const PrecisionPlan& plan);

@@ -46,8 +46,8 @@ std::string name_of(const RateKey& key) {
 std::string reference_name(const characterise::ComponentKey& key) {
   std::string name = key.format + (key.multipliers.empty() ? "" : " " + key.multipliers);
   if (key.sums == Sums::fused) name += " fused";
-  if (key.initiation_interval == 1) return name;
-  return fmt::format("{} ii{}", name, key.initiation_interval);
+  if (key.initiation_interval > 1) name += fmt::format(" ii{}", key.initiation_interval);
+  return key.target_mhz == 0 ? name : fmt::format("{} for {} MHz", name, key.target_mhz);
 }
 
 ClockBasis basis_of(const characterise::Clock& clock) {
@@ -103,8 +103,9 @@ std::vector<ReferenceImplementation> ProblemMaker::references() {
     const double mhz = clock_of(*row, options_.clocks.reference_mhz, {});
     const int interval = design::planned_service_cycles(row->key.initiation_interval,
                                                         scene_.system.request_beats.value_or(1));
-    all.push_back(
-        {*row, {reference_name(row->key), mhz * hertz_per_mhz, interval, area_with_port(*row)}});
+    all.push_back({*row,
+                   {reference_name(row->key), mhz * hertz_per_mhz, interval, area_with_port(*row),
+                    row->key.target_mhz != 0}});
   }
   return all;
 }
@@ -191,14 +192,17 @@ bool ProblemMaker::is_lane(const characterise::ComponentKey& key) const {
          key.ports == scene_.system.engine.lanes_per_segment();
 }
 
-/// A reference of the scene's format and sums, and of its initiation interval unless that is
-/// "auto"; then one that is not faster than the scene's requests, if it is folded.
+/// A reference of the scene's format and sums, of its initiation interval unless that is "auto" and
+/// of its target if it has one; and not faster than the scene's requests, if it is folded.
 bool ProblemMaker::is_wanted_reference(const characterise::Measurement& row) const {
-  const std::optional<int> interval = scene_.reference_structure.initiation_interval;
+  const auto& [multipliers, interval, target] = scene_.reference_structure;
+  const int placed_for = row.key.target_mhz;
+  const double target_mhz = placed_for == 0 ? scene_.system.target_mhz : placed_for;
   return format_of(row).floating == scene_.reference.format &&
          row.key.sums == scene_.reference.sums &&
          design::check_request_beats(scene_.system, row.key.initiation_interval).ok() &&
-         (!interval || *interval == row.key.initiation_interval);
+         (!interval || *interval == row.key.initiation_interval) &&
+         (!target || *target == target_mhz);
 }
 
 bool ProblemMaker::is_wanted(const characterise::Measurement& lane) const {

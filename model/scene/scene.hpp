@@ -103,6 +103,7 @@ struct ReferenceStructureSpec {
   Multipliers multipliers = Multipliers::embedded;
   /// Cycles from one comparison to the next, 1..64; none: "auto"
   std::optional<int> initiation_interval = 1;
+  std::optional<int> target_mhz;  ///< that its registers are placed for; none: the system's
 };
 
 /// References of one kind; all have the scene's reference format.

@@ -62,6 +62,8 @@ void read_structure(settings::Section& section, ReferenceStructureSpec& structur
   section.choice("multipliers", structure.multipliers, {Multipliers::embedded, Multipliers::logic});
   section.integer_or_auto("initiation_interval", structure.initiation_interval,
                           settings::limits::initiation_interval);
+  if (section.find("target_mhz") == nullptr) return;
+  section.integer("target_mhz", structure.target_mhz.emplace(), settings::limits::target_mhz);
 }
 
 Result<ReferenceSpec> read_reference(const settings::Settings& settings) {
@@ -96,7 +98,8 @@ Result<SystemSpec> read_system(const settings::Settings& settings) {
   section.integer_or_auto("lanes", spec.lanes, lane_limits(settings));
   section.integer_or_auto("references", spec.references, settings::limits::references);
   section.number("slack", spec.slack, 0, 0.95);
-  section.number("target_mhz", spec.target_mhz, 1, 2000);
+  section.number("target_mhz", spec.target_mhz, settings::limits::target_mhz.least,
+                 settings::limits::target_mhz.most);
   section.choice("order", spec.order, {ResultOrder::tagged, ResultOrder::in_order});
   section.choice("operands", spec.operands, {OperandStore::carried, OperandStore::refetched});
   read_requests(section, spec);

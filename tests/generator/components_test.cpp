@@ -138,6 +138,32 @@ TEST_F(Components, AreWhatGenerateWrites) {
   }
 }
 
+TEST_F(Components, ReferencesArePlacedForTheirOwnTargets) {
+  const auto generated_for = [&](const std::vector<std::string>& overrides) {
+    std::ofstream(directory_.path() / "scene.toml") << spheres << one_system;
+    const auto loaded = scene::load_scene(directory_.path() / "scene.toml", overrides);
+    const auto system = emit::generate_system(design::make_design(*loaded, nullptr).value(), "");
+    return std::pair(from_ports(generated(*system, "_lane_")),
+                     from_ports(generated(*system, "_reference_")));
+  };
+  const auto usual = generated_for({});
+  const auto fast = generated_for({"reference.target_mhz=400"});
+  EXPECT_EQ(fast.first, usual.first);
+  EXPECT_NE(fast.second, usual.second);
+  EXPECT_EQ(fast.second, generated_for({"system.target_mhz=400"}).second);
+  components::ComponentQuery query;
+  query.kinds = {characterise::ComponentKind::reference};
+  query.multipliers = {scene::Multipliers::embedded};
+  query.reference_targets = {200, 400};
+  const Found found = find(scene(one_system), query);
+  ASSERT_EQ(found.components.size(), 2u);
+  for (const auto& [key, component] : found.components) {
+    EXPECT_TRUE(key.target_mhz == 0 || key.target_mhz == 400) << "200 is the system's";
+    EXPECT_EQ(from_ports(source(component, "reference.v")),
+              key.target_mhz == 0 ? usual.second : fast.second);
+  }
+}
+
 const std::string one_engine =
     "[reduced]\nformat = \"q12\"\n[system]\nlanes = 24\nreferences = 1\nprefix = \"\"\n"
     "[engine]\nkind = \"pairwise\"\nreport_streams = 2\n";

@@ -113,6 +113,19 @@ TEST_F(OptimiseCommand, ReferencesHaveTheInitiationIntervalOfTheScene) {
   EXPECT_FALSE(fs::exists(path("plan.toml")));
 }
 
+TEST_F(OptimiseCommand, ThePlanSaysWhatItsReferencesArePlacedFor) {
+  const std::string command = "optimise scene.toml --last 14 ";
+  std::ofstream table(path("characterisation") / "scene-virtex6-lx760.csv", std::ios::app);
+  row(table, "reference,at_400_mhz,s53e8,,,embedded,1,0", 60, 3000, 6);
+  table.close();
+  const Outcome found = mixcmp(command + "-o plan.toml");
+  ASSERT_EQ(found.exit_code, 0) << found.output;
+  EXPECT_NE(found.output.find("x s53e8 embedded for 400 MHz"), std::string::npos) << found.output;
+  EXPECT_NE(read("plan.toml").find("target_mhz = 400\n"), std::string::npos);
+  EXPECT_EQ(mixcmp("check plan.toml").exit_code, 0);
+  expect_refused(command + "--set reference.target_mhz=300", "has no reference");
+}
+
 TEST_F(OptimiseCommand, AnInitiationIntervalThatIsLeftOpenIsNotGenerated) {
   expect_refused(
       "generate scene.toml --format s8e8 --lanes 2 --references 1 -o rtl "

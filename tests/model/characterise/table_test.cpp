@@ -196,6 +196,30 @@ TEST_F(Table, AReferencesNameSaysThatItsSumsAreFused) {
   EXPECT_NE(refused.find("not a kind of reference"), std::string::npos) << refused;
 }
 
+TEST_F(Table, AReferencesNameSaysWhatItsRegistersArePlacedForIfNotForTheTablesTarget) {
+  characterise::Characterisation table = example();
+  table.rows = {lane("s12e8", 700)};
+  table.rows.front().key = {.kind = characterise::ComponentKind::reference,
+                            .format = "s53e8",
+                            .multipliers = "logic",
+                            .initiation_interval = 1,
+                            .target_mhz = 600};
+  table.rows.push_back(table.rows.front());
+  table.rows.back().key.sums = Sums::fused;
+  const std::string text = to_csv(table);
+  EXPECT_NE(text.find("\nreference,at_600_mhz,s53e8,"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nreference,fused at_600_mhz,s53e8,"), std::string::npos) << text;
+  EXPECT_EQ(read(text).value().rows[0].key, table.rows[0].key);
+  EXPECT_EQ(read(text).value().rows[1].key, table.rows[1].key);
+  for (const char* wrong :
+       {"at_0_mhz", "at_2001_mhz", "at__mhz", "at_mhz", "at_6x_mhz", "at_600", "600"}) {
+    std::string other = text;
+    other.replace(other.find("at_600_mhz"), 10, wrong);
+    const std::string refused = read(other).error().to_string();
+    EXPECT_NE(refused.find("not a kind of reference"), std::string::npos) << wrong << refused;
+  }
+}
+
 TEST_F(Table, OneRowForOneComponent) {
   characterise::Characterisation doubled = example();
   doubled.rows.push_back(crossbar(2));

@@ -126,6 +126,16 @@ TEST(MakeDesign, KeepsTheOrderOfGroups) {
             (std::vector<std::string>{"s53e8_embedded", "s53e8_logic"}));
 }
 
+TEST(MakeDesign, NamesReferencesByTheirTargetsWhereTheseDiffer) {
+  Scene scene = complete_scene();
+  scene.references = {{.count = 1}, {.count = 1, .structure = {.target_mhz = 600}}};
+  EXPECT_EQ(reference_group_names(design::make_design(scene, nullptr).value()),
+            (std::vector<std::string>{"s53e8", "s53e8_600mhz"}));
+  scene.references = {{.count = 2, .structure = {.target_mhz = 600}}};
+  EXPECT_EQ(reference_group_names(design::make_design(scene, nullptr).value()),
+            std::vector<std::string>{"s53e8"});
+}
+
 TEST(MakeDesign, NamesTheGroupThatCannotBe) {
   Scene scene = complete_scene();
   scene.lanes = {group_of(scene, 3), group_of(scene, 1)};

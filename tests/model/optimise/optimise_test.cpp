@@ -210,6 +210,22 @@ TEST_F(Optimise, OneClockDomainRunsAtTheSlowestOfWhatIsUsed) {
   EXPECT_DOUBLE_EQ(two.best()->clock_mhz(), 300);
 }
 
+TEST_F(Optimise, AReferenceSetsTheClockOnlyWhereNoneWithMoreRegistersWasMeasured) {
+  EXPECT_TRUE(notes_say(optimise_now(), "a reference sets the clock: 150 MHz"));
+  table_.rows.push_back(reference_row("embedded", 3100, 20));
+  table_.rows.back().key.target_mhz = 400;
+  table_.rows.back().clock->mhz = 301;
+  const Optimisation found = optimise_now();
+  EXPECT_DOUBLE_EQ(found.best()->clock_mhz(), 300);
+  EXPECT_FALSE(notes_say(found, "a reference sets the clock"));
+  EXPECT_NE(plan_toml(found, *found.best(), source_).find("\ntarget_mhz = 400\n"),
+            std::string::npos);
+  scene_.reference_structure.target_mhz = 400;
+  EXPECT_EQ(optimise_now().references.size(), 1u);
+  scene_.reference_structure.target_mhz = static_cast<int>(scene_.system.target_mhz);
+  EXPECT_EQ(optimise_now().references.size(), 2u) << "those without a target of their own";
+}
+
 TEST_F(Optimise, GivenClocksReplaceMeasuredOnes) {
   options_.clocks = {408, 285, optimise::ClockDomains::separate};
   const Optimisation found = optimise_now();

@@ -128,6 +128,18 @@ TEST_F(Groups, ReferencesTakeTheirInitiationIntervalFromReference) {
       "integer 1..64");
 }
 
+TEST_F(Groups, ReferencesTakeTheirTargetFromReference) {
+  const Result<scene::Scene> scene =
+      load(head + "[[references]]\ncount = 1\ntarget_mhz = 450\n[[references]]\ncount = 2\n",
+           {"reference.target_mhz=600"});
+  ASSERT_TRUE(scene.ok()) << scene.error().to_string();
+  EXPECT_EQ(scene->references[0].structure.target_mhz, 450);
+  EXPECT_EQ(scene->references[1].structure.target_mhz, 600);
+  EXPECT_EQ(load(head)->reference_structure.target_mhz, std::nullopt);
+  EXPECT_EQ(error("[[references]]\ncount = 1\ntarget_mhz = 2001\n"),
+            ":18: references.target_mhz: out of range: received 2001; accepted an integer 1..2000");
+}
+
 TEST_F(Groups, WithoutListsThereIsOneGroupOfEach) {
   const Result<scene::Scene> scene = load(head + "[system]\nlanes = 4\nreferences = \"auto\"\n");
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
@@ -194,7 +206,7 @@ TEST_F(Groups, MistakesAreToldWithTheLineOfTheirGroup) {
       "likewise W + G of qWgG and blockWgG");
   EXPECT_EQ(error("[[references]]\ncount = 1\nformat = \"s24e8\"\n"),
             ":18: references.format: unknown key: received format; accepted count, "
-            "initiation_interval, multipliers");
+            "initiation_interval, multipliers, target_mhz");
 }
 
 TEST_F(Groups, CountsAreBoundedInAll) {

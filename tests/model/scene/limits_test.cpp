@@ -41,6 +41,8 @@ TEST(Limits, DocumentationStatesThem) {
            {"[reduced]", "bound_digits", to_string(settings::limits::bound_digits)},
            {"[system]", "lanes", to_string(settings::limits::lanes)},
            {"[system]", "references", to_string(settings::limits::references)},
+           {"[reference]", "target_mhz", to_string(settings::limits::target_mhz)},
+           {"[system]", "target_mhz", to_string(settings::limits::target_mhz)},
            {"[system]", "tag_bits", to_string(settings::limits::tag_bits)},
            {"[system]", "counter_bits", "0 or " + to_string(settings::limits::counter_bits)},
            {"[system]", "counter_bits", to_string(settings::limits::read_counter_bits)},
@@ -99,6 +101,10 @@ TEST_F(Edges, OfPrecisionsAndExponentBits) {
   expect_edges("reduced.format", settings::limits::lane_precision, "s");
   expect_edges("reference.format", settings::limits::reference_precision, "s", "e8");
   expect_edges("reference.format", settings::limits::exponent_bits, "s53e");
+}
+
+TEST_F(Edges, OfAReferencesTarget) {
+  expect_edges("reference.target_mhz", settings::limits::target_mhz);
 }
 
 TEST_F(Edges, ALanesDigitsEndAtTheReferences) {

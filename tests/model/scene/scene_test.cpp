@@ -311,7 +311,7 @@ INSTANTIATE_TEST_SUITE_P(
                 ":10: reference.format: missing: received nothing; accepted a key format"},
         Mistake{"format = \"s53e8\"", "fromat = \"s53e8\"",
                 ":11: reference.fromat: unknown key: received fromat; accepted format (the "
-                "nearest), initiation_interval, multipliers, subnormals, sums"},
+                "nearest), initiation_interval, multipliers, subnormals, sums, target_mhz"},
         Mistake{"format = \"s53e8\"", "format = \"s53e8\"\nsums = \"exact\"",
                 ":12: reference.sums: not a choice: received \"exact\"; accepted composed, fused"},
         Mistake{"slack = 0.25", "slck = 0.25",
