@@ -121,7 +121,8 @@ private:
         continue;
       }
       if (!maker_.has_engine()) {
-        slots_.insert(design::slots_for(lane->latency_cycles, recomputes()));
+        const int registers = maker_.scene().system.input_registers;
+        slots_.insert(design::slots_for(lane->latency_cycles + registers, recomputes()));
       }
       take(*lane);
       if (maker_.has_engine()) {

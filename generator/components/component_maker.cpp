@@ -100,12 +100,13 @@ Component datapath(ComponentKey key, int latency_cycles, const rtl::Module& modu
 }
 
 /// The slowest lane that these slots serve at full rate: the one with the longest delays.
-std::optional<int> slowest_lane(int slots, bool recomputes) {
+std::optional<int> slowest_lane(int slots, const rtl::SystemShape& shape) {
   std::optional<int> slowest;
-  for (int cycles = 1; design::slots_for(cycles, recomputes) <= slots; ++cycles) {
-    if (design::slots_for(cycles, recomputes) == slots) slowest = cycles;
+  for (int cycles = 1;; ++cycles) {
+    const int needed = design::slots_for(cycles + shape.input_registers, shape.recomputes());
+    if (needed > slots) return slowest;
+    if (needed == slots) slowest = cycles;
   }
-  return slowest;
 }
 
 int tree_levels(int inputs) {
@@ -292,7 +293,7 @@ Result<EngineParts> ComponentMaker::engine_parts(const ComponentKey& key) {
 
 Result<Component> ComponentMaker::make_fifo(const ComponentKey& key) {
   rtl::SystemShape shape = stream_shape();
-  const std::optional<int> slowest = slowest_lane(key.ports, shape.recomputes());
+  const std::optional<int> slowest = slowest_lane(key.ports, shape);
   if (!slowest) return out_of_range("slots", key.ports, "a power of two that some lane needs");
   shape.slot_bits = std::countr_zero(static_cast<unsigned>(key.ports));
   return Component{key,

@@ -151,7 +151,8 @@ private:
     MIXCMP_TRY(component, maker_.make(key));
     const devices::Area area = area_of(*lane, kind_in(key));
     const bool recomputes = maker_.scene().system.references.value_or(1) > 0;
-    const int slots = design::slots_for(component.latency_cycles, recomputes);
+    const int slots = design::slots_for(
+        component.latency_cycles + maker_.scene().system.input_registers, recomputes);
     const devices::Area all = area + rough_streams(maker_.scene(), slots);
     const double share = optimise::device_share(all, device_.available) + *rate * reference_share_;
     const LaneEstimate estimate{key, format.precision(), area, *rate, share};

@@ -135,7 +135,7 @@ int slots_of(const rtl::SystemShape& shape, const scene::EngineSpec& engine) {
   }
   return engine.kind == scene::EngineKind::arg_min
              ? design::chain_slots_for(slowest_cycles)
-             : design::slots_for(slowest_cycles, shape.recomputes());
+             : design::slots_for(slowest_cycles + shape.input_registers, shape.recomputes());
 }
 
 /// Makes the counters in the modules narrow: the port on which they are read widens them.
@@ -195,6 +195,7 @@ rtl::SystemShape stream_shape(const std::vector<std::string>& inputs, FloatForma
   shape.input_width = format.width();
   shape.tag_bits = system.tag_bits;
   shape.counter_bits = system.counter_bits;
+  shape.input_registers = system.input_registers;
   shape.order = system.order;
   shape.operands = system.operands;
   if (system.operands == scene::OperandStore::carried) {

@@ -92,7 +92,8 @@ struct Signature {
   /// The address map of the counters on the AXI4-Lite port s_axi; empty where they are ports, or
   /// where there are none.
   std::vector<SignatureCounters> counter_map = {};
-  int slots = 0;  ///< comparisons that may be inside one lane's channel
+  int slots = 0;            ///< comparisons that may be inside one lane's channel
+  int input_registers = 0;  ///< between the ports of operands and each lane
   scene::ResultOrder order = scene::ResultOrder::tagged;
   scene::OperandStore operands = scene::OperandStore::carried;
   double target_mhz = 0;

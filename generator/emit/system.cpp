@@ -1,9 +1,11 @@
 #include "generator/emit/system.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
+#include "generator/emit/constraints.hpp"
 #include "generator/emit/described_modules.hpp"
 #include "generator/emit/templates.hpp"
 #include "generator/emit/verilog.hpp"
@@ -92,6 +94,7 @@ Signature signature_of(const Design& design, const ScheduledSystem& scheduled) {
           .counter_bits = shape.has_counter_port() ? shape.read_counter_bits : shape.counter_bits,
           .counter_map = counter_map(scheduled),
           .slots = 1 << shape.slot_bits,
+          .input_registers = shape.input_registers,
           .order = shape.order,
           .operands = shape.operands,
           .target_mhz = design.system.target_mhz,
@@ -247,11 +250,12 @@ std::string signature_file(const Signature& signature) {
   return signature.top + ".json";
 }
 
-GeneratedFile constraint_file(const Signature& signature) {
+GeneratedFile constraint_file(const Signature& signature, const devices::Device& device) {
   return {signature.top + ".sdc",
           fmt::format("# {:g} MHz, the target the cut points were chosen for.\n"
-                      "create_clock -name aclk -period {:.3f} [get_ports aclk]\n",
-                      signature.target_mhz, 1000 / signature.target_mhz)};
+                      "create_clock -name aclk -period {:.3f} [get_ports aclk]\n\n{}\n",
+                      signature.target_mhz, 1000 / signature.target_mhz,
+                      fmt::join(port_delays(signature, device), "\n"))};
 }
 
 }  // namespace
@@ -291,7 +295,7 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
   }
 
   system.files.push_back(file_list(system.signature, device));
-  system.files.push_back(constraint_file(system.signature));
+  system.files.push_back(constraint_file(system.signature, device));
   system.files.push_back({signature_file(system.signature), to_json(system.signature)});
   MIXCMP_TRY(fits, check_file_names(system.files));
   return system;

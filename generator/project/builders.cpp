@@ -1,9 +1,11 @@
 #include "generator/project/builders.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
+#include "generator/emit/constraints.hpp"
 #include "generator/emit/version.hpp"
 
 namespace mixcmp::project {
@@ -18,7 +20,9 @@ Values common_values(const ProjectSpec& spec, const std::string& comment) {
           {"VERSION", std::string(emit::version)},
           {"PROVENANCE", head},
           {"TARGET_MHZ", fmt::format("{:g}", spec.signature.target_mhz)},
-          {"PERIOD_NS", fmt::format("{:.3f}", 1000 / spec.signature.target_mhz)}};
+          {"PERIOD_NS", fmt::format("{:.3f}", 1000 / spec.signature.target_mhz)},
+          {"PORT_DELAYS",
+           fmt::format("{}", fmt::join(emit::port_delays(spec.signature, spec.device), "\n"))}};
 }
 
 void add_counter_values(const emit::Signature& signature,

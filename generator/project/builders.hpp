@@ -12,7 +12,8 @@ namespace mixcmp::project {
 using emit::GeneratedFile;
 
 /// Values that most templates use: TOP, the system's module; BUILD_TOP, the module to build;
-/// VERSION; PROVENANCE, lines that begin with `comment`; and TARGET_MHZ.
+/// VERSION; PROVENANCE, lines that begin with `comment`; TARGET_MHZ, PERIOD_NS and PORT_DELAYS,
+/// commands of SDC.
 Values common_values(const ProjectSpec& spec, const std::string& comment);
 
 /// Says whether a module with these ports counts, with how many bits, and how a test bench reads

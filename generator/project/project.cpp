@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "generator/emit/constraints.hpp"
 #include "generator/project/builders.hpp"
 #include "model/common/check.hpp"
 
@@ -97,7 +98,7 @@ std::string ProjectSpec::bench() const {
 }
 
 const std::vector<emit::SignaturePort>& ProjectSpec::build_ports() const {
-  return signature.engine ? signature.engine->ports : signature.ports;
+  return emit::ports_to_build(signature);
 }
 
 Result<std::vector<GeneratedFile>> project_files(const ProjectSpec& spec,

@@ -294,7 +294,7 @@ std::vector<OperandPort> SystemShape::operand_ports() const {
 
 int SystemShape::channel_latency_cycles() const {
   const bool merges = order == scene::ResultOrder::tagged && recomputes();
-  return merges ? 5 : 4;
+  return (merges ? 5 : 4) + input_registers;
 }
 
 TemplateInstance tracker_template(const SystemShape& shape, int lane_latency_cycles) {
@@ -312,6 +312,9 @@ TemplateInstance tracker_template(const SystemShape& shape, int lane_latency_cyc
                             {"BEAT_BITS", shape.beat_bits},
                             {"BLOCK", shape.block_memory ? 1 : 0}}};
   if (shape.asking_bits > 0) tracker.parameters.push_back({"ASK_BITS", shape.asking_bits});
+  if (shape.input_registers > 0) {
+    tracker.parameters.push_back({"INPUT_REGISTERS", shape.input_registers});
+  }
   return tracker;
 }
 

@@ -45,6 +45,7 @@ struct SystemShape {
   /// The low bits of a tag by which a reference asks for operands; 0: the whole tag.
   int asking_bits = 0;
   int slot_bits = 0;
+  int input_registers = 0;    ///< between a port of operands and its lane
   int counter_bits = 0;       ///< of each counter's output; 0: no counters
   int read_counter_bits = 0;  ///< of counts that software reads on a port; 0: there is no such port
   scene::ResultOrder order = scene::ResultOrder::tagged;

@@ -150,7 +150,8 @@ std::optional<Amounts> measured_system(const design::Design& design,
     slowest = std::max(slowest, row->latency_cycles);
   }
   if (!add_references(sum, design, table)) return std::nullopt;
-  const int slots = design::slots_for(slowest, design.reference_count() > 0);
+  const int slots =
+      design::slots_for(slowest + design.system.input_registers, design.reference_count() > 0);
   const characterise::Measurement* fifo = largest(table, characterise::ComponentKind::fifo, slots);
   if (fifo != nullptr) add(sum, design.lane_count(), fifo->area);
   add_crossbar(sum, design, table);

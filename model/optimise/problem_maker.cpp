@@ -308,7 +308,8 @@ int ProblemMaker::slots_for(const Rows& lanes) const {
   for (const characterise::Measurement* lane : lanes) {
     slowest = std::max(slowest, lane->latency_cycles);
   }
-  return design::slots_for(slowest, scene_.system.references.value_or(1) > 0);
+  return design::slots_for(slowest + scene_.system.input_registers,
+                           scene_.system.references.value_or(1) > 0);
 }
 
 /// The scoreboard's row; none where the table has none, or where streams have a given area.

@@ -176,6 +176,7 @@ SystemSpec with_engine(SystemSpec system, const EngineSpec& engine) {
     case EngineKind::pairwise: break;
     case EngineKind::arg_min: system.order = ResultOrder::in_order; break;
   }
+  system.input_registers = 0;
   system.operands = OperandStore::refetched;
   system.tag_bits = engine.tag_bits();
   return system;

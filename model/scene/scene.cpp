@@ -317,6 +317,9 @@ Result<Scene> interpret(SceneSettings read) {
     for (std::string& note : pairing_notes(graph, data->pairing)) notes.push_back(std::move(note));
   }
   MIXCMP_TRY(engine, read_engine(settings, graph.inputs(), data));
+  if (engine.kind != EngineKind::none && system.input_registers > 0) {
+    notes.emplace_back("system.input_registers is not used: an engine stores what its ports bring");
+  }
   MIXCMP_TRY(second_tier, read_second_tier(settings, format, engine.kind));
   const bool has_no_tier = engine.kind == EngineKind::pairwise && !second_tier;
   Scene scene{.path = settings.path,

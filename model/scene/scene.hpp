@@ -119,6 +119,7 @@ struct SystemSpec {
                                   ///< comparisons are reported as such
   double slack = 0.2;             ///< R_S: share of the device that is left unused
   double target_mhz = 200;
+  int input_registers = 0;  ///< between the ports of operands and a lane, 0..2; none in an engine
   ResultOrder order = ResultOrder::tagged;
   OperandStore operands = OperandStore::carried;
   OperandMemory operand_memory = OperandMemory::logic;  ///< of carried operands

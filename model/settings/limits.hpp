@@ -33,6 +33,7 @@ inline constexpr Limits engine_lanes{1, 4096};  ///< p_L of a pairwise engine, l
 inline constexpr Limits references{0, 16};      ///< p_H, likewise; a group has at least 1
 inline constexpr Limits initiation_interval{1, 64};
 inline constexpr Limits target_mhz{1, 2000};
+inline constexpr Limits input_registers{0, 2};
 inline constexpr Limits request_beats{1, 16};  ///< powers of two
 inline constexpr Limits tag_bits{1, 64};
 inline constexpr Limits counter_bits{8, 64};        ///< or 0: no counters

@@ -3,7 +3,8 @@
 // served): direct verdicts wait in one queue, answers in another, and each undecided entry at the
 // head of the first takes the head of the second. 2^SLOT_BITS slots are used circularly. Latency of
 // a decided one: LANE_LATENCY + 4. One comparison per cycle if all are decided, the sink is ready
-// and 2^SLOT_BITS >= LANE_LATENCY + 4. A request of carried operands is a packet of 2^BEAT_BITS
+// and 2^SLOT_BITS >= LANE_LATENCY + 4. Operands reach the lane through INPUT_REGISTERS registers,
+// which add to its latency here. A request of carried operands is a packet of 2^BEAT_BITS
 // beats {slot, part of the operands}. ASK_BITS > 0: the low bits of the tag are carried in the place
 // of the operands, which references ask for by them. Reset forgets all comparisons and clears the
 // counters.
@@ -19,7 +20,8 @@ module lane_reorder #(
   parameter CARRIED = 1,
   parameter ASK_BITS = 0,
   parameter BEAT_BITS = 0,
-  parameter BLOCK = 0
+  parameter BLOCK = 0,
+  parameter INPUT_REGISTERS = 0
 ) (
   input  wire                                                                         aclk,
   input  wire                                                                         aresetn,
@@ -72,6 +74,9 @@ module lane_reorder #(
     if ((BEAT_BITS < 0) || (BEAT_BITS > 8)) begin : g_refused_beat_bits
       BEAT_BITS_is_not_0_to_8 refused ();
     end
+    if (INPUT_REGISTERS < 0) begin : g_refused_input_registers
+      INPUT_REGISTERS_is_below_0 refused ();
+    end
   endgenerate
 
   // Slots from oldest_q to next_q - 1 are taken; one bit more than a slot tells full from empty.
@@ -83,7 +88,6 @@ module lane_reorder #(
   wire               retire;
 
   assign s_axis_tready = !same_slot || same_lap;
-  assign lane_operands = s_axis_tdata;
 
   always @(posedge aclk) begin
     if (!aresetn) begin
@@ -100,6 +104,15 @@ module lane_reorder #(
   end
 
   // Through the lane.
+  delay_line #(
+    .WIDTH (OPERAND_BITS),
+    .LENGTH(INPUT_REGISTERS)
+  ) operands_to_lane (
+    .aclk(aclk),
+    .d   (s_axis_tdata),
+    .q   (lane_operands)
+  );
+
   wire                 exit_valid;
   wire [SLOT_BITS-1:0] exit_slot;
   wire [1:0]           exit_verdict;
@@ -107,7 +120,7 @@ module lane_reorder #(
 
   lane_tracker #(
     .SLOT_BITS   (SLOT_BITS),
-    .LANE_LATENCY(LANE_LATENCY)
+    .LANE_LATENCY(LANE_LATENCY + INPUT_REGISTERS)
   ) tracker (
     .aclk        (aclk),
     .aresetn     (aresetn),

@@ -3,6 +3,7 @@
 // every queue has room. Latency of a decided one: LANE_LATENCY + 5. One comparison per cycle if all
 // are decided, the sink is ready and 2^SLOT_BITS >= LANE_LATENCY + 6 (+ 5 with RECOMPUTE = 0, where
 // the latency is LANE_LATENCY + 4). Direct and recomputed results alternate when both wait.
+// Operands reach the lane through INPUT_REGISTERS registers, which add to its latency here.
 // A request of carried operands is a packet of 2^BEAT_BITS beats {slot, part of the operands}.
 // Reset forgets all comparisons and clears the counters.
 `default_nettype none
@@ -16,7 +17,8 @@ module lane_scoreboard #(
   parameter RECOMPUTE = 1,
   parameter CARRIED = 1,
   parameter BEAT_BITS = 0,
-  parameter BLOCK = 0
+  parameter BLOCK = 0,
+  parameter INPUT_REGISTERS = 0
 ) (
   input  wire                                                                         aclk,
   input  wire                                                                         aresetn,
@@ -69,6 +71,9 @@ module lane_scoreboard #(
     if ((BEAT_BITS < 0) || (BEAT_BITS > 8)) begin : g_refused_beat_bits
       BEAT_BITS_is_not_0_to_8 refused ();
     end
+    if (INPUT_REGISTERS < 0) begin : g_refused_input_registers
+      INPUT_REGISTERS_is_below_0 refused ();
+    end
   endgenerate
 
   // A slot is taken with each comparison, and free again when its result leaves.
@@ -79,7 +84,6 @@ module lane_scoreboard #(
   wire [SLOT_BITS-1:0] retire_slot;
 
   assign s_axis_tready = slot_valid;
-  assign lane_operands = s_axis_tdata;
 
   slot_pool #(
     .SLOT_BITS(SLOT_BITS)
@@ -94,6 +98,15 @@ module lane_scoreboard #(
   );
 
   // Through the lane.
+  delay_line #(
+    .WIDTH (OPERAND_BITS),
+    .LENGTH(INPUT_REGISTERS)
+  ) operands_to_lane (
+    .aclk(aclk),
+    .d   (s_axis_tdata),
+    .q   (lane_operands)
+  );
+
   wire                 exit_valid;
   wire [SLOT_BITS-1:0] exit_slot;
   wire [1:0]           exit_verdict;
@@ -101,7 +114,7 @@ module lane_scoreboard #(
 
   lane_tracker #(
     .SLOT_BITS   (SLOT_BITS),
-    .LANE_LATENCY(LANE_LATENCY)
+    .LANE_LATENCY(LANE_LATENCY + INPUT_REGISTERS)
   ) tracker (
     .aclk        (aclk),
     .aresetn     (aresetn),

@@ -37,7 +37,7 @@ TEST(TextTemplate, AnIncludedTemplateHasTheSameValues) {
 
 TEST(TextTemplate, APlaceholderAloneInItsLineLeavesNoLine) {
   const project::Values values = {
-      {"BUILD_TOP", "x"}, {"TARGET_MHZ", "200"}, {"PERIOD_NS", "5.000"}};
+      {"BUILD_TOP", "x"}, {"TARGET_MHZ", "200"}, {"PERIOD_NS", "5.000"}, {"PORT_DELAYS", "p q"}};
   project::Values with_head = values, without_head = values;
   with_head["PROVENANCE"] = "# head";
   without_head["PROVENANCE"] = "";
@@ -46,7 +46,7 @@ TEST(TextTemplate, APlaceholderAloneInItsLineLeavesNoLine) {
   EXPECT_EQ(
       with,
       "# The clock of x: 200 MHz, the target that its registers were placed for.\n#\n# head\n\n"
-      "create_clock -name aclk -period 5.000 [get_ports aclk]\n");
+      "create_clock -name aclk -period 5.000 [get_ports aclk]\n\np q\n");
   EXPECT_EQ(with.size(), without.size() + std::string("# head\n").size());
 }
 

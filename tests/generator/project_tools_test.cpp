@@ -39,6 +39,8 @@ TEST_F(VendorScript, VivadoSynthesisesAndPackages) {
   EXPECT_EQ(read("scene_s8e8_2x1_vivado/scene_s8e8_2x1.json"), read("rtl/scene_s8e8_2x1.json"));
   const Outcome constraint = tcl("rtl/vivado/scene_s8e8_2x1.xdc");
   expect_in(constraint.output, "create_clock -name aclk -period 5.000 ports\n");
+  expect_in(constraint.output, "set_input_delay -clock aclk 0.6 ports\n");
+  expect_in(constraint.output, "set_output_delay -clock aclk 0.6 ports\n");
   const Outcome packaging = tcl("rtl/vivado/package_ip.tcl xc7k325tffg900-2 here");
   EXPECT_EQ(packaging.exit_code, 0) << packaging.output;
   expect_in(packaging.output, "create_project -force package project -part xc7k325tffg900-2\n");

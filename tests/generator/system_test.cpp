@@ -294,6 +294,25 @@ TEST(System, ConstraintHoldsThePeriodOfTheTarget) {
   EXPECT_NE(text.find("-period 6.250 [get_ports aclk]"), std::string::npos) << text;
 }
 
+TEST(System, ConstraintsHaveADelayForEachPortButTheClock) {
+  const emit::GeneratedSystem system = sphere_system(2, 1);
+  const std::string& text = find(system, system.signature.top + ".sdc")->text;
+  for (const emit::SignaturePort& port : system.signature.ports) {
+    if (port.name == "aclk") continue;
+    const bool is_input = port.direction == rtl::Direction::input;
+    const std::string delay = is_input ? "set_input_delay" : "set_output_delay";
+    const std::string name = port.name == "aresetn" ? port.name : port.name + "*";
+    EXPECT_NE(text.find(delay + " -clock aclk 0.6 [get_ports " + name + "]\n"), std::string::npos)
+        << text;
+    // A pattern meets no port of the other direction.
+    for (const emit::SignaturePort& other : system.signature.ports) {
+      EXPECT_TRUE(other.direction == port.direction || !other.name.starts_with(port.name))
+          << port.name << " " << other.name;
+    }
+  }
+  EXPECT_EQ(text.find("_delay -clock aclk 0.6 [get_ports aclk"), std::string::npos);
+}
+
 TEST(System, ADifferentSpecHasADifferentHash) {
   std::set<std::string> hashes;
   for (const auto& [lanes, references] : {std::pair{1, 1}, {2, 1}, {2, 2}, {8, 0}}) {

@@ -55,6 +55,8 @@ vendor get_property {} {} 0.25
 vendor set_property {} {}
 vendor get_ports {} {} ports
 vendor create_clock {-name -period} {}
+vendor set_input_delay {-clock -max -min} {}
+vendor set_output_delay {-clock -max -min} {}
 vendor create_project {-part} {-force -in_memory}
 vendor add_files {-fileset} {-norecurse}
 vendor current_fileset {} {} sources_1

@@ -59,12 +59,13 @@ performance::LaneStreams streams_of(const design::Design& design, int reference)
   EXPECT_TRUE(system.ok()) << system.error().to_string();
   const emit::Signature& signature = system->signature;
   const auto served = performance::lanes_of_references(signature.lanes, signature.references);
-  return {.order = signature.order,
-          .lane_latency_cycles = signature.lane_groups[0].latency_cycles,
-          .reference_latency_cycles = signature.reference_groups[0].latency_cycles,
-          .initiation_interval_cycles = signature.reference_groups[0].initiation_interval_cycles,
-          .slots = signature.slots,
-          .lanes_served = served[reference]};
+  return {
+      .order = signature.order,
+      .lane_latency_cycles = signature.lane_groups[0].latency_cycles + signature.input_registers,
+      .reference_latency_cycles = signature.reference_groups[0].latency_cycles,
+      .initiation_interval_cycles = signature.reference_groups[0].initiation_interval_cycles,
+      .slots = signature.slots,
+      .lanes_served = served[reference]};
 }
 
 double predicted_per_cycle(const design::Design& design, double rate) {

@@ -3,3 +3,5 @@
 @PROVENANCE@
 
 create_clock -name aclk -period @PERIOD_NS@ [get_ports aclk]
+
+@PORT_DELAYS@

@@ -18,7 +18,8 @@ module stream_system_bench #(
   parameter OUTSTANDING_BITS = 2,
   parameter COPIES = 1,
   parameter BEAT_BITS = 0,
-  parameter BLOCK = 0
+  parameter BLOCK = 0,
+  parameter INPUT_REGISTERS = 0
 ) (
   input  wire          aclk,
   input  wire          aresetn,
@@ -100,15 +101,16 @@ module stream_system_bench #(
 
         if (IN_ORDER != 0) begin : g_reorder
           lane_reorder #(
-            .OPERAND_BITS(OPERAND_BITS),
-            .TAG_BITS    (32),
-            .SLOT_BITS   (SLOT_BITS),
-            .LANE_LATENCY(LANE_LATENCY),
-            .COUNTER_BITS(32),
-            .RECOMPUTE   (RECOMPUTE),
-            .CARRIED     (CARRIED),
-            .BEAT_BITS   (BEAT_BITS),
-            .BLOCK       (BLOCK)
+            .OPERAND_BITS   (OPERAND_BITS),
+            .TAG_BITS       (32),
+            .SLOT_BITS      (SLOT_BITS),
+            .LANE_LATENCY   (LANE_LATENCY),
+            .COUNTER_BITS   (32),
+            .RECOMPUTE      (RECOMPUTE),
+            .CARRIED        (CARRIED),
+            .BEAT_BITS      (BEAT_BITS),
+            .BLOCK          (BLOCK),
+            .INPUT_REGISTERS(INPUT_REGISTERS)
           ) channel (
             .aclk            (aclk),
             .aresetn         (aresetn),
@@ -135,15 +137,16 @@ module stream_system_bench #(
           );
         end else begin : g_scoreboard
           lane_scoreboard #(
-            .OPERAND_BITS(OPERAND_BITS),
-            .TAG_BITS    (32),
-            .SLOT_BITS   (SLOT_BITS),
-            .LANE_LATENCY(LANE_LATENCY),
-            .COUNTER_BITS(32),
-            .RECOMPUTE   (RECOMPUTE),
-            .CARRIED     (CARRIED),
-            .BEAT_BITS   (BEAT_BITS),
-            .BLOCK       (BLOCK)
+            .OPERAND_BITS   (OPERAND_BITS),
+            .TAG_BITS       (32),
+            .SLOT_BITS      (SLOT_BITS),
+            .LANE_LATENCY   (LANE_LATENCY),
+            .COUNTER_BITS   (32),
+            .RECOMPUTE      (RECOMPUTE),
+            .CARRIED        (CARRIED),
+            .BEAT_BITS      (BEAT_BITS),
+            .BLOCK          (BLOCK),
+            .INPUT_REGISTERS(INPUT_REGISTERS)
           ) channel (
             .aclk            (aclk),
             .aresetn         (aresetn),
