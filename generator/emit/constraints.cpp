@@ -10,9 +10,9 @@ const std::vector<SignaturePort>& ports_to_build(const Signature& signature) {
 
 std::vector<std::string> port_delays(const Signature& signature, const devices::Device& device) {
   const double outside_ns = device.delays.register_ns;
-  std::vector<std::string> lines = {fmt::format(
-      "# Outside of each port a register and a wire to it: {:g} ns on {}.", outside_ns,
-      device.name)};
+  std::vector<std::string> lines = {
+      fmt::format("# Outside of each port a register and a wire to it: {:g} ns on {}.", outside_ns,
+                  device.name)};
   for (const SignaturePort& port : ports_to_build(signature)) {
     if (port.name == "aclk") continue;
     const bool is_input = port.direction == rtl::Direction::input;

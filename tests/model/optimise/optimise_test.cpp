@@ -57,6 +57,17 @@ TEST_F(Optimise, ALaneCarriesTheScoreboardOfTheSlowestLane) {
   EXPECT_EQ(lane.with_streams.luts, lane.measured.area.luts + fifo_64_luts);
 }
 
+TEST_F(Optimise, RegistersBehindThePortsTakeSlots) {
+  // A lane of 20 cycles needs 20 + 6 + 16 slots: up to 22 registers it has the same scoreboard.
+  const auto luts = [&](int registers) {
+    scene_.system.input_registers = registers;
+    return optimise_now().plans.front().lanes.front().with_streams.luts;
+  };
+  table_.rows.push_back(stream_row(ComponentKind::fifo, 128, 90));
+  EXPECT_EQ(luts(22), luts(0));
+  EXPECT_EQ(luts(23), luts(0) + 90 - fifo_64_luts);
+}
+
 TEST_F(Optimise, SlotsAreThoseOfAPrecisionsOwnLanes) {
   rates_ = rates_of({{8, 5000}, {10, 200}, {12, 10}, {14, 10}});
   table_.rows.push_back(lane_row("s14e8", "exact", "relative", "embedded", 700, 2));
