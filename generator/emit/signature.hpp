@@ -94,6 +94,7 @@ struct Signature {
   std::vector<SignatureCounters> counter_map = {};
   int slots = 0;            ///< comparisons that may be inside one lane's channel
   int input_registers = 0;  ///< between the ports of operands and each lane
+  int request_beats = 1;    ///< of a request of carried operands
   scene::ResultOrder order = scene::ResultOrder::tagged;
   scene::OperandStore operands = scene::OperandStore::carried;
   double target_mhz = 0;

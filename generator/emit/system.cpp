@@ -95,6 +95,7 @@ Signature signature_of(const Design& design, const ScheduledSystem& scheduled) {
           .counter_map = counter_map(scheduled),
           .slots = 1 << shape.slot_bits,
           .input_registers = shape.input_registers,
+          .request_beats = 1 << shape.beat_bits,
           .order = shape.order,
           .operands = shape.operands,
           .target_mhz = design.system.target_mhz,

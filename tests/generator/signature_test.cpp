@@ -38,6 +38,8 @@ emit::Signature some_signature() {
           .counter_bits = 48,
           .counter_map = {{"comparisons", 5, 0}, {"answers", 3, 40}},
           .slots = 64,
+          .input_registers = 2,
+          .request_beats = 4,
           .order = scene::ResultOrder::in_order,
           .operands = scene::OperandStore::refetched,
           .target_mhz = 312.5,
