@@ -134,13 +134,12 @@ Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs, const design::L
 
 ComponentKey reference_key(const scene::Scene& scene, const design::ReferenceStructure& structure) {
   const Arithmetic& arithmetic = scene.reference;
-  const int target_mhz = structure.target_mhz.value_or(0);
   return {.kind = ComponentKind::reference,
           .format = arithmetic.format.name(),
           .multipliers = std::string(to_string(structure.multipliers)),
           .sums = arithmetic.sums,
           .initiation_interval = structure.initiation_interval,
-          .target_mhz = target_mhz == scene.system.target_mhz ? 0 : target_mhz};
+          .target_mhz = structure.own_target_mhz(scene.system.target_mhz)};
 }
 
 ComponentMaker::ComponentMaker(scene::Scene scene, const data::Comparisons* data)

@@ -11,6 +11,11 @@ struct ReferenceStructure {
   scene::Multipliers multipliers = scene::Multipliers::embedded;
   int initiation_interval = 1;    ///< cycles from one comparison to the next, 1..64
   std::optional<int> target_mhz;  ///< that its registers are placed for; none: the system's
+
+  /// The target where it is not that of the system; else 0, as in the keys of tables.
+  int own_target_mhz(double system_mhz) const {
+    return target_mhz && *target_mhz != system_mhz ? *target_mhz : 0;
+  }
 };
 
 }  // namespace mixcmp::design

@@ -65,15 +65,19 @@ const characterise::Measurement* row_of(const characterise::Characterisation& ta
 }
 
 const characterise::Measurement* row_of(const characterise::Characterisation& table,
-                                        const design::ReferenceGroup& group, FloatFormat format) {
+                                        const design::Design& design,
+                                        const design::ReferenceGroup& group) {
+  const Arithmetic& arithmetic = design.reference.arithmetic;
   return find(table,
               {.kind = characterise::ComponentKind::reference,
                .name = {},
-               .format = format.name(),
+               .format = arithmetic.format.name(),
                .inputs = {},
                .bound = {},
                .multipliers = {},
+               .sums = arithmetic.sums,
                .initiation_interval = group.structure.initiation_interval,
+               .target_mhz = group.structure.own_target_mhz(design.system.target_mhz),
                .ports = 0},
               group.structure.multipliers);
 }
@@ -93,9 +97,8 @@ const characterise::Measurement* largest(const characterise::Characterisation& t
 /// a reference.
 bool add_references(Amounts& sum, const design::Design& design,
                     const characterise::Characterisation& table) {
-  const FloatFormat format = design.reference.arithmetic.format;
   for (const design::ReferenceGroup& group : design.references) {
-    const characterise::Measurement* row = row_of(table, group, format);
+    const characterise::Measurement* row = row_of(table, design, group);
     if (row == nullptr) return false;
     add(sum, group.count, row->area);
     characterise::ComponentKey port = row->key;

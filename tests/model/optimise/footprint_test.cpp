@@ -38,6 +38,22 @@ TEST_F(FootprintTest, AddsUpWhatWasMeasured) {
   EXPECT_EQ(footprint.amounts[2], 10 * 2 + 20);
 }
 
+TEST_F(FootprintTest, TakesTheRowOfTheReferenceAtHand) {
+  design::Design placed = design(7);
+  placed.references.front().structure.target_mhz = 400;
+  EXPECT_FALSE(optimise::footprint_of(placed, &table_, device_).measured);
+  table_.rows.push_back(reference_row("embedded", 3100, 20));
+  table_.rows.back().key.target_mhz = 400;
+  std::sort(table_.rows.begin(), table_.rows.end(),
+            [](const auto& a, const auto& b) { return a.key < b.key; });
+  const auto luts = [&](const design::Design& made) {
+    return optimise::footprint_of(made, &table_, device_).amounts[0];
+  };
+  EXPECT_EQ(luts(placed), luts(design(7)) + 100);
+  placed.reference.arithmetic.sums = Sums::fused;
+  EXPECT_FALSE(optimise::footprint_of(placed, &table_, device_).measured);
+}
+
 TEST_F(FootprintTest, CountsACrossbarOfNoMorePortsThanThereAre) {
   const Footprint footprint = optimise::footprint_of(design(7), &table_, device_);
   const int crossbar = 10;  // of 1 port: that of 8 was measured, too, and is larger
