@@ -1,12 +1,14 @@
-// carried_operands: the operands of the comparisons inside a lane; those of the undecided leave.
-// A slot that is named on `undecided` leaves on m_request as a packet of 2^BEAT_BITS beats {slot,
-// part of the operands}, the lowest part first, zeros above the operands. First come first served,
-// latency 3, a beat in every second cycle at most: the request register loads only when empty, so
-// that no path leads on from m_request_tready in the same cycle. All slots may wait: `undecided` is
-// never refused. BLOCK as in beat_memory. Reset forgets what waits.
+// carried_operands: the operands of what is inside a lane or a group of lanes; those of the
+// undecided leave. For each lane that `undecided` marks in a slot a packet of 2^BEAT_BITS beats
+// {slot, part of the operands} leaves on m_request, the lowest lane and the lowest part first, zeros
+// above the operands. First come first served, latency 3 (with LANES > 1: 4), a beat in every second
+// cycle at most: the request register loads only when empty, so that no path leads on from
+// m_request_tready in the same cycle. All slots may wait: `undecided` is never refused. BLOCK as in
+// beat_memory. Reset forgets what waits.
 `default_nettype none
 
 module carried_operands #(
+  parameter LANES = 1,
   parameter OPERAND_BITS = 128,
   parameter SLOT_BITS = 5,
   parameter BEAT_BITS = 0,
@@ -16,9 +18,10 @@ module carried_operands #(
   input  wire                                             aresetn,
   input  wire                                             start_valid,
   input  wire [SLOT_BITS-1:0]                             start_slot,
-  input  wire [OPERAND_BITS-1:0]                          start_operands,
+  input  wire [LANES*OPERAND_BITS-1:0]                    start_operands,
   input  wire                                             undecided_valid,
   input  wire [SLOT_BITS-1:0]                             undecided_slot,
+  input  wire [LANES-1:0]                                 undecided_lanes,
   output wire                                             m_request_tvalid,
   input  wire                                             m_request_tready,
   output wire [SLOT_BITS+((OPERAND_BITS-1)>>BEAT_BITS):0] m_request_tdata,
@@ -26,53 +29,91 @@ module carried_operands #(
 );
 
   localparam PART_BITS  = ((OPERAND_BITS - 1) >> BEAT_BITS) + 1;
-  localparam WHOLE_BITS = PART_BITS << BEAT_BITS;
+  localparam LANE_BITS  = (LANES > 32) ? 6 : (LANES > 16) ? 5 : (LANES > 8) ? 4 : (LANES > 4) ? 3
+                        : (LANES > 2)  ? 2 : (LANES > 1)  ? 1 : 0;
+  localparam PLACE_BITS = LANE_BITS + BEAT_BITS;     // of a beat's place in a slot: lane, number
+  localparam MARKS      = (LANES == 1) ? 0 : LANES;  // a slot of one lane needs no mark
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
+    if ((LANES < 1) || (LANES > 64)) begin : g_refused_lanes
+      LANES_is_not_1_to_64 refused ();
+    end
     if (OPERAND_BITS < 1) begin : g_refused_operand_bits
       OPERAND_BITS_is_below_1 refused ();
     end
     if (SLOT_BITS < 1) begin : g_refused_slot_bits
       SLOT_BITS_is_below_1 refused ();
     end
-    if ((BEAT_BITS < 0) || (BEAT_BITS > 8)) begin : g_refused_beat_bits
-      BEAT_BITS_is_not_0_to_8 refused ();
+    if ((BEAT_BITS < 0) || (PLACE_BITS > 8)) begin : g_refused_beat_bits
+      BEAT_BITS_is_not_0_to_8_or_too_large_for_LANES refused ();
     end
   endgenerate
 
-  wire                           waiting_valid;
-  wire [SLOT_BITS-1:0]           waiting_slot;
-  wire                           unused_ready;
-  reg                            request_valid_q;
-  reg  [SLOT_BITS-1:0]           request_slot_q;
-  reg                            request_last_q;
-  wire [PART_BITS-1:0]           request_part;
-  wire                           load = waiting_valid && !request_valid_q;
-  wire [SLOT_BITS+BEAT_BITS-1:0] beat_address;  // of the beat that is read next
-  wire                           last_beat;
-  wire [WHOLE_BITS-1:0]          whole_operands;
+  wire                              waiting_valid;
+  wire                              waiting_ready;
+  wire [MARKS+SLOT_BITS-1:0]        waiting;  // {its lanes, a slot}
+  wire [SLOT_BITS-1:0]              waiting_slot = waiting[SLOT_BITS-1:0];
+  wire                              unused_ready;
+  wire [MARKS+SLOT_BITS-1:0]        undecided;
+  wire [LANES-1:0]                  waiting_lanes;
+  wire                              lane_valid;
+  wire [5:0]                        lane;
+  reg                               request_valid_q;
+  reg  [SLOT_BITS-1:0]              request_slot_q;
+  reg                               request_last_q;
+  wire [PART_BITS-1:0]              request_part;
+  wire                              load = lane_valid && !request_valid_q;
+  wire [SLOT_BITS+PLACE_BITS-1:0]   beat_address;  // of the beat that is read next
+  wire                              last_beat;
+  wire [(PART_BITS<<PLACE_BITS)-1:0] whole_operands;
 
   stream_fifo #(
-    .WIDTH     (SLOT_BITS),
+    .WIDTH     (MARKS + SLOT_BITS),
     .DEPTH_BITS(SLOT_BITS)
   ) waiting_slots (
     .aclk         (aclk),
     .aresetn      (aresetn),
     .s_axis_tvalid(undecided_valid),
     .s_axis_tready(unused_ready),
-    .s_axis_tdata (undecided_slot),
+    .s_axis_tdata (undecided),
     .m_axis_tvalid(waiting_valid),
-    .m_axis_tready(!request_valid_q && last_beat),
-    .m_axis_tdata (waiting_slot)
+    .m_axis_tready(waiting_ready),
+    .m_axis_tdata (waiting)
   );
 
-  assign whole_operands[OPERAND_BITS-1:0] = start_operands;
+  marked_lanes #(
+    .LANES(LANES)
+  ) undecided_ones (
+    .aclk        (aclk),
+    .aresetn     (aresetn),
+    .s_word_valid(waiting_valid),
+    .s_word_ready(waiting_ready),
+    .s_word_lanes(waiting_lanes),
+    .m_lane_valid(lane_valid),
+    .m_lane_ready(!request_valid_q && last_beat),
+    .m_lane      (lane)
+  );
 
+  assign undecided[SLOT_BITS-1:0] = undecided_slot;
+
+  genvar k;
   generate
+    if (LANES == 1) begin : g_one_lane
+      wire unused_lanes = &{undecided_lanes, lane};
+
+      assign waiting_lanes = 1'b1;
+    end else begin : g_group
+      wire unused_lane = &lane;
+
+      assign undecided[SLOT_BITS +: LANES] = undecided_lanes;
+      assign waiting_lanes                 = waiting[SLOT_BITS +: LANES];
+      assign beat_address[BEAT_BITS +: LANE_BITS] = lane[LANE_BITS-1:0];
+    end
+
+    assign beat_address[SLOT_BITS+PLACE_BITS-1 -: SLOT_BITS] = waiting_slot;
     if (BEAT_BITS == 0) begin : g_one_beat
-      assign beat_address = waiting_slot;
-      assign last_beat    = 1'b1;
+      assign last_beat = 1'b1;
     end else begin : g_beats
       localparam [BEAT_BITS-1:0] ONE = 1;
 
@@ -86,17 +127,28 @@ module carried_operands #(
         end
       end
 
-      assign beat_address = {waiting_slot, beat_q};
-      assign last_beat    = &beat_q;
+      assign beat_address[BEAT_BITS-1:0] = beat_q;
+      assign last_beat                   = &beat_q;
     end
-    if (WHOLE_BITS > OPERAND_BITS) begin : g_padding
-      assign whole_operands[WHOLE_BITS-1:OPERAND_BITS] = {(WHOLE_BITS-OPERAND_BITS){1'b0}};
+
+    // A lane's operands fill whole beats, and a slot's lanes a power of two.
+    for (k = 0; k < (1 << LANE_BITS); k = k + 1) begin : g_lane
+      localparam LANE_SPAN = PART_BITS << BEAT_BITS;
+      localparam USED      = (k < LANES) ? OPERAND_BITS : 0;
+
+      if (k < LANES) begin : g_operands
+        assign whole_operands[k*LANE_SPAN +: OPERAND_BITS] =
+            start_operands[k*OPERAND_BITS +: OPERAND_BITS];
+      end
+      if (LANE_SPAN > USED) begin : g_padding
+        assign whole_operands[k*LANE_SPAN+USED +: LANE_SPAN-USED] = {(LANE_SPAN-USED){1'b0}};
+      end
     end
   endgenerate
 
   beat_memory #(
     .WIDTH       (PART_BITS),
-    .BEAT_BITS   (BEAT_BITS),
+    .BEAT_BITS   (PLACE_BITS),
     .ADDRESS_BITS(SLOT_BITS),
     .BLOCK       (BLOCK)
   ) memory (

@@ -1,9 +1,11 @@
-// lane_counters: the run-time profile of one lane, each count modulo 2^COUNTER_BITS: comparisons
-// accepted, recomputations (requests sent, or results reported undecided where there is no
-// reference), and cycles in which a comparison was offered and not accepted. Reset clears them.
+// lane_counters: the run-time profile of one lane or group of lanes, each count modulo
+// 2^COUNTER_BITS: comparisons accepted (of a group: words), recomputations (requests sent, or
+// verdicts reported undecided where there is no reference), and cycles in which a comparison was
+// offered and not accepted. Reset clears them.
 `default_nettype none
 
 module lane_counters #(
+  parameter LANES = 1,
   parameter COUNTER_BITS = 32
 ) (
   input  wire                                             aclk,
@@ -11,7 +13,7 @@ module lane_counters #(
   input  wire                                             s_axis_tvalid,
   input  wire                                             s_axis_tready,
   input  wire                                             request_sent,
-  input  wire                                             undecided_result,
+  input  wire [LANES-1:0]                                 undecided_result,
   output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0] comparisons,
   output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0] recomputations,
   output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0] stalls
@@ -33,12 +35,22 @@ module lane_counters #(
     .count  (comparisons)
   );
 
+  wire [LANES-1:0] recomputed;
+
+  genvar k;
+  generate
+    for (k = 0; k < LANES; k = k + 1) begin : g_lane
+      assign recomputed[k] = undecided_result[k] || ((k == 0) && request_sent);
+    end
+  endgenerate
+
   event_counter #(
-    .COUNTER_BITS(COUNTER_BITS)
+    .COUNTER_BITS(COUNTER_BITS),
+    .EVENTS      (LANES)
   ) recomputation_counter (
     .aclk   (aclk),
     .aresetn(aresetn),
-    .step   (request_sent || undecided_result),
+    .step   (recomputed),
     .count  (recomputations)
   );
 

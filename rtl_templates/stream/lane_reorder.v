@@ -3,7 +3,10 @@
 // served): direct verdicts wait in one queue, answers in another, and each undecided entry at the
 // head of the first takes the head of the second. 2^SLOT_BITS slots are used circularly. Latency of
 // a decided one: LANE_LATENCY + 4. One comparison per cycle if all are decided, the sink is ready
-// and 2^SLOT_BITS >= LANE_LATENCY + 4. Operands reach the lane through INPUT_REGISTERS registers,
+// and 2^SLOT_BITS >= LANE_LATENCY + 4. LANES > 1: a group of lanes in lock step; a word of one
+// comparison for each, with one tag, takes the place of the comparison; a lane's own tag is that and
+// its number. Each undecided one is a request of its own, and the word leaves once all have their
+// answers. Operands reach the lane through INPUT_REGISTERS registers,
 // which add to its latency here. A request of carried operands is a packet of 2^BEAT_BITS
 // beats {slot, part of the operands}. ASK_BITS > 0: the low bits of the tag are carried in the place
 // of the operands, which references ask for by them. Reset forgets all comparisons and clears the
@@ -11,6 +14,7 @@
 `default_nettype none
 
 module lane_reorder #(
+  parameter LANES = 1,
   parameter OPERAND_BITS = 128,
   parameter TAG_BITS = 32,
   parameter SLOT_BITS = 5,
@@ -27,11 +31,11 @@ module lane_reorder #(
   input  wire                                                                         aresetn,
   input  wire                                                                         s_axis_tvalid,
   output wire                                                                         s_axis_tready,
-  input  wire [OPERAND_BITS-1:0]                                                      s_axis_tdata,
+  input  wire [LANES*OPERAND_BITS-1:0]                                                s_axis_tdata,
   input  wire [TAG_BITS-1:0]                                                          s_axis_tuser,
-  output wire [OPERAND_BITS-1:0]                                                      lane_operands,
-  input  wire [1:0]                                                                   lane_verdict,
-  input  wire                                                                         lane_decided,
+  output wire [LANES*OPERAND_BITS-1:0]                                                lane_operands,
+  input  wire [2*LANES-1:0]                                                           lane_verdict,
+  input  wire [LANES-1:0]                                                             lane_decided,
   output wire                                                                         m_request_tvalid,
   input  wire                                                                         m_request_tready,
   output wire [SLOT_BITS+(CARRIED != 0 ? ((ASK_BITS > 0 ? ASK_BITS : OPERAND_BITS)-1)>>BEAT_BITS : TAG_BITS-1):0] m_request_tdata,
@@ -40,7 +44,7 @@ module lane_reorder #(
   input  wire [1:0]                                                                   s_answer_verdict,
   output wire                                                                         m_axis_tvalid,
   input  wire                                                                         m_axis_tready,
-  output wire [7:0]                                                                   m_axis_tdata,
+  output wire [8*LANES-1:0]                                                           m_axis_tdata,
   output wire [TAG_BITS-1:0]                                                          m_axis_tuser,
   output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]                             comparisons,
   output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]                             recomputations,
@@ -54,6 +58,9 @@ module lane_reorder #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
+    if ((LANES < 1) || (LANES > 64)) begin : g_refused_lanes
+      LANES_is_not_1_to_64 refused ();
+    end
     if (OPERAND_BITS < 1) begin : g_refused_operand_bits
       OPERAND_BITS_is_below_1 refused ();
     end
@@ -61,6 +68,8 @@ module lane_reorder #(
       TAG_BITS_is_below_1 refused ();
     end else if ((ASK_BITS < 0) || (ASK_BITS > TAG_BITS)) begin : g_refused_ask_bits
       ASK_BITS_is_not_0_to_TAG_BITS refused ();
+    end else if ((ASK_BITS > 0) && (LANES > 1)) begin : g_refused_asking_group
+      ASK_BITS_is_not_0_with_LANES_above_1 refused ();
     end
     if (SLOT_BITS < 1) begin : g_refused_slot_bits
       SLOT_BITS_is_below_1 refused ();
@@ -105,7 +114,7 @@ module lane_reorder #(
 
   // Through the lane.
   delay_line #(
-    .WIDTH (OPERAND_BITS),
+    .WIDTH (LANES * OPERAND_BITS),
     .LENGTH(INPUT_REGISTERS)
   ) operands_to_lane (
     .aclk(aclk),
@@ -115,10 +124,12 @@ module lane_reorder #(
 
   wire                 exit_valid;
   wire [SLOT_BITS-1:0] exit_slot;
-  wire [1:0]           exit_verdict;
-  wire                 exit_decided;
+  wire [2*LANES-1:0]   exit_verdict;
+  wire [LANES-1:0]     exit_decided;
+  wire                 exit_undecided = exit_valid && !(&exit_decided);  // one of them, at least
 
   lane_tracker #(
+    .LANES       (LANES),
     .SLOT_BITS   (SLOT_BITS),
     .LANE_LATENCY(LANE_LATENCY + INPUT_REGISTERS)
   ) tracker (
@@ -134,58 +145,72 @@ module lane_reorder #(
     .exit_decided(exit_decided)
   );
 
-  // Direct verdicts wait as {decided, verdict} in the order of acceptance.
-  wire       direct_valid;
-  wire       direct_decided;
-  wire [1:0] direct_verdict;
-  wire       unused_direct_ready;
+  // Direct verdicts wait in the order of acceptance, as {decided, verdicts}. Where references answer,
+  // it is enough to know whether all lanes have decided.
+  localparam FLAGS = (RECOMPUTE != 0) ? 1 : LANES;
+
+  wire               direct_valid;
+  wire [FLAGS-1:0]   exit_flags;
+  wire [FLAGS-1:0]   direct_decided;
+  wire [2*LANES-1:0] direct_verdict;
+  wire               unused_direct_ready;
 
   stream_fifo #(
-    .WIDTH     (3),
+    .WIDTH     (FLAGS + 2 * LANES),
     .DEPTH_BITS(SLOT_BITS)
   ) direct_results (
     .aclk         (aclk),
     .aresetn      (aresetn),
     .s_axis_tvalid(exit_valid),
     .s_axis_tready(unused_direct_ready),
-    .s_axis_tdata ({exit_decided, exit_verdict}),
+    .s_axis_tdata ({exit_flags, exit_verdict}),
     .m_axis_tvalid(direct_valid),
     .m_axis_tready(retire),
     .m_axis_tdata ({direct_decided, direct_verdict})
   );
 
-  // The head's result as {undecided, recomputed, verdict}.
-  wire       head_valid;
-  wire [3:0] head_result;
-  wire       unused_answer_slot = &s_answer_slot;
+  // The head's result as {undecided, recomputed, verdicts}.
+  wire               head_valid;
+  wire [4*LANES-1:0] head_result;
 
   generate
     if (RECOMPUTE == 0) begin : g_direct
-      wire unused_answer = &{s_answer_valid, s_answer_verdict};
+      wire unused_answer = &{s_answer_valid, s_answer_slot, s_answer_verdict};
 
+      assign exit_flags  = exit_decided;
       assign head_valid  = direct_valid;
-      assign head_result = {!direct_decided, 1'b0, direct_verdict};
+      assign head_result = {~direct_decided, {LANES{1'b0}}, direct_verdict};
     end else begin : g_merge
-      wire       answer_valid;
-      wire [1:0] answer_verdict;
-      wire       unused_answer_ready;
+      wire                 answer_valid;
+      wire [LANES-1:0]     answer_recomputed;
+      wire [2*LANES-1:0]   answer_verdict;
+      wire [SLOT_BITS-1:0] unused_slot;
 
-      stream_fifo #(
-        .WIDTH     (2),
-        .DEPTH_BITS(SLOT_BITS)
+      lane_answers #(
+        .LANES    (LANES),
+        .SLOT_BITS(SLOT_BITS),
+        .WITH_SLOT(0)
       ) answers (
-        .aclk         (aclk),
-        .aresetn      (aresetn),
-        .s_axis_tvalid(s_answer_valid),
-        .s_axis_tready(unused_answer_ready),
-        .s_axis_tdata (s_answer_verdict),
-        .m_axis_tvalid(answer_valid),
-        .m_axis_tready(retire && !direct_decided),
-        .m_axis_tdata (answer_verdict)
+        .aclk             (aclk),
+        .aresetn          (aresetn),
+        .s_word_valid     (exit_undecided),
+        .s_word_slot      (exit_slot),
+        .s_word_undecided (~exit_decided),
+        .s_word_verdict   (exit_verdict),
+        .s_answer_valid   (s_answer_valid),
+        .s_answer_slot    (s_answer_slot),
+        .s_answer_verdict (s_answer_verdict),
+        .m_axis_tvalid    (answer_valid),
+        .m_axis_tready    (retire && !direct_decided),
+        .m_axis_slot      (unused_slot),
+        .m_axis_recomputed(answer_recomputed),
+        .m_axis_verdict   (answer_verdict)
       );
 
+      assign exit_flags  = &exit_decided;
       assign head_valid  = direct_valid && (direct_decided || answer_valid);
-      assign head_result = direct_decided ? {2'b00, direct_verdict} : {2'b01, answer_verdict};
+      assign head_result = direct_decided ? {{LANES{1'b0}}, {LANES{1'b0}}, direct_verdict}
+                                          : {{LANES{1'b0}}, answer_recomputed, answer_verdict};
     end
   endgenerate
 
@@ -193,6 +218,7 @@ module lane_reorder #(
   // the request, a comparison that asks comes first.
   wire                          asks;
   wire [SLOT_BITS-1:0]          asking_slot;
+  wire [LANES-1:0]              asking_lanes;
   wire                          read_ready;
   wire                          tag_request_valid;
   wire [SLOT_BITS+TAG_BITS-1:0] tag_request_data;
@@ -200,6 +226,7 @@ module lane_reorder #(
   assign retire = head_valid && !asks && read_ready;
 
   lane_tags #(
+    .LANES    (LANES),
     .TAG_BITS (TAG_BITS),
     .SLOT_BITS(SLOT_BITS)
   ) tags (
@@ -211,7 +238,7 @@ module lane_reorder #(
     .s_result_valid  (head_valid || asks),
     .s_result_ready  (read_ready),
     .s_result_slot   (asks ? asking_slot : oldest_q[SLOT_BITS-1:0]),
-    .s_result_asks   (asks),
+    .s_result_asks   (asking_lanes & {LANES{asks}}),
     .s_result        (head_result),
     .m_request_tvalid(tag_request_valid),
     .m_request_tready(m_request_tready),
@@ -227,38 +254,52 @@ module lane_reorder #(
 
   generate
     if ((RECOMPUTE != 0) && (CARRIED == 0)) begin : g_refetched
-      wire unused_ready;
+      localparam MARKS = (LANES == 1) ? 0 : LANES;  // a slot of one lane needs no mark
+
+      wire [MARKS+SLOT_BITS-1:0] exit_asks;
+      wire [MARKS+SLOT_BITS-1:0] asking;
+      wire                       unused_ready;
 
       stream_fifo #(
-        .WIDTH     (SLOT_BITS),
+        .WIDTH     (MARKS + SLOT_BITS),
         .DEPTH_BITS(SLOT_BITS)
       ) asking_slots (
         .aclk         (aclk),
         .aresetn      (aresetn),
-        .s_axis_tvalid(exit_valid && !exit_decided),
+        .s_axis_tvalid(exit_undecided),
         .s_axis_tready(unused_ready),
-        .s_axis_tdata (exit_slot),
+        .s_axis_tdata (exit_asks),
         .m_axis_tvalid(asks),
         .m_axis_tready(read_ready),
-        .m_axis_tdata (asking_slot)
+        .m_axis_tdata (asking)
       );
+
+      assign exit_asks[SLOT_BITS-1:0] = exit_slot;
+      assign asking_slot              = asking[SLOT_BITS-1:0];
+      if (LANES == 1) begin : g_one_lane
+        assign asking_lanes = 1'b1;
+      end else begin : g_group
+        assign exit_asks[SLOT_BITS +: LANES] = ~exit_decided;
+        assign asking_lanes                  = asking[SLOT_BITS +: LANES];
+      end
 
       assign m_request_tvalid = tag_request_valid;
       assign m_request_tdata  = tag_request_data;
     end else begin : g_no_tag_requests
       wire unused_tag_request = &{tag_request_valid, tag_request_data};
 
-      assign asks        = 1'b0;
-      assign asking_slot = {SLOT_BITS{1'b0}};
+      assign asks         = 1'b0;
+      assign asking_slot  = {SLOT_BITS{1'b0}};
+      assign asking_lanes = {LANES{1'b0}};
     end
     if (RECOMPUTE == 0) begin : g_no_requests
-      wire unused_exit = &{exit_slot, m_request_tready};
+      wire unused_exit = &{exit_slot, exit_undecided, m_request_tready};
 
       assign m_request_tvalid = 1'b0;
       assign m_request_tdata  = {REQUEST_BITS{1'b0}};
     end
     if ((RECOMPUTE != 0) && (CARRIED != 0)) begin : g_carried
-      wire [CARRIED_BITS-1:0] carried;
+      wire [LANES*CARRIED_BITS-1:0] carried;
 
       if (ASK_BITS > 0) begin : g_names
         assign carried = s_axis_tuser[CARRIED_BITS-1:0];
@@ -267,6 +308,7 @@ module lane_reorder #(
       end
 
       carried_operands #(
+        .LANES       (LANES),
         .OPERAND_BITS(CARRIED_BITS),
         .SLOT_BITS   (SLOT_BITS),
         .BEAT_BITS   (BEAT_BITS),
@@ -277,8 +319,9 @@ module lane_reorder #(
         .start_valid     (accept),
         .start_slot      (next_q[SLOT_BITS-1:0]),
         .start_operands  (carried),
-        .undecided_valid (exit_valid && !exit_decided),
+        .undecided_valid (exit_undecided),
         .undecided_slot  (exit_slot),
+        .undecided_lanes (~exit_decided),
         .m_request_tvalid(m_request_tvalid),
         .m_request_tready(m_request_tready),
         .m_request_tdata (m_request_tdata),
@@ -290,7 +333,17 @@ module lane_reorder #(
     end
   endgenerate
 
+  wire [LANES-1:0] undecided_results;
+
+  genvar k;
+  generate
+    for (k = 0; k < LANES; k = k + 1) begin : g_result
+      assign undecided_results[k] = m_axis_tvalid && m_axis_tready && m_axis_tdata[8*k+3];
+    end
+  endgenerate
+
   lane_counters #(
+    .LANES       (LANES),
     .COUNTER_BITS(COUNTER_BITS)
   ) counters (
     .aclk            (aclk),
@@ -298,7 +351,7 @@ module lane_reorder #(
     .s_axis_tvalid   (s_axis_tvalid),
     .s_axis_tready   (s_axis_tready),
     .request_sent    (m_request_tvalid && m_request_tready && request_last),
-    .undecided_result(m_axis_tvalid && m_axis_tready && m_axis_tdata[3]),
+    .undecided_result(undecided_results),
     .comparisons     (comparisons),
     .recomputations  (recomputations),
     .stalls          (stalls)

@@ -3,12 +3,16 @@
 // every queue has room. Latency of a decided one: LANE_LATENCY + 5. One comparison per cycle if all
 // are decided, the sink is ready and 2^SLOT_BITS >= LANE_LATENCY + 6 (+ 5 with RECOMPUTE = 0, where
 // the latency is LANE_LATENCY + 4). Direct and recomputed results alternate when both wait.
+// LANES > 1: a group of lanes in lock step. A word of one comparison for each, with one tag, takes
+// the place of the comparison; a lane's own tag is that and its number. Each undecided one is a
+// request of its own, and the word leaves once all have their answers.
 // Operands reach the lane through INPUT_REGISTERS registers, which add to its latency here.
 // A request of carried operands is a packet of 2^BEAT_BITS beats {slot, part of the operands}.
 // Reset forgets all comparisons and clears the counters.
 `default_nettype none
 
 module lane_scoreboard #(
+  parameter LANES = 1,
   parameter OPERAND_BITS = 128,
   parameter TAG_BITS = 32,
   parameter SLOT_BITS = 5,
@@ -24,11 +28,11 @@ module lane_scoreboard #(
   input  wire                                                                         aresetn,
   input  wire                                                                         s_axis_tvalid,
   output wire                                                                         s_axis_tready,
-  input  wire [OPERAND_BITS-1:0]                                                      s_axis_tdata,
+  input  wire [LANES*OPERAND_BITS-1:0]                                                s_axis_tdata,
   input  wire [TAG_BITS-1:0]                                                          s_axis_tuser,
-  output wire [OPERAND_BITS-1:0]                                                      lane_operands,
-  input  wire [1:0]                                                                   lane_verdict,
-  input  wire                                                                         lane_decided,
+  output wire [LANES*OPERAND_BITS-1:0]                                                lane_operands,
+  input  wire [2*LANES-1:0]                                                           lane_verdict,
+  input  wire [LANES-1:0]                                                             lane_decided,
   output wire                                                                         m_request_tvalid,
   input  wire                                                                         m_request_tready,
   output wire [SLOT_BITS+(CARRIED != 0 ? (OPERAND_BITS-1)>>BEAT_BITS : TAG_BITS-1):0] m_request_tdata,
@@ -37,7 +41,7 @@ module lane_scoreboard #(
   input  wire [1:0]                                                                   s_answer_verdict,
   output wire                                                                         m_axis_tvalid,
   input  wire                                                                         m_axis_tready,
-  output wire [7:0]                                                                   m_axis_tdata,
+  output wire [8*LANES-1:0]                                                           m_axis_tdata,
   output wire [TAG_BITS-1:0]                                                          m_axis_tuser,
   output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]                             comparisons,
   output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0]                             recomputations,
@@ -53,6 +57,9 @@ module lane_scoreboard #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
+    if ((LANES < 1) || (LANES > 64)) begin : g_refused_lanes
+      LANES_is_not_1_to_64 refused ();
+    end
     if (OPERAND_BITS < 1) begin : g_refused_operand_bits
       OPERAND_BITS_is_below_1 refused ();
     end
@@ -99,7 +106,7 @@ module lane_scoreboard #(
 
   // Through the lane.
   delay_line #(
-    .WIDTH (OPERAND_BITS),
+    .WIDTH (LANES * OPERAND_BITS),
     .LENGTH(INPUT_REGISTERS)
   ) operands_to_lane (
     .aclk(aclk),
@@ -109,10 +116,12 @@ module lane_scoreboard #(
 
   wire                 exit_valid;
   wire [SLOT_BITS-1:0] exit_slot;
-  wire [1:0]           exit_verdict;
-  wire                 exit_decided;
+  wire [2*LANES-1:0]   exit_verdict;
+  wire [LANES-1:0]     exit_decided;
+  wire                 exit_undecided = exit_valid && !(&exit_decided);  // one of them, at least
 
   lane_tracker #(
+    .LANES       (LANES),
     .SLOT_BITS   (SLOT_BITS),
     .LANE_LATENCY(LANE_LATENCY + INPUT_REGISTERS)
   ) tracker (
@@ -128,33 +137,33 @@ module lane_scoreboard #(
     .exit_decided(exit_decided)
   );
 
-  // What the lane says waits as {slot, undecided, verdict}.
+  // What the lanes say waits as {slot, undecided, verdicts}.
   wire                 direct_valid;
   wire                 direct_ready;
   wire [SLOT_BITS-1:0] direct_slot;
-  wire                 direct_undecided;
-  wire [1:0]           direct_verdict;
+  wire [LANES-1:0]     direct_undecided;
+  wire [2*LANES-1:0]   direct_verdict;
   wire                 unused_direct_ready;
 
   stream_fifo #(
-    .WIDTH     (SLOT_BITS + 3),
+    .WIDTH     (SLOT_BITS + 3 * LANES),
     .DEPTH_BITS(SLOT_BITS)
   ) direct_results (
     .aclk         (aclk),
     .aresetn      (aresetn),
-    .s_axis_tvalid(exit_valid && (exit_decided || (SENDS_OPERANDS == 0))),
+    .s_axis_tvalid(exit_valid && (!exit_undecided || (SENDS_OPERANDS == 0))),
     .s_axis_tready(unused_direct_ready),
-    .s_axis_tdata ({exit_slot, !exit_decided && (SENDS_OPERANDS == 0), exit_verdict}),
+    .s_axis_tdata ({exit_slot, ~exit_decided & {LANES{SENDS_OPERANDS == 0}}, exit_verdict}),
     .m_axis_tvalid(direct_valid),
     .m_axis_tready(direct_ready),
     .m_axis_tdata ({direct_slot, direct_undecided, direct_verdict})
   );
 
-  // Results on their way out are {undecided, recomputed, verdict}.
+  // Results on their way out are {undecided, recomputed, verdicts}.
   wire                 merged_valid;
   wire                 merged_ready;
   wire [SLOT_BITS-1:0] merged_slot;
-  wire [3:0]           merged_result;
+  wire [4*LANES-1:0]   merged_result;
 
   generate
     if (RECOMPUTE == 0) begin : g_direct
@@ -163,38 +172,44 @@ module lane_scoreboard #(
       assign merged_valid  = direct_valid;
       assign direct_ready  = merged_ready;
       assign merged_slot   = direct_slot;
-      assign merged_result = {direct_undecided, 1'b0, direct_verdict};
+      assign merged_result = {direct_undecided, {LANES{1'b0}}, direct_verdict};
     end else begin : g_merge
       wire                 answer_valid;
       wire                 answer_ready;
       wire [SLOT_BITS-1:0] answer_slot;
-      wire [1:0]           answer_verdict;
-      wire                 unused_answer_ready;
+      wire [LANES-1:0]     answer_recomputed;
+      wire [2*LANES-1:0]   answer_verdict;
 
-      stream_fifo #(
-        .WIDTH     (SLOT_BITS + 2),
-        .DEPTH_BITS(SLOT_BITS)
+      lane_answers #(
+        .LANES    (LANES),
+        .SLOT_BITS(SLOT_BITS)
       ) answers (
-        .aclk         (aclk),
-        .aresetn      (aresetn),
-        .s_axis_tvalid(s_answer_valid),
-        .s_axis_tready(unused_answer_ready),
-        .s_axis_tdata ({s_answer_slot, s_answer_verdict}),
-        .m_axis_tvalid(answer_valid),
-        .m_axis_tready(answer_ready),
-        .m_axis_tdata ({answer_slot, answer_verdict})
+        .aclk             (aclk),
+        .aresetn          (aresetn),
+        .s_word_valid     (exit_undecided),
+        .s_word_slot      (exit_slot),
+        .s_word_undecided (~exit_decided),
+        .s_word_verdict   (exit_verdict),
+        .s_answer_valid   (s_answer_valid),
+        .s_answer_slot    (s_answer_slot),
+        .s_answer_verdict (s_answer_verdict),
+        .m_axis_tvalid    (answer_valid),
+        .m_axis_tready    (answer_ready),
+        .m_axis_slot      (answer_slot),
+        .m_axis_recomputed(answer_recomputed),
+        .m_axis_verdict   (answer_verdict)
       );
 
       stream_arbiter #(
         .INPUTS(2),
-        .WIDTH (SLOT_BITS + 4)
+        .WIDTH (SLOT_BITS + 4 * LANES)
       ) merge (
         .aclk         (aclk),
         .aresetn      (aresetn),
         .s_axis_tvalid({answer_valid, direct_valid}),
         .s_axis_tready({answer_ready, direct_ready}),
-        .s_axis_tdata ({answer_slot, 2'b01, answer_verdict,
-                        direct_slot, direct_undecided, 1'b0, direct_verdict}),
+        .s_axis_tdata ({answer_slot, {LANES{1'b0}}, answer_recomputed, answer_verdict,
+                        direct_slot, direct_undecided, {LANES{1'b0}}, direct_verdict}),
         .m_axis_tvalid(merged_valid),
         .m_axis_tready(merged_ready),
         .m_axis_tdata ({merged_slot, merged_result})
@@ -203,14 +218,15 @@ module lane_scoreboard #(
   endgenerate
 
   // Out: the tag is read by slot, and with that the slot is free, unless the comparison only asks.
-  wire                          asks = merged_result[3] && (SENDS_TAG != 0);
+  wire [LANES-1:0]              asks = merged_result[3*LANES +: LANES] & {LANES{SENDS_TAG != 0}};
   wire                          tag_request_valid;
   wire [SLOT_BITS+TAG_BITS-1:0] tag_request_data;
 
-  assign retire      = merged_valid && merged_ready && !asks;
+  assign retire      = merged_valid && merged_ready && !(|asks);
   assign retire_slot = merged_slot;
 
   lane_tags #(
+    .LANES    (LANES),
     .TAG_BITS (TAG_BITS),
     .SLOT_BITS(SLOT_BITS)
   ) tags (
@@ -245,6 +261,7 @@ module lane_scoreboard #(
     end
     if (SENDS_OPERANDS != 0) begin : g_carried
       carried_operands #(
+        .LANES       (LANES),
         .OPERAND_BITS(OPERAND_BITS),
         .SLOT_BITS   (SLOT_BITS),
         .BEAT_BITS   (BEAT_BITS),
@@ -255,8 +272,9 @@ module lane_scoreboard #(
         .start_valid     (accept),
         .start_slot      (slot),
         .start_operands  (s_axis_tdata),
-        .undecided_valid (exit_valid && !exit_decided),
+        .undecided_valid (exit_undecided),
         .undecided_slot  (exit_slot),
+        .undecided_lanes (~exit_decided),
         .m_request_tvalid(m_request_tvalid),
         .m_request_tready(m_request_tready),
         .m_request_tdata (m_request_tdata),
@@ -271,7 +289,17 @@ module lane_scoreboard #(
     end
   endgenerate
 
+  wire [LANES-1:0] undecided_results;
+
+  genvar k;
+  generate
+    for (k = 0; k < LANES; k = k + 1) begin : g_result
+      assign undecided_results[k] = m_axis_tvalid && m_axis_tready && m_axis_tdata[8*k+3];
+    end
+  endgenerate
+
   lane_counters #(
+    .LANES       (LANES),
     .COUNTER_BITS(COUNTER_BITS)
   ) counters (
     .aclk            (aclk),
@@ -279,7 +307,7 @@ module lane_scoreboard #(
     .s_axis_tvalid   (s_axis_tvalid),
     .s_axis_tready   (s_axis_tready),
     .request_sent    (m_request_tvalid && m_request_tready && request_last),
-    .undecided_result(m_axis_tvalid && m_axis_tready && m_axis_tdata[3]),
+    .undecided_result(undecided_results),
     .comparisons     (comparisons),
     .recomputations  (recomputations),
     .stalls          (stalls)

@@ -1,9 +1,10 @@
-// lane_tracker: knows which slot's verdict leaves a free-running lane.
-// A comparison enters with `start`; LANE_LATENCY + 1 cycles later `exit` says what became of it.
-// One per cycle. Reset forgets all.
+// lane_tracker: knows which slot's verdicts leave free-running lanes, LANES side by side.
+// A word of comparisons enters with `start`; LANE_LATENCY + 1 cycles later `exit` says what became
+// of each. // One word per cycle. Reset forgets all.
 `default_nettype none
 
 module lane_tracker #(
+  parameter LANES = 1,
   parameter SLOT_BITS = 5,
   parameter LANE_LATENCY = 16
 ) (
@@ -11,16 +12,19 @@ module lane_tracker #(
   input  wire                 aresetn,
   input  wire                 start_valid,
   input  wire [SLOT_BITS-1:0] start_slot,
-  input  wire [1:0]           lane_verdict,
-  input  wire                 lane_decided,
+  input  wire [2*LANES-1:0]   lane_verdict,
+  input  wire [LANES-1:0]     lane_decided,
   output wire                 exit_valid,
   output wire [SLOT_BITS-1:0] exit_slot,
-  output wire [1:0]           exit_verdict,
-  output wire                 exit_decided
+  output wire [2*LANES-1:0]   exit_verdict,
+  output wire [LANES-1:0]     exit_decided
 );
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
+    if ((LANES < 1) || (LANES > 64)) begin : g_refused_lanes
+      LANES_is_not_1_to_64 refused ();
+    end
     if (SLOT_BITS < 1) begin : g_refused_slot_bits
       SLOT_BITS_is_below_1 refused ();
     end
@@ -47,8 +51,8 @@ module lane_tracker #(
     .q   (exit_slot)
   );
 
-  reg [1:0] exit_verdict_q;
-  reg       exit_decided_q;
+  reg [2*LANES-1:0] exit_verdict_q;
+  reg [LANES-1:0]   exit_decided_q;
 
   always @(posedge aclk) begin
     exit_verdict_q <= lane_verdict;

@@ -79,14 +79,14 @@ module reorder_inside #(
   (* hierconn *) wire [2:0] \dut.direct_results.memory.words[1] ;
   (* hierconn *) wire [2:0] \dut.direct_results.memory.words[2] ;
   (* hierconn *) wire [2:0] \dut.direct_results.memory.words[3] ;
-  (* hierconn *) wire [2:0] \dut.g_merge.answers.write_q ;
-  (* hierconn *) wire [2:0] \dut.g_merge.answers.read_q ;
-  (* hierconn *) wire       \dut.g_merge.answers.m_valid_q ;
-  (* hierconn *) wire [1:0] \dut.g_merge.answers.m_axis_tdata ;
-  (* hierconn *) wire [1:0] \dut.g_merge.answers.memory.words[0] ;
-  (* hierconn *) wire [1:0] \dut.g_merge.answers.memory.words[1] ;
-  (* hierconn *) wire [1:0] \dut.g_merge.answers.memory.words[2] ;
-  (* hierconn *) wire [1:0] \dut.g_merge.answers.memory.words[3] ;
+  (* hierconn *) wire [2:0] \dut.g_merge.answers.queue.write_q ;
+  (* hierconn *) wire [2:0] \dut.g_merge.answers.queue.read_q ;
+  (* hierconn *) wire       \dut.g_merge.answers.queue.m_valid_q ;
+  (* hierconn *) wire [1:0] \dut.g_merge.answers.queue.m_axis_tdata ;
+  (* hierconn *) wire [1:0] \dut.g_merge.answers.queue.memory.words[0] ;
+  (* hierconn *) wire [1:0] \dut.g_merge.answers.queue.memory.words[1] ;
+  (* hierconn *) wire [1:0] \dut.g_merge.answers.queue.memory.words[2] ;
+  (* hierconn *) wire [1:0] \dut.g_merge.answers.queue.memory.words[3] ;
   (* hierconn *) wire [1:0] \dut.tags.memory.words[0] ;
   (* hierconn *) wire [1:0] \dut.tags.memory.words[1] ;
   (* hierconn *) wire [1:0] \dut.tags.memory.words[2] ;
@@ -147,14 +147,14 @@ module reorder_inside #(
     .DEPTH_BITS(2)
   ) answers (
     .started  (started && (RECOMPUTE != 0)),
-    .write_q  (\dut.g_merge.answers.write_q ),
-    .read_q   (\dut.g_merge.answers.read_q ),
-    .m_valid_q(\dut.g_merge.answers.m_valid_q ),
-    .words    ({\dut.g_merge.answers.memory.words[3] ,
-                \dut.g_merge.answers.memory.words[2] ,
-                \dut.g_merge.answers.memory.words[1] ,
-                \dut.g_merge.answers.memory.words[0] }),
-    .m_data   (\dut.g_merge.answers.m_axis_tdata ),
+    .write_q  (\dut.g_merge.answers.queue.write_q ),
+    .read_q   (\dut.g_merge.answers.queue.read_q ),
+    .m_valid_q(\dut.g_merge.answers.queue.m_valid_q ),
+    .words    ({\dut.g_merge.answers.queue.memory.words[3] ,
+                \dut.g_merge.answers.queue.memory.words[2] ,
+                \dut.g_merge.answers.queue.memory.words[1] ,
+                \dut.g_merge.answers.queue.memory.words[0] }),
+    .m_data   (\dut.g_merge.answers.queue.m_axis_tdata ),
     .count    (answers_count),
     .contents (answers_words),
     .holds    (),

@@ -83,14 +83,14 @@ module scoreboard_inside #(
   (* hierconn *) wire [4:0] \dut.direct_results.memory.words[1] ;
   (* hierconn *) wire [4:0] \dut.direct_results.memory.words[2] ;
   (* hierconn *) wire [4:0] \dut.direct_results.memory.words[3] ;
-  (* hierconn *) wire [2:0] \dut.g_merge.answers.write_q ;
-  (* hierconn *) wire [2:0] \dut.g_merge.answers.read_q ;
-  (* hierconn *) wire       \dut.g_merge.answers.m_valid_q ;
-  (* hierconn *) wire [3:0] \dut.g_merge.answers.m_axis_tdata ;
-  (* hierconn *) wire [3:0] \dut.g_merge.answers.memory.words[0] ;
-  (* hierconn *) wire [3:0] \dut.g_merge.answers.memory.words[1] ;
-  (* hierconn *) wire [3:0] \dut.g_merge.answers.memory.words[2] ;
-  (* hierconn *) wire [3:0] \dut.g_merge.answers.memory.words[3] ;
+  (* hierconn *) wire [2:0] \dut.g_merge.answers.queue.write_q ;
+  (* hierconn *) wire [2:0] \dut.g_merge.answers.queue.read_q ;
+  (* hierconn *) wire       \dut.g_merge.answers.queue.m_valid_q ;
+  (* hierconn *) wire [3:0] \dut.g_merge.answers.queue.m_axis_tdata ;
+  (* hierconn *) wire [3:0] \dut.g_merge.answers.queue.memory.words[0] ;
+  (* hierconn *) wire [3:0] \dut.g_merge.answers.queue.memory.words[1] ;
+  (* hierconn *) wire [3:0] \dut.g_merge.answers.queue.memory.words[2] ;
+  (* hierconn *) wire [3:0] \dut.g_merge.answers.queue.memory.words[3] ;
   (* hierconn *) wire       \dut.g_merge.merge.m_valid_q ;
   (* hierconn *) wire [5:0] \dut.g_merge.merge.m_data_q ;
   (* hierconn *) wire [1:0] \dut.tags.memory.words[0] ;
@@ -124,11 +124,11 @@ module scoreboard_inside #(
                                \dut.direct_results.memory.words[1] ,
                                \dut.direct_results.memory.words[0] ,
                                \dut.direct_results.m_axis_tdata };
-  wire [19:0] answers_words = {\dut.g_merge.answers.memory.words[3] ,
-                               \dut.g_merge.answers.memory.words[2] ,
-                               \dut.g_merge.answers.memory.words[1] ,
-                               \dut.g_merge.answers.memory.words[0] ,
-                               \dut.g_merge.answers.m_axis_tdata };
+  wire [19:0] answers_words = {\dut.g_merge.answers.queue.memory.words[3] ,
+                               \dut.g_merge.answers.queue.memory.words[2] ,
+                               \dut.g_merge.answers.queue.memory.words[1] ,
+                               \dut.g_merge.answers.queue.memory.words[0] ,
+                               \dut.g_merge.answers.queue.m_axis_tdata };
   wire [9:0]  waiting_words = {\dut.g_carried.operands.waiting_slots.memory.words[3] ,
                                \dut.g_carried.operands.waiting_slots.memory.words[2] ,
                                \dut.g_carried.operands.waiting_slots.memory.words[1] ,
@@ -169,9 +169,9 @@ module scoreboard_inside #(
     .DEPTH_BITS(2)
   ) answers (
     .started  (started && (RECOMPUTE != 0)),
-    .write_q  (\dut.g_merge.answers.write_q ),
-    .read_q   (\dut.g_merge.answers.read_q ),
-    .m_valid_q(\dut.g_merge.answers.m_valid_q ),
+    .write_q  (\dut.g_merge.answers.queue.write_q ),
+    .read_q   (\dut.g_merge.answers.queue.read_q ),
+    .m_valid_q(\dut.g_merge.answers.queue.m_valid_q ),
     .words    (answers_words[19:4]),
     .m_data   (answers_words[3:0]),
     .count    (),

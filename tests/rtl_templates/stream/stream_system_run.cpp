@@ -23,9 +23,18 @@ std::string hex(std::uint32_t value) {
   return text;
 }
 
-/// An odd multiplier permutes the 32-bit numbers: every tag is new, and all its bits are used.
-std::uint32_t tag_number(std::uint32_t n) {
-  return n * 2654435761u;
+/// An odd multiplier permutes the 32-bit numbers: every tag is new, and all its bits are used. The
+/// lanes of a group have the numbers from its tag on, which is odd, so that the sum carries.
+std::uint32_t tag_number(std::uint32_t n, int group) {
+  const std::uint32_t number = n * 2654435761u;
+  return group == 1 ? number : number * 4 + 1;
+}
+
+/// The word of one lane of a group, as stream_system_bench makes it.
+std::uint32_t word_of_lane(std::uint32_t word, int k) {
+  const auto number = static_cast<std::uint32_t>(k);
+  const std::uint32_t decided = bit(word, k == 0 ? 2 : 23 + k) ? 4u : 0u;
+  return ((word & ~4u) | decided) ^ number ^ (number << 8);
 }
 
 bool is_decided(std::uint32_t word) {
@@ -60,6 +69,30 @@ std::uint8_t SystemRun::expected_result(std::uint32_t word) const {
   return static_cast<std::uint8_t>(4 | reference_verdict);
 }
 
+/// The results of a group's lanes, a byte each.
+std::uint32_t SystemRun::expected_results(std::uint32_t word) const {
+  std::uint32_t results = 0;
+  for (int k = 0; k < spec_.group; ++k) {
+    results |= static_cast<std::uint32_t>(expected_result(word_of_lane(word, k))) << (8 * k);
+  }
+  return results;
+}
+
+std::uint32_t SystemRun::undecided_lanes(std::uint32_t word) const {
+  std::uint32_t lanes = 0;
+  for (int k = 0; k < spec_.group; ++k) lanes += is_decided(word_of_lane(word, k)) ? 0 : 1;
+  return lanes;
+}
+
+/// A word each of whose lanes is undecided with this chance.
+std::uint32_t SystemRun::random_word(double undecided) {
+  std::uint32_t word = random_.word();
+  for (int k = 0; k < spec_.group; ++k) {
+    set_bit(word, k == 0 ? 2 : 23 + k, !random_.chance(undecided));
+  }
+  return word;
+}
+
 void SystemRun::edge() {
   *dut_->aclk = 0;
   dut_->eval();
@@ -79,14 +112,14 @@ void SystemRun::reset() {
   std::fill(lanes_.begin(), lanes_.end(), Lane{});
   std::fill(memories_.begin(), memories_.end(), Memory{});
   word_of_tag_.clear();
+  operands_of_tag_.clear();
 }
 
 void SystemRun::drive(const SystemTraffic& traffic) {
   for (int i = 0; i < spec_.lanes; ++i) {
     Lane& lane = lanes_[i];
     if (!lane.offering && random_.chance(traffic.offer)) {
-      const std::uint32_t decided = random_.chance(traffic.undecided) ? 0u : 4u;
-      lane.offer = {tag_number(issued_++), (random_.word() & ~4u) | decided};
+      lane.offer = {tag_number(issued_++, spec_.group), random_word(traffic.undecided)};
       lane.offering = true;
     }
     (*dut_->s_operands)[i] = lane.offering ? lane.offer.word : random_.word();
@@ -107,8 +140,9 @@ void SystemRun::drive_memories(const SystemTraffic& traffic) {
     const bool at_once = asked && memory.asked.size() == 1;
     memory.giving = memory.giving || (!memory.asked.empty() && random_.chance(traffic.refetch) &&
                                       (!at_once || random_.chance(0.5)));
-    const bool known = memory.giving && word_of_tag_.count(memory.asked.front()) != 0;
-    (*dut_->s_refetch_operands)[r] = known ? word_of_tag_.at(memory.asked.front()) : random_.word();
+    const bool known = memory.giving && operands_of_tag_.count(memory.asked.front()) != 0;
+    (*dut_->s_refetch_operands)[r] =
+        known ? operands_of_tag_.at(memory.asked.front()) : random_.word();
     set_bit(*dut_->s_refetch_valid, r, memory.giving);
   }
 }
@@ -138,9 +172,13 @@ void SystemRun::take_input(int i) {
   lane.offering = false;
   lane.order.push_back(lane.offer.tag);
   word_of_tag_[lane.offer.tag] = lane.offer.word;
+  for (int k = 0; k < spec_.group; ++k) {
+    operands_of_tag_[lane.offer.tag + static_cast<std::uint32_t>(k)] =
+        word_of_lane(lane.offer.word, k);
+  }
   ++lane.comparisons;
   ++accepted_;
-  if (!is_decided(lane.offer.word)) ++lane.undecided;
+  lane.undecided += undecided_lanes(lane.offer.word);
 }
 
 void SystemRun::check_that_result_holds(int i) {
@@ -168,15 +206,18 @@ void SystemRun::take_result(int i) {
   if (position != lane.order.begin()) ++overtaken_;
   if (spec_.in_order && position != lane.order.begin()) return fail(where + " left out of order");
   const std::uint32_t word = word_of_tag_.at(tag);
-  if (result != expected_result(word)) {
-    return fail(where + ", operands " + hex(word) + ": expected " + hex(expected_result(word)) +
+  if (result != expected_results(word)) {
+    return fail(where + ", operands " + hex(word) + ": expected " + hex(expected_results(word)) +
                 ", got " + hex(result));
   }
   lane.order.erase(position);
   word_of_tag_.erase(tag);
+  for (int k = 0; k < spec_.group; ++k) {
+    operands_of_tag_.erase(tag + static_cast<std::uint32_t>(k));
+  }
   ++received_;
   ++received_of_lane_[i];
-  if (!is_decided(word)) ++recomputed_;
+  recomputed_ += undecided_lanes(word);
 }
 
 void SystemRun::serve_memory(int r) {
@@ -191,7 +232,7 @@ void SystemRun::serve_memory(int r) {
   memory.held = valid && !bit(*dut_->m_refetch_ready, r);
   memory.held_tag = tag;
   if (!valid || memory.held) return;
-  if (word_of_tag_.count(tag) == 0) fail("refetch of " + hex(tag) + ", not outstanding");
+  if (operands_of_tag_.count(tag) == 0) fail("refetch of " + hex(tag) + ", not outstanding");
 }
 
 void SystemRun::cycle(const SystemTraffic& traffic) {

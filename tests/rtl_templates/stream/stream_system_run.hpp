@@ -45,7 +45,7 @@ public:
 struct SystemSpec {
   std::string name;
   std::function<std::unique_ptr<SystemDut>()> make;
-  int lanes;
+  int lanes;  ///< or groups of lanes
   int references;
   bool in_order;
   bool carried;
@@ -54,6 +54,7 @@ struct SystemSpec {
   int slot_bits;
   int initiation_interval;  ///< of the references
   int beat_bits;            ///< of a request: it has 2^beat_bits beats
+  int group;                ///< lanes in lock step; 1: each by itself
 };
 
 inline void PrintTo(const SystemSpec& spec, std::ostream* stream) {
@@ -71,7 +72,8 @@ struct SystemTraffic {
 };
 
 /// Drives a system and holds every result against what the operands say it must be. Knows nothing
-/// of slots, queues or requests: a comparison is outstanding from acceptance until its result.
+/// of slots, queues or requests: a comparison is outstanding from acceptance until its result. Of a
+/// system of groups, lanes are groups, and comparisons words of one for each lane of a group.
 class SystemRun {
 public:
   SystemRun(const SystemSpec& spec, std::uint64_t seed);
@@ -118,6 +120,9 @@ private:
 
   void fail(const std::string& what);
   std::uint8_t expected_result(std::uint32_t word) const;
+  std::uint32_t expected_results(std::uint32_t word) const;
+  std::uint32_t undecided_lanes(std::uint32_t word) const;
+  std::uint32_t random_word(double undecided);
   void edge();
   void drive(const SystemTraffic& traffic);
   void drive_memories(const SystemTraffic& traffic);
@@ -134,6 +139,7 @@ private:
   std::vector<Lane> lanes_;
   std::vector<Memory> memories_;
   std::unordered_map<std::uint32_t, std::uint32_t> word_of_tag_;  ///< of all outstanding
+  std::unordered_map<std::uint32_t, std::uint32_t> operands_of_tag_;  ///< of each lane's comparison
   std::uint32_t issued_ = 0;
   std::uint64_t accepted_ = 0;
   std::uint64_t received_ = 0;

@@ -53,9 +53,9 @@ std::unique_ptr<SystemDut> make() {
 
 const std::vector<SystemSpec> systems = {
 #define SYSTEM(NAME, LANES, REFERENCES, IN_ORDER, CARRIED, LANE_LATENCY, REFERENCE_LATENCY,      \
-               SLOT_BITS, INITIATION_INTERVAL, BEAT_BITS)                                        \
+               SLOT_BITS, INITIATION_INTERVAL, BEAT_BITS, GROUP)                                 \
   {#NAME,        make<V##NAME>,     LANES,     REFERENCES,          IN_ORDER != 0, CARRIED != 0, \
-   LANE_LATENCY, REFERENCE_LATENCY, SLOT_BITS, INITIATION_INTERVAL, BEAT_BITS},
+   LANE_LATENCY, REFERENCE_LATENCY, SLOT_BITS, INITIATION_INTERVAL, BEAT_BITS,     GROUP},
 #include "systems.inc"
 #undef SYSTEM
 };
@@ -132,17 +132,17 @@ std::vector<SystemSpec> systems_with(Predicate predicate) {
 }
 
 bool is_carried(const SystemSpec& spec) {
-  return spec.carried;
+  return spec.carried && spec.group == 1;
 }
 
 /// These lanes have slots enough to stall for nothing but the one port at which tags are read.
 bool is_limited_by_tags(const SystemSpec& spec) {
-  return !spec.carried && !spec.in_order && spec.initiation_interval == 1;
+  return !spec.carried && !spec.in_order && spec.initiation_interval == 1 && spec.group == 1;
 }
 
-/// A request that finds the reference free starts at once.
+/// A request that finds the reference free starts at once; and no others of its group are before it.
 bool starts_at_once(const SystemSpec& spec) {
-  return spec.carried && spec.initiation_interval == 1;
+  return spec.carried && spec.initiation_interval == 1 && spec.group == 1;
 }
 
 bool is_shared(const SystemSpec& spec) {
@@ -151,7 +151,7 @@ bool is_shared(const SystemSpec& spec) {
 
 /// Each reference has lanes and slots enough for a request in every interval.
 bool is_saturable(const SystemSpec& spec) {
-  if (!spec.carried || !is_shared(spec)) return false;
+  if (!spec.carried || !is_shared(spec) || spec.group > 1) return false;
   const int lanes = spec.lanes / spec.references;
   return lanes >= 2 && (lanes << spec.slot_bits) >= 2 * undecided_latency(spec);
 }

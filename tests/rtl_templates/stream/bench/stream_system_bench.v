@@ -1,8 +1,11 @@
 // stream_system_bench: lanes, crossbar and references with stubs for the datapaths, so that what a
 // comparison must become is known from its operand word alone (`word` of the first 32 bits):
 //   lane's verdict word[1:0] ^ word[11:10], decided word[2], reference's verdict word[9:8] ^ word[17:16].
-// The reference reads word[17:16] in phase LAST_OPERAND_PHASE, the rest in phase 0. The operands are COPIES rotated copies of the word: the lane looks at the lowest, the reference at
-// the highest. Every port has room for 32 lanes or 16 references, 32 bits each.
+// The reference reads word[17:16] in phase LAST_OPERAND_PHASE, the rest in phase 0. The operands are
+// COPIES rotated copies of the word: the lane looks at the lowest, the reference at the highest.
+// GROUP > 1: LANES groups of so many lanes, at most 4. Lane k of a group has the group's word with
+// bit 23 + k in the place of bit 2 (lane 0: its own), and k added to its verdicts without carry.
+// Every port has room for 32 lanes or 16 references, 32 bits each.
 `default_nettype none
 
 module stream_system_bench #(
@@ -19,7 +22,8 @@ module stream_system_bench #(
   parameter COPIES = 1,
   parameter BEAT_BITS = 0,
   parameter BLOCK = 0,
-  parameter INPUT_REGISTERS = 0
+  parameter INPUT_REGISTERS = 0,
+  parameter GROUP = 1
 ) (
   input  wire          aclk,
   input  wire          aresetn,
@@ -59,6 +63,7 @@ module stream_system_bench #(
 
   genvar i;
   genvar c;
+  genvar k;
   generate
     for (i = 0; i < 32; i = i + 1) begin : g_lane
       if (i >= LANES) begin : g_absent
@@ -72,32 +77,43 @@ module stream_system_bench #(
         assign recomputations[32*i +: 32] = 32'd0;
         assign stalls[32*i +: 32]         = 32'd0;
       end else begin : g_present
-        wire [31:0]             word = s_operands[32*i +: 32];
-        wire [OPERAND_BITS-1:0] operands;
-        wire [OPERAND_BITS-1:0] lane_operands;
-        wire [1:0]              verdict_in = lane_operands[1:0] ^ lane_operands[11:10];
-        wire                    unused_operands = &lane_operands;
-        wire [1:0]              verdict;
-        wire                    decided;
+        wire [31:0]                   word = s_operands[32*i +: 32];
+        wire [GROUP*OPERAND_BITS-1:0] operands;
+        wire [GROUP*OPERAND_BITS-1:0] lane_operands;
+        wire [2*GROUP-1:0]            verdict;
+        wire [GROUP-1:0]              decided;
 
-        for (c = 0; c < COPIES; c = c + 1) begin : g_copy
-          if (c % 32 == 0) begin : g_plain
-            assign operands[32*c +: 32] = word;
-          end else begin : g_rotated
-            assign operands[32*c +: 32] = {word[(c%32)-1:0], word[31:c%32]};
+        for (k = 0; k < GROUP; k = k + 1) begin : g_member
+          localparam [1:0] NUMBER = k;
+
+          wire [31:0]             own_word = {word[31:10], word[9:8] ^ NUMBER, word[7:3],
+                                              word[(k == 0) ? 2 : 23 + k], word[1:0] ^ NUMBER};
+          wire [OPERAND_BITS-1:0] own = lane_operands[k*OPERAND_BITS +: OPERAND_BITS];
+          wire                    unused_own = &own;
+          wire [1:0]              verdict_in = own[1:0] ^ own[11:10];
+
+          for (c = 0; c < COPIES; c = c + 1) begin : g_copy
+            if (c % 32 == 0) begin : g_plain
+              assign operands[k*OPERAND_BITS+32*c +: 32] = own_word;
+            end else begin : g_rotated
+              assign operands[k*OPERAND_BITS+32*c +: 32] = {own_word[(c%32)-1:0],
+                                                            own_word[31:c%32]};
+            end
           end
+
+          delay_line #(
+            .WIDTH (3),
+            .LENGTH(LANE_LATENCY)
+          ) lane (
+            .aclk(aclk),
+            .d   ({own[2], verdict_in}),
+            .q   ({decided[k], verdict[2*k +: 2]})
+          );
         end
 
-        delay_line #(
-          .WIDTH (3),
-          .LENGTH(LANE_LATENCY)
-        ) lane (
-          .aclk(aclk),
-          .d   ({lane_operands[2], verdict_in}),
-          .q   ({decided, verdict})
-        );
-
-        assign m_results[32*i+8 +: 24] = 24'd0;
+        if (GROUP < 4) begin : g_no_results
+          assign m_results[32*i+8*GROUP +: 32-8*GROUP] = {(32-8*GROUP){1'b0}};
+        end
 
         if (IN_ORDER != 0) begin : g_reorder
           lane_reorder #(
@@ -110,7 +126,8 @@ module stream_system_bench #(
             .CARRIED        (CARRIED),
             .BEAT_BITS      (BEAT_BITS),
             .BLOCK          (BLOCK),
-            .INPUT_REGISTERS(INPUT_REGISTERS)
+            .INPUT_REGISTERS(INPUT_REGISTERS),
+            .LANES          (GROUP)
           ) channel (
             .aclk            (aclk),
             .aresetn         (aresetn),
@@ -129,7 +146,7 @@ module stream_system_bench #(
             .s_answer_verdict(answer_verdict[i*2 +: 2]),
             .m_axis_tvalid   (m_valid[i]),
             .m_axis_tready   (m_ready[i]),
-            .m_axis_tdata    (m_results[32*i +: 8]),
+            .m_axis_tdata    (m_results[32*i +: 8*GROUP]),
             .m_axis_tuser    (m_tags[32*i +: 32]),
             .comparisons     (comparisons[32*i +: 32]),
             .recomputations  (recomputations[32*i +: 32]),
@@ -146,7 +163,8 @@ module stream_system_bench #(
             .CARRIED        (CARRIED),
             .BEAT_BITS      (BEAT_BITS),
             .BLOCK          (BLOCK),
-            .INPUT_REGISTERS(INPUT_REGISTERS)
+            .INPUT_REGISTERS(INPUT_REGISTERS),
+            .LANES          (GROUP)
           ) channel (
             .aclk            (aclk),
             .aresetn         (aresetn),
@@ -165,7 +183,7 @@ module stream_system_bench #(
             .s_answer_verdict(answer_verdict[i*2 +: 2]),
             .m_axis_tvalid   (m_valid[i]),
             .m_axis_tready   (m_ready[i]),
-            .m_axis_tdata    (m_results[32*i +: 8]),
+            .m_axis_tdata    (m_results[32*i +: 8*GROUP]),
             .m_axis_tuser    (m_tags[32*i +: 32]),
             .comparisons     (comparisons[32*i +: 32]),
             .recomputations  (recomputations[32*i +: 32]),

@@ -1,0 +1,153 @@
+// lane_answers: undecided comparisons that were answered, on their way out.
+// LANES = 1: a queue of answers. Above: a word of a group of lanes waits here with what its decided
+// lanes said, from its exit on, and leaves once each of its undecided lanes has its answer. Answers
+// come in the order of words and, in a word, of lanes, so none needs a name; the first of a word
+// comes 2 cycles after the word or later. WITH_SLOT = 0: m_slot is not kept. One answer per cycle;
+// an answered word leaves 2 cycles after its last answer. Room for 2^SLOT_BITS words: nothing is
+// refused while no more are inside. Reset forgets all.
+`default_nettype none
+
+module lane_answers #(
+  parameter LANES = 4,
+  parameter SLOT_BITS = 5,
+  parameter WITH_SLOT = 1
+) (
+  input  wire                 aclk,
+  input  wire                 aresetn,
+  input  wire                 s_word_valid,
+  input  wire [SLOT_BITS-1:0] s_word_slot,
+  input  wire [LANES-1:0]     s_word_undecided,
+  input  wire [2*LANES-1:0]   s_word_verdict,
+  input  wire                 s_answer_valid,
+  input  wire [SLOT_BITS-1:0] s_answer_slot,
+  input  wire [1:0]           s_answer_verdict,
+  output wire                 m_axis_tvalid,
+  input  wire                 m_axis_tready,
+  output wire [SLOT_BITS-1:0] m_axis_slot,
+  output wire [LANES-1:0]     m_axis_recomputed,
+  output wire [2*LANES-1:0]   m_axis_verdict
+);
+
+  localparam SLOTS_KEPT = (WITH_SLOT != 0) ? SLOT_BITS : 0;
+  localparam FLAGS      = (LANES == 1) ? 0 : LANES;  // the one lane of a word was recomputed
+  localparam WIDTH      = SLOTS_KEPT + FLAGS + 2 * LANES;
+
+  // Parameters that do not fit: an instance of a module that does not exist.
+  generate
+    if ((LANES < 1) || (LANES > 64)) begin : g_refused_lanes
+      LANES_is_not_1_to_64 refused ();
+    end
+    if (SLOT_BITS < 1) begin : g_refused_slot_bits
+      SLOT_BITS_is_below_1 refused ();
+    end
+  endgenerate
+
+  wire                 answered;  // the last undecided lane of a word
+  wire [2*LANES-1:0]   answered_verdict;
+  wire [WIDTH-1:0]     entry;
+  wire [WIDTH-1:0]     head;
+  wire                 unused_ready;
+
+  stream_fifo #(
+    .WIDTH     (WIDTH),
+    .DEPTH_BITS(SLOT_BITS)
+  ) queue (
+    .aclk         (aclk),
+    .aresetn      (aresetn),
+    .s_axis_tvalid(answered),
+    .s_axis_tready(unused_ready),
+    .s_axis_tdata (entry),
+    .m_axis_tvalid(m_axis_tvalid),
+    .m_axis_tready(m_axis_tready),
+    .m_axis_tdata (head)
+  );
+
+  assign entry[2*LANES-1:0] = answered_verdict;
+  assign m_axis_verdict    = head[2*LANES-1:0];
+
+  genvar k;
+  generate
+    if (LANES == 1) begin : g_one_lane
+      wire unused_word = &{s_word_valid, s_word_slot, s_word_undecided, s_word_verdict};
+
+      assign answered          = s_answer_valid;
+      assign answered_verdict = s_answer_verdict;
+      assign m_axis_recomputed = 1'b1;
+      if (WITH_SLOT != 0) begin : g_slot
+        assign entry[WIDTH-1 -: SLOT_BITS] = s_answer_slot;
+      end else begin : g_no_slot
+        wire unused_slot = &s_answer_slot;
+      end
+    end else begin : g_group
+      localparam [LANES-1:0] ONE = 1;
+      localparam KEPT = SLOTS_KEPT + 3 * LANES;
+
+      wire [KEPT-1:0]    word;
+      wire [KEPT-1:0]    waiting;
+      wire               waiting_valid;
+      wire               unused_word_ready;
+      wire               unused_answer_slot = &s_answer_slot;
+      wire [LANES-1:0]   undecided = waiting[2*LANES +: LANES];
+      reg  [LANES-1:0]   answered_q;  // lanes of the first word that waits
+      reg  [2*LANES-1:0] answers_q;
+      wire [LANES-1:0]   left = undecided & ~answered_q;
+      wire [LANES-1:0]   next = left & (~left + ONE);
+      wire               unused_waiting_valid = waiting_valid;
+
+      assign word[3*LANES-1:0] = {s_word_undecided, s_word_verdict};
+
+      stream_fifo #(
+        .WIDTH     (KEPT),
+        .DEPTH_BITS(SLOT_BITS)
+      ) words (
+        .aclk         (aclk),
+        .aresetn      (aresetn),
+        .s_axis_tvalid(s_word_valid),
+        .s_axis_tready(unused_word_ready),
+        .s_axis_tdata (word),
+        .m_axis_tvalid(waiting_valid),
+        .m_axis_tready(answered),
+        .m_axis_tdata (waiting)
+      );
+
+      assign answered = s_answer_valid && (left == next);
+
+      always @(posedge aclk) begin
+        if (!aresetn || answered) begin
+          answered_q <= {LANES{1'b0}};
+        end else if (s_answer_valid) begin
+          answered_q <= answered_q | next;
+        end
+      end
+
+      for (k = 0; k < LANES; k = k + 1) begin : g_lane
+        always @(posedge aclk) begin
+          if (s_answer_valid && next[k]) begin
+            answers_q[2*k +: 2] <= s_answer_verdict;
+          end
+        end
+
+        assign answered_verdict[2*k +: 2] = next[k]       ? s_answer_verdict
+                                           : answered_q[k] ? answers_q[2*k +: 2]
+                                                           : waiting[2*k +: 2];
+      end
+
+      assign entry[2*LANES +: LANES] = undecided;
+      assign m_axis_recomputed       = head[2*LANES +: LANES];
+      if (WITH_SLOT != 0) begin : g_slot
+        assign word[KEPT-1 -: SLOT_BITS]   = s_word_slot;
+        assign entry[WIDTH-1 -: SLOT_BITS] = waiting[KEPT-1 -: SLOT_BITS];
+      end else begin : g_no_slot
+        wire unused_slot = &s_word_slot;
+      end
+    end
+    if (WITH_SLOT != 0) begin : g_slot
+      assign m_axis_slot = head[WIDTH-1 -: SLOT_BITS];
+    end else begin : g_no_slot
+      assign m_axis_slot = {SLOT_BITS{1'b0}};
+    end
+  endgenerate
+
+endmodule
+
+`default_nettype wire
