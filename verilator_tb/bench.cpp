@@ -81,6 +81,8 @@ std::string system_ports(const emit::Signature& s) {
   const bool refetched = s.operands == scene::OperandStore::refetched && s.references > 0;
   PortsHeader header(s);
   header.constant("int", "references", s.references)
+      .constant("int", "lanes_per_group", s.lanes_per_group)
+      .constant("int", "groups", emit::group_count(s))
       .constant("int", "tdata_bytes", s.tdata_bytes)
       .constant("int", "tag_bits", s.tag_bits)
       .constant("int", "slots", s.slots)

@@ -36,7 +36,7 @@ void Judge::take(const Answer& answer) {
   judge(answer.results);
   for (const harness::wire::Violation& violation : answer.violations) take_violation(violation);
   report_.cycles = answer.cycles;
-  take_counters(answer.lanes);
+  take_counters(answer.groups);
   take_answers(answer);
   retire();
 }
@@ -171,24 +171,27 @@ void Judge::take_violation(const harness::wire::Violation& violation) {
   report_.violations.push_back(std::move(told));
 }
 
-void Judge::take_counters(const std::vector<harness::wire::CounterValues>& lanes) {
-  if (lanes.empty() || signature_.counter_bits == 0) return;
+void Judge::take_counters(const std::vector<harness::wire::CounterValues>& groups) {
+  if (groups.empty() || signature_.counter_bits == 0) return;
   constexpr const char* names[] = {"comparisons", "recomputations", "stalls"};
   const auto mask = static_cast<std::uint64_t>(low_mask(signature_.counter_bits));
   for (int k = 0; k < 3; ++k) {
     CounterTotal total{names[k], 0, 0};
-    for (std::uint32_t lane = 0; lane < lanes.size(); ++lane) {
-      const std::uint64_t counted = lanes[lane].counted[k];
-      const std::uint64_t observed = lanes[lane].observed[k];
+    for (std::size_t group = 0; group < groups.size(); ++group) {
+      const std::uint64_t counted = groups[group].counted[k];
+      const std::uint64_t observed = groups[group].observed[k];
       total.counted += counted;
       total.observed += observed;
-      if (counted != (observed & mask)) report_wrong_counter(names[k], lane, counted, observed);
+      if (counted == (observed & mask)) continue;
+      const auto lane = static_cast<std::uint32_t>(group) *
+                        static_cast<std::uint32_t>(signature_.lanes_per_group);
+      report_wrong_counter(names[k], lane, counted, observed);
     }
     report_.counters.push_back(total);
   }
 }
 
-/// Lane k is served by reference k modulo their number.
+/// Lane k, or group k of lanes, is served by reference k modulo their number.
 void Judge::take_answers(const Answer& answer) {
   if (answer.answers.empty()) return;
   const auto mask = static_cast<std::uint64_t>(low_mask(signature_.counter_bits));
@@ -196,8 +199,9 @@ void Judge::take_answers(const Answer& answer) {
   for (std::size_t reference = 0; reference < answer.answers.size(); ++reference) {
     const std::uint64_t counted = answer.answers[reference];
     std::uint64_t observed = 0;
-    for (std::size_t lane = reference; lane < answer.lanes.size(); lane += answer.answers.size()) {
-      observed += answer.lanes[lane].observed[1];
+    for (std::size_t group = reference; group < answer.groups.size();
+         group += answer.answers.size()) {
+      observed += answer.groups[group].observed[1];
     }
     total.counted += counted;
     total.observed += observed;

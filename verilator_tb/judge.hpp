@@ -51,7 +51,7 @@ private:
   void check_truth(const harness::wire::Result& result);
   void add_mismatch(const harness::wire::Result& result, ResultWord expected);
   void take_violation(const harness::wire::Violation& violation);
-  void take_counters(const std::vector<harness::wire::CounterValues>& lanes);
+  void take_counters(const std::vector<harness::wire::CounterValues>& groups);
   void take_answers(const Answer& answer);
   void report_wrong_counter(const char* name, std::uint32_t lane, std::uint64_t counted,
                             std::uint64_t observed);

@@ -44,9 +44,9 @@ Result<SystemSimulation> SystemSimulation::start(const Executable& executable,
   return SystemSimulation(std::move(process));
 }
 
-Result<Answer> SystemSimulation::exchange(const Block& block, int lanes, int answers) {
+Result<Answer> SystemSimulation::exchange(const Block& block, int groups, int answers) {
   Answer answer;
-  const bool received = send(block) && receive(answer, static_cast<std::size_t>(lanes),
+  const bool received = send(block) && receive(answer, static_cast<std::size_t>(groups),
                                                static_cast<std::size_t>(answers));
   if (received) return answer;
   return process_.ended_unexpectedly();
@@ -59,20 +59,20 @@ bool SystemSimulation::send(const Block& block) {
          process_.send(std::span(block.operands));
 }
 
-bool SystemSimulation::receive(Answer& answer, std::size_t lanes, std::size_t answers) {
+bool SystemSimulation::receive(Answer& answer, std::size_t groups, std::size_t answers) {
   harness::wire::Response response;
   if (!process_.receive(std::span(&response, 1))) return false;
   answer.results.resize(response.results);
   answer.violations.resize(response.violations);
   if (response.state == harness::wire::State::drained) {
-    answer.lanes.resize(lanes);
+    answer.groups.resize(groups);
     answer.answers.resize(answers);
   }
   answer.cycles = response.cycles;
   answer.state = response.state;
   return process_.receive(std::span(answer.results)) &&
          process_.receive(std::span(answer.violations)) &&
-         process_.receive(std::span(answer.lanes)) && process_.receive(std::span(answer.answers));
+         process_.receive(std::span(answer.groups)) && process_.receive(std::span(answer.answers));
 }
 
 }  // namespace mixcmp::verilator_tb

@@ -35,7 +35,8 @@ struct Block {
 struct Answer {
   std::vector<harness::wire::Result> results;
   std::vector<harness::wire::Violation> violations;
-  std::vector<harness::wire::CounterValues> lanes;  ///< only in the answer to the last block
+  /// Of each lane or group of lanes; only in the answer to the last block.
+  std::vector<harness::wire::CounterValues> groups;
   std::vector<std::uint64_t> answers;  ///< of each reference, where they are counted; likewise
   std::uint64_t cycles = 0;            ///< cycles simulated so far
   harness::wire::State state = harness::wire::State::running;
@@ -76,16 +77,16 @@ public:
   static Result<SystemSimulation> start(const Executable& executable,
                                         const SimulationOptions& options);
 
-  /// Sends a block and waits for the simulator's answer. `answers`: the number of references whose
-  /// answers are counted.
-  Result<Answer> exchange(const Block& block, int lanes, int answers);
+  /// Sends a block and waits for the simulator's answer. `groups`: of lanes; `answers`: the number of
+  /// references whose answers are counted.
+  Result<Answer> exchange(const Block& block, int groups, int answers);
   Result<Done> finish() { return process_.finish(); }
 
 private:
   explicit SystemSimulation(SimulatorProcess process) : process_(std::move(process)) {}
 
   bool send(const Block& block);
-  bool receive(Answer& answer, std::size_t lanes, std::size_t answers);
+  bool receive(Answer& answer, std::size_t groups, std::size_t answers);
 
   SimulatorProcess process_;
 };

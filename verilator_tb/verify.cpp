@@ -212,7 +212,8 @@ Result<ShareOutcome> run_share(const Run& run, const Share& share, const Executa
     // The simulator works on one core while its last answer is judged on another.
     auto exchange = std::async(std::launch::async, [&] {
       const emit::Signature& signature = run.system.signature;
-      return simulation.exchange(block, signature.lanes, emit::counted_answers(signature));
+      return simulation.exchange(block, emit::group_count(signature),
+                                 emit::counted_answers(signature));
     });
     judge.take(answer);
     judge.announce(block.comparisons);

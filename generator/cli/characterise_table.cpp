@@ -51,11 +51,14 @@ std::vector<std::pair<std::string, std::string>> spec_of(const scene::Scene& sce
   if (system.engine.kind != scene::EngineKind::none) {
     spec.insert(spec.end() - 1, {"engine", characterise::engine_text(scene)});
   }
+  if (system.lanes_per_group > 1) {
+    spec.insert(spec.end() - 1, {"lanes_per_group", std::to_string(system.lanes_per_group)});
+  }
   return spec;
 }
 
 /// Refuses a table that was measured for another target_mhz, which decides where registers go in
-/// all RTL, or for another engine.
+/// all RTL, for another engine, or for other groups of lanes.
 Result<Done> check_rows_can_stay(const characterise::Characterisation& table, const fs::path& path,
                                  const scene::Scene& scene) {
   const std::string target = fmt::format("{}", scene.system.target_mhz);
@@ -77,7 +80,7 @@ Result<Done> check_rows_can_stay(const characterise::Characterisation& table, co
                    .accepted = fmt::format("{}, or another path by -o", engine)};
     }
   }
-  return Done{};
+  return characterise::check_groups(table, path, scene);
 }
 
 /// The table that the file holds; none where there is no file yet. A table of another scene or

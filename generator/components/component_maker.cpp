@@ -248,7 +248,7 @@ rtl::SystemShape ComponentMaker::stream_shape() const {
   const std::optional<int> interval = scene_.reference_structure.initiation_interval;
   system.request_beats = design::request_beats(system, operand_bits, interval.value_or(1));
   rtl::SystemShape shape = emit::stream_shape(scene_.graph.inputs(), format, system);
-  shape.lanes = 1;
+  shape.lanes = shape.lanes_per_group;
   shape.references = scene_.system.references.value_or(1) > 0 ? 1 : 0;
   return shape;
 }
@@ -257,7 +257,8 @@ Result<rtl::SystemShape> ComponentMaker::request_shape() const {
   rtl::SystemShape shape = stream_shape();
   shape.references = 1;
   if (!has_crossbar()) return rtl::reference_shape(shape);
-  shape.lanes = scene::max_lanes;  // numbered as in the largest system: a few bits more than most
+  // Numbered as in the largest system: a few bits more than most.
+  shape.lanes = scene::max_lanes / shape.lanes_per_group * shape.lanes_per_group;
   shape.slot_bits = crossbar_slot_bits;
   if (has_engine()) {
     MIXCMP_TRY(chain, this->chain());

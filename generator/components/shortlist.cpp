@@ -64,13 +64,13 @@ int lanes_at_once(const scene::Scene& scene) {
   return engine.kind == scene::EngineKind::pairwise ? engine.lanes_per_group : 1;
 }
 
-/// The streams around one lane, if a LUT of memory keeps one bit of each of 64 comparisons; of a
-/// pairwise engine the share of a segment.
+/// The streams around one lane, if a LUT of memory keeps one bit of each of 64 comparisons; its share
+/// of those of a group, or of a segment of a pairwise engine.
 devices::Area rough_streams(const scene::Scene& scene, int slots) {
   if (scene.system.engine.kind == scene::EngineKind::pairwise) return {.luts = 30};
   const bool in_blocks = scene.system.operand_memory == scene::OperandMemory::block;
   const int bits = in_blocks ? scene.system.tag_bits : request_bits(scene);
-  return {.luts = 100 + bits * std::max(slots, 64) / 64};
+  return {.luts = (100 + bits * std::max(slots, 64) / 64) / scene.system.lanes_per_group};
 }
 
 /// The share of a crossbar, if a LUT chooses between two requests' bits.

@@ -94,11 +94,15 @@ Described describe_lane_channel(const rtl::SystemShape& shape, const rtl::Datapa
   const bool in_order = shape.order == scene::ResultOrder::in_order;
   return {
       rtl::lane_channel_module(shape, group),
-      {group.channel + ": one lane between its AXI4-Streams.",
+      {shape.lanes_per_group == 1
+           ? group.channel + ": one lane between its AXI4-Streams."
+           : fmt::format("{}: {} lanes in lock step, lane 0 in the lowest bits.",
+                         group.channel, shape.lanes_per_group),
        in_order ? "Results leave in the order of acceptance."
                 : "Results may overtake a recomputed one; the tag (tuser) tells which is which.",
-       fmt::format("{} comparisons may be inside. Reset: aresetn, synchronous, active low.",
-                   1 << shape.slot_bits)}};
+       fmt::format("{} {} may be inside. Reset: aresetn, synchronous, active low.",
+                   1 << shape.slot_bits,
+                   shape.lanes_per_group == 1 ? "comparisons" : "words of comparisons")}};
 }
 
 Described describe_reference_channel(const rtl::SystemShape& shape,
@@ -165,14 +169,22 @@ Described describe_top(const Design& design, const ScheduledSystem& scheduled) {
   const rtl::SystemShape& shape = scheduled.shape;
   std::vector<std::string> facts = count_facts(design, shape);
   const auto add = [&facts](std::string fact) { facts.push_back(std::move(fact)); };
+  const bool grouped = shape.lanes_per_group > 1;
+  const char* const sender = grouped ? "group" : "lane";
   add("Every per-lane port is a vector of one field a lane, lane 0 in the lowest bits.");
+  if (grouped) {
+    add(fmt::format("{} lanes each form a group in lock step, which takes a word of one comparison",
+                    shape.lanes_per_group));
+    add("  a lane. Handshakes, tags and counters are one field a group.");
+  }
   for (std::string& fact : operand_facts(design, scheduled)) add(std::move(fact));
-  add(fmt::format("s_axis_tuser, m_axis_tuser, {} bits a lane: the tag.", shape.tag_bits));
+  add(fmt::format("s_axis_tuser, m_axis_tuser, {} bits a {}: the tag.", shape.tag_bits, sender));
   add("m_axis_tdata, 8 bits a lane: {4'b0, undecided, recomputed, verdict[1:0]};");
   add("  verdict: 0 less, 1 equal, 2 greater, 3 unordered.");
   if (shape.refetches()) {
     add("m_refetch_tdata, s_refetch_tdata, a field a reference: a tag out, in the");
     add("  order of the tags the operands of each back in.");
+    if (grouped) add("  The tag of lane k of a group is the word's + k.");
   }
   if (shape.counter_bits > 0) {
     add("comparisons, recomputations, stalls: counts since reset, they wrap.");

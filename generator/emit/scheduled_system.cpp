@@ -196,6 +196,7 @@ rtl::SystemShape stream_shape(const std::vector<std::string>& inputs, FloatForma
   shape.tag_bits = system.tag_bits;
   shape.counter_bits = system.counter_bits;
   shape.input_registers = system.input_registers;
+  shape.lanes_per_group = system.lanes_per_group;
   shape.order = system.order;
   shape.operands = system.operands;
   if (system.operands == scene::OperandStore::carried) {

@@ -82,6 +82,8 @@ struct Signature {
   bool certified = false;           ///< all lanes are
   std::vector<std::string> inputs;  ///< input k is tdata[k * width +: width]
   int lanes = 0;       ///< p_L: every per-lane port is a vector of `lanes` fields, lane 0 lowest
+  /// Lanes that share handshakes, tag and counters: these ports have a field for each group.
+  int lanes_per_group = 1;
   int references = 0;  ///< p_H
   /// Lanes are numbered through their groups, in order, and so are references.
   std::vector<SignatureLanes> lane_groups;
@@ -110,6 +112,11 @@ struct Signature {
   /// Files for other tools, relative to the signature (generator/project).
   std::vector<std::string> project = {};
 };
+
+/// Groups of lanes in lock step; each lane by itself is one.
+inline int group_count(const Signature& signature) {
+  return signature.lanes / signature.lanes_per_group;
+}
 
 /// Whether the counters are outputs of the top.
 inline bool has_counter_ports(const Signature& signature) {

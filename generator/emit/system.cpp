@@ -86,6 +86,7 @@ Signature signature_of(const Design& design, const ScheduledSystem& scheduled) {
           .certified = design.certified(),
           .inputs = design.inputs,
           .lanes = shape.lanes,
+          .lanes_per_group = shape.lanes_per_group,
           .references = shape.references,
           .lane_groups = lanes_of(design, shape),
           .reference_groups = references_of(design, shape),

@@ -50,11 +50,11 @@ std::vector<PartShare> shares_of_lanes(const optimise::PrecisionPlan& plan,
 }
 
 /// The crossbar's share of all references.
-Area crossbar_of(const optimise::Communication& communication, const optimise::Allocation& chosen) {
+Area crossbar_of(const optimise::AllocationProblem& problem, const optimise::Allocation& chosen) {
   Area sum;
-  for (const int served :
-       performance::lanes_of_references(chosen.lane_count(), chosen.reference_count())) {
-    sum += communication.crossbar[served];
+  for (const int served : performance::lanes_of_references(
+           chosen.lane_count() / lanes_per_port(problem), chosen.reference_count())) {
+    sum += problem.communication.crossbar[served];
   }
   return sum;
 }
@@ -79,7 +79,7 @@ std::vector<PartShare> shares_of(const optimise::PrecisionPlan& plan) {
         {fmt::format("{} x reference {}", count, reference.name), count * reference.area});
   }
   if (in_engine && !plan.problem.communication.crossbar.empty()) {
-    parts.push_back({"crossbar", crossbar_of(plan.problem.communication, *chosen)});
+    parts.push_back({"crossbar", crossbar_of(plan.problem, *chosen)});
   }
   for (const PartShare& part : parts) sum += part.area;
   parts.push_back({in_engine ? "engine" : "crossbar", difference(chosen->used, sum)});

@@ -290,7 +290,7 @@ int PairwiseShape::report_bytes() const {
 SystemShape reference_shape(SystemShape system) {
   system.operands = scene::OperandStore::carried;
   system.lanes = 1;
-  system.slot_bits = system.tag_bits - system.lane_bits();
+  system.slot_bits = system.tag_bits - system.channel_bits();
   return system;
 }
 

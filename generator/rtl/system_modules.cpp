@@ -30,6 +30,38 @@ void consume_unread_words(const SystemShape& shape, const DatapathGroup& group,
   consume_unread("lane_operands", shape.lane_operand_bits(), read, items);
 }
 
+/// A lane between `operands` and what it says of them.
+Instance lane_instance(const DatapathGroup& group, const std::string& operands, Operand verdict,
+                       Operand decided) {
+  std::vector<Connection> connections = {by_name("aclk")};
+  append_operands(connections, group, operands);
+  connections.push_back({"verdict", std::move(verdict)});
+  connections.push_back({"decided", std::move(decided)});
+  return {group.datapath, "lane", {}, std::move(connections)};
+}
+
+/// The lanes of a channel: one, or a group in a loop.
+void add_lanes(const SystemShape& shape, const DatapathGroup& group,
+               std::vector<ModuleItem>& items) {
+  const int bits = shape.lane_operand_bits();
+  const int lanes = shape.lanes_per_group;
+  items.push_back(Wire{lanes * bits, "lane_operands", nullptr});
+  if (lanes == 1) consume_unread_words(shape, group, items);
+  items.push_back(Wire{lanes * verdict_bits, "lane_verdict", nullptr});
+  items.push_back(Wire{lanes, "lane_decided", nullptr});
+  if (lanes == 1) {
+    items.push_back(
+        lane_instance(group, "lane_operands", net("lane_verdict"), net("lane_decided")));
+    return;
+  }
+  std::vector<ModuleItem> body = {
+      Wire{bits, "operands", indexed("lane_operands", "k", bits)},
+      lane_instance(group, "operands", indexed("lane_verdict", "k", verdict_bits),
+                    indexed("lane_decided", "k", 1))};
+  items.push_back(std::make_shared<const ForGenerate>(
+      ForGenerate{"k", 0, lanes, "lanes", std::move(body)}));
+}
+
 const std::vector<std::string> request_stream = {"m_request_tvalid", "m_request_tready",
                                                  "m_request_tdata"};
 const std::vector<std::string> answer_ports = {"s_answer_valid", "s_answer_slot",
@@ -42,7 +74,7 @@ std::vector<Port> lane_channel_ports(const SystemShape& shape) {
   add_input(ports, 1, "aresetn");
   add_input(ports, 1, "s_axis_tvalid");
   add_output(ports, 1, "s_axis_tready");
-  add_input(ports, shape.lane_operand_bits(), "s_axis_tdata");
+  add_input(ports, shape.lanes_per_group * shape.lane_operand_bits(), "s_axis_tdata");
   add_input(ports, shape.tag_bits, "s_axis_tuser");
   if (shape.recomputes()) {
     add_output(ports, 1, "m_request_tvalid");
@@ -54,7 +86,7 @@ std::vector<Port> lane_channel_ports(const SystemShape& shape) {
   }
   add_output(ports, 1, "m_axis_tvalid");
   add_input(ports, 1, "m_axis_tready");
-  add_output(ports, result_bits, "m_axis_tdata");
+  add_output(ports, shape.lanes_per_group * result_bits, "m_axis_tdata");
   add_output(ports, shape.tag_bits, "m_axis_tuser");
   if (shape.counter_bits > 0) {
     for (const std::string& counter : channel_counters)
@@ -134,21 +166,23 @@ std::vector<Port> top_ports(const SystemShape& shape) {
   std::vector<Port> ports;
   add_input(ports, 1, "aclk");
   add_input(ports, 1, "aresetn");
-  add_input(ports, shape.lanes, "s_axis_tvalid", true);
-  add_output(ports, shape.lanes, "s_axis_tready", true);
+  const int channels = shape.channels();
+  add_input(ports, channels, "s_axis_tvalid", true);
+  add_output(ports, channels, "s_axis_tready", true);
   add_input(ports, shape.lanes * shape.lane_tdata_bytes() * 8, "s_axis_tdata", true);
-  add_input(ports, shape.lanes * shape.tag_bits, "s_axis_tuser", true);
-  add_output(ports, shape.lanes, "m_axis_tvalid", true);
-  add_input(ports, shape.lanes, "m_axis_tready", true);
+  add_input(ports, channels * shape.tag_bits, "s_axis_tuser", true);
+  add_output(ports, channels, "m_axis_tvalid", true);
+  add_input(ports, channels, "m_axis_tready", true);
   add_output(ports, shape.lanes * result_bits, "m_axis_tdata", true);
-  add_output(ports, shape.lanes * shape.tag_bits, "m_axis_tuser", true);
+  add_output(ports, channels * shape.tag_bits, "m_axis_tuser", true);
   if (shape.refetches()) add_per_reference_refetch(ports, shape, shape.references, true);
   add_counters(system_counters(shape), shape, ports);
   return ports;
 }
 
 /// A wire of the top between the crossbar and the channels, with one field per lane or reference.
-/// Its name is that of the channel's port, with "lane" or "reference" in place of the first letter.
+/// Its name is that of the channel's port, with "lane" or "reference" in place of the first letter; a
+/// group of lanes counts as one.
 struct Bundle {
   std::string port;
   int width;
@@ -166,7 +200,7 @@ std::vector<Bundle> lane_bundles(const SystemShape& shape) {
 }
 
 std::vector<Bundle> reference_bundles(const SystemShape& shape) {
-  const int sender_bits = shape.lane_bits() + shape.slot_bits;
+  const int sender_bits = shape.channel_bits() + shape.slot_bits;
   return {{"s_request_tvalid", 1},
           {"s_request_tready", 1},
           {"s_request_tdata", sender_bits + shape.payload_bits()},
@@ -181,26 +215,47 @@ void declare(std::vector<ModuleItem>& items, const std::vector<Bundle>& bundles,
   }
 }
 
-/// A generate loop over the group's channels; each iteration holds `items` and one channel.
-ModuleItem channel_loop(const std::string& variable, const DatapathGroup& group,
+/// A generate loop over the group's channels, each of which has `width` of its lanes or references;
+/// an iteration holds `items` and one channel.
+ModuleItem channel_loop(const std::string& variable, const DatapathGroup& group, int width,
                         std::vector<ModuleItem> items, std::vector<Connection> connections) {
   items.push_back(Instance{group.channel, "channel", {}, std::move(connections)});
-  return std::make_shared<const ForGenerate>(
-      ForGenerate{variable, group.first, group.count, group.label, std::move(items)});
+  return std::make_shared<const ForGenerate>(ForGenerate{
+      variable, group.first / width, group.count / width, group.label, std::move(items)});
+}
+
+/// The operands of a channel's lanes, without the padding of each to whole bytes.
+Operand channel_operands(const SystemShape& shape, const std::string& variable,
+                         std::vector<ModuleItem>& items) {
+  const int lanes = shape.lanes_per_group;
+  const int bits = shape.lane_operand_bits();
+  const int tdata_bits = shape.lane_tdata_bytes() * 8;
+  items.push_back(
+      Wire{lanes * tdata_bits, "tdata", indexed("s_axis_tdata", variable, lanes * tdata_bits)});
+  std::vector<BitRange> read;
+  for (int k = 0; k < lanes; ++k) read.push_back({k * tdata_bits, bits});
+  consume_unread("tdata", lanes * tdata_bits, read, items);
+  if (lanes == 1 || bits == tdata_bits) return slice("tdata", lanes * bits - 1, 0);
+  items.push_back(Wire{lanes * bits, "operands", nullptr});
+  for (int k = 0; k < lanes; ++k) {
+    items.push_back(Assignment{slice("operands", (k + 1) * bits - 1, k * bits),
+                               slice("tdata", k * tdata_bits + bits - 1, k * tdata_bits)});
+  }
+  return net("operands");
 }
 
 ModuleItem lane_loop(const SystemShape& shape, const DatapathGroup& group) {
   std::vector<ModuleItem> items;
-  const int tdata_bits = shape.lane_tdata_bytes() * 8;
-  items.push_back(Wire{tdata_bits, "tdata", indexed("s_axis_tdata", "lane", tdata_bits)});
-  consume_unread("tdata", tdata_bits, {{0, shape.lane_operand_bits()}}, items);
+  const int width = shape.lanes_per_group;
+  const std::string variable = width == 1 ? "lane" : "group";
+  Operand operands = channel_operands(shape, variable, items);
   std::vector<Connection> connections = clock_and_reset();
-  const auto connect = [&](const std::string& port, const std::string& name, int width) {
-    connections.push_back({port, indexed(name, "lane", width)});
+  const auto connect = [&](const std::string& port, const std::string& name, int bits) {
+    connections.push_back({port, indexed(name, variable, bits)});
   };
   connect("s_axis_tvalid", "s_axis_tvalid", 1);
   connect("s_axis_tready", "s_axis_tready", 1);
-  connections.push_back({"s_axis_tdata", slice("tdata", shape.lane_operand_bits() - 1, 0)});
+  connections.push_back({"s_axis_tdata", std::move(operands)});
   connect("s_axis_tuser", "s_axis_tuser", shape.tag_bits);
   if (shape.recomputes()) {
     for (const Bundle& bundle : lane_bundles(shape)) {
@@ -209,13 +264,13 @@ ModuleItem lane_loop(const SystemShape& shape, const DatapathGroup& group) {
   }
   connect("m_axis_tvalid", "m_axis_tvalid", 1);
   connect("m_axis_tready", "m_axis_tready", 1);
-  connect("m_axis_tdata", "m_axis_tdata", result_bits);
+  connect("m_axis_tdata", "m_axis_tdata", width * result_bits);
   connect("m_axis_tuser", "m_axis_tuser", shape.tag_bits);
   if (shape.counter_bits > 0) {
     for (const std::string& counter : channel_counters)
       connect(counter, counter, shape.counter_bits);
   }
-  return channel_loop("lane", group, std::move(items), std::move(connections));
+  return channel_loop(variable, group, width, std::move(items), std::move(connections));
 }
 
 ModuleItem reference_loop(const SystemShape& shape, const DatapathGroup& group) {
@@ -242,7 +297,7 @@ ModuleItem reference_loop(const SystemShape& shape, const DatapathGroup& group) 
   if (shape.counts_answers()) connect("answers", "answers", shape.counter_bits);
   const int interval = group.schedule.initiation_interval;
   if (interval > 1) connections.push_back({"reset_phase", literal(phase_bits(interval), 0)});
-  return channel_loop("reference", group, std::move(items), std::move(connections));
+  return channel_loop("reference", group, 1, std::move(items), std::move(connections));
 }
 
 /// Counts the answers of a reference.
@@ -275,8 +330,8 @@ Instance crossbar(const SystemShape& shape) {
 
 }  // namespace
 
-int SystemShape::lane_bits() const {
-  return std::max(1, static_cast<int>(std::bit_width(static_cast<unsigned>(lanes - 1))));
+int SystemShape::channel_bits() const {
+  return std::max(1, static_cast<int>(std::bit_width(static_cast<unsigned>(channels() - 1))));
 }
 
 int SystemShape::payload_bits() const {
@@ -311,6 +366,9 @@ TemplateInstance tracker_template(const SystemShape& shape, int lane_latency_cyc
                             {"CARRIED", carries ? 1 : 0},
                             {"BEAT_BITS", shape.beat_bits},
                             {"BLOCK", shape.block_memory ? 1 : 0}}};
+  if (shape.lanes_per_group > 1) {
+    tracker.parameters.insert(tracker.parameters.begin(), {"LANES", shape.lanes_per_group});
+  }
   if (shape.asking_bits > 0) tracker.parameters.push_back({"ASK_BITS", shape.asking_bits});
   if (shape.input_registers > 0) {
     tracker.parameters.push_back({"INPUT_REGISTERS", shape.input_registers});
@@ -320,9 +378,9 @@ TemplateInstance tracker_template(const SystemShape& shape, int lane_latency_cyc
 
 TemplateInstance crossbar_template(const SystemShape& shape) {
   return {"stream_crossbar",
-          {{"LANES", shape.lanes},
+          {{"LANES", shape.channels()},
            {"REFERENCES", shape.references},
-           {"LANE_BITS", shape.lane_bits()},
+           {"LANE_BITS", shape.channel_bits()},
            {"SLOT_BITS", shape.slot_bits},
            {"PAYLOAD_BITS", shape.payload_bits()},
            {"BEAT_BITS", shape.beat_bits}}};
@@ -331,16 +389,7 @@ TemplateInstance crossbar_template(const SystemShape& shape) {
 Module lane_channel_module(const SystemShape& shape, const DatapathGroup& group) {
   Module module = {group.channel, {}, lane_channel_ports(shape), {}};
   std::vector<ModuleItem>& items = module.items;
-  items.push_back(Wire{shape.lane_operand_bits(), "lane_operands", nullptr});
-  consume_unread_words(shape, group, items);
-  items.push_back(Wire{verdict_bits, "lane_verdict", nullptr});
-  items.push_back(Wire{1, "lane_decided", nullptr});
-
-  std::vector<Connection> lane = {by_name("aclk")};
-  append_operands(lane, group, "lane_operands");
-  lane.push_back({"verdict", net("lane_verdict")});
-  lane.push_back({"decided", net("lane_decided")});
-  items.push_back(Instance{group.datapath, "lane", {}, std::move(lane)});
+  add_lanes(shape, group, items);
 
   std::vector<Connection> tracker = clock_and_reset();
   append(tracker, {"s_axis_tvalid", "s_axis_tready", "s_axis_tdata", "s_axis_tuser",
@@ -358,7 +407,7 @@ TemplateInstance reference_port_template(const SystemShape& shape,
   return {"reference_port",
           {{"OPERAND_BITS", shape.operand_bits()},
            {"TAG_BITS", shape.ask_bits()},
-           {"LANE_BITS", shape.lane_bits()},
+           {"LANE_BITS", shape.channel_bits()},
            {"SLOT_BITS", shape.slot_bits},
            {"REFERENCE_LATENCY", reference.latency_cycles},
            {"INITIATION_INTERVAL", reference.initiation_interval},
@@ -419,7 +468,7 @@ Module top_module(const SystemShape& shape) {
     return module;
   }
   items.push_back(Comment{"Undecided comparisons from the lanes, verdicts back to them."});
-  declare(items, lane_bundles(shape), "lane", shape.lanes);
+  declare(items, lane_bundles(shape), "lane", shape.channels());
   items.push_back(Comment{"The same at the references, with the number of the lane."});
   declare(items, reference_bundles(shape), "reference", shape.references);
   add_lanes();

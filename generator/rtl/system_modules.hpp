@@ -38,6 +38,7 @@ struct SystemShape {
   std::vector<std::string> input_ports;  ///< the datapaths' operand ports, in packing order
   int input_width = 0;                   ///< bits of one operand
   int lanes = 0;                         ///< p_L
+  int lanes_per_group = 1;               ///< lanes in lock step, which share a channel
   int references = 0;                    ///< p_H
   /// Bits that a lane gets of a comparison where it reads words of an engine's items; 0: operands.
   int word_bits = 0;
@@ -58,10 +59,11 @@ struct SystemShape {
   int tdata_bytes() const { return (operand_bits() + 7) / 8; }
   int lane_operand_bits() const { return word_bits > 0 ? word_bits : operand_bits(); }
   int lane_tdata_bytes() const { return (lane_operand_bits() + 7) / 8; }
+  int channels() const { return lanes / lanes_per_group; }
   int ask_bits() const { return asking_bits > 0 ? asking_bits : tag_bits; }
   /// Bits of a tag on the refetch stream, padded to bytes as AXI4-Stream wants it.
   int refetch_bits() const { return (ask_bits() + 7) / 8 * 8; }
-  int lane_bits() const;     ///< width of a lane's number, at least 1
+  int channel_bits() const;  ///< width of a channel's number, at least 1
   int payload_bits() const;  ///< width of a request's tag, or of a beat's part of the operands
   /// Cycles that the channel adds to its lane's latency, for a decided comparison that never waits.
   int channel_latency_cycles() const;
@@ -86,8 +88,9 @@ TemplateInstance crossbar_template(const SystemShape& shape);
 TemplateInstance reference_port_template(const SystemShape& shape,
                                          const datapath::Schedule& reference);
 
-/// A lane with its scoreboard or reorder buffer. It takes a stream of comparisons and the answers
-/// of the references; it gives a stream of results and one of requests for recomputation.
+/// A lane, or a group of lanes in lock step, with its scoreboard or reorder buffer. It takes a stream
+/// of comparisons and the answers of the references; it gives a stream of results and one of requests
+/// for recomputation.
 Module lane_channel_module(const SystemShape& shape, const DatapathGroup& lane);
 
 /// A reference datapath with the reference_port that feeds it; only for a shape that recomputes().

@@ -100,4 +100,19 @@ std::string engine_text(const scene::Scene& scene) {
   MIXCMP_CHECK(false);
 }
 
+Result<Done> check_groups(const Characterisation& table, const std::filesystem::path& path,
+                          const scene::Scene& scene) {
+  const std::string wanted = std::to_string(scene.system.lanes_per_group);
+  std::string measured = "1";
+  for (const auto& [name, text] : table.spec) {
+    if (name == "lanes_per_group") measured = text;
+  }
+  if (measured == wanted) return Done{};
+  return Error{.file = path.string(),
+               .field = "lanes_per_group",
+               .message = "its scoreboards are around groups of other sizes",
+               .received = measured,
+               .accepted = fmt::format("{}, as the scene says, or another path", wanted)};
+}
+
 }  // namespace mixcmp::characterise

@@ -42,8 +42,9 @@ enum class ComponentKind {
   unit,       ///< one floating-point or bound unit; for information only
   lane,       ///< one reduced datapath alone; of an engine behind the conversion
   reference,  ///< one reference datapath alone
-  fifo,       ///< the scoreboard or reorder buffer around one lane
-  crossbar,   ///< the share of the crossbar that one reference has when it serves `ports` lanes
+  fifo,       ///< the scoreboard or reorder buffer around one lane or group of lanes
+  /// The share of the crossbar that one reference has when it serves `ports` lanes or groups.
+  crossbar,
   reference_port,  ///< the streams around one reference
   /// Of an engine: `ports` lanes with all that is theirs alone. Lanes of a pairwise engine work in
   /// lock step and share it; a lane of an arg-min engine has its own.
@@ -115,6 +116,11 @@ struct Characterisation {
 /// What the parts of a scene's engine depend on, in words: the spec "engine" of a table. Empty
 /// where there is no engine.
 std::string engine_text(const scene::Scene& scene);
+
+/// Refuses a table whose scoreboards are around groups of other sizes than the scene's. `path` is for
+/// the error.
+Result<Done> check_groups(const Characterisation& table, const std::filesystem::path& path,
+                          const scene::Scene& scene);
 
 /// CSV (RFC 4180) with one row per component and comment lines ("# device: ...") before the header.
 std::string to_csv(const Characterisation& table);

@@ -30,8 +30,8 @@ void check(const AllocationProblem& problem) {
     MIXCMP_CHECK(is_possible(lane));
     MIXCMP_CHECK(problem.min_lanes == 1 || problem.min_lanes % lane.group == 0);
     MIXCMP_CHECK(lane.recomputation_rate >= 0 && lane.recomputation_rate <= 1);
-    // Groups need pooled references: otherwise the lanes of each reference are counted.
-    MIXCMP_CHECK(lane.group == 1 || problem.sharing == ReferenceSharing::pooled);
+    MIXCMP_CHECK(problem.sharing == ReferenceSharing::pooled ||
+                 lane.group == problem.lanes.front().group);
   }
   for (const ReferenceKind& reference : problem.references) {
     MIXCMP_CHECK(is_possible(reference));
@@ -256,6 +256,11 @@ devices::Area area_of(const LaneKind& kind, int lanes) {
 
 double asked_per_cycle(const LaneKind& lane) {
   return lane.recomputation_rate / lane.initiation_interval;
+}
+
+int lanes_per_port(const AllocationProblem& problem) {
+  const bool has_ports = problem.sharing == ReferenceSharing::round_robin;
+  return has_ports && !problem.lanes.empty() ? problem.lanes.front().group : 1;
 }
 
 int Allocation::lane_count() const {

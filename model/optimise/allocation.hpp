@@ -16,8 +16,8 @@
 /// highest throughput.
 namespace mixcmp::optimise {
 
-/// One way to build a lane. Its area includes the scoreboard around the lane. Lanes of an engine
-/// come in whole groups, which share what is around them.
+/// One way to build a lane. Its area includes the scoreboard around the lane. Lanes in lock step come
+/// in whole groups, which share what is around them.
 struct LaneKind {
   std::string name;               ///< "s12e8 exact relative embedded"
   double clock_hz = 0;            ///< the highest that it runs at
@@ -52,9 +52,9 @@ double throughput_per_s(const Kind& kind, double system_hz = any_clock) {
 /// include.
 struct Communication {
   devices::Area fixed;  ///< independent of the counts, as the paper's C(com)
-  /// Element k is the area of the crossbar's share at a reference that serves k lanes; lane i is
-  /// served by reference i mod p_H. If empty, the crossbar costs nothing and has any number of
-  /// ports; otherwise a reference serves fewer lanes than there are elements.
+  /// Element k is the area of the crossbar's share at a reference that serves k groups of lanes;
+  /// group i is served by reference i mod p_H. If empty, the crossbar costs nothing and has any
+  /// number of ports; otherwise a reference serves fewer groups than there are elements.
   std::vector<devices::Area> crossbar;
 };
 
@@ -66,7 +66,8 @@ enum class ClockDomains {
 /// Which references may serve a lane, and whether equation 10 holds at each reference or in total.
 enum class ReferenceSharing {
   /// Only reference i mod p_H serves lane i, as in our crossbar, so equation 10 holds at each
-  /// reference. Lanes are numbered by falling T(L) R_R, references by falling T(H).
+  /// reference. Lanes are numbered by falling T(L) R_R, references by falling T(H). All lanes are in
+  /// groups of one size, which count as lanes here.
   round_robin,
   pooled,  ///< any reference, as the paper assumes: equation 10 holds in total
 };
@@ -86,6 +87,9 @@ struct AllocationProblem {
   int max_lanes = settings::limits::lanes.most;
   int max_references = settings::limits::references.most;
 };
+
+/// Lanes that have one port of the crossbar together: those of a group, if lanes have ports.
+int lanes_per_port(const AllocationProblem& problem);
 
 struct Allocation {
   std::vector<int> lanes;       ///< p_L of each kind

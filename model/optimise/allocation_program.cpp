@@ -68,6 +68,16 @@ private:
     for (int k = 0; k < lane_kinds(); ++k) sum.push_back(of_group(k, 1));
     return sum;
   }
+  /// The crossbar's ports for lanes.
+  Sum all_ports() const {
+    Sum sum;
+    for (int k = 0; k < lane_kinds(); ++k) sum.push_back({lane_column(k), ports_of_group(k)});
+    return sum;
+  }
+  double ports_of_group(int kind) const {
+    return problem_.lanes[kind].group / lanes_per_port(problem_);
+  }
+  int max_ports() const { return problem_.max_lanes / lanes_per_port(problem_); }
   /// The term of a kind whose lanes count `one` each. A column of lanes counts whole groups.
   IntegerProgram::Term of_group(int kind, double one) const {
     return {lane_column(kind), problem_.lanes[kind].group * one};
@@ -125,7 +135,8 @@ private:
     add_lanes_per_reference();
     const bool round_robin = problem_.sharing == ReferenceSharing::round_robin;
     if (round_robin && fixed_.references.value_or(1) > 1) {
-      add_round_robin_rows(program(), kinds_, *fixed_.references, lane_kinds(), problem_.max_lanes);
+      add_round_robin_rows(program(), kinds_, *fixed_.references, lane_kinds(), max_ports(),
+                           lanes_per_port(problem_));
     }
   }
 
@@ -148,18 +159,18 @@ private:
     program().add_row("equation_10", std::move(sum), Relation::at_most, 0);
   }
 
-  /// Lets a reference serve at most as many lanes as its ports and its capacity allow.
+  /// Lets a reference serve at most as many groups of lanes as its ports and its capacity allow.
   void add_lanes_per_reference() {
     const std::vector<devices::Area>& crossbar = problem_.communication.crossbar;
     if (!crossbar.empty()) {
       Sum sum = all_references(1.0 - static_cast<double>(crossbar.size()));
-      for (const auto& term : all_lanes()) sum.push_back(term);
+      for (const auto& term : all_ports()) sum.push_back(term);
       program().add_row("ports", std::move(sum), Relation::at_most, 0);
     }
     if (problem_.sharing == ReferenceSharing::pooled) return;
     for (int k = 0; k < lane_kinds(); ++k) {
-      const int served = kinds_.lanes_served(k);
-      if (served == problem_.max_lanes) continue;
+      const int served = kinds_.groups_served(k);
+      if (served == max_ports()) continue;
       Sum sum = all_references(-served);
       sum.push_back({lane_column(k), 1});
       program().add_row(fmt::format("served_{}", k), std::move(sum), Relation::at_most, 0);
@@ -189,8 +200,8 @@ private:
       Sum sum;
       for (const auto& [column, coefficient] : used_[r]) {
         const bool lane = column < lane_kinds();
-        const double lanes = lane ? problem_.lanes[column].group : 0;
-        sum.push_back({column, coefficient + (lane ? lanes * tangent.slope : tangent.offset)});
+        const double more = lane ? ports_of_group(column) * tangent.slope : tangent.offset;
+        sum.push_back({column, coefficient + more});
       }
       program().add_row(fmt::format("{}_{}", devices::bounded_resources[r].name, number++),
                         std::move(sum), Relation::at_most, static_cast<double>(room_[r]));
@@ -208,7 +219,8 @@ private:
   }
 
   void subtract_crossbar() {
-    for (const int served : performance::lanes_of_references(*fixed_.lanes, *fixed_.references)) {
+    const int ports = *fixed_.lanes / lanes_per_port(problem_);
+    for (const int served : performance::lanes_of_references(ports, *fixed_.references)) {
       // The row "ports" makes such a program infeasible anyway.
       if (served >= static_cast<int>(problem_.communication.crossbar.size())) return;
       const Amounts share = amounts_of(problem_.communication.crossbar[served]);
@@ -216,30 +228,30 @@ private:
     }
   }
 
-  /// Adds columns for the lanes that a reference serves. Where base_k is 1, every reference serves
-  /// k lanes, and more_k of them serve one more.
+  /// Adds columns for the groups of lanes that a reference serves. Where base_k is 1, every reference
+  /// serves k groups, and more_k of them serve one more.
   void add_crossbar() {
     const std::vector<devices::Area>& shares = problem_.communication.crossbar;
     const int references = *fixed_.references;
     const int most = std::min(static_cast<int>(shares.size()) - 1,
-                              (problem_.max_lanes + references - 1) / references);
+                              (max_ports() + references - 1) / references);
     Sum chosen;
-    Sum lanes = all_lanes();
+    Sum ports = all_ports();
     for (int k = 0; k <= most; ++k) {
       const int base = program().add_column(fmt::format("base_{}", k), 0, 1);
       chosen.push_back({base, 1});
-      lanes.push_back({base, -static_cast<double>(k) * references});
+      ports.push_back({base, -static_cast<double>(k) * references});
       add_used(base, references, shares[k], devices::Area{});
       if (k == most || references == 1) continue;
       const int more = program().add_column(fmt::format("more_{}", k), 0, references - 1);
-      lanes.push_back({more, -1});
+      ports.push_back({more, -1});
       add_used(more, 1, shares[k + 1], shares[k]);
       program().add_row(fmt::format("more_of_{}", k),
                         {{more, 1}, {base, -static_cast<double>(references - 1)}},
                         Relation::at_most, 0);
     }
     program().add_row("one_base", std::move(chosen), Relation::equal, 1);
-    program().add_row("lanes_served", std::move(lanes), Relation::equal, 0);
+    program().add_row("lanes_served", std::move(ports), Relation::equal, 0);
   }
 
   void add_used(int column, int count, const devices::Area& share,

@@ -23,11 +23,6 @@ devices::Area changed(const devices::Area& area, Change change) {
   return result;
 }
 
-/// A whole number of `parts` that together are no less than `area`.
-devices::Area share(const devices::Area& area, int parts) {
-  return changed(area, [&](int amount, auto) { return (amount + parts - 1) / parts; });
-}
-
 /// The smallest and the largest component that was measured of those that differ in their number
 /// of ports alone.
 struct MeasuredSizes {
@@ -141,6 +136,10 @@ devices::Area memory_share(const characterise::Characterisation& table, scene::E
   if (memories.are_two()) return line_through(memories).each;
   missing.insert("operand memories of two sizes");
   return {};
+}
+
+devices::Area share(const devices::Area& area, int parts) {
+  return changed(area, [&](int amount, auto) { return (amount + parts - 1) / parts; });
 }
 
 }  // namespace mixcmp::optimise

@@ -35,4 +35,7 @@ devices::Area memory_share(const characterise::Characterisation& table, scene::E
 /// Recomputations that an engine can start per cycle: its memory gives the operands of one pair.
 inline constexpr double engine_recomputations_per_cycle = 1;
 
+/// A whole number of `parts` that together are no less than `area`.
+devices::Area share(const devices::Area& area, int parts);
+
 }  // namespace mixcmp::optimise

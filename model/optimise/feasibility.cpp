@@ -36,13 +36,14 @@ double common_clock(const AllocationProblem& problem) {
   return clock;
 }
 
-/// The lanes of a plan, in the order in which they are dealt to references.
+/// The groups of lanes of a plan, in the order in which they are dealt to references.
 std::vector<performance::Datapaths> lanes_of(const AllocationProblem& problem, const Counts& counts,
                                              double limit) {
   std::vector<performance::Datapaths> lanes;
   for (const int k : lane_order(problem)) {
     const LaneKind& kind = problem.lanes[k];
-    lanes.push_back({counts.lanes[k], throughput_per_s(kind, limit), kind.recomputation_rate});
+    lanes.push_back({counts.lanes[k] / kind.group, kind.group * throughput_per_s(kind, limit),
+                     kind.recomputation_rate});
   }
   return lanes;
 }
@@ -88,6 +89,11 @@ bool starts_all_recomputations(const AllocationProblem& problem, const Counts& c
   return performance::is_within(asked, problem.recomputations_per_cycle);
 }
 
+/// The ports of the crossbar for lanes.
+int port_count(const AllocationProblem& problem, const Counts& counts) {
+  return total(counts.lanes) / lanes_per_port(problem);
+}
+
 bool fits(const AllocationProblem& problem, const Amounts& demand) {
   const Amounts room = amounts_of(performance::usable(problem.available, problem.slack));
   return std::equal(demand.begin(), demand.end(), room.begin(), std::less_equal<>());
@@ -103,7 +109,7 @@ devices::Area area_used(const AllocationProblem& problem, const Counts& counts) 
   }
   if (problem.communication.crossbar.empty()) return used;
   for (const int served :
-       performance::lanes_of_references(total(counts.lanes), total(counts.references))) {
+       performance::lanes_of_references(port_count(problem, counts), total(counts.references))) {
     used += problem.communication.crossbar[served];
   }
   return used;
@@ -159,7 +165,7 @@ std::optional<Amounts> demand_of(const AllocationProblem& problem, const Counts&
   const std::vector<devices::Area>& crossbar = problem.communication.crossbar;
   if (crossbar.empty()) return demand;
   for (const int served :
-       performance::lanes_of_references(total(counts.lanes), total(counts.references))) {
+       performance::lanes_of_references(port_count(problem, counts), total(counts.references))) {
     if (served >= static_cast<int>(crossbar.size())) return std::nullopt;
     add(demand, 1, crossbar[served]);
   }

@@ -112,7 +112,8 @@ bool add_references(Amounts& sum, const design::Design& design,
 void add_crossbar(Amounts& sum, const design::Design& design,
                   const characterise::Characterisation& table) {
   for (const int served :
-       performance::lanes_of_references(design.lane_count(), design.reference_count())) {
+       performance::lanes_of_references(design.lane_count() / design.system.lanes_per_group,
+                                        design.reference_count())) {
     const characterise::Measurement* share =
         largest(table, characterise::ComponentKind::crossbar, served);
     if (share != nullptr) add(sum, 1, share->area);
@@ -156,7 +157,9 @@ std::optional<Amounts> measured_system(const design::Design& design,
   const int slots =
       design::slots_for(slowest + design.system.input_registers, design.reference_count() > 0);
   const characterise::Measurement* fifo = largest(table, characterise::ComponentKind::fifo, slots);
-  if (fifo != nullptr) add(sum, design.lane_count(), fifo->area);
+  if (fifo != nullptr) {
+    add(sum, design.lane_count() / design.system.lanes_per_group, fifo->area);
+  }
   add_crossbar(sum, design, table);
   return sum;
 }

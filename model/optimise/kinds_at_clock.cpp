@@ -88,10 +88,11 @@ double KindsAtClock::capacity(int kind) const {
   return references_[kind].throughput_per_s / fastest_per_s_;
 }
 
-int KindsAtClock::lanes_served(int kind) const {
-  const double asked = lanes_[kind].asked_per_s;
+int KindsAtClock::groups_served(int kind) const {
+  const int lanes = problem_.lanes[kind].group;
+  const double asked = lanes * lanes_[kind].asked_per_s;
   int served = 0;
-  while (served < problem_.max_lanes &&
+  while (served < problem_.max_lanes / lanes &&
          performance::is_within((served + 1) * asked, fastest_per_s_))
     ++served;
   return served;

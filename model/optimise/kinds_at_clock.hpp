@@ -25,9 +25,9 @@ public:
   double load(int kind) const;
   /// T(H) of this kind relative to the fastest reference, at most 1.
   double capacity(int kind) const;
-  /// How many lanes of this kind the fastest reference can serve if it serves no other kind; at
-  /// most `max_lanes`.
-  int lanes_served(int kind) const;
+  /// How many groups of lanes of this kind the fastest reference can serve if it serves no other
+  /// kind; at most those of `max_lanes`.
+  int groups_served(int kind) const;
 
   /// The useful kinds, lanes by falling T(L) R_R, references by falling T(H): the order of dealing.
   const std::vector<int>& lane_order() const { return lane_order_; }

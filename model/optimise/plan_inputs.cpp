@@ -70,6 +70,7 @@ Result<characterise::Characterisation> read_table(const fs::path& path, const sc
     if (name != "engine" || wanted.empty()) continue;
     if (text != wanted) return of_another(path, "engine", text, wanted);
   }
+  MIXCMP_TRY(groups, characterise::check_groups(table, path, scene));
   return table;
 }
 

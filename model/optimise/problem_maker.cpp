@@ -282,13 +282,15 @@ void ProblemMaker::note_largest_crossbar(const PrecisionPlan& plan) {
   const Allocation* chosen = plan.allocation();
   const std::size_t known = communication_.crossbar.size();
   if (chosen == nullptr || known == 0 || chosen->reference_count() == 0) return;
+  const int group = lanes_per_port(plan.problem);
   const int served =
-      performance::lanes_of_references(chosen->lane_count(), chosen->reference_count()).front();
+      performance::lanes_of_references(chosen->lane_count() / group, chosen->reference_count())
+          .front();
   if (static_cast<std::size_t>(served) + 1 < known) return;
-  if (served == plan.problem.max_lanes) return;  // it serves all lanes that there may be
+  if (served == plan.problem.max_lanes / group) return;  // it serves all lanes that there may be
   notes_.insert(
-      fmt::format("L = {}: a reference serves {} lanes, since no larger crossbar was measured",
-                  plan.precision, served));
+      fmt::format("L = {}: a reference serves {} {}, since no larger crossbar was measured",
+                  plan.precision, served, group == 1 ? "lanes" : "groups"));
 }
 
 std::vector<ProblemMaker::Rows> ProblemMaker::plannable_together(const Rows& lanes) const {
@@ -362,8 +364,11 @@ void ProblemMaker::add_lane(PrecisionPlan& plan, const characterise::Measurement
   const std::optional<Rate> rate = rate_of(rate_key(row.key));
   if (!rate) return;
   const int beats = scene_.system.request_beats.value_or(1);
-  if (performance::highest_lane_throughput(rate->value(), beats) < 1) {
-    left_out_ = "every lane leaves more than half undecided: references alone are faster";
+  const double asked = scene_.system.lanes_per_group * rate->value();
+  if (performance::highest_lane_throughput(asked, beats) < 1) {
+    left_out_ = scene_.system.lanes_per_group == 1
+                    ? "every lane leaves more than half undecided: references alone are faster"
+                    : "every group of lanes leaves more than one undecided in two cycles";
     return;
   }
   if (!has_enough_exponents(row)) return;
@@ -399,11 +404,12 @@ std::optional<devices::Area> ProblemMaker::area_alone(characterise::ComponentKey
 }
 
 std::optional<ProblemMaker::Surrounded> ProblemMaker::with_fifo(
-    const characterise::Measurement& lane, const characterise::Measurement* fifo) {
-  if (fifo == nullptr) return Surrounded{lane.area, lane.area, 1, {}};
+    const characterise::Measurement& lane, const characterise::Measurement* fifo) const {
+  const int lanes = scene_.system.lanes_per_group;
+  if (fifo == nullptr) return Surrounded{lane.area, lanes * lane.area, lanes, {}};
   const auto mhz = fifo->clock ? std::optional(fifo->clock->mhz) : std::nullopt;
-  const devices::Area area = lane.area + fifo->area;
-  return Surrounded{area, area, 1, mhz};
+  return Surrounded{lane.area + share(fifo->area, lanes), lanes * lane.area + fifo->area, lanes,
+                    mhz};
 }
 
 /// What an engine takes by itself goes into the plan's communication: the most that any of the

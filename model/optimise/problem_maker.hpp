@@ -69,8 +69,8 @@ private:
   };
   std::optional<Surrounded> in_segment(PrecisionPlan& plan,
                                        const characterise::Measurement& segment);
-  static std::optional<Surrounded> with_fifo(const characterise::Measurement& lane,
-                                             const characterise::Measurement* fifo);
+  std::optional<Surrounded> with_fifo(const characterise::Measurement& lane,
+                                             const characterise::Measurement* fifo) const;
   std::optional<devices::Area> area_alone(characterise::ComponentKey key) const;
   devices::Area area_with_port(const characterise::Measurement& reference);
 

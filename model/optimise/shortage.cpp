@@ -19,12 +19,13 @@ int fewest(const LaneKind& lane, const AllocationProblem& problem) {
 
 /// Whether `count` references of a capacity serve `lanes` lanes, each of which asks so often.
 bool serve(int count, double capacity, int lanes, double asked, const AllocationProblem& problem) {
-  const int most = performance::lanes_of_references(lanes, count).front();
+  const int group = lanes_per_port(problem);
+  const int most = performance::lanes_of_references(lanes / group, count).front();
   const std::size_t ports = problem.communication.crossbar.size();
   if (ports > 0 && static_cast<std::size_t>(most) >= ports) return false;
   return problem.sharing == ReferenceSharing::pooled
              ? performance::is_within(lanes * asked, count * capacity)
-             : performance::is_within(most * asked, capacity);
+             : performance::is_within(most * group * asked, capacity);
 }
 
 /// How many references the fewest lanes need: 0, without a kind of reference, if they recompute
@@ -43,7 +44,7 @@ std::optional<int> references_needed(const LaneKind& lane, const ReferenceKind* 
   // More references than lanes help only where they are pooled.
   const int most = problem.sharing == ReferenceSharing::pooled
                        ? problem.max_references
-                       : std::min(lanes, problem.max_references);
+                       : std::min(lanes / lanes_per_port(problem), problem.max_references);
   for (int count = 1; count <= most; ++count) {
     if (serve(count, capacity, lanes, asked, problem)) return count;
   }

@@ -177,6 +177,7 @@ SystemSpec with_engine(SystemSpec system, const EngineSpec& engine) {
     case EngineKind::arg_min: system.order = ResultOrder::in_order; break;
   }
   system.input_registers = 0;
+  system.lanes_per_group = 1;
   system.operands = OperandStore::refetched;
   system.tag_bits = engine.tag_bits();
   return system;

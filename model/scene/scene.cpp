@@ -259,6 +259,41 @@ Result<Done> check_sums(const settings::Settings& settings, const Graph& graph, 
                          in_quotes(std::string(to_string(sums))), "\"composed\"");
 }
 
+/// Refuses lanes that do not fill their groups.
+Result<Done> check_groups(const settings::Settings& settings,
+                          const std::vector<LaneGroupSpec>& groups, const SystemSpec& system) {
+  const std::string accepted =
+      fmt::format("a multiple of system.lanes_per_group, {}", system.lanes_per_group);
+  const auto is_whole = [&](const std::optional<int>& lanes) {
+    return !lanes || *lanes % system.lanes_per_group == 0;
+  };
+  for (const LaneGroupSpec& group : groups) {
+    if (is_whole(group.count)) continue;
+    return Error{.file = group.place.file,
+                 .line = group.place.line,
+                 .field = "lanes.count",
+                 .message = "lanes in lock step come in whole groups",
+                 .received = fmt::format("{}", *group.count),
+                 .accepted = accepted};
+  }
+  if (!groups.empty() || is_whole(system.lanes)) return Done{};
+  const settings::Section section(settings, "system");
+  return section.mistake("lanes", "lanes in lock step come in whole groups",
+                         fmt::format("{}", *system.lanes), accepted);
+}
+
+/// Notes keys of a system of streams that an engine does not look at.
+void note_stream_keys(const SystemSpec& system, std::vector<std::string>& notes) {
+  if (system.input_registers > 0) {
+    notes.emplace_back("system.input_registers is not used: an engine stores what its ports bring");
+  }
+  if (system.lanes_per_group > 1) {
+    notes.emplace_back(
+        "system.lanes_per_group is not used: groups of a pairwise engine are those of "
+        "engine.lanes_per_group");
+  }
+}
+
 /// Notes the ends of ranges that the reference format rounds out of the range: data with just that
 /// decimal are then out of range.
 void note_missed_ends(const std::vector<std::optional<Range>>& ranges, FloatFormat format,
@@ -317,8 +352,10 @@ Result<Scene> interpret(SceneSettings read) {
     for (std::string& note : pairing_notes(graph, data->pairing)) notes.push_back(std::move(note));
   }
   MIXCMP_TRY(engine, read_engine(settings, graph.inputs(), data));
-  if (engine.kind != EngineKind::none && system.input_registers > 0) {
-    notes.emplace_back("system.input_registers is not used: an engine stores what its ports bring");
+  if (engine.kind == EngineKind::none) {
+    MIXCMP_TRY(whole_groups, check_groups(settings, lanes.groups, system));
+  } else {
+    note_stream_keys(system, notes);
   }
   MIXCMP_TRY(second_tier, read_second_tier(settings, format, engine.kind));
   const bool has_no_tier = engine.kind == EngineKind::pairwise && !second_tier;

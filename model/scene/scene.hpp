@@ -119,6 +119,7 @@ struct SystemSpec {
                                   ///< comparisons are reported as such
   double slack = 0.2;             ///< R_S: share of the device that is left unused
   double target_mhz = 200;
+  int lanes_per_group = 1;  ///< lanes in lock step, 1..64; in an engine 1: it has its own groups
   int input_registers = 0;  ///< between the ports of operands and a lane, 0..2; none in an engine
   ResultOrder order = ResultOrder::tagged;
   OperandStore operands = OperandStore::carried;

@@ -100,6 +100,7 @@ Result<SystemSpec> read_system(const settings::Settings& settings) {
   section.number("slack", spec.slack, 0, 0.95);
   section.number("target_mhz", spec.target_mhz, settings::limits::target_mhz.least,
                  settings::limits::target_mhz.most);
+  section.integer("lanes_per_group", spec.lanes_per_group, settings::limits::lanes_per_group);
   section.integer("input_registers", spec.input_registers, settings::limits::input_registers);
   section.choice("order", spec.order, {ResultOrder::tagged, ResultOrder::in_order});
   section.choice("operands", spec.operands, {OperandStore::carried, OperandStore::refetched});

@@ -45,8 +45,8 @@ module carried_operands #(
     if (SLOT_BITS < 1) begin : g_refused_slot_bits
       SLOT_BITS_is_below_1 refused ();
     end
-    if ((BEAT_BITS < 0) || (PLACE_BITS > 8)) begin : g_refused_beat_bits
-      BEAT_BITS_is_not_0_to_8_or_too_large_for_LANES refused ();
+    if ((BEAT_BITS < 0) || (BEAT_BITS > 8)) begin : g_refused_beat_bits
+      BEAT_BITS_is_not_0_to_8 refused ();
     end
   endgenerate
 

@@ -18,6 +18,7 @@ emit::Signature some_signature() {
           .certified = true,
           .inputs = {"a", "b", "c"},
           .lanes = 87,
+          .lanes_per_group = 29,
           .references = 3,
           .lane_groups = {{.count = 80,
                            .module = "channel",

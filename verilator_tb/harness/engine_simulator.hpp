@@ -34,7 +34,7 @@ protected:
 
   /// Resets the engine. `entering`: the tvalid of each input stream; they are low meanwhile.
   void reset_engine(std::initializer_list<Port*> entering) {
-    for (HoldChecker& hold : hold_) hold.reset();
+    for (HoldChecker<>& hold : hold_) hold.reset();
     counter_reader_.clear();
     for (Port* tvalid : entering) tvalid->set_bit(0, false);
     for (std::size_t s = 0; s < hold_.size(); ++s) ports_.m_axis_tready.set_bit(s, false);
@@ -90,7 +90,7 @@ protected:
   ClockedModel clocked_;
   EnginePorts ports_;
   CounterReader counter_reader_{ports_.bus};
-  std::array<HoldChecker, system::output_streams> hold_;  ///< of each stream that leaves
+  std::array<HoldChecker<>, system::output_streams> hold_;  ///< of each stream that leaves
   std::vector<wire::Violation> violations_;               ///< since the last response
   std::uint64_t cycle_ = 0;
   bool stopped_ = false;  ///< the engine hung, or max_violations were seen

@@ -28,20 +28,28 @@ public:
   /// How many comparisons were taken so far; one that is offered again counts once.
   std::uint64_t taken() const { return next_position_; }
 
-  void take(Entry& entry) {
-    if (!returned_.empty()) {
-      entry.position = returned_.front().first;
-      entry.operands = std::move(returned_.front().second);
-      returned_.pop_front();
-      return;
+  /// Takes a comparison for each of `lanes`, while there are any: at least one.
+  void take(Entry& entry, std::size_t lanes) {
+    entry.positions.clear();
+    entry.operands.resize(lanes * bytes_);
+    for (std::size_t k = 0; k < lanes; ++k) {
+      std::uint8_t* const operands = &entry.operands[k * bytes_];
+      if (size() > 0) {
+        entry.positions.push_back(take_one(operands));
+      } else {
+        std::memcpy(operands, entry.operands.data(), bytes_);
+      }
     }
-    entry.operands.resize(bytes_);
-    std::memcpy(entry.operands.data(), &fresh_[cursor_], bytes_);
-    entry.position = next_position_++;
-    cursor_ += bytes_;
   }
 
-  void give_back(const Entry& entry) { returned_.emplace_back(entry.position, entry.operands); }
+  void give_back(const Entry& entry) {
+    for (std::size_t k = 0; k < entry.positions.size(); ++k) {
+      const auto operands = entry.operands.begin() + static_cast<std::ptrdiff_t>(k * bytes_);
+      returned_.emplace_back(
+          entry.positions[k],
+          std::vector(operands, operands + static_cast<std::ptrdiff_t>(bytes_)));
+    }
+  }
 
   /// Sorts the comparisons given back after a reset by position, whichever lanes they were in.
   void sort_returned() {
@@ -50,6 +58,19 @@ public:
   }
 
 private:
+  /// Takes one comparison; returns its position.
+  std::uint64_t take_one(std::uint8_t* operands) {
+    if (!returned_.empty()) {
+      const std::uint64_t position = returned_.front().first;
+      std::memcpy(operands, returned_.front().second.data(), bytes_);
+      returned_.pop_front();
+      return position;
+    }
+    std::memcpy(operands, &fresh_[cursor_], bytes_);
+    cursor_ += bytes_;
+    return next_position_++;
+  }
+
   std::size_t bytes_;
   std::vector<std::uint8_t> fresh_;
   std::size_t cursor_ = 0;

@@ -8,10 +8,11 @@
 namespace mixcmp::harness {
 
 /// Checks on one stream the AXI4-Stream rule that valid and payload, once raised, hold until
-/// accepted.
+/// accepted. `Data` is tdata's type.
+template <class Data = std::uint64_t>
 class HoldChecker {
 public:
-  std::optional<wire::Fault> observe(bool valid, bool ready, std::uint64_t data,
+  std::optional<wire::Fault> observe(bool valid, bool ready, const Data& data,
                                      std::uint64_t user) {
     std::optional<wire::Fault> fault;
     if (waiting_ && !valid) {
@@ -29,7 +30,7 @@ public:
 
 private:
   bool waiting_ = false;
-  std::uint64_t data_ = 0;
+  Data data_{};
   std::uint64_t user_ = 0;
 };
 

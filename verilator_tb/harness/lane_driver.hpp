@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <cstring>
 
@@ -14,14 +17,15 @@
 
 namespace mixcmp::harness {
 
-/// The testbench of one lane's two streams: it offers comparisons, takes results and records both.
+/// The testbench of the two streams of a lane, or of a group of lanes in lock step: it offers
+/// comparisons, takes results and records both.
 class LaneDriver {
 public:
   LaneDriver(int index, Ports& ports, Recorder& recorder)
       : index_(static_cast<std::uint32_t>(index)),
         ports_(ports),
         recorder_(recorder),
-        in_flight_(system::tag_bits, base(index), tags_of_a_lane(), ring_size) {}
+        in_flight_(system::tag_bits, lane_bits, base(index), tags_of_a_lane(), ring_size) {}
 
   void drive(Feed& feed, const Traffic& traffic, std::uint64_t cycle) {
     if (offered_ == nullptr && feed.size() > 0 && traffic.willing(index_, cycle)) {
@@ -35,13 +39,14 @@ public:
   void sample(std::uint64_t cycle) {
     if (offered_ != nullptr) sample_offer(cycle);
     const bool valid = ports_.m_axis_tvalid.bit(index_);
-    const std::uint64_t tdata = *ports_.m_axis_tdata.bytes(index_);
+    Results tdata;
+    std::memcpy(tdata.data(), ports_.m_axis_tdata.bytes(first_lane()), tdata.size());
     const std::uint64_t tag =
         ports_.m_axis_tuser.field(std::size_t{index_} * system::tag_bits, system::tag_bits);
     if (const auto fault = hold_.observe(valid, ready_, tdata, tag)) {
       report(*fault, wire::no_position, tag, cycle);
     }
-    if (valid && ready_) deliver(tag, static_cast<std::uint32_t>(tdata), cycle);
+    if (valid && ready_) deliver(tag, tdata, cycle);
   }
 
   /// Gives the comparisons that were offered or inside back to `feed`, for the system is held in
@@ -72,8 +77,10 @@ public:
       if (!entry.busy() || cycle - entry.cycle <= limit) continue;
       const bool lane_goes_on = entry.state == Entry::State::inside &&
                                 (last_left_ > entry.sequence || ports_.s_axis_tready.bit(index_));
-      report(lane_goes_on ? wire::Fault::lost : wire::Fault::hung, entry.position,
-             in_flight_.tag(entry), cycle);
+      for (const std::uint64_t position : entry.positions) {
+        report(lane_goes_on ? wire::Fault::lost : wire::Fault::hung, position,
+               in_flight_.tag(entry), cycle);
+      }
       if (lane_goes_on) {
         entry.state = Entry::State::left;
         --inside_;
@@ -85,10 +92,13 @@ public:
 
   bool busy() const { return offered_ != nullptr || inside_ > 0; }
 
-  /// The comparison inside this lane that carries `tag`; null if there is none.
-  const Entry* inside(std::uint64_t tag) {
-    const Entry* entry = in_flight_.find(tag);
-    return entry != nullptr && entry->state == Entry::State::inside ? entry : nullptr;
+  /// The operands of the comparison inside that has `tag`; null if there is none.
+  const std::uint8_t* operands_of(std::uint64_t tag) {
+    const Entry* entry = in_flight_.find_word(tag);
+    const std::uint64_t lane = in_flight_.lane_of(tag);
+    const bool inside = entry != nullptr && entry->state == Entry::State::inside &&
+                        lane < std::uint64_t{system::lanes_per_group};
+    return inside ? &entry->operands[lane * system::tdata_bytes] : nullptr;
   }
 
   wire::CounterValues counters() const {
@@ -104,6 +114,8 @@ public:
   }
 
 private:
+  using Results = std::array<std::uint8_t, system::lanes_per_group>;
+
   struct Observed {
     std::uint64_t comparisons = 0;
     std::uint64_t recomputations = 0;
@@ -115,23 +127,26 @@ private:
   static constexpr std::size_t ring_size = 4 * system::slots;
 
   /// A memory finds refetched operands by tag alone: with refetched operands, lanes share no tags.
+  static constexpr int lane_bits =
+      system::refetched ? std::bit_width(static_cast<unsigned>(system::lanes_per_group - 1)) : 0;
   static constexpr std::uint64_t tag_space = std::uint64_t{1}
-                                             << (system::tag_bits < 63 ? system::tag_bits : 63);
+                                             << std::min(system::tag_bits - lane_bits, 63);
   static constexpr std::uint64_t tags_of_a_lane() {
-    return system::refetched ? tag_space / system::lanes : tag_space;
+    return system::refetched ? tag_space / system::groups : tag_space;
   }
   static std::uint64_t base(int index) {
-    return tag_space / system::lanes * static_cast<std::uint64_t>(index);
+    return tag_space / system::groups * static_cast<std::uint64_t>(index);
   }
+  std::uint32_t first_lane() const { return index_ * system::lanes_per_group; }
 
   void offer(Feed& feed, std::uint64_t cycle) {
     offered_ = in_flight_.allocate();
     if (offered_ == nullptr) return;
-    feed.take(*offered_);
+    feed.take(*offered_, system::lanes_per_group);
     offered_->state = Entry::State::offered;
     offered_->cycle = cycle;
-    std::memcpy(ports_.s_axis_tdata.bytes(std::size_t{index_} * system::tdata_bytes),
-                offered_->operands.data(), system::tdata_bytes);
+    std::memcpy(ports_.s_axis_tdata.bytes(std::size_t{first_lane()} * system::tdata_bytes),
+                offered_->operands.data(), offered_->operands.size());
     ports_.s_axis_tuser.set_field(std::size_t{index_} * system::tag_bits, system::tag_bits,
                                   in_flight_.tag(*offered_));
   }
@@ -149,20 +164,24 @@ private:
     ++observed_.comparisons;
   }
 
-  void deliver(std::uint64_t tag, std::uint32_t tdata, std::uint64_t cycle) {
+  void deliver(std::uint64_t tag, const Results& tdata, std::uint64_t cycle) {
     Entry* const entry = in_flight_.find(tag);
     if (entry == nullptr || entry->state != Entry::State::inside) {
-      report(fault_of(entry), entry == nullptr ? wire::no_position : entry->position, tag, cycle);
+      report(fault_of(entry), entry == nullptr ? wire::no_position : entry->positions[0], tag,
+             cycle);
       return;
     }
     if (system::in_order && has_earlier(*entry)) {
-      report(wire::Fault::order_broken, entry->position, tag, cycle);
+      report(wire::Fault::order_broken, entry->positions[0], tag, cycle);
     }
     entry->state = Entry::State::left;
     last_left_ = std::max(last_left_, entry->sequence);
     --inside_;
-    if (!ResultWord(tdata).is_decided_by_lane()) ++observed_.recomputations;
-    recorder_.result({entry->position, entry->cycle, cycle, index_, tdata});
+    for (std::uint32_t k = 0; k < tdata.size(); ++k) {
+      if (!ResultWord(tdata[k]).is_decided_by_lane()) ++observed_.recomputations;
+      if (k >= entry->positions.size()) continue;
+      recorder_.result({entry->positions[k], entry->cycle, cycle, first_lane() + k, tdata[k]});
+    }
   }
 
   static wire::Fault fault_of(const Entry* entry) {
@@ -179,14 +198,14 @@ private:
   }
 
   void report(wire::Fault fault, std::uint64_t position, std::uint64_t tag, std::uint64_t cycle) {
-    recorder_.violation({fault, index_, position, tag, cycle});
+    recorder_.violation({fault, first_lane(), position, tag, cycle});
   }
 
   std::uint32_t index_;
   Ports& ports_;
   Recorder& recorder_;
   InFlight in_flight_;
-  HoldChecker hold_;
+  HoldChecker<Results> hold_;
   Observed observed_;
   Entry* offered_ = nullptr;
   bool ready_ = false;

@@ -23,8 +23,8 @@ enum class State : std::uint64_t {
 };
 
 /// The head of a response, followed by the results, the violations and, when drained, one
-/// CounterValues for each lane and, if they are counted, the answers of each reference
-/// (std::uint64_t).
+/// CounterValues for each lane, or group of lanes, and, if they are counted, the answers of each
+/// reference (std::uint64_t).
 struct Response {
   std::uint64_t results;
   std::uint64_t violations;
@@ -72,7 +72,7 @@ struct Violation {
 
 inline constexpr std::uint64_t no_position = ~std::uint64_t{0};
 
-/// Three counters of a lane or of an engine since the last reset, by the hardware and by the
+/// Three counters of a lane, a group of lanes or an engine since the last reset, by the hardware and by the
 /// harness.
 struct CounterValues {
   std::uint64_t counted[3];

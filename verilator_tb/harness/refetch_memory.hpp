@@ -57,8 +57,8 @@ private:
 
   void answer(std::vector<LaneDriver>& lanes, std::uint64_t tag, std::uint64_t cycle) {
     for (LaneDriver& lane : lanes) {
-      if (const Entry* entry = lane.inside(tag)) {
-        answers_.push_back({cycle + latency_, entry->operands});
+      if (const std::uint8_t* operands = lane.operands_of(tag)) {
+        answers_.push_back({cycle + latency_, {operands, operands + system::tdata_bytes}});
         return;
       }
     }
@@ -69,7 +69,7 @@ private:
   std::uint32_t index_;
   Ports& ports_;
   Recorder& recorder_;
-  HoldChecker hold_;
+  HoldChecker<> hold_;
   std::deque<Answer> answers_;
   bool ready_ = false;
   std::uint64_t latency_ = 0;

@@ -24,7 +24,7 @@ public:
         traffic_(settings_.traffic, settings_.seed),
         clocked_(settings_, count, words),
         ports_(system::bind(clocked_.model())) {
-    for (int k = 0; k < system::lanes; ++k) lanes_.emplace_back(k, ports_, recorder_);
+    for (int k = 0; k < system::groups; ++k) lanes_.emplace_back(k, ports_, recorder_);
     for (int k = 0; k < (system::refetched ? system::references : 0); ++k) {
       memories_.emplace_back(k, ports_, recorder_);
     }

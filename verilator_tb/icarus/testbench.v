@@ -2,12 +2,15 @@
 // host judges. The macros SYSTEM (the top's name), COUNTERS, COUNTER_PORT and REFETCHED say which
 // ports there are: with COUNTER_PORT counter_reader reads the counters on a bus;
 // the parameters are the system's signature. See verilator_tb/harness/protocol.hpp, whose numbers
-// for faults and states are used here, and verilator_tb/icarus.cpp, which reads the lines.
+// for faults and states are used here, and verilator_tb/icarus.cpp, which reads the lines. In a system
+// of groups of lanes, a lane is here a group, and a comparison a word of one for each of its lanes.
 `default_nettype none
 
 module testbench;
 
   parameter LANES = 1;
+  parameter GROUP = 1;      // lanes of a group
+  parameter NAME_BITS = 0;  // of a tag, in which the lanes of a group differ
   parameter REFERENCES = 1;
   parameter TDATA_BYTES = 4;
   parameter TAG_BITS = 12;
@@ -46,20 +49,23 @@ module testbench;
   localparam STOPPED = 2;
 
   localparam TDATA_BITS = 8 * TDATA_BYTES;
+  localparam WORD_BITS = GROUP * TDATA_BITS;
   // Wider tags have their upper bits set.
   localparam INDEX_BITS = 30;
-  localparam TAG_LIMIT = 1 << ((TAG_BITS < INDEX_BITS) ? TAG_BITS : INDEX_BITS);
+  localparam NUMBER_BITS = (TAG_BITS < INDEX_BITS) ? TAG_BITS : INDEX_BITS;
+  localparam TAG_LIMIT = 1 << (NUMBER_BITS - NAME_BITS);
+  localparam FIRST_TAG = (NAME_BITS > 0) ? 1 : 0;  // odd, so that the sum with a lane's number carries
   localparam STREAMS = 2 * LANES + 2 * REFERENCES;
 
   reg                       aclk;
   reg                       aresetn;
   reg  [LANES-1:0]            s_axis_tvalid;
   wire [LANES-1:0]            s_axis_tready;
-  reg  [LANES*TDATA_BITS-1:0] s_axis_tdata;
+  reg  [LANES*WORD_BITS-1:0]  s_axis_tdata;
   reg  [LANES*TAG_BITS-1:0]   s_axis_tuser;
   wire [LANES-1:0]            m_axis_tvalid;
   reg  [LANES-1:0]            m_axis_tready;
-  wire [LANES*8-1:0]          m_axis_tdata;
+  wire [LANES*GROUP*8-1:0]    m_axis_tdata;
   wire [LANES*TAG_BITS-1:0]   m_axis_tuser;
 `ifdef COUNTERS
   wire [LANES*COUNTER_BITS-1:0] comparisons;
@@ -136,6 +142,7 @@ module testbench;
   wire [REFERENCES-1:0]            s_refetch_tready;
   reg  [REFERENCES*TDATA_BITS-1:0] s_refetch_tdata;
   integer queue_index [0:REFERENCES*QUEUE-1];
+  integer queue_lane [0:REFERENCES*QUEUE-1];  // of the group
   integer queue_cycle [0:REFERENCES*QUEUE-1];
   integer queue_head [0:REFERENCES-1];
   integer queue_tail [0:REFERENCES-1];
@@ -193,7 +200,7 @@ module testbench;
   localparam [1:0] INSIDE = 2'd2;
   localparam [1:0] LEFT = 2'd3;
 
-  reg [TDATA_BITS-1:0] operands [0:COUNT-1];
+  reg [WORD_BITS-1:0]  operands [0:COUNT-1];
   reg [1:0]            status [0:COUNT-1];
   reg                  discarded [0:COUNT-1];
   integer              lane_of [0:COUNT-1];
@@ -204,7 +211,7 @@ module testbench;
   // One for each lane.
   integer              offered [0:LANES-1];  // index, or -1
   reg                  waiting [0:LANES-1];  // its result waits for tready
-  reg [7:0]            waiting_tdata [0:LANES-1];
+  reg [8*GROUP-1:0]    waiting_tdata [0:LANES-1];
   reg [TAG_BITS-1:0]   waiting_tag [0:LANES-1];
   integer              last_left [0:LANES-1];
   integer              seen_comparisons [0:LANES-1];
@@ -231,14 +238,14 @@ module testbench;
   endfunction
 
   function [TAG_BITS-1:0] tag_of(input integer index);
-    tag_of = ({TAG_BITS{1'b1}} << INDEX_BITS) | index;
+    tag_of = (({TAG_BITS{1'b1}} << INDEX_BITS) | (index << NAME_BITS)) + FIRST_TAG;
   endfunction
 
   // The comparison that carries a tag, or -1. Those inside lie within TAG_LIMIT of each other.
   function integer index_of(input [TAG_BITS-1:0] tag);
     integer low;
     begin
-      low = tag & (TAG_LIMIT - 1);
+      low = ((tag - FIRST_TAG) & ((1 << NUMBER_BITS) - 1)) >> NAME_BITS;
       index_of = highest - ((highest - low) & (TAG_LIMIT - 1));
       if ((index_of < 0) || (tag_of(index_of) !== tag)) index_of = -1;
     end
@@ -265,7 +272,7 @@ module testbench;
         since[next] = cycle;
         lane_of[next] = lane;
         offered[lane] = next;
-        s_axis_tdata[lane*TDATA_BITS +: TDATA_BITS] = operands[next];
+        s_axis_tdata[lane*WORD_BITS +: WORD_BITS] = operands[next];
         s_axis_tuser[lane*TAG_BITS +: TAG_BITS] = tag_of(next);
       end
     end
@@ -305,7 +312,7 @@ module testbench;
     end
   endtask
 
-  task deliver(input integer lane, input [TAG_BITS-1:0] tag, input [7:0] tdata);
+  task deliver(input integer lane, input [TAG_BITS-1:0] tag, input [8*GROUP-1:0] tdata);
     integer index;
     integer k;
     begin
@@ -329,19 +336,23 @@ module testbench;
         left_count = left_count + 1;
         last_left[lane] = sequence_of[index];
         last_cycle = cycle;
-        if (tdata[3:2] != 2'b00) seen_recomputations[lane] = seen_recomputations[lane] + 1;
-        $fdisplay(results, "result %0d %0d %h %0d %0d", lane, index, tdata, since[index], cycle);
+        $fwrite(results, "result %0d %0d %0d %0d", lane, index, since[index], cycle);
+        for (k = 0; k < GROUP; k = k + 1) begin
+          if (tdata[8*k+2 +: 2] != 2'b00) seen_recomputations[lane] = seen_recomputations[lane] + 1;
+          $fwrite(results, " %h", tdata[8*k +: 8]);
+        end
+        $fdisplay(results);
       end
     end
   endtask
 
   task sample_result(input integer lane);
     reg                valid;
-    reg [7:0]          tdata;
+    reg [8*GROUP-1:0]  tdata;
     reg [TAG_BITS-1:0] tag;
     begin
       valid = m_axis_tvalid[lane];
-      tdata = m_axis_tdata[lane*8 +: 8];
+      tdata = m_axis_tdata[lane*8*GROUP +: 8*GROUP];
       tag = m_axis_tuser[lane*TAG_BITS +: TAG_BITS];
       if ((^{valid, s_axis_tready[lane]} === 1'bx) || ((valid === 1'b1) && (^{tdata, tag} === 1'bx)))
         violate(UNKNOWN_VALUE, lane, -1, {TAG_BITS{1'b0}});
@@ -364,26 +375,30 @@ module testbench;
       slot = reference * QUEUE + (queue_head[reference] % QUEUE);
       s_refetch_tvalid[reference] = (queue_head[reference] != queue_tail[reference])
                                     && (queue_cycle[slot] <= cycle);
-      s_refetch_tdata[reference*TDATA_BITS +: TDATA_BITS] = operands[queue_index[slot]];
+      s_refetch_tdata[reference*TDATA_BITS +: TDATA_BITS] =
+          operands[queue_index[slot]] >> (queue_lane[slot] * TDATA_BITS);
     end
   endtask
 
   task sample_refetch(input integer reference);
     integer index;
     integer slot;
+    integer number;
     reg [TAG_BITS-1:0] tag;
     begin
       if (s_refetch_tvalid[reference] && s_refetch_tready[reference])
         queue_head[reference] = queue_head[reference] + 1;
       if (m_refetch_tvalid[reference] && m_refetch_tready[reference]) begin
         tag = m_refetch_tdata[reference*TAG_FIELD +: TAG_BITS];
-        index = index_of(tag);
-        if ((index < 0) || (status[(index < 0) ? 0 : index] != INSIDE)) begin
+        number = (tag - FIRST_TAG) & ((1 << NAME_BITS) - 1);
+        index = index_of(tag - number);
+        if ((index < 0) || (status[(index < 0) ? 0 : index] != INSIDE) || (number >= GROUP)) begin
           violate(UNKNOWN_REFETCH, reference, index, tag);
           index = 0;
         end
         slot = reference * QUEUE + (queue_tail[reference] % QUEUE);
         queue_index[slot] = index;
+        queue_lane[slot] = number;
         queue_cycle[slot] = cycle + 4 + ((STRESSED != 0) ? ($random(random_state) & 31) : 0);
         queue_tail[reference] = queue_tail[reference] + 1;
       end
@@ -492,6 +507,7 @@ module testbench;
       for (k = 0; k < REFERENCES; k = k + 1) begin
         queue_tail[k] = 0;
         queue_index[k * QUEUE] = 0;
+        queue_lane[k * QUEUE] = 0;
       end
 `endif
       reset;
