@@ -143,7 +143,9 @@ void narrow_counters(ScheduledSystem& scheduled) {
   rtl::SystemShape& shape = scheduled.shape;
   if (shape.counter_bits == 0) return;
   shape.read_counter_bits = shape.counter_bits;
-  shape.counter_bits = rtl::narrow_counter_bits(scheduled.counters());
+  // Without references a group may report several undecided comparisons in a cycle.
+  const int events = shape.recomputes() ? 1 : shape.lanes_per_group;
+  shape.counter_bits = rtl::narrow_counter_bits(scheduled.counters(), events);
 }
 
 }  // namespace

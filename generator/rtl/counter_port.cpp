@@ -87,9 +87,10 @@ int counter_address_bits(const std::vector<Counters>& counters) {
   return counter_index_bits(counters) + std::countr_zero(static_cast<unsigned>(counter_stride));
 }
 
-int narrow_counter_bits(const std::vector<Counters>& counters) {
+int narrow_counter_bits(const std::vector<Counters>& counters, int events_per_cycle) {
   const int round_cycles = 2 * number_of(counters);
-  return static_cast<int>(std::bit_width(static_cast<unsigned>(round_cycles + 1)));
+  const int most = events_per_cycle * (round_cycles + 1);
+  return static_cast<int>(std::bit_width(static_cast<unsigned>(most)));
 }
 
 std::vector<Counters> answer_counters(const SystemShape& shape) {

@@ -41,7 +41,9 @@ int retire_cycles(scene::ResultOrder order) {
 /// slot.
 class Channel {
 public:
-  explicit Channel(const LaneStreams& streams) : streams_(streams) {}
+  explicit Channel(const LaneStreams& streams) : streams_(streams) {
+    MIXCMP_CHECK(streams.lanes_per_group == 1);
+  }
 
   /// The cycle in which the next comparison is accepted.
   std::int64_t accept(bool undecided) {
@@ -100,10 +102,32 @@ double largest(double limit, const std::function<bool(double)>& holds) {
   return low;
 }
 
+/// Words that have an undecided comparison, where this part of the comparisons is undecided.
+double undecided_words(const LaneStreams& streams, double recomputation_rate) {
+  return 1 - std::pow(1 - recomputation_rate, streams.lanes_per_group);
+}
+
+/// Requests for each word.
+double requests(const LaneStreams& streams, double recomputation_rate) {
+  return streams.lanes_per_group * recomputation_rate;
+}
+
 /// The throughput that a reference allows if a lane never waits for a slot.
 double unbuffered_throughput(const LaneStreams& streams, double recomputation_rate) {
   if (recomputation_rate == 0 || streams.lanes_served == 0) return 1;
-  return std::min(1.0, 1 / (answer_interval_cycles(streams) * recomputation_rate));
+  const double asked = requests(streams, recomputation_rate);
+  return std::min(1.0, 1 / (answer_interval_cycles(streams) * asked));
+}
+
+/// Cycles from the first request of an undecided word to its last, on average; with the one that
+/// naming its undecided lanes takes. None for a lane by itself.
+double mean_naming_cycles(const LaneStreams& streams, double recomputation_rate) {
+  const bool asks = streams.lanes_served > 0 && recomputation_rate > 0;
+  if (streams.lanes_per_group == 1 || !asks) return 0;
+  const double of_a_word =
+      requests(streams, recomputation_rate) / undecided_words(streams, recomputation_rate);
+  const double interval = beat_interval_cycles * streams.request_beats;
+  return 1 + (of_a_word - 1) * std::max<double>(interval, service_cycles(streams));
 }
 
 /// Cycles until a reference that is free starts a comparison, on average: a folded one does in one
@@ -126,9 +150,11 @@ double mean_queue_cycles(const LaneStreams& streams, double rate) {
 }
 
 /// The throughput that slots allow where a request waits for `wait` cycles on average.
-double slot_throughput(const LaneStreams& streams, double rate, double wait) {
+double slot_throughput(const LaneStreams& streams, double recomputation_rate, double wait) {
   const double slots = streams.slots;
-  const double undecided = undecided_slot_cycles(streams);
+  const double rate = undecided_words(streams, recomputation_rate);
+  const double undecided =
+      undecided_slot_cycles(streams) + mean_naming_cycles(streams, recomputation_rate);
   switch (streams.order) {
     case scene::ResultOrder::tagged:
       return slots / ((1 - rate) * decided_slot_cycles(streams) + rate * (undecided + wait));
@@ -196,10 +222,11 @@ double random_throughput(const LaneStreams& streams, double recomputation_rate) 
     return even_throughput(streams, recomputation_rate);
   }
   return largest(unbuffered_throughput(streams, recomputation_rate), [&](double x) {
-    const double asked = x * recomputation_rate;
+    const double asked = x * requests(streams, recomputation_rate);
     // A lane that stalls takes comparisons at intervals rather than at random: the variance of its
     // requests is then in proportion to 1 - R instead of 1 - x R, and so is the wait (Kingman).
-    const double regular = (1 - recomputation_rate) / (1 - asked);
+    const double undecided = undecided_words(streams, recomputation_rate);
+    const double regular = (1 - undecided) / (1 - x * undecided);
     const double queue = regular > 0 ? regular * mean_queue_cycles(streams, asked) : 0;
     return x <= slot_throughput(streams, recomputation_rate, mean_start_cycles(streams) + queue);
   });

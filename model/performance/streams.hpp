@@ -9,7 +9,10 @@
 /// comparison is always offered, a result always taken. docs/performance.md derives each.
 namespace mixcmp::performance {
 
-/// One lane and the reference that it shares (docs/rtl.md, contract of the streams).
+/// One lane, or one group of lanes in lock step, and the reference that it shares (docs/rtl.md,
+/// contract of the streams). A group takes words of a comparison for each lane: what is said of
+/// comparisons per cycle and lane is then true of words, of which the undecided one asks as often
+/// as it has undecided comparisons.
 struct LaneStreams {
   scene::ResultOrder order = scene::ResultOrder::tagged;
   int lane_latency_cycles = 0;
@@ -17,7 +20,8 @@ struct LaneStreams {
   int initiation_interval_cycles = 1;  ///< N: the reference takes a request in one of N cycles
   int request_beats = 1;               ///< B: beats of a request; above 1 they take 2 B cycles
   int slots = 0;                       ///< comparisons that may be inside the lane's channel
-  int lanes_served = 1;                ///< k: lanes of the reference, this one included; 0: p_H = 0
+  int lanes_served = 1;     ///< k: lanes or groups of the reference, this one included; 0: p_H = 0
+  int lanes_per_group = 1;  ///< G
 };
 
 /// Levels of the crossbar's tree; a request takes one cycle per level.
@@ -57,12 +61,13 @@ double mean_wait_cycles(const LaneStreams& streams, double rate);
 double random_throughput(const LaneStreams& streams, double recomputation_rate);
 
 /// The longest burst of undecided comparisons, in all lanes of the reference at the same time, that
-/// a lane takes without refusing any comparison, if only decided ones were inside before.
+/// a lane takes without refusing any comparison, if only decided ones were inside before. Not for
+/// groups.
 int absorbed_burst(const LaneStreams& streams);
 
 /// The mean number of cycles in which a lane accepts a sequence of comparisons that is repeated
 /// over and over, in all lanes of the reference at the same time. `undecided` marks the undecided
-/// ones of the sequence; it must not be empty.
+/// ones of the sequence; it must not be empty. Not for groups.
 double repeated_cycles(const LaneStreams& streams, const std::vector<bool>& undecided);
 
 }  // namespace mixcmp::performance

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <bit>
 #include <set>
 
 #include "model/common/nearest.hpp"
@@ -259,7 +260,7 @@ Result<Done> check_sums(const settings::Settings& settings, const Graph& graph, 
                          in_quotes(std::string(to_string(sums))), "\"composed\"");
 }
 
-/// Refuses lanes that do not fill their groups.
+/// Refuses lanes that do not fill their groups, and tags that cannot name a group's lanes.
 Result<Done> check_groups(const settings::Settings& settings,
                           const std::vector<LaneGroupSpec>& groups, const SystemSpec& system) {
   const std::string accepted =
@@ -276,8 +277,15 @@ Result<Done> check_groups(const settings::Settings& settings,
                  .received = fmt::format("{}", *group.count),
                  .accepted = accepted};
   }
-  if (!groups.empty() || is_whole(system.lanes)) return Done{};
   const settings::Section section(settings, "system");
+  const int name_bits = std::bit_width(static_cast<unsigned>(system.lanes_per_group - 1));
+  if (system.operands == OperandStore::refetched && system.tag_bits < name_bits) {
+    return section.mistake("tag_bits", "too few to name the lanes of a group",
+                           fmt::format("{}", system.tag_bits),
+                           fmt::format("at least {}, or a smaller system.lanes_per_group than {}",
+                                       name_bits, system.lanes_per_group));
+  }
+  if (!groups.empty() || is_whole(system.lanes)) return Done{};
   return section.mistake("lanes", "lanes in lock step come in whole groups",
                          fmt::format("{}", *system.lanes), accepted);
 }

@@ -102,6 +102,35 @@ TEST(Allocation, OfGroupsIsTheBestOfEverythingInRandomProblems) {
   EXPECT_GT(feasible, 100);
 }
 
+TEST(Allocation, OfGroupsWithPortsIsTheBestOfEverythingInRandomProblems) {
+  RandomProblems problems(23);
+  int feasible = 0;
+  for (int number = 0; number < 300; ++number) {
+    feasible += expect_same(problems.next_of_groups_with_ports(), number) ? 1 : 0;
+  }
+  EXPECT_GT(feasible, 100);
+}
+
+/// A group of four lanes asks for 0.8 recomputations a cycle, so that a reference serves one group.
+TEST(Allocation, DealsWholeGroupsToReferences) {
+  optimise::AllocationProblem problem = {.lanes = {{.name = "lane",
+                                                    .clock_hz = 1e8,
+                                                    .recomputation_rate = 0.2,
+                                                    .area = {.luts = 10},
+                                                    .group = 4}},
+                                         .references = {{"reference", 1e8, 1, {.luts = 10}}},
+                                         .communication = {},
+                                         .available = {.luts = 50},
+                                         .slack = 0};
+  const auto plan = std::get<optimise::Allocation>(allocate(problem));
+  EXPECT_EQ(plan.lanes,
+            std::vector{8});  // 3 groups would leave one reference with two: 1.6 a cycle
+  EXPECT_EQ(plan.references, std::vector{2});
+  EXPECT_EQ(plan.used.luts, 40);
+  problem.lanes[0].recomputation_rate = 0.3;  // a group asks for more than a reference does
+  EXPECT_TRUE(std::holds_alternative<optimise::Infeasible>(allocate(problem)));
+}
+
 TEST(Allocation, OfALeastNumberOfLanesIsTheBestOfEverythingInRandomProblems) {
   RandomProblems problems(19);
   int feasible = 0;

@@ -42,6 +42,16 @@ public:
     return problem;
   }
 
+  /// A problem whose lanes come in groups of one size, each with a port of the crossbar.
+  optimise::AllocationProblem next_of_groups_with_ports() {
+    optimise::AllocationProblem problem = next();
+    problem.sharing = optimise::ReferenceSharing::round_robin;
+    const int group = number(2, 3);
+    problem.max_lanes = number(group, 14);
+    for (optimise::LaneKind& lane : problem.lanes) lane.group = group;
+    return problem;
+  }
+
   /// A problem whose plans have a given number of lanes, or some more.
   optimise::AllocationProblem next_with_least_lanes() {
     optimise::AllocationProblem problem = next();

@@ -43,6 +43,7 @@ TEST(Limits, DocumentationStatesThem) {
            {"[system]", "references", to_string(settings::limits::references)},
            {"[reference]", "target_mhz", to_string(settings::limits::target_mhz)},
            {"[system]", "target_mhz", to_string(settings::limits::target_mhz)},
+           {"[system]", "lanes_per_group", to_string(settings::limits::lanes_per_group)},
            {"[system]", "input_registers", to_string(settings::limits::input_registers)},
            {"[system]", "tag_bits", to_string(settings::limits::tag_bits)},
            {"[system]", "counter_bits", "0 or " + to_string(settings::limits::counter_bits)},

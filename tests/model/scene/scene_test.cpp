@@ -316,7 +316,8 @@ INSTANTIATE_TEST_SUITE_P(
                 ":12: reference.sums: not a choice: received \"exact\"; accepted composed, fused"},
         Mistake{"slack = 0.25", "slck = 0.25",
                 ":23: system.slck: unknown key: received slck; accepted slack (the nearest), "
-                "counter_bits, counters, device, input_registers, lanes, operand_memory, operands, "
+                "counter_bits, counters, device, input_registers, lanes, lanes_per_group, "
+                "operand_memory, operands, "
                 "order, prefix, references, request_beats, tag_bits, target_mhz"},
         Mistake{"slack = 0.25", "request_beats = 6",
                 ":23: system.request_beats: not a power of two: received 6; accepted 1, 2, 4, 8, "

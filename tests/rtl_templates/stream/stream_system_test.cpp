@@ -114,7 +114,8 @@ double predicted_per_cycle(const SystemSpec& spec, double undecided) {
       .initiation_interval_cycles = spec.initiation_interval,
       .request_beats = 1 << spec.beat_bits,
       .slots = 1 << spec.slot_bits,
-      .lanes_served = 0};
+      .lanes_served = 0,
+      .lanes_per_group = spec.group};
   if (spec.references == 0) return spec.lanes * random_throughput(streams, undecided);
   double sum = 0;
   for (const int served : performance::lanes_of_references(spec.lanes, spec.references)) {
@@ -132,7 +133,7 @@ std::vector<SystemSpec> systems_with(Predicate predicate) {
 }
 
 bool is_carried(const SystemSpec& spec) {
-  return spec.carried && spec.group == 1;
+  return spec.carried;
 }
 
 /// These lanes have slots enough to stall for nothing but the one port at which tags are read.
@@ -140,7 +141,8 @@ bool is_limited_by_tags(const SystemSpec& spec) {
   return !spec.carried && !spec.in_order && spec.initiation_interval == 1 && spec.group == 1;
 }
 
-/// A request that finds the reference free starts at once; and no others of its group are before it.
+/// A request that finds the reference free starts at once; and no others of its group are before
+/// it.
 bool starts_at_once(const SystemSpec& spec) {
   return spec.carried && spec.initiation_interval == 1 && spec.group == 1;
 }
