@@ -88,6 +88,13 @@ private:
     return fmt::format("g_{}[{}].channel/{}", group.label, number, part);
   }
 
+  /// The path of lane `number`, which is in a loop of its group's channel if it has a group.
+  std::string lane_path(const rtl::DatapathGroup& group, int number) const {
+    const int lanes = shape_.lanes_per_group;
+    if (lanes == 1) return path(group, number, "lane");
+    return path(group, number / lanes, fmt::format("g_lanes[{}].lane", number % lanes));
+  }
+
   Result<Area> area_of(const std::string& path) const {
     const auto& instances = reports_.areas.instances;
     const auto found = std::find_if(instances.begin(), instances.end(),
@@ -164,7 +171,7 @@ private:
       const rtl::DatapathGroup& group = shape_.lane_groups[k];
       MIXCMP_TRY(component, component_of(design_.lanes[k]));
       MIXCMP_TRY(sum, sum_of(group.first, group.count,
-                             [&](int number) { return path(group, number, "lane"); }));
+                             [&](int number) { return lane_path(group, number); }));
       add(component, component.latency_cycles, scaled(sum, 1, group.count), group.count);
     }
     return Done{};
@@ -173,13 +180,14 @@ private:
   Result<Done> add_fifos() {
     Area sum;
     for (const rtl::DatapathGroup& group : shape_.lane_groups) {
-      MIXCMP_TRY(area, sum_of(group.first, group.count,
+      const int lanes = shape_.lanes_per_group;
+      MIXCMP_TRY(area, sum_of(group.first / lanes, group.count / lanes,
                               [&](int number) { return path(group, number, "tracker"); }));
       sum += area;
     }
     MIXCMP_TRY(component,
                maker_.make({.kind = ComponentKind::fifo, .ports = 1 << shape_.slot_bits}));
-    add(component, component.latency_cycles, scaled(sum, 1, shape_.lanes), shape_.lanes);
+    add(component, component.latency_cycles, scaled(sum, 1, shape_.channels()), shape_.channels());
     return Done{};
   }
 
@@ -196,11 +204,11 @@ private:
   }
 
   Result<Done> add_crossbar() {
-    const int ports = (shape_.lanes + shape_.references - 1) / shape_.references;
+    const int ports = (shape_.channels() + shape_.references - 1) / shape_.references;
     if (!measured_ports.allow(ports)) return Done{};
     MIXCMP_TRY(area, area_of("recomputation"));
     MIXCMP_TRY(component, maker_.make({.kind = ComponentKind::crossbar, .ports = ports}));
-    add(component, component.latency_cycles, scaled(area, ports, shape_.lanes), 1);
+    add(component, component.latency_cycles, scaled(area, ports, shape_.channels()), 1);
     return Done{};
   }
 

@@ -180,6 +180,26 @@ TEST_F(Import, VivadosInstancesBecomeRowsOfTheirMeans) {
   EXPECT_EQ(lane.tools, "Vivado v.2019.2 Build 2708876, xc7a200tfbg676-2");
 }
 
+TEST_F(Import, LanesInLockStepAreInALoopOfTheirChannel) {
+  write("scene.toml",
+        replaced(read("scene.toml"), "lanes = 2\n", "lanes = 2\nlanes_per_group = 2\n"));
+  leave_signature();
+  const std::string whole = replaced(vivado_areas(), "    lane |", "    g_lanes[0].lane |");
+  const std::size_t lane = whole.find("|     lane |");
+  const std::string second = whole.substr(lane, whole.find('\n', lane) + 1 - lane);
+  const std::size_t begin = whole.find("|   g_lanes[1].channel");
+  std::string text = whole;
+  text.replace(begin, whole.find("|   g_references[0]") - begin,
+               replaced(second, "    lane |", "    g_lanes[1].lane |"));
+  write("r/utilisation_by_instance.rpt", text);
+  const Outcome run = import();
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_EQ(row(ComponentKind::lane).area, area(203, 301, 0, 3, 16));  // of 201 and 204, as above
+  EXPECT_EQ(row(ComponentKind::fifo).area, area(100, 100, 0, 0, 20));
+  EXPECT_EQ(row(ComponentKind::crossbar).area, area(77, 88, 0, 0, 0));
+  EXPECT_EQ(row(ComponentKind::crossbar).key.ports, 1);
+}
+
 TEST_F(Import, ACrossbarsShareIsThatOfTheLanesItServes) {
   write("scene.toml", replaced(read("scene.toml"), "references = 1", "references = 2"));
   const Outcome made = mixcmp("generate scene.toml --no-prove -o rtl");
