@@ -36,7 +36,7 @@ constexpr std::array<Shortcut, 9> shortcuts = {{
     {"--format", "reduced.format", "reduced format of the lanes, s17e8"},
     {"--bound", "reduced.bound", "certified or profiled"},
     {"--inputs", "reduced.inputs", "rounded, exact, or so many digits, 20"},
-    {"--lanes", "system.lanes", "p_L, 1..512, with a pairwise engine 1..4096"},
+    {"--lanes", "system.lanes", "p_L, 1..512, in groups or a pairwise engine 1..4096"},
     {"--references", "system.references", "p_H", settings::limits::references},
     {"--target-mhz", "system.target_mhz", "clock that the cut points are chosen for"},
     {"--device", "system.device", "device whose rough delays choose the cut points"},

@@ -258,7 +258,8 @@ Result<rtl::SystemShape> ComponentMaker::request_shape() const {
   shape.references = 1;
   if (!has_crossbar()) return rtl::reference_shape(shape);
   // Numbered as in the largest system: a few bits more than most.
-  shape.lanes = scene::max_lanes / shape.lanes_per_group * shape.lanes_per_group;
+  const int most = settings::limits::lanes_in_groups(shape.lanes_per_group).most;
+  shape.lanes = most / shape.lanes_per_group * shape.lanes_per_group;
   shape.slot_bits = crossbar_slot_bits;
   if (has_engine()) {
     MIXCMP_TRY(chain, this->chain());

@@ -159,7 +159,9 @@ PrecisionPlan ProblemMaker::plan_of(int precision, const Rows& rows, const devic
 /// What the kind of engine says of a plan's numbers.
 void ProblemMaker::limit_engine(AllocationProblem& problem) const {
   switch (engine()) {
-    case scene::EngineKind::none: return;
+    case scene::EngineKind::none:
+      problem.max_lanes = settings::limits::lanes_in_groups(scene_.system.lanes_per_group).most;
+      return;
     case scene::EngineKind::pairwise:
       problem.sharing = ReferenceSharing::pooled;  // whichever is free takes the next pair
       problem.max_lanes = settings::limits::engine_lanes.most;

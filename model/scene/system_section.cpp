@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "model/common/check.hpp"
 #include "model/common/quote.hpp"
 #include "model/expression/name.hpp"
 #include "model/scene/sections.hpp"
@@ -87,8 +88,15 @@ settings::Limits lane_limits(const settings::Settings& settings) {
   EngineKind kind = EngineKind::none;
   settings::Section section(settings, "engine");  // whose mistakes read_engine tells
   section.choice("kind", kind, {EngineKind::none, EngineKind::pairwise, EngineKind::arg_min});
-  const bool pairwise = kind == EngineKind::pairwise;
-  return pairwise ? settings::limits::engine_lanes : settings::limits::lanes;
+  int lanes_per_group = 1;
+  settings::Section system(settings, "system");  // whose mistakes read_system tells
+  system.integer("lanes_per_group", lanes_per_group, settings::limits::lanes_per_group);
+  switch (kind) {
+    case EngineKind::none: return settings::limits::lanes_in_groups(lanes_per_group);
+    case EngineKind::pairwise: return settings::limits::engine_lanes;
+    case EngineKind::arg_min: return settings::limits::lanes;
+  }
+  MIXCMP_CHECK(false);
 }
 
 Result<SystemSpec> read_system(const settings::Settings& settings) {

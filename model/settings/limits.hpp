@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 
 #include "model/number/float_format.hpp"
@@ -44,6 +45,12 @@ inline constexpr Limits report_streams{1, 64};
 inline constexpr Limits items{1, 1 << 24};  ///< rows of generated data
 inline constexpr Limits threads{1, 1024};   ///< threads, and tools that run at a time
 inline constexpr Limits seeds{1, 1000};     ///< router seeds
+
+/// p_L of a system whose lanes take streams in groups of this size: as many groups as lanes by
+/// themselves, but no more lanes than a pairwise engine has.
+constexpr Limits lanes_in_groups(int group) {
+  return {lanes.least, std::min(lanes.most * group, engine_lanes.most)};
+}
 
 }  // namespace limits
 

@@ -97,6 +97,19 @@ TEST_F(Edges, OfWholeNumbers) {
   EXPECT_TRUE(load("s53e8", {"system.counter_bits=0"}).ok());
 }
 
+TEST_F(Edges, OfLanesInGroups) {
+  expect_edges("system.lanes_per_group", settings::limits::lanes_per_group);
+  const auto lanes = [&](int group, int count) {
+    return load("s53e8", {"system.lanes_per_group=" + std::to_string(group),
+                          "system.lanes=" + std::to_string(count)})
+        .ok();
+  };
+  EXPECT_TRUE(lanes(2, 2 * 512));
+  EXPECT_FALSE(lanes(2, 2 * 513));
+  EXPECT_TRUE(lanes(64, 4096));
+  EXPECT_FALSE(lanes(64, 4160));
+}
+
 TEST_F(Edges, OfPrecisionsAndExponentBits) {
   expect_edges("reduced.format", settings::limits::lane_precision, "s", "e8");
   expect_edges("reduced.format", settings::limits::exponent_bits, "s17e");
