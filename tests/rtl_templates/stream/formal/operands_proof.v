@@ -1,11 +1,12 @@
-// operands_proof: of each slot that is named on `undecided`, one request leaves carried_operands,
-// first come first served, with all of its beats in their order, the slot in each, and the operands
-// that were stored for it; and requests do leave: a beat in every second cycle in which they are
-// taken. One request at a time is watched, chosen by the solver, and those ahead of it are counted.
+// operands_proof: of each lane of a slot that is named on `undecided`, one request leaves
+// carried_operands, first come first served and the lowest lane first, with all of its beats in their
+// order, the slot in each, and the operands that were stored for it; and requests do leave: a beat in
+// every second cycle in which they are taken, with a cycle more between the words of a group. One request at a time is watched, chosen by the solver, and those ahead of it are counted.
 // A slot is stored, then may be undecided, and is stored again when its request has left.
 `default_nettype none
 
 module operands_proof #(
+  parameter LANES = 1,  // or 2
   parameter BEAT_BITS = 1,
   parameter BLOCK = 0
 ) (
@@ -13,9 +14,10 @@ module operands_proof #(
   input wire       aresetn_later,
   input wire       start,
   input wire       start_slot,
-  input wire [2:0] start_operands,
+  input wire [5:0] start_operands,
   input wire       undecided,
   input wire       undecided_slot,
+  input wire [1:0] undecided_lanes,
   input wire       m_ready,
   input wire       choose  // the request that is named now is watched, if no other is
 );
@@ -26,6 +28,7 @@ module operands_proof #(
   localparam [2:0] ONE  = 1;
 
   (* anyconst *) reg watched;  // a slot
+  (* anyconst *) reg watched_lane;
 
   wire                 m_valid;
   wire                 m_slot;
@@ -35,7 +38,11 @@ module operands_proof #(
   reg                  started = 1'b0;
   wire                 aresetn = started && aresetn_later;
 
+  // The one lane of a slot is always meant.
+  wire [1:0]           lanes   = (LANES == 1) ? 2'b01 : undecided_lanes;
+
   carried_operands #(
+    .LANES       (LANES),
     .OPERAND_BITS(3),
     .SLOT_BITS   (1),
     .BEAT_BITS   (BEAT_BITS),
@@ -45,9 +52,10 @@ module operands_proof #(
     .aresetn         (aresetn),
     .start_valid     (start),
     .start_slot      (start_slot),
-    .start_operands  (start_operands),
+    .start_operands  (start_operands[3*LANES-1:0]),
     .undecided_valid (undecided),
     .undecided_slot  (undecided_slot),
+    .undecided_lanes (lanes[LANES-1:0]),
     .m_request_tvalid(m_valid),
     .m_request_tready(m_ready),
     .m_request_tdata ({m_slot, m_part}),
@@ -55,7 +63,7 @@ module operands_proof #(
   );
 
   reg  [1:0]           stored  = 2'd0;  // slots with operands about which nothing is decided yet
-  reg  [1:0]           asking  = 2'd0;  // slots whose request has not left
+  reg  [3:0]           asking  = 4'd0;  // slots, and lanes in them, whose request has not left
   reg  [2:0]           operands;        // of the watched slot
   reg  [2:0]           waiting = NONE;  // requests inside
   reg  [2:0]           ahead   = NONE;  // of the watched one
@@ -68,11 +76,17 @@ module operands_proof #(
 
   wire                 leave   = m_valid && m_ready;
   wire                 ends    = leave && (beat == LAST);
-  wire                 chosen  = undecided && (undecided_slot == watched) && choose && !watching;
+  wire                 chosen  = undecided && (undecided_slot == watched) &&
+                                 lanes[watched_lane] && choose && !watching;
   wire [1:0]           one     = 2'd1;
   wire [1:0]           starts  = start ? (one << start_slot) : 2'd0;
-  wire [1:0]           asks    = undecided ? (one << undecided_slot) : 2'd0;
-  wire [1:0]           done    = ends ? (one << m_slot) : 2'd0;
+  wire [1:0]           named   = undecided ? (one << undecided_slot) : 2'd0;
+  wire [3:0]           asks    = undecided ? ({2'b00, lanes} << {undecided_slot, 1'b0}) : 4'd0;
+  wire [1:0]           left_of = asking[2*m_slot +: 2];  // of the slot of the request on offer
+  wire [3:0]           first   = left_of[0] ? 4'd1 : 4'd2;
+  wire [3:0]           done    = ends ? (first << {m_slot, 1'b0}) : 4'd0;
+  wire [1:0]           busy    = {|asking[3:2], |asking[1:0]};
+  wire [1:0]           asked   = undecided ? {1'b0, lanes[0]} + {1'b0, lanes[1]} : 2'd0;
   wire [5:0]           whole   = {3'd0, operands};  // zeros above the operands
   wire [PART_BITS-1:0] part    = whole[beat*PART_BITS +: PART_BITS];
 
@@ -82,19 +96,19 @@ module operands_proof #(
     held_beat <= {m_last, m_slot, m_part};
     left      <= left || (watching && (ahead == NONE) && ends);
     if (start && (start_slot == watched)) begin
-      operands <= start_operands;
+      operands <= start_operands[3*watched_lane +: 3];
     end
     if (!aresetn) begin
       stored   <= 2'd0;
-      asking   <= 2'd0;
+      asking   <= 4'd0;
       waiting  <= NONE;
       watching <= 1'b0;
       beat     <= 2'd0;
       quiet    <= NONE;
     end else begin
-      stored  <= (stored | starts) & ~asks;
+      stored  <= (stored | starts) & ~named;
       asking  <= (asking | asks) & ~done;
-      waiting <= waiting + {2'b00, undecided} - {2'b00, ends};
+      waiting <= waiting + {1'b0, asked} - {2'b00, ends};
       quiet   <= ((waiting != NONE) && !m_valid) ? quiet + ONE : NONE;
       if (leave) begin
         beat <= (beat == LAST) ? 2'd0 : beat + 2'd1;
@@ -105,7 +119,7 @@ module operands_proof #(
       end
       if (chosen) begin
         watching <= 1'b1;
-        ahead    <= waiting - {2'b00, ends};
+        ahead    <= waiting - {2'b00, ends} + {2'b00, watched_lane && lanes[0]};
       end
     end
   end
@@ -114,17 +128,19 @@ module operands_proof #(
     if (!aresetn) begin
       assume(!start && !undecided);
     end
-    starts_free: assume((starts & (stored | asking)) == 2'd0);
-    asks_once: assume((asks & ~stored) == 2'd0);
+    starts_free: assume((starts & (stored | busy)) == 2'd0);
+    asks_once: assume((named & ~stored) == 2'd0);
+    names_a_lane: assume(!undecided || (lanes != 2'd0));
     if (started && aresetn) begin
-      nothing_made_up: assert(!m_valid || asking[m_slot]);
+      nothing_made_up: assert(!m_valid || busy[m_slot]);
       first_come_first_served: assert(!m_valid || !watching || (ahead != NONE)
                                       || ((m_slot == watched) && (m_part == part)));
       says_which_is_last: assert(!m_valid || (m_last == (beat == LAST)));
       watched_is_inside: assert(!watching || (ahead < waiting));
-      keeps_moving: assert(quiet < 3'd3);
+      keeps_moving: assert(quiet < ((LANES == 1) ? 3'd3 : 3'd4));
       holds_until_taken: assert(!held || (m_valid && ({m_last, m_slot, m_part} == held_beat)));
-      can_leave: cover(watching && (ahead == NONE) && ends && (operands == 3'd5));
+      can_leave: cover(watching && (ahead == NONE) && ends && (operands == 3'd5)
+                       && (watched_lane == (LANES == 2)));
       can_be_last_of_all: cover(watching && (ahead == ONE));
       can_hold: cover(held && m_last);
       can_use_a_slot_again: cover(left && watching);
