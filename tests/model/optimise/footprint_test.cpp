@@ -38,6 +38,14 @@ TEST_F(FootprintTest, AddsUpWhatWasMeasured) {
   EXPECT_EQ(footprint.amounts[2], 10 * 2 + 20);
 }
 
+TEST_F(FootprintTest, LanesInLockStepShareAScoreboardAndAPort) {
+  design::Design grouped = design(12);
+  grouped.system.lanes_per_group = 6;
+  const int crossbar = 10;  // of one port: less than 8 are asked for
+  EXPECT_EQ(optimise::footprint_of(grouped, &table_, device_).amounts[0],
+            12 * 240 + 2 * fifo_64_luts + 3000 + crossbar);
+}
+
 TEST_F(FootprintTest, TakesTheRowOfTheReferenceAtHand) {
   design::Design placed = design(7);
   placed.references.front().structure.target_mhz = 400;

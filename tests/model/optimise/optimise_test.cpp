@@ -39,13 +39,20 @@ bool notes_say(const Optimisation& found, const std::string& text) {
                      [&](const std::string& note) { return note.find(text) != std::string::npos; });
 }
 
+/// The best of all plans. No more lanes are tried than the device has room for: the smallest takes
+/// 240 LUTs of 8000.
+Allocation best_by_trying(const PrecisionPlan& plan) {
+  optimise::AllocationProblem problem = plan.problem;
+  problem.max_lanes = 36;
+  return std::get<Allocation>(allocate_exhaustively(problem));
+}
+
 TEST_F(Optimise, FindsTheBestPlanOfEachPrecisionAndAmongThem) {
   const Optimisation found = optimise_now();
   ASSERT_EQ(found.plans.size(), 3u);
   for (const PrecisionPlan& plan : found.plans) {
-    const auto by_trying = allocate_exhaustively(plan.problem);
     ASSERT_NE(plan.allocation(), nullptr) << plan.precision;
-    EXPECT_DOUBLE_EQ(plan.throughput_per_s(), std::get<Allocation>(by_trying).throughput_per_s);
+    EXPECT_DOUBLE_EQ(plan.throughput_per_s(), best_by_trying(plan).throughput_per_s);
     EXPECT_GE(found.best()->throughput_per_s(), plan.throughput_per_s());
   }
 }
@@ -66,6 +73,26 @@ TEST_F(Optimise, RegistersBehindThePortsTakeSlots) {
   table_.rows.push_back(stream_row(ComponentKind::fifo, 128, 90));
   EXPECT_EQ(luts(22), luts(0));
   EXPECT_EQ(luts(23), luts(0) + 90 - fifo_64_luts);
+}
+
+TEST_F(Optimise, LanesInLockStepShareAScoreboardAndAPort) {
+  scene_.system.lanes_per_group = 4;
+  const Optimisation found = optimise_now();
+  const PrecisionPlan& plan = *found.best();
+  const auto& lane = plan.lanes.front();
+  EXPECT_EQ(lane.with_streams.luts, lane.measured.area.luts + fifo_64_luts / 4);
+  EXPECT_EQ(lane.kind.area.luts, 4 * lane.measured.area.luts + fifo_64_luts);
+  EXPECT_EQ(plan.allocation()->lane_count() % 4, 0);
+  EXPECT_EQ(plan.problem.max_lanes, 4 * 512);
+  EXPECT_DOUBLE_EQ(plan.throughput_per_s(), best_by_trying(plan).throughput_per_s);
+}
+
+TEST_F(Optimise, AGroupThatAsksInMoreThanHalfOfTheCyclesIsLeftOut) {
+  rates_ = rates_of({{8, 130'000}, {10, 130'000}, {12, 100'000}});
+  scene_.system.lanes_per_group = 4;
+  for (const PrecisionPlan& plan : optimise_now().plans) {
+    EXPECT_EQ(plan.lanes.empty(), plan.precision < 12) << plan.precision;
+  }
 }
 
 TEST_F(Optimise, SlotsAreThoseOfAPrecisionsOwnLanes) {
