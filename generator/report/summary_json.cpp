@@ -80,14 +80,18 @@ nlohmann::json json_of(const EngineSpec& engine) {
 
 nlohmann::json json_of_system(const Scene& scene) {
   const SystemSpec& system = scene.system;
-  nlohmann::json intervals = nlohmann::json::array();
+  nlohmann::json intervals = nlohmann::json::array(), targets = nlohmann::json::array();
   for (const ReferenceGroupSpec& group : scene.reference_groups()) {
     intervals.push_back(json_of(group.structure.initiation_interval));
+    targets.push_back(group.structure.target_mhz.value_or(system.target_mhz));
   }
   return {{"device", system.device},
           {"lanes", json_of(scene.lane_count())},
+          {"lanes_per_group", system.lanes_per_group},
+          {"input_registers", system.input_registers},
           {"references", json_of(scene.reference_count())},
           {"initiation_intervals", intervals},
+          {"reference_targets_mhz", targets},
           {"slack", system.slack},
           {"target_mhz", system.target_mhz},
           {"order", to_string(system.order)},

@@ -100,15 +100,26 @@ std::string shown(const std::optional<int>& count) {
 
 /// "2", or "2, initiation interval 16" where a kind of them is folded.
 std::string shown_references(const Scene& scene) {
-  std::vector<std::string> intervals;
-  bool folded = false;
+  std::vector<std::string> intervals, targets;
+  bool folded = false, own_target = false;
   for (const ReferenceGroupSpec& group : scene.reference_groups()) {
     intervals.push_back(shown(group.structure.initiation_interval));
     folded = folded || intervals.back() != "1";
+    own_target = own_target || group.structure.target_mhz;
+    targets.push_back(fmt::format("{}", group.structure.target_mhz
+                                            ? double(*group.structure.target_mhz)
+                                            : scene.system.target_mhz));
   }
-  const std::string count = shown(scene.reference_count());
-  if (!folded) return count;
-  return fmt::format("{}, initiation interval {}", count, fmt::join(intervals, ", "));
+  std::string text = shown(scene.reference_count());
+  if (folded) text += fmt::format(", initiation interval {}", fmt::join(intervals, ", "));
+  if (own_target) text += fmt::format(", placed for {} MHz", fmt::join(targets, ", "));
+  return text;
+}
+
+std::string shown_lanes(const Scene& scene) {
+  const std::string count = shown(scene.lane_count());
+  const int group = scene.system.lanes_per_group;
+  return group == 1 ? count : fmt::format("{}, in groups of {}", count, group);
 }
 
 void print_plan(SectionList& page, const PlanNotes& plan) {
@@ -162,7 +173,7 @@ void print_understood(SectionList& page, const Scene& scene) {
   const SystemSpec& system = scene.system;
   page.section("system");
   page.line("device", fmt::format("{}, slack {}", system.device, system.slack));
-  page.line("lanes", shown(scene.lane_count()));
+  page.line("lanes", shown_lanes(scene));
   page.line("references", shown_references(scene));
   page.line("target_mhz", fmt::format("{}", system.target_mhz));
   page.line("order", to_string(system.order));
