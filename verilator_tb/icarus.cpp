@@ -82,7 +82,8 @@ Command compile_command(const System& system, const Block& block, const Words& w
   };
   parameter("LANES", static_cast<std::uint64_t>(emit::group_count(s)));
   parameter("GROUP", words.lanes);
-  if (refetched) parameter("NAME_BITS", static_cast<std::uint64_t>(std::bit_width(words.lanes - 1)));
+  if (refetched)
+    parameter("NAME_BITS", static_cast<std::uint64_t>(std::bit_width(words.lanes - 1)));
   parameter("REFERENCES", static_cast<std::uint64_t>(s.references));
   parameter("TDATA_BYTES", static_cast<std::uint64_t>(s.tdata_bytes));
   parameter("TAG_BITS", static_cast<std::uint64_t>(s.tag_bits));
@@ -150,10 +151,10 @@ void add_violation(harness::wire::Violation violation, const Words& words, Answe
   }
 }
 
-/// Reads one line of the testbench: "result lane position accepted left tdata ...", "violation fault
-/// lane position tag cycle", "end" with three pairs of counted and observed, "answers n" of the
-/// next reference, or "state n cycles". With groups of lanes, a lane is a group, a position that of
-/// a word, and there is a tdata for each lane.
+/// Reads one line of the testbench: "result lane position accepted left tdata ...", "violation
+/// fault lane position tag cycle", "end" with three pairs of counted and observed, "answers n" of
+/// the next reference, or "state n cycles". With groups of lanes, a lane is a group, a position
+/// that of a word, and there is a tdata for each lane.
 bool parse_line(const std::string& line, const Words& group, Answer& answer) {
   std::istringstream words(line);
   std::string kind;

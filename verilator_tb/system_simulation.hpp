@@ -77,8 +77,8 @@ public:
   static Result<SystemSimulation> start(const Executable& executable,
                                         const SimulationOptions& options);
 
-  /// Sends a block and waits for the simulator's answer. `groups`: of lanes; `answers`: the number of
-  /// references whose answers are counted.
+  /// Sends a block and waits for the simulator's answer. `groups`: of lanes; `answers`: the number
+  /// of references whose answers are counted.
   Result<Answer> exchange(const Block& block, int groups, int answers);
   Result<Done> finish() { return process_.finish(); }
 

@@ -64,8 +64,8 @@ int lanes_at_once(const scene::Scene& scene) {
   return engine.kind == scene::EngineKind::pairwise ? engine.lanes_per_group : 1;
 }
 
-/// The streams around one lane, if a LUT of memory keeps one bit of each of 64 comparisons; its share
-/// of those of a group, or of a segment of a pairwise engine.
+/// The streams around one lane, if a LUT of memory keeps one bit of each of 64 comparisons; its
+/// share of those of a group, or of a segment of a pairwise engine.
 devices::Area rough_streams(const scene::Scene& scene, int slots) {
   if (scene.system.engine.kind == scene::EngineKind::pairwise) return {.luts = 30};
   const bool in_blocks = scene.system.operand_memory == scene::OperandMemory::block;

@@ -96,8 +96,8 @@ Described describe_lane_channel(const rtl::SystemShape& shape, const rtl::Datapa
       rtl::lane_channel_module(shape, group),
       {shape.lanes_per_group == 1
            ? group.channel + ": one lane between its AXI4-Streams."
-           : fmt::format("{}: {} lanes in lock step, lane 0 in the lowest bits.",
-                         group.channel, shape.lanes_per_group),
+           : fmt::format("{}: {} lanes in lock step, lane 0 in the lowest bits.", group.channel,
+                         shape.lanes_per_group),
        in_order ? "Results leave in the order of acceptance."
                 : "Results may overtake a recomputed one; the tag (tuser) tells which is which.",
        fmt::format("{} {} may be inside. Reset: aresetn, synchronous, active low.",

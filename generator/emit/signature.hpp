@@ -81,7 +81,7 @@ struct Signature {
   Sums reference_sums = Sums::composed;
   bool certified = false;           ///< all lanes are
   std::vector<std::string> inputs;  ///< input k is tdata[k * width +: width]
-  int lanes = 0;       ///< p_L: every per-lane port is a vector of `lanes` fields, lane 0 lowest
+  int lanes = 0;  ///< p_L: every per-lane port is a vector of `lanes` fields, lane 0 lowest
   /// Lanes that share handshakes, tag and counters: these ports have a field for each group.
   int lanes_per_group = 1;
   int references = 0;  ///< p_H

@@ -100,8 +100,7 @@ std::vector<Counters> answer_counters(const SystemShape& shape) {
 
 std::vector<Counters> system_counters(const SystemShape& shape) {
   if (shape.counter_bits == 0) return {};
-  std::vector<Counters> counters = {
-      {"comparisons", shape.channels()},
+  std::vector<Counters> counters = {{"comparisons", shape.channels()},
                                     {"recomputations", shape.channels()},
                                     {"stalls", shape.channels()}};
   for (Counters& answers : answer_counters(shape)) counters.push_back(std::move(answers));

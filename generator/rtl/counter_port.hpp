@@ -27,8 +27,8 @@ std::vector<CounterOffset> counter_offsets(const std::vector<Counters>& counters
 /// Bits of an address on the port.
 int counter_address_bits(const std::vector<Counters>& counters);
 
-/// The width of counters that the port widens, where each counts so many events in a cycle: they may
-/// wrap once, and not twice, before the port looks at them again.
+/// The width of counters that the port widens, where each counts so many events in a cycle: they
+/// may wrap once, and not twice, before the port looks at them again.
 int narrow_counter_bits(const std::vector<Counters>& counters, int events_per_cycle);
 
 /// The counters of a system's top: of each lane comparisons, recomputations and stalls; where they

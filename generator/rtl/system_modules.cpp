@@ -58,8 +58,8 @@ void add_lanes(const SystemShape& shape, const DatapathGroup& group,
       Wire{bits, "operands", indexed("lane_operands", "k", bits)},
       lane_instance(group, "operands", indexed("lane_verdict", "k", verdict_bits),
                     indexed("lane_decided", "k", 1))};
-  items.push_back(std::make_shared<const ForGenerate>(
-      ForGenerate{"k", 0, lanes, "lanes", std::move(body)}));
+  items.push_back(
+      std::make_shared<const ForGenerate>(ForGenerate{"k", 0, lanes, "lanes", std::move(body)}));
 }
 
 const std::vector<std::string> request_stream = {"m_request_tvalid", "m_request_tready",
@@ -181,8 +181,8 @@ std::vector<Port> top_ports(const SystemShape& shape) {
 }
 
 /// A wire of the top between the crossbar and the channels, with one field per lane or reference.
-/// Its name is that of the channel's port, with "lane" or "reference" in place of the first letter; a
-/// group of lanes counts as one.
+/// Its name is that of the channel's port, with "lane" or "reference" in place of the first letter;
+/// a group of lanes counts as one.
 struct Bundle {
   std::string port;
   int width;

@@ -88,9 +88,9 @@ TemplateInstance crossbar_template(const SystemShape& shape);
 TemplateInstance reference_port_template(const SystemShape& shape,
                                          const datapath::Schedule& reference);
 
-/// A lane, or a group of lanes in lock step, with its scoreboard or reorder buffer. It takes a stream
-/// of comparisons and the answers of the references; it gives a stream of results and one of requests
-/// for recomputation.
+/// A lane, or a group of lanes in lock step, with its scoreboard or reorder buffer. It takes a
+/// stream of comparisons and the answers of the references; it gives a stream of results and one of
+/// requests for recomputation.
 Module lane_channel_module(const SystemShape& shape, const DatapathGroup& lane);
 
 /// A reference datapath with the reference_port that feeds it; only for a shape that recomputes().

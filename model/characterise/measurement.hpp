@@ -117,8 +117,8 @@ struct Characterisation {
 /// where there is no engine.
 std::string engine_text(const scene::Scene& scene);
 
-/// Refuses a table whose scoreboards are around groups of other sizes than the scene's. `path` is for
-/// the error.
+/// Refuses a table whose scoreboards are around groups of other sizes than the scene's. `path` is
+/// for the error.
 Result<Done> check_groups(const Characterisation& table, const std::filesystem::path& path,
                           const scene::Scene& scene);
 

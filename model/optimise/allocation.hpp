@@ -16,8 +16,8 @@
 /// highest throughput.
 namespace mixcmp::optimise {
 
-/// One way to build a lane. Its area includes the scoreboard around the lane. Lanes in lock step come
-/// in whole groups, which share what is around them.
+/// One way to build a lane. Its area includes the scoreboard around the lane. Lanes in lock step
+/// come in whole groups, which share what is around them.
 struct LaneKind {
   std::string name;               ///< "s12e8 exact relative embedded"
   double clock_hz = 0;            ///< the highest that it runs at
@@ -66,7 +66,8 @@ enum class ClockDomains {
 /// Which references may serve a lane, and whether equation 10 holds at each reference or in total.
 enum class ReferenceSharing {
   /// Only reference i mod p_H serves lane i, as in our crossbar, so equation 10 holds at each
-  /// reference. Lanes are numbered by falling T(L) R_R, references by falling T(H). All lanes are in
+  /// reference. Lanes are numbered by falling T(L) R_R, references by falling T(H). All lanes are
+  /// in
   /// groups of one size, which count as lanes here.
   round_robin,
   pooled,  ///< any reference, as the paper assumes: equation 10 holds in total

@@ -228,13 +228,13 @@ private:
     }
   }
 
-  /// Adds columns for the groups of lanes that a reference serves. Where base_k is 1, every reference
-  /// serves k groups, and more_k of them serve one more.
+  /// Adds columns for the groups of lanes that a reference serves. Where base_k is 1, every
+  /// reference serves k groups, and more_k of them serve one more.
   void add_crossbar() {
     const std::vector<devices::Area>& shares = problem_.communication.crossbar;
     const int references = *fixed_.references;
-    const int most = std::min(static_cast<int>(shares.size()) - 1,
-                              (max_ports() + references - 1) / references);
+    const int most =
+        std::min(static_cast<int>(shares.size()) - 1, (max_ports() + references - 1) / references);
     Sum chosen;
     Sum ports = all_ports();
     for (int k = 0; k <= most; ++k) {

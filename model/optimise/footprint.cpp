@@ -111,9 +111,8 @@ bool add_references(Amounts& sum, const design::Design& design,
 /// Adds each reference's share of the crossbar; nothing where the table has no crossbar.
 void add_crossbar(Amounts& sum, const design::Design& design,
                   const characterise::Characterisation& table) {
-  for (const int served :
-       performance::lanes_of_references(design.lane_count() / design.system.lanes_per_group,
-                                        design.reference_count())) {
+  for (const int served : performance::lanes_of_references(
+           design.lane_count() / design.system.lanes_per_group, design.reference_count())) {
     const characterise::Measurement* share =
         largest(table, characterise::ComponentKind::crossbar, served);
     if (share != nullptr) add(sum, 1, share->area);

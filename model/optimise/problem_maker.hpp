@@ -70,7 +70,7 @@ private:
   std::optional<Surrounded> in_segment(PrecisionPlan& plan,
                                        const characterise::Measurement& segment);
   std::optional<Surrounded> with_fifo(const characterise::Measurement& lane,
-                                             const characterise::Measurement* fifo) const;
+                                      const characterise::Measurement* fifo) const;
   std::optional<devices::Area> area_alone(characterise::ComponentKey key) const;
   devices::Area area_with_port(const characterise::Measurement& reference);
 

@@ -127,7 +127,9 @@ double mean_naming_cycles(const LaneStreams& streams, double recomputation_rate)
   const double of_a_word =
       requests(streams, recomputation_rate) / undecided_words(streams, recomputation_rate);
   const double interval = beat_interval_cycles * streams.request_beats;
-  return 1 + (of_a_word - 1) * std::max<double>(interval, service_cycles(streams));
+  const int naming = 1, completing = 1;
+  return naming + completing +
+         (of_a_word - 1) * std::max<double>(interval, service_cycles(streams));
 }
 
 /// Cycles until a reference that is free starts a comparison, on average: a folded one does in one

@@ -1,5 +1,5 @@
 // event_counter: counts the events of each cycle, a bit of `step` for each that there may be, modulo
-// 2^COUNTER_BITS. COUNTER_BITS = 0 builds nothing and ties the one bit of `count` to 0. Reset clears it.
+// 2^COUNTER_BITS. EVENTS > 1: a cycle later. COUNTER_BITS = 0 builds nothing and ties the one bit of `count` to 0. Reset clears it.
 `default_nettype none
 
 module event_counter #(
@@ -28,23 +28,45 @@ module event_counter #(
       assign count = 1'b0;
     end else begin : g_count
       reg  [COUNTER_BITS-1:0] count_q;
-      reg  [6:0]              events;
-      wire [COUNTER_BITS+6:0] next        = {7'd0, count_q} + {{COUNTER_BITS{1'b0}}, events};
-      wire                    unused_next = &next;
-      integer                 k;
+      wire                    counts;
+      wire [COUNTER_BITS-1:0] next;
 
-      always @* begin
-        events = 7'd0;
-        for (k = 0; k < EVENTS; k = k + 1) begin
-          events = events + {6'd0, step[k]};
+      if (EVENTS == 1) begin : g_one
+        wire [COUNTER_BITS-1:0] one = 1;
+
+        assign counts = step;
+        assign next   = count_q + one;
+      end else begin : g_sum
+        reg  [6:0]              sum;
+        reg  [6:0]              sum_q;
+        wire [COUNTER_BITS+6:0] whole        = {7'd0, count_q} + {{COUNTER_BITS{1'b0}}, sum_q};
+        wire                    unused_whole = &whole;
+        integer                 k;
+
+        always @* begin
+          sum = 7'd0;
+          for (k = 0; k < EVENTS; k = k + 1) begin
+            sum = sum + {6'd0, step[k]};
+          end
         end
+
+        always @(posedge aclk) begin
+          if (!aresetn) begin
+            sum_q <= 7'd0;
+          end else begin
+            sum_q <= sum;
+          end
+        end
+
+        assign counts = 1'b1;
+        assign next   = whole[COUNTER_BITS-1:0];
       end
 
       always @(posedge aclk) begin
         if (!aresetn) begin
           count_q <= {COUNTER_BITS{1'b0}};
-        end else if (|step) begin
-          count_q <= next[COUNTER_BITS-1:0];
+        end else if (counts) begin
+          count_q <= next;
         end
       end
 

@@ -3,7 +3,7 @@
 // lanes said, from its exit on, and leaves once each of its undecided lanes has its answer. Answers
 // come in the order of words and, in a word, of lanes, so none needs a name; the first of a word
 // comes 2 cycles after the word or later. WITH_SLOT = 0: m_slot is not kept. One answer per cycle;
-// an answered word leaves 2 cycles after its last answer. Room for 2^SLOT_BITS words: nothing is
+// an answered word leaves 2 cycles after its last answer (LANES > 1: 3). Room for 2^SLOT_BITS words: nothing is
 // refused while no more are inside. Reset forgets all.
 `default_nettype none
 
@@ -42,8 +42,7 @@ module lane_answers #(
     end
   endgenerate
 
-  wire                 answered;  // the last undecided lane of a word
-  wire [2*LANES-1:0]   answered_verdict;
+  wire                 entry_valid;
   wire [WIDTH-1:0]     entry;
   wire [WIDTH-1:0]     head;
   wire                 unused_ready;
@@ -54,7 +53,7 @@ module lane_answers #(
   ) queue (
     .aclk         (aclk),
     .aresetn      (aresetn),
-    .s_axis_tvalid(answered),
+    .s_axis_tvalid(entry_valid),
     .s_axis_tready(unused_ready),
     .s_axis_tdata (entry),
     .m_axis_tvalid(m_axis_tvalid),
@@ -62,16 +61,15 @@ module lane_answers #(
     .m_axis_tdata (head)
   );
 
-  assign entry[2*LANES-1:0] = answered_verdict;
-  assign m_axis_verdict    = head[2*LANES-1:0];
+  assign m_axis_verdict = head[2*LANES-1:0];
 
   genvar k;
   generate
     if (LANES == 1) begin : g_one_lane
       wire unused_word = &{s_word_valid, s_word_slot, s_word_undecided, s_word_verdict};
 
-      assign answered          = s_answer_valid;
-      assign answered_verdict = s_answer_verdict;
+      assign entry_valid       = s_answer_valid;
+      assign entry[1:0]        = s_answer_verdict;
       assign m_axis_recomputed = 1'b1;
       if (WITH_SLOT != 0) begin : g_slot
         assign entry[WIDTH-1 -: SLOT_BITS] = s_answer_slot;
@@ -84,15 +82,17 @@ module lane_answers #(
 
       wire [KEPT-1:0]    word;
       wire [KEPT-1:0]    waiting;
-      wire               waiting_valid;
+      wire               unused_waiting_valid;
       wire               unused_word_ready;
       wire               unused_answer_slot = &s_answer_slot;
       wire [LANES-1:0]   undecided = waiting[2*LANES +: LANES];
       reg  [LANES-1:0]   answered_q;  // lanes of the first word that waits
-      reg  [2*LANES-1:0] answers_q;
-      wire [LANES-1:0]   left = undecided & ~answered_q;
-      wire [LANES-1:0]   next = left & (~left + ONE);
-      wire               unused_waiting_valid = waiting_valid;
+      wire [LANES-1:0]   left     = undecided & ~answered_q;
+      wire [LANES-1:0]   next     = left & (~left + ONE);
+      wire               complete = s_answer_valid && (left == next);
+      reg                complete_q;
+      reg  [2*LANES-1:0] verdict_q;   // of the answered lanes; of a complete word, of all
+      reg  [LANES-1:0]   recomputed_q;
 
       assign word[3*LANES-1:0] = {s_word_undecided, s_word_verdict};
 
@@ -105,38 +105,50 @@ module lane_answers #(
         .s_axis_tvalid(s_word_valid),
         .s_axis_tready(unused_word_ready),
         .s_axis_tdata (word),
-        .m_axis_tvalid(waiting_valid),
-        .m_axis_tready(answered),
+        .m_axis_tvalid(unused_waiting_valid),
+        .m_axis_tready(complete),
         .m_axis_tdata (waiting)
       );
 
-      assign answered = s_answer_valid && (left == next);
-
       always @(posedge aclk) begin
-        if (!aresetn || answered) begin
+        if (!aresetn || complete) begin
           answered_q <= {LANES{1'b0}};
         end else if (s_answer_valid) begin
           answered_q <= answered_q | next;
         end
       end
 
+      always @(posedge aclk) begin
+        complete_q <= aresetn && complete;
+        if (complete) begin
+          recomputed_q <= undecided;
+        end
+      end
+
       for (k = 0; k < LANES; k = k + 1) begin : g_lane
         always @(posedge aclk) begin
           if (s_answer_valid && next[k]) begin
-            answers_q[2*k +: 2] <= s_answer_verdict;
+            verdict_q[2*k +: 2] <= s_answer_verdict;
+          end else if (complete && !undecided[k]) begin
+            verdict_q[2*k +: 2] <= waiting[2*k +: 2];
+          end
+        end
+      end
+
+      assign entry_valid        = complete_q;
+      assign entry[3*LANES-1:0] = {recomputed_q, verdict_q};
+      assign m_axis_recomputed  = head[2*LANES +: LANES];
+      if (WITH_SLOT != 0) begin : g_slot
+        reg [SLOT_BITS-1:0] slot_q;
+
+        always @(posedge aclk) begin
+          if (complete) begin
+            slot_q <= waiting[KEPT-1 -: SLOT_BITS];
           end
         end
 
-        assign answered_verdict[2*k +: 2] = next[k]       ? s_answer_verdict
-                                           : answered_q[k] ? answers_q[2*k +: 2]
-                                                           : waiting[2*k +: 2];
-      end
-
-      assign entry[2*LANES +: LANES] = undecided;
-      assign m_axis_recomputed       = head[2*LANES +: LANES];
-      if (WITH_SLOT != 0) begin : g_slot
         assign word[KEPT-1 -: SLOT_BITS]   = s_word_slot;
-        assign entry[WIDTH-1 -: SLOT_BITS] = waiting[KEPT-1 -: SLOT_BITS];
+        assign entry[WIDTH-1 -: SLOT_BITS] = slot_q;
       end else begin : g_no_slot
         wire unused_slot = &s_word_slot;
       end

@@ -333,12 +333,14 @@ module lane_reorder #(
     end
   endgenerate
 
+  // Without references an undecided comparison is a result, and counted as it leaves.
   wire [LANES-1:0] undecided_results;
 
   genvar k;
   generate
     for (k = 0; k < LANES; k = k + 1) begin : g_result
-      assign undecided_results[k] = m_axis_tvalid && m_axis_tready && m_axis_tdata[8*k+3];
+      assign undecided_results[k] = (RECOMPUTE == 0) && m_axis_tvalid && m_axis_tready &&
+                                    m_axis_tdata[8*k+3];
     end
   endgenerate
 

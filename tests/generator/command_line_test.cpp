@@ -221,7 +221,8 @@ TEST_F(CommandLine, EveryVerbStatesTheSameLimits) {
   expect_refused("verify scene.toml --lanes 513", "accepted \"auto\" or an integer 1..512");
   expect_refused("generate scene.toml --references 17", "accepted \"auto\" or an integer 0..16");
   const Outcome help = mixcmp("generate --help");
-  EXPECT_NE(help.output.find("p_L, 1..512, in groups or a pairwise engine 1..4096 "), std::string::npos)
+  EXPECT_NE(help.output.find("p_L, 1..512, in groups or a pairwise engine 1..4096 "),
+            std::string::npos)
       << help.output;
   EXPECT_NE(help.output.find("p_H, 0..16 "), std::string::npos) << help.output;
 }

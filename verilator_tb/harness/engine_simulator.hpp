@@ -91,7 +91,7 @@ protected:
   EnginePorts ports_;
   CounterReader counter_reader_{ports_.bus};
   std::array<HoldChecker<>, system::output_streams> hold_;  ///< of each stream that leaves
-  std::vector<wire::Violation> violations_;               ///< since the last response
+  std::vector<wire::Violation> violations_;                 ///< since the last response
   std::uint64_t cycle_ = 0;
   bool stopped_ = false;  ///< the engine hung, or max_violations were seen
 

@@ -45,9 +45,8 @@ public:
   void give_back(const Entry& entry) {
     for (std::size_t k = 0; k < entry.positions.size(); ++k) {
       const auto operands = entry.operands.begin() + static_cast<std::ptrdiff_t>(k * bytes_);
-      returned_.emplace_back(
-          entry.positions[k],
-          std::vector(operands, operands + static_cast<std::ptrdiff_t>(bytes_)));
+      returned_.emplace_back(entry.positions[k],
+                             std::vector(operands, operands + static_cast<std::ptrdiff_t>(bytes_)));
     }
   }
 

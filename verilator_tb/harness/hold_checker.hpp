@@ -12,8 +12,7 @@ namespace mixcmp::harness {
 template <class Data = std::uint64_t>
 class HoldChecker {
 public:
-  std::optional<wire::Fault> observe(bool valid, bool ready, const Data& data,
-                                     std::uint64_t user) {
+  std::optional<wire::Fault> observe(bool valid, bool ready, const Data& data, std::uint64_t user) {
     std::optional<wire::Fault> fault;
     if (waiting_ && !valid) {
       fault = wire::Fault::valid_dropped;

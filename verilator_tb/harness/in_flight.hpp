@@ -10,12 +10,12 @@ struct Entry {
   enum class State { unused, offered, inside, left, discarded };
 
   State state = State::unused;
-  std::uint64_t number = 0;    ///< the running number that became the tag
+  std::uint64_t number = 0;  ///< the running number that became the tag
   /// Positions in the run, from lane 0 on. Lanes beyond got the operands of lane 0 once more, and
   /// their results are of no comparison.
   std::vector<std::uint64_t> positions;
-  std::uint64_t sequence = 0;  ///< order of acceptance in its lane
-  std::uint64_t cycle = 0;     ///< of the offer; once accepted, of the acceptance
+  std::uint64_t sequence = 0;          ///< order of acceptance in its lane
+  std::uint64_t cycle = 0;             ///< of the offer; once accepted, of the acceptance
   std::vector<std::uint8_t> operands;  ///< of every lane
 
   bool busy() const { return state == State::offered || state == State::inside; }

@@ -72,8 +72,8 @@ struct Violation {
 
 inline constexpr std::uint64_t no_position = ~std::uint64_t{0};
 
-/// Three counters of a lane, a group of lanes or an engine since the last reset, by the hardware and by the
-/// harness.
+/// Three counters of a lane, a group of lanes or an engine since the last reset, by the hardware
+/// and by the harness.
 struct CounterValues {
   std::uint64_t counted[3];
   std::uint64_t observed[3];

@@ -272,6 +272,7 @@ std::uint64_t SystemRun::outstanding() const {
 }
 
 void SystemRun::check_counters() {
+  cycle({.offer = 0.0});  // several events of one cycle are counted a cycle later
   for (int i = 0; i < spec_.lanes; ++i) {
     const Lane& lane = lanes_[i];
     const auto check = [&](const char* name, std::uint32_t got, std::uint32_t expected) {

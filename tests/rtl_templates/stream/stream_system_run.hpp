@@ -138,7 +138,7 @@ private:
   RandomSource random_;
   std::vector<Lane> lanes_;
   std::vector<Memory> memories_;
-  std::unordered_map<std::uint32_t, std::uint32_t> word_of_tag_;  ///< of all outstanding
+  std::unordered_map<std::uint32_t, std::uint32_t> word_of_tag_;      ///< of all outstanding
   std::unordered_map<std::uint32_t, std::uint32_t> operands_of_tag_;  ///< of each lane's comparison
   std::uint32_t issued_ = 0;
   std::uint64_t accepted_ = 0;

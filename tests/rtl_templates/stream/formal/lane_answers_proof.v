@@ -60,6 +60,7 @@ module lane_answers_proof (
   reg        answered = 1'b0;      // in the cycle before, of whichever word
   reg        waited = 1'b0;        // every word inside was answered, and none was offered
   reg        waited_long = 1'b0;
+  reg        waited_longer = 1'b0;
 
   wire [1:0] asks    = {1'b0, s_undecided[0]} + {1'b0, s_undecided[1]};
   wire       leave   = m_valid && m_ready;
@@ -69,12 +70,13 @@ module lane_answers_proof (
                        !m_valid;
 
   always @(posedge aclk) begin
-    started     <= 1'b1;
-    held        <= aresetn && m_valid && !m_ready;
-    held_word   <= {m_slot, m_recomputed, m_verdict};
-    answered    <= aresetn && answer;
-    waited      <= aresetn && is_idle;
-    waited_long <= aresetn && waited && is_idle;
+    started       <= 1'b1;
+    held          <= aresetn && m_valid && !m_ready;
+    held_word     <= {m_slot, m_recomputed, m_verdict};
+    answered      <= aresetn && answer;
+    waited        <= aresetn && is_idle;
+    waited_long   <= aresetn && waited && is_idle;
+    waited_longer <= aresetn && waited_long && is_idle;
     if (!aresetn) begin
       inside        <= 2'd0;
       asked         <= 3'd0;
@@ -121,7 +123,7 @@ module lane_answers_proof (
       only_when_answered: assert(!m_valid || !watching || (ahead != 2'd0) || (left == 2'd0));
       same_word: assert(!m_valid || !watching || (ahead != 2'd0) ||
                         ({m_slot, m_recomputed, m_verdict} == {slot, undecided, verdict}));
-      comes_in_two_cycles: assert(!waited_long || m_valid);
+      comes_in_three_cycles: assert(!waited_longer || m_valid);
       holds_until_taken: assert(!held ||
                                 (m_valid && ({m_slot, m_recomputed, m_verdict} == held_word)));
       can_answer_both: cover(leaves && (undecided == 2'd3) && (verdict == 4'b1001));
