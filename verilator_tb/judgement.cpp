@@ -16,6 +16,7 @@ VerifyReport empty_report(const emit::Signature& signature, const design::Design
   VerifyReport report;
   report.system = signature.top;
   report.lanes = design.lane_count();
+  report.lanes_per_group = signature.lanes_per_group;
   report.references = design.reference_count();
   report.certified = design.certified();
   report.resets = static_cast<std::uint64_t>(std::max(options.resets, 0));

@@ -85,6 +85,14 @@ std::string truth_lines(const VerifyReport& r) {
                                  truth.reference_alone_checked));
 }
 
+/// "48 (observed 48)"; comparisons of lanes in groups are "12 words of 4 (observed 12)".
+std::string counts_of(const CounterTotal& counter, int lanes_per_group) {
+  const bool in_words = counter.name == "comparisons" && lanes_per_group > 1;
+  return fmt::format("{}{} (observed {})", counter.counted,
+                     in_words ? fmt::format(" words of {}", lanes_per_group) : "",
+                     counter.observed);
+}
+
 std::string totals(const VerifyReport& r) {
   std::string text;
   text += line("comparisons", fmt::format("{} of {}", r.comparisons, r.requested));
@@ -102,9 +110,9 @@ std::string totals(const VerifyReport& r) {
                             : latency_line("latency, recomputed", r.latencies.recomputed);
   if (r.resets > 0) text += line("resets in mid-stream", std::to_string(r.resets));
   for (const CounterTotal& counter : r.counters) {
-    text += line(("counter " + counter.name).c_str(),
-                 fmt::format("{} (observed {}){}", counter.counted, counter.observed,
-                             r.resets > 0 ? " since the last reset" : ""));
+    text +=
+        line(("counter " + counter.name).c_str(),
+             counts_of(counter, r.lanes_per_group) + (r.resets > 0 ? " since the last reset" : ""));
   }
   return text + truth_lines(r);
 }
@@ -342,9 +350,11 @@ std::vector<std::string> notes_on(const VerifyReport& r) {
 }
 
 std::string to_text(const VerifyReport& r) {
-  std::string text = fmt::format("{}: {}, p_L = {}, p_H = {}, {}, {}\n",
-                                 r.passed() ? "passed" : "FAILED", r.system, r.lanes, r.references,
-                                 r.certified ? "certified" : "not certified", r.simulator);
+  const std::string groups =
+      r.lanes_per_group == 1 ? "" : fmt::format(" in groups of {}", r.lanes_per_group);
+  std::string text = fmt::format(
+      "{}: {}, p_L = {}{}, p_H = {}, {}, {}\n", r.passed() ? "passed" : "FAILED", r.system, r.lanes,
+      groups, r.references, r.certified ? "certified" : "not certified", r.simulator);
   text += input_lines(r);
   text += totals(r);
   text += engine_lines(r);

@@ -62,7 +62,7 @@ struct Latencies {
 };
 
 /// One of the hardware's counters, summed over the lanes, since the last reset; and over
-/// simulations.
+/// simulations. Groups of lanes in lock step count comparisons in words of one for each lane.
 struct CounterTotal {
   std::string name;
   std::uint64_t counted = 0;
@@ -148,6 +148,7 @@ struct VerifyReport {
   std::string system;
   std::string simulator;
   int lanes = 0;
+  int lanes_per_group = 1;
   int references = 0;
   bool certified = false;                      ///< all lanes are
   std::vector<data::InputSource> inputs;       ///< which column of the data feeds which input

@@ -209,6 +209,7 @@ VerifyReport report_in(const Json& json) {
   VerifyReport report{.system = json.at("system"),
                       .simulator = json.at("simulator"),
                       .lanes = json.at("lanes"),
+                      .lanes_per_group = json.value("lanes_per_group", 1),
                       .references = json.at("references"),
                       .certified = json.at("certified"),
                       .requested = json.at("requested"),
@@ -234,10 +235,15 @@ VerifyReport report_in(const Json& json) {
 }
 
 Json to_json(const VerifyReport& r) {
-  Json json = {{"passed", r.passed()},       {"system", r.system},
-               {"simulator", r.simulator},   {"lanes", r.lanes},
-               {"references", r.references}, {"certified", r.certified},
-               {"requested", r.requested},   {"comparisons", r.comparisons}};
+  Json json = {{"passed", r.passed()},
+               {"system", r.system},
+               {"simulator", r.simulator},
+               {"lanes", r.lanes},
+               {"lanes_per_group", r.lanes_per_group},
+               {"references", r.references},
+               {"certified", r.certified},
+               {"requested", r.requested},
+               {"comparisons", r.comparisons}};
   json["inputs"] = Json::array();
   for (const data::InputSource& input : r.inputs) json["inputs"].push_back(to_json(input));
   for (const Verdict verdict : all_verdicts) {

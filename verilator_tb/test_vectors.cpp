@@ -182,6 +182,14 @@ std::vector<std::vector<Bits>> all_operands(const design::Design& design,
   return all;
 }
 
+/// Fills the last word of a group of lanes up with its own first comparison. Lanes of a group are
+/// of one kind, so they answer it alike.
+void fill_last_word(std::vector<project::TestVector>& vectors, std::size_t lanes_per_group) {
+  while (vectors.size() % lanes_per_group != 0) {
+    vectors.push_back(vectors[vectors.size() / lanes_per_group * lanes_per_group]);
+  }
+}
+
 }  // namespace
 
 std::vector<project::TestVector> test_vectors(const design::Design& design,
@@ -197,6 +205,7 @@ std::vector<project::TestVector> test_vectors(const design::Design& design,
     vectors.push_back(
         {std::move(tdata), expected_word(design, design.group_of_lane(lane), operands)});
   }
+  fill_last_word(vectors, static_cast<std::size_t>(signature.lanes_per_group));
   return vectors;
 }
 

@@ -26,7 +26,8 @@ std::vector<std::uint64_t> choose_comparisons(const design::Design& design,
 /// zeros, NaNs, infinities and ends of the format's range in the place of operands of the data, and
 /// with ties in one part of several.
 /// Vector k is for lane k modulo the number of lanes; the golden model computes the word that this
-/// lane must return.
+/// lane must return. With lanes in groups the last word of a group is filled up, so that there may
+/// be more than `count`.
 std::vector<project::TestVector> test_vectors(const design::Design& design,
                                               const data::Comparisons& comparisons,
                                               const emit::Signature& signature,

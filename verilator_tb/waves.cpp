@@ -110,24 +110,28 @@ bool is_whole_fst(const std::filesystem::path& path) {
 
 std::string gtkwave_save_file(const emit::Signature& s, const SaveFile& options) {
   const int lane = options.marked ? static_cast<int>(options.marked->lane) : 0;
+  const int group = lane / s.lanes_per_group, groups = emit::group_count(s);
+  const std::string counter_owner = s.lanes_per_group == 1
+                                        ? fmt::format("lane {}", lane)
+                                        : fmt::format("group {} of lanes", group);
   Writer writer(options.scope);
   writer.wire("aclk");
   writer.wire("aresetn");
   writer.group(fmt::format("comparisons of lane {}", lane));
-  writer.field("s_axis_tvalid", lane, s.lanes, 1);
-  writer.field("s_axis_tready", lane, s.lanes, 1);
+  writer.field("s_axis_tvalid", group, groups, 1);
+  writer.field("s_axis_tready", group, groups, 1);
   writer.field("s_axis_tdata", lane, s.lanes, 8 * s.tdata_bytes);
-  writer.field("s_axis_tuser", lane, s.lanes, s.tag_bits);
+  writer.field("s_axis_tuser", group, groups, s.tag_bits);
   writer.group(
       fmt::format("results of lane {}: tdata = undecided, recomputed, verdict[1:0]", lane));
-  writer.field("m_axis_tvalid", lane, s.lanes, 1);
-  writer.field("m_axis_tready", lane, s.lanes, 1);
+  writer.field("m_axis_tvalid", group, groups, 1);
+  writer.field("m_axis_tready", group, groups, 1);
   writer.field("m_axis_tdata", lane, s.lanes, 8);
-  writer.field("m_axis_tuser", lane, s.lanes, s.tag_bits);
+  writer.field("m_axis_tuser", group, groups, s.tag_bits);
   if (emit::has_counter_ports(s)) {
-    writer.group(fmt::format("counters of lane {}", lane));
+    writer.group("counters of " + counter_owner);
     for (const char* port : {"comparisons", "recomputations", "stalls"}) {
-      writer.field(port, lane, s.lanes, s.counter_bits);
+      writer.field(port, group, groups, s.counter_bits);
     }
   }
   return header(options) + writer.text();

@@ -10,8 +10,9 @@
 
 namespace mixcmp::verilator_tb {
 
-/// A GTKWave save file: the streams of one lane, grouped, and the counters. `marked` chooses the
-/// lane (0 without it) and sets marker A where that comparison was accepted and B where it left.
+/// A GTKWave save file: the streams of one lane, or of its group of lanes, and the counters.
+/// `marked` chooses the lane (0 without it) and sets marker A where that comparison was accepted
+/// and B where it left.
 struct SaveFile {
   std::filesystem::path waves;
   std::string scope;             ///< scope of the system's ports in the wave file, "TOP.top"

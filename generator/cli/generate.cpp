@@ -46,6 +46,13 @@ std::string timing(const emit::SignatureReferences& group) {
   return fmt::format("{}, one comparison in {}", latency, group.initiation_interval_cycles);
 }
 
+/// "p_L = 8", of lanes in lock step "p_L = 8 (in groups of 4)".
+std::string lane_count(const emit::Signature& s) {
+  const std::string lanes = fmt::format("p_L = {}", s.lanes);
+  return s.lanes_per_group == 1 ? lanes
+                                : fmt::format("{} (in groups of {})", lanes, s.lanes_per_group);
+}
+
 /// Prints lanes and references, in one line if there is one kind of each, else one line per kind.
 void print_parts(const emit::Signature& s) {
   if (s.lane_groups.size() == 1 && s.reference_groups.size() <= 1) {
@@ -54,11 +61,11 @@ void print_parts(const emit::Signature& s) {
                                       ? ""
                                       : fmt::format(" in {} ({})", s.reference_format.name(),
                                                     timing(s.reference_groups.front()));
-    return print(fmt::format("{}: p_L = {} in {} ({} cycles), p_H = {}{}, {}\n", s.top, s.lanes,
+    return print(fmt::format("{}: {} in {} ({} cycles), p_H = {}{}, {}\n", s.top, lane_count(s),
                              lanes.format, lanes.latency_cycles, s.references, reference,
                              certainty(s.certified)));
   }
-  print(fmt::format("{}: p_L = {}, p_H = {} in {}, {}\n", s.top, s.lanes, s.references,
+  print(fmt::format("{}: {}, p_H = {} in {}, {}\n", s.top, lane_count(s), s.references,
                     s.reference_format.name(), certainty(s.certified)));
   for (const emit::SignatureLanes& group : s.lane_groups) {
     print(fmt::format("  {} in {}: {} cycles, inputs {}, multipliers {}; {}\n",

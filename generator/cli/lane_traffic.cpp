@@ -25,6 +25,7 @@ constexpr std::uint64_t looked_through = 1 << 22;
 design::Design small_system(design::Design design) {
   design.lanes.erase(design.lanes.begin() + 1, design.lanes.end());
   design.lanes.front().count = 1;
+  design.system.lanes_per_group = 1;
   if (!design.references.empty()) {
     design.references.resize(1);
     design.references.front().count = std::min(1, design.references.front().count);

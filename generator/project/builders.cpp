@@ -35,13 +35,14 @@ void add_counter_values(const emit::Signature& signature,
   const int address_bits = width_of("s_axi_araddr");
   const bool counts = signature.counter_bits > 0;
   values["COUNTS"] = counts ? "yes" : "";
+  values["COUNTED_UNIT"] = signature.lanes_per_group > 1 ? "group" : "lane";
   values["COUNTER_OUTPUTS"] = counts && address_bits == 0 ? "yes" : "";
   values["COUNTER_PORT"] = address_bits > 0 ? "yes" : "";
   values["COUNTER_ADDRESS_BITS"] = std::to_string(address_bits);
   // The counters of a system inside an engine whose port widens them are narrow.
   const bool is_narrow = address_bits == 0 && !signature.counter_map.empty();
-  values["COUNTER_BITS"] = std::to_string(is_narrow ? width_of("comparisons") / signature.lanes
-                                                    : signature.counter_bits);
+  values["COUNTER_BITS"] = std::to_string(
+      is_narrow ? width_of("comparisons") / emit::group_count(signature) : signature.counter_bits);
   values["COUNTED_ANSWERS"] = is_narrow && width_of("answers") > 0 ? "yes" : "";
   int number = 0;
   std::string wires;

@@ -93,6 +93,9 @@ GeneratedFile counters_header(const ProjectSpec& spec) {
                          in_capitals(counters.name), counters.offset, counters.count);
   }
   values["NAME"] = name;
+  const int lanes_per_group = spec.signature.lanes_per_group;
+  values["GROUPED"] = lanes_per_group > 1 ? "yes" : "";
+  values["LANES_PER_GROUP"] = std::to_string(lanes_per_group);
   values["KINDS"] = kinds;
   values["COUNTER_BITS"] = std::to_string(spec.signature.counter_bits);
   return file_from(fmt::format("integration/{}_counters.h", spec.build_top()), "counters.h",

@@ -29,7 +29,8 @@ std::string start_command(Tool tool, const std::string& top, const std::string& 
 struct ProjectSpec {
   const emit::Signature& signature;
   const devices::Device& device;
-  /// Vector k is for lane k modulo the number of lanes. Empty: there is an engine, or no data.
+  /// Vector k is for lane k modulo the number of lanes; those of a group of lanes are whole words.
+  /// Empty: there is an engine, or no data.
   const std::vector<TestVector>& vectors;
   /// For the test bench of the engine, where there is one and there are vectors.
   const EngineVectors& engine_vectors;

@@ -33,7 +33,7 @@ std::vector<FieldPort> field_ports(const ProjectSpec& spec) {
   std::vector<FieldPort> ports;
   for (const emit::SignaturePort& port : spec.build_ports()) {
     if (port.is_clock_or_reset()) continue;
-    FieldPort field{.port = &port, .count = spec.signature.lanes};
+    FieldPort field{.port = &port, .count = emit::group_count(spec.signature)};
     if (is_refetch(field)) field.count = spec.signature.references;
     if (port.is_counter_bus()) {
       field.count = 1;
@@ -79,15 +79,27 @@ std::string wrapper_name(const ProjectSpec& spec) {
   return spec.build_top() + "_streams";
 }
 
+/// Says whose ports number k are.
+std::vector<std::string> description(const emit::Signature& signature) {
+  if (signature.engine) return {"Stream k is m_axis_k_* with the counter reports_k."};
+  const std::string streams =
+      "s_axis_k_*, m_axis_k_* and its counters; reference k has its refetch streams.";
+  if (signature.lanes_per_group == 1) return {"Lane k has " + streams};
+  return {"Group k has " + streams,
+          fmt::format("It has {} lanes; those of group 0 come first, and its lane 0 is lowest in "
+                      "tdata.",
+                      signature.lanes_per_group)};
+}
+
 std::vector<std::string> header(const ProjectSpec& spec) {
-  const bool is_engine = spec.signature.engine.has_value();
+  const char* const owner = spec.signature.engine                ? "stream of reports"
+                            : spec.signature.lanes_per_group > 1 ? "group of lanes"
+                                                                 : "lane";
   std::vector<std::string> lines = {
       fmt::format("{}: {} with an AXI4-Stream of its own for each {}.", wrapper_name(spec),
-                  spec.build_top(), is_engine ? "stream of reports" : "lane"),
-      is_engine ? "Stream k is m_axis_k_* with the counter reports_k."
-                : "Lane k has s_axis_k_*, m_axis_k_* and its counters; reference k has its refetch "
-                  "streams.",
-      ""};
+                  spec.build_top(), owner)};
+  for (std::string& line : description(spec.signature)) lines.push_back(std::move(line));
+  lines.emplace_back();
   for (std::string& line : emit::provenance(spec.signature, spec.command)) {
     lines.push_back(std::move(line));
   }

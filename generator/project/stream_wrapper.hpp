@@ -8,8 +8,9 @@
 
 namespace mixcmp::project {
 
-/// A port of the top. Of a system it has one field for each lane or, of a refetch stream, for each
-/// reference; of a pairwise engine one for each stream of reports, or is no vector of streams.
+/// A port of the top. Of a system it has one field for each lane or group of lanes or, of a refetch
+/// stream, for each reference; of a pairwise engine one for each stream of reports, or is no vector
+/// of streams.
 struct FieldPort {
   const emit::SignaturePort* port;
   int count = 0;           ///< fields
@@ -24,8 +25,8 @@ struct FieldPort {
 /// a pairwise engine with several streams of reports.
 bool has_stream_wrapper(const emit::Signature& signature);
 
-/// A module around the top that has ports of their own for each lane and each refetch stream or,
-/// around a pairwise engine, for each stream of reports.
+/// A module around the top that has ports of their own for each lane, or group of lanes in lock
+/// step, and each refetch stream or, around a pairwise engine, for each stream of reports.
 rtl::Module stream_wrapper(const ProjectSpec& spec);
 
 }  // namespace mixcmp::project

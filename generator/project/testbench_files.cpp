@@ -9,6 +9,22 @@ bool refetches(const emit::Signature& signature) {
   return signature.operands == scene::OperandStore::refetched && signature.references > 0;
 }
 
+/// What a test bench needs where lanes are in groups, and what leaves the text of one for single
+/// lanes as it is.
+void add_group_values(const emit::Signature& s, Values& values) {
+  const bool is_grouped = s.lanes_per_group > 1;
+  values["GROUPED"] = is_grouped ? "yes" : "";
+  values["UNGROUPED"] = is_grouped ? "" : "yes";
+  values["LANES_PER_GROUP"] = std::to_string(s.lanes_per_group);
+  values["COUNTED"] = is_grouped ? "GROUPS" : "LANES";
+  values["GROUP_PREFIX"] = is_grouped ? "group_" : "";
+  values["OF_GROUPS"] = is_grouped ? "[::LANES_PER_GROUP]" : "";
+  values["STREAM_OF_LANE"] = is_grouped ? "lane // LANES_PER_GROUP" : "lane";
+  // A refetched operand is asked for by the tag of its word and the number of its lane, so that
+  // each comparison needs a tag of its own.
+  values["COMPARISONS_PER_TAG"] = refetches(s) ? "1" : "LANES_PER_GROUP";
+}
+
 /// The values of the signature by the names that both test benches give them.
 Values signature_values(const ProjectSpec& spec, const std::string& comment) {
   const emit::Signature& s = spec.signature;
@@ -23,6 +39,7 @@ Values signature_values(const ProjectSpec& spec, const std::string& comment) {
   number("IN_ORDER", s.order == scene::ResultOrder::in_order ? 1 : 0);
   number("REFETCHES", refetches(s) ? 1 : 0);
   number("COUNT", spec.vectors.size());
+  add_group_values(s, values);
   return values;
 }
 

@@ -93,8 +93,12 @@ void add_references(page::Section& section, const BuiltSystem& system) {
 }
 
 std::string caption_of(const emit::Signature& signature) {
+  const std::string groups =
+      signature.lanes_per_group == 1
+          ? ""
+          : fmt::format(" in groups of {} in lock step", signature.lanes_per_group);
   const std::string numbers =
-      fmt::format("p_L = {}, p_H = {}.", signature.lanes, signature.references);
+      fmt::format("p_L = {}{}, p_H = {}.", signature.lanes, groups, signature.references);
   if (!signature.engine) return fmt::format("The top module {}: {}", signature.top, numbers);
   const std::string& top = signature.engine->top;
   if (signature.engine->kind == scene::EngineKind::pairwise) {

@@ -44,26 +44,28 @@ private:
     const Box slots{136, y + 34, 116, 70}, lane{lane_x, y + 34, lane_width, 70},
         results{532, y + 34, 112, 70};
     canvas_.frame({118, y, 546, 122});
-    canvas_.text(128, y + 17, "detail", counted(lanes.count, "lane") + ", each with:");
+    canvas_.text(128, y + 17, "detail", title_of(lanes));
     canvas_.box(
         slots, "network",
         {"scoreboard", counted(signature_.slots, "slot"), carries() ? "tags, operands" : "tags"}, 1,
-        "Keeps what is inside a lane, until its verdict has left.");
+        is_grouped() ? "Keeps what is inside a group of lanes, until its verdicts have left."
+                     : "Keeps what is inside a lane, until its verdict has left.");
     canvas_.box(
         lane, "lane",
         {"lane, " + lanes.format, counted(lanes.latency_cycles, "cycle") + ", 1 result a cycle",
          "multipliers: " + std::string(to_string(lanes.multipliers))},
-        lanes.count, lanes.module + "\n" + lanes.decision);
+        is_grouped() ? signature_.lanes_per_group : lanes.count,
+        lanes.module + "\n" + lanes.decision);
     canvas_.box(results, "network", {"results", order()}, 1,
                 "Verdicts of the lane and of the references.");
     const double middle = lane.middle();
     canvas_.arrow({{14, middle}, {slots.x, middle}});
     canvas_.text(14, middle - 8, "detail", "operands, tag");
-    canvas_.text(14, middle + 17, "detail", fmt::format("{} bytes", signature_.tdata_bytes));
+    canvas_.text(14, middle + 17, "detail", operand_bytes());
     canvas_.arrow({{slots.right(), middle}, {lane.x, middle}});
     canvas_.arrow({{lane.right(), middle}, {results.x, middle}});
     canvas_.arrow({{results.right(), middle}, {780, middle}});
-    canvas_.text(690, middle - 8, "detail", "verdict, tag");
+    canvas_.text(690, middle - 8, "detail", is_grouped() ? "verdicts, tag" : "verdict, tag");
     slots_bottoms_.push_back({slots.center(), slots.bottom()});
     results_bottoms_.push_back({results.center(), results.bottom()});
   }
@@ -72,9 +74,10 @@ private:
     const double y =
         lanes_top + lane_pitch * static_cast<double>(signature_.lane_groups.size()) + 8;
     const Box crossbar{lane_x, y + 4, lane_width, 50};
-    canvas_.box(crossbar, "network",
-                {"crossbar", fmt::format("{} to {}", signature_.lanes, signature_.references)}, 1,
-                "Takes undecided comparisons to the references, round-robin.");
+    canvas_.box(
+        crossbar, "network",
+        {"crossbar", fmt::format("{} to {}", emit::group_count(signature_), signature_.references)},
+        1, "Takes undecided comparisons to the references, round-robin.");
     for (std::size_t k = 0; k < slots_bottoms_.size(); ++k) {
       const double x = slots_bottoms_[k].x - 14 * static_cast<double>(k);
       const double end = crossbar.middle() + 8 * static_cast<double>(k);
@@ -106,6 +109,22 @@ private:
       canvas_.arrow({{786, y}, {x, y}, {x, level}, {results.x, level}, {results.x, results.y}});
     }
     canvas_.text(806, y - 12, "detail", "verdict");
+  }
+
+  bool is_grouped() const { return signature_.lanes_per_group > 1; }
+
+  /// What the frame around lanes of one kind says: "8 lanes, each with:".
+  std::string title_of(const SignatureLanes& lanes) const {
+    const std::string all = counted(lanes.count, "lane");
+    if (!is_grouped()) return all + ", each with:";
+    return fmt::format("{} in {} of {} in lock step, each group with:", all,
+                       counted(lanes.count / signature_.lanes_per_group, "group"),
+                       signature_.lanes_per_group);
+  }
+
+  std::string operand_bytes() const {
+    const std::string bytes = fmt::format("{} bytes", signature_.tdata_bytes);
+    return is_grouped() ? fmt::format("{} x {}", signature_.lanes_per_group, bytes) : bytes;
   }
 
   bool carries() const {

@@ -42,10 +42,10 @@ constexpr const char* scoreboard = "mixcmp_lane_scoreboard.v";
 constexpr const char* tags = "mixcmp_lane_tags.v";
 
 constexpr Fault faults[] = {
-    {tags, "s/!s_result_asks) || result_waits/!s_result_asks)/", "changed before tready rose"},
-    {tags, "s/{4.b0000, result_q}/{4'\\''b0000, result_q ^ 4'\\''b0010}/",
+    {tags, "s/!asks) || result_waits/!asks)/", "changed before tready rose"},
+    {tags, "s/result_q.2.k +: 2.}/result_q[2*k +: 2] ^ 2'\\''b10}/",
      "expected less, decided by the lane; got greater, decided by the lane"},
-    {scoreboard, "s/answer_slot, 2.b01/answer_slot, 2'\\''b00/",
+    {scoreboard, "s/, {LANES{1.b0}}, answer_recomputed/, {(2*LANES){1'\\''b0}}/",
      "expected less, recomputed; got less, decided by the lane"},
     {tags, "s/write_data   (start_tag)/write_data   (start_tag ^ 2)/", "expected "},
     {tags, "s/write_data   (start_tag)/write_data   (start_tag | 1)/",
@@ -116,6 +116,56 @@ TEST_F(Project, TheTestBenchPassesForEveryKindOfSystem) {
     expect_in(run.output, "PASSED: 240 comparisons");
     fs::remove_all(path("rtl"));
   }
+}
+
+TEST_F(Project, TheTestBenchPassesForGroupsOfLanes) {
+  for (const char* settings :
+       {"--set system.lanes_per_group=3 --lanes 6 --references 2 "
+        "--set system.operands=refetched --set system.tag_bits=5",
+        "--set system.lanes_per_group=4 --lanes 8 --references 2 "
+        "--set system.order=in_order --set system.counters=axi_lite",
+        "--set system.lanes_per_group=2 --lanes 2 --references 0 --set system.tag_bits=1"}) {
+    generate(std::string("--project icarus --vectors 60 ") + settings);
+    const Outcome run = in_folder("rtl/icarus/run work");
+    EXPECT_EQ(run.exit_code, 0) << settings << "\n" << run.output;
+    expect_in(run.output, "PASSED: 240 comparisons");
+    fs::remove_all(path("rtl"));
+  }
+}
+
+constexpr const char* answers = "mixcmp_lane_answers.v";
+
+TEST_F(Project, TheTestBenchFindsFaultsOfAGroup) {
+  generate("--project icarus --vectors 100 --lanes 8 --set system.lanes_per_group=4");
+  const Fault faults_of_a_group[] = {
+      {answers, "s/: answered_q.k. ? answers_q.2.k +: 2./: answered_q[k] ? answers_q[1:0]/",
+       "recomputed; got "},
+      {answers, "s/m_axis_recomputed *= head/m_axis_recomputed = ~head/",
+       "decided by the lane; got "},
+      {tags, "s/m_axis_tuser *= tag/m_axis_tuser = tag + 1/", "which is not inside"},
+      {"mixcmp_lane_counters.v", "s/((k == 0) && request_sent)/request_sent/",
+       "recomputations of group 0: the counter is"}};
+  for (const Fault& fault : faults_of_a_group) {
+    const Outcome run = run_changed(fault.file, fault.change);
+    EXPECT_NE(run.exit_code, 0) << fault.change << "\n" << run.output;
+    expect_in(run.output, fault.message);
+  }
+}
+
+TEST_F(Project, TheTestBenchFindsARefetchOfAnotherLanesOperands) {
+  generate(
+      "--project icarus --vectors 100 --lanes 4 --set system.lanes_per_group=4 "
+      "--set system.operands=refetched");
+  const Outcome run = run_changed(tags, "s/ + {{TAG_BITS{1.b0}}, lane};/ + {TAG_BITS{1'\\''b0}};/");
+  EXPECT_NE(run.exit_code, 0) << run.output;
+  expect_in(run.output, "recomputed; got ");
+}
+
+TEST_F(Project, GroupsOfLanesAreTold) {
+  const std::string command = "generate scene.toml --no-prove -o rtl --lanes 8 ";
+  expect_in(mixcmp(command + "--set system.lanes_per_group=4").output,
+            "scene_s8e8_8x1: p_L = 8 (in groups of 4) in s8e8 (");
+  expect_in(mixcmp(command).output, "scene_s8e8_8x1: p_L = 8 in s8e8 (");
 }
 
 TEST_F(EngineProject, ThePairwiseEngineIsTested) {
@@ -256,6 +306,28 @@ TEST_F(Project, VerilatorFindsNoFaultAndNoWarning) {
   expect_in(run.output, "PASSED: 400 comparisons (100, 4 times)");
 }
 
+TEST_F(Project, AGroupOfLanesHasStreamsOfTheWrapper) {
+  generate("--project verilator --vectors 50 --lanes 8 --set system.lanes_per_group=4");
+  const std::string wrapper = read("rtl/integration/scene_s8e8_8x1_streams.v");
+  for (const char* port : {"wire         s_axis_1_tvalid", "wire [255:0] s_axis_1_tdata",
+                           "wire [31:0]  s_axis_1_tuser", "wire [31:0]  m_axis_1_tdata",
+                           "wire [31:0]  recomputations_1"}) {
+    expect_in(wrapper, port);
+  }
+  EXPECT_EQ(wrapper.find("s_axis_2_tvalid"), std::string::npos);
+  const Outcome lint = in_folder(
+      "verilator --lint-only -Wall --top-module scene_s8e8_8x1_streams -F rtl/scene_s8e8_8x1.f "
+      "rtl/integration/scene_s8e8_8x1_streams.v");
+  EXPECT_EQ(without_report(lint.output), "");
+  const Outcome bench = in_folder(
+      "verilator --lint-only --timing --top-module scene_s8e8_8x1_tb -F rtl/scene_s8e8_8x1.f "
+      "rtl/testbench/scene_s8e8_8x1_tb.v");
+  EXPECT_EQ(without_report(bench.output), "");
+  const Outcome run = in_folder("rtl/verilator/run work");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  expect_in(run.output, "PASSED: 208 comparisons (52, 4 times)");
+}
+
 TEST_F(EngineProject, StreamsOfReportsHaveAWrapper) {
   write_pairs();
   generate("--project yosys");
@@ -296,6 +368,19 @@ int main(void) {
     const Outcome run = in_folder(
         fmt::format("{} -Wall -Wextra -pedantic -Werror reader.c -o reader && ./reader", compiler));
     EXPECT_EQ(run.exit_code, 0) << compiler << "\n" << run.output;
+  }
+}
+
+TEST_F(Project, TheHeaderOfCountersSaysHowManyLanesAGroupHas) {
+  generate("--project yosys --set system.counters=axi_lite --lanes 8");
+  EXPECT_EQ(read("rtl/integration/scene_s8e8_8x1_counters.h").find("PER_GROUP"), std::string::npos);
+  generate(
+      "--project yosys --set system.counters=axi_lite --lanes 8 --set system.lanes_per_group=4");
+  const std::string header = read("rtl/integration/scene_s8e8_8x1_counters.h");
+  for (const char* line : {"#define SCENE_S8E8_8X1_LANES_PER_GROUP 4\n",
+                           "#define SCENE_S8E8_8X1_COMPARISONS_COUNT 2\n",
+                           "#define SCENE_S8E8_8X1_STALLS_OFFSET 32\n"}) {
+    expect_in(header, line);
   }
 }
 

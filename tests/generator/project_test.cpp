@@ -16,7 +16,7 @@ TEST(TextTemplate, OnlyNamesInCapitalsArePlaceholders) {
 }
 
 TEST(TextTemplate, SectionsAreThereWhereTheirValueIsNotEmpty) {
-  project::Values values = {{"DUT", "spheres"}, {"COUNTS", ""}};
+  project::Values values = {{"DUT", "spheres"}, {"COUNTS", ""}, {"COUNTED_UNIT", "lane"}};
   const std::string without = project::fill_template("testbench_common.v", values);
   values["COUNTS"] = "yes";
   const std::string with = project::fill_template("testbench_common.v", values);
@@ -30,7 +30,7 @@ TEST(TextTemplate, SectionsAreThereWhereTheirValueIsNotEmpty) {
 }
 
 TEST(TextTemplate, AnIncludedTemplateHasTheSameValues) {
-  const project::Values values = {{"DUT", "spheres"}, {"COUNTS", "yes"}};
+  const project::Values values = {{"DUT", "spheres"}, {"COUNTS", "yes"}, {"COUNTED_UNIT", "lane"}};
   const std::string common = project::fill_template("testbench_common.v", values);
   EXPECT_EQ(project::fill_template("testbench_engine.v", values).find(common), 0u);
 }

@@ -53,6 +53,14 @@ TEST_F(VendorScript, VivadoSynthesisesAndPackages) {
   }
 }
 
+TEST_F(VendorScript, StreamsOfGroupsArePackagedEach) {
+  generate("--project vivado --device artix7-200t --lanes 8 --set system.lanes_per_group=4");
+  const Outcome packaging = tcl("rtl/vivado/package_ip.tcl");
+  EXPECT_EQ(packaging.exit_code, 0) << packaging.output;
+  expect_in(packaging.output, "infer_bus_interface m_axis_1_tvalid m_axis_1_tready");
+  EXPECT_EQ(packaging.output.find("m_axis_2"), std::string::npos) << packaging.output;
+}
+
 TEST_F(VendorScript, StreamsOfReportsArePackagedEach) {
   write_pairs();
   generate(
@@ -115,10 +123,16 @@ TEST_F(ProjectTools, FuseSocRunsItsTargets) {
 
 TEST_F(ProjectTools, CocotbPasses) {
   if (!is_installed("cocotb-config")) GTEST_SKIP() << "cocotb is not installed";
-  generate("--project icarus --vectors 50");
-  const Outcome run = in_folder("mkdir work && cd work && make -f ../rtl/cocotb/Makefile");
-  EXPECT_EQ(run.exit_code, 0) << run.output;
-  expect_in(run.output, "PASS=2 FAIL=0");
+  for (const char* settings : {"", "--lanes 8 --set system.lanes_per_group=4",
+                               "--lanes 6 --set system.lanes_per_group=3 "
+                               "--set system.operands=refetched --set system.tag_bits=5"}) {
+    generate(std::string("--project icarus --vectors 50 ") + settings);
+    const Outcome run = in_folder("mkdir work && cd work && make -f ../rtl/cocotb/Makefile");
+    EXPECT_EQ(run.exit_code, 0) << settings << "\n" << run.output;
+    expect_in(run.output, "PASS=2 FAIL=0");
+    fs::remove_all(path("rtl"));
+    fs::remove_all(path("work"));
+  }
 }
 
 TEST_F(ProjectTools, CocotbLeavesNothingInTheGeneratedFolder) {
@@ -142,11 +156,13 @@ TEST_F(ProjectTools, CocotbLeavesNothingInTheGeneratedFolder) {
 
 TEST_F(ProjectTools, TheCocotbTestIsPython) {
   if (!is_installed("python3")) GTEST_SKIP() << "python3 is not installed";
-  generate("--project icarus --vectors 5");
-  const Outcome run = in_folder(
-      "python3 -W error -c 'import ast, sys; ast.parse(open(sys.argv[1]).read())' "
-      "rtl/cocotb/test_scene_s8e8_2x1.py");
-  EXPECT_EQ(run.exit_code, 0) << run.output;
+  for (const char* settings : {"", "--set system.lanes_per_group=2"}) {
+    generate(std::string("--project icarus --vectors 5 ") + settings);
+    const Outcome run = in_folder(
+        "python3 -W error -c 'import ast, sys; ast.parse(open(sys.argv[1]).read())' "
+        "rtl/cocotb/test_scene_s8e8_2x1.py");
+    EXPECT_EQ(run.exit_code, 0) << settings << "\n" << run.output;
+  }
 }
 
 TEST_F(ProjectTools, GhdlTakesTheComponents) {

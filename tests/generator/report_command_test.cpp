@@ -101,6 +101,13 @@ TEST_F(Report, WithoutReferencesAComparisonOfTheWavesStaysUndecided) {
             std::string::npos);
 }
 
+TEST_F(Report, ShowsLanesInGroupsAndFollowsOneOfThem) {
+  write_scene("lanes = 4\nreferences = 1\nlanes_per_group = 2\n");
+  const std::string html = page("--without profile,plan");
+  EXPECT_NE(html.find("p_L = 4 in groups of 2 in lock step, p_H = 1."), std::string::npos);
+  EXPECT_NE(html.find("it came back from a reference after"), std::string::npos);
+}
+
 TEST_F(Report, ShowsAPairwiseEngineAsItIsBuilt) {
   write_scene("lanes = 4\nreferences = 1\n[engine]\nkind = \"pairwise\"\n");
   for (const char* lanes : {"q13", "s8e8"}) {

@@ -1,3 +1,4 @@
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -158,6 +159,19 @@ TEST(Schematic, APairwiseEngineIsDrawnWithItsStreamsAndReferences) {
     EXPECT_NE(picture.find(words), std::string::npos) << words;
   }
   EXPECT_EQ(picture.find("crossbar"), std::string::npos);
+  EXPECT_EQ(fault_of_markup(picture), "");
+}
+
+TEST(Schematic, LanesInLockStepAreDrawnInGroups) {
+  design::Design design = sphere_design(format("s17e8"), format("s53e8"), 6, 2);
+  design.system.lanes_per_group = 3;
+  const emit::Signature signature = emit::generate_system(design, "")->signature;
+  const std::string picture = schematic::system_picture(signature).to_text();
+  for (const std::string& words :
+       {std::string("6 lanes in 2 groups of 3 in lock step, each group with:"),
+        std::string("2 to 2"), fmt::format("3 x {} bytes", signature.tdata_bytes)}) {
+    EXPECT_NE(picture.find(words), std::string::npos) << words;
+  }
   EXPECT_EQ(fault_of_markup(picture), "");
 }
 

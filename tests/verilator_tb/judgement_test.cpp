@@ -162,6 +162,20 @@ TEST(Report, SaysWhatWasNotCheckedAndWhy) {
   EXPECT_EQ(json["reference_alone_wrong"], 4);
 }
 
+TEST(Report, SaysThatGroupsOfLanesCountWords) {
+  verilator_tb::VerifyReport report = usual_report();
+  report.lanes = 2;
+  report.counters = {{"comparisons", 50, 50}, {"recomputations", 10, 10}};
+  EXPECT_TRUE(contains(to_text(report), "counter comparisons    50 (observed 50)\n"));
+  report.lanes_per_group = 2;
+  const std::string text = to_text(report);
+  for (const char* line : {"p_L = 2 in groups of 2, p_H = 1", "50 words of 2 (observed 50)\n",
+                           "counter recomputations 10 (observed 10)\n"}) {
+    EXPECT_TRUE(contains(text, line)) << text;
+  }
+  EXPECT_EQ(to_json(report)["lanes_per_group"], 2);
+}
+
 TEST(Report, HasNoNotesOnTheUsual) {
   EXPECT_TRUE(verilator_tb::notes_on(usual_report()).empty());
   EXPECT_EQ(to_json(usual_report())["notes"], nlohmann::ordered_json::array());

@@ -121,6 +121,21 @@ TEST_F(TestVectors, HaveTheWordOfTheLaneThatTheyGoTo) {
   EXPECT_LT(recomputed, 50 - 9) << "apart from nine edge cases";
 }
 
+TEST_F(TestVectors, FillTheLastWordOfAGroupWithItsFirstComparison) {
+  design_.lanes.erase(design_.lanes.begin() + 1, design_.lanes.end());
+  design_.lanes[0].count = signature_.lanes = 8;
+  const std::vector<project::TestVector> single = pick(62);
+  signature_.lanes_per_group = 4;
+  const std::vector<project::TestVector> vectors = pick(62);
+  ASSERT_EQ(vectors.size(), 64u);
+  EXPECT_EQ(vectors[60].tdata, single[60].tdata);
+  EXPECT_EQ(vectors[61].tdata, single[61].tdata);
+  for (const std::size_t k : {62, 63}) {
+    EXPECT_EQ(vectors[k].tdata, vectors[60].tdata);
+    EXPECT_EQ(vectors[k].expected, vectors[60].expected);
+  }
+}
+
 /// Two comparisons that share no operand, on data where the first is always less and the second
 /// always greater.
 struct TwoParts {

@@ -109,6 +109,23 @@ TEST_P(WavesOf, AreReadableAndTheSaveFileNamesWhatIsInThem) {
   for (const std::string& name : named) EXPECT_TRUE(names.contains(name)) << name;
 }
 
+TEST(Waves, TheSaveFileShowsALaneWithTheStreamsOfItsGroup) {
+  auto design = test::sphere_design(format("s5e8"), format("s24e8"), 8, 1);
+  design.system.lanes_per_group = 4;
+  const emit::Signature signature = emit::generate_system(design, "").value().signature;
+  const std::string text =
+      verilator_tb::gtkwave_save_file(signature, {.waves = "w.fst",
+                                                  .scope = "TOP.top",
+                                                  .time_per_cycle = 2,
+                                                  .marked = harness::wire::Result{.lane = 6}});
+  for (const char* words :
+       {"-comparisons of lane 6\n", "-counters of group 1 of lanes\n",
+        "#{s_axis_tvalid[1]} (0)TOP.top.s_axis_tvalid[1:0]\n",
+        "#{m_axis_tdata[6]} (8)TOP.top.m_axis_tdata[63:0] ", "#{m_axis_tuser[1]} (0)TOP.top."}) {
+    EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+  }
+}
+
 TEST(Waves, ShowTheInsideOfEveryLane) {
   const auto design = test::sphere_design(format("s5e8"), format("s24e8"), 2, 1);
   const auto generated = emit::generate_system(design, "mixcmp generate waves");

@@ -1,7 +1,13 @@
 @PROVENANCE@
 """The test of @TOP@ for cocotb (1.6 and later): the vectors of the Verilog test bench.
 
+@IF UNGROUPED@
 Comparison k goes to lane k modulo @LANES@, with tag k. Each result must leave once, on its lane,
+@END@
+@IF GROUPED@
+Comparison k goes to lane k modulo @LANES@. @LANES_PER_GROUP@ lanes each form a group in lock step,
+whose comparisons enter and leave in words with one tag. Each result must leave once, on its lane,
+@END@
 with the verdict and the flags that the golden model of mixcmp has computed. Run it by the Makefile
 beside it.
 """
@@ -14,6 +20,11 @@ from cocotb.clock import Clock
 from cocotb.triggers import FallingEdge, ReadOnly
 
 LANES = @LANES@
+@IF GROUPED@
+LANES_PER_GROUP = @LANES_PER_GROUP@
+# The tag of a word is that of its first comparison.
+COMPARISONS_PER_TAG = @COMPARISONS_PER_TAG@
+@END@
 REFERENCES = @REFERENCES@
 TDATA_BITS = @TDATA_BITS@
 TAG_BITS = @TAG_BITS@
@@ -69,6 +80,9 @@ class Bench:
         self.requests = [[] for _ in range(REFERENCES)]
 
     def tag(self, index):
+@IF GROUPED@
+        index //= COMPARISONS_PER_TAG
+@END@
         ones = ((1 << TAG_BITS) - 1) >> 30 << 30
         return (ones | index) & ((1 << TAG_BITS) - 1)
 
@@ -80,19 +94,33 @@ class Bench:
     def drive(self):
         """Sets the inputs of this cycle."""
         first = self.oldest()
+@IF UNGROUPED@
         for lane in range(LANES):
             index = self.next[lane]
             fits = index < len(self.vectors) and index - first < 1 << min(TAG_BITS, 30)
             if self.offered[lane] is None and fits and self.random.random() < self.offers:
                 self.offered[lane] = index
         ready = [self.random.random() < self.takes for _ in range(LANES)]
+@END@
+@IF GROUPED@
+        for lane in range(0, LANES, LANES_PER_GROUP):
+            lanes = slice(lane, lane + LANES_PER_GROUP)
+            word = self.next[lanes]
+            tags = word[-1] // COMPARISONS_PER_TAG - first // COMPARISONS_PER_TAG
+            fits = word[0] < len(self.vectors) and tags < 1 << min(TAG_BITS, 30)
+            if self.offered[lane] is None and fits and self.random.random() < self.offers:
+                self.offered[lanes] = word
+        ready = []
+        for _ in range(0, LANES, LANES_PER_GROUP):
+            ready += [self.random.random() < self.takes] * LANES_PER_GROUP
+@END@
         valid = [index is not None for index in self.offered]
         operands = [0 if k is None else self.vectors[k][1] for k in self.offered]
         tags = [0 if k is None else self.tag(k) for k in self.offered]
-        self.dut.s_axis_tvalid.value = packed(valid, 1)
+        self.dut.s_axis_tvalid.value = packed(valid@OF_GROUPS@, 1)
         self.dut.s_axis_tdata.value = packed(operands, TDATA_BITS)
-        self.dut.s_axis_tuser.value = packed(tags, TAG_BITS)
-        self.dut.m_axis_tready.value = packed(ready, 1)
+        self.dut.s_axis_tuser.value = packed(tags@OF_GROUPS@, TAG_BITS)
+        self.dut.m_axis_tready.value = packed(ready@OF_GROUPS@, 1)
         if REFETCHED:
             answers = [self.vectors[queue[0]][1] if queue else 0 for queue in self.requests]
             self.dut.s_refetch_tvalid.value = packed([bool(q) for q in self.requests], 1)
@@ -104,12 +132,12 @@ class Bench:
         """Takes what is transferred in this cycle; whether anything is."""
         moved = False
         for lane in range(LANES):
-            if self.offered[lane] is not None and field(self.dut.s_axis_tready, lane, 1):
+            if self.offered[lane] is not None and field(self.dut.s_axis_tready, @STREAM_OF_LANE@, 1):
                 self.inside[lane].append(self.offered[lane])
                 self.offered[lane] = None
                 self.next[lane] += LANES
                 moved = True
-            if field(self.dut.m_axis_tvalid, lane, 1) and ready[lane]:
+            if field(self.dut.m_axis_tvalid, @STREAM_OF_LANE@, 1) and ready[lane]:
                 self.receive(lane)
                 moved = True
         for reference in range(REFERENCES if REFETCHED else 0):
@@ -117,9 +145,15 @@ class Bench:
         return moved
 
     def receive(self, lane):
-        tag = field(self.dut.m_axis_tuser, lane, TAG_BITS)
+        tag = field(self.dut.m_axis_tuser, @STREAM_OF_LANE@, TAG_BITS)
         word = field(self.dut.m_axis_tdata, lane, 8)
+@IF UNGROUPED@
         matching = [index for index in self.inside[lane] if self.tag(index) == tag]
+@END@
+@IF GROUPED@
+        place = lane % LANES_PER_GROUP
+        matching = [index for index in self.inside[lane] if self.tag(index - place) == tag]
+@END@
         assert matching, f"lane {lane}: a result with tag {tag:x}, which is not inside"
         index = matching[0]
         if IN_ORDER:

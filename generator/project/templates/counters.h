@@ -10,6 +10,14 @@
 // Where the counters of each kind begin, in bytes behind the port's base address, and how many
 // there are.
 @KINDS@
+@IF GROUPED@
+// So many lanes form a group in lock step. Comparisons, recomputations and stalls are counted for
+// each group: comparisons in words of one for each lane, recomputations one by one. The share of
+// comparisons that is recomputed is
+//   recomputations / (comparisons * @NAME@_LANES_PER_GROUP).
+#define @NAME@_LANES_PER_GROUP @LANES_PER_GROUP@
+
+@END@
 // Counts wrap at so many bits.
 #define @NAME@_COUNTER_BITS @COUNTER_BITS@
 

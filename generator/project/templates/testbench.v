@@ -4,6 +4,10 @@
 // backpressure, and with both. They are of the scene's data, the last ones with zeros, NaNs,
 // infinities or ends of the format's range in the place of operands. Comparison k goes to lane k
 // modulo @LANES@.
+@IF GROUPED@
+// Lanes are in groups of @LANES_PER_GROUP@ in lock step. Comparisons enter a group in words, one
+// for each of its lanes.
+@END@
 // Each result must leave once, on its lane, with its tag, and with the verdict and the flags that
 // the golden model of mixcmp computed when this file was written. It prints
 //   PASSED: ...   and ends with $finish, or
@@ -23,6 +27,10 @@ module @DUT@_tb;
 
   // The system's signature, @DUT@.json.
   localparam LANES = @LANES@;
+@IF GROUPED@
+  localparam LANES_PER_GROUP = @LANES_PER_GROUP@;
+  localparam GROUPS = LANES / LANES_PER_GROUP;
+@END@
   localparam REFERENCES = @REFERENCES@;
   localparam TDATA_BITS = @TDATA_BITS@;
   localparam TAG_BITS = @TAG_BITS@;
@@ -35,7 +43,14 @@ module @DUT@_tb;
   localparam MAX_FAILURES = 10;       // so many are described, then the simulation ends
   localparam TIME_OUT_CYCLES = 5000;  // in which no lane takes or returns a comparison
 
+@IF UNGROUPED@
   // Comparison k has the tag k; a tag of more than 30 bits has ones above.
+@END@
+@IF GROUPED@
+  // Comparison k has the tag k / COMPARISONS_PER_TAG; a tag of more than 30 bits has ones above.
+  // The tag of a word is that of its first comparison.
+  localparam COMPARISONS_PER_TAG = @COMPARISONS_PER_TAG@;
+@END@
   localparam INDEX_BITS = (TAG_BITS < 30) ? TAG_BITS : 30;
   localparam [31:0] TAG_LIMIT = 32'd1 << INDEX_BITS;
 
@@ -50,9 +65,9 @@ module @DUT@_tb;
   wire [LANES*8-1:0]          m_axis_tdata;
   wire [LANES*TAG_BITS-1:0]   m_axis_tuser;
 @IF COUNTER_OUTPUTS@
-  wire [LANES*COUNTER_BITS-1:0] comparisons;
-  wire [LANES*COUNTER_BITS-1:0] recomputations;
-  wire [LANES*COUNTER_BITS-1:0] stalls;
+  wire [@COUNTED@*COUNTER_BITS-1:0] comparisons;
+  wire [@COUNTED@*COUNTER_BITS-1:0] recomputations;
+  wire [@COUNTED@*COUNTER_BITS-1:0] stalls;
 @END@
 @IF COUNTER_PORT@
 @INCLUDE testbench_counter_reader.v@
@@ -89,14 +104,14 @@ module @DUT@_tb;
       .s_refetch_tready(s_refetch_tready),
       .s_refetch_tdata(s_refetch_tdata),
 @END@
-      .s_axis_tvalid(s_axis_tvalid),
-      .s_axis_tready(s_axis_tready),
+      .s_axis_tvalid(@GROUP_PREFIX@s_axis_tvalid),
+      .s_axis_tready(@GROUP_PREFIX@s_axis_tready),
       .s_axis_tdata(s_axis_tdata),
-      .s_axis_tuser(s_axis_tuser),
-      .m_axis_tvalid(m_axis_tvalid),
-      .m_axis_tready(m_axis_tready),
+      .s_axis_tuser(@GROUP_PREFIX@s_axis_tuser),
+      .m_axis_tvalid(@GROUP_PREFIX@m_axis_tvalid),
+      .m_axis_tready(@GROUP_PREFIX@m_axis_tready),
       .m_axis_tdata(m_axis_tdata),
-      .m_axis_tuser(m_axis_tuser)
+      .m_axis_tuser(@GROUP_PREFIX@m_axis_tuser)
   );
 
   localparam [1:0] WAITING = 2'd0;
@@ -139,20 +154,45 @@ module @DUT@_tb;
   integer          failures;
 
 @INCLUDE testbench_common.v@
+@IF GROUPED@
+@INCLUDE testbench_groups.v@
+@END@
   function [TAG_BITS-1:0] tag_of(input integer index);
     reg [TAG_BITS+29:0] wide;
+@IF GROUPED@
+    integer             number;
+@END@
     begin
+@IF UNGROUPED@
       wide = {{TAG_BITS{1'b1}}, index[29:0]};
+@END@
+@IF GROUPED@
+      number = index / COMPARISONS_PER_TAG;
+      wide = {{TAG_BITS{1'b1}}, number[29:0]};
+@END@
       tag_of = wide[TAG_BITS-1:0];
     end
   endfunction
 
+@IF UNGROUPED@
   // The comparison with this tag, or -1. Those inside are fewer than TAG_LIMIT after the oldest.
+@END@
+@IF GROUPED@
+  // The first comparison with this tag, or -1. Tags inside are fewer than TAG_LIMIT after the
+  // oldest.
+@END@
   function integer index_of(input [TAG_BITS-1:0] tag);
     reg [TAG_BITS+31:0] wide;
     begin
       wide = {32'd0, tag};
+@IF UNGROUPED@
       index_of = oldest + ((wide[31:0] - oldest) & (TAG_LIMIT - 32'd1));
+@END@
+@IF GROUPED@
+      index_of = oldest / COMPARISONS_PER_TAG;
+      index_of = index_of + ((wide[31:0] - index_of) & (TAG_LIMIT - 32'd1));
+      index_of = index_of * COMPARISONS_PER_TAG;
+@END@
       if (index_of >= COUNT) index_of = -1;
       else if (tag_of(index_of) !== tag) index_of = -1;
     end
@@ -187,6 +227,9 @@ module @DUT@_tb;
     integer index;
     begin
       index = index_of(tag);
+@IF GROUPED@
+      if (index >= 0) index = index + lane % LANES_PER_GROUP;
+@END@
       if (index < 0) begin
         $display("lane %0d, pass %0d, cycle %0d: a result with the unknown tag %h",
                  lane, pass, cycle, tag);
@@ -264,7 +307,12 @@ module @DUT@_tb;
       end
       draw;
       if (!offering[lane] && !pausing && (next_offer[lane] < COUNT)
+@IF UNGROUPED@
           && (next_offer[lane] - oldest < TAG_LIMIT)
+@END@
+@IF GROUPED@
+          && tags_are_free(next_offer[lane])
+@END@
           && ({1'b0, random_state[7:0]} < offer_density[lane])) begin
         offering[lane] = 1'b1;
         s_axis_tdata[lane*TDATA_BITS +: TDATA_BITS] = vectors[next_offer[lane]][TDATA_BITS-1:0];
@@ -282,7 +330,15 @@ module @DUT@_tb;
       aclk = 1'b0;
       #1;
       valid_before = m_axis_tvalid;
+@IF UNGROUPED@
       if (aresetn) for (k = 0; k < LANES; k = k + 1) drive_lane(k);
+@END@
+@IF GROUPED@
+      if (aresetn) for (k = 0; k < LANES; k = k + 1) begin
+        if (k % LANES_PER_GROUP == 0) drive_lane(k);
+        else drive_with(k, k - k % LANES_PER_GROUP);
+      end
+@END@
       #1;
       if (aresetn) begin
         if (m_axis_tvalid !== valid_before) begin
@@ -388,12 +444,24 @@ module @DUT@_tb;
 @IF COUNTER_PORT@
       read_counters;
 @END@
+@IF UNGROUPED@
       for (k = 0; k < LANES; k = k + 1) begin
         check_counter("comparisons", k, comparisons[k*COUNTER_BITS +: COUNTER_BITS], accepted[k]);
         check_counter("recomputations", k, recomputations[k*COUNTER_BITS +: COUNTER_BITS],
                       recomputed[k]);
         check_counter("stalls", k, stalls[k*COUNTER_BITS +: COUNTER_BITS], stalled[k]);
       end
+@END@
+@IF GROUPED@
+      for (k = 0; k < GROUPS; k = k + 1) begin
+        check_counter("comparisons", k, comparisons[k*COUNTER_BITS +: COUNTER_BITS],
+                      accepted[k*LANES_PER_GROUP]);
+        check_counter("recomputations", k, recomputations[k*COUNTER_BITS +: COUNTER_BITS],
+                      recomputed_in_group(k));
+        check_counter("stalls", k, stalls[k*COUNTER_BITS +: COUNTER_BITS],
+                      stalled[k*LANES_PER_GROUP]);
+      end
+@END@
     end
   endtask
 

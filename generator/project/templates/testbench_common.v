@@ -16,7 +16,7 @@
   endtask
 
 @IF COUNTS@
-  // A counter, of a lane or of all (-1), must hold what was seen on the streams, modulo its width.
+  // A counter, of a @COUNTED_UNIT@ or of all (-1), must hold what was seen on the streams, modulo its width.
   task check_counter(input [8*14-1:0] name, input integer lane, input [COUNTER_BITS-1:0] counted,
                      input [31:0] seen);
     reg [COUNTER_BITS+31:0] wide;
@@ -24,7 +24,7 @@
       wide = {{COUNTER_BITS{1'b0}}, seen};
       if (counted !== wide[COUNTER_BITS-1:0]) begin
         $write("%0s", name);
-        if (lane >= 0) $write(" of lane %0d", lane);
+        if (lane >= 0) $write(" of @COUNTED_UNIT@ %0d", lane);
         $display(": the counter is %0d in place of %0d", counted, wide[COUNTER_BITS-1:0]);
         count_failure;
       end
