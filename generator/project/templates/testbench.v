@@ -453,6 +453,7 @@ module @DUT@_tb;
       end
 @END@
 @IF GROUPED@
+      clock_cycle;  // several undecided results of one cycle are counted a cycle later
       for (k = 0; k < GROUPS; k = k + 1) begin
         check_counter("comparisons", k, comparisons[k*COUNTER_BITS +: COUNTER_BITS],
                       accepted[k*LANES_PER_GROUP]);
