@@ -217,7 +217,7 @@ Result<Done> check_results(const Answer& answer, const Block& block,
   if (answer.groups.size() == ends && answer.answers.size() == answers) return Done{};
   return Error{.file = path.string(),
                .message = "the simulator wrote counters that cannot be",
-               .received = fmt::format("those of {} lanes", answer.groups.size()),
+               .received = fmt::format("those of {} lanes or groups", answer.groups.size()),
                .accepted = fmt::format("those of {}", ends)};
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -302,6 +303,21 @@ std::string save_file(const Run& run, const std::optional<harness::wire::Result>
        .marked = marked});
 }
 
+/// Refuses tags that are too few for the harness: with refetched operands no two comparisons that
+/// may be inside have the same.
+Result<Done> check_tags(const emit::Signature& signature) {
+  const bool refetched =
+      signature.operands == scene::OperandStore::refetched && signature.references > 0;
+  const auto bits_for = [](int count) { return std::bit_width(static_cast<unsigned>(count - 1)); };
+  const int needed = static_cast<int>(bits_for(emit::group_count(signature)) +
+                                      bits_for(signature.lanes_per_group));
+  if (!refetched || signature.tag_bits >= needed) return Done{};
+  return Error{.field = "system.tag_bits",
+               .message = "too few for a tag for each lane, by which operands are fetched again",
+               .received = std::to_string(signature.tag_bits),
+               .accepted = fmt::format("at least {} to verify", needed)};
+}
+
 Result<VerifyReport> run_system(const System& system, const design::Design& design,
                                 const data::Comparisons& comparisons,
                                 const VerifyOptions& options) {
@@ -310,6 +326,7 @@ Result<VerifyReport> run_system(const System& system, const design::Design& desi
     case scene::EngineKind::pairwise: return verify_pairwise(system, design, comparisons, options);
     case scene::EngineKind::arg_min: return verify_arg_min(system, design, comparisons, options);
   }
+  MIXCMP_TRY(tags, check_tags(system.signature));
   const Selection selection(comparisons.size(), options.selection);
   std::optional<ExpectedWords> emulator;
   if (options.judge == JudgeKind::emulator && fits_double(comparisons.format())) {

@@ -171,11 +171,13 @@ Described describe_top(const Design& design, const ScheduledSystem& scheduled) {
   const auto add = [&facts](std::string fact) { facts.push_back(std::move(fact)); };
   const bool grouped = shape.lanes_per_group > 1;
   const char* const sender = grouped ? "group" : "lane";
-  add("Every per-lane port is a vector of one field a lane, lane 0 in the lowest bits.");
   if (grouped) {
-    add(fmt::format("{} lanes each form a group in lock step, which takes a word of one comparison",
-                    shape.lanes_per_group));
-    add("  a lane. Handshakes, tags and counters are one field a group.");
+    add(fmt::format(
+        "Groups of {} lanes in lock step take words of one comparison a lane. Operands and",
+        shape.lanes_per_group));
+    add("  results are one field a lane, handshakes, tags and counters one a group, 0 lowest.");
+  } else {
+    add("Every per-lane port is a vector of one field a lane, lane 0 in the lowest bits.");
   }
   for (std::string& fact : operand_facts(design, scheduled)) add(std::move(fact));
   add(fmt::format("s_axis_tuser, m_axis_tuser, {} bits a {}: the tag.", shape.tag_bits, sender));

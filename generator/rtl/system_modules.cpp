@@ -467,9 +467,13 @@ Module top_module(const SystemShape& shape) {
     add_lanes();
     return module;
   }
-  items.push_back(Comment{"Undecided comparisons from the lanes, verdicts back to them."});
+  items.push_back(Comment{shape.lanes_per_group == 1
+                              ? "Undecided comparisons from the lanes, verdicts back to them."
+                              : "Undecided comparisons from the groups of lanes, verdicts back."});
   declare(items, lane_bundles(shape), "lane", shape.channels());
-  items.push_back(Comment{"The same at the references, with the number of the lane."});
+  items.push_back(Comment{shape.lanes_per_group == 1
+                              ? "The same at the references, with the number of the lane."
+                              : "The same at the references, with the number of the group."});
   declare(items, reference_bundles(shape), "reference", shape.references);
   add_lanes();
   items.push_back(crossbar(shape));

@@ -66,9 +66,8 @@ enum class ClockDomains {
 /// Which references may serve a lane, and whether equation 10 holds at each reference or in total.
 enum class ReferenceSharing {
   /// Only reference i mod p_H serves lane i, as in our crossbar, so equation 10 holds at each
-  /// reference. Lanes are numbered by falling T(L) R_R, references by falling T(H). All lanes are
-  /// in
-  /// groups of one size, which count as lanes here.
+  /// reference. Lanes are numbered by falling T(L) R_R, references by falling T(H). Where lanes
+  /// come in groups, all of one size, it serves group i.
   round_robin,
   pooled,  ///< any reference, as the paper assumes: equation 10 holds in total
 };

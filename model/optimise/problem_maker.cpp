@@ -370,7 +370,7 @@ void ProblemMaker::add_lane(PrecisionPlan& plan, const characterise::Measurement
   if (performance::highest_lane_throughput(asked, beats) < 1) {
     left_out_ = scene_.system.lanes_per_group == 1
                     ? "every lane leaves more than half undecided: references alone are faster"
-                    : "every group of lanes leaves more than one undecided in two cycles";
+                    : "every group of lanes asks more often than its one stream of requests allows";
     return;
   }
   if (!has_enough_exponents(row)) return;

@@ -119,8 +119,8 @@ double unbuffered_throughput(const LaneStreams& streams, double recomputation_ra
   return std::min(1.0, 1 / (answer_interval_cycles(streams) * asked));
 }
 
-/// Cycles from the first request of an undecided word to its last, on average; with the one that
-/// naming its undecided lanes takes. None for a lane by itself.
+/// Cycles from the first request of an undecided word to its last, on average, and those that
+/// naming its undecided lanes and completing it take. None for a lane by itself.
 double mean_naming_cycles(const LaneStreams& streams, double recomputation_rate) {
   const bool asks = streams.lanes_served > 0 && recomputation_rate > 0;
   if (streams.lanes_per_group == 1 || !asks) return 0;

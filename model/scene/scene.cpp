@@ -291,14 +291,17 @@ Result<Done> check_groups(const settings::Settings& settings,
 }
 
 /// Notes keys of a system of streams that an engine does not look at.
-void note_stream_keys(const SystemSpec& system, std::vector<std::string>& notes) {
+void note_stream_keys(const SystemSpec& system, const EngineSpec& engine,
+                      std::vector<std::string>& notes) {
   if (system.input_registers > 0) {
     notes.emplace_back("system.input_registers is not used: an engine stores what its ports bring");
   }
   if (system.lanes_per_group > 1) {
     notes.emplace_back(
-        "system.lanes_per_group is not used: groups of a pairwise engine are those of "
-        "engine.lanes_per_group");
+        engine.kind == EngineKind::pairwise
+            ? "system.lanes_per_group is not used: groups are those of engine.lanes_per_group"
+            : "system.lanes_per_group is not used: each lane of a chain holds a candidate by "
+              "itself");
   }
 }
 
@@ -363,7 +366,7 @@ Result<Scene> interpret(SceneSettings read) {
   if (engine.kind == EngineKind::none) {
     MIXCMP_TRY(whole_groups, check_groups(settings, lanes.groups, system));
   } else {
-    note_stream_keys(system, notes);
+    note_stream_keys(system, engine, notes);
   }
   MIXCMP_TRY(second_tier, read_second_tier(settings, format, engine.kind));
   const bool has_no_tier = engine.kind == EngineKind::pairwise && !second_tier;

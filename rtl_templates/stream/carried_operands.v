@@ -1,10 +1,10 @@
-// carried_operands: the operands of what is inside a lane or a group of lanes; those of the
-// undecided leave. For each lane that `undecided` marks in a slot a packet of 2^BEAT_BITS beats
-// {slot, part of the operands} leaves on m_request, the lowest lane and the lowest part first, zeros
-// above the operands. First come first served, latency 3 (with LANES > 1: 4), a beat in every second
-// cycle at most: the request register loads only when empty, so that no path leads on from
-// m_request_tready in the same cycle. All slots may wait: `undecided` is never refused. BLOCK as in
-// beat_memory. Reset forgets what waits.
+// carried_operands: the operands of every comparison inside a lane or a group of lanes; those of
+// undecided ones leave as requests. For each lane that `undecided` marks in a slot a packet of
+// 2^BEAT_BITS beats {slot, part of the operands} leaves on m_request, the lowest lane and the
+// lowest part first, zeros above the operands. First come first served, latency 3 (with LANES > 1:
+// 4), a beat in every second cycle at most: the request register loads only when empty, so that no
+// path leads on from m_request_tready in the same cycle. All slots may wait: `undecided` is never
+// refused. BLOCK as in beat_memory. Reset forgets what waits.
 `default_nettype none
 
 module carried_operands #(
@@ -31,7 +31,7 @@ module carried_operands #(
   localparam PART_BITS  = ((OPERAND_BITS - 1) >> BEAT_BITS) + 1;
   localparam LANE_BITS  = (LANES > 32) ? 6 : (LANES > 16) ? 5 : (LANES > 8) ? 4 : (LANES > 4) ? 3
                         : (LANES > 2)  ? 2 : (LANES > 1)  ? 1 : 0;
-  localparam PLACE_BITS = LANE_BITS + BEAT_BITS;     // of a beat's place in a slot: lane, number
+  localparam PLACE_BITS = LANE_BITS + BEAT_BITS;     // of a beat in a slot: {its lane, its number}
   localparam MARKS      = (LANES == 1) ? 0 : LANES;  // a slot of one lane needs no mark
 
   // Parameters that do not fit: an instance of a module that does not exist.

@@ -1,5 +1,6 @@
-// event_counter: counts the events of each cycle, a bit of `step` for each that there may be, modulo
-// 2^COUNTER_BITS. EVENTS > 1: a cycle later. COUNTER_BITS = 0 builds nothing and ties the one bit of `count` to 0. Reset clears it.
+// event_counter: counts events modulo 2^COUNTER_BITS; each bit of `step` is one that may happen in
+// a cycle. EVENTS > 1: the count lags by a cycle more. COUNTER_BITS = 0 builds nothing and ties the
+// one bit of `count` to 0. Reset clears it.
 `default_nettype none
 
 module event_counter #(

@@ -1,10 +1,10 @@
-// lane_answers: undecided comparisons that were answered, on their way out.
+// lane_answers: the answers of references, until a word is complete.
 // LANES = 1: a queue of answers. Above: a word of a group of lanes waits here with what its decided
 // lanes said, from its exit on, and leaves once each of its undecided lanes has its answer. Answers
-// come in the order of words and, in a word, of lanes, so none needs a name; the first of a word
-// comes 2 cycles after the word or later. WITH_SLOT = 0: m_axis_slot is not kept. One answer per
-// cycle; an answered word leaves 2 cycles after its last answer (LANES > 1: 3). Room for 2^SLOT_BITS
-// words: nothing is refused while no more are inside. Reset forgets all.
+// come in the order of words and, in a word, of lanes, so that an answer needs no lane's number;
+// the first of a word comes 2 cycles after the word or later. WITH_SLOT = 0: m_axis_slot is not
+// kept. One answer per cycle; a word leaves 2 cycles after its last answer (LANES > 1: 3). Room for
+// 2^SLOT_BITS words: nothing is refused while no more are inside. Reset forgets all.
 `default_nettype none
 
 module lane_answers #(

@@ -1,10 +1,10 @@
-// lane_tags: the tags of what is inside a lane or a group of lanes, each stored once and read out by
-// its slot. A result leaves on m_axis with its tag, latency 1, as a byte for each lane. A word with a
-// lane that `s_result_asks` leaves on m_request instead, as {slot, tag + lane} for each such lane,
-// latency 2 (with LANES > 1: 4), and its tag stays in the memory. Both use the one read port, so a
-// result waits while a request does, once two of them are on their way. One in a cycle, requests in
-// every second one at most: the request register loads only when empty, so that no path leads on
-// from m_request_tready in the same cycle. Reset forgets what was read.
+// lane_tags: the tags of what is inside a lane or a group of lanes, each stored once and read out
+// by its slot. A result leaves on m_axis with its tag, latency 1, as a byte for each lane. A word
+// with a lane that `s_result_asks` leaves on m_request instead, as {slot, tag + lane} for each such
+// lane, latency 2 (with LANES > 1: 4), and its tag stays in the memory. Both use the one read port,
+// so a result waits while a word that asks does: the second one (with LANES > 1: the third). At
+// most one word in a cycle, and one request in two: the request register loads only when empty, so
+// that no path leads on from m_request_tready in the same cycle. Reset forgets what was read.
 `default_nettype none
 
 module lane_tags #(

@@ -1,6 +1,6 @@
 // lane_tracker: knows which slot's verdicts leave free-running lanes, LANES side by side.
 // A word of comparisons enters with `start`; LANE_LATENCY + 1 cycles later `exit` says what became
-// of each. // One word per cycle. Reset forgets all.
+// of each. One word per cycle. Reset forgets all.
 `default_nettype none
 
 module lane_tracker #(

@@ -1,8 +1,8 @@
 // marked_lanes: the numbers of the lanes that a word marks, one after the other, the lowest first.
-// The word stays on offer until the last of its lanes is taken, and is taken with that. Latency 1; a
-// number per cycle, with a gap of one cycle behind each word. A word that marks none stays for ever.
-// LANES = 1: no registers, and a word is its one number. LANES <= 64. Reset forgets how far a word
-// was.
+// The word stays on offer until the last of its lanes is taken, and is taken with that. Latency 1;
+// a number per cycle, with a gap of one cycle behind each word. A word that marks none stays for
+// ever. LANES = 1: no registers, and each word gives number 0 at once. LANES <= 64. Reset forgets
+// how far a word was.
 `default_nettype none
 
 module marked_lanes #(

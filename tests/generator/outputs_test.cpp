@@ -208,6 +208,13 @@ TEST_F(Outputs, ANumberOfSecondsIsANumber) {
   expect_refused("check scene.toml --prove --proof-seconds nan", "--proof-seconds");
 }
 
+TEST_F(Outputs, VerifyNeedsATagForEachLaneThatRefetches) {
+  expect_refused(
+      "verify scene.toml --lanes 4 --references 1 --set system.operands=refetched "
+      "--set system.tag_bits=1",
+      "system.tag_bits");
+}
+
 TEST_F(Outputs, AVerilatorThatWritesNoProgramIsAnError) {
   const Outcome run =
       mixcmp("verify scene.toml", instead_of("verilator", "echo Verilator 5.006; exit 0"));
