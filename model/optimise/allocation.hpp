@@ -19,12 +19,12 @@ namespace mixcmp::optimise {
 /// One way to build a lane. Its area includes the scoreboard around the lane. Lanes in lock step
 /// come in whole groups, which share what is around them.
 struct LaneKind {
-  std::string name;               ///< "s12e8 exact relative embedded"
-  double clock_hz = 0;            ///< the highest that it runs at
-  int initiation_interval = 1;    ///< cycles from one comparison to the next
-  double recomputation_rate = 0;  ///< R_R
-  devices::Area area;             ///< C(L), of a whole group
-  int group = 1;                  ///< lanes of a group: a plan has a multiple of them
+  std::string name;                ///< "s12e8 exact relative embedded"
+  double clock_hz = 0;             ///< the highest that it runs at
+  double initiation_interval = 1;  ///< cycles from one comparison to the next, on average
+  double recomputation_rate = 0;   ///< R_R
+  devices::Area area;              ///< C(L), of a whole group
+  int group = 1;                   ///< lanes of a group: a plan has a multiple of them
 };
 /// The area of `lanes` such lanes; `lanes` is a multiple of `kind.group`.
 devices::Area area_of(const LaneKind& kind, int lanes);

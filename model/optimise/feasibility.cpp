@@ -1,6 +1,7 @@
 #include "model/optimise/feasibility.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <tuple>
 
@@ -57,16 +58,18 @@ std::vector<performance::Datapaths> references_of(const AllocationProblem& probl
   return references;
 }
 
-/// Equation 12. Where all lanes have one clock and take a comparison in every cycle, two mixes of
-/// as many lanes have the same throughput to the last bit.
+/// Equation 12. Where all lanes have one clock and one interval, two mixes of as many lanes have
+/// the same throughput to the last bit.
 double total_throughput(const AllocationProblem& problem, const Counts& counts, double limit) {
   if (problem.clocks == ClockDomains::separate) {
     return performance::aggregated_throughput(lanes_of(problem, counts, limit));
   }
-  double comparisons_per_cycle = 0;
+  std::map<double, int> lanes_of_interval;  // as many lanes are as fast, whatever their kinds
   for (std::size_t k = 0; k < counts.lanes.size(); ++k) {
-    comparisons_per_cycle += double(counts.lanes[k]) / problem.lanes[k].initiation_interval;
+    lanes_of_interval[problem.lanes[k].initiation_interval] += counts.lanes[k];
   }
+  double comparisons_per_cycle = 0;
+  for (const auto& [interval, lanes] : lanes_of_interval) comparisons_per_cycle += lanes / interval;
   return comparisons_per_cycle * limit;
 }
 

@@ -31,7 +31,7 @@ AllocationResult fill_with_references(const scene::Scene& scene, const devices::
     const ReferenceKind& kind = reference.kind;
     const characterise::Measurement& measured = reference.measured;
     problem.lanes.push_back(
-        {kind.name, kind.clock_hz, measured.key.initiation_interval, 0, measured.area});
+        {kind.name, kind.clock_hz, double(measured.key.initiation_interval), 0, measured.area});
   }
   problem.available = device.available;
   problem.slack = scene.system.slack;

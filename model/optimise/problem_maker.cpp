@@ -384,12 +384,23 @@ void ProblemMaker::add_lane(PrecisionPlan& plan, const characterise::Measurement
   added.rate = *rate;
   added.kind = {.name = lane_name(row.key),
                 .clock_hz = mhz * hertz_per_mhz,
-                .initiation_interval = 1,
+                .initiation_interval = cycles_per_word(rate->value()),
                 .recomputation_rate = rate->value(),
                 .area = lane->group,
                 .group = lane->lanes};
   added.datapath = area_alone(row.key);
   if (second_tier_) added.second_tier = area_alone(*second_tier_);
+}
+
+/// Cycles from one comparison to the next, or of groups from one word to the next. With refetched
+/// operands the tags of a lane's stream are read for each result and once more for each request
+/// (docs/rtl.md).
+double ProblemMaker::cycles_per_word(double recomputation_rate) const {
+  const scene::SystemSpec& system = scene_.system;
+  const bool refetches = system.operands == scene::OperandStore::refetched &&
+                         system.references.value_or(1) > 0 && !has_engine();
+  if (!refetches) return 1;
+  return 1 + performance::undecided_words(recomputation_rate, system.lanes_per_group);
 }
 
 /// The area of a lane of this key alone; none where it was not measured. A lane without products

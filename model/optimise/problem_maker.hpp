@@ -71,6 +71,7 @@ private:
                                        const characterise::Measurement& segment);
   std::optional<Surrounded> with_fifo(const characterise::Measurement& lane,
                                       const characterise::Measurement* fifo) const;
+  double cycles_per_word(double recomputation_rate) const;
   std::optional<devices::Area> area_alone(characterise::ComponentKey key) const;
   devices::Area area_with_port(const characterise::Measurement& reference);
 

@@ -9,17 +9,17 @@ using Sum = IntegerProgram::Sum;
 using Relation = IntegerProgram::Relation;
 
 /// Adds to loads[r] the load that the lanes put on reference r.
-void add_loads(IntegerProgram& program, const KindsAtClock& kinds, int references, int max_lanes,
-               int group, std::vector<Sum>& loads) {
+void add_loads(IntegerProgram& program, const KindsAtClock& kinds, int references, int max_groups,
+               int lanes_per_group, std::vector<Sum>& loads) {
   Sum first_lanes;
   const std::vector<int>& order = kinds.lane_order();
   for (std::size_t k = 0; k < order.size(); ++k) {
     first_lanes.push_back({order[k], 1});
     const double next = k + 1 < order.size() ? kinds.load(order[k + 1]) : 0;
-    const double fall = group * (kinds.load(order[k]) - next);
+    const double fall = lanes_per_group * (kinds.load(order[k]) - next);
     if (fall == 0) continue;
     for (std::size_t r = 0; r < loads.size(); ++r) {
-      const int count = program.add_column(fmt::format("count_{}_{}", k, r), 0, max_lanes);
+      const int count = program.add_column(fmt::format("count_{}_{}", k, r), 0, max_groups);
       Sum row = first_lanes;
       row.push_back({count, -static_cast<double>(references)});
       program.add_row(fmt::format("dealt_{}_{}", k, r), std::move(row), Relation::at_most,
@@ -57,11 +57,11 @@ void subtract_capacities(IntegerProgram& program, const KindsAtClock& kinds, int
 }  // namespace
 
 void add_round_robin_rows(IntegerProgram& program, const KindsAtClock& kinds, int references,
-                          int first_reference, int max_lanes, int group) {
+                          int first_reference, int max_groups, int lanes_per_group) {
   // Where references are alike, the first has the greatest load, and its row implies the others.
   const bool alike = kinds.references_alike();
   std::vector<Sum> loads(alike ? 1 : static_cast<std::size_t>(references));
-  add_loads(program, kinds, references, max_lanes, group, loads);
+  add_loads(program, kinds, references, max_groups, lanes_per_group, loads);
   if (!alike) subtract_capacities(program, kinds, first_reference, loads);
   for (std::size_t r = 0; r < loads.size(); ++r) {
     program.add_row(fmt::format("equation_10_{}", r), std::move(loads[r]), Relation::at_most,

@@ -12,8 +12,9 @@ namespace mixcmp::optimise {
 /// number of lanes of the first k kinds that reference r gets. Its load is then the sum of (w_k -
 /// w_k+1) c_k. No coefficient is negative, so the row c_k >= (n - r) / p_H suffices: c_k is an
 /// integer, and the smallest one is the rounded-up quotient.
-/// Where lanes come in groups of `group`, lanes are groups here, in the columns, too.
+/// With groups of `lanes_per_group` lanes, what is said of lanes is true of groups: the columns,
+/// the c_k and `max_groups` count them.
 void add_round_robin_rows(IntegerProgram& program, const KindsAtClock& kinds, int references,
-                          int first_reference, int max_lanes, int group);
+                          int first_reference, int max_groups, int lanes_per_group);
 
 }  // namespace mixcmp::optimise

@@ -102,11 +102,6 @@ double largest(double limit, const std::function<bool(double)>& holds) {
   return low;
 }
 
-/// Words that have an undecided comparison, where this part of the comparisons is undecided.
-double undecided_words(const LaneStreams& streams, double recomputation_rate) {
-  return 1 - std::pow(1 - recomputation_rate, streams.lanes_per_group);
-}
-
 /// Requests for each word.
 double requests(const LaneStreams& streams, double recomputation_rate) {
   return streams.lanes_per_group * recomputation_rate;
@@ -124,8 +119,8 @@ double unbuffered_throughput(const LaneStreams& streams, double recomputation_ra
 double mean_naming_cycles(const LaneStreams& streams, double recomputation_rate) {
   const bool asks = streams.lanes_served > 0 && recomputation_rate > 0;
   if (streams.lanes_per_group == 1 || !asks) return 0;
-  const double of_a_word =
-      requests(streams, recomputation_rate) / undecided_words(streams, recomputation_rate);
+  const double of_a_word = requests(streams, recomputation_rate) /
+                           undecided_words(recomputation_rate, streams.lanes_per_group);
   const double interval = beat_interval_cycles * streams.request_beats;
   const int naming = 1, completing = 1;
   return naming + completing +
@@ -154,7 +149,7 @@ double mean_queue_cycles(const LaneStreams& streams, double rate) {
 /// The throughput that slots allow where a request waits for `wait` cycles on average.
 double slot_throughput(const LaneStreams& streams, double recomputation_rate, double wait) {
   const double slots = streams.slots;
-  const double rate = undecided_words(streams, recomputation_rate);
+  const double rate = undecided_words(recomputation_rate, streams.lanes_per_group);
   const double undecided =
       undecided_slot_cycles(streams) + mean_naming_cycles(streams, recomputation_rate);
   switch (streams.order) {
@@ -206,6 +201,10 @@ int answer_interval_cycles(const LaneStreams& streams) {
   return std::max(beat_interval_cycles, streams.lanes_served * service_cycles(streams));
 }
 
+double undecided_words(double recomputation_rate, int lanes_per_group) {
+  return 1 - std::pow(1 - recomputation_rate, lanes_per_group);
+}
+
 double highest_lane_throughput(double recomputation_rate, int request_beats) {
   return 1 / (beat_interval_cycles * request_beats * recomputation_rate);
 }
@@ -227,7 +226,7 @@ double random_throughput(const LaneStreams& streams, double recomputation_rate) 
     const double asked = x * requests(streams, recomputation_rate);
     // A lane that stalls takes comparisons at intervals rather than at random: the variance of its
     // requests is then in proportion to 1 - R instead of 1 - x R, and so is the wait (Kingman).
-    const double undecided = undecided_words(streams, recomputation_rate);
+    const double undecided = undecided_words(recomputation_rate, streams.lanes_per_group);
     const double regular = (1 - undecided) / (1 - x * undecided);
     const double queue = regular > 0 ? regular * mean_queue_cycles(streams, asked) : 0;
     return x <= slot_throughput(streams, recomputation_rate, mean_start_cycles(streams) + queue);

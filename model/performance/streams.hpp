@@ -40,6 +40,10 @@ int service_cycles(const LaneStreams& streams);
 /// request in as many cycles as service_cycles says, a lane sends a beat in two.
 int answer_interval_cycles(const LaneStreams& streams);
 
+/// The part of the words of a group that have an undecided comparison, where comparisons are
+/// undecided independently: 1 - (1 - R)^G.
+double undecided_words(double recomputation_rate, int lanes_per_group);
+
 /// The most comparisons per cycle that a lane's requests allow, whatever serves them. It is above 1
 /// where less than 1 / (2 B) of the comparisons is undecided, and infinite for a rate of 0.
 double highest_lane_throughput(double recomputation_rate, int request_beats = 1);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "model/optimise/exploration.hpp"
 #include "model/optimise/plan.hpp"
@@ -85,6 +86,17 @@ TEST_F(Optimise, LanesInLockStepShareAScoreboardAndAPort) {
   EXPECT_EQ(plan.allocation()->lane_count() % 4, 0);
   EXPECT_EQ(plan.problem.max_lanes, 4 * 512);
   EXPECT_DOUBLE_EQ(plan.throughput_per_s(), best_by_trying(plan).throughput_per_s);
+}
+
+/// Of 1000 words of four comparisons 1 - (1 - 0.005)^4 ask, and each of these takes a cycle more.
+TEST_F(Optimise, RefetchedTagsAreReadOnceMoreForEachWordThatAsks) {
+  scene_.system.operands = scene::OperandStore::refetched;
+  scene_.system.lanes_per_group = 4;
+  const PrecisionPlan plan = optimise_now().plans.front();
+  EXPECT_DOUBLE_EQ(plan.lanes.front().kind.initiation_interval, 2 - std::pow(0.995, 4));
+  EXPECT_DOUBLE_EQ(plan.throughput_per_s(), best_by_trying(plan).throughput_per_s);
+  scene_.system.operands = scene::OperandStore::carried;
+  EXPECT_EQ(optimise_now().plans.front().lanes.front().kind.initiation_interval, 1);
 }
 
 TEST_F(Optimise, AGroupThatAsksInMoreThanHalfOfTheCyclesIsLeftOut) {

@@ -77,7 +77,7 @@ private:
   optimise::LaneKind lane() {
     return {.name = "lane",
             .clock_hz = clock(),
-            .initiation_interval = chance(0.8) ? 1 : 1 << number(1, 2),
+            .initiation_interval = pick({1, 1, 1, 1, 1, 1.0078, 2, 4}),
             .recomputation_rate = rate(),
             .area = {.luts = number(0, 60),
                      .registers = number(0, 90),
