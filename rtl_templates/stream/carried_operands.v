@@ -84,7 +84,7 @@ module carried_operands #(
 
   marked_lanes #(
     .LANES(LANES)
-  ) undecided_ones (
+  ) undecided_by_lane (
     .aclk        (aclk),
     .aresetn     (aresetn),
     .s_word_valid(waiting_valid),

@@ -3,14 +3,15 @@
 // served): direct verdicts wait in one queue, answers in another, and each undecided entry at the
 // head of the first takes the head of the second. 2^SLOT_BITS slots are used circularly. Latency of
 // a decided one: LANE_LATENCY + 4. One comparison per cycle if all are decided, the sink is ready
-// and 2^SLOT_BITS >= LANE_LATENCY + 4. LANES > 1: a group of lanes in lock step; a word of one
-// comparison for each, with one tag, takes the place of the comparison; a lane's own tag is that and
-// its number. Each undecided one is a request of its own, and the word leaves once all have their
-// answers. Operands reach the lane through INPUT_REGISTERS registers,
-// which add to its latency here. A request of carried operands is a packet of 2^BEAT_BITS
-// beats {slot, part of the operands}. ASK_BITS > 0: the low bits of the tag are carried in the place
-// of the operands, which references ask for by them. Reset forgets all comparisons and clears the
-// counters.
+// and 2^SLOT_BITS >= LANE_LATENCY + 4.
+// LANES > 1: a group of lanes in lock step. What is said of a comparison then holds for a word with
+// one comparison for each lane and one tag; lane k's own tag is the word's + k. Each undecided
+// comparison is a request of its own, and the word leaves once all are answered.
+// Operands reach the lane through INPUT_REGISTERS registers, which add to its latency here.
+// A request of carried operands is a packet of 2^BEAT_BITS beats {slot, part of the operands}.
+// ASK_BITS > 0: the low bits of the tag are carried in the place of the operands, which references
+// ask for by them.
+// Reset forgets all comparisons and clears the counters.
 `default_nettype none
 
 module lane_reorder #(

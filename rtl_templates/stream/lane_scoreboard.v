@@ -3,9 +3,9 @@
 // every queue has room. Latency of a decided one: LANE_LATENCY + 5. One comparison per cycle if all
 // are decided, the sink is ready and 2^SLOT_BITS >= LANE_LATENCY + 6 (+ 5 with RECOMPUTE = 0, where
 // the latency is LANE_LATENCY + 4). Direct and recomputed results alternate when both wait.
-// LANES > 1: a group of lanes in lock step. A word of one comparison for each, with one tag, takes
-// the place of the comparison; a lane's own tag is that and its number. Each undecided one is a
-// request of its own, and the word leaves once all have their answers.
+// LANES > 1: a group of lanes in lock step. What is said of a comparison then holds for a word with
+// one comparison for each lane and one tag; lane k's own tag is the word's + k. Each undecided
+// comparison is a request of its own, and the word leaves once all are answered.
 // Operands reach the lane through INPUT_REGISTERS registers, which add to its latency here.
 // A request of carried operands is a packet of 2^BEAT_BITS beats {slot, part of the operands}.
 // Reset forgets all comparisons and clears the counters.

@@ -35,10 +35,10 @@ module marked_lanes #(
     end else begin : g_lanes
       localparam [LANES-1:0] ONE = 1;
 
-      reg  [LANES-1:0] named_q;  // lanes of the word on offer whose numbers are or were on m_lane
+      reg  [LANES-1:0] shown_q;  // lanes of the word on offer whose numbers are or were on m_lane
       reg              lane_valid_q;
       reg  [5:0]       lane_q;
-      wire [LANES-1:0] left   = s_word_lanes & ~named_q;
+      wire [LANES-1:0] left   = s_word_lanes & ~shown_q;
       wire [LANES-1:0] lowest = left & (~left + ONE);
       wire             room   = !lane_valid_q || m_lane_ready;
       wire             load   = s_word_valid && (|left) && room;
@@ -56,13 +56,13 @@ module marked_lanes #(
 
       always @(posedge aclk) begin
         if (!aresetn) begin
-          named_q      <= {LANES{1'b0}};
+          shown_q      <= {LANES{1'b0}};
           lane_valid_q <= 1'b0;
         end else begin
           if (s_word_ready) begin
-            named_q <= {LANES{1'b0}};
+            shown_q <= {LANES{1'b0}};
           end else if (load) begin
-            named_q <= named_q | lowest;
+            shown_q <= shown_q | lowest;
           end
           lane_valid_q <= load || !room;
         end
