@@ -30,8 +30,8 @@ public:
   bool has_excess() const { return precision_ > parts() * multiplier_.b_bits; }
 
   /// Bits that the lower and the upper half of the last sum add.
-  int lower_half_bits() const { return half() - multiplier_.b_bits - 1; }
-  int upper_half_bits() const { return 2 * precision_ - half(); }
+  int lower_half_bits() const { return sum_bits() / 2; }
+  int upper_half_bits() const { return sum_bits() - lower_half_bits(); }
 
 private:
   static int ceil_div(int a, int b) { return (a + b - 1) / b; }
@@ -40,7 +40,8 @@ private:
   int parts() const {
     return precision_ > spare_bits() ? ceil_div(precision_ - spare_bits(), multiplier_.b_bits) : 1;
   }
-  int half() const { return precision_ + (multiplier_.b_bits + 1) / 2; }
+  /// Below them there is no product of two parts.
+  int sum_bits() const { return 2 * precision_ - multiplier_.b_bits - 1; }
 
   int precision_;
   devices::MultiplierSize multiplier_;

@@ -11,20 +11,33 @@ public:
   static constexpr int levels = 7;
   /// The widest factors whose sums leave a level unused, which the stage of the digits replaces.
   static constexpr int most_bits_behind_digits = 63;
+  /// The widest squares that may be split, for the same reason.
+  static constexpr int most_bits_of_a_split_square = 65;
 
   enum class Kind { product, square };
 
-  LogicProduct(int precision, Kind kind) : precision_(precision), kind_(kind) {}
+  /// split: with SPLIT, of a square.
+  LogicProduct(int precision, Kind kind, bool split = false)
+      : precision_(precision), kind_(kind), split_(split) {}
+
+  bool is_split() const { return split_; }
 
   /// Bits of the carry chain that finds the digits; 0 where they are decoded by gates.
   int digits_chain_bits() const { return kind_ == Kind::square ? 0 : 2 * rows(); }
 
-  /// Bits of the longest carry chain of a level; 0 where nothing is added.
-  int longest_chain_bits(int level) const {
-    int longest = 0;
+  /// Bits of the longest carry chains of a level; 0 where nothing is added.
+  struct Chains {
+    int below = 0;
+    int late = 0;  ///< of places that are a cycle late
+  };
+  Chains longest_chains(int level) const {
+    Chains longest;
     for (int first = 0; first + rows_below(level) < rows(); first += pitch(level)) {
       const int last = std::min(first + rows_after(level), rows()) - 1;
-      longest = std::max(longest, sum_bits(first + rows_below(level), last));
+      const Chains chains = chains_of(sum_bits(first + rows_below(level), last),
+                                      first_late_place() - 2 * (first + rows_below(level)));
+      longest.below = std::max(longest.below, chains.below);
+      longest.late = std::max(longest.late, chains.late);
     }
     return longest;
   }
@@ -42,9 +55,16 @@ private:
     return kind_ == Kind::square ? 4 * last - 2 * first + precision_ % 2 + 4
                                  : 2 * (last - first) + precision_ + 6;
   }
+  int first_late_place() const { return 3 * sum_bits(0, rows() - 1) / 4; }
+  /// Of a sum of `bits`, of which those from `late` up are late. The carry takes a bit below them.
+  Chains chains_of(int bits, int late) const {
+    if (!split_ || late >= bits) return {bits, 0};
+    return {late + 1, bits - late};
+  }
 
   int precision_;
   Kind kind_;
+  bool split_;
 };
 
 }  // namespace mixcmp::datapath

@@ -84,14 +84,15 @@ void add_unnormalised_sum(StageList& stages, FloatFormat format, Subnormals subn
   stages.add_wide_sum("round sum", stages.lut_delay_ns(1), precision + 1);
 }
 
+namespace {
+
 Unit squared_sum_unit(FloatFormat format, Subnormals subnormals, scene::Multipliers multipliers,
-                      const DelayTable& delays) {
+                      ProductForm form, const DelayTable& delays) {
   const int precision = format.precision();
   StageList stages(delays);
   add_unnormalised_sum(stages, format, subnormals);
   StageList product(delays);
-  const bool has_digit_stage =
-      product.add_fastest_product(precision, LogicProduct::Kind::square, multipliers);
+  product.add_whole_product(precision, LogicProduct::Kind::square, multipliers, form);
   const StageList beside = exponent_stages(format, product.count(), delays);
   stages.add_side_by_side({std::move(product), beside});
   const int margin = subnormals == Subnormals::gradual ? (precision + 4) / 2 : 0;
@@ -103,8 +104,18 @@ Unit squared_sum_unit(FloatFormat format, Subnormals subnormals, scene::Multipli
   Unit unit = std::move(stages).unit("fp_squared_sum");
   unit.multipliers = multipliers;
   unit.multiplier = delays.multiplier_size;
-  unit.has_digit_stage = has_digit_stage;
+  unit.product_form = form;
   return with_sum_selects(std::move(unit), delays);
+}
+
+}  // namespace
+
+Unit squared_sum_unit(FloatFormat format, Subnormals subnormals, scene::Multipliers multipliers,
+                      const DelayTable& delays) {
+  return unit_of_product(LogicProduct::Kind::square, format.precision(), multipliers, delays,
+                         [&](ProductForm form) {
+                           return squared_sum_unit(format, subnormals, multipliers, form, delays);
+                         });
 }
 
 }  // namespace mixcmp::datapath

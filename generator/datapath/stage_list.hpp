@@ -94,9 +94,10 @@ public:
   void add_logic_product(LogicProduct product);
   void add_logic_product_behind_digits(LogicProduct product);
   void add_product(int precision, LogicProduct::Kind kind, scene::Multipliers multipliers);
-  /// Adds all stages of fp_product, with the DIGIT_STAGE that suits the device's look-up tables.
-  /// Returns whether that is 1.
-  bool add_fastest_product(int precision, LogicProduct::Kind kind, scene::Multipliers multipliers);
+  void add_split_square(int precision);
+  /// Adds all stages of fp_product.
+  void add_whole_product(int precision, LogicProduct::Kind kind, scene::Multipliers multipliers,
+                         ProductForm form);
   void add_serial_square(SerialSquare square);
   void add_round(FloatFormat result, bool denormalises, int dropped_bits, double select_ns = 0);
   void add_select_round(FloatFormat result, Subnormals subnormals, double sticky_ns);
@@ -138,6 +139,7 @@ inline void StageList::add_side_by_side(const std::vector<StageList>& lists) {
       joint.delay_ns = std::max(joint.delay_ns, stage.delay_ns);
       joint.chains.push_back({.delay_ns = stage.delay_ns, .overlap_ns = stage.overlap_ns});
       if (stage.cut_needs >= 0) joint.cut_needs = first + stage.cut_needs;
+      joint.registered = joint.registered || stage.registered;
     }
     stages_.push_back(std::move(joint));
   }
@@ -209,7 +211,8 @@ inline void StageList::add_embedded_square(int precision) {
   }
   add("lower half",
       std::max(0, links - cut_links) * delays_.multiplier_add_ns + carry(square.lower_half_bits()));
-  add("upper half", carry(square.upper_half_bits()));
+  // Without a register between them the halves are one carry chain, which starts once.
+  add_overlapping("upper half", carry(square.upper_half_bits()), delays_.carry_start_ns);
 }
 
 /// The stages of fp_logic_product.
@@ -228,18 +231,32 @@ inline void StageList::add_logic_product_behind_digits(LogicProduct product) {
 /// Without a register between them, a chain starts as soon as the chain before it has reached the
 /// place of its lowest bit.
 inline void StageList::add_levels(LogicProduct product, int levels) {
-  int bits_before = 0, shift_before = 0;
+  LogicProduct::Chains before;
+  int shift_before = 0;
   for (int level = 0; level < levels; ++level) {
-    const int bits = product.longest_chain_bits(level);
+    const LogicProduct::Chains bits = product.longest_chains(level);
     const int shift = LogicProduct::shift_bits(level);
-    const int overlap = std::clamp(bits_before - (shift - shift_before), 0, bits);
     const double first_row = level == 0 ? lut_delay_ns(1) : 0;
+    const int longest = std::max(bits.below, bits.late);
+    // The bits that no chain before runs along with. Late chains all begin at one place.
+    const int below_alone =
+        bits.below - std::clamp(before.below - (shift - shift_before), 0, bits.below);
+    const int late_alone = bits.late - std::min(before.late, bits.late);
+    const int overlap = longest - std::max(below_alone, late_alone);
     stages_.push_back({.name = "level " + std::to_string(level),
-                       .delay_ns = first_row + (bits > 0 ? carry(bits) : 0),
+                       .delay_ns = first_row + (longest > 0 ? carry(longest) : 0),
                        .overlap_ns = overlap * delays_.carry_ns_per_bit});
-    bits_before = bits;
+    before = bits;
     shift_before = shift;
   }
+}
+
+/// The stages of fp_logic_product with SPLIT. Late places have no register at the last cut, and
+/// therefore one at the cut in front of it.
+inline void StageList::add_split_square(int precision) {
+  add_levels({precision, LogicProduct::Kind::square, true}, LogicProduct::levels - 1);
+  stages_.back().registered = true;
+  add_registered("last level", 0);
 }
 
 /// The stages of fp_product behind its factors.
@@ -255,18 +272,15 @@ inline void StageList::add_product(int precision, LogicProduct::Kind kind,
   MIXCMP_CHECK(false);
 }
 
-/// Tables of five inputs or more decode a digit and add its row in one.
-inline bool StageList::add_fastest_product(int precision, LogicProduct::Kind kind,
-                                           scene::Multipliers multipliers) {
-  const bool has_digit_stage = multipliers == scene::Multipliers::logic && !has_wide_tables() &&
-                               precision <= LogicProduct::most_bits_behind_digits;
+inline void StageList::add_whole_product(int precision, LogicProduct::Kind kind,
+                                         scene::Multipliers multipliers, ProductForm form) {
   add_factors(multipliers);
-  if (has_digit_stage) {
-    add_logic_product_behind_digits({precision, kind});
-  } else {
-    add_product(precision, kind, multipliers);
+  switch (form) {
+    case ProductForm::plain: return add_product(precision, kind, multipliers);
+    case ProductForm::behind_digits: return add_logic_product_behind_digits({precision, kind});
+    case ProductForm::split: return add_split_square(precision);
   }
-  return has_digit_stage;
+  MIXCMP_CHECK(false);
 }
 
 /// The stages of fp_square_steps: what is in front of the sum, then a stage for each step.
@@ -313,6 +327,25 @@ inline void StageList::add_last_selection(FloatFormat result) {
 inline void StageList::add_round_and_pack(FloatFormat result) {
   add_wide_sum("round", 0, result.width() + 2);
   add("pack", lut_delay_ns(1 + reduction_levels(result.exponent_bits()) + 1));
+}
+
+/// The unit of a product in the form that suits the device's look-up tables: those of five inputs
+/// or more decode a digit and add its row in one. make: the unit with a ProductForm. A square of
+/// logic that could be split has that as its faster form.
+template <typename Make>
+Unit unit_of_product(LogicProduct::Kind kind, int precision, scene::Multipliers multipliers,
+                     const DelayTable& delays, Make make) {
+  if (multipliers != scene::Multipliers::logic) return make(ProductForm::plain);
+  const bool has_wide_tables = StageList(delays).has_wide_tables();
+  if (!has_wide_tables && precision <= LogicProduct::most_bits_behind_digits) {
+    return make(ProductForm::behind_digits);
+  }
+  Unit unit = make(ProductForm::plain);
+  if (kind == LogicProduct::Kind::square &&
+      precision <= LogicProduct::most_bits_of_a_split_square) {
+    unit.faster.push_back(make(ProductForm::split));
+  }
+  return unit;
 }
 
 }  // namespace mixcmp::datapath

@@ -98,9 +98,20 @@ private:
   std::vector<Choice> best_;
 };
 
+/// The time that stages with more than `logic_ns` of logic take beyond that, in all.
+double excess_ns(const Unit& unit, double logic_ns) {
+  double excess = 0;
+  for (const Stage& stage : unit.stages) excess += std::max(0.0, stage.delay_ns - logic_ns);
+  return excess;
+}
+
 }  // namespace
 
 Step UnitPlacer::place(Unit unit, int start) {
+  if (!unit.faster.empty()) {
+    const Unit faster = unit.faster.front();
+    if (excess_ns(faster, logic_ns_) < excess_ns(unit, logic_ns_)) unit = faster;
+  }
   std::vector<bool> cuts = choose_cuts(unit);
   const int latency = static_cast<int>(std::count(cuts.begin(), cuts.end(), true));
   return {std::move(unit), std::move(cuts), start, start + latency};

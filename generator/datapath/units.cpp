@@ -67,20 +67,28 @@ bool squares_vanish(FloatFormat operands, FloatFormat result) {
 }
 
 Unit multiply_unit(LogicProduct::Kind kind, FloatFormat operands, FloatFormat result,
-                   Subnormals subnormals, Multipliers multipliers, const DelayTable& delays) {
+                   Subnormals subnormals, Multipliers multipliers, ProductForm form,
+                   const DelayTable& delays) {
   const int dropped_bits = 2 * operands.precision() - result.precision() - 2;
   StageList stages(delays);
   const bool flushes = kind == LogicProduct::Kind::square && squares_vanish(operands, result);
   stages.add_operand(operands, flushes ? Subnormals::flush : subnormals);
-  const bool has_digit_stage = stages.add_fastest_product(operands.precision(), kind, multipliers);
+  stages.add_whole_product(operands.precision(), kind, multipliers, form);
   stages.add_select_round(result, subnormals,
                           stages.lut_delay_ns(reduction_levels(std::max(dropped_bits, 1))));
   Unit unit =
       std::move(stages).unit(kind == LogicProduct::Kind::square ? "fp_square" : "fp_multiply");
   unit.multipliers = multipliers;
   unit.multiplier = delays.multiplier_size;
-  unit.has_digit_stage = has_digit_stage;
+  unit.product_form = form;
   return with_sum_selects(std::move(unit), delays);
+}
+
+Unit multiply_unit(LogicProduct::Kind kind, FloatFormat operands, FloatFormat result,
+                   Subnormals subnormals, Multipliers multipliers, const DelayTable& delays) {
+  return unit_of_product(kind, operands.precision(), multipliers, delays, [&](ProductForm form) {
+    return multiply_unit(kind, operands, result, subnormals, multipliers, form, delays);
+  });
 }
 
 Unit divide_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,

@@ -40,6 +40,13 @@ struct Stage {
   bool forks = false;
 };
 
+/// Forms of fp_logic_product. Multipliers of a device have the plain one.
+enum class ProductForm {
+  plain,
+  behind_digits,  ///< DIGIT_STAGE
+  split,          ///< SPLIT
+};
+
 /// The templates' default of SUM_SELECTS.
 constexpr int default_sum_selects = 2;
 
@@ -48,12 +55,15 @@ struct Unit {
   std::string module;
   std::vector<Stage> stages;
   scene::Multipliers multipliers = scene::Multipliers::embedded;  ///< logic: print EMBEDDED = 0
-  devices::MultiplierSize multiplier;     ///< embedded multipliers only: FACTOR_A, FACTOR_B
-  bool has_digit_stage = false;           ///< multipliers of logic only: DIGIT_STAGE
+  devices::MultiplierSize multiplier;  ///< embedded multipliers only: FACTOR_A, FACTOR_B
+  ProductForm product_form = ProductForm::plain;
   int sum_selects = default_sum_selects;  ///< SUM_SELECTS; as it is for units without it
   /// Cycles for which an operation keeps the unit; above 1 it has an input `start`, which is 1 when
   /// its operand is there.
   int initiation_interval = 1;
+  /// Other forms of the unit, of more registers, for periods that its own stages are too long for:
+  /// none or one.
+  std::vector<Unit> faster = {};
 };
 
 /// A multiplication of the node `operand` by 2^exponent, or by -2^exponent.

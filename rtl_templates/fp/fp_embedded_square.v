@@ -52,7 +52,6 @@ module fp_embedded_square #(
   // cut 7 behind the upper one.
   localparam CUT_LINKS  = 4;
   localparam LAST_PLACE = 2 * PARTS - 3;
-  localparam HALF       = PRECISION + (FACTOR_B + 1) / 2;
 
   // A sum of products: at most PARTS / 2 of one place, and less than one more from below.
   localparam WIDTH = FACTOR_B + WIDEST + bits_of(PARTS / 2);
@@ -91,8 +90,8 @@ module fp_embedded_square #(
     end
   endgenerate
 
-  wire [SQUARE-1:0] squares;
-  wire [SQUARE-1:0] twice_products;
+  wire [SQUARE-1:0]          squares;
+  wire [SQUARE-1:FACTOR_B+1] twice_products;
 
   genvar part;
   genvar place;
@@ -275,32 +274,38 @@ module fp_embedded_square #(
     end
   endgenerate
 
-  assign twice_products[FACTOR_B:0] = 0;
+  // The last sum. Below it no product of two parts has a bit.
+  localparam ALONE = FACTOR_B + 1;
 
-  // The last sum, its lower half first.
-  wire [HALF:0]          lower = {1'b0, squares[HALF-1:0]} + {1'b0, twice_products[HALF-1:0]};
-  wire [HALF:0]          lower_sum;
-  wire [SQUARE-HALF-1:0] upper_square;
-  wire [SQUARE-HALF-1:0] upper_twice_product;
+  wire [SQUARE-ALONE-1:0] sum;
+  wire [ALONE-1:0]        alone;
 
   fp_rank #(
-    .WIDTH     (2 * SQUARE - HALF + 1),
+    .WIDTH     (ALONE),
     .REGISTERED(CUTS[6])
-  ) half_rank (
+  ) alone_rank (
     .aclk(aclk),
-    .d   ({lower, squares[SQUARE-1:HALF], twice_products[SQUARE-1:HALF]}),
-    .q   ({lower_sum, upper_square, upper_twice_product})
+    .d   (squares[ALONE-1:0]),
+    .q   (alone)
   );
 
-  wire [SQUARE-HALF-1:0] upper_sum =
-      upper_square + upper_twice_product + {{(SQUARE - HALF - 1) {1'b0}}, lower_sum[HALF]};
+  fp_halved_sum #(
+    .WIDTH(SQUARE - ALONE),
+    .CUTS (CUTS[6])
+  ) halved_sum (
+    .aclk (aclk),
+    .a    (squares[SQUARE-1:ALONE]),
+    .b    (twice_products),
+    .carry(1'b0),
+    .sum  (sum)
+  );
 
   fp_rank #(
     .WIDTH     (SQUARE),
     .REGISTERED(CUTS[7])
   ) product_rank (
     .aclk(aclk),
-    .d   ({upper_sum, lower_sum[HALF-1:0]}),
+    .d   ({sum, alone}),
     .q   (product)
   );
 

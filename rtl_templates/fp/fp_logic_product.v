@@ -10,6 +10,10 @@
 // DIGIT_STAGE = 1 finds the digits in a stage of its own, behind which their register stands. A
 // square decodes Booth's digits there. A product has digits of -1 to 2 instead: a + 0101...01 has
 // these digits, each plus one, so that an addition finds them and a row is gates of four inputs.
+//
+// SPLIT = 1, of a square: the upper quarter of its places is added one cycle behind the others,
+// with the carries between them in registers, so that no carry chain has more than half of the
+// places. At the last cut the lower places wait for the upper ones.
 `default_nettype none
 
 module fp_logic_product #(
@@ -17,6 +21,7 @@ module fp_logic_product #(
   parameter       SQUARE      = 0,   // 1: of a; b is not read
   parameter       SIGNED      = 0,   // 1: a and b are in two's complement, of 4 bits or more
   parameter       DIGIT_STAGE = 0,   // 1: the first stage finds the digits; not with SIGNED
+  parameter       SPLIT       = 0,   // 1: only with SQUARE and CUTS[6], to 65 bits
   parameter [6:0] CUTS        = 7'b0
 ) (
   input  wire                   aclk,
@@ -44,6 +49,10 @@ module fp_logic_product #(
                              : 2 * (last - first) + PRECISION + 6;
   endfunction
 
+  // The places of all rows. Those from LATE_FROM up are a cycle late.
+  localparam TOTAL     = width_of(0, ROWS - 1);
+  localparam LATE_FROM = (SPLIT != 0) ? 3 * TOTAL / 4 : TOTAL;
+
   function integer smaller(input integer first, input integer second);
     smaller = (first < second) ? first : second;
   endfunction
@@ -61,6 +70,12 @@ module fp_logic_product #(
     end
     if ((DIGIT_STAGE != 0) && (PRECISION > 63)) begin : g_refused_stages
       DIGIT_STAGE_of_PRECISION_above_63 refused ();
+    end
+    if ((SPLIT != 0) && ((SQUARE == 0) || (SIGNED != 0))) begin : g_refused_split_kind
+      SPLIT_of_no_unsigned_square refused ();
+    end
+    if ((SPLIT != 0) && ((DIGIT_STAGE != 0) || (PRECISION > 65) || !CUTS[6])) begin : g_refused_cut
+      SPLIT_has_no_last_cut_of_its_own refused ();
     end
   endgenerate
 
@@ -132,7 +147,22 @@ module fp_logic_product #(
       wire [PRECISION-1:0] b_factor;
       wire [3*ROWS-1:0]    digits;
       wire [3*ROWS+2:0]    digits_and_none = {digits, 3'b000};
-      wire                 unused_bits     = ^{a_factor, b_factor, digits_and_none};
+      wire [PRECISION-1:0] late_a;  // of the cycle before
+      wire [3*ROWS+2:0]    late_digits_and_none = {booth_digits(late_a), 3'b000};
+      wire                 unused_bits         = ^{a_factor, b_factor, digits_and_none,
+                                                   late_digits_and_none};
+
+      if (SPLIT != 0) begin : g_late
+        fp_rank #(
+          .WIDTH(PRECISION)
+        ) rank (
+          .aclk(aclk),
+          .d   (a_factor),
+          .q   (late_a)
+        );
+      end else begin : g_none_late
+        assign late_a = {PRECISION{1'b0}};
+      end
 
       if (level == 0) begin : g_first
         assign a_factor = first_a;
@@ -195,25 +225,30 @@ module fp_logic_product #(
         localparam UPPER = FIRST + ADDED;  // first row of the upper addend
         localparam LOW   = width_of(FIRST, smaller(UPPER, ROWS) - 1);
         localparam SUM   = width_of(FIRST, smaller(FIRST + ALL, ROWS) - 1);
+        localparam LATE  = LATE_FROM - 2 * FIRST;  // its places from here on are late
 
         wire [LOW-1:0] low;
         wire [SUM-1:0] sum;
         wire [SUM-1:0] value;
 
         if (level == 0) begin : g_rows
-          fp_product_row #(
+          fp_split_row #(
             .PRECISION(PRECISION),
             .SQUARE   (SQUARE),
             .SIGNED   (SIGNED),
             .CODE     (CODE),
             .ROW      (FIRST),
-            .WIDTH    (LOW)
-          ) product_row (
-            .a       (g_operands[0].a_factor),
-            .b       (g_operands[0].b_factor),
-            .digit   (g_operands[0].digits_and_none[3*FIRST+3+:3]),
-            .previous(g_operands[0].digits_and_none[3*FIRST+:3]),
-            .row     (low)
+            .WIDTH    (LOW),
+            .SPLIT    (LATE)
+          ) split_row (
+            .a            (g_operands[0].a_factor),
+            .b            (g_operands[0].b_factor),
+            .digit        (g_operands[0].digits_and_none[3*FIRST+3+:3]),
+            .previous     (g_operands[0].digits_and_none[3*FIRST+:3]),
+            .late_a       (g_operands[0].late_a),
+            .late_digit   (g_operands[0].late_digits_and_none[3*FIRST+3+:3]),
+            .late_previous(g_operands[0].late_digits_and_none[3*FIRST+:3]),
+            .row          (low)
           );
         end else if (level < 3) begin : g_same
           assign low = g_sums[level-1].g_part[index].value;
@@ -228,30 +263,36 @@ module fp_logic_product #(
           wire [HIGH-1:0] high;
 
           if (level < 3) begin : g_rows
-            fp_product_row #(
+            fp_split_row #(
               .PRECISION(PRECISION),
               .SQUARE   (SQUARE),
               .SIGNED   (SIGNED),
               .CODE     (CODE),
               .ROW      (UPPER),
-              .WIDTH    (HIGH)
-            ) product_row (
-              .a       (g_operands[level].a_factor),
-              .b       (g_operands[level].b_factor),
-              .digit   (g_operands[level].digits_and_none[3*UPPER+3+:3]),
-              .previous(g_operands[level].digits_and_none[3*UPPER+:3]),
-              .row     (high)
+              .WIDTH    (HIGH),
+              .SPLIT    (LATE - SHIFT)
+            ) split_row (
+              .a            (g_operands[level].a_factor),
+              .b            (g_operands[level].b_factor),
+              .digit        (g_operands[level].digits_and_none[3*UPPER+3+:3]),
+              .previous     (g_operands[level].digits_and_none[3*UPPER+:3]),
+              .late_a       (g_operands[level].late_a),
+              .late_digit   (g_operands[level].late_digits_and_none[3*UPPER+3+:3]),
+              .late_previous(g_operands[level].late_digits_and_none[3*UPPER+:3]),
+              .row          (high)
             );
           end else begin : g_halves
             assign high = g_sums[level-1].g_part[2*index+1].value;
           end
 
-          fp_shifted_sum #(
+          fp_split_sum #(
             .LOW  (LOW),
             .HIGH (HIGH),
             .SHIFT(SHIFT),
-            .CARRY(CARRIES && (UPPER == ROWS - 1))
-          ) shifted_sum (
+            .CARRY(CARRIES && (UPPER == ROWS - 1)),
+            .SPLIT(LATE)
+          ) split_sum (
+            .aclk (aclk),
             .low  (low),
             .high (high),
             .carry(g_owed[level].carry),
@@ -265,16 +306,23 @@ module fp_logic_product #(
         // first place needs no register, which would stand behind the end of a carry chain.
         localparam KEPT = ((SQUARE == 0) && (UPPER < ROWS)) ? SUM - 1 : SUM;
 
+        // The late places pass the last cut, and are in time again.
+        localparam RANK = ((SPLIT != 0) && (level == 6)) ? LATE : KEPT;
+
         wire [KEPT-1:0] kept;
 
         fp_rank #(
-          .WIDTH     (KEPT),
+          .WIDTH     (RANK),
           .REGISTERED(LEVEL_CUTS[level])
         ) rank (
           .aclk(aclk),
-          .d   (sum[KEPT-1:0]),
-          .q   (kept)
+          .d   (sum[RANK-1:0]),
+          .q   (kept[RANK-1:0])
         );
+
+        if (RANK < KEPT) begin : g_late
+          assign kept[KEPT-1:RANK] = sum[KEPT-1:RANK];
+        end
 
         if (KEPT < SUM) begin : g_inverse
           wire unused_first_place = sum[SUM-1];
@@ -286,8 +334,6 @@ module fp_logic_product #(
       end
     end
   endgenerate
-
-  localparam TOTAL = width_of(0, ROWS - 1);
 
   wire [TOTAL-1:0] total = g_sums[6].g_part[0].value;
 

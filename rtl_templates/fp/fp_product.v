@@ -9,6 +9,7 @@ module fp_product #(
   parameter       SQUARE      = 0,     // 1: of a; b is not read
   parameter       EMBEDDED    = 1,     // 0: fp_logic_product instead of `*`
   parameter       DIGIT_STAGE = 0,     // of fp_logic_product; 0 where PRECISION is above 63
+  parameter       SPLIT       = 0,     // of fp_logic_product
   parameter       FACTOR_A    = 24,
   parameter       FACTOR_B    = 17,
   parameter       LEADING_ONE = 1,
@@ -91,6 +92,7 @@ module fp_product #(
         .PRECISION  (PRECISION),
         .SQUARE     (SQUARE),
         .DIGIT_STAGE((DIGIT_STAGE != 0) && (PRECISION < 64)),
+        .SPLIT      (SPLIT),
         .CUTS       (CUTS[7:1])
       ) logic_product (
         .aclk   (aclk),

@@ -1,7 +1,7 @@
 // fp_square: a * a, rounded once to the result format.
 // Latency: the population count of CUTS (fifteen bits); initiation interval 1; no reset.
 // EMBEDDED = 0: the product is logic on any device; else it is of `*`, each of FACTOR_A by FACTOR_B
-// bits, for the device's multipliers. DIGIT_STAGE: fp_logic_product.
+// bits, for the device's multipliers. DIGIT_STAGE, SPLIT: fp_logic_product.
 // Special values as IEEE 754.
 // SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md. SUM_SELECTS:
 // as in fp_add.
@@ -20,6 +20,7 @@ module fp_square #(
   parameter        SUM_SELECTS          = 2,
   parameter        EMBEDDED             = 1,
   parameter        DIGIT_STAGE          = 0,
+  parameter        SPLIT                = 0,
   parameter        FACTOR_A             = 24,
   parameter        FACTOR_B             = 17,
   parameter [14:0] CUTS                 = 15'b0
@@ -121,6 +122,7 @@ module fp_square #(
     .SQUARE     (1),
     .EMBEDDED   (EMBEDDED),
     .DIGIT_STAGE(DIGIT_STAGE),
+    .SPLIT      (SPLIT),
     .FACTOR_A   (FACTOR_A),
     .FACTOR_B   (FACTOR_B),
     .CUTS       (CUTS[ROUND-1:2])

@@ -4,8 +4,8 @@
 // The rounded sum is squared as it leaves the adder, with leading zeros where its operands cancel,
 // and without its sign. So only the square is normalised, and in the same step it moves down if it
 // is subnormal.
-// EMBEDDED, DIGIT_STAGE, FACTOR_A, FACTOR_B: as in fp_square. SUM_SELECTS: as in fp_add. Special
-// values as IEEE 754.
+// EMBEDDED, DIGIT_STAGE, SPLIT, FACTOR_A, FACTOR_B: as in fp_square. SUM_SELECTS: as in fp_add.
+// Special values as IEEE 754.
 `default_nettype none
 
 module fp_squared_sum #(
@@ -15,6 +15,7 @@ module fp_squared_sum #(
   parameter        GRADUAL       = 0,
   parameter        EMBEDDED      = 1,
   parameter        DIGIT_STAGE   = 0,
+  parameter        SPLIT         = 0,
   parameter        SUM_SELECTS   = 2,
   parameter        FACTOR_A      = 24,
   parameter        FACTOR_B      = 17,
@@ -112,6 +113,7 @@ module fp_squared_sum #(
     .SQUARE     (1),
     .EMBEDDED   (EMBEDDED),
     .DIGIT_STAGE(DIGIT_STAGE),
+    .SPLIT      (SPLIT),
     .FACTOR_A   (FACTOR_A),
     .FACTOR_B   (FACTOR_B),
     .LEADING_ONE(0),

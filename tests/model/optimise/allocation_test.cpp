@@ -127,6 +127,10 @@ TEST(Allocation, DealsWholeGroupsToReferences) {
             std::vector{8});  // 3 groups would leave one reference with two: 1.6 a cycle
   EXPECT_EQ(plan.references, std::vector{2});
   EXPECT_EQ(plan.used.luts, 40);
+  problem.communication.crossbar = {{.luts = 0}, {.luts = 1}, {.luts = 3}, {.luts = 7}};
+  const auto with_crossbar = optimise::plan_of(problem, {.lanes = {8}, .references = {2}});
+  ASSERT_TRUE(with_crossbar.has_value()) << "a group has one port";
+  EXPECT_EQ(with_crossbar->used.luts, 42);
   problem.lanes[0].recomputation_rate = 0.3;  // a group asks for more than a reference does
   EXPECT_TRUE(std::holds_alternative<optimise::Infeasible>(allocate(problem)));
 }

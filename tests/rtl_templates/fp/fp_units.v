@@ -219,6 +219,7 @@ module fp_units #(
               .TOWARD_ZERO         (toward_zero),
               .SUM_SELECTS         (SELECTS),
               .EMBEDDED            (0),
+              .SPLIT               (column >= 2 && PRECISION <= 65 && CUTS[9]),
               .CUTS                (CUTS[14:0])
           ) logic_square (
               .aclk       (aclk),

@@ -1,8 +1,10 @@
 // products: fp_product at many precisions, for the regression alone. Of each precision a product and
-// a square, of logic, of logic with a stage for the digits, and of multipliers whose sizes differ from
-// precision to precision, with two masks of cuts that complement each other; the slots are
-// {precision, kind, SQUARE, complemented}, the precisions counting slowest, three kinds each. Of multipliers there are fewer precisions: many
-// small ones compile slowly. products_test.cpp repeats which are built and with which masks.
+// a square, of logic, of logic with a stage for the digits, and of multipliers whose sizes differ
+// from precision to precision, with two masks of cuts that complement each other; the slots are
+// {precision, kind, SQUARE, complemented}, the precisions counting slowest, three kinds each. Of the
+// two squares of logic the one with the last cut is split. Of multipliers there are fewer
+// precisions: many small ones compile slowly. products_test.cpp repeats which are built and with
+// which masks.
 `default_nettype none
 
 module products #(
@@ -43,6 +45,7 @@ module products #(
             for (complemented = 0; complemented < 2; complemented = complemented + 1) begin : with_cuts
               localparam       SLOT = 12 * precision + 4 * kind + 2 * square + complemented;
               localparam [7:0] MASK = 37 * precision + 53 * square + 139 * kind;
+              localparam [7:0] CUTS = complemented ? ~MASK : MASK;
 
               wire [2*precision-1:0] product;
 
@@ -51,9 +54,10 @@ module products #(
                   .SQUARE     (square),
                   .EMBEDDED   (kind == 2),
                   .DIGIT_STAGE(kind == 1),
+                  .SPLIT      (kind == 0 && square == 1 && precision <= 65 && CUTS[7]),
                   .FACTOR_A   (FACTOR_A),
                   .FACTOR_B   (FACTOR_B),
-                  .CUTS       (complemented ? ~MASK : MASK)
+                  .CUTS       (CUTS)
               ) unit (
                   .aclk   (aclk),
                   .a      (x0),

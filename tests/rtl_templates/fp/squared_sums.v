@@ -33,6 +33,7 @@ module squared_sums #(
           .GRADUAL      (slot / 2 % 2),
           .EMBEDDED     (slot / 4 == slot % 2),
           .DIGIT_STAGE  (slot / 2 % 2),
+          .SPLIT        (slot == 1 && SOME_CUTS[16]),
           .SUM_SELECTS  ((slot == 7) ? 1 : ((slot / 4 + slot / 2 + slot) % 2 == 0) ? 2 : 0),
           .CUTS         ((slot % 2 == 1) ? SOME_CUTS : 23'h0)
       ) unit (
