@@ -89,6 +89,13 @@ public:
     return low;
   }
 
+  /// A number that divides `whole`.
+  int divisor(const char* field, settings::Limits limits, int whole) {
+    const int value = number(field, limits);
+    if (whole % value != 0) refuse(field, fmt::format("a divisor of {}", whole));
+    return value;
+  }
+
   /// "s17e8", "q13" or "block13".
   std::string lane_format(const char* field) {
     std::string name = text(field);
@@ -344,6 +351,7 @@ Result<Signature> read_signature(const std::filesystem::path& path) {
     return Error{.file = path.string(), .message = "not JSON"};
   }
   Reader reader(json, path.string());
+  const int lanes = reader.number("lanes", settings::limits::engine_lanes);
   Signature signature{
       .top = reader.text("top"),
       .generator_version = reader.text("generator_version"),
@@ -352,8 +360,9 @@ Result<Signature> read_signature(const std::filesystem::path& path) {
       .reference_sums = reader.choice("reference_sums", sums_names),
       .certified = reader.read<bool>("certified", "true or false"),
       .inputs = reader.read<std::vector<std::string>>("inputs", "a list of names"),
-      .lanes = reader.number("lanes", settings::limits::engine_lanes),
-      .lanes_per_group = reader.number("lanes_per_group", settings::limits::lanes_per_group),
+      .lanes = lanes,
+      .lanes_per_group =
+          reader.divisor("lanes_per_group", settings::limits::lanes_per_group, lanes),
       .references = reader.number("references", settings::limits::references),
       .lane_groups = reader.groups("lane_groups", read_lanes),
       .reference_groups = reader.groups("reference_groups", read_references),
