@@ -241,14 +241,13 @@ module fp_logic_product #(
             .WIDTH    (LOW),
             .SPLIT    (LATE)
           ) split_row (
-            .a            (g_operands[0].a_factor),
-            .b            (g_operands[0].b_factor),
-            .digit        (g_operands[0].digits_and_none[3*FIRST+3+:3]),
-            .previous     (g_operands[0].digits_and_none[3*FIRST+:3]),
-            .late_a       (g_operands[0].late_a),
-            .late_digit   (g_operands[0].late_digits_and_none[3*FIRST+3+:3]),
-            .late_previous(g_operands[0].late_digits_and_none[3*FIRST+:3]),
-            .row          (low)
+            .a         (g_operands[0].a_factor),
+            .b         (g_operands[0].b_factor),
+            .digit     (g_operands[0].digits_and_none[3*FIRST+3+:3]),
+            .previous  (g_operands[0].digits_and_none[3*FIRST+:3]),
+            .late_a    (g_operands[0].late_a),
+            .late_digit(g_operands[0].late_digits_and_none[3*FIRST+3+:3]),
+            .row       (low)
           );
         end else if (level < 3) begin : g_same
           assign low = g_sums[level-1].g_part[index].value;
@@ -272,14 +271,13 @@ module fp_logic_product #(
               .WIDTH    (HIGH),
               .SPLIT    (LATE - SHIFT)
             ) split_row (
-              .a            (g_operands[level].a_factor),
-              .b            (g_operands[level].b_factor),
-              .digit        (g_operands[level].digits_and_none[3*UPPER+3+:3]),
-              .previous     (g_operands[level].digits_and_none[3*UPPER+:3]),
-              .late_a       (g_operands[level].late_a),
-              .late_digit   (g_operands[level].late_digits_and_none[3*UPPER+3+:3]),
-              .late_previous(g_operands[level].late_digits_and_none[3*UPPER+:3]),
-              .row          (high)
+              .a         (g_operands[level].a_factor),
+              .b         (g_operands[level].b_factor),
+              .digit     (g_operands[level].digits_and_none[3*UPPER+3+:3]),
+              .previous  (g_operands[level].digits_and_none[3*UPPER+:3]),
+              .late_a    (g_operands[level].late_a),
+              .late_digit(g_operands[level].late_digits_and_none[3*UPPER+3+:3]),
+              .row       (high)
             );
           end else begin : g_halves
             assign high = g_sums[level-1].g_part[2*index+1].value;

@@ -1,6 +1,6 @@
 // fp_split_row: fp_product_row, whose places from SPLIT up are those of the inputs `late_`, the
-// factor and the digits of the cycle before. SPLIT below WIDTH: only of a square; at WIDTH or above:
-// no split.
+// factor and the digit of the cycle before. SPLIT is above the first two places; below WIDTH only of
+// a square; at WIDTH or above there is no split.
 // Combinational.
 `default_nettype none
 
@@ -19,14 +19,13 @@ module fp_split_row #(
   input  wire [2:0]           previous,
   input  wire [PRECISION-1:0] late_a,
   input  wire [2:0]           late_digit,
-  input  wire [2:0]           late_previous,
   output wire [WIDTH-1:0]     row
 );
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (SPLIT < 1) begin : g_refused_split
-      SPLIT_is_below_1 refused ();
+    if (SPLIT < 2) begin : g_refused_split
+      SPLIT_is_below_2 refused ();
     end
     if ((SPLIT < WIDTH) && (SQUARE == 0)) begin : g_refused_product
       SPLIT_of_no_square refused ();
@@ -52,7 +51,7 @@ module fp_split_row #(
 
   generate
     if (SPLIT >= WIDTH) begin : g_whole
-      wire unused_late = ^{late_a, late_digit, late_previous};
+      wire unused_late = ^{late_a, late_digit};
 
       assign row = early;
     end else begin : g_split
@@ -70,7 +69,7 @@ module fp_split_row #(
         .a       (late_a),
         .b       (b),
         .digit   (late_digit),
-        .previous(late_previous),
+        .previous(3'b000),  // what it is owed stands in the row's first places
         .row     (late)
       );
 
