@@ -40,7 +40,7 @@ private:
   int parts() const {
     return precision_ > spare_bits() ? ceil_div(precision_ - spare_bits(), multiplier_.b_bits) : 1;
   }
-  /// Below them there is no product of two parts.
+  /// No product of two parts has one of the square's bits below these.
   int sum_bits() const { return 2 * precision_ - multiplier_.b_bits - 1; }
 
   int precision_;

@@ -167,7 +167,7 @@ private:
 
   /// Where a cell is a table of four inputs and a register, a register alone takes a cell. Wider
   /// tables have registers to spare, and what waits costs less than reading it where it comes.
-  bool waiting_takes_cells() const { return placer_.delays().lut_inputs < 5; }
+  bool waiting_takes_cells() const { return !placer_.delays().has_wide_tables(); }
 
   static bool selects(const UnitClass& shared) {
     return shared.operations.size() > shared.units && !shared.reads_results;

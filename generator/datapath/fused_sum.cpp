@@ -85,7 +85,7 @@ void add_terms(StageList& stages, const TypedNode& node, const Kinds& kinds, Sub
         kind == LogicProduct::Kind::square ? kinds.squares || kinds.squared_sums : kinds.products;
     if (!occurs) continue;
     beside.emplace_back(delays);
-    beside.back().add_product(node.format.precision(), kind, multipliers);
+    beside.back().add_product_behind_factors(node.format.precision(), kind, multipliers);
     // fp_fused_term has no cut in front of its multipliers.
     if (kinds.products || kinds.squares)
       beside.back().begin_with(beside.back().factors_ns(multipliers));

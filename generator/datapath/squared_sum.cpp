@@ -86,13 +86,13 @@ void add_unnormalised_sum(StageList& stages, FloatFormat format, Subnormals subn
 
 namespace {
 
-Unit squared_sum_unit(FloatFormat format, Subnormals subnormals, scene::Multipliers multipliers,
-                      ProductForm form, const DelayTable& delays) {
+Unit squared_sum_unit_in_form(LogicProduct::Form form, FloatFormat format, Subnormals subnormals,
+                              scene::Multipliers multipliers, const DelayTable& delays) {
   const int precision = format.precision();
   StageList stages(delays);
   add_unnormalised_sum(stages, format, subnormals);
   StageList product(delays);
-  product.add_whole_product(precision, LogicProduct::Kind::square, multipliers, form);
+  product.add_product(precision, LogicProduct::Kind::square, multipliers, form);
   const StageList beside = exponent_stages(format, product.count(), delays);
   stages.add_side_by_side({std::move(product), beside});
   const int margin = subnormals == Subnormals::gradual ? (precision + 4) / 2 : 0;
@@ -113,8 +113,9 @@ Unit squared_sum_unit(FloatFormat format, Subnormals subnormals, scene::Multipli
 Unit squared_sum_unit(FloatFormat format, Subnormals subnormals, scene::Multipliers multipliers,
                       const DelayTable& delays) {
   return unit_of_product(LogicProduct::Kind::square, format.precision(), multipliers, delays,
-                         [&](ProductForm form) {
-                           return squared_sum_unit(format, subnormals, multipliers, form, delays);
+                         [&](LogicProduct::Form form) {
+                           return squared_sum_unit_in_form(form, format, subnormals, multipliers,
+                                                           delays);
                          });
 }
 

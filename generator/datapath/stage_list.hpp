@@ -51,7 +51,7 @@ public:
       : delays_(delays), wide_sums_(wide_sums) {}
 
   /// Tells whether a look-up table has more than four inputs.
-  bool has_wide_tables() const { return delays_.lut_inputs >= 5; }
+  bool has_wide_tables() const { return delays_.has_wide_tables(); }
   /// Tells whether two bits may select what a carry chain adds at no cost.
   bool selects_in_sums() const { return delays_.sum_selects >= 2; }
   double lut_delay_ns(int levels) const { return levels * delays_.lut_ns; }
@@ -84,20 +84,16 @@ public:
   enum class Order { by_magnitude, by_exponent };
   void add_aligned_operands(FloatFormat operands, int aligned, Subnormals subnormals, Order order);
   void add_operand(FloatFormat operands, Subnormals subnormals);
-  /// The stage in front of a product, which ends in the multipliers' input registers.
-  void add_factors(scene::Multipliers multipliers) { add("factors", factors_ns(multipliers)); }
+  /// What is in front of a product, to the multipliers' input registers.
   double factors_ns(scene::Multipliers multipliers) const {
     return multipliers == scene::Multipliers::embedded ? delays_.multiplier_input_ns : 0;
   }
-  void add_embedded_product(int precision);
-  void add_embedded_square(int precision);
   void add_logic_product(LogicProduct product);
-  void add_logic_product_behind_digits(LogicProduct product);
-  void add_product(int precision, LogicProduct::Kind kind, scene::Multipliers multipliers);
-  void add_split_square(int precision);
-  /// Adds all stages of fp_product.
-  void add_whole_product(int precision, LogicProduct::Kind kind, scene::Multipliers multipliers,
-                         ProductForm form);
+  void add_product(int precision, LogicProduct::Kind kind, scene::Multipliers multipliers,
+                   LogicProduct::Form form);
+  void add_product_behind_factors(int precision, LogicProduct::Kind kind,
+                                  scene::Multipliers multipliers,
+                                  LogicProduct::Form form = LogicProduct::Form::plain);
   void add_serial_square(SerialSquare square);
   void add_round(FloatFormat result, bool denormalises, int dropped_bits, double select_ns = 0);
   void add_select_round(FloatFormat result, Subnormals subnormals, double sticky_ns);
@@ -108,6 +104,9 @@ public:
   }
 
 private:
+  void add_upper_half(std::string name, int bits);
+  void add_embedded_product(int precision);
+  void add_embedded_square(int precision);
   void add_levels(LogicProduct product, int levels);
   void add_round_and_pack(FloatFormat result);
   /// Whether to round up, at the end of the stage before "round".
@@ -123,9 +122,14 @@ inline void StageList::add_wide_sum(const std::string& name, double operands_ns,
   const int lower_bits = wide_sums_ == WideSums::halved ? bits / 2 : bits;
   add_overlapping(name, operands_ns + carry(lower_bits), overlap_ns);
   if (wide_sums_ == WideSums::whole) return;
-  // Without a register between them the halves are one carry chain, which starts once.
-  stages_.push_back({.name = name + ", upper half",
-                     .delay_ns = carry(bits - lower_bits),
+  add_upper_half(name + ", upper half", bits - lower_bits);
+}
+
+/// The upper half of the sum that the stage before begins. Without a register between them the
+/// halves are one carry chain, which starts once.
+inline void StageList::add_upper_half(std::string name, int bits) {
+  stages_.push_back({.name = std::move(name),
+                     .delay_ns = carry(bits),
                      .overlap_ns = delays_.carry_start_ns,
                      .is_upper_half = true});
 }
@@ -140,6 +144,7 @@ inline void StageList::add_side_by_side(const std::vector<StageList>& lists) {
       joint.chains.push_back({.delay_ns = stage.delay_ns, .overlap_ns = stage.overlap_ns});
       if (stage.cut_needs >= 0) joint.cut_needs = first + stage.cut_needs;
       joint.registered = joint.registered || stage.registered;
+      joint.is_upper_half = joint.is_upper_half || stage.is_upper_half;
     }
     stages_.push_back(std::move(joint));
   }
@@ -211,20 +216,25 @@ inline void StageList::add_embedded_square(int precision) {
   }
   add("lower half",
       std::max(0, links - cut_links) * delays_.multiplier_add_ns + carry(square.lower_half_bits()));
-  // Without a register between them the halves are one carry chain, which starts once.
-  add_overlapping("upper half", carry(square.upper_half_bits()), delays_.carry_start_ns);
+  add_upper_half("upper half", square.upper_half_bits());
 }
 
 /// The stages of fp_logic_product.
 inline void StageList::add_logic_product(LogicProduct product) {
-  add_levels(product, LogicProduct::levels);
-}
-
-/// The stages of fp_logic_product with DIGIT_STAGE.
-inline void StageList::add_logic_product_behind_digits(LogicProduct product) {
-  const int bits = product.digits_chain_bits();
-  add("digits", bits > 0 ? carry(bits) : lut_delay_ns(1));
-  add_levels(product, LogicProduct::levels - 1);
+  const int digits_bits = product.digits_chain_bits();
+  switch (product.form()) {
+    case LogicProduct::Form::plain: return add_levels(product, LogicProduct::levels);
+    case LogicProduct::Form::behind_digits:
+      add("digits", digits_bits > 0 ? carry(digits_bits) : lut_delay_ns(1));
+      return add_levels(product, LogicProduct::levels - 1);
+    case LogicProduct::Form::split:
+      // The last cut, at which bits wait for the late ones, does not register those: without a
+      // register at the cut before it their chain would go on into the next stage.
+      add_levels(product, LogicProduct::levels - 1);
+      stages_.back().registered = true;
+      return add_registered("level 6", 0);
+  }
+  MIXCMP_CHECK(false);
 }
 
 /// The first levels of sums. The first row is one level of gates in front of the first carry chain.
@@ -237,12 +247,12 @@ inline void StageList::add_levels(LogicProduct product, int levels) {
     const LogicProduct::Chains bits = product.longest_chains(level);
     const int shift = LogicProduct::shift_bits(level);
     const double first_row = level == 0 ? lut_delay_ns(1) : 0;
-    const int longest = std::max(bits.below, bits.late);
-    // The bits that no chain before runs along with. Late chains all begin at one place.
-    const int below_alone =
-        bits.below - std::clamp(before.below - (shift - shift_before), 0, bits.below);
-    const int late_alone = bits.late - std::min(before.late, bits.late);
-    const int overlap = longest - std::max(below_alone, late_alone);
+    const int longest = std::max(bits.early, bits.late);
+    // The bits by which a chain outlasts the one before. Late chains all begin at one bit.
+    const int early_rest =
+        bits.early - std::clamp(before.early - (shift - shift_before), 0, bits.early);
+    const int late_rest = bits.late - std::min(before.late, bits.late);
+    const int overlap = longest - std::max(early_rest, late_rest);
     stages_.push_back({.name = "level " + std::to_string(level),
                        .delay_ns = first_row + (longest > 0 ? carry(longest) : 0),
                        .overlap_ns = overlap * delays_.carry_ns_per_bit});
@@ -251,34 +261,22 @@ inline void StageList::add_levels(LogicProduct product, int levels) {
   }
 }
 
-/// The stages of fp_logic_product with SPLIT. Late places have no register at the last cut, and
-/// therefore one at the cut in front of it.
-inline void StageList::add_split_square(int precision) {
-  add_levels({precision, LogicProduct::Kind::square, true}, LogicProduct::levels - 1);
-  stages_.back().registered = true;
-  add_registered("last level", 0);
+/// The stages of fp_product.
+inline void StageList::add_product(int precision, LogicProduct::Kind kind,
+                                   scene::Multipliers multipliers, LogicProduct::Form form) {
+  add("factors", factors_ns(multipliers));
+  add_product_behind_factors(precision, kind, multipliers, form);
 }
 
-/// The stages of fp_product behind its factors.
-inline void StageList::add_product(int precision, LogicProduct::Kind kind,
-                                   scene::Multipliers multipliers) {
+inline void StageList::add_product_behind_factors(int precision, LogicProduct::Kind kind,
+                                                  scene::Multipliers multipliers,
+                                                  LogicProduct::Form form) {
   switch (multipliers) {
     case scene::Multipliers::embedded:
       return kind == LogicProduct::Kind::square ? add_embedded_square(precision)
                                                 : add_embedded_product(precision);
-    case scene::Multipliers::logic: return add_logic_product({precision, kind});
+    case scene::Multipliers::logic: return add_logic_product({precision, kind, form});
     case scene::Multipliers::memory: break;  // only lanes in fixed point read memories
-  }
-  MIXCMP_CHECK(false);
-}
-
-inline void StageList::add_whole_product(int precision, LogicProduct::Kind kind,
-                                         scene::Multipliers multipliers, ProductForm form) {
-  add_factors(multipliers);
-  switch (form) {
-    case ProductForm::plain: return add_product(precision, kind, multipliers);
-    case ProductForm::behind_digits: return add_logic_product_behind_digits({precision, kind});
-    case ProductForm::split: return add_split_square(precision);
   }
   MIXCMP_CHECK(false);
 }
@@ -329,21 +327,21 @@ inline void StageList::add_round_and_pack(FloatFormat result) {
   add("pack", lut_delay_ns(1 + reduction_levels(result.exponent_bits()) + 1));
 }
 
-/// The unit of a product in the form that suits the device's look-up tables: those of five inputs
-/// or more decode a digit and add its row in one. make: the unit with a ProductForm. A square of
-/// logic that could be split has that as its faster form.
+/// Builds the unit of a product in the form that suits the device: tables of five inputs or more
+/// decode a digit and add its row at once, smaller ones take a stage for the digits. Where a square
+/// could be split, that is its faster form. make: builds the unit in a given LogicProduct::Form.
 template <typename Make>
 Unit unit_of_product(LogicProduct::Kind kind, int precision, scene::Multipliers multipliers,
                      const DelayTable& delays, Make make) {
-  if (multipliers != scene::Multipliers::logic) return make(ProductForm::plain);
-  const bool has_wide_tables = StageList(delays).has_wide_tables();
-  if (!has_wide_tables && precision <= LogicProduct::most_bits_behind_digits) {
-    return make(ProductForm::behind_digits);
+  using Form = LogicProduct::Form;
+  if (multipliers != scene::Multipliers::logic) return make(Form::plain);
+  if (!delays.has_wide_tables() && precision <= LogicProduct::most_bits_behind_digits) {
+    return make(Form::behind_digits);
   }
-  Unit unit = make(ProductForm::plain);
+  Unit unit = make(Form::plain);
   if (kind == LogicProduct::Kind::square &&
       precision <= LogicProduct::most_bits_of_a_split_square) {
-    unit.faster.push_back(make(ProductForm::split));
+    unit.faster_form.push_back(make(Form::split));
   }
   return unit;
 }

@@ -98,20 +98,24 @@ private:
   std::vector<Choice> best_;
 };
 
-/// The time that stages with more than `logic_ns` of logic take beyond that, in all.
+/// By how much stages are longer than `logic_ns`, summed over those that are.
 double excess_ns(const Unit& unit, double logic_ns) {
   double excess = 0;
   for (const Stage& stage : unit.stages) excess += std::max(0.0, stage.delay_ns - logic_ns);
   return excess;
 }
 
+/// The form of `unit` that fits `logic_ns` better.
+Unit best_form(Unit unit, double logic_ns) {
+  if (unit.faster_form.empty()) return unit;
+  Unit faster = std::move(unit.faster_form.front());
+  return excess_ns(faster, logic_ns) < excess_ns(unit, logic_ns) ? faster : unit;
+}
+
 }  // namespace
 
 Step UnitPlacer::place(Unit unit, int start) {
-  if (!unit.faster.empty()) {
-    const Unit faster = unit.faster.front();
-    if (excess_ns(faster, logic_ns_) < excess_ns(unit, logic_ns_)) unit = faster;
-  }
+  unit = best_form(std::move(unit), logic_ns_);
   std::vector<bool> cuts = choose_cuts(unit);
   const int latency = static_cast<int>(std::count(cuts.begin(), cuts.end(), true));
   return {std::move(unit), std::move(cuts), start, start + latency};

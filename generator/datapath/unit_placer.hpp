@@ -16,7 +16,7 @@ public:
 
   const DelayTable& delays() const { return delays_; }
 
-  /// A unit whose operands are read in cycle `start`.
+  /// Chooses the form of `unit`, whose operands are read in cycle `start`, and its registers.
   Step place(Unit unit, int start);
   /// Completes a schedule whose parts are placed: combines their verdicts, says how long all takes
   /// and which stages are too slow.

@@ -66,14 +66,14 @@ bool squares_vanish(FloatFormat operands, FloatFormat result) {
   return 2 * operands.bias() > result.bias() + result.precision();
 }
 
-Unit multiply_unit(LogicProduct::Kind kind, FloatFormat operands, FloatFormat result,
-                   Subnormals subnormals, Multipliers multipliers, ProductForm form,
-                   const DelayTable& delays) {
+Unit multiply_unit_in_form(LogicProduct::Form form, LogicProduct::Kind kind, FloatFormat operands,
+                           FloatFormat result, Subnormals subnormals, Multipliers multipliers,
+                           const DelayTable& delays) {
   const int dropped_bits = 2 * operands.precision() - result.precision() - 2;
   StageList stages(delays);
   const bool flushes = kind == LogicProduct::Kind::square && squares_vanish(operands, result);
   stages.add_operand(operands, flushes ? Subnormals::flush : subnormals);
-  stages.add_whole_product(operands.precision(), kind, multipliers, form);
+  stages.add_product(operands.precision(), kind, multipliers, form);
   stages.add_select_round(result, subnormals,
                           stages.lut_delay_ns(reduction_levels(std::max(dropped_bits, 1))));
   Unit unit =
@@ -86,9 +86,10 @@ Unit multiply_unit(LogicProduct::Kind kind, FloatFormat operands, FloatFormat re
 
 Unit multiply_unit(LogicProduct::Kind kind, FloatFormat operands, FloatFormat result,
                    Subnormals subnormals, Multipliers multipliers, const DelayTable& delays) {
-  return unit_of_product(kind, operands.precision(), multipliers, delays, [&](ProductForm form) {
-    return multiply_unit(kind, operands, result, subnormals, multipliers, form, delays);
-  });
+  return unit_of_product(
+      kind, operands.precision(), multipliers, delays, [&](LogicProduct::Form form) {
+        return multiply_unit_in_form(form, kind, operands, result, subnormals, multipliers, delays);
+      });
 }
 
 Unit divide_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
@@ -274,7 +275,7 @@ std::optional<Unit> serial_square_unit(const TypedNode& square, Subnormals subno
   const FloatFormat operands = square.operand_format;
   const FloatFormat result = square.format;
   const SerialSquare steps(operands.precision());
-  if (delays.lut_inputs >= 5 || !steps.fits(result.precision())) return std::nullopt;
+  if (delays.has_wide_tables() || !steps.fits(result.precision())) return std::nullopt;
   StageList stages(delays);
   stages.add_operand(operands, squares_vanish(operands, result) ? Subnormals::flush : subnormals);
   stages.add_serial_square(steps);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/datapath/logic_product.hpp"
 #include "model/devices/device.hpp"
 #include "model/error/lane.hpp"
 #include "model/expression/typed_graph.hpp"
@@ -28,7 +29,7 @@ struct Stage {
   double overlap_ns = 0;
   /// Index of an earlier stage that must end in a cut if this one does; -1: no such stage.
   int cut_needs = -1;
-  /// The stage ends in a register whatever the period is: a block memory is read into one.
+  /// The stage ends in a register whatever the period is, as that of a block memory does.
   bool registered = false;
   /// The upper half of the sum that the stage before begins. A register between the two halves its
   /// carry chain.
@@ -40,13 +41,6 @@ struct Stage {
   bool forks = false;
 };
 
-/// Forms of fp_logic_product. Multipliers of a device have the plain one.
-enum class ProductForm {
-  plain,
-  behind_digits,  ///< DIGIT_STAGE
-  split,          ///< SPLIT
-};
-
 /// The templates' default of SUM_SELECTS.
 constexpr int default_sum_selects = 2;
 
@@ -56,14 +50,14 @@ struct Unit {
   std::vector<Stage> stages;
   scene::Multipliers multipliers = scene::Multipliers::embedded;  ///< logic: print EMBEDDED = 0
   devices::MultiplierSize multiplier;  ///< embedded multipliers only: FACTOR_A, FACTOR_B
-  ProductForm product_form = ProductForm::plain;
+  LogicProduct::Form product_form = LogicProduct::Form::plain;
   int sum_selects = default_sum_selects;  ///< SUM_SELECTS; as it is for units without it
   /// Cycles for which an operation keeps the unit; above 1 it has an input `start`, which is 1 when
   /// its operand is there.
   int initiation_interval = 1;
-  /// Other forms of the unit, of more registers, for periods that its own stages are too long for:
-  /// none or one.
-  std::vector<Unit> faster = {};
+  /// At most one: the same operation by shorter stages and more registers, for periods that this
+  /// unit's stages are too long for. A vector, since Unit is incomplete here.
+  std::vector<Unit> faster_form = {};
 };
 
 /// A multiplication of the node `operand` by 2^exponent, or by -2^exponent.

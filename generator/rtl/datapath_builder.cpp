@@ -152,10 +152,13 @@ std::vector<std::string> input_ports(const std::vector<std::string>& inputs) {
 void append_technology_parameters(const datapath::Unit& unit, std::vector<Parameter>& parameters) {
   if (unit.multipliers == scene::Multipliers::logic) {
     parameters.push_back({"EMBEDDED", 0});
-    if (unit.product_form == datapath::ProductForm::behind_digits) {
-      parameters.push_back({"DIGIT_STAGE", 1});
+    switch (unit.product_form) {
+      case datapath::LogicProduct::Form::plain: break;
+      case datapath::LogicProduct::Form::behind_digits:
+        parameters.push_back({"DIGIT_STAGE", 1});
+        break;
+      case datapath::LogicProduct::Form::split: parameters.push_back({"SPLIT", 1}); break;
     }
-    if (unit.product_form == datapath::ProductForm::split) parameters.push_back({"SPLIT", 1});
   } else if (unit.multiplier != devices::MultiplierSize{}) {
     parameters.push_back({"FACTOR_A", unit.multiplier.a_bits});
     parameters.push_back({"FACTOR_B", unit.multiplier.b_bits});

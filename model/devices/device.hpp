@@ -40,6 +40,8 @@ struct DelayTable {
   double memory_ns = 2.0;           ///< from a memory block's clock to the word that it has read
   double register_ns = 0.6;         ///< clock-to-output plus set-up
   int lut_inputs = 6;
+  /// Whether a look-up table has more than four inputs.
+  bool has_wide_tables() const { return lut_inputs >= 5; }
   /// How many bits may select an operand of a carry chain in the chain's own look-up tables.
   int sum_selects = 2;
   MultiplierSize multiplier_size;

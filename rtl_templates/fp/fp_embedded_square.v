@@ -48,8 +48,8 @@ module fp_embedded_square #(
   localparam WIDEST = FACTOR_B + EXCESS;
 
   // Cut 0 is in front of the multipliers and cut 1 behind them, cuts 2 to 5 are behind the first
-  // four links. The squares and the chain are added in two halves: cut 6 is behind the lower one,
-  // cut 7 behind the upper one.
+  // four links. Cut 6 halves the last sum, of the squares and the chain (fp_halved_sum); cut 7 is
+  // behind it.
   localparam CUT_LINKS  = 4;
   localparam LAST_PLACE = 2 * PARTS - 3;
 
@@ -90,8 +90,11 @@ module fp_embedded_square #(
     end
   endgenerate
 
-  wire [SQUARE-1:0]          squares;
-  wire [SQUARE-1:FACTOR_B+1] twice_products;
+  // The product's lowest bits are those of the squares: no product of two parts has a bit there.
+  localparam COPIED = FACTOR_B + 1;
+
+  wire [SQUARE-1:0]      squares;
+  wire [SQUARE-1:COPIED] twice_products;
 
   genvar part;
   genvar place;
@@ -274,27 +277,24 @@ module fp_embedded_square #(
     end
   endgenerate
 
-  // The last sum. Below it no product of two parts has a bit.
-  localparam ALONE = FACTOR_B + 1;
-
-  wire [SQUARE-ALONE-1:0] sum;
-  wire [ALONE-1:0]        alone;
+  wire [SQUARE-1:COPIED] sum;
+  wire [COPIED-1:0]      copied;
 
   fp_rank #(
-    .WIDTH     (ALONE),
+    .WIDTH     (COPIED),
     .REGISTERED(CUTS[6])
-  ) alone_rank (
+  ) copied_rank (
     .aclk(aclk),
-    .d   (squares[ALONE-1:0]),
-    .q   (alone)
+    .d   (squares[COPIED-1:0]),
+    .q   (copied)
   );
 
   fp_halved_sum #(
-    .WIDTH(SQUARE - ALONE),
+    .WIDTH(SQUARE - COPIED),
     .CUTS (CUTS[6])
   ) halved_sum (
     .aclk (aclk),
-    .a    (squares[SQUARE-1:ALONE]),
+    .a    (squares[SQUARE-1:COPIED]),
     .b    (twice_products),
     .carry(1'b0),
     .sum  (sum)
@@ -305,7 +305,7 @@ module fp_embedded_square #(
     .REGISTERED(CUTS[7])
   ) product_rank (
     .aclk(aclk),
-    .d   ({sum, alone}),
+    .d   ({sum, copied}),
     .q   (product)
   );
 

@@ -52,7 +52,7 @@ module fp_halved_sum #(
         .q   ({s1_a, s1_b, s1_carry, s1_lower})
       );
 
-      // Behind the cut both operands come from registers.
+      // Behind the cut both operands come from registers, and GATED would gain nothing.
       fp_chain_sum #(
         .WIDTH(UPPER)
       ) s1_sum (

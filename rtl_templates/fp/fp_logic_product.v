@@ -11,9 +11,9 @@
 // square decodes Booth's digits there. A product has digits of -1 to 2 instead: a + 0101...01 has
 // these digits, each plus one, so that an addition finds them and a row is gates of four inputs.
 //
-// SPLIT = 1, of a square: the upper quarter of its places is added one cycle behind the others,
-// with the carries between them in registers, so that no carry chain has more than half of the
-// places. At the last cut the lower places wait for the upper ones.
+// SPLIT = 1, of a square: the highest quarter of the bits is late: it is added one cycle behind the
+// others, with the carries into it in registers. That shortens the longest carry chain: of 53 bits
+// from 73 places to 49. At the last cut the other bits wait for the late ones.
 `default_nettype none
 
 module fp_logic_product #(
@@ -21,7 +21,7 @@ module fp_logic_product #(
   parameter       SQUARE      = 0,   // 1: of a; b is not read
   parameter       SIGNED      = 0,   // 1: a and b are in two's complement, of 4 bits or more
   parameter       DIGIT_STAGE = 0,   // 1: the first stage finds the digits; not with SIGNED
-  parameter       SPLIT       = 0,   // 1: only with SQUARE and CUTS[6], to 65 bits
+  parameter       SPLIT       = 0,   // 1: of a SQUARE to 65, with CUTS[6]; no SIGNED, DIGIT_STAGE
   parameter [6:0] CUTS        = 7'b0
 ) (
   input  wire                   aclk,
@@ -31,9 +31,9 @@ module fp_logic_product #(
 );
 
   localparam ROWS = (SQUARE != 0) ? PRECISION / 2 : PRECISION / 2 + 1;
-  // Whether the last digit is a sign and the bit below it.
+  // 1: the last digit is a sign and the bit below it.
   localparam CARRIES = (SIGNED != 0) && ((SQUARE != 0) || (PRECISION % 2 != 0));
-  // Of the first digit's middle bit; each other is two places up.
+  // The place of the first digit's middle bit. Each later digit is two places higher.
   localparam PLACE = (SQUARE != 0) ? 1 + PRECISION % 2 : 0;
 
   // How fp_booth_digit reads the digits.
@@ -43,13 +43,13 @@ module fp_logic_product #(
   // which adds nothing then.
   localparam [6:0] LEVEL_CUTS = (DIGIT_STAGE != 0) ? CUTS >> 1 : CUTS;
 
-  // From the first place of row `first` to the last one of row `last`.
+  // Bits of the sum of rows `first` to `last`, from the lowest bit of row `first`.
   function integer width_of(input integer first, input integer last);
     width_of = (SQUARE != 0) ? 4 * last - 2 * first + PLACE + 3
                              : 2 * (last - first) + PRECISION + 6;
   endfunction
 
-  // The places of all rows. Those from LATE_FROM up are a cycle late.
+  // Bits of the sum of all rows. Those from LATE_FROM up are late.
   localparam TOTAL     = width_of(0, ROWS - 1);
   localparam LATE_FROM = (SPLIT != 0) ? 3 * TOTAL / 4 : TOTAL;
 
@@ -74,8 +74,14 @@ module fp_logic_product #(
     if ((SPLIT != 0) && ((SQUARE == 0) || (SIGNED != 0))) begin : g_refused_split_kind
       SPLIT_of_no_unsigned_square refused ();
     end
-    if ((SPLIT != 0) && ((DIGIT_STAGE != 0) || (PRECISION > 65) || !CUTS[6])) begin : g_refused_cut
-      SPLIT_has_no_last_cut_of_its_own refused ();
+    if ((SPLIT != 0) && (PRECISION > 65)) begin : g_refused_split_precision
+      SPLIT_of_PRECISION_above_65 refused ();
+    end
+    if ((SPLIT != 0) && (DIGIT_STAGE != 0)) begin : g_refused_split_digits
+      SPLIT_with_DIGIT_STAGE refused ();
+    end
+    if ((SPLIT != 0) && !CUTS[6]) begin : g_refused_split_cut
+      SPLIT_without_its_cut_6 refused ();
     end
   endgenerate
 
@@ -147,10 +153,9 @@ module fp_logic_product #(
       wire [PRECISION-1:0] b_factor;
       wire [3*ROWS-1:0]    digits;
       wire [3*ROWS+2:0]    digits_and_none = {digits, 3'b000};
-      wire [PRECISION-1:0] late_a;  // of the cycle before
-      wire [3*ROWS+2:0]    late_digits_and_none = {booth_digits(late_a), 3'b000};
-      wire                 unused_bits         = ^{a_factor, b_factor, digits_and_none,
-                                                   late_digits_and_none};
+      wire [PRECISION-1:0] late_a;  // a_factor, one cycle later
+      wire [3*ROWS-1:0]    late_digits = booth_digits(late_a);
+      wire                 unused_bits = ^{a_factor, b_factor, digits_and_none, late_digits};
 
       if (SPLIT != 0) begin : g_late
         fp_rank #(
@@ -211,8 +216,35 @@ module fp_logic_product #(
     end
   endgenerate
 
-  // Levels 0 to 2 add the second, third and fourth row of each four. Levels 3 to 6: 8, 16, 32, 64
-  // rows.
+  // Of each four rows the first two join at level 0, the third at level 1, the fourth at level 2.
+  generate
+    for (index = 0; index < ROWS; index = index + 1) begin : g_rows
+      localparam LEVEL = (index % 4 < 2) ? 0 : index % 4 - 1;
+      localparam WIDTH = width_of(index, index);
+
+      wire [WIDTH-1:0] row;
+
+      fp_split_row #(
+        .PRECISION(PRECISION),
+        .SQUARE   (SQUARE),
+        .SIGNED   (SIGNED),
+        .CODE     (CODE),
+        .ROW      (index),
+        .WIDTH    (WIDTH),
+        .LATE_FROM(LATE_FROM - 2 * index)
+      ) split_row (
+        .a         (g_operands[LEVEL].a_factor),
+        .b         (g_operands[LEVEL].b_factor),
+        .digit     (g_operands[LEVEL].digits_and_none[3*index+3+:3]),
+        .previous  (g_operands[LEVEL].digits_and_none[3*index+:3]),
+        .late_a    (g_operands[LEVEL].late_a),
+        .late_digit(g_operands[LEVEL].late_digits[3*index+:3]),
+        .row       (row)
+      );
+    end
+  endgenerate
+
+  // Levels 0 to 2 make sums of 2, 3 and 4 rows, levels 3 to 6 of 8, 16, 32 and 64.
   generate
     for (level = 0; level < 7; level = level + 1) begin : g_sums
       localparam PITCH = (level < 3) ? 4 : 1 << level;
@@ -225,30 +257,14 @@ module fp_logic_product #(
         localparam UPPER = FIRST + ADDED;  // first row of the upper addend
         localparam LOW   = width_of(FIRST, smaller(UPPER, ROWS) - 1);
         localparam SUM   = width_of(FIRST, smaller(FIRST + ALL, ROWS) - 1);
-        localparam LATE  = LATE_FROM - 2 * FIRST;  // its places from here on are late
+        localparam LATE  = LATE_FROM - 2 * FIRST;  // the first late bit of this sum
 
         wire [LOW-1:0] low;
         wire [SUM-1:0] sum;
         wire [SUM-1:0] value;
 
-        if (level == 0) begin : g_rows
-          fp_split_row #(
-            .PRECISION(PRECISION),
-            .SQUARE   (SQUARE),
-            .SIGNED   (SIGNED),
-            .CODE     (CODE),
-            .ROW      (FIRST),
-            .WIDTH    (LOW),
-            .SPLIT    (LATE)
-          ) split_row (
-            .a         (g_operands[0].a_factor),
-            .b         (g_operands[0].b_factor),
-            .digit     (g_operands[0].digits_and_none[3*FIRST+3+:3]),
-            .previous  (g_operands[0].digits_and_none[3*FIRST+:3]),
-            .late_a    (g_operands[0].late_a),
-            .late_digit(g_operands[0].late_digits_and_none[3*FIRST+3+:3]),
-            .row       (low)
-          );
+        if (level == 0) begin : g_row
+          assign low = g_rows[FIRST].row;
         end else if (level < 3) begin : g_same
           assign low = g_sums[level-1].g_part[index].value;
         end else begin : g_halves
@@ -261,34 +277,18 @@ module fp_logic_product #(
 
           wire [HIGH-1:0] high;
 
-          if (level < 3) begin : g_rows
-            fp_split_row #(
-              .PRECISION(PRECISION),
-              .SQUARE   (SQUARE),
-              .SIGNED   (SIGNED),
-              .CODE     (CODE),
-              .ROW      (UPPER),
-              .WIDTH    (HIGH),
-              .SPLIT    (LATE - SHIFT)
-            ) split_row (
-              .a         (g_operands[level].a_factor),
-              .b         (g_operands[level].b_factor),
-              .digit     (g_operands[level].digits_and_none[3*UPPER+3+:3]),
-              .previous  (g_operands[level].digits_and_none[3*UPPER+:3]),
-              .late_a    (g_operands[level].late_a),
-              .late_digit(g_operands[level].late_digits_and_none[3*UPPER+3+:3]),
-              .row       (high)
-            );
+          if (level < 3) begin : g_row
+            assign high = g_rows[UPPER].row;
           end else begin : g_halves
             assign high = g_sums[level-1].g_part[2*index+1].value;
           end
 
           fp_split_sum #(
-            .LOW  (LOW),
-            .HIGH (HIGH),
-            .SHIFT(SHIFT),
-            .CARRY(CARRIES && (UPPER == ROWS - 1)),
-            .SPLIT(LATE)
+            .LOW      (LOW),
+            .HIGH     (HIGH),
+            .SHIFT    (SHIFT),
+            .CARRY    (CARRIES && (UPPER == ROWS - 1)),
+            .LATE_FROM(LATE)
           ) split_sum (
             .aclk (aclk),
             .low  (low),
@@ -300,30 +300,30 @@ module fp_logic_product #(
           assign sum = low;
         end
 
-        // The ones above the rows of a product leave 01 or 10 in a sum's first two places. So the
-        // first place needs no register, which would stand behind the end of a carry chain.
+        // The ones above a product's rows leave 01 or 10 in the two highest bits of a sum. So the
+        // highest one needs no register, which would stand behind the end of a carry chain.
         localparam KEPT = ((SQUARE == 0) && (UPPER < ROWS)) ? SUM - 1 : SUM;
 
-        // The late places pass the last cut, and are in time again.
-        localparam RANK = ((SPLIT != 0) && (level == 6)) ? LATE : KEPT;
+        // The last cut holds back the other bits alone: behind it the late ones are in time.
+        localparam HELD = ((SPLIT != 0) && (level == 6)) ? LATE : KEPT;
 
         wire [KEPT-1:0] kept;
 
         fp_rank #(
-          .WIDTH     (RANK),
+          .WIDTH     (HELD),
           .REGISTERED(LEVEL_CUTS[level])
         ) rank (
           .aclk(aclk),
-          .d   (sum[RANK-1:0]),
-          .q   (kept[RANK-1:0])
+          .d   (sum[HELD-1:0]),
+          .q   (kept[HELD-1:0])
         );
 
-        if (RANK < KEPT) begin : g_late
-          assign kept[KEPT-1:RANK] = sum[KEPT-1:RANK];
+        if (HELD < KEPT) begin : g_late
+          assign kept[KEPT-1:HELD] = sum[KEPT-1:HELD];
         end
 
         if (KEPT < SUM) begin : g_inverse
-          wire unused_first_place = sum[SUM-1];
+          wire unused_highest_bit = sum[SUM-1];
 
           assign value = {!kept[KEPT-1], kept};
         end else begin : g_all
@@ -335,7 +335,7 @@ module fp_logic_product #(
 
   wire [TOTAL-1:0] total = g_sums[6].g_part[0].value;
 
-  // A product's rows begin two places below it, the rows of an odd square one place above.
+  // A product's rows begin two places below it, those of an odd square one place above.
   generate
     if (SQUARE == 0) begin : g_product_of_two
       wire unused_places = ^{total[TOTAL-1:2*PRECISION+2], total[1:0]};
@@ -348,7 +348,7 @@ module fp_logic_product #(
         .WIDTH(1),
         .COUNT(7),
         .CUTS (CUTS)
-      ) last_place (
+      ) lowest_bit (
         .aclk(aclk),
         .d   (a[0]),
         .q   (product[0])

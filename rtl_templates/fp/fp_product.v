@@ -9,7 +9,7 @@ module fp_product #(
   parameter       SQUARE      = 0,     // 1: of a; b is not read
   parameter       EMBEDDED    = 1,     // 0: fp_logic_product instead of `*`
   parameter       DIGIT_STAGE = 0,     // of fp_logic_product; 0 where PRECISION is above 63
-  parameter       SPLIT       = 0,     // of fp_logic_product
+  parameter       SPLIT       = 0,     // of fp_logic_product: a SQUARE to 65 bits, with CUTS[7]
   parameter       FACTOR_A    = 24,
   parameter       FACTOR_B    = 17,
   parameter       LEADING_ONE = 1,

@@ -1,7 +1,7 @@
-// fp_split_row: fp_product_row, whose places from SPLIT up are those of the inputs `late_`, the
-// factor and the digit of the cycle before. SPLIT is above the first two places; below WIDTH only of
-// a square; at WIDTH or above there is no split.
-// Combinational.
+// fp_split_row: a row of fp_logic_product, by fp_product_row. Its bits from LATE_FROM up are late:
+// those of the row of late_a and late_digit, the factor and the digit of one cycle before.
+// Combinational. LATE_FROM is 2 or more, and below WIDTH only with SQUARE; at WIDTH or above no bit
+// is late.
 `default_nettype none
 
 module fp_split_row #(
@@ -11,7 +11,7 @@ module fp_split_row #(
   parameter CODE      = 0,
   parameter ROW       = 0,
   parameter WIDTH     = PRECISION + 6,
-  parameter SPLIT     = WIDTH
+  parameter LATE_FROM = WIDTH
 ) (
   input  wire [PRECISION-1:0] a,
   input  wire [PRECISION-1:0] b,
@@ -24,11 +24,11 @@ module fp_split_row #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (SPLIT < 2) begin : g_refused_split
-      SPLIT_is_below_2 refused ();
+    if (LATE_FROM < 2) begin : g_refused_late_from
+      LATE_FROM_is_below_2 refused ();
     end
-    if ((SPLIT < WIDTH) && (SQUARE == 0)) begin : g_refused_product
-      SPLIT_of_no_square refused ();
+    if ((LATE_FROM < WIDTH) && (SQUARE == 0)) begin : g_refused_product
+      LATE_FROM_of_no_square refused ();
     end
   endgenerate
 
@@ -50,13 +50,13 @@ module fp_split_row #(
   );
 
   generate
-    if (SPLIT >= WIDTH) begin : g_whole
+    if (LATE_FROM >= WIDTH) begin : g_none_late
       wire unused_late = ^{late_a, late_digit};
 
       assign row = early;
     end else begin : g_split
       wire [WIDTH-1:0] late;
-      wire             unused_places = ^{early[WIDTH-1:SPLIT], late[SPLIT-1:0]};
+      wire             unused_bits = ^{early[WIDTH-1:LATE_FROM], late[LATE_FROM-1:0]};
 
       fp_product_row #(
         .PRECISION(PRECISION),
@@ -69,11 +69,11 @@ module fp_split_row #(
         .a       (late_a),
         .b       (b),
         .digit   (late_digit),
-        .previous(3'b000),  // what it is owed stands in the row's first places
+        .previous(3'b000),  // what it is owed is in the two lowest bits
         .row     (late)
       );
 
-      assign row = {late[WIDTH-1:SPLIT], early[SPLIT-1:0]};
+      assign row = {late[WIDTH-1:LATE_FROM], early[LATE_FROM-1:0]};
     end
   endgenerate
 

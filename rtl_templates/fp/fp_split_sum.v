@@ -1,14 +1,16 @@
-// fp_split_sum: fp_shifted_sum, whose places from SPLIT up arrive and leave one cycle later. The
-// carry into them waits in a register, the only one, so that no carry chain leads from below SPLIT
-// to above. Initiation interval 1; no reset. SPLIT at HIGH + SHIFT or above: no split.
+// fp_split_sum: low + high * 2^SHIFT. The bits of the sum from LATE_FROM up are late: they and the
+// bits of `low` and `high` in their places are one cycle behind the others. The carry into them
+// waits in a register, so that no carry chain leads from below LATE_FROM to above.
+// Latency 0 of either part; initiation interval 1; no reset. LATE_FROM at HIGH + SHIFT or above: no
+// bit is late, and this is fp_shifted_sum.
 `default_nettype none
 
 module fp_split_sum #(
-  parameter LOW   = 26,
-  parameter HIGH  = 26,
-  parameter SHIFT = 2,
-  parameter CARRY = 0,   // of fp_shifted_sum; 0 where the sum is split
-  parameter SPLIT = 28
+  parameter LOW       = 26,
+  parameter HIGH      = 26,
+  parameter SHIFT     = 2,
+  parameter CARRY     = 0,   // of fp_shifted_sum; 0 where bits are late
+  parameter LATE_FROM = 28
 ) (
   input  wire                  aclk,
   input  wire [LOW-1:0]        low,
@@ -21,16 +23,19 @@ module fp_split_sum #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (SPLIT <= SHIFT) begin : g_refused_split
-      SPLIT_is_not_above_SHIFT refused ();
+    if (LATE_FROM <= SHIFT) begin : g_refused_late_from
+      LATE_FROM_is_not_above_SHIFT refused ();
     end
-    if ((SPLIT < SUM) && (CARRY != 0)) begin : g_refused_carry
+    if ((LATE_FROM < SUM) && (LOW >= SUM)) begin : g_refused_low_end
+      LOW_is_not_below_HIGH_plus_SHIFT refused ();
+    end
+    if ((LATE_FROM < SUM) && (CARRY != 0)) begin : g_refused_carry
       CARRY_of_a_split_sum refused ();
     end
   endgenerate
 
   generate
-    if (SPLIT >= SUM) begin : g_whole
+    if (LATE_FROM >= SUM) begin : g_none_late
       wire unused_aclk = aclk;
 
       fp_shifted_sum #(
@@ -45,47 +50,47 @@ module fp_split_sum #(
         .sum  (sum)
       );
     end else begin : g_split
-      localparam LOW_BELOW = (LOW < SPLIT) ? LOW : SPLIT;
-      localparam UPPER     = SUM - SPLIT;
+      localparam EARLY_LOW = (LOW < LATE_FROM) ? LOW : LATE_FROM;
+      localparam LATE      = SUM - LATE_FROM;
 
-      wire             unused_carry = carry;
-      wire             carry_below;
-      wire             late_carry;
-      wire [UPPER-1:0] low_above;
+      wire            unused_carry = carry;
+      wire            early_carry;
+      wire            late_carry;
+      wire [LATE-1:0] late_low;
 
-      // One place more, which is the carry.
+      // One bit more than it keeps, which is the carry.
       fp_shifted_sum #(
-        .LOW  (LOW_BELOW),
-        .HIGH (SPLIT - SHIFT + 1),
+        .LOW  (EARLY_LOW),
+        .HIGH (LATE_FROM - SHIFT + 1),
         .SHIFT(SHIFT)
-      ) below (
-        .low  (low[LOW_BELOW-1:0]),
-        .high ({1'b0, high[SPLIT-SHIFT-1:0]}),
+      ) early (
+        .low  (low[EARLY_LOW-1:0]),
+        .high ({1'b0, high[LATE_FROM-SHIFT-1:0]}),
         .carry(1'b0),
-        .sum  ({carry_below, sum[SPLIT-1:0]})
+        .sum  ({early_carry, sum[LATE_FROM-1:0]})
       );
 
       fp_rank #(
         .WIDTH(1)
       ) carry_rank (
         .aclk(aclk),
-        .d   (carry_below),
+        .d   (early_carry),
         .q   (late_carry)
       );
 
-      if (LOW > SPLIT) begin : g_both
-        assign low_above = {{(SUM - LOW) {1'b0}}, low[LOW-1:SPLIT]};
+      if (LOW > LATE_FROM) begin : g_both
+        assign late_low = {{(SUM - LOW) {1'b0}}, low[LOW-1:LATE_FROM]};
       end else begin : g_high_alone
-        assign low_above = {UPPER{1'b0}};
+        assign late_low = {LATE{1'b0}};
       end
 
       fp_chain_sum #(
-        .WIDTH(UPPER)
-      ) above (
-        .a    (high[HIGH-1:SPLIT-SHIFT]),
-        .b    (low_above),
+        .WIDTH(LATE)
+      ) late (
+        .a    (high[HIGH-1:LATE_FROM-SHIFT]),
+        .b    (late_low),
         .carry(late_carry),
-        .sum  (sum[SUM-1:SPLIT])
+        .sum  (sum[SUM-1:LATE_FROM])
       );
     end
   endgenerate

@@ -1,7 +1,8 @@
 // fp_square: a * a, rounded once to the result format.
 // Latency: the population count of CUTS (fifteen bits); initiation interval 1; no reset.
 // EMBEDDED = 0: the product is logic on any device; else it is of `*`, each of FACTOR_A by FACTOR_B
-// bits, for the device's multipliers. DIGIT_STAGE, SPLIT: fp_logic_product.
+// bits, for the device's multipliers. DIGIT_STAGE, SPLIT: of fp_logic_product, where EMBEDDED is 0;
+// SPLIT needs CUTS[9].
 // Special values as IEEE 754.
 // SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md. SUM_SELECTS:
 // as in fp_add.

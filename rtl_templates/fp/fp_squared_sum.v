@@ -4,7 +4,8 @@
 // The rounded sum is squared as it leaves the adder, with leading zeros where its operands cancel,
 // and without its sign. So only the square is normalised, and in the same step it moves down if it
 // is subnormal.
-// EMBEDDED, DIGIT_STAGE, SPLIT, FACTOR_A, FACTOR_B: as in fp_square. SUM_SELECTS: as in fp_add.
+// EMBEDDED, DIGIT_STAGE, SPLIT (with CUTS[16]), FACTOR_A, FACTOR_B: as in fp_square.
+// SUM_SELECTS: as in fp_add.
 // Special values as IEEE 754.
 `default_nettype none
 
