@@ -493,6 +493,23 @@ TEST(Schedule, SplitSquaresHaveShortChains) {
   EXPECT_EQ(whole.longest_chains(5).late, 0);
 }
 
+/// The early chain of level 2 grows by two bits beyond that of level 1, the late one by four: so of
+/// its 41 bits the chain of level 1 runs along with 37.
+TEST(Schedule, LateChainsOfSplitSquaresRunAlongWithLateOnes) {
+  const datapath::DelayTable delays = datapath::delays_of("virtex5-lx330t").value();
+  const TypedNode node{
+      .operation = Operation::square, .operand_format = format("s53e8"), .format = format("s53e8")};
+  const datapath::Unit plain =
+      datapath::unit_for(node, Subnormals::gradual, {}, scene::Multipliers::logic, delays);
+  ASSERT_EQ(plain.faster_form.size(), 1u);
+  const std::vector<datapath::Stage>& stages = plain.faster_form.front().stages;
+  ASSERT_EQ(stages[5].name, "level 2");
+  EXPECT_DOUBLE_EQ(stages[5].overlap_ns, 37 * delays.carry_ns_per_bit);
+  EXPECT_TRUE(stages[8].registered);
+  ASSERT_EQ(stages[9].name, "level 6");
+  EXPECT_TRUE(stages[9].registered) << "there the early bits wait, whatever the period is";
+}
+
 /// A sum of addends of one sign moves up by one place at most: it waits for no count of zeros.
 TEST(Schedule, SumsThatOnlyGrowCountNoZeros) {
   const datapath::DelayTable delays = datapath::delays_of("virtex6-lx760").value();
