@@ -84,7 +84,7 @@ public:
   enum class Order { by_magnitude, by_exponent };
   void add_aligned_operands(FloatFormat operands, int aligned, Subnormals subnormals, Order order);
   void add_operand(FloatFormat operands, Subnormals subnormals);
-  /// What is in front of a product, to the multipliers' input registers.
+  /// The delay from a product's factors to the multipliers' input registers.
   double factors_ns(scene::Multipliers multipliers) const {
     return multipliers == scene::Multipliers::embedded ? delays_.multiplier_input_ns : 0;
   }

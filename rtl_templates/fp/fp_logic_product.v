@@ -216,7 +216,8 @@ module fp_logic_product #(
     end
   endgenerate
 
-  // Of each four rows the first two join at level 0, the third at level 1, the fourth at level 2.
+  // The rows. The first two of each four join at level 0, the third at level 1, the fourth at level
+  // 2.
   generate
     for (index = 0; index < ROWS; index = index + 1) begin : g_rows
       localparam LEVEL = (index % 4 < 2) ? 0 : index % 4 - 1;

@@ -165,7 +165,7 @@ module rounding_proof #(
                                 : is_infinite(a) && is_infinite(second) && unlike;
       wire nan      = some_nan || invalid;
       wire infinite = some_infinite || (due > LARGEST);
-      // Of a sum: that of the larger operand, and + where unlike ones cancel.
+      // A sum has the sign of its larger operand, and + where unlike operands cancel.
       wire sign = MULTIPLIES    ? a_sign ^ b_sign
                 : (sum == 0)    ? a_sign && b_sign
                 : is_infinite(a) ? a_sign

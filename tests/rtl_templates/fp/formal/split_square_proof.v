@@ -28,7 +28,7 @@ module split_square_proof #(
   );
 
   reg [LATENCY*PRECISION-1:0] sent = 0;
-  reg [LATENCY-1:0]           past = 0;  // bit k: so many cycles have passed, and one more
+  reg [LATENCY-1:0]           past = 0;  // bit k: more than k cycles have passed
 
   wire [2*PRECISION-1:0] due = sent[(LATENCY-1)*PRECISION+:PRECISION];
 
