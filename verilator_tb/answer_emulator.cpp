@@ -41,7 +41,8 @@ void decide_all(const LaneEmulator& lane, const data::OperandBlock& operands, st
 
 }  // namespace
 
-AnswerEmulator::AnswerEmulator(const design::Design& design) {
+AnswerEmulator::AnswerEmulator(const design::Design& design)
+    : second_tier_recomputes_(design.second_tier_recomputes()) {
   for (const design::LaneGroup& group : design.lanes) lanes_.push_back(emulator_of(group.lane));
   if (design.second_tier) second_tier_.emplace(emulator_of(design.second_tier->lane));
   if (!design.references.empty()) reference_.emplace(design.reference);
@@ -79,7 +80,9 @@ void AnswerEmulator::decide_again(Batch& batch, std::span<ResultWord> words) con
   batch.undecided_.resize(0);
   for (std::size_t k = 0; k < asked.size(); ++k) {
     if (batch.decisions_[k] != Decision::undecided) {
-      words[asked[k]] = ResultWord::decided(verdict_of(batch.decisions_[k]));
+      const Verdict verdict = verdict_of(batch.decisions_[k]);
+      words[asked[k]] =
+          second_tier_recomputes_ ? ResultWord::recomputed(verdict) : ResultWord::decided(verdict);
       continue;
     }
     batch.undecided_.append(batch.operands, asked[k]);

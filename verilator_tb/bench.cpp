@@ -78,20 +78,20 @@ private:
 };
 
 std::string system_ports(const emit::Signature& s) {
-  const bool refetched = s.operands == scene::OperandStore::refetched && s.references > 0;
+  const int refetch_streams = emit::refetch_streams(s);
   PortsHeader header(s);
-  header.constant("int", "references", s.references)
+  header.constant("int", "refetch_streams", refetch_streams)
       .constant("int", "lanes_per_group", s.lanes_per_group)
       .constant("int", "groups", emit::group_count(s))
       .constant("int", "tdata_bytes", s.tdata_bytes)
       .constant("int", "tag_bits", s.tag_bits)
       .constant("int", "slots", s.slots)
       .constant("bool", "in_order", s.order == scene::ResultOrder::in_order ? 1 : 0)
-      .constant("bool", "refetched", refetched ? 1 : 0)
+      .constant("bool", "refetched", refetch_streams > 0 ? 1 : 0)
       .ports({"aclk", "aresetn", "s_axis_tvalid", "s_axis_tready", "s_axis_tdata", "s_axis_tuser",
               "m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser"});
   header.counters({"comparisons", "recomputations", "stalls"});
-  if (refetched) {
+  if (refetch_streams > 0) {
     header.ports({"m_refetch_tvalid", "m_refetch_tready", "m_refetch_tdata", "s_refetch_tvalid",
                   "s_refetch_tready", "s_refetch_tdata"});
   }

@@ -75,7 +75,7 @@ Command compile_command(const System& system, const Block& block, const Words& w
                      "testbench", "-DSYSTEM=" + s.top};
   if (s.counter_bits > 0) command.push_back("-DCOUNTERS");
   if (!s.counter_map.empty()) command.push_back("-DCOUNTER_PORT");
-  const bool refetched = s.operands == scene::OperandStore::refetched && s.references > 0;
+  const bool refetched = emit::refetch_streams(s) > 0;
   if (refetched) command.push_back("-DREFETCHED");
   const auto parameter = [&command](const char* name, std::uint64_t value) {
     command.push_back(fmt::format("-Ptestbench.{}={}", name, value));
@@ -85,6 +85,7 @@ Command compile_command(const System& system, const Block& block, const Words& w
   if (refetched)
     parameter("NAME_BITS", static_cast<std::uint64_t>(std::bit_width(words.lanes - 1)));
   parameter("REFERENCES", static_cast<std::uint64_t>(s.references));
+  parameter("REFETCHES", static_cast<std::uint64_t>(std::max(1, emit::refetch_streams(s))));
   parameter("TDATA_BYTES", static_cast<std::uint64_t>(s.tdata_bytes));
   parameter("TAG_BITS", static_cast<std::uint64_t>(s.tag_bits));
   parameter("COUNTER_BITS", static_cast<std::uint64_t>(s.counter_bits));

@@ -53,6 +53,7 @@ private:
   void take_violation(const harness::wire::Violation& violation);
   void take_counters(const std::vector<harness::wire::CounterValues>& groups);
   void take_answers(const Answer& answer);
+  void take_answers_behind_second_tier(const Answer& answer);
   void report_wrong_counter(const char* name, std::uint32_t lane, std::uint64_t counted,
                             std::uint64_t observed);
   Mismatch mismatch_of(const harness::wire::Result& result, ResultWord expected) const;
@@ -70,6 +71,7 @@ private:
   std::deque<Fate> window_;
   std::uint64_t window_start_ = 0;  ///< position of window_.front()
   std::optional<harness::wire::Result> first_undecided_;
+  std::uint64_t references_asked_ = 0;  ///< of a second tier: the comparisons it did not decide
   VerifyReport report_;
 };
 

@@ -40,13 +40,20 @@ golden::LaneResult decide(const design::Lane& lane, std::span<const Bits> operan
 
 ResultWord expected_word(const design::Design& design, std::size_t group,
                          std::span<const Bits> operands) {
-  golden::LaneResult decision = decide(design.lanes[group].lane, operands);
-  if (!decision.decided && design.second_tier) {
-    decision = decide(design.second_tier->lane, operands);
+  const golden::LaneResult first = decide(design.lanes[group].lane, operands);
+  if (first.decided) return ResultWord::decided(first.verdict);
+  if (design.second_tier) {
+    const golden::LaneResult second = decide(design.second_tier->lane, operands);
+    const bool marked = design.second_tier_recomputes();
+    if (second.decided && marked) return ResultWord::recomputed(second.verdict);
+    if (second.decided) return ResultWord::decided(second.verdict);
   }
-  if (decision.decided) return ResultWord::decided(decision.verdict);
   if (design.references.empty()) return ResultWord::undecided();
   return ResultWord::recomputed(golden::evaluate_reference(design.reference, operands));
+}
+
+bool reaches_reference(const design::Design& design, std::span<const Bits> operands) {
+  return !design.second_tier || !decide(design.second_tier->lane, operands).decided;
 }
 
 std::string describe(ResultWord word) {

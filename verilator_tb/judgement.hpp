@@ -19,6 +19,9 @@ VerifyReport empty_report(const emit::Signature& signature, const design::Design
 /// by the golden model.
 ResultWord expected_word(const design::Design& design, std::size_t group,
                          std::span<const Bits> operands);
+/// Whether a reference has to answer about operands that a lane leaves undecided: unless a second
+/// tier decides them.
+bool reaches_reference(const design::Design& design, std::span<const Bits> operands);
 
 /// "less, decided by the lane"
 std::string describe(ResultWord word);

@@ -306,8 +306,7 @@ std::string save_file(const Run& run, const std::optional<harness::wire::Result>
 /// Refuses tags that are too few for the harness: with refetched operands no two comparisons that
 /// may be inside have the same.
 Result<Done> check_tags(const emit::Signature& signature) {
-  const bool refetched =
-      signature.operands == scene::OperandStore::refetched && signature.references > 0;
+  const bool refetched = emit::refetch_streams(signature) > 0;
   const auto bits_for = [](int count) { return std::bit_width(static_cast<unsigned>(count - 1)); };
   const int needed = static_cast<int>(bits_for(emit::group_count(signature)) +
                                       bits_for(signature.lanes_per_group));

@@ -10,9 +10,11 @@
 #include "generator/datapath/delays.hpp"
 #include "generator/datapath/lane_schedule.hpp"
 #include "generator/rtl/arg_min_module.hpp"
+#include "generator/rtl/channel_modules.hpp"
 #include "generator/rtl/datapath_builder.hpp"
 #include "generator/rtl/lane_module.hpp"
 #include "generator/rtl/reference_module.hpp"
+#include "generator/rtl/system_modules.hpp"
 #include "model/common/quote.hpp"
 #include "model/design/design.hpp"
 #include "model/design/request_beats.hpp"
@@ -308,7 +310,7 @@ Result<Component> ComponentMaker::make_crossbar(const ComponentKey& key) {
     return out_of_range("ports", key.ports, to_string(measured_ports));
   }
   MIXCMP_TRY(shape, request_shape());
-  rtl::TemplateInstance crossbar = rtl::crossbar_template(shape);
+  rtl::TemplateInstance crossbar = rtl::crossbar_template(shape, shape.references);
   for (rtl::Parameter& parameter : crossbar.parameters) {
     if (parameter.name == "LANES") parameter.value = key.ports;
   }

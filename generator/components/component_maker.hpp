@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "generator/rtl/engine_shape.hpp"
-#include "generator/rtl/system_modules.hpp"
+#include "generator/rtl/system_shape.hpp"
 #include "model/characterise/synthesis.hpp"
 #include "model/data/comparisons.hpp"
 #include "model/design/design.hpp"

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "generator/rtl/system_modules.hpp"
+#include "generator/rtl/module.hpp"
 #include "model/characterise/synthesis.hpp"
 
 namespace mixcmp::components {

@@ -7,8 +7,10 @@
 #include <set>
 
 #include "generator/rtl/arg_min_module.hpp"
+#include "generator/rtl/channel_modules.hpp"
 #include "generator/rtl/lane_module.hpp"
 #include "generator/rtl/reference_module.hpp"
+#include "generator/rtl/system_modules.hpp"
 
 namespace mixcmp::emit {
 namespace {
@@ -114,11 +116,23 @@ Described describe_reference_channel(const rtl::SystemShape& shape,
            "Reset: aresetn, synchronous, active low."}};
 }
 
+Described describe_second_tier_channel(const rtl::SystemShape& shape) {
+  const std::string& name = shape.second_tier->channel;
+  return {
+      rtl::second_tier_channel_module(shape),
+      {name + ": one lane of the second tier, between a crossbar and the next.",
+       shape.refetches() ? "The operands are fetched again by tag on m_refetch and s_refetch."
+                         : "The operands arrive with the request.",
+       "Answers leave in the order of requests, each as soon as the lane or a reference has it.",
+       fmt::format("{} comparisons may be inside. Reset: aresetn, synchronous, active low.",
+                   1 << shape.second_tier_slot_bits)}};
+}
+
 /// Counts and formats of lanes and references: one sentence if there is one kind of each, otherwise
 /// a line for each group, too.
 std::vector<std::string> count_facts(const Design& design, const rtl::SystemShape& shape) {
   const std::string reference = design.reference.arithmetic.format.name();
-  if (design.lanes.size() == 1 && design.references.size() <= 1) {
+  if (design.lanes.size() == 1 && design.references.size() <= 1 && !design.second_tier) {
     return {fmt::format("{}: p_L = {} in {}, p_H = {} in {}.", shape.top, shape.lanes,
                         design::format_name(design.lanes.front().lane), shape.references,
                         reference)};
@@ -136,6 +150,7 @@ std::vector<std::string> count_facts(const Design& design, const rtl::SystemShap
     }
   };
   add_groups("Lane", shape.lane_groups);
+  if (shape.second_tier) add_groups("Second-tier lane", {*shape.second_tier});
   add_groups("Reference", shape.reference_groups);
   return facts;
 }
@@ -186,6 +201,8 @@ Described describe_top(const Design& design, const ScheduledSystem& scheduled) {
   if (shape.refetches()) {
     add("m_refetch_tdata, s_refetch_tdata, a field a reference: a tag out, in the");
     add("  order of the tags the operands of each back in.");
+    if (shape.second_tier)
+      add("  Behind the references' fields come those of the second tier's lanes.");
     if (grouped) add("  The tag of lane k of a group is the word's + k.");
   }
   if (shape.counter_bits > 0) {
@@ -438,7 +455,14 @@ std::vector<Described> describe_system_modules(const Design& design,
     }
     modules.add(group.channel, [&] { return describe_lane_channel(shape, group); });
   }
-  add_references(design, shape, modules);
+  if (shape.second_tier) {
+    const rtl::DatapathGroup& tier = *shape.second_tier;
+    modules.add(tier.datapath, [&] {
+      return describe_lane(design, tier.datapath, *design.second_tier, tier.schedule);
+    });
+    modules.add(tier.channel, [&] { return describe_second_tier_channel(shape); });
+  }
+  add_references(design, shape.second_tier ? rtl::second_tier_shape(shape) : shape, modules);
   modules.add(shape.top, [&] { return describe_top(design, scheduled); });
   if (scheduled.arg_min) {
     modules.add(scheduled.engine->top, [&] {

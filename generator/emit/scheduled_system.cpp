@@ -68,22 +68,26 @@ std::vector<rtl::DatapathGroup> lane_groups(const design::Design& design,
   return groups;
 }
 
-/// The lane behind each segment, which reads `words`, too.
+/// The lanes of the second tier; of an engine, one behind each segment that reads `words`, too.
 std::optional<rtl::DatapathGroup> second_tier(const design::Design& design,
+                                              const rtl::SystemShape& shape,
                                               const std::optional<rtl::ItemWords>& words,
                                               const datapath::DelayTable& delays) {
-  if (!words || !words->second_tier) return std::nullopt;
+  if (!design.second_tier) return std::nullopt;
   const design::LaneGroup& tier = *design.second_tier;
-  datapath::Schedule schedule = datapath::schedule_lane(words->second_tier->lane, tier.multipliers,
-                                                        delays, design.system.target_mhz);
+  datapath::Schedule schedule =
+      datapath::schedule_lane(words ? words->second_tier->lane : tier.lane, tier.multipliers,
+                              delays, design.system.target_mhz);
+  const std::string datapath =
+      fmt::format("{}{}_second_lane_{}_l{}", design.system.prefix, design.name,
+                  design::format_name(tier.lane), schedule.latency_cycles);
   return rtl::DatapathGroup{
-      .datapath = fmt::format("{}{}_second_lane_{}_l{}", design.system.prefix, design.name,
-                              design::format_name(tier.lane), schedule.latency_cycles),
-      .operands = {},
-      .channel = {},
+      .datapath = datapath,
+      .operands = words ? std::vector<rtl::OperandPort>{} : shape.operand_ports(),
+      .channel = datapath + std::string(channel_suffix),
       .label = "second_tier",
       .schedule = std::move(schedule),
-      .count = 1};
+      .count = tier.count};
 }
 
 std::vector<rtl::DatapathGroup> reference_groups(const design::Design& design,
@@ -127,15 +131,26 @@ std::string top_name(const design::Design& design) {
   return name + fmt::format("x{}", design.reference_count());
 }
 
+int slowest_cycles(const std::vector<rtl::DatapathGroup>& groups) {
+  int slowest = 0;
+  for (const rtl::DatapathGroup& group : groups) {
+    slowest = std::max(slowest, group.schedule.latency_cycles);
+  }
+  return slowest;
+}
+
+int second_tier_slot_bits(const rtl::SystemShape& shape) {
+  const int slots = design::second_tier_slots_for(shape.second_tier->schedule.latency_cycles,
+                                                  slowest_cycles(shape.reference_groups));
+  return std::countr_zero(static_cast<unsigned>(slots));
+}
+
 /// The slots that the slowest lane needs.
 int slots_of(const rtl::SystemShape& shape, const scene::EngineSpec& engine) {
-  int slowest_cycles = 0;
-  for (const rtl::DatapathGroup& lanes : shape.lane_groups) {
-    slowest_cycles = std::max(slowest_cycles, lanes.schedule.latency_cycles);
-  }
+  const int slowest = slowest_cycles(shape.lane_groups);
   return engine.kind == scene::EngineKind::arg_min
-             ? design::chain_slots_for(slowest_cycles)
-             : design::slots_for(slowest_cycles + shape.input_registers, shape.recomputes());
+             ? design::chain_slots_for(slowest)
+             : design::slots_for(slowest + shape.input_registers, shape.recomputes());
 }
 
 /// Makes the counters in the modules narrow: the port on which they are read widens them.
@@ -221,8 +236,9 @@ Result<ScheduledSystem> schedule_system(const design::Design& design) {
   std::optional<rtl::ItemWords> words;
   if (scheduled.engine) words = rtl::item_words(design, *scheduled.engine, delays);
   shape.lane_groups = lane_groups(design, shape, words, delays);
-  shape.second_tier = second_tier(design, words, delays);
+  shape.second_tier = second_tier(design, shape, words, delays);
   shape.reference_groups = reference_groups(design, shape, delays);
+  if (shape.second_tier) shape.second_tier_slot_bits = second_tier_slot_bits(shape);
   shape.slot_bits = std::countr_zero(static_cast<unsigned>(slots_of(shape, design.system.engine)));
   add_engine(std::move(words), shape, scheduled);
   scheduled.shape = std::move(shape);

@@ -7,7 +7,7 @@
 #include "generator/rtl/counter_port.hpp"
 #include "generator/rtl/engine_shape.hpp"
 #include "generator/rtl/pairwise_module.hpp"
-#include "generator/rtl/system_modules.hpp"
+#include "generator/rtl/system_shape.hpp"
 #include "model/design/design.hpp"
 
 namespace mixcmp::emit {

@@ -302,6 +302,12 @@ int counter_address_bits(const Signature& signature) {
   return 0;
 }
 
+int refetch_streams(const Signature& signature) {
+  const bool refetches = signature.operands == scene::OperandStore::refetched;
+  if (!refetches || signature.references == 0) return 0;
+  return signature.references + (signature.second_tier ? signature.second_tier->count : 0);
+}
+
 int counted_answers(const Signature& signature) {
   for (const SignatureCounters& counters : signature.counter_map) {
     if (counters.name == "answers") return counters.count;

@@ -103,7 +103,7 @@ struct Signature {
   /// The ports in the order of the module's header. The clock is aclk; aresetn is synchronous and
   /// active low; the initiation interval of a lane is one cycle.
   std::vector<SignaturePort> ports;
-  /// The lane behind each group of a pairwise engine; `count` is the number of such groups.
+  /// The lanes of a second tier: behind a crossbar, or one behind each group of a pairwise engine.
   std::optional<SignatureLanes> second_tier = {};
   std::optional<SignatureEngine> engine;
   std::vector<std::string> files;  ///< Verilog, in compile order, relative to the signature
@@ -117,6 +117,10 @@ struct Signature {
 inline int group_count(const Signature& signature) {
   return signature.lanes / signature.lanes_per_group;
 }
+
+/// The streams m_refetch and s_refetch of a system: of its references, then of its second tier; 0
+/// where operands are carried.
+int refetch_streams(const Signature& signature);
 
 /// Whether the counters are outputs of the top.
 inline bool has_counter_ports(const Signature& signature) {

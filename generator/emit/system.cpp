@@ -47,6 +47,9 @@ std::optional<SignatureLanes> second_tier_of(const Design& design,
                                              const ScheduledSystem& scheduled) {
   if (!scheduled.shape.second_tier) return std::nullopt;
   const rtl::DatapathGroup& built = *scheduled.shape.second_tier;
+  if (!scheduled.pairwise) {
+    return signature_lanes(*design.second_tier, built.channel, built.schedule.latency_cycles);
+  }
   SignatureLanes tier =
       signature_lanes(*design.second_tier, built.datapath, built.schedule.latency_cycles);
   tier.count = scheduled.pairwise->segment_count();
@@ -119,6 +122,7 @@ std::vector<std::string> slow_stages(const rtl::SystemShape& shape) {
     }
   };
   add_notes("lane", shape.lane_groups);
+  if (shape.second_tier) add_notes("second tier", {*shape.second_tier});
   add_notes("reference", shape.reference_groups);
   return notes;
 }

@@ -47,9 +47,10 @@ std::string print(const Operand& operand) {
   return std::visit(Overloaded{
                         [](const Net& n) { return n.name; },
                         [](const IndexedSlice& s) {
-                          if (s.width == 1) return fmt::format("{}[{}]", s.name, s.index_variable);
-                          return fmt::format("{}[{} * {} +: {}]", s.name, s.index_variable, s.width,
-                                             s.width);
+                          if (s.width == 1) return fmt::format("{}[{}]", s.name, s.index);
+                          const bool is_sum = s.index.find(' ') != std::string::npos;
+                          const std::string factor = is_sum ? "(" + s.index + ")" : s.index;
+                          return fmt::format("{}[{} * {} +: {}]", s.name, factor, s.width, s.width);
                         },
                         [](const Slice& s) {
                           if (s.high == s.low) return fmt::format("{}[{}]", s.name, s.high);

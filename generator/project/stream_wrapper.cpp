@@ -34,7 +34,7 @@ std::vector<FieldPort> field_ports(const ProjectSpec& spec) {
   for (const emit::SignaturePort& port : spec.build_ports()) {
     if (port.is_clock_or_reset()) continue;
     FieldPort field{.port = &port, .count = emit::group_count(spec.signature)};
-    if (is_refetch(field)) field.count = spec.signature.references;
+    if (is_refetch(field)) field.count = emit::refetch_streams(spec.signature);
     if (port.is_counter_bus()) {
       field.count = 1;
       field.is_single = true;

@@ -6,7 +6,7 @@ namespace mixcmp::project {
 namespace {
 
 bool refetches(const emit::Signature& signature) {
-  return signature.operands == scene::OperandStore::refetched && signature.references > 0;
+  return emit::refetch_streams(signature) > 0;
 }
 
 /// What a test bench needs where lanes are in groups, and what leaves the text of one for single
@@ -33,7 +33,7 @@ Values signature_values(const ProjectSpec& spec, const std::string& comment) {
     values[name] = std::to_string(value);
   };
   number("LANES", s.lanes);
-  number("REFERENCES", s.references);
+  number("REFETCH_STREAMS", emit::refetch_streams(s));
   number("TDATA_BITS", 8 * s.tdata_bytes);
   number("TAG_BITS", s.tag_bits);
   number("IN_ORDER", s.order == scene::ResultOrder::in_order ? 1 : 0);

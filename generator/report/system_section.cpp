@@ -68,17 +68,24 @@ void add_lanes(page::Section& section, const BuiltSystem& system) {
   }
 }
 
+/// Of an engine, the lane that reads words; with its inputs by name.
+design::Lane built_second_tier(const BuiltSystem& system) {
+  if (!system.scheduled.pairwise) return system.design.second_tier->lane;
+  return with_named_inputs(*system.scheduled.pairwise->words.second_tier);
+}
+
 void add_second_tier(page::Section& section, const BuiltSystem& system) {
   if (!system.design.second_tier) return;
-  const page::Pipeline pipeline =
-      schematic::lane_pipeline(with_named_inputs(*system.scheduled.pairwise->words.second_tier),
-                               system.scheduled.shape.second_tier->schedule);
+  const page::Pipeline pipeline = schematic::lane_pipeline(
+      built_second_tier(system), system.scheduled.shape.second_tier->schedule);
   const int lanes = system.design.system.engine.lanes_per_group;
+  const std::string whose =
+      system.scheduled.pairwise ? fmt::format("a group of {} lanes leaves", lanes) : "lanes leave";
   section.content.push_back(page::heading("The second tier, a lane in " +
                                           design::format_name(system.design.second_tier->lane)));
-  section.content.push_back(page::figure(
-      draw(pipeline), fmt::format("It decides again what a group of {} lanes leaves undecided. {}",
-                                  lanes, size_of(pipeline, "the words of two items"))));
+  section.content.push_back(
+      page::figure(draw(pipeline), fmt::format("It decides again what {} undecided. {}", whose,
+                                               size_of(pipeline, operands_of_lane(system)))));
 }
 
 void add_references(page::Section& section, const BuiltSystem& system) {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/rtl/system_modules.hpp"
+#include "generator/rtl/system_shape.hpp"
 
 /// Counters of a top module, whatever its kind, and the AXI4-Lite port on which software reads
 /// them.

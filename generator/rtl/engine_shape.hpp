@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/rtl/system_modules.hpp"
+#include "generator/rtl/system_shape.hpp"
 #include "model/data/pairing.hpp"
 #include "model/scene/engine.hpp"
 

@@ -23,8 +23,8 @@ Operand net(std::string name) {
   return make(Net{std::move(name)});
 }
 
-Operand indexed(std::string name, std::string index_variable, int width) {
-  return make(IndexedSlice{std::move(name), std::move(index_variable), width});
+Operand indexed(std::string name, std::string index, int width) {
+  return make(IndexedSlice{std::move(name), std::move(index), width});
 }
 
 Operand slice(std::string name, int high, int low) {

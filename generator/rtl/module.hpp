@@ -20,10 +20,11 @@ using Operand = std::shared_ptr<const Expression>;
 struct Net {
   std::string name;
 };
-/// name[index_variable * width +: width], or name[index_variable] for width 1.
+/// name[index * width +: width], or name[index] for width 1. The index is a variable, or a sum with
+/// one, "1 + lane".
 struct IndexedSlice {
   std::string name;
-  std::string index_variable;
+  std::string index;
   int width;
 };
 struct Slice {
@@ -59,7 +60,7 @@ struct Expression {
 };
 
 Operand net(std::string name);
-Operand indexed(std::string name, std::string index_variable, int width);
+Operand indexed(std::string name, std::string index, int width);
 Operand slice(std::string name, int high, int low);
 Operand bit(std::string name, int index);
 Operand literal(int width, Bits value);
@@ -82,6 +83,12 @@ struct Port {
 struct Parameter {
   std::string name;
   std::variant<long long, Literal> value;
+};
+
+/// A template with its parameters, unconnected.
+struct TemplateInstance {
+  std::string module;
+  std::vector<Parameter> parameters;
 };
 
 struct Connection {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "generator/rtl/item_words.hpp"
-#include "generator/rtl/system_modules.hpp"
+#include "generator/rtl/system_shape.hpp"
 
 namespace mixcmp::rtl {
 

@@ -17,9 +17,10 @@ using emit::SignatureLanes;
 using emit::SignatureReferences;
 using page::Element;
 
-constexpr double lane_pitch = 142, reference_pitch = 74;
-constexpr double lanes_top = 26;                  // of the first group of lanes
-constexpr double lane_x = 292, lane_width = 200;  // of lanes, and of the crossbar below them
+constexpr double lane_pitch = 142, reference_pitch = 74, tier_pitch = 88;
+constexpr double asked_x = 560, asked_width = 226;  // of what decides undecided comparisons
+constexpr double lanes_top = 26;                    // of the first group of lanes
+constexpr double lane_x = 292, lane_width = 200;    // of lanes, and of the crossbar below them
 
 class SystemPicture {
 public:
@@ -36,7 +37,9 @@ public:
   static double height(const Signature& signature) {
     const double lanes = 20 + lane_pitch * static_cast<double>(signature.lane_groups.size());
     const auto groups = static_cast<double>(signature.reference_groups.size());
-    return signature.references == 0 ? lanes : lanes + 16 + reference_pitch * std::max(1.0, groups);
+    if (signature.references == 0) return lanes;
+    const double second_tier = signature.second_tier ? tier_pitch : 0;
+    return lanes + 16 + second_tier + reference_pitch * std::max(1.0, groups);
   }
 
 private:
@@ -73,24 +76,58 @@ private:
   void draw_recomputation() {
     const double y =
         lanes_top + lane_pitch * static_cast<double>(signature_.lane_groups.size()) + 8;
-    const Box crossbar{lane_x, y + 4, lane_width, 50};
-    canvas_.box(
-        crossbar, "network",
-        {"crossbar", fmt::format("{} to {}", emit::group_count(signature_), signature_.references)},
-        1, "Takes undecided comparisons to the references, round-robin.");
+    const int senders = emit::group_count(signature_);
+    const SignatureLanes* const tier = signature_.second_tier ? &*signature_.second_tier : nullptr;
+    const Box crossbar = draw_crossbar(y, senders, tier ? tier->count : signature_.references);
     for (std::size_t k = 0; k < slots_bottoms_.size(); ++k) {
       const double x = slots_bottoms_[k].x - 14 * static_cast<double>(k);
       const double end = crossbar.middle() + 8 * static_cast<double>(k);
       canvas_.arrow({{x, slots_bottoms_[k].y}, {x, end}, {crossbar.x, end}});
     }
+    if (tier == nullptr) {
+      draw_references(crossbar);
+    } else {
+      draw_second_tier(crossbar, *tier);
+    }
+    draw_verdicts(crossbar.middle());
+  }
+
+  Box draw_crossbar(double y, int senders, int asked) {
+    const Box crossbar{lane_x, y + 4, lane_width, 50};
+    canvas_.box(crossbar, "network", {"crossbar", fmt::format("{} to {}", senders, asked)}, 1,
+                "Takes undecided comparisons to those that decide them, round-robin.");
     canvas_.text(crossbar.x - 82, crossbar.middle() - 8, "detail", "undecided");
-    draw_references(crossbar);
+    return crossbar;
+  }
+
+  void draw_second_tier(const Box& crossbar, const SignatureLanes& tier) {
+    const Box box{asked_x, crossbar.y, asked_width, 50};
+    canvas_.box(box, "lane",
+                {fmt::format("{}, {}", counted(tier.count, "second lane"), tier.format),
+                 fmt::format("{}, multipliers: {}", counted(tier.latency_cycles, "cycle"),
+                             to_string(tier.multipliers))},
+                tier.count, tier.module + "\n" + tier.decision);
+    canvas_.arrow({{crossbar.right(), crossbar.middle()}, {box.x, box.middle()}});
+    const Box next = draw_crossbar(crossbar.y - 4 + tier_pitch, tier.count, signature_.references);
+    const double level = box.bottom() + 14, left = next.x - 98;
+    canvas_.arrow({{box.center(), box.bottom()},
+                   {box.center(), level},
+                   {left, level},
+                   {left, next.middle()},
+                   {next.x, next.middle()}});
+    draw_references(next);
+    const double x = box.right() + 14;
+    canvas_.arrow({{box.right(), next.middle()},
+                   {x, next.middle()},
+                   {x, box.middle() + 12},
+                   {box.right(), box.middle() + 12}});
   }
 
   void draw_references(const Box& crossbar) {
     for (std::size_t k = 0; k < signature_.reference_groups.size(); ++k) {
       const SignatureReferences& group = signature_.reference_groups[k];
-      const Box box{560, crossbar.y + reference_pitch * static_cast<double>(k), 226, 50};
+      const Box box{asked_x, crossbar.y + reference_pitch * static_cast<double>(k), asked_width,
+                    50};
       canvas_.box(box, "reference",
                   {fmt::format("{} in {}", counted(group.count, "reference"),
                                signature_.reference_format.name()),
@@ -103,10 +140,14 @@ private:
                      {turn, box.middle()},
                      {box.x, box.middle()}});
     }
-    const double x = 800, y = crossbar.middle();
+  }
+
+  /// From those that the lanes ask, at height `y`, back to the results.
+  void draw_verdicts(double y) {
+    const double right = asked_x + asked_width, x = right + 14;
     for (const Corner& results : results_bottoms_) {
       const double level = results.y + 26;
-      canvas_.arrow({{786, y}, {x, y}, {x, level}, {results.x, level}, {results.x, results.y}});
+      canvas_.arrow({{right, y}, {x, y}, {x, level}, {results.x, level}, {results.x, results.y}});
     }
     canvas_.text(806, y - 12, "detail", "verdict");
   }

@@ -264,6 +264,20 @@ Result<LaneGroup> design_group(const scene::Scene& scene, const scene::LaneGroup
                    .count = count};
 }
 
+/// A second tier of a system of streams has a known number of lanes, and references behind it.
+Result<Done> check_second_tier(const scene::Scene& scene) {
+  if (!scene.second_tier || scene.system.engine.kind != scene::EngineKind::none) return Done{};
+  if (!scene.second_tier_count) {
+    return unresolved(scene, "second_tier.count", "--set second_tier.count=2",
+                      to_string(settings::limits::lanes));
+  }
+  if (scene.reference_count() != 0) return Done{};
+  return Error{.field = "second_tier.format",
+               .message = "a second tier needs a reference for what it leaves undecided, too",
+               .received = "system.references = 0",
+               .accepted = "system.references of at least 1, or second_tier.format = \"none\""};
+}
+
 Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
                       MeasureErrors measure) {
   Design design{.name = scene.name,
@@ -277,6 +291,7 @@ Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
     MIXCMP_TRY(group, design_group(scene, spec, data, measure));
     design.lanes.push_back(std::move(group));
   }
+  MIXCMP_TRY(second_tier_known, check_second_tier(scene));
   MIXCMP_TRY(second_tier, design_second_tier(scene));
   design.second_tier = std::move(second_tier);
   std::optional<int> shortest;
@@ -329,6 +344,10 @@ std::size_t Design::group_of_lane(int lane) const {
   return group;
 }
 
+bool Design::second_tier_recomputes() const {
+  return second_tier && system.engine.kind == scene::EngineKind::none;
+}
+
 bool Design::certified() const {
   if (second_tier && !is_certified(second_tier->lane)) return false;
   return std::all_of(lanes.begin(), lanes.end(),
@@ -357,7 +376,9 @@ Result<Lane> design_lane(const scene::Scene& scene, const scene::ReducedSpec& re
 Result<std::optional<LaneGroup>> design_second_tier(const scene::Scene& scene) {
   if (!scene.second_tier) return std::optional<LaneGroup>();
   Result<LaneGroup> tier = design_group(
-      scene, {.count = 1, .reduced = *scene.second_tier, .place = {}}, nullptr, nullptr);
+      scene,
+      {.count = scene.second_tier_count.value_or(1), .reduced = *scene.second_tier, .place = {}},
+      nullptr, nullptr);
   if (tier.ok()) return std::optional<LaneGroup>(std::move(tier).value());
   constexpr std::string_view section = "reduced.";
   Error error = tier.error();

@@ -31,8 +31,9 @@ struct Design {
   std::string name;
   std::vector<std::string> inputs;  ///< names in the order in which operands are packed
   std::vector<LaneGroup> lanes;     ///< at least one
-  /// The lane that each group of a pairwise engine asks about a pair that its own lanes leave
-  /// undecided; none: a reference is asked at once.
+  /// The lanes that are asked about what a lane leaves undecided; none: a reference is asked at
+  /// once. In a system of streams they are `count`, behind a crossbar; a pairwise engine has one
+  /// for each of its groups.
   std::optional<LaneGroup> second_tier;
   TypedGraph reference;
   std::vector<ReferenceGroup> references;  ///< empty: p_H = 0
@@ -43,6 +44,9 @@ struct Design {
   /// The group that lane number `lane` belongs to, as an index of `lanes`.
   std::size_t group_of_lane(int lane) const;
   bool certified() const;  ///< whether every lane's decision is certified
+  /// Whether lanes of the second tier answer through a crossbar, as references do: a result that
+  /// comes from them is then marked as recomputed, too.
+  bool second_tier_recomputes() const;
 };
 
 /// Measures the relative errors of a lane on `sample_count` comparisons: profile_error
@@ -66,7 +70,8 @@ Result<Lane> design_lane(const scene::Scene& scene, const scene::ReducedSpec& re
 /// it is too low for the data. Other scenes stay as they are. `data` may be null.
 Result<scene::Scene> with_chain_lanes(scene::Scene scene, const data::Comparisons* data);
 
-/// Makes the lane of a scene's [second_tier]; none where it has no such section.
+/// Makes the lanes of a scene's [second_tier]; none where it has no such section. Their number,
+/// where it is "auto", is taken to be 1.
 Result<std::optional<LaneGroup>> design_second_tier(const scene::Scene& scene);
 
 /// Checks that a lane can have such multipliers: one that reads squares from memories is in fixed

@@ -14,6 +14,10 @@ constexpr int recomputation_slots = 16;
 /// a reference takes (the paper's, about 30 cycles).
 constexpr int chain_slots = 32;
 
+/// Cycles between a lane and a reference, there and back, where nothing waits and the crossbar has
+/// one level (docs/rtl.md).
+constexpr int way_to_reference_cycles = 6;
+
 int slots_beside(int lane_latency_cycles, int waiting) {
   const int needed = lane_latency_cycles + channel_overhead_cycles + waiting;
   return static_cast<int>(std::bit_ceil(static_cast<unsigned>(needed)));
@@ -23,6 +27,10 @@ int slots_beside(int lane_latency_cycles, int waiting) {
 
 int slots_for(int lane_latency_cycles, bool recomputes) {
   return slots_beside(lane_latency_cycles, recomputes ? recomputation_slots : 0);
+}
+
+int second_tier_slots_for(int lane_latency_cycles, int reference_latency_cycles) {
+  return slots_beside(lane_latency_cycles, way_to_reference_cycles + reference_latency_cycles);
 }
 
 int chain_slots_for(int lane_latency_cycles) {

@@ -11,4 +11,9 @@ int slots_for(int lane_latency_cycles, bool recomputes);
 /// find slots.
 int chain_slots_for(int lane_latency_cycles);
 
+/// The number of comparisons that may be inside a lane of the second tier of a system of streams.
+/// Its results leave in order: while one is recomputed, as many may wait behind it as come in that
+/// time.
+int second_tier_slots_for(int lane_latency_cycles, int reference_latency_cycles);
+
 }  // namespace mixcmp::design

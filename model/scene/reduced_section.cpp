@@ -154,6 +154,20 @@ void read_second_tier_format(settings::Section& section, FloatFormat reference, 
                fmt::format("\"none\", or qW with W {}, likewise W + G of qWgG", to_string(bits)));
 }
 
+/// Reads the number of a second tier's lanes. Each group of an engine's lanes has one of its own.
+void read_second_tier_count(settings::Section& section, EngineKind engine,
+                            std::optional<int>& count) {
+  const settings::Setting* setting = section.find("count");
+  if (engine == EngineKind::none) {
+    if (setting != nullptr) return section.integer_or_auto("count", count, settings::limits::lanes);
+    return section.fail("count", "missing: how many lanes the second tier has", "no such key",
+                        "1..512, \"auto\", or second_tier.format = \"none\"");
+  }
+  if (setting == nullptr) return;
+  section.fail("count", "an engine has a lane of the second tier for each group", setting->shown(),
+               "no such key, or engine.kind = \"none\"");
+}
+
 /// The tables of [[name]]; an error if system.name gives their number, too.
 Result<std::span<const settings::Setting>> read_groups(const settings::Settings& settings,
                                                        const std::string& name) {
@@ -205,22 +219,25 @@ Result<std::vector<LaneGroupSpec>> read_lane_groups(const settings::Settings& se
   return groups;
 }
 
-Result<std::optional<ReducedSpec>> read_second_tier(const settings::Settings& settings,
-                                                    FloatFormat reference, EngineKind engine) {
+Result<SecondTier> read_second_tier(const settings::Settings& settings, FloatFormat reference,
+                                    EngineKind engine) {
   settings::Section section(settings, "second_tier");
-  if (!section.present()) return std::optional<ReducedSpec>();
+  if (!section.present()) return SecondTier();
+  SecondTier tier;
   ReducedSpec spec;
   read_second_tier_format(section, reference, spec);
   read_keys_but_format(section, reference, spec);
-  if (const auto error = section.finish()) return *error;
-  if (!spec.fixed_point) return std::optional<ReducedSpec>();
-  switch (engine) {
-    case EngineKind::none: return std::optional<ReducedSpec>();
-    case EngineKind::pairwise: return std::optional<ReducedSpec>(std::move(spec));
-    case EngineKind::arg_min: break;
+  if (spec.fixed_point || section.find("count") != nullptr) {
+    read_second_tier_count(section, engine, tier.count);
   }
-  return section.mistake("format", "the arg-min engine has lanes of one tier", spec.format_name(),
-                         "no [second_tier], or engine.kind = \"pairwise\"");
+  if (const auto error = section.finish()) return *error;
+  if (!spec.fixed_point) return SecondTier();
+  if (engine == EngineKind::arg_min) {
+    return section.mistake("format", "the arg-min engine has lanes of one tier", spec.format_name(),
+                           "no [second_tier], or engine.kind = \"pairwise\"");
+  }
+  tier.reduced = std::move(spec);
+  return tier;
 }
 
 Result<std::vector<ReferenceGroupSpec>> read_reference_groups(

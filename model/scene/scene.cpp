@@ -369,7 +369,7 @@ Result<Scene> interpret(SceneSettings read) {
     note_stream_keys(system, engine, notes);
   }
   MIXCMP_TRY(second_tier, read_second_tier(settings, format, engine.kind));
-  const bool has_no_tier = engine.kind == EngineKind::pairwise && !second_tier;
+  const bool has_no_tier = engine.kind != EngineKind::arg_min && !second_tier.reduced;
   Scene scene{.path = settings.path,
               .name = comparison.name,
               .variant = formulations.all[formulations.chosen].variant,
@@ -383,7 +383,8 @@ Result<Scene> interpret(SceneSettings read) {
               .reference_structure = reference.structure,
               .reduced = std::move(lanes.reduced),
               .lanes = std::move(lanes.groups),
-              .second_tier = std::move(second_tier),
+              .second_tier = std::move(second_tier.reduced),
+              .second_tier_count = second_tier.count,
               .leaves_out_second_tier = has_no_tier && settings.root.find("second_tier") != nullptr,
               .references = std::move(references),
               .system = with_engine(std::move(system), engine),

@@ -168,9 +168,11 @@ struct Scene {
   ReferenceStructureSpec reference_structure;  ///< of the references without [[references]]
   ReducedSpec reduced;
   std::vector<LaneGroupSpec> lanes;  ///< [[lanes]]; empty: system.lanes times `reduced`
-  /// [second_tier]: the lane that each group of a pairwise engine asks before a reference; none:
-  /// undecided pairs go to a reference at once.
+  /// [second_tier]: the lanes that are asked before a reference is; none: what a lane leaves
+  /// undecided goes to a reference at once.
   std::optional<ReducedSpec> second_tier;
+  /// Their number in a system of streams; none: "auto". An engine has one for each group.
+  std::optional<int> second_tier_count;
   bool leaves_out_second_tier = false;  ///< a pairwise engine whose second_tier.format is "none"
   std::vector<ReferenceGroupSpec> references;  ///< [[references]]; empty: system.references
   SystemSpec system;

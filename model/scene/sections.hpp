@@ -66,10 +66,14 @@ Result<std::vector<LaneGroupSpec>> read_lane_groups(const settings::Settings& se
                                                     FloatFormat reference,
                                                     const ReducedSpec& defaults);
 
-/// Reads [second_tier], which has the keys of [reduced]; none where there is no such section, or no
-/// engine that could have it.
-Result<std::optional<ReducedSpec>> read_second_tier(const settings::Settings& settings,
-                                                    FloatFormat reference, EngineKind engine);
+/// [second_tier] as written.
+struct SecondTier {
+  std::optional<ReducedSpec> reduced;  ///< none: no second tier
+  std::optional<int> count;  ///< none: "auto", or an engine's, which follows from its groups
+};
+/// Reads [second_tier], which has the keys of [reduced] and, without an engine, `count`.
+Result<SecondTier> read_second_tier(const settings::Settings& settings, FloatFormat reference,
+                                    EngineKind engine);
 
 /// Reads the keys that [reference] and [[references]] share.
 void read_structure(settings::Section& section, ReferenceStructureSpec& structure);

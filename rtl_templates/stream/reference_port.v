@@ -1,13 +1,10 @@
 // reference_port: surrounds one free-running reference; requests in, answers out, in order.
-// CARRIED = 1: a request is a packet of 2^BEAT_BITS beats, whose payloads are the operands, the
-// lowest part first. Above one beat they are there one cycle after the last, and the next packet
-// comes in while they wait. CARRIED = 0: the payload is the tag; it leaves on m_refetch one cycle
-// after the request, and the operands come on s_refetch. 2^OUTSTANDING_BITS + 1 tags may wait for
-// theirs. INITIATION_INTERVAL = 1: operands are taken at once, and the answer leaves
-// REFERENCE_LATENCY cycles later. Above 1: reference_phase counts the cycles of the interval, from
-// reset_phase on. In phase 0 a comparison starts if its operands are there; they are taken in phase
-// LAST_OPERAND_PHASE, and the answer leaves REFERENCE_LATENCY cycles after the start. Reset forgets
-// all requests: whoever answers m_refetch must be reset with it.
+// How the operands of a request arrive is said in requested_operands: with it (CARRIED = 1), in one
+// beat or several, or fetched again by its tag. INITIATION_INTERVAL = 1: operands are taken at
+// once, and the answer leaves REFERENCE_LATENCY cycles later. Above 1: reference_phase counts the
+// cycles of the interval, from reset_phase on. In phase 0 a comparison starts if its operands are
+// there; they are taken in phase LAST_OPERAND_PHASE, and the answer leaves REFERENCE_LATENCY cycles
+// after the start. Reset forgets all requests: whoever answers m_refetch must be reset with it.
 `default_nettype none
 
 module reference_port #(
@@ -85,87 +82,37 @@ module reference_port #(
     end
   endgenerate
 
-  wire [PAYLOAD_BITS-1:0] payload = s_request_tdata[PAYLOAD_BITS-1:0];
-  wire [SENDER_BITS-1:0]  sender  = s_request_tdata[PAYLOAD_BITS +: SENDER_BITS];
-
   // Operands that wait at the datapath, and for whom; `take`: they may leave at the end of the cycle.
   wire                   offer_valid;
   wire [SENDER_BITS-1:0] offer_sender;
   wire                   take;
   wire [SENDER_BITS-1:0] answer_sender;
 
-  generate
-    if (CARRIED != 0) begin : g_carried
-      wire [(PART_BITS<<BEAT_BITS)-1:0] joined;  // the operands, and zeros above them
-      wire unused_joined  = &joined;
-      wire unused_refetch = &{m_refetch_tready, s_refetch_tvalid, s_refetch_tdata};
-
-      stream_upsizer #(
-        .WIDTH    (PART_BITS),
-        .USER_BITS(SENDER_BITS),
-        .BEAT_BITS(BEAT_BITS)
-      ) parts (
-        .aclk         (aclk),
-        .aresetn      (aresetn),
-        .s_axis_tvalid(s_request_tvalid),
-        .s_axis_tready(s_request_tready),
-        .s_axis_tdata (payload),
-        .s_axis_tuser (sender),
-        .m_axis_tvalid(offer_valid),
-        .m_axis_tready(take),
-        .m_axis_tdata (joined),
-        .m_axis_tuser (offer_sender)
-      );
-
-      assign reference_operands = joined[OPERAND_BITS-1:0];
-      assign m_refetch_tvalid   = 1'b0;
-      assign m_refetch_tdata    = {TAG_BITS{1'b0}};
-      assign s_refetch_tready   = 1'b0;
-    end else begin : g_refetched
-      wire accept = s_request_tvalid && s_request_tready;
-      wire room_for_sender;
-      wire sender_waits;
-
-      reg                refetch_valid_q;
-      reg [TAG_BITS-1:0] refetch_tag_q;
-
-      assign s_request_tready = room_for_sender && (!refetch_valid_q || m_refetch_tready);
-
-      always @(posedge aclk) begin
-        if (!aresetn) begin
-          refetch_valid_q <= 1'b0;
-        end else begin
-          refetch_valid_q <= accept || (refetch_valid_q && !m_refetch_tready);
-        end
-      end
-
-      always @(posedge aclk) begin
-        if (accept) begin
-          refetch_tag_q <= payload;
-        end
-      end
-
-      stream_fifo #(
-        .WIDTH     (SENDER_BITS),
-        .DEPTH_BITS(OUTSTANDING_BITS)
-      ) waiting_senders (
-        .aclk         (aclk),
-        .aresetn      (aresetn),
-        .s_axis_tvalid(accept),
-        .s_axis_tready(room_for_sender),
-        .s_axis_tdata (sender),
-        .m_axis_tvalid(sender_waits),
-        .m_axis_tready(s_refetch_tvalid && take),
-        .m_axis_tdata (offer_sender)
-      );
-
-      assign offer_valid        = s_refetch_tvalid && sender_waits;
-      assign reference_operands = s_refetch_tdata;
-      assign m_refetch_tvalid   = refetch_valid_q;
-      assign m_refetch_tdata    = refetch_tag_q;
-      assign s_refetch_tready   = sender_waits && take;
-    end
-  endgenerate
+  requested_operands #(
+    .OPERAND_BITS    (OPERAND_BITS),
+    .TAG_BITS        (TAG_BITS),
+    .SENDER_BITS     (SENDER_BITS),
+    .CARRIED         (CARRIED),
+    .BEAT_BITS       (BEAT_BITS),
+    .OUTSTANDING_BITS(OUTSTANDING_BITS)
+  ) requests (
+    .aclk            (aclk),
+    .aresetn         (aresetn),
+    .s_request_tvalid(s_request_tvalid),
+    .s_request_tready(s_request_tready),
+    .s_request_tdata (s_request_tdata[PAYLOAD_BITS-1:0]),
+    .s_request_tuser (s_request_tdata[PAYLOAD_BITS +: SENDER_BITS]),
+    .m_refetch_tvalid(m_refetch_tvalid),
+    .m_refetch_tready(m_refetch_tready),
+    .m_refetch_tdata (m_refetch_tdata),
+    .s_refetch_tvalid(s_refetch_tvalid),
+    .s_refetch_tready(s_refetch_tready),
+    .s_refetch_tdata (s_refetch_tdata),
+    .m_axis_tvalid   (offer_valid),
+    .m_axis_tready   (take),
+    .m_axis_tdata    (reference_operands),
+    .m_axis_tuser    (offer_sender)
+  );
 
   generate
     if (INITIATION_INTERVAL <= 1) begin : g_every_cycle

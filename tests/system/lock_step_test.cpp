@@ -1,9 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "model/fixed/fixed_lane.hpp"
-#include "tests/support/graphs.hpp"
+#include "tests/support/every_pair.hpp"
 #include "tests/support/simulated_system.hpp"
-#include "tests/support/sphere.hpp"
 
 /// Groups of lanes in lock step: whichever of a word's comparisons are undecided, each result is
 /// the golden model's.
@@ -26,41 +24,17 @@ void PrintTo(const Case& c, std::ostream* stream) {
   *stream << c.name;
 }
 
-/// Lanes of few bits, so that references decide many comparisons: three groups, of two kinds.
 design::Design design_of(const Case& c) {
-  const Graph graph = graph_of({{"(a - b)^2 + b", "a * b"}}, Combination::any);
-  const std::optional<Range> range = Range{-6, 6};
-  design::Design design = {.name = "lock_step",
-                           .inputs = graph.inputs(),
-                           .lanes = {},
-                           .reference = reference_graph(graph, {format("s4e4")}),
-                           .references = {},
-                           .system = {}};
-  for (const auto& [bits, groups] : {std::pair(2, 1), std::pair(4, 2)}) {
-    const fixed::FixedOptions options = {
-        .format = {bits, false, 0}, .bound = {}, .ranges = {graph.inputs().size(), range}};
-    design.lanes.push_back({.lane = fixed::fixed_lane(graph, format("s4e4"), options).value(),
-                            .count = groups * c.lanes_per_group});
-  }
+  design::Design design = byte_design(c.lanes_per_group);
   if (c.references > 0) {
     design.references.push_back({.structure = {scene::Multipliers::embedded, c.initiation_interval},
                                  .count = c.references});
   }
-  design.system.lanes_per_group = c.lanes_per_group;
   design.system.operands = c.operands;
   design.system.order = c.order;
   design.system.counters = c.counters;
   design.system.request_beats = c.request_beats;
   return design;
-}
-
-data::Comparisons every_pair(const design::Design& design) {
-  const FloatFormat format = design.reference.input_format;
-  data::Table table{.format = format, .columns = {"a", "b"}, .values = {}, .labels = {}};
-  for (unsigned a = 0; a < 256; ++a) {
-    for (unsigned b = 0; b < 256; ++b) table.values.insert(table.values.end(), {Bits{a}, Bits{b}});
-  }
-  return data::Comparisons::rows(table, design.inputs).value();
 }
 
 class LockStep : public testing::TestWithParam<Case> {};

@@ -71,6 +71,21 @@ TEST(ExpectedWords, OfTwoTiersAreThoseOfTheGoldenModel) {
   design::Design design = every_kind_of_lane();
   design.second_tier = {.lane = fixed_spheres({.bits = 11}, format("s24e8"))};
   expect_words_of_golden_model(design);
+  design.system.engine.kind = scene::EngineKind::pairwise;
+  expect_words_of_golden_model(design);
+}
+
+TEST(ExpectedWords, OfASecondTierSayWhetherItsAnswerCameThroughACrossbar) {
+  design::Design design = sphere_design(format("s5e8"), format("s24e8"), 1, 1);
+  design.second_tier = {.lane = fixed_spheres({.bits = 24}, format("s24e8"))};
+  const std::vector<Bits> far_apart_in_24_bits = {
+      Bits{0x42480000}, Bits{0x424c0000},  // cx: 50 and 51, and the sum of radii is 0.99
+      Bits{0x42480000}, Bits{0x42480000}, Bits{0x42480000},
+      Bits{0x42480000}, Bits{0x3f000000}, Bits{0x3efae148}};
+  const auto word = [&] { return verilator_tb::expected_word(design, 0, far_apart_in_24_bits); };
+  EXPECT_EQ(word(), ResultWord::recomputed(Verdict::greater));
+  design.system.engine.kind = scene::EngineKind::pairwise;
+  EXPECT_EQ(word(), ResultWord::decided(Verdict::greater));
 }
 
 TEST(ExpectedWords, OfASecondTierBeyondADoubleAreLeftToTheGoldenModel) {

@@ -64,7 +64,7 @@ enum class Fault : std::uint32_t {
 
 struct Violation {
   Fault fault;
-  std::uint32_t lane;      ///< on a refetch stream: the reference
+  std::uint32_t lane;      ///< on a refetch stream: its number
   std::uint64_t position;  ///< of the comparison, or no_position
   std::uint64_t tag;
   std::uint64_t cycle;

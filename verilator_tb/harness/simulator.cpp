@@ -25,7 +25,7 @@ public:
         clocked_(settings_, count, words),
         ports_(system::bind(clocked_.model())) {
     for (int k = 0; k < system::groups; ++k) lanes_.emplace_back(k, ports_, recorder_);
-    for (int k = 0; k < (system::refetched ? system::references : 0); ++k) {
+    for (int k = 0; k < system::refetch_streams; ++k) {
       memories_.emplace_back(k, ports_, recorder_);
     }
     clocked_.open_trace(settings_.trace);

@@ -25,7 +25,7 @@ LANES_PER_GROUP = @LANES_PER_GROUP@
 # The tag of a word is that of its first comparison.
 COMPARISONS_PER_TAG = @COMPARISONS_PER_TAG@
 @END@
-REFERENCES = @REFERENCES@
+REFETCH_STREAMS = @REFETCH_STREAMS@
 TDATA_BITS = @TDATA_BITS@
 TAG_BITS = @TAG_BITS@
 TAG_FIELD = 8 * ((TAG_BITS + 7) // 8)
@@ -77,7 +77,7 @@ class Bench:
         self.offered = [None] * LANES
         self.inside = [[] for _ in range(LANES)]
         self.left = set()
-        self.requests = [[] for _ in range(REFERENCES)]
+        self.requests = [[] for _ in range(REFETCH_STREAMS)]
 
     def tag(self, index):
 @IF GROUPED@
@@ -125,7 +125,7 @@ class Bench:
             answers = [self.vectors[queue[0]][1] if queue else 0 for queue in self.requests]
             self.dut.s_refetch_tvalid.value = packed([bool(q) for q in self.requests], 1)
             self.dut.s_refetch_tdata.value = packed(answers, TDATA_BITS)
-            self.dut.m_refetch_tready.value = (1 << REFERENCES) - 1
+            self.dut.m_refetch_tready.value = (1 << REFETCH_STREAMS) - 1
         return ready
 
     def sample(self, ready):
@@ -140,7 +140,7 @@ class Bench:
             if field(self.dut.m_axis_tvalid, @STREAM_OF_LANE@, 1) and ready[lane]:
                 self.receive(lane)
                 moved = True
-        for reference in range(REFERENCES if REFETCHED else 0):
+        for reference in range(REFETCH_STREAMS if REFETCHED else 0):
             self.sample_refetch(reference)
         return moved
 

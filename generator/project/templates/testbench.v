@@ -31,7 +31,7 @@ module @DUT@_tb;
   localparam LANES_PER_GROUP = @LANES_PER_GROUP@;
   localparam GROUPS = LANES / LANES_PER_GROUP;
 @END@
-  localparam REFERENCES = @REFERENCES@;
+  localparam REFETCH_STREAMS = @REFETCH_STREAMS@;
   localparam TDATA_BITS = @TDATA_BITS@;
   localparam TAG_BITS = @TAG_BITS@;
   localparam COUNTER_BITS = @COUNTER_BITS@;
@@ -74,12 +74,12 @@ module @DUT@_tb;
 @END@
 @IF REFETCHED@
   localparam TAG_FIELD = 8 * ((TAG_BITS + 7) / 8);
-  wire [REFERENCES-1:0]            m_refetch_tvalid;
-  wire [REFERENCES-1:0]            m_refetch_tready;
-  wire [REFERENCES*TAG_FIELD-1:0]  m_refetch_tdata;
-  wire [REFERENCES-1:0]            s_refetch_tvalid;
-  wire [REFERENCES-1:0]            s_refetch_tready;
-  wire [REFERENCES*TDATA_BITS-1:0] s_refetch_tdata;
+  wire [REFETCH_STREAMS-1:0]            m_refetch_tvalid;
+  wire [REFETCH_STREAMS-1:0]            m_refetch_tready;
+  wire [REFETCH_STREAMS*TAG_FIELD-1:0]  m_refetch_tdata;
+  wire [REFETCH_STREAMS-1:0]            s_refetch_tvalid;
+  wire [REFETCH_STREAMS-1:0]            s_refetch_tready;
+  wire [REFETCH_STREAMS*TDATA_BITS-1:0] s_refetch_tdata;
 @END@
 
   @DUT@ system (

@@ -1,8 +1,8 @@
-  // The memory behind each reference answers a tag with the operands of its comparison. It takes
-  // more tags than a reference may have on the way, so that the reference has to wait as well.
+  // The memory behind each of these streams answers a tag with the operands of its comparison. It takes
+  // more tags than may be on the way, so that whoever asks has to wait as well.
   genvar r;
   generate
-    for (r = 0; r < REFERENCES; r = r + 1) begin : refetch
+    for (r = 0; r < REFETCH_STREAMS; r = r + 1) begin : refetch
       reg  [31:0] queue [0:31];  // indices of comparisons
       reg  [5:0]  head;
       reg  [5:0]  tail;

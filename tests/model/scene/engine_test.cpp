@@ -183,9 +183,25 @@ TEST_F(EngineSection, ASecondTierCanBeLeftOut) {
   EXPECT_TRUE(scene.leaves_out_second_tier);
 }
 
-TEST_F(EngineSection, OnlyAPairwiseEngineHasASecondTier) {
+TEST_F(EngineSection, ASecondTierOfStreamsSaysHowManyLanesItHas) {
   const std::string tier = "[second_tier]\nformat = \"q13\"\n";
-  EXPECT_FALSE(load("[engine]\nkind = \"none\"\n" + tier)->second_tier.has_value());
+  const scene::Scene scene = load(tier + "count = 3\n").value();
+  EXPECT_EQ(scene.second_tier->format_name(), "q13");
+  EXPECT_EQ(scene.second_tier_count, 3);
+  const scene::Scene open = load(tier + "count = \"auto\"\n").value();
+  EXPECT_TRUE(open.second_tier.has_value());
+  EXPECT_FALSE(open.second_tier_count.has_value());
+  EXPECT_NE(error(tier).find("second_tier.count: missing: how many lanes the second tier has"),
+            std::string::npos);
+  EXPECT_NE(error(tier + "count = 0\n").find("second_tier.count: out of range"), std::string::npos);
+  EXPECT_TRUE(load("[second_tier]\nformat = \"none\"\n")->leaves_out_second_tier);
+  EXPECT_NE(error("[engine]\nkind = \"pairwise\"\n" + tier + "count = 3\n")
+                .find("second_tier.count: an engine has a lane of the second tier for each group"),
+            std::string::npos);
+}
+
+TEST_F(EngineSection, AnArgMinEngineHasNoSecondTier) {
+  const std::string tier = "[second_tier]\nformat = \"q13\"\n";
   EXPECT_NE(error("[engine]\nkind = \"arg_min\"\n" + tier, "f = \"xi - y\"\ng = \"xj\"\n")
                 .find("second_tier.format: the arg-min engine has lanes of one tier"),
             std::string::npos);
