@@ -97,6 +97,7 @@ std::set<ComponentKind> parts_of_system(const scene::Scene& scene) {
   switch (scene.system.engine.kind) {
     case scene::EngineKind::none:
       parts.insert({ComponentKind::fifo, ComponentKind::crossbar});
+      if (scene.second_tier) parts.insert(ComponentKind::second_lane);
       return parts;
     case scene::EngineKind::pairwise:
       parts.insert({ComponentKind::segment, ComponentKind::conversion, ComponentKind::engine});

@@ -71,6 +71,9 @@ public:
       MIXCMP_TRY(lanes, visit_lanes());
       MIXCMP_TRY(second_tier, visit_second_tier());
     }
+    if (asked(ComponentKind::second_lane)) {
+      MIXCMP_TRY(second_lanes, visit_second_lanes());
+    }
     MIXCMP_TRY(references, visit_references());
     MIXCMP_TRY(fifos, visit_all(ComponentKind::fifo, slots_));
     if (recomputes() && maker_.has_crossbar()) {
@@ -132,10 +135,28 @@ private:
     return Done{};
   }
 
-  /// The lane of the engine's second tier, which is in its segments.
+  /// The lane of the second tier alone, which is in an engine's segments or in second lanes.
   Result<Done> visit_second_tier() {
     MIXCMP_TRY(key, optimise::second_tier_key(maker_.scene()));
     return key ? visit(*key) : Done{};
+  }
+
+  /// A second lane for each number of slots that one before these references has.
+  Result<Done> visit_second_lanes() {
+    MIXCMP_TRY(key, optimise::second_tier_key(maker_.scene()));
+    if (!key || maker_.has_engine()) return Done{};
+    MIXCMP_TRY(lane, maker_.make(*key));
+    std::set<int> slots;
+    for (const design::ReferenceStructure& structure : reference_structures()) {
+      MIXCMP_TRY(reference, maker_.make(reference_key(maker_.scene(), structure)));
+      slots.insert(design::second_tier_slots_for(lane.latency_cycles, reference.latency_cycles));
+    }
+    key->kind = ComponentKind::second_lane;
+    for (const int count : slots) {
+      key->ports = count;
+      MIXCMP_TRY(visited, visit(*key));
+    }
+    return Done{};
   }
 
   /// What an engine of such lanes has. Lanes in floating point and in block floating point
@@ -166,14 +187,22 @@ private:
     const bool wanted = asked(ComponentKind::reference) || asked(ComponentKind::unit) ||
                         asked(ComponentKind::reference_port);
     if (!recomputes() || !wanted) return Done{};
+    for (const design::ReferenceStructure& structure : reference_structures()) {
+      MIXCMP_TRY(visited, visit_reference(structure));
+    }
+    return Done{};
+  }
+
+  std::vector<design::ReferenceStructure> reference_structures() const {
+    std::vector<design::ReferenceStructure> structures;
     for (const Multipliers multipliers : reference_multipliers(query_)) {
       for (const int interval : query_.initiation_intervals) {
         for (const std::optional<int> target : query_.reference_targets) {
-          MIXCMP_TRY(visited, visit_reference({multipliers, interval, target}));
+          structures.push_back({multipliers, interval, target});
         }
       }
     }
-    return Done{};
+    return structures;
   }
 
   Result<Done> visit_reference(const design::ReferenceStructure& structure) {

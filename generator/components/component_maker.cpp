@@ -158,6 +158,7 @@ Result<Component> ComponentMaker::make(const ComponentKey& key) {
     case ComponentKind::fifo: return make_fifo(key);
     case ComponentKind::crossbar: return make_crossbar(key);
     case ComponentKind::reference_port: return make_reference_port(key);
+    case ComponentKind::second_lane: return make_second_lane(key);
     case ComponentKind::segment: return make_segment(key);
     case ComponentKind::conversion: return make_conversion(key);
     case ComponentKind::engine: return make_engine(key);
@@ -241,6 +242,33 @@ Result<Component> ComponentMaker::make_reference_port(const ComponentKey& key) {
   Component port{key, 0, template_job(rtl::reference_port_template(shape, schedule)), {}};
   if (!has_product(graph)) port.key.multipliers.clear();
   return port;
+}
+
+Result<Component> ComponentMaker::make_second_lane(const ComponentKey& key) {
+  constexpr settings::Limits slots = {8, 4096};
+  if (!slots.allow(key.ports) || !std::has_single_bit(static_cast<unsigned>(key.ports))) {
+    return out_of_range("ports", key.ports, "a power of two, " + to_string(slots));
+  }
+  MIXCMP_TRY(multipliers, multipliers_of(key));
+  MIXCMP_TRY(lane, this->lane(key));
+  MIXCMP_TRY(delays, datapath::delays_of(scene_.system.device));
+  MIXCMP_TRY(shape, request_shape());
+  datapath::Schedule schedule =
+      datapath::schedule_lane(lane, multipliers, delays, scene_.system.target_mhz);
+  const int latency_cycles = schedule.latency_cycles;
+  shape.second_tier_slot_bits = std::countr_zero(static_cast<unsigned>(key.ports));
+  shape.second_tier = rtl::DatapathGroup{.datapath = "lane",
+                                         .operands = shape.operand_ports(),
+                                         .channel = "second_lane",
+                                         .label = {},
+                                         .schedule = std::move(schedule),
+                                         .count = settings::limits::lanes.most};
+  const rtl::Module datapath =
+      rtl::lane_module("lane", scene_.graph.inputs(), lane, shape.second_tier->schedule);
+  Component second{
+      key, latency_cycles, modules_job({datapath, rtl::second_tier_channel_module(shape)}), {}};
+  if (!has_product(lane)) second.key.multipliers.clear();
+  return second;
 }
 
 rtl::SystemShape ComponentMaker::stream_shape() const {

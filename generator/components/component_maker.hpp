@@ -74,6 +74,7 @@ private:
   Result<Component> make_fifo(const characterise::ComponentKey& key);
   Result<Component> make_crossbar(const characterise::ComponentKey& key);
   Result<Component> make_reference_port(const characterise::ComponentKey& key);
+  Result<Component> make_second_lane(const characterise::ComponentKey& key);
   Result<Component> make_segment(const characterise::ComponentKey& key);
   Result<Component> make_conversion(const characterise::ComponentKey& key);
   Result<Component> make_engine(const characterise::ComponentKey& key);

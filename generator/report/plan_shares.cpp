@@ -35,6 +35,9 @@ std::vector<PartShare> shares_of_lanes(const optimise::PrecisionPlan& plan,
     parts.push_back({fmt::format("{} x {}", count, lane.kind.name), lanes});
     if (!lane.datapath) continue;
     rest = difference(rest, lanes);
+    if (plan.second_lanes) {
+      rest = difference(rest, count / lane.kind.group * plan.second_lanes->part);
+    }
     if (lane.second_tier) {
       const Area tier = count / lane.kind.group * *lane.second_tier;
       second_tier = second_tier.value_or(Area{}) + tier;
@@ -43,6 +46,10 @@ std::vector<PartShare> shares_of_lanes(const optimise::PrecisionPlan& plan,
     around = around.value_or(Area{}) + rest;
   }
   if (second_tier) parts.push_back({"second tier", *second_tier});
+  if (const auto& second = plan.second_lanes) {
+    parts.push_back({fmt::format("{} x {}", second->count, name_of(*second)),
+                     second->count * second->measured.area});
+  }
   if (around) {
     parts.push_back({in_engine ? "segments of the lanes" : "scoreboards of the lanes", *around});
   }
@@ -75,8 +82,9 @@ std::vector<PartShare> shares_of(const optimise::PrecisionPlan& plan) {
     const int count = chosen->references[k];
     if (count == 0) continue;
     const optimise::ReferenceKind& reference = plan.problem.references[k];
-    parts.push_back(
-        {fmt::format("{} x reference {}", count, reference.name), count * reference.area});
+    Area area = count * reference.area;
+    if (plan.second_lanes) area = difference(area, count * plan.second_lanes->area);
+    parts.push_back({fmt::format("{} x reference {}", count, reference.name), area});
   }
   if (in_engine && !plan.problem.communication.crossbar.empty()) {
     parts.push_back({"crossbar", crossbar_of(plan.problem, *chosen)});

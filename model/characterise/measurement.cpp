@@ -34,6 +34,7 @@ std::string_view to_string(ComponentKind kind) {
     case ComponentKind::fifo: return "fifo";
     case ComponentKind::crossbar: return "crossbar";
     case ComponentKind::reference_port: return "reference_port";
+    case ComponentKind::second_lane: return "second_lane";
     case ComponentKind::segment: return "segment";
     case ComponentKind::conversion: return "conversion";
     case ComponentKind::engine: return "engine";
@@ -45,6 +46,7 @@ std::string_view to_string(ComponentKind kind) {
 bool depends_on_lane(ComponentKind kind) {
   switch (kind) {
     case ComponentKind::lane:
+    case ComponentKind::second_lane:
     case ComponentKind::segment:
     case ComponentKind::conversion:
     case ComponentKind::engine: return true;

@@ -46,6 +46,7 @@ enum class ComponentKind {
   /// The share of the crossbar that one reference has when it serves `ports` lanes or groups.
   crossbar,
   reference_port,  ///< the streams around one reference
+  second_lane,     ///< of a system of streams: a lane of its second tier with its `ports` slots
   /// Of an engine: `ports` lanes with all that is theirs alone. Lanes of a pairwise engine work in
   /// lock step and share it; a lane of an arg-min engine has its own.
   segment,
@@ -59,8 +60,8 @@ std::string_view to_string(ComponentKind kind);
 inline constexpr std::array component_kinds = {
     ComponentKind::unit,          ComponentKind::lane,       ComponentKind::reference,
     ComponentKind::fifo,          ComponentKind::crossbar,   ComponentKind::reference_port,
-    ComponentKind::segment,       ComponentKind::conversion, ComponentKind::engine,
-    ComponentKind::operand_memory};
+    ComponentKind::second_lane,   ComponentKind::segment,    ComponentKind::conversion,
+    ComponentKind::engine,        ComponentKind::operand_memory};
 
 /// Whether components of this kind depend on what a lane is: on its format, inputs, bound and
 /// multipliers.
@@ -79,8 +80,8 @@ struct ComponentKey {
   Sums sums = Sums::composed;               ///< of a reference; composed of everything else
   int initiation_interval = 0;              ///< of a reference, in cycles
   int target_mhz = 0;                       ///< of a reference; 0: the table's
-  /// Of a crossbar and of a segment: lanes; of a fifo: slots; of an engine: segments; of an operand
-  /// memory: references.
+  /// Of a crossbar and of a segment: lanes; of a fifo and of a second lane: slots; of an engine:
+  /// segments; of an operand memory: references.
   int ports = 0;
 
   friend auto operator<=>(const ComponentKey&, const ComponentKey&) = default;

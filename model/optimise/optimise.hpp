@@ -7,6 +7,7 @@
 #include "model/characterise/measurement.hpp"
 #include "model/optimise/allocation.hpp"
 #include "model/optimise/rates.hpp"
+#include "model/optimise/second_tier.hpp"
 #include "model/scene/scene.hpp"
 
 /// Algorithm 1 of the paper: for each L the best p_L and p_H, and among all L the best.
@@ -78,6 +79,8 @@ struct ReferenceImplementation {
 struct PrecisionPlan {
   int precision = 0;
   std::vector<LaneImplementation> lanes;
+  /// Of a system of streams whose scene has a second tier.
+  std::optional<SecondLanes> second_lanes = {};
   AllocationProblem problem;
   AllocationResult result;
 

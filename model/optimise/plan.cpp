@@ -57,6 +57,25 @@ settings::Setting::Table without_chosen_keys(settings::Setting::Table overrides)
   return overrides;
 }
 
+/// The number of second lanes, as a setting of [second_tier].
+void set_second_lanes(settings::Setting::Table& overrides, int count) {
+  const auto section_of = [&](const std::string& name) -> settings::Setting& {
+    for (settings::Setting& section : overrides.entries) {
+      if (section.key == name) return section;
+    }
+    settings::Setting section;
+    section.key = name;
+    section.value = settings::Setting::Table{};
+    return overrides.entries.emplace_back(std::move(section));
+  };
+  auto& entries = std::get<settings::Setting::Table>(section_of("second_tier").value).entries;
+  std::erase_if(entries, [](const settings::Setting& entry) { return entry.key == "count"; });
+  settings::Setting number;
+  number.key = "count";
+  number.value = std::int64_t{count};
+  entries.push_back(std::move(number));
+}
+
 std::string lines_of(const settings::Setting::Table& section) {
   std::string text;
   for (const settings::Setting& entry : section.entries) {
@@ -88,7 +107,8 @@ std::string plan_toml(const Optimisation& optimisation, const PrecisionPlan& pla
   for (const devices::Resource& resource : devices::bounded_resources) {
     text += fmt::format("{} = {}\n", resource.name, chosen.used.*resource.amount);
   }
-  const settings::Setting::Table overrides = without_chosen_keys(source.overrides);
+  settings::Setting::Table overrides = without_chosen_keys(source.overrides);
+  if (plan.second_lanes) set_second_lanes(overrides, plan.second_lanes->count);
   text += fmt::format("\n[system]\ndevice = {}\ntarget_mhz = {}\n",
                       settings::toml_string(source.device), optimisation.target_mhz);
   if (chosen.reference_count() == 0) text += "references = 0\n";

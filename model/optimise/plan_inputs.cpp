@@ -55,7 +55,11 @@ Error of_another(const fs::path& path, const char* field, const std::string& rec
 
 fs::path default_table(const fs::path& file, const scene::Scene& scene, const std::string& device) {
   const std::string variant = scene.variant.empty() ? "" : "-" + scene.variant;
-  const std::string tiers = scene.leaves_out_second_tier ? "-one-tier" : "";
+  // Segments of an engine are others; a table of streams has rows of the second tier beside the
+  // rest.
+  const bool has_own_table =
+      scene.leaves_out_second_tier && scene.system.engine.kind == scene::EngineKind::pairwise;
+  const std::string tiers = has_own_table ? "-one-tier" : "";
   return file.parent_path() / "characterisation" /
          fmt::format("{}{}{}-{}.csv", file.stem().string(), variant, tiers, device);
 }

@@ -21,6 +21,7 @@ std::string kinds_of(const PrecisionPlan& plan, const Allocation& chosen) {
     if (count > 0) text += fmt::format("{}{} x {}", text.empty() ? "" : ", ", count, name);
   };
   for (std::size_t k = 0; k < plan.lanes.size(); ++k) add(chosen.lanes[k], plan.lanes[k].kind.name);
+  if (plan.second_lanes) add(plan.second_lanes->count, name_of(*plan.second_lanes));
   if (!any_unusual(plan, chosen)) return text;
   const std::vector<ReferenceKind>& references = plan.problem.references;
   for (std::size_t k = 0; k < references.size(); ++k) add(chosen.references[k], references[k].name);

@@ -59,6 +59,25 @@ ClockBasis basis_of(const characterise::Clock& clock) {
   MIXCMP_CHECK(false);
 }
 
+/// The clock of a reference that takes too long for a second lane's slots: no plan is as slow.
+constexpr double out_of_reach_hz = 1;
+
+/// Replaces the parts of second lanes that the program counted, as it did not know their number, by
+/// whole ones.
+void count_second_lanes(PrecisionPlan& plan) {
+  auto* const chosen = std::get_if<Allocation>(&plan.result);
+  if (chosen == nullptr) return;
+  SecondLanes& second = *plan.second_lanes;
+  const int groups = chosen->lane_count() / lanes_per_port(plan.problem);
+  const int references = chosen->reference_count();
+  second.count = second_lanes_for(groups, second.groups_served, references);
+  for (const devices::Resource& resource : devices::bounded_resources) {
+    const auto amount = resource.amount;
+    chosen->used.*amount += second.count * second.area.*amount - groups * second.part.*amount -
+                            references * second.area.*amount;
+  }
+}
+
 bool has_a_clock(const std::vector<const characterise::Measurement*>& rows) {
   return std::any_of(rows.begin(), rows.end(), [](const auto* row) { return row->clock; });
 }
@@ -116,9 +135,11 @@ std::optional<PrecisionPlan> ProblemMaker::plan(
   std::optional<PrecisionPlan> best;
   left_out_.clear();
   for (const Rows& rows : plannable_together(lanes_.at(precision))) {
-    PrecisionPlan plan = plan_of(precision, rows, device, references);
-    if (plan.lanes.empty()) continue;
-    if (!best || is_better(plan, *best, device)) best = std::move(plan);
+    for (const std::optional<SecondLanes>& tier : second_lanes_of(rows)) {
+      PrecisionPlan plan = plan_of(precision, rows, device, references, tier);
+      if (plan.lanes.empty()) continue;
+      if (!best || is_better(plan, *best, device)) best = std::move(plan);
+    }
   }
   if (!best && left_out_.empty()) return std::nullopt;
   if (!best) {
@@ -132,9 +153,12 @@ std::optional<PrecisionPlan> ProblemMaker::plan(
 }
 
 PrecisionPlan ProblemMaker::plan_of(int precision, const Rows& rows, const devices::Device& device,
-                                    const std::vector<ReferenceImplementation>& references) {
+                                    const std::vector<ReferenceImplementation>& references,
+                                    const std::optional<SecondLanes>& tier) {
   PrecisionPlan plan{.precision = precision, .lanes = {}, .problem = {}, .result = Infeasible{}};
   plan.problem.communication = communication_;
+  plan.second_lanes = tier;
+  if (tier) plan.problem.communication.crossbar.clear();  // second lanes count with their ports
   const int slots = slots_for(rows);
   const characterise::Measurement* fifo = fifo_of(slots);
   for (const characterise::Measurement* row : rows) add_lane(plan, *row, fifo);
@@ -143,17 +167,77 @@ PrecisionPlan ProblemMaker::plan_of(int precision, const Rows& rows, const devic
     missing_.insert(fmt::format("a fifo of {} slots", slots));
   }
   for (const LaneImplementation& lane : plan.lanes) plan.problem.lanes.push_back(lane.kind);
-  for (const auto& reference : references) {
-    plan.problem.references.push_back(reference.kind);
-    double& clock = plan.problem.references.back().clock_hz;
-    if (!options_.clocks.reference_mhz) clock = std::min(clock, crossbar_mhz_ * hertz_per_mhz);
-  }
+  add_references(plan, references);
   limit_engine(plan.problem);
   plan.problem.available = device.available;
   plan.problem.slack = scene_.system.slack;
   plan.problem.clocks = options_.clocks.domains;
   if (!plan.lanes.empty()) plan.result = allocate(plan.problem);
+  if (tier) count_second_lanes(plan);
   return plan;
+}
+
+/// A reference counts with a second lane: each has one at most beyond those that its part of the
+/// lanes needs.
+void ProblemMaker::add_references(PrecisionPlan& plan,
+                                  const std::vector<ReferenceImplementation>& references) {
+  for (const ReferenceImplementation& reference : references) {
+    ReferenceKind& kind = plan.problem.references.emplace_back(reference.kind);
+    if (!options_.clocks.reference_mhz) {
+      kind.clock_hz = std::min(kind.clock_hz, crossbar_mhz_ * hertz_per_mhz);
+    }
+    if (!plan.second_lanes) continue;
+    const characterise::Measurement& second = plan.second_lanes->measured;
+    kind.area += plan.second_lanes->area;
+    const int slots =
+        design::second_tier_slots_for(second.latency_cycles, reference.measured.latency_cycles);
+    if (slots > second.key.ports) kind.clock_hz = out_of_reach_hz;
+  }
+}
+
+/// The groups that a second lane serves, of this lane's rate and the crossbars that were measured.
+int ProblemMaker::served_by_second_lane(const characterise::Measurement& lane) const {
+  const std::optional<Rate> rate = rates_.find(rate_key(lane.key));
+  if (!rate) return 0;
+  const int served = groups_served(*rate, scene_.system.lanes_per_group);
+  const int measured = static_cast<int>(communication_.crossbar.size()) - 1;
+  return options_.fixed_communication ? served : std::min(served, std::max(measured, 0));
+}
+
+/// The most that a port takes of any crossbar.
+devices::Area ProblemMaker::crossbar_port() const {
+  devices::Area most;
+  for (std::size_t ports = 1; ports < communication_.crossbar.size(); ++ports) {
+    const devices::Area port = share(communication_.crossbar[ports], static_cast<int>(ports));
+    for (const devices::Resource& resource : devices::bounded_resources) {
+      most.*resource.amount = std::max(most.*resource.amount, port.*resource.amount);
+    }
+  }
+  return most;
+}
+
+std::vector<std::optional<SecondLanes>> ProblemMaker::second_lanes_of(const Rows& rows) {
+  if (!has_second_lanes()) return {std::nullopt};
+  const int served = served_by_second_lane(*rows.front());
+  if (served == 0) {
+    left_out_ = "every lane leaves too much undecided for a lane of the second tier";
+    return {};
+  }
+  std::vector<std::optional<SecondLanes>> all;
+  for (const characterise::Measurement& row : table_.rows) {
+    characterise::ComponentKey key = row.key;
+    key.kind = characterise::ComponentKind::lane;
+    key.ports = 0;
+    const bool plain = key.multipliers.empty();  // a lane without products
+    if (plain) key.multipliers = second_tier_->multipliers;
+    if (row.key.kind != characterise::ComponentKind::second_lane || key != *second_tier_) continue;
+    devices::Area area = row.area + crossbar_port();
+    if (!communication_.crossbar.empty()) area += communication_.crossbar[served];
+    all.emplace_back(SecondLanes{
+        .measured = row, .area = area, .groups_served = served, .part = share(area, served)});
+  }
+  if (all.empty()) missing_.insert("a lane of the second tier");
+  return all;
 }
 
 /// What the kind of engine says of a plan's numbers.
@@ -211,7 +295,13 @@ bool ProblemMaker::is_wanted(const characterise::Measurement& lane) const {
   const int precision = format_of(lane).precision();
   const bool wanted_inputs = !lane.key.inputs || allows(options_.inputs, *lane.key.inputs);
   return options_.first_precision <= precision && precision <= options_.last_precision &&
-         wanted_inputs && allows(options_.bounds, *lane.key.bound) && is_trusted(lane);
+         is_before_second_tier(precision) && wanted_inputs && allows(options_.bounds, *lane.key.bound) && is_trusted(lane);
+}
+
+/// Lanes of a system of streams are before its second tier if they have fewer digits. A table may
+/// have others: the second tier's lane alone, at least.
+bool ProblemMaker::is_before_second_tier(int precision) const {
+  return !has_second_lanes() || precision < rate_key(*second_tier_).precision;
 }
 
 /// Lanes with a measured, unproven bound serve scenes that ask for them, and only those.
@@ -284,6 +374,7 @@ void ProblemMaker::note_largest_crossbar(const PrecisionPlan& plan) {
   const Allocation* chosen = plan.allocation();
   const std::size_t known = communication_.crossbar.size();
   if (chosen == nullptr || known == 0 || chosen->reference_count() == 0) return;
+  if (plan.second_lanes) return;  // which have as many ports as they need
   const int group = lanes_per_port(plan.problem);
   const int served =
       performance::lanes_of_references(chosen->lane_count() / group, chosen->reference_count())
@@ -296,13 +387,16 @@ void ProblemMaker::note_largest_crossbar(const PrecisionPlan& plan) {
 }
 
 std::vector<ProblemMaker::Rows> ProblemMaker::plannable_together(const Rows& lanes) const {
-  if (engine() != scene::EngineKind::arg_min) return {lanes};
-  std::map<int, Rows> by_slots;
+  const bool is_chain = engine() == scene::EngineKind::arg_min;
+  if (!is_chain && !has_second_lanes()) return {lanes};
+  std::map<int, Rows> alike;
   for (const characterise::Measurement* lane : lanes) {
-    by_slots[design::chain_slots_for(lane->latency_cycles)].push_back(lane);
+    const int trait =
+        is_chain ? design::chain_slots_for(lane->latency_cycles) : served_by_second_lane(*lane);
+    alike[trait].push_back(lane);
   }
   std::vector<Rows> all;
-  for (auto& [slots, rows] : by_slots) all.push_back(std::move(rows));
+  for (auto& [trait, rows] : alike) all.push_back(std::move(rows));
   return all;
 }
 
@@ -343,18 +437,19 @@ double ProblemMaker::clock_of(const characterise::Measurement& row,
   return std::min(mhz, crossbar_mhz_);
 }
 
+std::optional<Rate> ProblemMaker::known_rate(const RateKey& key) {
+  const std::optional<Rate> rate = rates_.find(key);
+  if (!rate) notes_.insert(fmt::format("{}: no recomputation rate is known", name_of(key)));
+  return rate;
+}
+
 /// How often a lane asks a reference, itself or by the second tier behind it; none where that is
 /// not known, or where the second tier would not keep up.
 std::optional<Rate> ProblemMaker::rate_of(const RateKey& lane) {
-  const auto known = [&](const RateKey& key) {
-    const std::optional<Rate> rate = rates_.find(key);
-    if (!rate) notes_.insert(fmt::format("{}: no recomputation rate is known", name_of(key)));
-    return rate;
-  };
-  const std::optional<Rate> rate = known(lane);
+  const std::optional<Rate> rate = known_rate(lane);
   if (!rate || !second_tier_) return rate;
   const int lanes = scene_.system.engine.lanes_per_group;
-  if (keeps_up(*rate, lanes)) return known(rate_key(*second_tier_));
+  if (!has_engine() || keeps_up(*rate, lanes)) return known_rate(rate_key(*second_tier_));
   left_out_ = fmt::format(
       "{} lanes leave more than {} pairs a cycle undecided, too many for one of the second tier",
       lanes, most_undecided_per_cycle);
@@ -363,10 +458,12 @@ std::optional<Rate> ProblemMaker::rate_of(const RateKey& lane) {
 
 void ProblemMaker::add_lane(PrecisionPlan& plan, const characterise::Measurement& row,
                             const characterise::Measurement* fifo) {
+  const std::optional<Rate> first = known_rate(rate_key(row.key));
   const std::optional<Rate> rate = rate_of(rate_key(row.key));
-  if (!rate) return;
+  if (!first || !rate) return;
   const int beats = scene_.system.request_beats.value_or(1);
-  const double asked = scene_.system.lanes_per_group * rate->value();
+  const Rate& requests = has_engine() ? *rate : *first;  // on a stream of the lane's own
+  const double asked = scene_.system.lanes_per_group * requests.value();
   if (performance::highest_lane_throughput(asked, beats) < 1) {
     left_out_ = scene_.system.lanes_per_group == 1
                     ? "every lane leaves more than half undecided: references alone are faster"
@@ -377,19 +474,25 @@ void ProblemMaker::add_lane(PrecisionPlan& plan, const characterise::Measurement
   const std::optional<Surrounded> lane =
       has_engine() ? in_segment(plan, row) : with_fifo(row, fifo);
   if (!lane) return;
-  const double mhz = clock_of(row, options_.clocks.lane_mhz, lane->streams_mhz);
+  double mhz = clock_of(row, options_.clocks.lane_mhz, lane->streams_mhz);
+  devices::Area group = lane->group;
+  if (plan.second_lanes) {
+    const SecondLanes& second = *plan.second_lanes;
+    mhz = std::min(mhz, clock_of(second.measured, options_.clocks.lane_mhz, {}));
+    group += second.part;
+  }
   LaneImplementation& added = plan.lanes.emplace_back();
   added.measured = row;
   added.with_streams = lane->area;
   added.rate = *rate;
   added.kind = {.name = lane_name(row.key),
                 .clock_hz = mhz * hertz_per_mhz,
-                .initiation_interval = cycles_per_word(rate->value()),
+                .initiation_interval = cycles_per_word(requests.value()),
                 .recomputation_rate = rate->value(),
-                .area = lane->group,
+                .area = group,
                 .group = lane->lanes};
   added.datapath = area_alone(row.key);
-  if (second_tier_) added.second_tier = area_alone(*second_tier_);
+  if (second_tier_ && has_engine()) added.second_tier = area_alone(*second_tier_);
 }
 
 /// Cycles from one comparison to the next, or of groups from one word to the next. With refetched

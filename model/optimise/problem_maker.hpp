@@ -11,7 +11,7 @@ namespace mixcmp::optimise {
 /// Collects the rows of a characterisation into one allocation problem per precision.
 class ProblemMaker {
 public:
-  /// `second_tier`: the key of the engine's second tier, see second_tier_key.
+  /// `second_tier`: the key of the second tier's lane, see second_tier_key.
   ProblemMaker(const scene::Scene& scene, const characterise::Characterisation& table,
                const Rates& rates, const OptimiseOptions& options,
                std::optional<characterise::ComponentKey> second_tier);
@@ -39,6 +39,7 @@ private:
   bool is_lane(const characterise::ComponentKey& key) const;
   bool is_wanted_reference(const characterise::Measurement& row) const;
   bool is_wanted(const characterise::Measurement& lane) const;
+  bool is_before_second_tier(int precision) const;
   bool is_trusted(const characterise::Measurement& lane) const;
   bool has_enough_exponents(const characterise::Measurement& lane);
   void leave_out_untimed();
@@ -48,18 +49,25 @@ private:
   void note_largest_crossbar(const PrecisionPlan& plan);
   int slots_for(const Rows& lanes) const;
   /// Lanes that may be in one plan: of a chain those with equally many slots, which were measured
-  /// with their own.
+  /// with their own; of streams with a second tier those of which a second lane serves as many.
   std::vector<Rows> plannable_together(const Rows& lanes) const;
   PrecisionPlan plan_of(int precision, const Rows& rows, const devices::Device& device,
-                        const std::vector<ReferenceImplementation>& references);
+                        const std::vector<ReferenceImplementation>& references,
+                        const std::optional<SecondLanes>& tier);
+  /// What second lanes `rows` may have, by their slots; none alone without such a second tier.
+  std::vector<std::optional<SecondLanes>> second_lanes_of(const Rows& rows);
+  int served_by_second_lane(const characterise::Measurement& lane) const;
+  devices::Area crossbar_port() const;
   void limit_engine(AllocationProblem& problem) const;
   const characterise::Measurement* fifo_of(int slots) const;
 
   double clock_of(const characterise::Measurement& row, const std::optional<double>& given,
                   const std::optional<double>& streams_mhz);
+  std::optional<Rate> known_rate(const RateKey& lane);
   std::optional<Rate> rate_of(const RateKey& lane);
   void add_lane(PrecisionPlan& plan, const characterise::Measurement& row,
                 const characterise::Measurement* fifo);
+  void add_references(PrecisionPlan& plan, const std::vector<ReferenceImplementation>& references);
   /// A lane with the streams around it, or its share of a segment.
   struct Surrounded {
     devices::Area area;                 ///< of a lane, rounded up
@@ -77,6 +85,7 @@ private:
 
   scene::EngineKind engine() const { return scene_.system.engine.kind; }
   bool has_engine() const { return engine() != scene::EngineKind::none; }
+  bool has_second_lanes() const { return second_tier_ && !has_engine(); }
 
   const scene::Scene& scene_;
   const characterise::Characterisation& table_;

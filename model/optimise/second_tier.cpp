@@ -26,4 +26,21 @@ bool keeps_up(const Rate& first_tier, int lanes_per_group) {
   return first_tier.value() * lanes_per_group <= most_undecided_per_cycle;
 }
 
+std::string name_of(const SecondLanes& second) {
+  const characterise::ComponentKey& key = second.measured.key;
+  return "second lane " + key.format + (key.multipliers.empty() ? "" : " " + key.multipliers);
+}
+
+int groups_served(const Rate& first_tier, int lanes_per_group) {
+  const double asked = first_tier.value() * lanes_per_group;
+  const double most = settings::limits::lanes.most / lanes_per_group;
+  return static_cast<int>(
+      asked * most <= most_undecided_per_cycle ? most : most_undecided_per_cycle / asked);
+}
+
+int second_lanes_for(int groups, int groups_served, int references) {
+  const int needed = (groups + groups_served - 1) / groups_served;
+  return (needed + references - 1) / references * references;
+}
+
 }  // namespace mixcmp::optimise

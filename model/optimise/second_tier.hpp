@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "model/characterise/measurement.hpp"
 #include "model/optimise/rates.hpp"
@@ -24,5 +25,24 @@ inline constexpr double most_undecided_per_cycle = 0.8;
 
 /// Whether the second tier keeps up with a group of lanes of this rate.
 bool keeps_up(const Rate& first_tier, int lanes_per_group);
+
+/// The second tier of a system of streams, as a plan has it.
+struct SecondLanes {
+  characterise::Measurement measured;  ///< one of them with its streams
+  devices::Area area;                  ///< that, and its ports at both crossbars
+  int groups_served = 0;               ///< of the first lanes, at most, by each of them
+  devices::Area part;                  ///< with which each of these groups counts
+  int count = 0;                       ///< in the best plan
+};
+
+/// "second lane q13 embedded"
+std::string name_of(const SecondLanes& second);
+
+/// The groups of lanes of this rate that a lane of the second tier serves at most; 0: not one.
+int groups_served(const Rate& first_tier, int lanes_per_group);
+
+/// The lanes of the second tier that so many groups need. A multiple of the references' number:
+/// these are then asked equally often.
+int second_lanes_for(int groups, int groups_served, int references);
 
 }  // namespace mixcmp::optimise

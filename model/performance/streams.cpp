@@ -233,6 +233,15 @@ double random_throughput(const LaneStreams& streams, double recomputation_rate) 
   });
 }
 
+double two_tier_throughput(LaneStreams first, const LaneStreams& second, double rate,
+                           double again) {
+  first.initiation_interval_cycles = 1;
+  first.reference_latency_cycles = static_cast<int>(std::lround(
+      (1 - again) * decided_slot_cycles(second) + again * undecided_slot_cycles(second)));
+  const double asked = first.lanes_served * requests(first, rate);
+  return std::min(random_throughput(first, rate), random_throughput(second, again) / asked);
+}
+
 int absorbed_burst(const LaneStreams& streams) {
   if (streams.lanes_served == 0) return std::numeric_limits<int>::max();
   int burst = 0;

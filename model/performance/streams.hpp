@@ -64,6 +64,13 @@ double mean_wait_cycles(const LaneStreams& streams, double rate);
 /// accuracy.
 double random_throughput(const LaneStreams& streams, double recomputation_rate);
 
+/// Comparisons that a lane accepts per cycle where a second tier stands between lanes and
+/// references. `first`: the lanes, of which `lanes_served` share a lane of the second tier; who
+/// answers them follows from `second`, the lanes of the second tier before the references. The
+/// first tier leaves the part `rate` of all comparisons undecided, the second the part `again` of
+/// these.
+double two_tier_throughput(LaneStreams first, const LaneStreams& second, double rate, double again);
+
 /// The longest burst of undecided comparisons, in all lanes of the reference at the same time, that
 /// a lane takes without refusing any comparison, if only decided ones were inside before. Not for
 /// groups.
