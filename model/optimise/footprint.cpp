@@ -108,15 +108,42 @@ bool add_references(Amounts& sum, const design::Design& design,
   return true;
 }
 
-/// Adds each reference's share of the crossbar; nothing where the table has no crossbar.
-void add_crossbar(Amounts& sum, const design::Design& design,
+/// Adds the crossbar between so many that ask and those that they ask; nothing where the table has
+/// none.
+void add_crossbar(Amounts& sum, int asking, int asked,
                   const characterise::Characterisation& table) {
-  for (const int served : performance::lanes_of_references(
-           design.lane_count() / design.system.lanes_per_group, design.reference_count())) {
+  for (const int served : performance::lanes_of_references(asking, asked)) {
     const characterise::Measurement* share =
         largest(table, characterise::ComponentKind::crossbar, served);
     if (share != nullptr) add(sum, 1, share->area);
   }
+}
+
+/// Adds the lanes of a second tier, with as many slots as any in the table; false where it has none
+/// of this format.
+bool add_second_lanes(Amounts& sum, const design::LaneGroup& tier,
+                      const characterise::Characterisation& table) {
+  const characterise::Measurement* found = nullptr;
+  for (const characterise::Measurement& row : table.rows) {
+    const bool is_one = row.key.kind == characterise::ComponentKind::second_lane &&
+                        row.key.format == design::format_name(tier.lane);
+    if (is_one && (found == nullptr || row.key.ports > found->key.ports)) found = &row;
+  }
+  if (found != nullptr) add(sum, tier.count, found->area);
+  return found != nullptr;
+}
+
+/// Adds all crossbars of a system, and what stands between them; false where a row is missing.
+bool add_recomputation(Amounts& sum, const design::Design& design,
+                       const characterise::Characterisation& table) {
+  const int groups = design.lane_count() / design.system.lanes_per_group;
+  if (!design.second_tier_recomputes()) {
+    add_crossbar(sum, groups, design.reference_count(), table);
+    return true;
+  }
+  add_crossbar(sum, groups, design.second_tier->count, table);
+  add_crossbar(sum, design.second_tier->count, design.reference_count(), table);
+  return add_second_lanes(sum, *design.second_tier, table);
 }
 
 std::optional<Amounts> measured_engine(const design::Design& design,
@@ -138,7 +165,8 @@ std::optional<Amounts> measured_engine(const design::Design& design,
   if (!add_references(lanes, design, table)) return std::nullopt;
   std::set<std::string> missing;
   add(lanes, design.reference_count(), memory_share(table, design.system.engine.kind, missing));
-  add_crossbar(lanes, design, table);
+  add_crossbar(lanes, design.lane_count() / design.system.lanes_per_group, design.reference_count(),
+               table);
   return lanes;
 }
 
@@ -159,7 +187,7 @@ std::optional<Amounts> measured_system(const design::Design& design,
   if (fifo != nullptr) {
     add(sum, design.lane_count() / design.system.lanes_per_group, fifo->area);
   }
-  add_crossbar(sum, design, table);
+  if (!add_recomputation(sum, design, table)) return std::nullopt;
   return sum;
 }
 
