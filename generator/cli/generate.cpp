@@ -109,9 +109,17 @@ void print_engine(const emit::Signature& signature) {
   }
 }
 
+void print_second_tier(const emit::Signature& signature) {
+  if (!signature.second_tier || signature.engine) return;
+  const emit::SignatureLanes& tier = *signature.second_tier;
+  print(fmt::format("  second tier behind a crossbar: {} lane{} in {} ({} cycles)\n", tier.count,
+                    tier.count == 1 ? "" : "s", tier.format, tier.latency_cycles));
+}
+
 void print_text(const emit::GeneratedSystem& system, const std::vector<GroupProof>& proofs,
                 const std::filesystem::path& directory) {
   print_parts(system.signature);
+  print_second_tier(system.signature);
   print_engine(system.signature);
   for (const std::string& note : system.notes) print(fmt::format("note: {}\n", note));
   for (const GroupProof& proof : proofs) {

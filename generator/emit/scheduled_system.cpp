@@ -113,7 +113,8 @@ std::vector<rtl::DatapathGroup> reference_groups(const design::Design& design,
   return groups;
 }
 
-/// The scene's name, the lanes of each format, p_H: sphere_s8e8_6_s12e8_2x1.
+/// The scene's name, the lanes of each format, a second tier's, p_H: sphere_s8e8_6_s12e8_2x1,
+/// sphere_q8_64xq13_2x1.
 std::string top_name(const design::Design& design) {
   std::vector<std::pair<std::string, int>> formats;
   for (const design::LaneGroup& group : design.lanes) {
@@ -128,6 +129,10 @@ std::string top_name(const design::Design& design) {
   }
   std::string name = design.name;
   for (const auto& [format, count] : formats) name += fmt::format("_{}_{}", format, count);
+  if (design.second_tier_recomputes()) {
+    const design::LaneGroup& tier = *design.second_tier;
+    name += fmt::format("x{}_{}", design::format_name(tier.lane), tier.count);
+  }
   return name + fmt::format("x{}", design.reference_count());
 }
 

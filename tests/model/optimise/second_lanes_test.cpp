@@ -135,6 +135,19 @@ TEST_F(SecondLanes, AreInTheTable) {
   EXPECT_NE(refusal().find("a lane of the second tier"), std::string::npos) << refusal();
 }
 
+TEST_F(SecondLanes, AreHeldAgainstTheSameAreas) {
+  design::Design design = sphere_design(format_of(8, 8), format_of(53, 8), 8, 1);
+  design.lanes.front().lane = fixed_spheres({.bits = 7}, format_of(53, 8));
+  design.second_tier = {.lane = fixed_spheres({.bits = 13}, format_of(53, 8)), .count = 3};
+  const optimise::Footprint footprint = optimise::footprint_of(design, &table_, device_);
+  EXPECT_TRUE(footprint.measured);
+  const int crossbars = 3 * 10 + 10;  // 3, 3 and 2 lanes at the second tier, it at the reference
+  EXPECT_EQ(footprint.amounts[0], 8 * (20 * 7 + fifo_64_luts) + 3 * second_luts + crossbars + 3000);
+  std::erase_if(table_.rows,
+                [](const auto& row) { return row.key.kind == ComponentKind::second_lane; });
+  EXPECT_FALSE(optimise::footprint_of(design, &table_, device_).measured);
+}
+
 TEST_F(SecondLanes, LimitTheClock) {
   for (auto& row : table_.rows) {
     if (row.key.kind == ComponentKind::second_lane) row.clock->mhz = 140;

@@ -227,5 +227,22 @@ TEST(Streams, BurstThatIsNotAbsorbedTakesTheReferencesTime) {
   EXPECT_LT(cycles, 110 * 8 + 890);
 }
 
+/// Eight lanes at one of the second tier, which asks a reference of N = 4 with three others.
+TEST(TwoTiers, AreAsFastAsTheSlowerOfBoth) {
+  performance::LaneStreams first = streams(64, 8);
+  performance::LaneStreams second = streams(64, 4, scene::ResultOrder::in_order);
+  second.initiation_interval_cycles = 4;
+  // Nothing is undecided, or nothing a second time.
+  EXPECT_DOUBLE_EQ(performance::two_tier_throughput(first, second, 0, 0), 1);
+  EXPECT_NEAR(performance::two_tier_throughput(first, second, 0.05, 0), 1, 1e-9);
+  // The second tier is asked twice as often as it can be: each lane may ask every 16th cycle.
+  EXPECT_NEAR(performance::two_tier_throughput(first, second, 0.25, 0), 0.5, 1e-3);
+  // Half of 8 x 0.05 is undecided again, and each of the four is answered every 16th cycle.
+  EXPECT_NEAR(performance::two_tier_throughput(first, second, 0.05, 0.5), 1.0 / 16 / 0.2, 0.01);
+  // Lanes that wait long for answers run out of slots.
+  first.slots = second.slots = 32;
+  EXPECT_LT(performance::two_tier_throughput(first, second, 0.1, 0.1), 0.99);
+}
+
 }  // namespace
 }  // namespace mixcmp::test::streams_test
