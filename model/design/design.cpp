@@ -270,6 +270,8 @@ Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
                 .inputs = scene.graph.inputs(),
                 .lanes = {},
                 .second_tier = {},
+                .parts = scene.parts,
+                .lets = scene.lets,
                 .reference = reference_graph(scene.graph, scene.reference),
                 .references = {},
                 .system = scene.system};

@@ -34,6 +34,8 @@ struct Design {
   /// The lane that each group of a pairwise engine asks about a pair that its own lanes leave
   /// undecided; none: a reference is asked at once.
   std::optional<LaneGroup> second_tier;
+  std::vector<scene::PartText> parts;  ///< f and g of each part as the scene has them, for display
+  std::vector<LetDefinition> lets;     ///< those that f and g need, likewise
   TypedGraph reference;
   std::vector<ReferenceGroup> references;  ///< empty: p_H = 0
   scene::SystemSpec system;

@@ -104,7 +104,7 @@ Result<ComparisonSpec> read_variant(const Formulation& formulation,
                            fmt::format("{}", fmt::join(named, ", ")),
                            fmt::format("{}", fmt::join(inputs, ", ")));
   }
-  MIXCMP_TRY(graph, read_graph(settings, variant, lets, inputs, used_lets));
+  MIXCMP_TRY(graph, read_graph(settings, variant, lets, inputs, variant.used_lets));
   variant.graph = std::move(graph);
   variant.name += "_" + formulation.variant;
   const std::string problem = name_problem(variant.name);
@@ -143,6 +143,7 @@ Result<ComparisonSpec> read_formulation(const Formulations& formulations,
   MIXCMP_TRY(base, read_comparison(settings, lets));
   std::set<std::string> used_lets;
   MIXCMP_TRY(graph, read_graph(settings, base, lets, {}, used_lets));
+  base.used_lets = used_lets;
   MIXCMP_TRY(lets_checked, check_unused_lets(settings, lets, used_lets));
   base.graph = std::move(graph);
   ComparisonSpec chosen = base;
@@ -175,8 +176,17 @@ std::vector<PartText> texts_of(const ComparisonSpec& comparison) {
     for (const IndexValue& index : part.indices) {
       where += fmt::format(" where {} = {}", index.name, index.value);
     }
-    texts.push_back({std::get<std::string>(part.f->value) + where,
-                     std::get<std::string>(part.g->value) + where});
+    texts.push_back({on_one_line(std::get<std::string>(part.f->value)) + where,
+                     on_one_line(std::get<std::string>(part.g->value)) + where});
+  }
+  return texts;
+}
+
+std::vector<LetDefinition> texts_of_lets(const ComparisonSpec& comparison,
+                                         std::span<const LetDefinition> lets) {
+  std::vector<LetDefinition> texts;
+  for (const LetDefinition& let : lets) {
+    if (comparison.used_lets.contains(let.name)) texts.push_back({let.name, on_one_line(let.text)});
   }
   return texts;
 }
@@ -375,6 +385,7 @@ Result<Scene> interpret(SceneSettings read) {
               .variant = formulations.all[formulations.chosen].variant,
               .variants = names_of(formulations),
               .parts = texts_of(comparison),
+              .lets = texts_of_lets(comparison, lets),
               .graph = std::move(graph),
               .ranges = std::move(declared.ranges),
               .grids = std::move(declared.grids),

@@ -63,6 +63,20 @@ TEST(Engine, WithoutOneNothingOfItIsWritten) {
   }
 }
 
+TEST(Engine, TopSaysWhatItComparesAndWhereColumnsAre) {
+  design::Design design = spheres(8, 1);
+  design.parts = {{.f = "distance2", .g = "reach2"}};
+  const emit::GeneratedSystem system = generated(design);
+  const std::string top = verilog_of(system, "sphere_s17e8_8x1_pairwise");
+  for (const char* lines :
+       {"// The verdict of a pair is the sign of f - g:\n//   f = distance2\n//   g = reach2\n"
+        "// Streams s_axis, m_axis: AXI4-Stream.\n",
+        "//   cx [60:0], cy [121:61], cz [182:122], r [243:183]\n"
+        "//   each in s53e8: sign [60], exponent + 127 [59:52], fraction [51:0].\n"}) {
+    EXPECT_NE(top.find(lines), std::string::npos) << lines << top.substr(0, 1500);
+  }
+}
+
 TEST(Engine, SignatureTellsItsStreams) {
   const emit::GeneratedSystem system = generated(spheres(8, 1));
   ASSERT_TRUE(system.signature.engine.has_value());
@@ -156,6 +170,21 @@ TEST(ArgMinEngine, SignatureIsReadBackWhole) {
   const auto read = emit::read_signature(scratch.path() / "out" / (system.signature.top + ".json"));
   ASSERT_TRUE(read.ok()) << read.error().to_string();
   EXPECT_EQ(to_json(*read), to_json(system.signature));
+}
+
+TEST(ArgMinEngine, TopSaysWhatItComparesAndWhereColumnsAre) {
+  design::Design design = with_pairs(design_of("(p - ci)^2", "(p - cj)^2"),
+                                     {.kind = scene::EngineKind::arg_min, .row_tag_bits = 5});
+  design.parts = {{.f = "(p - ci)^2", .g = "(p - cj)^2"}};
+  const emit::GeneratedSystem system = generated(design);
+  const std::string top = verilog_of(system, system.signature.engine->top);
+  for (const char* lines : {"// Candidate j replaces i, the best before it, where the verdict is "
+                            "greater. It is the sign "
+                            "of f - g:\n//   f = (p - ci)^2\n//   g = (p - cj)^2\n"
+                            "// Streams s_candidate, s_axis, m_axis: AXI4-Stream.\n",
+                            "//   c [31:0]\n//   each in s24e8: sign [31],", "//   p [31:0]\n"}) {
+    EXPECT_NE(top.find(lines), std::string::npos) << lines << top.substr(0, 1500);
+  }
 }
 
 TEST(ArgMinEngine, EachOperandComesFromItsItem) {
