@@ -135,13 +135,20 @@ TEST_F(OptimiseCommand, AnInitiationIntervalThatIsLeftOpenIsNotGenerated) {
 }
 
 TEST_F(OptimiseCommand, ChoosesTheInitiationIntervalThatTheSceneLeavesOpen) {
+  const std::string open =
+      "optimise scene.toml --first 12 --last 14 --set 'reference.initiation_interval=\"auto\"'";
+  const std::string note =
+      "reference.initiation_interval is \"auto\", but the table has references of interval 1 "
+      "alone; "
+      "`mixcmp characterise --initiation-intervals";
+  EXPECT_NE(mixcmp(open).output.find(note), std::string::npos);
+  EXPECT_EQ(mixcmp("optimise scene.toml --last 14").output.find(note), std::string::npos);
   std::ofstream table(path("characterisation") / "scene-virtex6-lx760.csv", std::ios::app);
   row(table, "reference,,s53e8,,,embedded,2,0", 60, 3000, 6);
   table.close();
-  const std::string open =
-      "optimise scene.toml --first 12 --last 14 --set 'reference.initiation_interval=\"auto\"'";
   const Outcome found = mixcmp(open + " -o plan.toml");
   ASSERT_EQ(found.exit_code, 0) << found.output;
+  EXPECT_EQ(found.output.find(note), std::string::npos) << found.output;
   EXPECT_NE(found.output.find("x s53e8 embedded ii2"), std::string::npos) << found.output;
   EXPECT_NE(read("plan.toml").find("initiation_interval = 2"), std::string::npos);
   const Outcome checked = mixcmp("check plan.toml");
