@@ -344,7 +344,9 @@ std::vector<bool> are_from_data(const InputDeclarations& declared) {
 
 Result<Scene> load_with(const SceneSource& source, std::span<const std::string> overrides) {
   MIXCMP_TRY(read, read_scene_settings(source, overrides));
-  return interpret(std::move(read));
+  MIXCMP_TRY(scene, interpret(std::move(read)));
+  scene.settings.assign(overrides.begin(), overrides.end());
+  return scene;
 }
 
 }  // namespace

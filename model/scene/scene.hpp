@@ -156,6 +156,7 @@ struct PartText {
 /// One validated scene file, or a plan laid over one. docs/scene_file.md is the user's view of it.
 struct Scene {
   std::filesystem::path path;
+  std::vector<std::string> settings;  ///< "section.key=value", with which the file was read
   std::string name;                   ///< comparison.name and the variant's; names the modules
   std::string variant;                ///< the [[variant]] that is chosen; empty: [comparison] alone
   std::vector<std::string> variants;  ///< names of all variants

@@ -160,7 +160,8 @@ TEST_F(CommandLine, EveryVerbTakesAPlanInPlaceOfAScene) {
 TEST_F(CommandLine, WhatIsNotChosenNamesWhoChooses) {
   for (const char* verb : {"generate", "verify"}) {
     expect_refused(fmt::format("{} scene.toml --format auto", verb),
-                   "a plan, made by: mixcmp optimise scene.toml -o plan.toml");
+                   "a plan, made by: mixcmp optimise scene.toml --set reduced.format=auto "
+                   "-o plan.toml");
   }
 }
 

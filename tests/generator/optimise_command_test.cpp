@@ -127,11 +127,15 @@ TEST_F(OptimiseCommand, ThePlanSaysWhatItsReferencesArePlacedFor) {
 }
 
 TEST_F(OptimiseCommand, AnInitiationIntervalThatIsLeftOpenIsNotGenerated) {
-  expect_refused(
-      "generate scene.toml --format s8e8 --lanes 2 --references 1 -o rtl "
-      "--set 'reference.initiation_interval=\"auto\"'",
-      "reference.initiation_interval: is not chosen yet");
+  const std::string open = " --set 'reference.initiation_interval=\"auto\"'";
+  expect_refused("generate ./scene.toml --format s8e8 --lanes 2 --references 1 -o rtl" + open,
+                 "reference.initiation_interval: is not chosen yet");
   EXPECT_FALSE(fs::exists(path("rtl")));
+  // The suggested command works as it is.
+  const std::string refused = mixcmp("generate ./scene.toml -o rtl" + open).output;
+  const std::string suggested = "optimise ./scene.toml" + open;
+  EXPECT_NE(refused.find("mixcmp " + suggested + " -o plan.toml"), std::string::npos) << refused;
+  EXPECT_EQ(mixcmp(suggested + " --last 14 -o plan.toml").exit_code, 0);
 }
 
 TEST_F(OptimiseCommand, ChoosesTheInitiationIntervalThatTheSceneLeavesOpen) {

@@ -109,8 +109,12 @@ TEST(MakeDesign, NamesTheOptionForEachAuto) {
 
 TEST(MakeDesign, SaysThatOptimiseChoosesToo) {
   Scene scene = complete_scene();
+  scene.path = "my scenes/squares.toml";
+  scene.settings = {"system.slack=0.5", "reduced.bound=\"certified\""};
   scene.reduced.format.reset();
-  EXPECT_NE(error_of(scene).accepted.find("mixcmp optimise squares.toml -o plan.toml"),
+  EXPECT_NE(error_of(scene).accepted.find(
+                "mixcmp optimise 'my scenes/squares.toml' --set system.slack=0.5 "
+                "--set 'reduced.bound=\"certified\"' -o plan.toml"),
             std::string::npos)
       << error_of(scene).accepted;
 }
