@@ -139,6 +139,12 @@ TEST_F(EngineSection, MistakesAreToldInOneLine) {
             ":9: engine.report: no list of choices: received an array of 0" + list);
   EXPECT_EQ(error(engine + "report = [\"les\"]\n"),
             ":9: engine.report: not a choice: received \"les\"" + list);
+  const std::string as_bitmap =
+      ":9: engine.report: has verdicts; the key report_as says how their pairs leave: received "
+      "\"bitmap\"; accepted report_as = \"bitmap\", and in report a list of one or more of less, "
+      "equal, greater, unordered";
+  EXPECT_EQ(error(engine + "report = \"bitmap\"\n"), as_bitmap);
+  EXPECT_EQ(error(engine + "report = [\"bitmap\"]\n"), as_bitmap);
   EXPECT_EQ(error(engine + "report = [\"less\", \"less\"]\n"),
             ":9: engine.report: named twice: received \"less\"" + list);
   EXPECT_EQ(error(engine + "[system]\noperands = \"carried\"\n"),
