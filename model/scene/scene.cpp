@@ -300,6 +300,26 @@ Result<Done> check_groups(const settings::Settings& settings,
                          fmt::format("{}", *system.lanes), accepted);
 }
 
+/// Refuses more streams of reports than a pairwise engine has groups of lanes, each of which fills
+/// one at most. Where the number of lanes is still open, so is that of the groups.
+Result<Done> check_report_streams(const settings::Settings& settings,
+                                  const std::vector<LaneGroupSpec>& lanes, const SystemSpec& system,
+                                  const EngineSpec& engine) {
+  if (engine.kind != EngineKind::pairwise) return Done{};
+  const auto groups_of = [&](int count) {
+    return (count + engine.lanes_per_group - 1) / engine.lanes_per_group;
+  };
+  int groups = lanes.empty() ? groups_of(system.lanes.value_or(max_lanes)) : 0;
+  for (const LaneGroupSpec& kind : lanes) groups += groups_of(kind.count.value_or(max_lanes));
+  if (engine.report_streams <= groups) return Done{};
+  const settings::Section section(settings, "engine");
+  return section.mistake("report_streams", "each group of lanes has one at most",
+                         fmt::format("{}", engine.report_streams),
+                         fmt::format("1..{}, or more groups, by more lanes or a smaller "
+                                     "engine.lanes_per_group than {}",
+                                     groups, engine.lanes_per_group));
+}
+
 /// Notes keys of a system of streams that an engine does not look at.
 void note_stream_keys(const SystemSpec& system, const EngineSpec& engine,
                       std::vector<std::string>& notes) {
@@ -379,6 +399,7 @@ Result<Scene> interpret(SceneSettings read) {
     MIXCMP_TRY(whole_groups, check_groups(settings, lanes.groups, system));
   } else {
     note_stream_keys(system, engine, notes);
+    MIXCMP_TRY(streams_filled, check_report_streams(settings, lanes.groups, system, engine));
   }
   MIXCMP_TRY(second_tier, read_second_tier(settings, format, engine.kind));
   const bool has_no_tier = engine.kind == EngineKind::pairwise && !second_tier;
