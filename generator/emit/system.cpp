@@ -255,11 +255,15 @@ std::string signature_file(const Signature& signature) {
   return signature.top + ".json";
 }
 
-GeneratedFile constraint_file(const Signature& signature, const devices::Device& device) {
+/// `planned_clock`: as in a design.
+GeneratedFile constraint_file(const Signature& signature, const devices::Device& device,
+                              const std::string& planned_clock) {
+  const std::string expected =
+      planned_clock.empty() ? "" : fmt::format("# The plan expects {}.\n", planned_clock);
   return {signature.top + ".sdc",
-          fmt::format("# {:g} MHz, the target the cut points were chosen for.\n"
+          fmt::format("# {:g} MHz, the target the cut points were chosen for.\n{}"
                       "create_clock -name aclk -period {:.3f} [get_ports aclk]\n\n{}\n",
-                      signature.target_mhz, 1000 / signature.target_mhz,
+                      signature.target_mhz, expected, 1000 / signature.target_mhz,
                       fmt::join(port_delays(signature, device), "\n"))};
 }
 
@@ -300,7 +304,7 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
   }
 
   system.files.push_back(file_list(system.signature, device));
-  system.files.push_back(constraint_file(system.signature, device));
+  system.files.push_back(constraint_file(system.signature, device, design.planned_clock));
   system.files.push_back({signature_file(system.signature), to_json(system.signature)});
   MIXCMP_TRY(fits, check_file_names(system.files));
   return system;

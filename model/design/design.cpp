@@ -270,6 +270,18 @@ Result<LaneGroup> design_group(const scene::Scene& scene, const scene::LaneGroup
                    .count = count};
 }
 
+/// The clock that the scene's plan expects, for display; empty where there is none. The plan's
+/// values are as TOML writes them, so the words of its basis are in quotes.
+std::string planned_clock(const scene::Scene& scene) {
+  if (!scene.plan) return "";
+  std::string clock, basis;
+  for (const auto& [key, value] : scene.plan->values) {
+    if (key == "clock_mhz") clock = value + " MHz";
+    if (key == "clock_basis") basis = fmt::format(" ({})", value.substr(1, value.size() - 2));
+  }
+  return clock.empty() ? "" : clock + basis;
+}
+
 Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
                       MeasureErrors measure) {
   Design design{.name = scene.name,
@@ -278,6 +290,7 @@ Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
                 .second_tier = {},
                 .parts = scene.parts,
                 .lets = scene.lets,
+                .planned_clock = planned_clock(scene),
                 .reference = reference_graph(scene.graph, scene.reference),
                 .references = {},
                 .system = scene.system};

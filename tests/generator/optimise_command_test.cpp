@@ -122,6 +122,17 @@ TEST_F(OptimiseCommand, ThePlanSaysWhatItsReferencesArePlacedFor) {
   ASSERT_EQ(found.exit_code, 0) << found.output;
   EXPECT_NE(found.output.find("x s53e8 embedded for 400 MHz"), std::string::npos) << found.output;
   EXPECT_NE(read("plan.toml").find("target_mhz = 400\n"), std::string::npos);
+  const auto constraint_in = [this](const std::string& folder) {
+    return shell(fmt::format("cat {}/*.sdc", path(folder).string())).output;
+  };
+  const std::string planned = "# The plan expects 250 MHz (target, not measured).\n";
+  ASSERT_EQ(mixcmp("generate plan.toml --no-prove -o rtl").exit_code, 0);
+  ASSERT_EQ(mixcmp("generate scene.toml --format s8e8 --lanes 1 --references 1 -o plain "
+                   "--no-prove")
+                .exit_code,
+            0);
+  EXPECT_NE(constraint_in("rtl").find(planned), std::string::npos) << constraint_in("rtl");
+  EXPECT_EQ(constraint_in("plain").find("The plan"), std::string::npos);
   EXPECT_EQ(mixcmp("check plan.toml").exit_code, 0);
   expect_refused(command + "--set reference.target_mhz=300", "has no reference");
 }
