@@ -250,25 +250,26 @@ std::vector<std::string> describe_arg_min(const Design& design, const rtl::ArgMi
   return facts;
 }
 
-/// "a beat a pair that is less or undecided".
-std::string report_fact(const rtl::PairwiseShape& shape) {
+/// "a beat a pair that is less or undecided": every pair is decided where there is a reference.
+std::string report_fact(const rtl::PairwiseShape& shape, int references) {
   const scene::EngineSpec& spec = shape.engine.spec;
-  const std::string reported = fmt::format("{}", fmt::join(reported_verdicts(spec), ", "));
-  const char* join = reported.empty() ? "" : " or ";
+  const std::string reported = fmt::format("{}", fmt::join(reported_verdicts(spec), " or "));
+  const char* const undecided = references == 0 ? " or undecided" : "";
   switch (spec.report_as) {
     case scene::ReportForm::pairs:
-      return fmt::format("m_axis: a beat a pair that is {}{}undecided;", reported, join);
+      return fmt::format("m_axis: a beat a pair that is {}{};", reported, undecided);
     case scene::ReportForm::bitmap:
       return fmt::format(
           "m_axis: a beat for an item j and {} items i in a row, of which some are {};",
           shape.lanes_per_segment(), reported);
     case scene::ReportForm::count:
-      return fmt::format("m_axis: the number of pairs that are {}{}undecided;", reported, join);
+      return fmt::format("m_axis: a beat a set, with the number of pairs that are {}{}.", reported,
+                         undecided);
   }
   MIXCMP_CHECK(false);
 }
 
-std::vector<std::string> report_fields(const rtl::PairwiseShape& shape) {
+std::vector<std::string> report_fields(const rtl::PairwiseShape& shape, int references) {
   const rtl::EngineShape& engine = shape.engine;
   const int field_bits = engine.index_field_bits();
   std::vector<std::string> facts;
@@ -279,8 +280,10 @@ std::vector<std::string> report_fields(const rtl::PairwiseShape& shape) {
         engine.index_bits() - 1, field_bits + engine.index_bits() - 1, field_bits));
   }
   if (engine.spec.report_as == scene::ReportForm::bitmap) {
-    facts.push_back(fmt::format("  flags in [{}:{}]: bit k is about i + k and j;",
-                                2 * field_bits + shape.lanes_per_segment() - 1, 2 * field_bits));
+    facts.push_back(
+        fmt::format("  flags in [{}:{}]: bit k is about i + k and j; {} pairs leave one by one;",
+                    2 * field_bits + shape.lanes_per_segment() - 1, 2 * field_bits,
+                    references == 0 ? "undecided" : "recomputed"));
   }
   if (engine.spec.report_as != scene::ReportForm::count) {
     facts.emplace_back("  verdict: 0 less, 1 equal, 2 greater, 3 unordered.");
@@ -303,14 +306,16 @@ Described describe_pairwise(const Design& design, const rtl::PairwiseShape& shap
   add_all(facts, layout_facts(engine.columns, design.reference.input_format));
   add_all(facts, {"  A set that begins with items with tuser compares each of these with each of "
                   "the others alone.",
-                  report_fact(shape)});
-  add_all(facts, report_fields(shape));
+                  report_fact(shape, system.references)});
+  add_all(facts, report_fields(shape, system.references));
   if (shape.streams() > 1) {
     facts.push_back(
         fmt::format("  {} streams side by side; each ends every set.", shape.streams()));
   }
-  facts.emplace_back(
-      "A set ends with a beat with tlast: tdata is the number of its reports, tuser");
+  facts.push_back(fmt::format("A set ends with a beat with tlast: tdata is {}, tuser",
+                              engine.spec.report_as == scene::ReportForm::count
+                                  ? "that number"
+                                  : "the number of its reports"));
   facts.emplace_back(
       "  {1'b1, overrun, 6'b0}; overrun: more items came than fit, and the others were left out.");
   if (system.counter_bits > 0) {

@@ -126,6 +126,16 @@ std::vector<std::string> slow_stages(const rtl::SystemShape& shape) {
   return notes;
 }
 
+/// Says that an engine which tells a number alone counts the pairs that no reference decides.
+void note_undecided_count(const Design& design, std::vector<std::string>& notes) {
+  const scene::EngineSpec& engine = design.system.engine;
+  const bool counts =
+      engine.kind == scene::EngineKind::pairwise && engine.report_as == scene::ReportForm::count;
+  if (!counts || design.reference_count() > 0) return;
+  notes.emplace_back(
+      "there is no reference: pairs that stay undecided are in the number that is reported");
+}
+
 std::vector<SignaturePort> signature_ports(const Module& top) {
   std::vector<SignaturePort> ports;
   for (const rtl::Port& port : top.ports) {
@@ -282,6 +292,7 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
   add_prefix(modules, prefix);
 
   GeneratedSystem system = {signature_of(design, scheduled), {}, slow_stages(scheduled.shape)};
+  note_undecided_count(design, system.notes);
   system.signature.spec_hash = spec_hash(modules, templates);
   system.signature.second_tier = second_tier_of(design, scheduled);
   if (!scheduled.engine) {

@@ -77,6 +77,38 @@ TEST(Engine, TopSaysWhatItComparesAndWhereColumnsAre) {
   }
 }
 
+TEST(Engine, TopSaysWhatLeaves) {
+  const auto top_of = [](scene::ReportForm form, int references) {
+    design::Design design = spheres(8, references);
+    design.system.engine.report_as = form;
+    const emit::GeneratedSystem system = generated(design);
+    return verilog_of(system, system.signature.engine->top);
+  };
+  const auto expect_in = [](const std::string& top, const std::string& lines) {
+    EXPECT_NE(top.find(lines), std::string::npos) << lines << top.substr(0, 1500);
+  };
+  expect_in(top_of(scene::ReportForm::pairs, 1),
+            "// m_axis: a beat a pair that is less;\n//   tdata: i in");
+  expect_in(top_of(scene::ReportForm::pairs, 0), "a beat a pair that is less or undecided;\n");
+  expect_in(top_of(scene::ReportForm::bitmap, 0), "j; undecided pairs leave one by one;\n");
+  expect_in(top_of(scene::ReportForm::count, 0),
+            "// m_axis: a beat a set, with the number of pairs that are less or undecided.\n"
+            "// A set ends with a beat with tlast: tdata is that number, tuser\n");
+}
+
+TEST(Engine, ANoteTellsThatUndecidedPairsAreCounted) {
+  const auto notes_of = [](scene::ReportForm form, int references) {
+    design::Design design = spheres(8, references);
+    design.system.engine.report_as = form;
+    return generated(design).notes;
+  };
+  const std::string note =
+      "there is no reference: pairs that stay undecided are in the number that is reported";
+  EXPECT_EQ(notes_of(scene::ReportForm::count, 0), std::vector<std::string>{note});
+  EXPECT_TRUE(notes_of(scene::ReportForm::count, 1).empty());
+  EXPECT_TRUE(notes_of(scene::ReportForm::pairs, 0).empty());
+}
+
 TEST(Engine, SignatureTellsItsStreams) {
   const emit::GeneratedSystem system = generated(spheres(8, 1));
   ASSERT_TRUE(system.signature.engine.has_value());
