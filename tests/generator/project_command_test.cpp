@@ -320,6 +320,25 @@ TEST_F(Project, TheWrapperTellsOfThePortsThatItHas) {
                              "// Reference k has m_refetch_k_*, s_refetch_k_*.\n"));
 }
 
+TEST_F(Project, ScriptsSayHowTheyAreUsed) {
+  generate("--project icarus,verilator,quartus,yosys --vectors 50");
+  const Outcome nextpnr =
+      mixcmp("generate scene.toml --no-prove -o open --project nextpnr --set system.tag_bits=1");
+  ASSERT_EQ(nextpnr.exit_code, 0) << nextpnr.output;
+  for (const std::string script : {"rtl/icarus/run", "rtl/verilator/run", "rtl/verilator/lint",
+                                   "rtl/quartus/run", "rtl/yosys/run", "open/nextpnr/run"}) {
+    const Outcome help = in_folder(script + " --help");
+    EXPECT_EQ(help.exit_code, 0) << help.output;
+    expect_in(help.output, "  " + script.substr(script.find('/') + 1));
+    const Outcome refused = in_folder(script + " --fast");
+    EXPECT_EQ(refused.exit_code, 1) << refused.output;
+    EXPECT_EQ(refused.output, script +
+                                  ": no such option: received --fast; accepted --help, and "
+                                  "what that prints\n");
+  }
+  EXPECT_FALSE(fs::exists(path("--help")));
+}
+
 TEST_F(Project, AGroupOfLanesHasStreamsOfTheWrapper) {
   generate("--project verilator --vectors 50 --lanes 8 --set system.lanes_per_group=4");
   const std::string wrapper = read("rtl/integration/scene_s8e8_8x1_streams.v");
