@@ -113,7 +113,7 @@ public:
 
   const std::string& name() const;
   const std::vector<std::string>& inputs() const;
-  std::string f() const;  ///< as written; of several parts all, separated by "; "
+  std::string f() const;  ///< as written, on one line; of several parts all, separated by "; "
   std::string g() const;
   std::string reference_format() const;  ///< "s53e8"
   std::string reduced_format() const;    ///< "s17e8", "q13", "block13" or "auto"

@@ -33,6 +33,15 @@ Outlook outlook(const SceneOptions& options, const LoadedScene& loaded) {
   return {std::move(generated)};
 }
 
+/// The outermost module.
+const std::string& top_of(const emit::Signature& signature) {
+  return signature.engine ? signature.engine->top : signature.top;
+}
+
+bool has_requests_of_operands(const emit::Signature& signature) {
+  return signature.operands == scene::OperandStore::carried && signature.references > 0;
+}
+
 void print_text(const Outlook& outlook) {
   const auto line = [](const char* name, const std::string& text) {
     print(fmt::format("  {:<18} {}\n", name, text));
@@ -40,7 +49,7 @@ void print_text(const Outlook& outlook) {
   print("what generate writes\n");
   if (!outlook.system.ok()) return line("nothing", outlook.system.error().to_string());
   const emit::Signature& signature = outlook.system->signature;
-  line("top", signature.top);
+  line("top", top_of(signature));
   const bool one_kind = signature.lane_groups.size() == 1;
   for (const emit::SignatureLanes& group : signature.lane_groups) {
     const std::string kind =
@@ -50,6 +59,11 @@ void print_text(const Outlook& outlook) {
     line(one_kind ? "lane" : "lanes", fmt::format("{}{} cycles", kind, group.latency_cycles));
     line("decision", group.decision);
   }
+  if (const auto& tier = signature.second_tier) {
+    line("second tier",
+         fmt::format("{} x {}, {} cycles", tier->count, tier->format, tier->latency_cycles));
+    line("decision", tier->decision);
+  }
   for (const emit::SignatureReferences& group : signature.reference_groups) {
     const std::string kind =
         signature.reference_groups.size() == 1
@@ -58,14 +72,19 @@ void print_text(const Outlook& outlook) {
     line(kind.empty() ? "reference" : "references",
          fmt::format("{}{} cycles", kind, group.latency_cycles));
   }
+  if (has_requests_of_operands(signature)) {
+    line("request_beats", fmt::format("{}", signature.request_beats));
+  }
   for (const std::string& note : outlook.system->notes) line("note", note);
 }
 
 nlohmann::json to_json(const Outlook& outlook) {
   if (!outlook.system.ok()) return {{"error", report::to_json(outlook.system.error())}};
   const auto signature = nlohmann::json::parse(emit::to_json(outlook.system->signature));
-  return {{"top", signature["top"]},
+  return {{"top", top_of(outlook.system->signature)},
+          {"request_beats", signature["request_beats"]},
           {"lane_groups", signature["lane_groups"]},
+          {"second_tier", signature.value("second_tier", nlohmann::json())},
           {"reference_groups", signature["reference_groups"]},
           {"notes", outlook.system->notes}};
 }

@@ -261,11 +261,13 @@ Result<design::Design> design_of(const SceneOptions& options, const LoadedScene&
   return as_user_error(
       scene::with_setting(error, options.settings,
                           [&](std::span<const std::string> settings) -> std::optional<Error> {
-                            const Result<scene::Scene> scene =
-                                scene::load_scene(options.scene, settings);
-                            if (!scene.ok()) return scene.error();
+                            const auto read = scene::load_scene(options.scene, settings);
+                            if (!read.ok()) return read.error();
+                            // Messages that suggest a command name all settings.
+                            scene::Scene scene = *read;
+                            scene.settings = options.settings;
                             const Result<design::Design> attempt =
-                                design::make_design(*scene, nullptr);
+                                design::make_design(scene, nullptr);
                             if (attempt.ok()) return std::nullopt;
                             return scene::with_location(attempt.error(), options.scene, settings);
                           }),

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "generator/emit/comparison_facts.hpp"
 #include "generator/rtl/arg_min_module.hpp"
 #include "generator/rtl/channel_modules.hpp"
 #include "generator/rtl/lane_module.hpp"
@@ -164,6 +165,10 @@ int shortest_latency_cycles(const rtl::SystemShape& shape) {
   return shortest->schedule.latency_cycles + shape.channel_latency_cycles();
 }
 
+void add_all(std::vector<std::string>& facts, std::vector<std::string> more) {
+  for (std::string& fact : more) facts.push_back(std::move(fact));
+}
+
 /// What a lane gets of a comparison.
 std::vector<std::string> operand_facts(const Design& design, const ScheduledSystem& scheduled) {
   const rtl::SystemShape& shape = scheduled.shape;
@@ -175,9 +180,11 @@ std::vector<std::string> operand_facts(const Design& design, const ScheduledSyst
             fmt::format("  the row's, {} bits, and two candidates', {} bits each.",
                         words->rows.bits(), words->items.bits())};
   }
-  return {fmt::format("s_axis_tdata, {} bits a lane, operands {} bits each, the first lowest:",
-                      tdata_bits, shape.input_width),
-          fmt::format("  {}.", fmt::join(design.inputs, ", "))};
+  std::vector<std::string> facts = {fmt::format(
+      "s_axis_tdata, {} bits a lane, operands {} bits each, the first lowest:", tdata_bits,
+      shape.input_width)};
+  add_all(facts, layout_facts(design.inputs, design.reference.input_format));
+  return facts;
 }
 
 Described describe_top(const Design& design, const ScheduledSystem& scheduled) {
@@ -186,6 +193,8 @@ Described describe_top(const Design& design, const ScheduledSystem& scheduled) {
   const auto add = [&facts](std::string fact) { facts.push_back(std::move(fact)); };
   const bool grouped = shape.lanes_per_group > 1;
   const char* const sender = grouped ? "group" : "lane";
+  add_all(facts, formula_facts(design, "The verdict is "));
+  add("Streams s_axis, m_axis: AXI4-Stream.");
   if (grouped) {
     add(fmt::format(
         "Groups of {} lanes in lock step take words of one comparison a lane. Operands and",
@@ -194,12 +203,12 @@ Described describe_top(const Design& design, const ScheduledSystem& scheduled) {
   } else {
     add("Every per-lane port is a vector of one field a lane, lane 0 in the lowest bits.");
   }
-  for (std::string& fact : operand_facts(design, scheduled)) add(std::move(fact));
+  add_all(facts, operand_facts(design, scheduled));
   add(fmt::format("s_axis_tuser, m_axis_tuser, {} bits a {}: the tag.", shape.tag_bits, sender));
   add("m_axis_tdata, 8 bits a lane: {4'b0, undecided, recomputed, verdict[1:0]};");
   add("  verdict: 0 less, 1 equal, 2 greater, 3 unordered.");
   if (shape.refetches()) {
-    add("m_refetch_tdata, s_refetch_tdata, a field a reference: a tag out, in the");
+    add("m_refetch, s_refetch: AXI4-Stream, too; tdata, a field a reference: a tag out, in the");
     add("  order of the tags the operands of each back in.");
     if (shape.second_tier)
       add("  Behind the references' fields come those of the second tier's lanes.");
@@ -215,7 +224,7 @@ Described describe_top(const Design& design, const ScheduledSystem& scheduled) {
   return {rtl::top_module(shape), std::move(facts)};
 }
 
-std::vector<std::string> describe_arg_min(const rtl::ArgMinShape& arg_min,
+std::vector<std::string> describe_arg_min(const Design& design, const rtl::ArgMinShape& arg_min,
                                           const rtl::SystemShape& shape) {
   constexpr int queue_cycles = 2;  // behind the conversion of rows
   const rtl::EngineShape& engine = arg_min.engine;
@@ -226,22 +235,29 @@ std::vector<std::string> describe_arg_min(const rtl::ArgMinShape& arg_min,
   }
   std::vector<std::string> facts = {
       fmt::format("{}: which of {} candidates costs a row least,", engine.top, engine.capacity),
-      fmt::format("  by a chain of the lanes of {}.", shape.top),
-      fmt::format("s_candidate: a beat a candidate, tlast with the last; columns {} bits each, the "
-                  "first lowest:",
-                  engine.column_width),
-      fmt::format("  {}.", fmt::join(engine.columns, ", ")),
-      "  Fewer are as good as the last one repeated; more are left out, overrun says so until the",
-      "  next load, which is taken when no row is inside; while it is offered no row comes in.",
-      "s_axis: a beat a row, tag in tuser; columns likewise:",
-      fmt::format("  {}.", fmt::join(engine.row_columns, ", ")),
-      fmt::format(
-          "m_axis: rows in their order; tdata: the candidate's number in [{}:0], from 0, the "
-          "first of equals;",
-          engine.index_bits() - 1),
-      "  tuser and tlast: the row's.",
-      fmt::format("Initiation interval 1, latency {} cycles where nothing is recomputed.",
-                  latency_cycles)};
+      fmt::format("  by a chain of the lanes of {}.", shape.top)};
+  add_all(facts, formula_facts(design,
+                               "Candidate j replaces i, the best before it, where the "
+                               "verdict is greater. It is "));
+  add_all(facts, {"Streams s_candidate, s_axis, m_axis: AXI4-Stream.",
+                  fmt::format("s_candidate: a beat a candidate, tlast with the last; columns {} "
+                              "bits each, the first lowest:",
+                              engine.column_width)});
+  add_all(facts, layout_facts(engine.columns, design.reference.input_format));
+  add_all(
+      facts,
+      {"  Fewer are as good as the last one repeated; more are left out, overrun says so until "
+       "the",
+       "  next load, which is taken when no row is inside; while it is offered no row comes in.",
+       "s_axis: a beat a row, tag in tuser; columns likewise:"});
+  add_all(facts, layout_facts(engine.row_columns, design.reference.input_format));
+  add_all(facts,
+          {fmt::format("m_axis: rows in their order; tdata: the candidate's number in [{}:0], from "
+                       "0, the first of equals;",
+                       engine.index_bits() - 1),
+           "  tuser and tlast: the row's.",
+           fmt::format("Initiation interval 1, latency {} cycles where nothing is recomputed.",
+                       latency_cycles)});
   if (shape.counter_bits > 0) {
     facts.emplace_back(
         "Counters since reset, they wrap: of each lane comparisons, recomputations, stalls;");
@@ -251,25 +267,26 @@ std::vector<std::string> describe_arg_min(const rtl::ArgMinShape& arg_min,
   return facts;
 }
 
-/// "a beat a pair that is less or undecided".
-std::string report_fact(const rtl::PairwiseShape& shape) {
+/// "a beat a pair that is less or undecided": every pair is decided where there is a reference.
+std::string report_fact(const rtl::PairwiseShape& shape, int references) {
   const scene::EngineSpec& spec = shape.engine.spec;
-  const std::string reported = fmt::format("{}", fmt::join(reported_verdicts(spec), ", "));
-  const char* join = reported.empty() ? "" : " or ";
+  const std::string reported = fmt::format("{}", fmt::join(reported_verdicts(spec), " or "));
+  const char* const undecided = references == 0 ? " or undecided" : "";
   switch (spec.report_as) {
     case scene::ReportForm::pairs:
-      return fmt::format("m_axis: a beat a pair that is {}{}undecided;", reported, join);
+      return fmt::format("m_axis: a beat a pair that is {}{};", reported, undecided);
     case scene::ReportForm::bitmap:
       return fmt::format(
           "m_axis: a beat for an item j and {} items i in a row, of which some are {};",
           shape.lanes_per_segment(), reported);
     case scene::ReportForm::count:
-      return fmt::format("m_axis: the number of pairs that are {}{}undecided;", reported, join);
+      return fmt::format("m_axis: a beat a set, with the number of pairs that are {}{}.", reported,
+                         undecided);
   }
   MIXCMP_CHECK(false);
 }
 
-std::vector<std::string> report_fields(const rtl::PairwiseShape& shape) {
+std::vector<std::string> report_fields(const rtl::PairwiseShape& shape, int references) {
   const rtl::EngineShape& engine = shape.engine;
   const int field_bits = engine.index_field_bits();
   std::vector<std::string> facts;
@@ -280,8 +297,10 @@ std::vector<std::string> report_fields(const rtl::PairwiseShape& shape) {
         engine.index_bits() - 1, field_bits + engine.index_bits() - 1, field_bits));
   }
   if (engine.spec.report_as == scene::ReportForm::bitmap) {
-    facts.push_back(fmt::format("  flags in [{}:{}]: bit k is about i + k and j;",
-                                2 * field_bits + shape.lanes_per_segment() - 1, 2 * field_bits));
+    facts.push_back(
+        fmt::format("  flags in [{}:{}]: bit k is about i + k and j; {} pairs leave one by one;",
+                    2 * field_bits + shape.lanes_per_segment() - 1, 2 * field_bits,
+                    references == 0 ? "undecided" : "recomputed"));
   }
   if (engine.spec.report_as != scene::ReportForm::count) {
     facts.emplace_back("  verdict: 0 less, 1 equal, 2 greater, 3 unordered.");
@@ -289,26 +308,31 @@ std::vector<std::string> report_fields(const rtl::PairwiseShape& shape) {
   return facts;
 }
 
-Described describe_pairwise(const rtl::PairwiseShape& shape, const rtl::SystemShape& system) {
+Described describe_pairwise(const Design& design, const rtl::PairwiseShape& shape,
+                            const rtl::SystemShape& system) {
   const rtl::EngineShape& engine = shape.engine;
   std::vector<std::string> facts = {
       fmt::format("{}: every pair i < j of up to {} items,", engine.top, engine.capacity),
       fmt::format("  past p_L = {} lanes in {} segments, undecided pairs by p_H = {} references.",
-                  system.lanes, shape.segment_count(), system.references),
-      fmt::format("s_axis: a beat an item, tlast with the last; columns {} bits each, the first "
-                  "lowest:",
-                  engine.column_width),
-      fmt::format("  {}.", fmt::join(engine.columns, ", ")),
-      "  A set that begins with items with tuser compares each of these with each of the others "
-      "alone.",
-      report_fact(shape)};
-  for (std::string& fact : report_fields(shape)) facts.push_back(std::move(fact));
+                  system.lanes, shape.segment_count(), system.references)};
+  add_all(facts, formula_facts(design, "The verdict of a pair is "));
+  add_all(facts, {"Streams s_axis, m_axis: AXI4-Stream.",
+                  fmt::format("s_axis: a beat an item, tlast with the last; columns {} bits each, "
+                              "the first lowest:",
+                              engine.column_width)});
+  add_all(facts, layout_facts(engine.columns, design.reference.input_format));
+  add_all(facts, {"  A set that begins with items with tuser compares each of these with each of "
+                  "the others alone.",
+                  report_fact(shape, system.references)});
+  add_all(facts, report_fields(shape, system.references));
   if (shape.streams() > 1) {
     facts.push_back(
         fmt::format("  {} streams side by side; each ends every set.", shape.streams()));
   }
-  facts.emplace_back(
-      "A set ends with a beat with tlast: tdata is the number of its reports, tuser");
+  facts.push_back(fmt::format("A set ends with a beat with tlast: tdata is {}, tuser",
+                              engine.spec.report_as == scene::ReportForm::count
+                                  ? "that number"
+                                  : "the number of its reports"));
   facts.emplace_back(
       "  {1'b1, overrun, 6'b0}; overrun: more items came than fit, and the others were left out.");
   if (system.counter_bits > 0) {
@@ -431,7 +455,7 @@ std::vector<Described> describe_pairwise_modules(const Design& design,
     modules.add(segments.module, [&] { return describe_segment(shape, system, segments); });
   }
   add_references(design, rtl::reference_shape(system), modules);
-  modules.add(shape.engine.top, [&] { return describe_pairwise(shape, system); });
+  modules.add(shape.engine.top, [&] { return describe_pairwise(design, shape, system); });
   return modules.take();
 }
 
@@ -467,7 +491,7 @@ std::vector<Described> describe_system_modules(const Design& design,
   if (scheduled.arg_min) {
     modules.add(scheduled.engine->top, [&] {
       return Described{rtl::arg_min_module(*scheduled.arg_min, shape),
-                       describe_arg_min(*scheduled.arg_min, shape)};
+                       describe_arg_min(design, *scheduled.arg_min, shape)};
     });
   }
   return modules.take();

@@ -36,6 +36,9 @@ constexpr std::array multipliers_names = {
 constexpr std::array sums_names = {Name<Sums>{Sums::composed, "composed"},
                                    Name<Sums>{Sums::fused, "fused"}};
 
+constexpr std::array combinations = {Name<Combination>{Combination::all, "all"},
+                                     Name<Combination>{Combination::any, "any"}};
+
 constexpr std::array directions = {Name<rtl::Direction>{rtl::Direction::input, "input"},
                                    Name<rtl::Direction>{rtl::Direction::output, "output"}};
 
@@ -222,6 +225,14 @@ Json to_json(const SignatureEngine& engine) {
   return json;
 }
 
+Json to_json(const scene::PartText& part) {
+  return {{"f", part.f}, {"g", part.g}};
+}
+
+Json to_json(const LetDefinition& let) {
+  return {{"name", let.name}, {"text", let.text}};
+}
+
 Json to_json(const SignatureCounters& counters) {
   return {{"name", counters.name}, {"count", counters.count}, {"offset", counters.offset}};
 }
@@ -239,6 +250,14 @@ SignaturePort read_port(Reader& reader) {
   return {.name = reader.text("name"),
           .direction = reader.choice("direction", directions),
           .width = reader.number("width", 1, many)};
+}
+
+scene::PartText read_part(Reader& reader) {
+  return {.f = reader.text("f"), .g = reader.text("g")};
+}
+
+LetDefinition read_let(Reader& reader) {
+  return {.name = reader.text("name"), .text = reader.text("text")};
 }
 
 SignatureCounters read_counters(Reader& reader) {
@@ -322,6 +341,9 @@ std::string to_json(const Signature& s) {
                {"reference_format", s.reference_format.name()},
                {"reference_sums", text_of(sums_names, s.reference_sums)},
                {"certified", s.certified},
+               {"parts", groups_to_json(s.parts)},
+               {"combine", text_of(combinations, s.combination)},
+               {"lets", groups_to_json(s.lets)},
                {"inputs", s.inputs},
                {"lanes", s.lanes},
                {"lanes_per_group", s.lanes_per_group},
@@ -365,6 +387,9 @@ Result<Signature> read_signature(const std::filesystem::path& path) {
       .reference_format = reader.format("reference_format"),
       .reference_sums = reader.choice("reference_sums", sums_names),
       .certified = reader.read<bool>("certified", "true or false"),
+      .parts = reader.groups("parts", read_part),
+      .combination = reader.choice("combine", combinations),
+      .lets = reader.groups("lets", read_let),
       .inputs = reader.read<std::vector<std::string>>("inputs", "a list of names"),
       .lanes = lanes,
       .lanes_per_group =

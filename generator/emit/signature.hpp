@@ -79,8 +79,11 @@ struct Signature {
   std::string spec_hash;  ///< hash of everything that decides the output's bytes
   FloatFormat reference_format;
   Sums reference_sums = Sums::composed;
-  bool certified = false;           ///< all lanes are
-  std::vector<std::string> inputs;  ///< input k is tdata[k * width +: width]
+  bool certified = false;                      ///< all lanes are
+  std::vector<scene::PartText> parts = {};     ///< f and g of each part, as the scene writes them
+  Combination combination = Combination::all;  ///< meaningful only where there are several parts
+  std::vector<LetDefinition> lets = {};        ///< those that f and g need
+  std::vector<std::string> inputs;             ///< input k is tdata[k * width +: width]
   int lanes = 0;  ///< p_L: every per-lane port is a vector of `lanes` fields, lane 0 lowest
   /// Lanes that share handshakes, tag and counters: these ports have a field for each group.
   int lanes_per_group = 1;

@@ -87,6 +87,9 @@ Signature signature_of(const Design& design, const ScheduledSystem& scheduled) {
           .reference_format = design.reference.arithmetic.format,
           .reference_sums = design.reference.arithmetic.sums,
           .certified = design.certified(),
+          .parts = design.parts,
+          .combination = design.reference.combination,
+          .lets = design.lets,
           .inputs = design.inputs,
           .lanes = shape.lanes,
           .lanes_per_group = shape.lanes_per_group,
@@ -125,6 +128,16 @@ std::vector<std::string> slow_stages(const rtl::SystemShape& shape) {
   if (shape.second_tier) add_notes("second tier", {*shape.second_tier});
   add_notes("reference", shape.reference_groups);
   return notes;
+}
+
+/// Says that an engine which tells a number alone counts the pairs that no reference decides.
+void note_undecided_count(const Design& design, std::vector<std::string>& notes) {
+  const scene::EngineSpec& engine = design.system.engine;
+  const bool counts =
+      engine.kind == scene::EngineKind::pairwise && engine.report_as == scene::ReportForm::count;
+  if (!counts || design.reference_count() > 0) return;
+  notes.emplace_back(
+      "there is no reference: pairs that stay undecided are in the number that is reported");
 }
 
 std::vector<SignaturePort> signature_ports(const Module& top) {
@@ -256,11 +269,15 @@ std::string signature_file(const Signature& signature) {
   return signature.top + ".json";
 }
 
-GeneratedFile constraint_file(const Signature& signature, const devices::Device& device) {
+/// `planned_clock`: as in a design.
+GeneratedFile constraint_file(const Signature& signature, const devices::Device& device,
+                              const std::string& planned_clock) {
+  const std::string expected =
+      planned_clock.empty() ? "" : fmt::format("# The plan expects {}.\n", planned_clock);
   return {signature.top + ".sdc",
-          fmt::format("# {:g} MHz, the target the cut points were chosen for.\n"
+          fmt::format("# {:g} MHz, the target the cut points were chosen for.\n{}"
                       "create_clock -name aclk -period {:.3f} [get_ports aclk]\n\n{}\n",
-                      signature.target_mhz, 1000 / signature.target_mhz,
+                      signature.target_mhz, expected, 1000 / signature.target_mhz,
                       fmt::join(port_delays(signature, device), "\n"))};
 }
 
@@ -279,6 +296,7 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
   add_prefix(modules, prefix);
 
   GeneratedSystem system = {signature_of(design, scheduled), {}, slow_stages(scheduled.shape)};
+  note_undecided_count(design, system.notes);
   system.signature.spec_hash = spec_hash(modules, templates);
   system.signature.second_tier = second_tier_of(design, scheduled);
   if (!scheduled.engine) {
@@ -301,7 +319,7 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
   }
 
   system.files.push_back(file_list(system.signature, device));
-  system.files.push_back(constraint_file(system.signature, device));
+  system.files.push_back(constraint_file(system.signature, device, design.planned_clock));
   system.files.push_back({signature_file(system.signature), to_json(system.signature)});
   MIXCMP_TRY(fits, check_file_names(system.files));
   return system;

@@ -79,16 +79,29 @@ std::string wrapper_name(const ProjectSpec& spec) {
   return spec.build_top() + "_streams";
 }
 
-/// Says whose ports number k are.
+/// Says whose ports number k are, of those that are there.
 std::vector<std::string> description(const emit::Signature& signature) {
-  if (signature.engine) return {"Stream k is m_axis_k_* with the counter reports_k."};
-  const std::string streams =
-      "s_axis_k_*, m_axis_k_* and its counters; reference k has its refetch streams.";
-  if (signature.lanes_per_group == 1) return {"Lane k has " + streams};
-  return {"Group k has " + streams,
-          fmt::format("It has {} lanes; those of group 0 come first, and its lane 0 is lowest in "
-                      "tdata.",
-                      signature.lanes_per_group)};
+  const bool counters = has_counter_ports(signature);
+  std::vector<std::string> lines;
+  if (signature.engine) {
+    lines.push_back(
+        fmt::format("Stream k is m_axis_k_*{}.", counters ? " with the counter reports_k" : ""));
+  } else {
+    const bool grouped = signature.lanes_per_group > 1;
+    lines.push_back(fmt::format("{} k has s_axis_k_*, m_axis_k_*{}.", grouped ? "Group" : "Lane",
+                                counters ? " and its counters" : ""));
+    if (grouped) {
+      lines.push_back(
+          fmt::format("It has {} lanes; those of group 0 come first, and its lane 0 is "
+                      "lowest in tdata.",
+                      signature.lanes_per_group));
+    }
+    if (signature.operands == scene::OperandStore::refetched) {
+      lines.emplace_back("Reference k has m_refetch_k_*, s_refetch_k_*.");
+    }
+  }
+  if (!signature.counter_map.empty()) lines.emplace_back("All counters are read on s_axi_*.");
+  return lines;
 }
 
 std::vector<std::string> header(const ProjectSpec& spec) {

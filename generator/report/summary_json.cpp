@@ -96,6 +96,8 @@ nlohmann::json json_of_system(const Scene& scene) {
           {"target_mhz", system.target_mhz},
           {"order", to_string(system.order)},
           {"operands", to_string(system.operands)},
+          {"operand_memory", to_string(system.operand_memory)},
+          {"request_beats", json_of(system.request_beats)},
           {"tag_bits", system.tag_bits},
           {"counter_bits", system.counter_bits},
           {"counters", to_string(system.counters)},

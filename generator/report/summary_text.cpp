@@ -16,6 +16,7 @@ using scene::DataSummary;
 using scene::EngineKind;
 using scene::LaneGroupSpec;
 using scene::LaneSavings;
+using scene::OperandStore;
 using scene::OperatorCount;
 using scene::PlanNotes;
 using scene::Possibility;
@@ -178,6 +179,13 @@ void print_understood(SectionList& page, const Scene& scene) {
   page.line("target_mhz", fmt::format("{}", system.target_mhz));
   page.line("order", to_string(system.order));
   page.line("operands", to_string(system.operands));
+  if (system.operands == OperandStore::carried) {
+    page.line("operand_memory", to_string(system.operand_memory));
+    page.line("request_beats", shown(system.request_beats));
+  }
+  if (system.engine.kind == EngineKind::none) {
+    page.line("input_registers", fmt::format("{}", system.input_registers));
+  }
   page.line("tag_bits", fmt::format("{}", system.tag_bits));
   page.line("counter_bits", fmt::format("{}", system.counter_bits));
   page.line("counters", to_string(system.counters));

@@ -301,13 +301,6 @@ struct {} {{
       alone ? text_of_part(data, filter.parts.front()) : text_of_parts(data, filter, combination));
 }
 
-/// Puts an expression, which may have several lines, on one line for a comment.
-std::string on_one_line(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  return text;
-}
-
 std::string header(const scene::Scene& scene) {
   return fmt::format(R"(// The comparison {} in software: the sign of f - g,
 //   f = {}
@@ -316,8 +309,7 @@ std::string header(const scene::Scene& scene) {
 // Compile: g++ -std=c++20 -O3 -march=native -ffp-contract=off -fno-math-errno -fno-trapping-math
 // -pthread; never -ffast-math.
 )",
-                     scene.name, on_one_line(scene.f_text()), on_one_line(scene.g_text()),
-                     emit::version);
+                     scene.name, scene.f_text(), scene.g_text(), emit::version);
 }
 
 std::string_view form_of(data::Pairing pairing) {

@@ -66,6 +66,18 @@ std::string printable_line(std::string_view text) {
   return line;
 }
 
+std::string on_one_line(std::string_view text) {
+  constexpr std::string_view space = " \t\r\n";
+  std::string line;
+  while (true) {
+    text.remove_prefix(std::min(text.find_first_not_of(space), text.size()));
+    if (text.empty()) return line;
+    const std::string_view word = text.substr(0, text.find_first_of(space));
+    line += (line.empty() ? "" : " ") + std::string(word);
+    text.remove_prefix(word.size());
+  }
+}
+
 std::string quoted(const std::string& text) {
   if (!needs_quotes(text)) return text;
   std::string quoted_text = "'";

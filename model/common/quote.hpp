@@ -19,6 +19,9 @@ std::string printable(std::string_view text);
 /// printable(), with '?' in place of line ends, too.
 std::string printable_line(std::string_view text);
 
+/// The words of `text` with one blank between them, whatever blanks, tabs and line ends there were.
+std::string on_one_line(std::string_view text);
+
 /// One word of a POSIX shell's command line, quoted where it must be.
 std::string quoted(const std::string& text);
 

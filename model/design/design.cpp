@@ -21,6 +21,13 @@ namespace {
 /// The number of comparisons that are measured for the paper's constants, RE_f and RE_g.
 constexpr std::uint64_t profile_samples = 100'000;
 
+/// The command that makes a plan of the scene as the user gave it.
+std::string planning_command(const scene::Scene& scene) {
+  std::string command = "mixcmp optimise " + quoted(scene.path.string());
+  for (const std::string& setting : scene.settings) command += " --set " + quoted(setting);
+  return command + " -o plan.toml";
+}
+
 /// The error for an "auto" that nothing has resolved. It suggests `mixcmp optimise`, but not for
 /// the lanes of an arg-min engine: that verb, too, has their number from the candidates.
 Error unresolved(const scene::Scene& scene, const std::string& field, const std::string& option,
@@ -28,8 +35,7 @@ Error unresolved(const scene::Scene& scene, const std::string& field, const std:
   std::string ways = fmt::format("{}, in the scene or by {}", accepted, option);
   const bool is_chain = scene.system.engine.kind == scene::EngineKind::arg_min;
   if (!is_chain || field != "system.lanes") {
-    ways += fmt::format("; or a plan, made by: mixcmp optimise {} -o plan.toml",
-                        quoted(scene.path.filename().string()));
+    ways += "; or a plan, made by: " + planning_command(scene);
   }
   return {.field = field, .message = "is not chosen yet", .received = "\"auto\"", .accepted = ways};
 }
@@ -278,12 +284,27 @@ Result<Done> check_second_tier(const scene::Scene& scene) {
                .accepted = "system.references of at least 1, or second_tier.format = \"none\""};
 }
 
+/// The clock that the scene's plan expects, for display; empty where there is none. The plan's
+/// values are as TOML writes them, so the words of its basis are in quotes.
+std::string planned_clock(const scene::Scene& scene) {
+  if (!scene.plan) return "";
+  std::string clock, basis;
+  for (const auto& [key, value] : scene.plan->values) {
+    if (key == "clock_mhz") clock = value + " MHz";
+    if (key == "clock_basis") basis = fmt::format(" ({})", value.substr(1, value.size() - 2));
+  }
+  return clock.empty() ? "" : clock + basis;
+}
+
 Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
                       MeasureErrors measure) {
   Design design{.name = scene.name,
                 .inputs = scene.graph.inputs(),
                 .lanes = {},
                 .second_tier = {},
+                .parts = scene.parts,
+                .lets = scene.lets,
+                .planned_clock = planned_clock(scene),
                 .reference = reference_graph(scene.graph, scene.reference),
                 .references = {},
                 .system = scene.system};

@@ -35,6 +35,9 @@ struct Design {
   /// once. In a system of streams they are `count`, behind a crossbar; a pairwise engine has one
   /// for each of its groups.
   std::optional<LaneGroup> second_tier;
+  std::vector<scene::PartText> parts;  ///< f and g of each part as the scene has them, for display
+  std::vector<LetDefinition> lets;     ///< those that f and g need, likewise
+  std::string planned_clock;  ///< "312.5 MHz (placed and routed)", as a plan says; or empty
   TypedGraph reference;
   std::vector<ReferenceGroup> references;  ///< empty: p_H = 0
   scene::SystemSpec system;

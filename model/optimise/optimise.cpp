@@ -96,6 +96,27 @@ void note_slow_reference(Optimisation& found) {
                   references, lanes));
 }
 
+/// Tells where the scene leaves the interval of references open and the table has one alone.
+void note_one_interval(const scene::Scene& scene, const characterise::Characterisation& table,
+                       Optimisation& found) {
+  const std::vector<scene::ReferenceGroupSpec> groups = scene.reference_groups();
+  const bool is_open = std::any_of(groups.begin(), groups.end(), [](const auto& group) {
+    return !group.structure.initiation_interval;
+  });
+  std::set<int> measured;
+  for (const characterise::Measurement& row : table.rows) {
+    if (row.key.kind == characterise::ComponentKind::reference) {
+      measured.insert(row.key.initiation_interval);
+    }
+  }
+  if (!is_open || measured.size() != 1) return;
+  found.notes.push_back(
+      fmt::format("reference.initiation_interval is \"auto\", but the table has references of "
+                  "interval {} alone; `mixcmp characterise --initiation-intervals 1,4,16` measures "
+                  "others",
+                  *measured.begin()));
+}
+
 Error nothing_to_choose_from(const scene::Scene& scene, const std::string& what) {
   return {.file = scene.path.string(),
           .field = {},
@@ -244,6 +265,7 @@ Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& 
   all.notes = maker.notes();
   if (is_chain(scene)) note_room(all);
   note_slow_reference(all);
+  note_one_interval(scene, table, all);
   if (!maker.missing().empty()) return incomplete(scene, maker.missing());
   if (all.plans.empty()) return nothing_to_choose_from(scene, "lane with a known rate");
   return all;

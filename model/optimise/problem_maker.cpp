@@ -249,6 +249,9 @@ void ProblemMaker::limit_engine(AllocationProblem& problem) const {
     case scene::EngineKind::pairwise:
       problem.sharing = ReferenceSharing::pooled;  // whichever is free takes the next pair
       problem.max_lanes = settings::limits::engine_lanes.most;
+      // Each stream of reports has a group of lanes.
+      problem.min_lanes =
+          scene_.system.engine.report_streams * scene_.system.engine.lanes_per_segment();
       break;
     case scene::EngineKind::arg_min:
       // Fewer lanes leave candidates out, and more have none to hold.
@@ -295,7 +298,8 @@ bool ProblemMaker::is_wanted(const characterise::Measurement& lane) const {
   const int precision = format_of(lane).precision();
   const bool wanted_inputs = !lane.key.inputs || allows(options_.inputs, *lane.key.inputs);
   return options_.first_precision <= precision && precision <= options_.last_precision &&
-         is_before_second_tier(precision) && wanted_inputs && allows(options_.bounds, *lane.key.bound) && is_trusted(lane);
+         is_before_second_tier(precision) && wanted_inputs &&
+         allows(options_.bounds, *lane.key.bound) && is_trusted(lane);
 }
 
 /// Lanes of a system of streams are before its second tier if they have fewer digits. A table may

@@ -142,9 +142,30 @@ Result<Done> check_arg_min(const settings::Settings& settings, const settings::S
                     "the arg-min engine compares candidates for each row");
 }
 
+/// Refuses a form of reports in the place of the verdicts that are reported: two keys that are
+/// easily confused.
+void refuse_form_as_report(settings::Section& section) {
+  const settings::Setting* setting = section.find("report");
+  if (setting == nullptr) return;
+  const auto* list = std::get_if<settings::Setting::Array>(&setting->value);
+  for (const settings::Setting& element :
+       list == nullptr ? settings::Setting::Array{*setting} : *list) {
+    const auto* word = std::get_if<std::string>(&element.value);
+    for (const ReportForm form : {ReportForm::pairs, ReportForm::bitmap, ReportForm::count}) {
+      if (word == nullptr || *word != to_string(form)) continue;
+      section.fail("report", "has verdicts; the key report_as says how their pairs leave",
+                   fmt::format("\"{}\"", *word),
+                   fmt::format("report_as = \"{}\", and in report a list of one or more of less, "
+                               "equal, greater, unordered",
+                               *word));
+    }
+  }
+}
+
 void read_pairwise_keys(settings::Section& section, EngineSpec& engine) {
   section.integer("capacity", engine.capacity, settings::limits::engine_capacity);
   std::vector<Verdict> report;
+  refuse_form_as_report(section);
   section.choices("report", report,
                   {Verdict::less, Verdict::equal, Verdict::greater, Verdict::unordered});
   if (!report.empty()) engine.report = {};

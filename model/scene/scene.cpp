@@ -104,7 +104,7 @@ Result<ComparisonSpec> read_variant(const Formulation& formulation,
                            fmt::format("{}", fmt::join(named, ", ")),
                            fmt::format("{}", fmt::join(inputs, ", ")));
   }
-  MIXCMP_TRY(graph, read_graph(settings, variant, lets, inputs, used_lets));
+  MIXCMP_TRY(graph, read_graph(settings, variant, lets, inputs, variant.used_lets));
   variant.graph = std::move(graph);
   variant.name += "_" + formulation.variant;
   const std::string problem = name_problem(variant.name);
@@ -143,6 +143,7 @@ Result<ComparisonSpec> read_formulation(const Formulations& formulations,
   MIXCMP_TRY(base, read_comparison(settings, lets));
   std::set<std::string> used_lets;
   MIXCMP_TRY(graph, read_graph(settings, base, lets, {}, used_lets));
+  base.used_lets = used_lets;
   MIXCMP_TRY(lets_checked, check_unused_lets(settings, lets, used_lets));
   base.graph = std::move(graph);
   ComparisonSpec chosen = base;
@@ -175,8 +176,17 @@ std::vector<PartText> texts_of(const ComparisonSpec& comparison) {
     for (const IndexValue& index : part.indices) {
       where += fmt::format(" where {} = {}", index.name, index.value);
     }
-    texts.push_back({std::get<std::string>(part.f->value) + where,
-                     std::get<std::string>(part.g->value) + where});
+    texts.push_back({on_one_line(std::get<std::string>(part.f->value)) + where,
+                     on_one_line(std::get<std::string>(part.g->value)) + where});
+  }
+  return texts;
+}
+
+std::vector<LetDefinition> texts_of_lets(const ComparisonSpec& comparison,
+                                         std::span<const LetDefinition> lets) {
+  std::vector<LetDefinition> texts;
+  for (const LetDefinition& let : lets) {
+    if (comparison.used_lets.contains(let.name)) texts.push_back({let.name, on_one_line(let.text)});
   }
   return texts;
 }
@@ -290,6 +300,26 @@ Result<Done> check_groups(const settings::Settings& settings,
                          fmt::format("{}", *system.lanes), accepted);
 }
 
+/// Refuses more streams of reports than a pairwise engine has groups of lanes, each of which fills
+/// one at most. Where the number of lanes is still open, so is that of the groups.
+Result<Done> check_report_streams(const settings::Settings& settings,
+                                  const std::vector<LaneGroupSpec>& lanes, const SystemSpec& system,
+                                  const EngineSpec& engine) {
+  if (engine.kind != EngineKind::pairwise) return Done{};
+  const auto groups_of = [&](int count) {
+    return (count + engine.lanes_per_group - 1) / engine.lanes_per_group;
+  };
+  int groups = lanes.empty() ? groups_of(system.lanes.value_or(max_lanes)) : 0;
+  for (const LaneGroupSpec& kind : lanes) groups += groups_of(kind.count.value_or(max_lanes));
+  if (engine.report_streams <= groups) return Done{};
+  const settings::Section section(settings, "engine");
+  return section.mistake("report_streams", "each group of lanes has one at most",
+                         fmt::format("{}", engine.report_streams),
+                         fmt::format("1..{}, or more groups, by more lanes or a smaller "
+                                     "engine.lanes_per_group than {}",
+                                     groups, engine.lanes_per_group));
+}
+
 /// Notes keys of a system of streams that an engine does not look at.
 void note_stream_keys(const SystemSpec& system, const EngineSpec& engine,
                       std::vector<std::string>& notes) {
@@ -334,7 +364,9 @@ std::vector<bool> are_from_data(const InputDeclarations& declared) {
 
 Result<Scene> load_with(const SceneSource& source, std::span<const std::string> overrides) {
   MIXCMP_TRY(read, read_scene_settings(source, overrides));
-  return interpret(std::move(read));
+  MIXCMP_TRY(scene, interpret(std::move(read)));
+  scene.settings.assign(overrides.begin(), overrides.end());
+  return scene;
 }
 
 }  // namespace
@@ -367,6 +399,7 @@ Result<Scene> interpret(SceneSettings read) {
     MIXCMP_TRY(whole_groups, check_groups(settings, lanes.groups, system));
   } else {
     note_stream_keys(system, engine, notes);
+    MIXCMP_TRY(streams_filled, check_report_streams(settings, lanes.groups, system, engine));
   }
   MIXCMP_TRY(second_tier, read_second_tier(settings, format, engine.kind));
   const bool has_no_tier = engine.kind != EngineKind::arg_min && !second_tier.reduced;
@@ -375,6 +408,7 @@ Result<Scene> interpret(SceneSettings read) {
               .variant = formulations.all[formulations.chosen].variant,
               .variants = names_of(formulations),
               .parts = texts_of(comparison),
+              .lets = texts_of_lets(comparison, lets),
               .graph = std::move(graph),
               .ranges = std::move(declared.ranges),
               .grids = std::move(declared.grids),

@@ -147,7 +147,7 @@ struct PlanNotes {
 
 inline constexpr std::size_t max_parts = 64;  ///< most parts of a comparison
 
-/// The expressions of one part, as written.
+/// The expressions of one part, as written, each on one line.
 struct PartText {
   std::string f;
   std::string g;
@@ -156,10 +156,12 @@ struct PartText {
 /// One validated scene file, or a plan laid over one. docs/scene_file.md is the user's view of it.
 struct Scene {
   std::filesystem::path path;
+  std::vector<std::string> settings;  ///< "section.key=value", with which the file was read
   std::string name;                   ///< comparison.name and the variant's; names the modules
   std::string variant;                ///< the [[variant]] that is chosen; empty: [comparison] alone
   std::vector<std::string> variants;  ///< names of all variants
   std::vector<PartText> parts;        ///< one per part of the graph
+  std::vector<LetDefinition> lets;    ///< those that f and g need, as written, each on one line
   Graph graph;
   std::vector<std::optional<Range>> ranges;     ///< one per graph input
   std::vector<std::optional<mpq_class>> grids;  ///< one per graph input: a power of two

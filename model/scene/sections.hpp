@@ -25,8 +25,9 @@ struct ComparisonSpec {
   Combination combination = Combination::all;
   std::vector<PartSettings> parts;
   const settings::Setting* index =
-      nullptr;       ///< `for`, whose values are the parts; null: there is none
-  Graph graph = {};  ///< once the expressions have been parsed
+      nullptr;                           ///< `for`, whose values are the parts; null: there is none
+  Graph graph = {};                      ///< once the expressions have been parsed
+  std::set<std::string> used_lets = {};  ///< names of those that f and g need
 };
 
 /// Reads [comparison] without parsing its expressions.

@@ -103,8 +103,29 @@ TEST_F(CommandLine, CheckTellsWhatGenerateWillDo) {
   ASSERT_EQ(run.exit_code, 0) << run.output;
   const auto report = nlohmann::json::parse(run.output).at("generate");
   EXPECT_EQ(report.at("top"), "scene_s8e8_1x1");
+  EXPECT_EQ(report.at("request_beats"), 1);
   EXPECT_EQ(mixcmp("generate scene.toml -o rtl").exit_code, 0);
   EXPECT_TRUE(fs::exists(path("rtl") / "scene_s8e8_1x1.v"));
+}
+
+TEST_F(CommandLine, CheckTellsHowOperandsTravel) {
+  const std::string system =
+      "  operands           carried\n"
+      "  operand_memory     block\n"
+      "  request_beats      2\n"
+      "  input_registers    1\n";
+  const std::string carried =
+      "check scene.toml --set system.operand_memory=block --set system.request_beats=2 "
+      "--set reference.initiation_interval=4 --set system.input_registers=1";
+  const Outcome run = mixcmp(carried);
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_NE(run.output.find(system), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("what generate writes\n"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.rfind("  request_beats      2\n"), run.output.find("  request_beats"))
+      << "once as asked for, once as built";
+  const Outcome refetched = mixcmp("check scene.toml --set system.operands=refetched");
+  EXPECT_EQ(refetched.output.find("request_beats"), std::string::npos) << refetched.output;
+  EXPECT_EQ(refetched.output.find("operand_memory"), std::string::npos) << refetched.output;
 }
 
 TEST_F(CommandLine, CheckHoldsVariantsAgainstTheComparison) {
@@ -160,7 +181,8 @@ TEST_F(CommandLine, EveryVerbTakesAPlanInPlaceOfAScene) {
 TEST_F(CommandLine, WhatIsNotChosenNamesWhoChooses) {
   for (const char* verb : {"generate", "verify"}) {
     expect_refused(fmt::format("{} scene.toml --format auto", verb),
-                   "a plan, made by: mixcmp optimise scene.toml -o plan.toml");
+                   "a plan, made by: mixcmp optimise scene.toml --set reduced.format=auto "
+                   "-o plan.toml");
   }
 }
 
@@ -175,7 +197,7 @@ TEST_F(CommandLine, AChainHasALaneForEachCandidateButTheFirst) {
       << "[data]\nfile = \"points.csv\"\nwith = \"centres.csv\"\npairs = \"arg_min\"\n";
   const Outcome check = mixcmp("check chain.toml --json");
   ASSERT_EQ(check.exit_code, 0) << check.output;
-  EXPECT_EQ(nlohmann::json::parse(check.output)["generate"]["top"], "chain_s8e8_2x1");
+  EXPECT_EQ(nlohmann::json::parse(check.output)["generate"]["top"], "chain_s8e8_2x1_arg_min");
   for (const char* options : {"", " --set engine.kind=none"}) {
     expect_refused(fmt::format("optimise chain.toml --no-characterise{}", options),
                    "mixcmp characterise chain.toml");

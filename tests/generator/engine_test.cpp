@@ -63,6 +63,52 @@ TEST(Engine, WithoutOneNothingOfItIsWritten) {
   }
 }
 
+TEST(Engine, TopSaysWhatItComparesAndWhereColumnsAre) {
+  design::Design design = spheres(8, 1);
+  design.parts = {{.f = "distance2", .g = "reach2"}};
+  const emit::GeneratedSystem system = generated(design);
+  const std::string top = verilog_of(system, "sphere_s17e8_8x1_pairwise");
+  for (const char* lines :
+       {"// The verdict of a pair is the sign of f - g:\n//   f = distance2\n//   g = reach2\n"
+        "// Streams s_axis, m_axis: AXI4-Stream.\n",
+        "//   cx [60:0], cy [121:61], cz [182:122], r [243:183]\n"
+        "//   each in s53e8: sign [60], exponent + 127 [59:52], fraction [51:0].\n"}) {
+    EXPECT_NE(top.find(lines), std::string::npos) << lines << top.substr(0, 1500);
+  }
+}
+
+TEST(Engine, TopSaysWhatLeaves) {
+  const auto top_of = [](scene::ReportForm form, int references) {
+    design::Design design = spheres(8, references);
+    design.system.engine.report_as = form;
+    const emit::GeneratedSystem system = generated(design);
+    return verilog_of(system, system.signature.engine->top);
+  };
+  const auto expect_in = [](const std::string& top, const std::string& lines) {
+    EXPECT_NE(top.find(lines), std::string::npos) << lines << top.substr(0, 1500);
+  };
+  expect_in(top_of(scene::ReportForm::pairs, 1),
+            "// m_axis: a beat a pair that is less;\n//   tdata: i in");
+  expect_in(top_of(scene::ReportForm::pairs, 0), "a beat a pair that is less or undecided;\n");
+  expect_in(top_of(scene::ReportForm::bitmap, 0), "j; undecided pairs leave one by one;\n");
+  expect_in(top_of(scene::ReportForm::count, 0),
+            "// m_axis: a beat a set, with the number of pairs that are less or undecided.\n"
+            "// A set ends with a beat with tlast: tdata is that number, tuser\n");
+}
+
+TEST(Engine, ANoteTellsThatUndecidedPairsAreCounted) {
+  const auto notes_of = [](scene::ReportForm form, int references) {
+    design::Design design = spheres(8, references);
+    design.system.engine.report_as = form;
+    return generated(design).notes;
+  };
+  const std::string note =
+      "there is no reference: pairs that stay undecided are in the number that is reported";
+  EXPECT_EQ(notes_of(scene::ReportForm::count, 0), std::vector<std::string>{note});
+  EXPECT_TRUE(notes_of(scene::ReportForm::count, 1).empty());
+  EXPECT_TRUE(notes_of(scene::ReportForm::pairs, 0).empty());
+}
+
 TEST(Engine, SignatureTellsItsStreams) {
   const emit::GeneratedSystem system = generated(spheres(8, 1));
   ASSERT_TRUE(system.signature.engine.has_value());
@@ -156,6 +202,21 @@ TEST(ArgMinEngine, SignatureIsReadBackWhole) {
   const auto read = emit::read_signature(scratch.path() / "out" / (system.signature.top + ".json"));
   ASSERT_TRUE(read.ok()) << read.error().to_string();
   EXPECT_EQ(to_json(*read), to_json(system.signature));
+}
+
+TEST(ArgMinEngine, TopSaysWhatItComparesAndWhereColumnsAre) {
+  design::Design design = with_pairs(design_of("(p - ci)^2", "(p - cj)^2"),
+                                     {.kind = scene::EngineKind::arg_min, .row_tag_bits = 5});
+  design.parts = {{.f = "(p - ci)^2", .g = "(p - cj)^2"}};
+  const emit::GeneratedSystem system = generated(design);
+  const std::string top = verilog_of(system, system.signature.engine->top);
+  for (const char* lines : {"// Candidate j replaces i, the best before it, where the verdict is "
+                            "greater. It is the sign "
+                            "of f - g:\n//   f = (p - ci)^2\n//   g = (p - cj)^2\n"
+                            "// Streams s_candidate, s_axis, m_axis: AXI4-Stream.\n",
+                            "//   c [31:0]\n//   each in s24e8: sign [31],", "//   p [31:0]\n"}) {
+    EXPECT_NE(top.find(lines), std::string::npos) << lines << top.substr(0, 1500);
+  }
 }
 
 TEST(ArgMinEngine, EachOperandComesFromItsItem) {

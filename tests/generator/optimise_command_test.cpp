@@ -122,26 +122,48 @@ TEST_F(OptimiseCommand, ThePlanSaysWhatItsReferencesArePlacedFor) {
   ASSERT_EQ(found.exit_code, 0) << found.output;
   EXPECT_NE(found.output.find("x s53e8 embedded for 400 MHz"), std::string::npos) << found.output;
   EXPECT_NE(read("plan.toml").find("target_mhz = 400\n"), std::string::npos);
+  const auto constraint_in = [this](const std::string& folder) {
+    return shell(fmt::format("cat {}/*.sdc", path(folder).string())).output;
+  };
+  const std::string planned = "# The plan expects 250 MHz (target, not measured).\n";
+  ASSERT_EQ(mixcmp("generate plan.toml --no-prove -o rtl").exit_code, 0);
+  ASSERT_EQ(mixcmp("generate scene.toml --format s8e8 --lanes 1 --references 1 -o plain "
+                   "--no-prove")
+                .exit_code,
+            0);
+  EXPECT_NE(constraint_in("rtl").find(planned), std::string::npos) << constraint_in("rtl");
+  EXPECT_EQ(constraint_in("plain").find("The plan"), std::string::npos);
   EXPECT_EQ(mixcmp("check plan.toml").exit_code, 0);
   expect_refused(command + "--set reference.target_mhz=300", "has no reference");
 }
 
 TEST_F(OptimiseCommand, AnInitiationIntervalThatIsLeftOpenIsNotGenerated) {
-  expect_refused(
-      "generate scene.toml --format s8e8 --lanes 2 --references 1 -o rtl "
-      "--set 'reference.initiation_interval=\"auto\"'",
-      "reference.initiation_interval: is not chosen yet");
+  const std::string open = " --set 'reference.initiation_interval=\"auto\"'";
+  expect_refused("generate ./scene.toml --format s8e8 --lanes 2 --references 1 -o rtl" + open,
+                 "reference.initiation_interval: is not chosen yet");
   EXPECT_FALSE(fs::exists(path("rtl")));
+  // The suggested command works as it is.
+  const std::string refused = mixcmp("generate ./scene.toml -o rtl" + open).output;
+  const std::string suggested = "optimise ./scene.toml" + open;
+  EXPECT_NE(refused.find("mixcmp " + suggested + " -o plan.toml"), std::string::npos) << refused;
+  EXPECT_EQ(mixcmp(suggested + " --last 14 -o plan.toml").exit_code, 0);
 }
 
 TEST_F(OptimiseCommand, ChoosesTheInitiationIntervalThatTheSceneLeavesOpen) {
+  const std::string open =
+      "optimise scene.toml --first 12 --last 14 --set 'reference.initiation_interval=\"auto\"'";
+  const std::string note =
+      "reference.initiation_interval is \"auto\", but the table has references of interval 1 "
+      "alone; "
+      "`mixcmp characterise --initiation-intervals";
+  EXPECT_NE(mixcmp(open).output.find(note), std::string::npos);
+  EXPECT_EQ(mixcmp("optimise scene.toml --last 14").output.find(note), std::string::npos);
   std::ofstream table(path("characterisation") / "scene-virtex6-lx760.csv", std::ios::app);
   row(table, "reference,,s53e8,,,embedded,2,0", 60, 3000, 6);
   table.close();
-  const std::string open =
-      "optimise scene.toml --first 12 --last 14 --set 'reference.initiation_interval=\"auto\"'";
   const Outcome found = mixcmp(open + " -o plan.toml");
   ASSERT_EQ(found.exit_code, 0) << found.output;
+  EXPECT_EQ(found.output.find(note), std::string::npos) << found.output;
   EXPECT_NE(found.output.find("x s53e8 embedded ii2"), std::string::npos) << found.output;
   EXPECT_NE(read("plan.toml").find("initiation_interval = 2"), std::string::npos);
   const Outcome checked = mixcmp("check plan.toml");

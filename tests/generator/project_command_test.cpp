@@ -305,6 +305,40 @@ TEST_F(Project, VerilatorFindsNoFaultAndNoWarning) {
   expect_in(run.output, "PASSED: 400 comparisons (100, 4 times)");
 }
 
+TEST_F(Project, TheWrapperTellsOfThePortsThatItHas) {
+  const auto head = [this](const std::string& settings) {
+    generate("--project yosys " + settings);
+    const std::string text = read("rtl/integration/scene_s8e8_2x1_streams.v");
+    return text.substr(0, text.find("//\n"));
+  };
+  EXPECT_TRUE(head("").ends_with("// Lane k has s_axis_k_*, m_axis_k_* and its counters.\n"));
+  EXPECT_TRUE(head("--set system.counters=axi_lite")
+                  .ends_with("// Lane k has s_axis_k_*, m_axis_k_*.\n"
+                             "// All counters are read on s_axi_*.\n"));
+  EXPECT_TRUE(head("--set system.counter_bits=0 --set system.operands=refetched")
+                  .ends_with("// Lane k has s_axis_k_*, m_axis_k_*.\n"
+                             "// Reference k has m_refetch_k_*, s_refetch_k_*.\n"));
+}
+
+TEST_F(Project, ScriptsSayHowTheyAreUsed) {
+  generate("--project icarus,verilator,quartus,yosys --vectors 50");
+  const Outcome nextpnr =
+      mixcmp("generate scene.toml --no-prove -o open --project nextpnr --set system.tag_bits=1");
+  ASSERT_EQ(nextpnr.exit_code, 0) << nextpnr.output;
+  for (const std::string script : {"rtl/icarus/run", "rtl/verilator/run", "rtl/verilator/lint",
+                                   "rtl/quartus/run", "rtl/yosys/run", "open/nextpnr/run"}) {
+    const Outcome help = in_folder(script + " --help");
+    EXPECT_EQ(help.exit_code, 0) << help.output;
+    expect_in(help.output, "  " + script.substr(script.find('/') + 1));
+    const Outcome refused = in_folder(script + " --fast");
+    EXPECT_EQ(refused.exit_code, 1) << refused.output;
+    EXPECT_EQ(refused.output, script +
+                                  ": no such option: received --fast; accepted --help, and "
+                                  "what that prints\n");
+  }
+  EXPECT_FALSE(fs::exists(path("--help")));
+}
+
 TEST_F(Project, AGroupOfLanesHasStreamsOfTheWrapper) {
   generate("--project verilator --vectors 50 --lanes 8 --set system.lanes_per_group=4");
   const std::string wrapper = read("rtl/integration/scene_s8e8_8x1_streams.v");

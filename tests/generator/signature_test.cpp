@@ -16,6 +16,9 @@ emit::Signature some_signature() {
           .reference_format = *FloatFormat::parse("s53e11"),
           .reference_sums = Sums::fused,
           .certified = true,
+          .parts = {{"near", "b"}, {"a", "c"}},
+          .combination = Combination::any,
+          .lets = {{"near", "a^2"}},
           .inputs = {"a", "b", "c"},
           .lanes = 87,
           .lanes_per_group = 29,
@@ -66,6 +69,9 @@ TEST(Signature, ReadsBackAsWritten) {
   ASSERT_TRUE(read.ok()) << read.error().to_string();
   EXPECT_EQ(to_json(*read), text);
   EXPECT_EQ(read->lanes, 87);
+  ASSERT_EQ(read->parts.size(), 2u);
+  EXPECT_EQ(read->parts[1].g, "c");
+  EXPECT_EQ(read->combination, Combination::any);
   EXPECT_EQ(read->reference_format, *FloatFormat::parse("s53e11"));
   EXPECT_EQ(read->reference_sums, Sums::fused);
   EXPECT_EQ(read->order, scene::ResultOrder::in_order);
@@ -94,6 +100,10 @@ TEST(Signature, NamesTheFieldThatDoesNotFit) {
   const auto format = read_text(without(text, "\"s17e8\"", "\"s17\""));
   ASSERT_FALSE(format.ok());
   EXPECT_EQ(format.error().field, "lane_groups[0].format");
+
+  const auto part = read_text(without(text, "\"near\",\n      \"g\"", "\"near\",\n      \"h\""));
+  ASSERT_FALSE(part.ok());
+  EXPECT_EQ(part.error().field, "parts[0].g");
 
   const auto missing = read_text(without(text, "\"tag_bits\": 31,", ""));
   ASSERT_FALSE(missing.ok());

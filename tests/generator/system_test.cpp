@@ -57,6 +57,41 @@ TEST(System, SameDesignGivesTheSameBytes) {
   }
 }
 
+TEST(System, TopSaysWhatItComparesAndWhereOperandsAre) {
+  design::Design design = sphere_design(format("s17e8"), format("s53e8"), 2, 1);
+  design.parts = {{.f = "distance2", .g = "(ri + rj)^2"}};
+  design.lets = {{.name = "distance2", .text = "cxi - cxj"}};
+  const emit::GeneratedSystem system = emit::generate_system(design, command).value();
+  const std::string top = find(system, system.signature.top + ".v")->text;
+  for (const char* lines : {"// The verdict is the sign of f - g:\n"
+                            "//   f = distance2\n"
+                            "//   g = (ri + rj)^2\n"
+                            "//   let distance2 = cxi - cxj\n"
+                            "// Streams s_axis, m_axis: AXI4-Stream.\n",
+                            "//   cxi [60:0], cxj [121:61], cyi [182:122], cyj [243:183], "
+                            "czi [304:244], czj [365:305],\n"
+                            "//   ri [426:366], rj [487:427]\n"
+                            "//   each in s53e8: sign [60], exponent + 127 [59:52], "
+                            "fraction [51:0].\n"}) {
+    EXPECT_NE(top.find(lines), std::string::npos) << lines << top.substr(0, 2000);
+  }
+  ASSERT_EQ(system.signature.parts.size(), 1u);
+  EXPECT_EQ(system.signature.parts[0].f, "distance2");
+  EXPECT_EQ(system.signature.lets[0].text, "cxi - cxj");
+}
+
+TEST(System, TopNamesEachPart) {
+  design::Design design = sphere_design(format("s17e8"), format("s53e8"), 2, 1);
+  design.parts = {{.f = "cxi", .g = "cxj"}, {.f = "ri", .g = "rj"}};
+  design.reference.combination = Combination::any;
+  const emit::GeneratedSystem system = emit::generate_system(design, command).value();
+  const std::string lines =
+      "// The verdict is that of any of 2 parts, the signs of f[k] - g[k]:\n"
+      "//   f[0] = cxi\n//   g[0] = cxj\n//   f[1] = ri\n//   g[1] = rj\n";
+  EXPECT_NE(find(system, system.signature.top + ".v")->text.find(lines), std::string::npos);
+  EXPECT_EQ(system.signature.combination, Combination::any);
+}
+
 emit::GeneratedSystem mixed_system() {
   return emit::generate_system(test::mixed_sphere_design(), command).value();
 }

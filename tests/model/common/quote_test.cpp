@@ -22,6 +22,11 @@ TEST(InQuotes, CutsBetweenCharacters) {
   EXPECT_EQ(in_quotes(std::string(80, 'x')), '"' + std::string(80, 'x') + '"');
 }
 
+TEST(OnOneLine, HasOneBlankBetweenWords) {
+  EXPECT_EQ(on_one_line("\n  a^2\r\n\t+ b "), "a^2 + b");
+  EXPECT_EQ(on_one_line(" \n"), "");
+}
+
 TEST(Quoted, IsOneWordOfAShell) {
   EXPECT_EQ(quoted("scene.toml"), "scene.toml");
   EXPECT_EQ(quoted(""), "''");

@@ -53,6 +53,18 @@ TEST(MakeDesign, CarriesWhatTheSceneChose) {
   EXPECT_EQ(design.reference.arithmetic.format, format_of(53, 8));
 }
 
+TEST(MakeDesign, KeepsTheTextsOfTheScene) {
+  Scene scene = complete_scene();
+  scene.parts = {{.f = "square", .g = "b^2"}};
+  scene.lets = {{.name = "square", .text = "a^2"}};
+  const Design design = design::make_design(scene, nullptr).value();
+  ASSERT_EQ(design.parts.size(), 1u);
+  EXPECT_EQ(design.parts[0].f, "square");
+  EXPECT_EQ(design.parts[0].g, "b^2");
+  ASSERT_EQ(design.lets.size(), 1u);
+  EXPECT_EQ(design.lets[0].text, "a^2");
+}
+
 TEST(MakeDesign, RequestsHaveAsManyBeatsAsCostNoTime) {
   Scene scene = complete_scene();  // two operands of 61 bits
   scene.system.references = 1;
@@ -97,8 +109,12 @@ TEST(MakeDesign, NamesTheOptionForEachAuto) {
 
 TEST(MakeDesign, SaysThatOptimiseChoosesToo) {
   Scene scene = complete_scene();
+  scene.path = "my scenes/squares.toml";
+  scene.settings = {"system.slack=0.5", "reduced.bound=\"certified\""};
   scene.reduced.format.reset();
-  EXPECT_NE(error_of(scene).accepted.find("mixcmp optimise squares.toml -o plan.toml"),
+  EXPECT_NE(error_of(scene).accepted.find(
+                "mixcmp optimise 'my scenes/squares.toml' --set system.slack=0.5 "
+                "--set 'reduced.bound=\"certified\"' -o plan.toml"),
             std::string::npos)
       << error_of(scene).accepted;
 }

@@ -136,6 +136,13 @@ TEST_F(EnginePlan, MayHaveMoreLanesThanASystemOfStreams) {
   EXPECT_GT(optimise_now().best()->allocation()->lane_count(), settings::limits::lanes.most);
 }
 
+TEST_F(EnginePlan, EachStreamOfReportsHasAGroupOfLanes) {
+  device_.available.luts = 6000;  // a group and a reference, but not three groups
+  EXPECT_NE(optimise_now().best(), nullptr);
+  scene_.system.engine.report_streams = 3;
+  EXPECT_EQ(optimise_now().best(), nullptr);
+}
+
 TEST_F(EnginePlan, AnEngineToBeGeneratedIsHeldAgainstTheSameAreas) {
   design::Design design = sphere_design(format_of(8, 8), format_of(53, 8), 17, 2);
   design.system.engine = scene_.system.engine;

@@ -139,6 +139,12 @@ TEST_F(EngineSection, MistakesAreToldInOneLine) {
             ":9: engine.report: no list of choices: received an array of 0" + list);
   EXPECT_EQ(error(engine + "report = [\"les\"]\n"),
             ":9: engine.report: not a choice: received \"les\"" + list);
+  const std::string as_bitmap =
+      ":9: engine.report: has verdicts; the key report_as says how their pairs leave: received "
+      "\"bitmap\"; accepted report_as = \"bitmap\", and in report a list of one or more of less, "
+      "equal, greater, unordered";
+  EXPECT_EQ(error(engine + "report = \"bitmap\"\n"), as_bitmap);
+  EXPECT_EQ(error(engine + "report = [\"bitmap\"]\n"), as_bitmap);
   EXPECT_EQ(error(engine + "report = [\"less\", \"less\"]\n"),
             ":9: engine.report: named twice: received \"less\"" + list);
   EXPECT_EQ(error(engine + "[system]\noperands = \"carried\"\n"),
@@ -150,6 +156,18 @@ TEST_F(EngineSection, MistakesAreToldInOneLine) {
   EXPECT_EQ(error(engine + data),
             ":9: data.pairs: the pairwise engine compares every two items, or those of two tables: "
             "received nothing; accepted pairs = \"all\" or pairs = \"cross\"");
+}
+
+TEST_F(EngineSection, EachGroupOfLanesHasOneStreamOfReportsAtMost) {
+  const std::string engine = "[engine]\nkind = \"pairwise\"\nreport_streams = 3\n";
+  EXPECT_EQ(error(engine + "[system]\nlanes = 16\n"),
+            ":9: engine.report_streams: each group of lanes has one at most: received 3; accepted "
+            "1..2, or more groups, by more lanes or a smaller engine.lanes_per_group than 8");
+  EXPECT_TRUE(load(engine + "[system]\nlanes = 17\n").ok());
+  EXPECT_TRUE(load(engine).ok()) << "the number of lanes is open";
+  const std::string kind = "[[lanes]]\nformat = \"s8e8\"\ncount = ";
+  EXPECT_NE(error(engine + kind + "1\n" + kind + "8\n").find("accepted 1..2"), std::string::npos);
+  EXPECT_TRUE(load(engine + kind + "1\n" + kind + "9\n").ok());
 }
 
 TEST_F(EngineSection, ASecondTierIsALaneInFixedPoint) {

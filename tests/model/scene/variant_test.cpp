@@ -61,6 +61,7 @@ TEST_F(Variants, WithoutAChoiceTheComparisonIsAsWritten) {
   EXPECT_EQ(scene->variant, "");
   EXPECT_EQ(scene->variants, std::vector<std::string>{"root"});
   EXPECT_EQ(scene->f_text(), "x^2 + y^2");
+  EXPECT_TRUE(scene->lets.empty());
   EXPECT_TRUE(scene->notes.empty()) << scene->notes[0];  // `far` is used by a variant
 }
 
@@ -70,6 +71,9 @@ TEST_F(Variants, TheChosenOneTakesTheComparisonsPlace) {
   EXPECT_EQ(scene->name, "reach_root");
   EXPECT_EQ(scene->variant, "root");
   EXPECT_EQ(scene->f_text(), "far");
+  ASSERT_EQ(scene->lets.size(), 1u);
+  EXPECT_EQ(scene->lets[0].name, "far");
+  EXPECT_EQ(scene->lets[0].text, "sqrt(x^2 + y^2)");
   EXPECT_EQ(scene->g_text(), "r");
 }
 
@@ -77,6 +81,13 @@ TEST_F(Variants, WhatAVariantDoesNotSayStays) {
   const Result<scene::Scene> scene = load(variant("sum", "f = \"y^2 + x^2\"\n"), "sum");
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   EXPECT_EQ(scene->g_text(), "r^2");
+}
+
+TEST_F(Variants, TextsAreOnOneLineEach) {
+  const Result<scene::Scene> scene =
+      load(variant("lines", "f = \"\"\"\n  far\n  + 1\n\"\"\"\ng = \"r + 1\"\n"), "lines");
+  ASSERT_TRUE(scene.ok()) << scene.error().to_string();
+  EXPECT_EQ(scene->f_text(), "far + 1");
 }
 
 TEST_F(Variants, InputsKeepTheirOrder) {
