@@ -42,7 +42,7 @@ void decide_all(const LaneEmulator& lane, const data::OperandBlock& operands, st
 }  // namespace
 
 AnswerEmulator::AnswerEmulator(const design::Design& design)
-    : second_tier_recomputes_(design.second_tier_recomputes()) {
+    : marks_second_tier_(design.has_second_lanes()) {
   for (const design::LaneGroup& group : design.lanes) lanes_.push_back(emulator_of(group.lane));
   if (design.second_tier) second_tier_.emplace(emulator_of(design.second_tier->lane));
   if (!design.references.empty()) reference_.emplace(design.reference);
@@ -82,7 +82,7 @@ void AnswerEmulator::decide_again(Batch& batch, std::span<ResultWord> words) con
     if (batch.decisions_[k] != Decision::undecided) {
       const Verdict verdict = verdict_of(batch.decisions_[k]);
       words[asked[k]] =
-          second_tier_recomputes_ ? ResultWord::recomputed(verdict) : ResultWord::decided(verdict);
+          marks_second_tier_ ? ResultWord::recomputed(verdict) : ResultWord::decided(verdict);
       continue;
     }
     batch.undecided_.append(batch.operands, asked[k]);

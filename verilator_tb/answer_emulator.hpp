@@ -57,7 +57,7 @@ private:
 
   std::vector<LaneEmulator> lanes_;  ///< one a group
   std::optional<LaneEmulator> second_tier_;
-  bool second_tier_recomputes_;
+  bool marks_second_tier_;
   std::optional<emulator::Emulator> reference_;
 };
 

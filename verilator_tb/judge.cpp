@@ -208,7 +208,7 @@ void Judge::take_answers_behind_second_tier(const Answer& answer) {
 /// Lane k, or group k of lanes, is served by reference k modulo their number.
 void Judge::take_answers(const Answer& answer) {
   if (answer.answers.empty()) return;
-  if (design_.second_tier_recomputes()) return take_answers_behind_second_tier(answer);
+  if (design_.has_second_lanes()) return take_answers_behind_second_tier(answer);
   const auto mask = static_cast<std::uint64_t>(low_mask(signature_.counter_bits));
   CounterTotal total{"answers", 0, 0};
   for (std::size_t reference = 0; reference < answer.answers.size(); ++reference) {

@@ -44,7 +44,7 @@ ResultWord expected_word(const design::Design& design, std::size_t group,
   if (first.decided) return ResultWord::decided(first.verdict);
   if (design.second_tier) {
     const golden::LaneResult second = decide(design.second_tier->lane, operands);
-    const bool marked = design.second_tier_recomputes();
+    const bool marked = design.has_second_lanes();
     if (second.decided && marked) return ResultWord::recomputed(second.verdict);
     if (second.decided) return ResultWord::decided(second.verdict);
   }
@@ -106,7 +106,7 @@ void check_against_truth(const TruthCheck& check, const design::Design& design,
     ++truth.undecided;
     return;
   }
-  const bool recomputed = word.is_recomputed();
+  const bool recomputed = word.is_recomputed() && reaches_reference(design, operands);
   if (check.scope == TruthScope::recomputed && !recomputed) {
     ++truth.decided_by_lane;
     return;

@@ -63,8 +63,8 @@ enum class Verdict : std::uint8_t {
 MIXCMP_API std::string_view to_string(Verdict verdict);
 
 /// The answer of a system to one comparison, in the bits of m_axis_tdata (docs/ports.md): the
-/// verdict in bits 1 and 0; bit 2 if a reference has recomputed it; bit 3 if nothing decided it,
-/// and then the verdict has no meaning.
+/// verdict in bits 1 and 0; bit 2 if a reference has recomputed it, or second lanes have; bit 3 if
+/// nothing decided it, and then the verdict has no meaning.
 class Answer {
 public:
   static constexpr std::uint8_t verdict_mask = 3, recomputed_bit = 4, undecided_bit = 8;
@@ -174,8 +174,8 @@ public:
   const std::vector<LaneGroup>& lanes() const;
   const std::vector<std::string>& notes() const;
 
-  /// Computes the answers of a lane of group number `group` and of the references behind it, by the
-  /// emulator. They equal those of the hardware bit for bit.
+  /// Computes the answers of a lane of group number `group` and of the second tier and references
+  /// behind it, by the emulator. They equal those of the hardware bit for bit.
   std::vector<Answer> emulate(std::span<const double> rows, std::size_t group = 0) const;
   /// Computes the answers of emulate() by the golden model instead, in MPFR. It is slower, and it
   /// shares no arithmetic with the emulator.

@@ -141,7 +141,7 @@ private:
     return key ? visit(*key) : Done{};
   }
 
-  /// A second lane for each number of slots that one before these references has.
+  /// A second lane for each number of slots that one needs before a reference that is asked for.
   Result<Done> visit_second_lanes() {
     MIXCMP_TRY(key, optimise::second_tier_key(maker_.scene()));
     if (!key || maker_.has_engine()) return Done{};

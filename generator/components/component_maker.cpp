@@ -262,7 +262,7 @@ Result<Component> ComponentMaker::make_second_lane(const ComponentKey& key) {
                                          .channel = "second_lane",
                                          .label = {},
                                          .schedule = std::move(schedule),
-                                         .count = settings::limits::lanes.most};
+                                         .count = settings::limits::lanes.most};  // widest numbers
   const rtl::Module datapath =
       rtl::lane_module("lane", scene_.graph.inputs(), lane, shape.second_tier->schedule);
   Component second{

@@ -119,14 +119,13 @@ Described describe_reference_channel(const rtl::SystemShape& shape,
 
 Described describe_second_tier_channel(const rtl::SystemShape& shape) {
   const std::string& name = shape.second_tier->channel;
-  return {
-      rtl::second_tier_channel_module(shape),
-      {name + ": one lane of the second tier, between a crossbar and the next.",
-       shape.refetches() ? "The operands are fetched again by tag on m_refetch and s_refetch."
-                         : "The operands arrive with the request.",
-       "Answers leave in the order of requests, each as soon as the lane or a reference has it.",
-       fmt::format("{} comparisons may be inside. Reset: aresetn, synchronous, active low.",
-                   1 << shape.second_tier_slot_bits)}};
+  return {rtl::second_tier_channel_module(shape),
+          {name + ": one lane of the second tier, between a crossbar and the next.",
+           shape.refetches() ? "The operands are fetched again by tag on m_refetch and s_refetch."
+                             : "The operands arrive with the request.",
+           "Answers leave in the order of requests: one of a reference holds up those behind it.",
+           fmt::format("{} comparisons may be inside. Reset: aresetn, synchronous, active low.",
+                       1 << shape.second_tier_slot_bits)}};
 }
 
 /// Counts and formats of lanes and references: one sentence if there is one kind of each, otherwise
@@ -208,10 +207,11 @@ Described describe_top(const Design& design, const ScheduledSystem& scheduled) {
   add("m_axis_tdata, 8 bits a lane: {4'b0, undecided, recomputed, verdict[1:0]};");
   add("  verdict: 0 less, 1 equal, 2 greater, 3 unordered.");
   if (shape.refetches()) {
-    add("m_refetch, s_refetch: AXI4-Stream, too; tdata, a field a reference: a tag out, in the");
-    add("  order of the tags the operands of each back in.");
-    if (shape.second_tier)
+    add("m_refetch, AXI4-Stream, too: tags whose operands are wanted, a field a reference;");
+    add("  s_refetch: these operands, in the same order.");
+    if (shape.second_tier) {
       add("  Behind the references' fields come those of the second tier's lanes.");
+    }
     if (grouped) add("  The tag of lane k of a group is the word's + k.");
   }
   if (shape.counter_bits > 0) {

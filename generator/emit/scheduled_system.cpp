@@ -129,7 +129,7 @@ std::string top_name(const design::Design& design) {
   }
   std::string name = design.name;
   for (const auto& [format, count] : formats) name += fmt::format("_{}_{}", format, count);
-  if (design.second_tier_recomputes()) {
+  if (design.has_second_lanes()) {
     const design::LaneGroup& tier = *design.second_tier;
     name += fmt::format("x{}_{}", design::format_name(tier.lane), tier.count);
   }

@@ -323,7 +323,7 @@ int counter_address_bits(const Signature& signature) {
 
 int refetch_streams(const Signature& signature) {
   const bool refetches = signature.operands == scene::OperandStore::refetched;
-  if (!refetches || signature.references == 0) return 0;
+  if (!refetches || signature.references == 0 || signature.engine) return 0;
   return signature.references + (signature.second_tier ? signature.second_tier->count : 0);
 }
 

@@ -47,10 +47,12 @@ std::string print(const Operand& operand) {
   return std::visit(Overloaded{
                         [](const Net& n) { return n.name; },
                         [](const IndexedSlice& s) {
-                          if (s.width == 1) return fmt::format("{}[{}]", s.name, s.index);
-                          const bool is_sum = s.index.find(' ') != std::string::npos;
-                          const std::string factor = is_sum ? "(" + s.index + ")" : s.index;
-                          return fmt::format("{}[{} * {} +: {}]", s.name, factor, s.width, s.width);
+                          const std::string sum = fmt::format("{} + {}", s.offset, s.variable);
+                          const std::string index = s.offset == 0 ? s.variable : sum;
+                          if (s.width == 1) return fmt::format("{}[{}]", s.name, index);
+                          return fmt::format("{}[{} * {} +: {}]", s.name,
+                                             s.offset == 0 ? index : "(" + index + ")", s.width,
+                                             s.width);
                         },
                         [](const Slice& s) {
                           if (s.high == s.low) return fmt::format("{}[{}]", s.name, s.high);

@@ -96,8 +96,12 @@ std::vector<std::string> description(const emit::Signature& signature) {
                       "lowest in tdata.",
                       signature.lanes_per_group));
     }
-    if (signature.operands == scene::OperandStore::refetched) {
+    if (emit::refetch_streams(signature) > 0) {
       lines.emplace_back("Reference k has m_refetch_k_*, s_refetch_k_*.");
+      if (signature.second_tier) {
+        lines.push_back(fmt::format("Lane j of the second tier has those of number {} + j.",
+                                    signature.references));
+      }
     }
   }
   if (!signature.counter_map.empty()) lines.emplace_back("All counters are read on s_axi_*.");

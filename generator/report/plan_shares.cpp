@@ -36,7 +36,7 @@ std::vector<PartShare> shares_of_lanes(const optimise::PrecisionPlan& plan,
     if (!lane.datapath) continue;
     rest = difference(rest, lanes);
     if (plan.second_lanes) {
-      rest = difference(rest, count / lane.kind.group * plan.second_lanes->part);
+      rest = difference(rest, count / lane.kind.group * plan.second_lanes->area_per_group);
     }
     if (lane.second_tier) {
       const Area tier = count / lane.kind.group * *lane.second_tier;

@@ -68,7 +68,7 @@ void add_lanes(page::Section& section, const BuiltSystem& system) {
   }
 }
 
-/// Of an engine, the lane that reads words; with its inputs by name.
+/// The second tier's lane as built: in an engine it reads words.
 design::Lane built_second_tier(const BuiltSystem& system) {
   if (!system.scheduled.pairwise) return system.design.second_tier->lane;
   return with_named_inputs(*system.scheduled.pairwise->words.second_tier);

@@ -60,19 +60,13 @@ void add_lanes(const SystemShape& shape, const DatapathGroup& group,
       std::make_shared<const ForGenerate>(ForGenerate{"k", 0, lanes, "lanes", std::move(body)}));
 }
 
-const std::vector<std::string> request_stream = {"m_request_tvalid", "m_request_tready",
-                                                 "m_request_tdata"};
-const std::vector<std::string> answer_ports = {"s_answer_valid", "s_answer_slot",
-                                               "s_answer_verdict"};
-
-/// The ports through which a channel of lanes asks.
-void add_asking_ports(std::vector<Port>& ports, const SystemShape& shape) {
-  add_output(ports, 1, "m_request_tvalid");
-  add_input(ports, 1, "m_request_tready");
-  add_output(ports, shape.slot_bits + shape.payload_bits(), "m_request_tdata");
-  add_input(ports, 1, "s_answer_valid");
-  add_input(ports, shape.slot_bits, "s_answer_slot");
-  add_input(ports, verdict_bits, "s_answer_verdict");
+/// Ports of a channel; what it sends begins with "m_".
+void add_ports(std::vector<Port>& ports, const std::vector<Bundle>& bundles) {
+  for (const Bundle& bundle : bundles) {
+    const bool is_ready = bundle.port.ends_with("_tready");
+    const bool output = bundle.port.starts_with("m_") != is_ready;
+    ports.push_back({output ? Direction::output : Direction::input, bundle.width, bundle.port});
+  }
 }
 
 std::vector<Port> lane_channel_ports(const SystemShape& shape) {
@@ -83,7 +77,7 @@ std::vector<Port> lane_channel_ports(const SystemShape& shape) {
   add_output(ports, 1, "s_axis_tready");
   add_input(ports, shape.lanes_per_group * shape.lane_operand_bits(), "s_axis_tdata");
   add_input(ports, shape.tag_bits, "s_axis_tuser");
-  if (shape.recomputes()) add_asking_ports(ports, shape);
+  if (shape.recomputes()) add_ports(ports, asking_bundles(shape));
   add_output(ports, 1, "m_axis_tvalid");
   add_input(ports, 1, "m_axis_tready");
   add_output(ports, shape.lanes_per_group * result_bits, "m_axis_tdata");
@@ -101,8 +95,7 @@ std::vector<Port> lane_channel_ports(const SystemShape& shape) {
 void tie_off(const SystemShape& shape, std::vector<ModuleItem>& items,
              std::vector<Connection>& connections) {
   if (shape.recomputes()) {
-    append(connections, request_stream);
-    append(connections, answer_ports);
+    for (const Bundle& bundle : asking_bundles(shape)) connections.push_back(by_name(bundle.port));
   } else {
     items.push_back(Comment{"No reference: undecided comparisons leave as undecided."});
     items.push_back(Wire{1, "unused_request_tvalid", nullptr});
@@ -157,10 +150,7 @@ std::vector<Port> asked_ports(const SystemShape& shape) {
   std::vector<Port> ports;
   add_input(ports, 1, "aclk");
   add_input(ports, 1, "aresetn");
-  for (const Bundle& bundle : reference_bundles(shape)) {
-    const bool output = bundle.port == "s_request_tready" || bundle.port[0] == 'm';
-    ports.push_back({output ? Direction::output : Direction::input, bundle.width, bundle.port});
-  }
+  add_ports(ports, asked_bundles(shape));
   if (shape.refetches()) add_refetch_ports(ports, shape, 1, false);
   return ports;
 }
@@ -180,17 +170,17 @@ Instance answer_counter(const SystemShape& shape) {
 /// its sender and, for the references, the tag by which operands are fetched again.
 void add_requested_operands(const SystemShape& shape, const SystemShape& tier,
                             std::vector<ModuleItem>& items) {
-  const int payload = shape.payload_bits();
-  const int request = shape.channel_bits() + shape.slot_bits + payload;
+  const int payload_bits = shape.payload_bits();
+  const int request_bits = shape.channel_bits() + shape.slot_bits + payload_bits;
   items.push_back(Wire{1, "asked_tvalid", nullptr});
   items.push_back(Wire{1, "asked_tready", nullptr});
   items.push_back(Wire{shape.operand_bits(), "asked_tdata", nullptr});
   items.push_back(Wire{tier.tag_bits, "asked_tuser", nullptr});
   std::vector<Connection> connections = clock_and_reset();
   append(connections, {"s_request_tvalid", "s_request_tready"});
-  connections.push_back({"s_request_tdata", slice("s_request_tdata", payload - 1, 0)});
-  connections.push_back(
-      {"s_request_tuser", slice("s_request_tdata", request - 1, request - tier.tag_bits)});
+  connections.push_back({"s_request_tdata", slice("s_request_tdata", payload_bits - 1, 0)});
+  connections.push_back({"s_request_tuser",
+                         slice("s_request_tdata", request_bits - 1, request_bits - tier.tag_bits)});
   connect_refetch(shape, items, connections);
   for (const char* signal : {"tvalid", "tready", "tdata", "tuser"}) {
     connections.push_back({std::string("m_axis_") + signal, net(std::string("asked_") + signal)});
@@ -226,7 +216,7 @@ Instance tracker_instance(const SystemShape& shape, const DatapathGroup& group,
 
 }  // namespace
 
-std::vector<Bundle> lane_bundles(const SystemShape& shape) {
+std::vector<Bundle> asking_bundles(const SystemShape& shape) {
   return {{"m_request_tvalid", 1},
           {"m_request_tready", 1},
           {"m_request_tdata", shape.slot_bits + shape.payload_bits()},
@@ -235,7 +225,7 @@ std::vector<Bundle> lane_bundles(const SystemShape& shape) {
           {"s_answer_verdict", verdict_bits}};
 }
 
-std::vector<Bundle> reference_bundles(const SystemShape& shape) {
+std::vector<Bundle> asked_bundles(const SystemShape& shape) {
   const int sender_bits = shape.channel_bits() + shape.slot_bits;
   return {{"s_request_tvalid", 1},
           {"s_request_tready", 1},
@@ -297,7 +287,7 @@ Module second_tier_channel_module(const SystemShape& shape) {
   tier.counter_bits = 0;  // who asks counts, and so do the references that are asked
   const DatapathGroup& group = *shape.second_tier;
   Module module = {group.channel, {}, asked_ports(shape), {}};
-  add_asking_ports(module.ports, tier);
+  add_ports(module.ports, asking_bundles(tier));
 
   std::vector<ModuleItem>& items = module.items;
   add_requested_operands(shape, tier, items);
@@ -310,13 +300,14 @@ Module second_tier_channel_module(const SystemShape& shape) {
   Instance tracker = tracker_instance(tier, group, "asked", "result", items);
   items.push_back(std::move(tracker));
 
-  const int sender = shape.channel_bits() + shape.slot_bits;
-  const int unread = tier.tag_bits - sender;  // the tag of operands
-  consume_unread("result_tuser", tier.tag_bits, {{unread, sender}}, items);
+  const int sender_bits = shape.channel_bits() + shape.slot_bits;
+  const int operand_tag_bits = tier.tag_bits - sender_bits;  // 0 where operands are carried
+  consume_unread("result_tuser", tier.tag_bits, {{operand_tag_bits, sender_bits}}, items);
   items.push_back(Assignment{net("m_answer_valid"), net("result_tvalid")});
-  items.push_back(Assignment{net("m_answer_tdata"),
-                             concatenation({slice("result_tuser", tier.tag_bits - 1, unread),
-                                            slice("result_tdata", verdict_bits - 1, 0)})});
+  items.push_back(
+      Assignment{net("m_answer_tdata"),
+                 concatenation({slice("result_tuser", tier.tag_bits - 1, operand_tag_bits),
+                                slice("result_tdata", verdict_bits - 1, 0)})});
   return module;
 }
 
@@ -356,7 +347,7 @@ Module reference_channel_module(const SystemShape& shape, const DatapathGroup& g
   items.push_back(Instance{group.datapath, "reference", {}, std::move(reference)});
 
   std::vector<Connection> port = clock_and_reset();
-  for (const Bundle& bundle : reference_bundles(shape)) port.push_back(by_name(bundle.port));
+  for (const Bundle& bundle : asked_bundles(shape)) port.push_back(by_name(bundle.port));
   port.push_back({"reset_phase", folded ? net("reset_phase") : literal(bits, 0)});
   port.push_back({"reference_phase", net(phase)});
   append(port, {"reference_operands", "reference_verdict"});

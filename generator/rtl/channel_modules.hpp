@@ -21,9 +21,9 @@ struct Bundle {
   std::string wire(const std::string& side) const { return side + port.substr(1); }
 };
 /// The ports of a lane's channel, or of a group's, through which it asks.
-std::vector<Bundle> lane_bundles(const SystemShape& shape);
+std::vector<Bundle> asking_bundles(const SystemShape& shape);
 /// The ports of a channel that is asked by the lanes of `shape`.
-std::vector<Bundle> reference_bundles(const SystemShape& shape);
+std::vector<Bundle> asked_bundles(const SystemShape& shape);
 
 /// The streams by which each of `count` channels fetches operands again. `vector`: the ports have a
 /// field a channel, padded to bytes.

@@ -23,8 +23,8 @@ Operand net(std::string name) {
   return make(Net{std::move(name)});
 }
 
-Operand indexed(std::string name, std::string index, int width) {
-  return make(IndexedSlice{std::move(name), std::move(index), width});
+Operand indexed(std::string name, std::string variable, int width, int offset) {
+  return make(IndexedSlice{std::move(name), std::move(variable), width, offset});
 }
 
 Operand slice(std::string name, int high, int low) {

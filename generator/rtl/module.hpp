@@ -20,12 +20,13 @@ using Operand = std::shared_ptr<const Expression>;
 struct Net {
   std::string name;
 };
-/// name[index * width +: width], or name[index] for width 1. The index is a variable, or a sum with
-/// one, "1 + lane".
+/// name[variable * width +: width], or name[variable] for width 1; with an offset its sum with the
+/// variable in the variable's place.
 struct IndexedSlice {
   std::string name;
-  std::string index;
+  std::string variable;
   int width;
+  int offset;
 };
 struct Slice {
   std::string name;
@@ -60,7 +61,7 @@ struct Expression {
 };
 
 Operand net(std::string name);
-Operand indexed(std::string name, std::string index, int width);
+Operand indexed(std::string name, std::string variable, int width, int offset = 0);
 Operand slice(std::string name, int high, int low);
 Operand bit(std::string name, int index);
 Operand literal(int width, Bits value);

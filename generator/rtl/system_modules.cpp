@@ -76,7 +76,7 @@ ModuleItem lane_loop(const SystemShape& shape, const DatapathGroup& group) {
   connections.push_back({"s_axis_tdata", std::move(operands)});
   connect("s_axis_tuser", "s_axis_tuser", shape.tag_bits);
   if (shape.recomputes()) {
-    for (const Bundle& bundle : lane_bundles(shape)) {
+    for (const Bundle& bundle : asking_bundles(shape)) {
       connect(bundle.port, bundle.wire("lane"), bundle.width);
     }
   }
@@ -92,20 +92,21 @@ ModuleItem lane_loop(const SystemShape& shape, const DatapathGroup& group) {
   return channel_loop(variable, group, width, std::move(items), std::move(connections));
 }
 
-/// Connects what arrives at channel `variable` of those that are asked, by lanes of `shape`, and
-/// their stream of operands `stream`.
+/// Connects a channel that lanes of `shape` ask: the fields of number `variable` on the wires of
+/// `side`, and the stream of operands that is `first_stream` above that number.
 void connect_asked(const SystemShape& shape, const std::string& variable, const std::string& side,
-                   const std::string& stream, std::vector<ModuleItem>& items,
+                   int first_stream, std::vector<ModuleItem>& items,
                    std::vector<Connection>& connections) {
-  for (const Bundle& bundle : reference_bundles(shape)) {
+  for (const Bundle& bundle : asked_bundles(shape)) {
     connections.push_back({bundle.port, indexed(bundle.wire(side), variable, bundle.width)});
   }
   if (!shape.refetches()) return;
   const int tdata_bits = shape.tdata_bytes() * 8;
-  items.push_back(Wire{tdata_bits, "refetched", indexed("s_refetch_tdata", stream, tdata_bits)});
+  items.push_back(Wire{tdata_bits, "refetched",
+                       indexed("s_refetch_tdata", variable, tdata_bits, first_stream)});
   consume_unread("refetched", tdata_bits, {{0, shape.operand_bits()}}, items);
   const auto connect = [&](const std::string& port, int width) {
-    connections.push_back({port, indexed(port, stream, width)});
+    connections.push_back({port, indexed(port, variable, width, first_stream)});
   };
   connect("m_refetch_tvalid", 1);
   connect("m_refetch_tready", 1);
@@ -118,7 +119,7 @@ void connect_asked(const SystemShape& shape, const std::string& variable, const 
 ModuleItem reference_loop(const SystemShape& shape, const DatapathGroup& group) {
   std::vector<ModuleItem> items;
   std::vector<Connection> connections = clock_and_reset();
-  connect_asked(shape, "reference", "reference", "reference", items, connections);
+  connect_asked(shape, "reference", "reference", 0, items, connections);
   if (shape.counts_answers()) {
     connections.push_back({"answers", indexed("answers", "reference", shape.counter_bits)});
   }
@@ -130,10 +131,9 @@ ModuleItem reference_loop(const SystemShape& shape, const DatapathGroup& group) 
 ModuleItem second_tier_loop(const SystemShape& shape) {
   std::vector<ModuleItem> items;
   std::vector<Connection> connections = clock_and_reset();
-  const std::string stream = std::to_string(shape.references) + " + lane";
-  connect_asked(shape, "lane", "second_tier", stream, items, connections);
+  connect_asked(shape, "lane", "second_tier", shape.references, items, connections);
   const SystemShape tier = second_tier_shape(shape);
-  for (const Bundle& bundle : lane_bundles(tier)) {
+  for (const Bundle& bundle : asking_bundles(tier)) {
     connections.push_back({bundle.port, indexed(bundle.wire("second_lane"), "lane", bundle.width)});
   }
   return channel_loop("lane", *shape.second_tier, 1, std::move(items), std::move(connections));
@@ -150,10 +150,10 @@ Connection crossbar_connection(const Bundle& bundle, const std::string& side) {
 Instance crossbar(const SystemShape& shape, const std::string& asking, const std::string& asked,
                   int count, const std::string& name) {
   std::vector<Connection> connections = clock_and_reset();
-  for (const Bundle& bundle : lane_bundles(shape)) {
+  for (const Bundle& bundle : asking_bundles(shape)) {
     connections.push_back(crossbar_connection(bundle, asking));
   }
-  for (const Bundle& bundle : reference_bundles(shape)) {
+  for (const Bundle& bundle : asked_bundles(shape)) {
     connections.push_back(crossbar_connection(bundle, asked));
   }
   TemplateInstance crossbar = crossbar_template(shape, count);
@@ -162,10 +162,11 @@ Instance crossbar(const SystemShape& shape, const std::string& asking, const std
 
 /// The second tier between the crossbar to it and the wires of what its lanes ask.
 void add_second_tier(const SystemShape& shape, std::vector<ModuleItem>& items) {
-  items.push_back(Comment{"The same at the second tier, with the number of who asks."});
-  declare(items, reference_bundles(shape), "second_tier", shape.second_lanes());
-  items.push_back(Comment{"What its lanes leave undecided, too."});
-  declare(items, lane_bundles(second_tier_shape(shape)), "second_lane", shape.second_lanes());
+  items.push_back(
+      Comment{"Requests at the second tier, with the number of the lane or group that asks."});
+  declare(items, asked_bundles(shape), "second_tier", shape.second_lanes());
+  items.push_back(Comment{"Requests of the second tier's lanes, verdicts back to them."});
+  declare(items, asking_bundles(second_tier_shape(shape)), "second_lane", shape.second_lanes());
   items.push_back(crossbar(shape, "lane", "second_tier", shape.second_lanes(), "second_decision"));
   items.push_back(second_tier_loop(shape));
 }
@@ -176,7 +177,7 @@ void add_references(const SystemShape& asking, const std::string& side,
   items.push_back(Comment{asking.lanes_per_group == 1
                               ? "The same at the references, with the number of the lane."
                               : "The same at the references, with the number of the group."});
-  declare(items, reference_bundles(asking), "reference", asking.references);
+  declare(items, asked_bundles(asking), "reference", asking.references);
   items.push_back(crossbar(asking, side, "reference", asking.references, "recomputation"));
   for (const DatapathGroup& group : asking.reference_groups) {
     items.push_back(reference_loop(asking, group));
@@ -203,7 +204,7 @@ Module top_module(const SystemShape& shape) {
         Comment{shape.lanes_per_group == 1
                     ? "Undecided comparisons from the lanes, verdicts back to them."
                     : "Undecided comparisons from the groups of lanes, verdicts back."});
-    declare(items, lane_bundles(shape), "lane", shape.channels());
+    declare(items, asking_bundles(shape), "lane", shape.channels());
   }
   for (const DatapathGroup& group : shape.lane_groups) items.push_back(lane_loop(shape, group));
   if (!shape.recomputes()) return module;

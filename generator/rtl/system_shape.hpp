@@ -70,9 +70,10 @@ struct SystemShape {
   /// Cycles that the channel adds to its lane's latency, for a decided comparison that never waits.
   int channel_latency_cycles() const;
   bool recomputes() const { return references > 0; }
-  /// The lanes of the second tier in a system of streams, or 0.
+  /// The lanes of the second tier, or 0. Not for engines.
   int second_lanes() const { return second_tier ? second_tier->count : 0; }
-  /// Streams by which operands are fetched again: of the references, then of the second tier.
+  /// Streams by which operands are fetched again: of the references, then of the second tier. Not
+  /// for engines.
   int refetch_streams() const { return refetches() ? references + second_lanes() : 0; }
   bool has_counter_port() const { return read_counter_bits > 0; }
   bool counts_answers() const { return has_counter_port() && recomputes(); }

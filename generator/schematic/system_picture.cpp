@@ -142,7 +142,7 @@ private:
     }
   }
 
-  /// From those that the lanes ask, at height `y`, back to the results.
+  /// Arrows from whom the lanes ask, at height `y`, back to the results.
   void draw_verdicts(double y) {
     const double right = asked_x + asked_width, x = right + 14;
     for (const Corner& results : results_bottoms_) {

@@ -365,7 +365,7 @@ std::size_t Design::group_of_lane(int lane) const {
   return group;
 }
 
-bool Design::second_tier_recomputes() const {
+bool Design::has_second_lanes() const {
   return second_tier && system.engine.kind == scene::EngineKind::none;
 }
 

@@ -47,9 +47,9 @@ struct Design {
   /// The group that lane number `lane` belongs to, as an index of `lanes`.
   std::size_t group_of_lane(int lane) const;
   bool certified() const;  ///< whether every lane's decision is certified
-  /// Whether lanes of the second tier answer through a crossbar, as references do: a result that
-  /// comes from them is then marked as recomputed, too.
-  bool second_tier_recomputes() const;
+  /// Whether the second tier stands behind a crossbar, in a system of streams. A result that comes
+  /// from it is then marked as recomputed, like one of a reference.
+  bool has_second_lanes() const;
 };
 
 /// Measures the relative errors of a lane on `sample_count` comparisons: profile_error

@@ -14,8 +14,8 @@ constexpr int recomputation_slots = 16;
 /// a reference takes (the paper's, about 30 cycles).
 constexpr int chain_slots = 32;
 
-/// Cycles between a lane and a reference, there and back, where nothing waits and the crossbar has
-/// one level (docs/rtl.md).
+/// Cycles by which a recomputed comparison stays longer in a lane in order than the reference
+/// takes, where nothing waits and the crossbar has one level: D_u - D_d in docs/performance.md.
 constexpr int way_to_reference_cycles = 6;
 
 int slots_beside(int lane_latency_cycles, int waiting) {

@@ -133,11 +133,12 @@ bool add_second_lanes(Amounts& sum, const design::LaneGroup& tier,
   return found != nullptr;
 }
 
-/// Adds all crossbars of a system, and what stands between them; false where a row is missing.
+/// Adds all crossbars of a system, and what stands between them; false where a second lane has no
+/// row.
 bool add_recomputation(Amounts& sum, const design::Design& design,
                        const characterise::Characterisation& table) {
   const int groups = design.lane_count() / design.system.lanes_per_group;
-  if (!design.second_tier_recomputes()) {
+  if (!design.has_second_lanes()) {
     add_crossbar(sum, groups, design.reference_count(), table);
     return true;
   }

@@ -55,8 +55,7 @@ Error of_another(const fs::path& path, const char* field, const std::string& rec
 
 fs::path default_table(const fs::path& file, const scene::Scene& scene, const std::string& device) {
   const std::string variant = scene.variant.empty() ? "" : "-" + scene.variant;
-  // Segments of an engine are others; a table of streams has rows of the second tier beside the
-  // rest.
+  // Segments differ without the tier. A table of streams has rows for both.
   const bool has_own_table =
       scene.leaves_out_second_tier && scene.system.engine.kind == scene::EngineKind::pairwise;
   const std::string tiers = has_own_table ? "-one-tier" : "";

@@ -59,11 +59,12 @@ ClockBasis basis_of(const characterise::Clock& clock) {
   MIXCMP_CHECK(false);
 }
 
-/// The clock of a reference that takes too long for a second lane's slots: no plan is as slow.
+/// Keeps the program from choosing a reference whose latency needs more slots than the second lane
+/// has: plans are not as slow.
 constexpr double out_of_reach_hz = 1;
 
-/// Replaces the parts of second lanes that the program counted, as it did not know their number, by
-/// whole ones.
+/// The program charged each group a part of a second lane and each reference a whole one, which is
+/// an upper bound. Charges as many as there are instead.
 void count_second_lanes(PrecisionPlan& plan) {
   auto* const chosen = std::get_if<Allocation>(&plan.result);
   if (chosen == nullptr) return;
@@ -73,7 +74,8 @@ void count_second_lanes(PrecisionPlan& plan) {
   second.count = second_lanes_for(groups, second.groups_served, references);
   for (const devices::Resource& resource : devices::bounded_resources) {
     const auto amount = resource.amount;
-    chosen->used.*amount += second.count * second.area.*amount - groups * second.part.*amount -
+    chosen->used.*amount += second.count * second.area.*amount -
+                            groups * second.area_per_group.*amount -
                             references * second.area.*amount;
   }
 }
@@ -177,8 +179,8 @@ PrecisionPlan ProblemMaker::plan_of(int precision, const Rows& rows, const devic
   return plan;
 }
 
-/// A reference counts with a second lane: each has one at most beyond those that its part of the
-/// lanes needs.
+/// Each reference is charged a second lane: rounding their number up to a multiple of p_H adds
+/// fewer than p_H + 1 to groups / groups_served.
 void ProblemMaker::add_references(PrecisionPlan& plan,
                                   const std::vector<ReferenceImplementation>& references) {
   for (const ReferenceImplementation& reference : references) {
@@ -233,10 +235,12 @@ std::vector<std::optional<SecondLanes>> ProblemMaker::second_lanes_of(const Rows
     if (row.key.kind != characterise::ComponentKind::second_lane || key != *second_tier_) continue;
     devices::Area area = row.area + crossbar_port();
     if (!communication_.crossbar.empty()) area += communication_.crossbar[served];
-    all.emplace_back(SecondLanes{
-        .measured = row, .area = area, .groups_served = served, .part = share(area, served)});
+    all.emplace_back(SecondLanes{.measured = row,
+                                 .area = area,
+                                 .groups_served = served,
+                                 .area_per_group = share(area, served)});
   }
-  if (all.empty()) missing_.insert("a lane of the second tier");
+  if (all.empty()) missing_.insert("a second_lane in " + second_tier_->format);
   return all;
 }
 
@@ -483,7 +487,7 @@ void ProblemMaker::add_lane(PrecisionPlan& plan, const characterise::Measurement
   if (plan.second_lanes) {
     const SecondLanes& second = *plan.second_lanes;
     mhz = std::min(mhz, clock_of(second.measured, options_.clocks.lane_mhz, {}));
-    group += second.part;
+    group += second.area_per_group;
   }
   LaneImplementation& added = plan.lanes.emplace_back();
   added.measured = row;

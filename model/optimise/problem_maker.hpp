@@ -54,7 +54,8 @@ private:
   PrecisionPlan plan_of(int precision, const Rows& rows, const devices::Device& device,
                         const std::vector<ReferenceImplementation>& references,
                         const std::optional<SecondLanes>& tier);
-  /// What second lanes `rows` may have, by their slots; none alone without such a second tier.
+  /// The kinds of second lanes that may stand behind `rows`, one for each number of slots; an empty
+  /// one alone without a second tier of streams.
   std::vector<std::optional<SecondLanes>> second_lanes_of(const Rows& rows);
   int served_by_second_lane(const characterise::Measurement& lane) const;
   devices::Area crossbar_port() const;

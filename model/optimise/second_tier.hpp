@@ -15,12 +15,13 @@ namespace mixcmp::optimise {
 /// scene's second tier cannot be built.
 Result<std::optional<characterise::ComponentKey>> second_tier_key(const scene::Scene& scene);
 
-/// The key of the rate of a lane's key. A second tier's rate is that of the whole engine.
+/// The key of the rate of a lane's key. A second tier's rate is that of all.
 RateKey rate_key(const characterise::ComponentKey& lane);
 
 /// The most undecided pairs that a group of lanes may leave in a cycle, on average: the second tier
 /// takes one a cycle, and a queue before it evens out bursts. At 0.79 the lanes waited in at most
-/// 1.2 % of the cycles (measured, docs/performance.md).
+/// 1.2 % of the cycles (measured of engines, docs/performance.md). The same limit holds for what a
+/// second lane of a system of streams is asked.
 inline constexpr double most_undecided_per_cycle = 0.8;
 
 /// Whether the second tier keeps up with a group of lanes of this rate.
@@ -28,10 +29,10 @@ bool keeps_up(const Rate& first_tier, int lanes_per_group);
 
 /// The second tier of a system of streams, as a plan has it.
 struct SecondLanes {
-  characterise::Measurement measured;  ///< one of them with its streams
+  characterise::Measurement measured;  ///< one second lane with its streams
   devices::Area area;                  ///< that, and its ports at both crossbars
   int groups_served = 0;               ///< of the first lanes, at most, by each of them
-  devices::Area part;                  ///< with which each of these groups counts
+  devices::Area area_per_group;        ///< `area` / `groups_served`, rounded up
   int count = 0;                       ///< in the best plan
 };
 

@@ -65,8 +65,8 @@ double mean_wait_cycles(const LaneStreams& streams, double rate);
 double random_throughput(const LaneStreams& streams, double recomputation_rate);
 
 /// Comparisons that a lane accepts per cycle where a second tier stands between lanes and
-/// references. `first`: the lanes, of which `lanes_served` share a lane of the second tier; who
-/// answers them follows from `second`, the lanes of the second tier before the references. The
+/// references. `first`: the lanes, of which `lanes_served` share a lane of the second tier; how
+/// long answers take follows from `second`, its lanes before the references. The
 /// first tier leaves the part `rate` of all comparisons undecided, the second the part `again` of
 /// these.
 double two_tier_throughput(LaneStreams first, const LaneStreams& second, double rate, double again);

@@ -160,11 +160,12 @@ void read_second_tier_count(settings::Section& section, EngineKind engine,
   const settings::Setting* setting = section.find("count");
   if (engine == EngineKind::none) {
     if (setting != nullptr) return section.integer_or_auto("count", count, settings::limits::lanes);
-    return section.fail("count", "missing: how many lanes the second tier has", "no such key",
-                        "1..512, \"auto\", or second_tier.format = \"none\"");
+    return section.fail(
+        "count", "missing: how many lanes the second tier has", "no such key",
+        to_string(settings::limits::lanes) + ", \"auto\", or second_tier.format = \"none\"");
   }
   if (setting == nullptr) return;
-  section.fail("count", "an engine has a lane of the second tier for each group", setting->shown(),
+  section.fail("count", "an engine's second tier has a lane for each group", setting->shown(),
                "no such key, or engine.kind = \"none\"");
 }
 
@@ -234,7 +235,7 @@ Result<SecondTier> read_second_tier(const settings::Settings& settings, FloatFor
   if (!spec.fixed_point) return SecondTier();
   if (engine == EngineKind::arg_min) {
     return section.mistake("format", "the arg-min engine has lanes of one tier", spec.format_name(),
-                           "no [second_tier], or engine.kind = \"pairwise\"");
+                           "no [second_tier], or another engine.kind");
   }
   tier.reduced = std::move(spec);
   return tier;

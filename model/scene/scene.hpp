@@ -175,7 +175,7 @@ struct Scene {
   std::optional<ReducedSpec> second_tier;
   /// Their number in a system of streams; none: "auto". An engine has one for each group.
   std::optional<int> second_tier_count;
-  bool leaves_out_second_tier = false;  ///< a pairwise engine whose second_tier.format is "none"
+  bool leaves_out_second_tier = false;  ///< second_tier.format is "none"; not of an arg-min engine
   std::vector<ReferenceGroupSpec> references;  ///< [[references]]; empty: system.references
   SystemSpec system;
   std::optional<data::DataSpec> data;

@@ -1,6 +1,6 @@
 // reference_port: surrounds one free-running reference; requests in, answers out, in order.
-// How the operands of a request arrive is said in requested_operands: with it (CARRIED = 1), in one
-// beat or several, or fetched again by its tag. INITIATION_INTERVAL = 1: operands are taken at
+// requested_operands brings the operands: carried by the request (CARRIED = 1), in one beat or
+// several, or fetched again by its tag. INITIATION_INTERVAL = 1: operands are taken at
 // once, and the answer leaves REFERENCE_LATENCY cycles later. Above 1: reference_phase counts the
 // cycles of the interval, from reset_phase on. In phase 0 a comparison starts if its operands are
 // there; they are taken in phase LAST_OPERAND_PHASE, and the answer leaves REFERENCE_LATENCY cycles

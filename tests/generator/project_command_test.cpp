@@ -88,7 +88,7 @@ TEST_F(Project, TheTestBenchFindsFaultsThatTheDataAloneDoNotShow) {
 TEST_F(Project, TheMemoryBehindAReferenceFindsLostTagsAndTooManyOfThem) {
   generate("--project icarus --set system.operands=refetched --lanes 4");
   for (const auto& [file, change] :
-       {std::pair("mixcmp_reference_port.v",
+       {std::pair("mixcmp_requested_operands.v",
                   "s/accept || (refetch_valid_q \\&\\& !m_refetch_tready)/accept/"),
         std::pair("mixcmp_stream_fifo.v", "s/same_address \\&\\& !same_lap/1'\\''b0/")}) {
     const Outcome run = run_changed(file, change);

@@ -398,6 +398,22 @@ TEST(System, AFileOfTheUserIsNeverLost) {
   EXPECT_EQ(content(out / "notes.txt"), "mine");
 }
 
+TEST(System, ASecondTierOfStreamsIsInTheTopsNameAndHeaderAndInTheSignature) {
+  design::Design design = sphere_design(format("s8e8"), format("s24e8"), 8, 1);
+  design.second_tier = {.lane = fixed_spheres({.bits = 13}, format("s24e8")), .count = 2};
+  design.system.operands = scene::OperandStore::refetched;
+  const auto system = emit::generate_system(design, command);
+  ASSERT_TRUE(system.ok()) << system.error().to_string();
+  EXPECT_EQ(system->signature.top, "sphere_s8e8_8xq13_2x1");
+  EXPECT_EQ(system->signature.second_tier->count, 2);
+  EXPECT_EQ(emit::refetch_streams(system->signature), 3);
+  const emit::GeneratedFile* const top = find(*system, "sphere_s8e8_8xq13_2x1.v");
+  ASSERT_NE(top, nullptr);
+  EXPECT_NE(top->text.find("// Second-tier lanes 0 to 1: "), std::string::npos) << top->text;
+  EXPECT_NE(top->text.find("come those of the second tier's lanes.\n"), std::string::npos);
+  EXPECT_NE(top->text.find(".m_refetch_tvalid(m_refetch_tvalid[1 + lane])"), std::string::npos);
+}
+
 TEST(System, AnEmptyFolderIsFilled) {
   ScratchDirectory scratch;
   fs::create_directory(scratch.path() / "out");

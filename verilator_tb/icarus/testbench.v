@@ -12,7 +12,7 @@ module testbench;
   parameter GROUP = 1;      // lanes of a group
   parameter NAME_BITS = 0;  // of a tag, in which the lanes of a group differ
   parameter REFERENCES = 1;
-  parameter REFETCHES = 1;   // streams of operands that are fetched again
+  parameter REFETCH_STREAMS = 1;   // streams of operands that are fetched again
   parameter TDATA_BYTES = 4;
   parameter TAG_BITS = 12;
   parameter COUNTER_BITS = 16;
@@ -56,7 +56,7 @@ module testbench;
   localparam NUMBER_BITS = (TAG_BITS < INDEX_BITS) ? TAG_BITS : INDEX_BITS;
   localparam TAG_LIMIT = 1 << (NUMBER_BITS - NAME_BITS);
   localparam FIRST_TAG = (NAME_BITS > 0) ? 1 : 0;  // odd, so that the sum with a lane's number carries
-  localparam STREAMS = 2 * LANES + 2 * REFETCHES;
+  localparam STREAMS = 2 * LANES + 2 * REFETCH_STREAMS;
 
   reg                       aclk;
   reg                       aresetn;
@@ -136,17 +136,17 @@ module testbench;
 `ifdef REFETCHED
   localparam TAG_FIELD = 8 * ((TAG_BITS + 7) / 8);
   localparam QUEUE = 4096;
-  wire [REFETCHES-1:0]            m_refetch_tvalid;
-  reg  [REFETCHES-1:0]            m_refetch_tready;
-  wire [REFETCHES*TAG_FIELD-1:0]  m_refetch_tdata;
-  reg  [REFETCHES-1:0]            s_refetch_tvalid;
-  wire [REFETCHES-1:0]            s_refetch_tready;
-  reg  [REFETCHES*TDATA_BITS-1:0] s_refetch_tdata;
-  integer queue_index [0:REFETCHES*QUEUE-1];
-  integer queue_lane [0:REFETCHES*QUEUE-1];  // of the group
-  integer queue_cycle [0:REFETCHES*QUEUE-1];
-  integer queue_head [0:REFETCHES-1];
-  integer queue_tail [0:REFETCHES-1];
+  wire [REFETCH_STREAMS-1:0]            m_refetch_tvalid;
+  reg  [REFETCH_STREAMS-1:0]            m_refetch_tready;
+  wire [REFETCH_STREAMS*TAG_FIELD-1:0]  m_refetch_tdata;
+  reg  [REFETCH_STREAMS-1:0]            s_refetch_tvalid;
+  wire [REFETCH_STREAMS-1:0]            s_refetch_tready;
+  reg  [REFETCH_STREAMS*TDATA_BITS-1:0] s_refetch_tdata;
+  integer queue_index [0:REFETCH_STREAMS*QUEUE-1];
+  integer queue_lane [0:REFETCH_STREAMS*QUEUE-1];  // of the group
+  integer queue_cycle [0:REFETCH_STREAMS*QUEUE-1];
+  integer queue_head [0:REFETCH_STREAMS-1];
+  integer queue_tail [0:REFETCH_STREAMS-1];
 `endif
 
   `SYSTEM system (
@@ -291,7 +291,7 @@ module testbench;
         m_axis_tready[k] = willing(LANES + k);
       end
 `ifdef REFETCHED
-      for (k = 0; k < REFETCHES; k = k + 1) drive_refetch(k);
+      for (k = 0; k < REFETCH_STREAMS; k = k + 1) drive_refetch(k);
 `endif
     end
   endtask
@@ -415,7 +415,7 @@ module testbench;
         sample_result(k);
       end
 `ifdef REFETCHED
-      for (k = 0; k < REFETCHES; k = k + 1) sample_refetch(k);
+      for (k = 0; k < REFETCH_STREAMS; k = k + 1) sample_refetch(k);
 `endif
     end
   endtask
@@ -466,9 +466,9 @@ module testbench;
         seen_stalls[k] = 0;
       end
 `ifdef REFETCHED
-      for (k = 0; k < REFETCHES; k = k + 1) queue_head[k] = queue_tail[k];
-      s_refetch_tvalid = {REFETCHES{1'b0}};
-      m_refetch_tready = {REFETCHES{1'b0}};
+      for (k = 0; k < REFETCH_STREAMS; k = k + 1) queue_head[k] = queue_tail[k];
+      s_refetch_tvalid = {REFETCH_STREAMS{1'b0}};
+      m_refetch_tready = {REFETCH_STREAMS{1'b0}};
 `endif
       next = 0;
       s_axis_tvalid = {LANES{1'b0}};
@@ -505,7 +505,7 @@ module testbench;
       end
       for (k = 0; k < LANES; k = k + 1) last_left[k] = 0;
 `ifdef REFETCHED
-      for (k = 0; k < REFETCHES; k = k + 1) begin
+      for (k = 0; k < REFETCH_STREAMS; k = k + 1) begin
         queue_tail[k] = 0;
         queue_index[k * QUEUE] = 0;
         queue_lane[k * QUEUE] = 0;

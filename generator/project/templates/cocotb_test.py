@@ -140,8 +140,8 @@ class Bench:
             if field(self.dut.m_axis_tvalid, @STREAM_OF_LANE@, 1) and ready[lane]:
                 self.receive(lane)
                 moved = True
-        for reference in range(REFETCH_STREAMS if REFETCHED else 0):
-            self.sample_refetch(reference)
+        for stream in range(REFETCH_STREAMS if REFETCHED else 0):
+            self.sample_refetch(stream)
         return moved
 
     def receive(self, lane):
@@ -165,14 +165,14 @@ class Bench:
             f"comparison {index}, lane {lane}: expected {expected:02x}, got {word:02x}"
         )
 
-    def sample_refetch(self, reference):
-        queue = self.requests[reference]
-        if queue and field(self.dut.s_refetch_tready, reference, 1):
+    def sample_refetch(self, stream):
+        queue = self.requests[stream]
+        if queue and field(self.dut.s_refetch_tready, stream, 1):
             queue.pop(0)
-        if field(self.dut.m_refetch_tvalid, reference, 1):
-            tag = field(self.dut.m_refetch_tdata, reference, TAG_FIELD)
+        if field(self.dut.m_refetch_tvalid, stream, 1):
+            tag = field(self.dut.m_refetch_tdata, stream, TAG_FIELD)
             inside = [k for lane in self.inside for k in lane if self.tag(k) == tag]
-            assert inside, f"reference {reference}: a refetch of tag {tag:x}, which is not inside"
+            assert inside, f"refetch stream {stream}: a refetch of tag {tag:x}, which is not inside"
             queue.append(inside[0])
 
     async def run(self):

@@ -1,5 +1,5 @@
-  // The memory behind each of these streams answers a tag with the operands of its comparison. It takes
-  // more tags than may be on the way, so that whoever asks has to wait as well.
+  // The memory behind each refetch stream answers a tag with the operands of its comparison. It
+  // takes more tags than may be on the way, so that whoever asks has to wait as well.
   genvar r;
   generate
     for (r = 0; r < REFETCH_STREAMS; r = r + 1) begin : refetch

@@ -120,7 +120,7 @@ TEST_F(SecondLanes, HaveSlotsForTheirReference) {
   EXPECT_EQ(more.second_lanes->measured.key.ports, 256);
 }
 
-TEST_F(SecondLanes, AreFinerThanTheFirst) {
+TEST_F(SecondLanes, HaveMoreDigitsThanTheFirst) {
   for (const optimise::PrecisionPlan& plan : optimise_now().plans) EXPECT_LT(plan.precision, 13);
 }
 
@@ -129,10 +129,10 @@ TEST_F(SecondLanes, AreNotAskedByLanesThatLeaveTooMuch) {
   EXPECT_EQ(optimise_now().best()->precision, 10);
 }
 
-TEST_F(SecondLanes, AreInTheTable) {
+TEST_F(SecondLanes, WithoutARowAreReportedMissing) {
   std::erase_if(table_.rows,
                 [](const auto& row) { return row.key.kind == ComponentKind::second_lane; });
-  EXPECT_NE(refusal().find("a lane of the second tier"), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("a second_lane in q13"), std::string::npos) << refusal();
 }
 
 TEST_F(SecondLanes, AreHeldAgainstTheSameAreas) {

@@ -227,7 +227,7 @@ TEST(Streams, BurstThatIsNotAbsorbedTakesTheReferencesTime) {
   EXPECT_LT(cycles, 110 * 8 + 890);
 }
 
-/// Eight lanes at one of the second tier, which asks a reference of N = 4 with three others.
+/// Eight first lanes share a second lane; four second lanes share a reference of N = 4.
 TEST(TwoTiers, AreAsFastAsTheSlowerOfBoth) {
   performance::LaneStreams first = streams(64, 8);
   performance::LaneStreams second = streams(64, 4, scene::ResultOrder::in_order);

@@ -214,7 +214,7 @@ TEST_F(EngineSection, ASecondTierOfStreamsSaysHowManyLanesItHas) {
   EXPECT_NE(error(tier + "count = 0\n").find("second_tier.count: out of range"), std::string::npos);
   EXPECT_TRUE(load("[second_tier]\nformat = \"none\"\n")->leaves_out_second_tier);
   EXPECT_NE(error("[engine]\nkind = \"pairwise\"\n" + tier + "count = 3\n")
-                .find("second_tier.count: an engine has a lane of the second tier for each group"),
+                .find("second_tier.count: an engine's second tier has a lane for each group"),
             std::string::npos);
 }
 
