@@ -85,7 +85,8 @@ Command compile_command(const System& system, const Block& block, const Words& w
   if (refetched)
     parameter("NAME_BITS", static_cast<std::uint64_t>(std::bit_width(words.lanes - 1)));
   parameter("REFERENCES", static_cast<std::uint64_t>(s.references));
-  parameter("REFETCH_STREAMS", static_cast<std::uint64_t>(std::max(1, emit::refetch_streams(s))));
+  parameter("REFETCH_STREAMS",
+            static_cast<std::uint64_t>(refetched ? emit::refetch_streams(s) : s.references));
   parameter("TDATA_BYTES", static_cast<std::uint64_t>(s.tdata_bytes));
   parameter("TAG_BITS", static_cast<std::uint64_t>(s.tag_bits));
   parameter("COUNTER_BITS", static_cast<std::uint64_t>(s.counter_bits));

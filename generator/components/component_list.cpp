@@ -149,7 +149,8 @@ private:
     std::set<int> slots;
     for (const design::ReferenceStructure& structure : reference_structures()) {
       MIXCMP_TRY(reference, maker_.make(reference_key(maker_.scene(), structure)));
-      slots.insert(design::second_tier_slots_for(lane.latency_cycles, reference.latency_cycles));
+      slots.insert(design::second_tier_slots_for(maker_.scene().system, lane.latency_cycles,
+                                                 reference.latency_cycles));
     }
     key->kind = ComponentKind::second_lane;
     for (const int count : slots) {

@@ -144,9 +144,10 @@ int slowest_cycles(const std::vector<rtl::DatapathGroup>& groups) {
   return slowest;
 }
 
-int second_tier_slot_bits(const rtl::SystemShape& shape) {
-  const int slots = design::second_tier_slots_for(shape.second_tier->schedule.latency_cycles,
-                                                  slowest_cycles(shape.reference_groups));
+int second_tier_slot_bits(const design::Design& design, const rtl::SystemShape& shape) {
+  const int slots =
+      design::second_tier_slots_for(design.system, shape.second_tier->schedule.latency_cycles,
+                                    slowest_cycles(shape.reference_groups));
   return std::countr_zero(static_cast<unsigned>(slots));
 }
 
@@ -243,7 +244,7 @@ Result<ScheduledSystem> schedule_system(const design::Design& design) {
   shape.lane_groups = lane_groups(design, shape, words, delays);
   shape.second_tier = second_tier(design, shape, words, delays);
   shape.reference_groups = reference_groups(design, shape, delays);
-  if (shape.second_tier) shape.second_tier_slot_bits = second_tier_slot_bits(shape);
+  if (shape.second_tier) shape.second_tier_slot_bits = second_tier_slot_bits(design, shape);
   shape.slot_bits = std::countr_zero(static_cast<unsigned>(slots_of(shape, design.system.engine)));
   add_engine(std::move(words), shape, scheduled);
   scheduled.shape = std::move(shape);

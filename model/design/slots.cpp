@@ -29,8 +29,12 @@ int slots_for(int lane_latency_cycles, bool recomputes) {
   return slots_beside(lane_latency_cycles, recomputes ? recomputation_slots : 0);
 }
 
-int second_tier_slots_for(int lane_latency_cycles, int reference_latency_cycles) {
-  return slots_beside(lane_latency_cycles, way_to_reference_cycles + reference_latency_cycles);
+int second_tier_slots_for(const scene::SystemSpec& system, int lane_latency_cycles,
+                          int reference_latency_cycles) {
+  // Fetched operands come in at ports.
+  const bool refetches = system.operands == scene::OperandStore::refetched;
+  return slots_beside(lane_latency_cycles + (refetches ? system.input_registers : 0),
+                      way_to_reference_cycles + reference_latency_cycles);
 }
 
 int chain_slots_for(int lane_latency_cycles) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "model/scene/scene.hpp"
+
 namespace mixcmp::design {
 
 /// The number of comparisons that may be inside one lane's channel: the smallest power of two with
@@ -14,6 +16,7 @@ int chain_slots_for(int lane_latency_cycles);
 /// The number of comparisons that may be inside a lane of the second tier of a system of streams.
 /// Its results leave in order: while one is recomputed, as many may wait behind it as come in that
 /// time.
-int second_tier_slots_for(int lane_latency_cycles, int reference_latency_cycles);
+int second_tier_slots_for(const scene::SystemSpec& system, int lane_latency_cycles,
+                          int reference_latency_cycles);
 
 }  // namespace mixcmp::design

@@ -191,8 +191,8 @@ void ProblemMaker::add_references(PrecisionPlan& plan,
     if (!plan.second_lanes) continue;
     const characterise::Measurement& second = plan.second_lanes->measured;
     kind.area += plan.second_lanes->area;
-    const int slots =
-        design::second_tier_slots_for(second.latency_cycles, reference.measured.latency_cycles);
+    const int slots = design::second_tier_slots_for(scene_.system, second.latency_cycles,
+                                                    reference.measured.latency_cycles);
     if (slots > second.key.ports) kind.clock_hz = out_of_reach_hz;
   }
 }

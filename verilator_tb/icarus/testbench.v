@@ -12,7 +12,7 @@ module testbench;
   parameter GROUP = 1;      // lanes of a group
   parameter NAME_BITS = 0;  // of a tag, in which the lanes of a group differ
   parameter REFERENCES = 1;
-  parameter REFETCH_STREAMS = 1;   // streams of operands that are fetched again
+  parameter REFETCH_STREAMS = 1;  // streams of operands that are fetched again
   parameter TDATA_BYTES = 4;
   parameter TAG_BITS = 12;
   parameter COUNTER_BITS = 16;
