@@ -58,10 +58,10 @@ enum class ComponentKind {
 std::string_view to_string(ComponentKind kind);
 
 inline constexpr std::array component_kinds = {
-    ComponentKind::unit,          ComponentKind::lane,       ComponentKind::reference,
-    ComponentKind::fifo,          ComponentKind::crossbar,   ComponentKind::reference_port,
-    ComponentKind::second_lane,   ComponentKind::segment,    ComponentKind::conversion,
-    ComponentKind::engine,        ComponentKind::operand_memory};
+    ComponentKind::unit,        ComponentKind::lane,          ComponentKind::reference,
+    ComponentKind::fifo,        ComponentKind::crossbar,      ComponentKind::reference_port,
+    ComponentKind::second_lane, ComponentKind::segment,       ComponentKind::conversion,
+    ComponentKind::engine,      ComponentKind::operand_memory};
 
 /// Whether components of this kind depend on what a lane is: on its format, inputs, bound and
 /// multipliers.
