@@ -2,7 +2,7 @@
 
 #include "generator/rtl/system_shape.hpp"
 
-/// What surrounds one datapath of a system with its streams.
+/// Channels: modules that surround one datapath of a system with its streams.
 namespace mixcmp::rtl {
 
 /// The scoreboard or reorder buffer around a lane with this latency.

@@ -79,7 +79,7 @@ struct ReferenceImplementation {
 struct PrecisionPlan {
   int precision = 0;
   std::vector<LaneImplementation> lanes;
-  /// Of a system of streams whose scene has a second tier.
+  /// The lanes of a second tier behind a crossbar; none in plans without one, or of an engine.
   std::optional<SecondLanes> second_lanes = {};
   AllocationProblem problem;
   AllocationResult result;

@@ -14,22 +14,22 @@ module requested_operands #(
   parameter BEAT_BITS = 0,
   parameter OUTSTANDING_BITS = 4
 ) (
-  input  wire                                                                 aclk,
-  input  wire                                                                 aresetn,
-  input  wire                                                                 s_request_tvalid,
-  output wire                                                                 s_request_tready,
-  input  wire [(CARRIED != 0 ? (OPERAND_BITS-1)>>BEAT_BITS : TAG_BITS-1):0]   s_request_tdata,
-  input  wire [SENDER_BITS-1:0]                                               s_request_tuser,
-  output wire                                                                 m_refetch_tvalid,
-  input  wire                                                                 m_refetch_tready,
-  output wire [TAG_BITS-1:0]                                                  m_refetch_tdata,
-  input  wire                                                                 s_refetch_tvalid,
-  output wire                                                                 s_refetch_tready,
-  input  wire [OPERAND_BITS-1:0]                                              s_refetch_tdata,
-  output wire                                                                 m_axis_tvalid,
-  input  wire                                                                 m_axis_tready,
-  output wire [OPERAND_BITS-1:0]                                              m_axis_tdata,
-  output wire [SENDER_BITS-1:0]                                               m_axis_tuser
+  input  wire                                                               aclk,
+  input  wire                                                               aresetn,
+  input  wire                                                               s_request_tvalid,
+  output wire                                                               s_request_tready,
+  input  wire [(CARRIED != 0 ? (OPERAND_BITS-1)>>BEAT_BITS : TAG_BITS-1):0] s_request_tdata,
+  input  wire [SENDER_BITS-1:0]                                             s_request_tuser,
+  output wire                                                               m_refetch_tvalid,
+  input  wire                                                               m_refetch_tready,
+  output wire [TAG_BITS-1:0]                                                m_refetch_tdata,
+  input  wire                                                               s_refetch_tvalid,
+  output wire                                                               s_refetch_tready,
+  input  wire [OPERAND_BITS-1:0]                                            s_refetch_tdata,
+  output wire                                                               m_axis_tvalid,
+  input  wire                                                               m_axis_tready,
+  output wire [OPERAND_BITS-1:0]                                            m_axis_tdata,
+  output wire [SENDER_BITS-1:0]                                             m_axis_tuser
 );
 
   localparam PART_BITS = ((OPERAND_BITS - 1) >> BEAT_BITS) + 1;
