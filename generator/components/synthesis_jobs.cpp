@@ -6,6 +6,7 @@
 #include <regex>
 #include <sstream>
 
+#include "generator/emit/template_ports.hpp"
 #include "generator/emit/templates.hpp"
 #include "generator/emit/verilog.hpp"
 #include "model/common/quote.hpp"
@@ -100,8 +101,9 @@ SynthesisJob modules_job(const std::vector<rtl::Module>& modules) {
   for (const rtl::Module& module : modules) templates.merge(instantiated_modules(module));
   for (const rtl::Module& module : modules) templates.erase(module.name);
   add_templates(job, templates);
-  for (const rtl::Module& module : modules) {
-    job.sources.push_back({module.name + ".v", without_comments(emit::to_verilog(module))});
+  const std::vector<std::string> texts = emit::to_verilog(emit::checked(modules));
+  for (std::size_t k = 0; k < modules.size(); ++k) {
+    job.sources.push_back({modules[k].name + ".v", without_comments(texts[k])});
   }
   return job;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "generator/datapath/fold_plan.hpp"
@@ -38,6 +39,7 @@ public:
   void run() {
     schedule_.initiation_interval = interval_;
     schedule_.steps.resize(graph_.nodes.size());
+    give_squares_to_multipliers();
     find_classes();
     find_nodes();
     plan();
@@ -59,16 +61,29 @@ private:
     }
     Operation operation = node.operation;
     if (operation == Operation::subtract) operation = Operation::add;
-    if (operation == Operation::square && has_product(node)) operation = Operation::multiply;
+    if (by_multiplier_.contains(id)) operation = Operation::multiply;
     return {operation, 0, node.operand_format, node.format};
   }
 
-  /// Tells whether a multiplication of the node's formats needs a multiplier anyway.
-  bool has_product(const TypedNode& square) const {
-    return std::any_of(graph_.nodes.begin(), graph_.nodes.end(), [&](const TypedNode& node) {
-      return node.operation == Operation::multiply && !scaling_of(graph_, node) &&
-             node.operand_format == square.operand_format && node.format == square.format;
-    });
+  /// Multipliers take squares only where that saves squarers, and no more than they have room for
+  /// beside their products. So no multiplier has squares only: a squarer would be smaller.
+  void give_squares_to_multipliers() {
+    std::map<UnitKey, std::vector<NodeId>> squares, products;
+    for (NodeId id = 0; id < static_cast<NodeId>(count()); ++id) {
+      const TypedNode& node = graph_.nodes[id];
+      if (!has_unit(node) || scaling_of(graph_, node)) continue;
+      const UnitKey formats = {Operation::square, 0, node.operand_format, node.format};
+      if (node.operation == Operation::square) squares[formats].push_back(id);
+      if (node.operation == Operation::multiply) products[formats].push_back(id);
+    }
+    for (const auto& [formats, all] : squares) {
+      const std::size_t most = interval_;  // operations of one unit
+      const std::size_t others = products[formats].size();
+      const std::size_t room = (others + most - 1) / most * most - others;
+      const std::size_t left = all.size() - std::min(room, all.size());
+      const std::size_t by_squarers = std::min(all.size(), (left + most - 1) / most * most);
+      by_multiplier_.insert(all.begin() + static_cast<std::ptrdiff_t>(by_squarers), all.end());
+    }
   }
 
   void find_classes() {
@@ -218,6 +233,7 @@ private:
   UnitPlacer& placer_;
   Schedule& schedule_;
   FoldedGraph folded_ = {};
+  std::set<NodeId> by_multiplier_;     ///< squares
   std::vector<std::size_t> class_of_;  ///< of each operation
   std::vector<Step> units_;            ///< of each class, if started in cycle 0
   FoldPlan plan_;

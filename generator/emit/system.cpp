@@ -7,6 +7,7 @@
 
 #include "generator/emit/constraints.hpp"
 #include "generator/emit/described_modules.hpp"
+#include "generator/emit/template_ports.hpp"
 #include "generator/emit/templates.hpp"
 #include "generator/emit/verilog.hpp"
 #include "generator/emit/version.hpp"
@@ -182,31 +183,26 @@ const Module& find_module(const std::vector<Described>& modules, const std::stri
   return found->module;
 }
 
-std::string spec_hash(const std::vector<Described>& modules,
+std::string spec_hash(const std::vector<std::string>& texts,
                       const std::vector<std::string>& templates) {
   ContentHash hash;
-  for (const Described& described : modules) hash.add(to_verilog(described.module));
+  for (const std::string& text : texts) hash.add(text);
   for (const std::string& name : templates) hash.add(template_text(name));
   return hash.hex().substr(0, 16);
 }
 
-GeneratedFile verilog_file(Described described, const Signature& signature,
-                           const std::string& command) {
-  described.module.header = std::move(described.facts);
-  described.module.header.emplace_back();
-  for (std::string& line : provenance(signature, command)) {
-    described.module.header.push_back(std::move(line));
-  }
-  return {described.module.name + ".v", to_verilog(described.module)};
+/// `text`: what is printed of the module.
+GeneratedFile verilog_file(const Described& described, const std::string& text,
+                           const Signature& signature, const std::string& command) {
+  return {described.module.name + ".v", to_comment(described.facts) + to_comment({""}) +
+                                            to_comment(provenance(signature, command)) + text};
 }
 
-/// Gives instances of templates the prefixed names that the templates have in the output.
-void add_prefix(std::vector<Described>& modules, const std::string& prefix) {
-  for (Described& described : modules) {
-    described.module.items = rtl::with_modules_renamed(
-        std::move(described.module.items),
-        [&](const std::string& name) { return is_template(name) ? prefix + name : name; });
-  }
+std::vector<std::string> checked_texts(const std::vector<Described>& modules,
+                                       const std::string& prefix) {
+  std::vector<Module> tree;
+  for (const Described& described : modules) tree.push_back(described.module);
+  return to_verilog(checked(std::move(tree)), prefix);
 }
 
 std::string copied(std::string_view text, const std::string& prefix) {
@@ -285,7 +281,7 @@ GeneratedFile constraint_file(const Signature& signature, const devices::Device&
 
 Result<GeneratedSystem> generate_system(const Design& design, const std::string& command) {
   MIXCMP_TRY(scheduled, schedule_system(design));
-  std::vector<Described> modules = describe_modules(design, scheduled);
+  const std::vector<Described> modules = describe_modules(design, scheduled);
 
   std::set<std::string> instantiated;
   for (const Described& described : modules) {
@@ -293,11 +289,11 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
   }
   const std::vector<std::string> templates = template_closure(instantiated);
   const std::string& prefix = design.system.prefix;
-  add_prefix(modules, prefix);
+  const std::vector<std::string> texts = checked_texts(modules, prefix);
 
   GeneratedSystem system = {signature_of(design, scheduled), {}, slow_stages(scheduled.shape)};
   note_undecided_count(design, system.notes);
-  system.signature.spec_hash = spec_hash(modules, templates);
+  system.signature.spec_hash = spec_hash(texts, templates);
   system.signature.second_tier = second_tier_of(design, scheduled);
   if (!scheduled.engine) {
     system.signature.ports = signature_ports(find_module(modules, scheduled.shape.top));
@@ -307,8 +303,8 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
         signature_engine(scheduled, find_module(modules, scheduled.engine->top));
   }
   for (const std::string& name : templates) system.files.push_back(template_file(name, prefix));
-  for (Described& described : modules) {
-    system.files.push_back(verilog_file(std::move(described), system.signature, command));
+  for (std::size_t k = 0; k < modules.size(); ++k) {
+    system.files.push_back(verilog_file(modules[k], texts[k], system.signature, command));
   }
   for (const GeneratedFile& file : system.files) system.signature.files.push_back(file.name);
   MIXCMP_TRY(device, devices::find_device(design.system.device));

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "generator/emit/templates.hpp"
 #include "model/common/check.hpp"
 
 namespace mixcmp::emit {
@@ -307,6 +308,15 @@ std::string print_ports(const std::vector<Port>& ports) {
   return fmt::format("{}", fmt::join(lines, ",\n  "));
 }
 
+std::string print(const std::string& module, const std::vector<Port>& ports,
+                  const std::vector<ModuleItem>& items) {
+  std::string text = "\n`default_nettype none\n\n";
+  text += fmt::format("module {} (\n  {}\n);\n", module, print_ports(ports));
+  const std::string body = print_items(items, "  ");
+  if (!body.starts_with('\n')) text += '\n';
+  return text + body + "\nendmodule\n\n`default_nettype wire\n";
+}
+
 }  // namespace
 
 std::string to_verilog(const Parameter& parameter) {
@@ -315,16 +325,23 @@ std::string to_verilog(const Parameter& parameter) {
                     parameter.value);
 }
 
-std::string to_verilog(const Module& module) {
+std::string to_comment(const std::vector<std::string>& lines) {
   std::string text;
-  for (const std::string& line : module.header) {
-    text += line.empty() ? "//\n" : fmt::format("// {}\n", line);
+  for (const std::string& line : lines) text += line.empty() ? "//\n" : "// " + line + "\n";
+  return text;
+}
+
+std::vector<std::string> to_verilog(const CheckedModules& modules, const std::string& prefix) {
+  const auto new_name = [&](const std::string& name) {
+    return is_template(name) ? prefix + name : name;
+  };
+  std::vector<std::string> texts;
+  for (const Module& module : modules.modules()) {
+    texts.push_back(
+        print(module.name, module.ports,
+              prefix.empty() ? module.items : with_modules_renamed(module.items, new_name)));
   }
-  text += "\n`default_nettype none\n\n";
-  text += fmt::format("module {} (\n  {}\n);\n", module.name, print_ports(module.ports));
-  const std::string body = print_items(module.items, "  ");
-  if (!body.starts_with('\n')) text += '\n';
-  return text + body + "\nendmodule\n\n`default_nettype wire\n";
+  return texts;
 }
 
 }  // namespace mixcmp::emit

@@ -7,6 +7,7 @@
 #include "generator/project/builders.hpp"
 #include "generator/project/stream_wrapper.hpp"
 #include "generator/project/vhdl.hpp"
+#include "model/common/check.hpp"
 
 namespace mixcmp::project {
 namespace {
@@ -28,6 +29,17 @@ Unit build_unit(const ProjectSpec& spec) {
     unit.ports.push_back({port.direction, port.width, port.name, has_range});
   }
   return unit;
+}
+
+/// `wrapped`: the one module that the wrapper has an instance of.
+GeneratedFile wrapper_file(const emit::Described& wrapper, const Unit& wrapped) {
+  const rtl::CheckedModules tree(
+      {wrapper.module}, [&](const rtl::Instance& instance) -> Result<std::vector<rtl::Port>> {
+        MIXCMP_CHECK(instance.module == wrapped.name);
+        return wrapped.ports;
+      });
+  return {.name = fmt::format("integration/{}.v", wrapper.module.name),
+          .text = emit::to_comment(wrapper.facts) + emit::to_verilog(tree).front()};
 }
 
 Unit wrapper_unit(const rtl::Module& wrapper) {
@@ -108,9 +120,9 @@ std::vector<GeneratedFile> integration_files(const ProjectSpec& spec) {
   std::vector<Unit> units = {build_unit(spec)};
   std::vector<GeneratedFile> files;
   if (has_stream_wrapper(spec.signature)) {
-    const rtl::Module wrapper = stream_wrapper(spec);
-    files.push_back({fmt::format("integration/{}.v", wrapper.name), emit::to_verilog(wrapper)});
-    units.push_back(wrapper_unit(wrapper));
+    const emit::Described wrapper = stream_wrapper(spec);
+    files.push_back(wrapper_file(wrapper, units.front()));
+    units.push_back(wrapper_unit(wrapper.module));
   }
   files.push_back(instantiation_template(spec, units));
   files.push_back(vhdl_package(spec, units));

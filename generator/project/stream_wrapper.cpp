@@ -108,7 +108,7 @@ std::vector<std::string> description(const emit::Signature& signature) {
   return lines;
 }
 
-std::vector<std::string> header(const ProjectSpec& spec) {
+std::vector<std::string> facts(const ProjectSpec& spec) {
   const char* const owner = spec.signature.engine                ? "stream of reports"
                             : spec.signature.lanes_per_group > 1 ? "group of lanes"
                                                                  : "lane";
@@ -136,8 +136,8 @@ bool has_stream_wrapper(const emit::Signature& signature) {
   return !signature.engine || signature.engine->report_streams > 1;
 }
 
-rtl::Module stream_wrapper(const ProjectSpec& spec) {
-  rtl::Module module{.name = wrapper_name(spec), .header = header(spec), .ports = {}, .items = {}};
+emit::Described stream_wrapper(const ProjectSpec& spec) {
+  rtl::Module module{.name = wrapper_name(spec), .ports = {}, .items = {}};
   for (const char* name : {"aclk", "aresetn"}) {
     module.ports.push_back({rtl::Direction::input, 1, name});
   }
@@ -156,7 +156,7 @@ rtl::Module stream_wrapper(const ProjectSpec& spec) {
     port.port->direction == rtl::Direction::input ? connect_input(module, port)
                                                   : connect_output(module, port);
   }
-  return module;
+  return {std::move(module), facts(spec)};
 }
 
 }  // namespace mixcmp::project

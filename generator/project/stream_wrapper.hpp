@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "generator/emit/described_modules.hpp"
 #include "generator/project/project.hpp"
-#include "generator/rtl/module.hpp"
 
 namespace mixcmp::project {
 
@@ -27,6 +27,6 @@ bool has_stream_wrapper(const emit::Signature& signature);
 
 /// A module around the top that has ports of their own for each lane, or group of lanes in lock
 /// step, and each refetch stream or, around a pairwise engine, for each stream of reports.
-rtl::Module stream_wrapper(const ProjectSpec& spec);
+emit::Described stream_wrapper(const ProjectSpec& spec);
 
 }  // namespace mixcmp::project

@@ -57,7 +57,7 @@ Packaged packaged(const ProjectSpec& spec) {
     for (const emit::SignaturePort& port : spec.build_ports()) packaged.ports.push_back(port.name);
     return packaged;
   }
-  const rtl::Module wrapper = stream_wrapper(spec);
+  const rtl::Module wrapper = stream_wrapper(spec).module;
   packaged.top = wrapper.name;
   for (const rtl::Port& port : wrapper.ports) packaged.ports.push_back(port.name);
   packaged.sources = {fmt::format("integration/{}.v", wrapper.name)};

@@ -226,7 +226,7 @@ TemplateInstance operand_memory_template(const EngineShape& engine, int place_bi
 
 Module arg_min_conversions_module(const ArgMinShape& shape) {
   const EngineShape& engine = shape.engine;
-  Module module = {engine.top + "_conversions", {}, {}, {}};
+  Module module = {engine.top + "_conversions", {}, {}};
   add_input(module.ports, 1, "aclk");
   add_input(module.ports, engine.item_bits(), "candidate");
   add_input(module.ports, engine.row_bits(), "row");
@@ -252,7 +252,7 @@ std::vector<Counters> arg_min_counters(const SystemShape& system) {
 
 Module arg_min_module(const ArgMinShape& shape, const SystemShape& system) {
   const EngineShape& engine = shape.engine;
-  Module module = {engine.top, {}, arg_min_ports(engine, system), {}};
+  Module module = {engine.top, arg_min_ports(engine, system), {}};
   std::vector<ModuleItem>& items = module.items;
   consume_unread("s_candidate_tdata", engine.item_bytes() * 8, {{0, engine.item_bits()}}, items);
   consume_unread("s_axis_tdata", engine.row_bytes() * 8, {{0, engine.row_bits()}}, items);

@@ -274,7 +274,7 @@ TemplateInstance tracker_template(const SystemShape& shape, int lane_latency_cyc
 }
 
 Module lane_channel_module(const SystemShape& shape, const DatapathGroup& group) {
-  Module module = {group.channel, {}, lane_channel_ports(shape), {}};
+  Module module = {group.channel, lane_channel_ports(shape), {}};
   std::vector<ModuleItem>& items = module.items;
   add_lanes(shape, group, items);
   Instance tracker = tracker_instance(shape, group, "s_axis", "m_axis", items);
@@ -286,7 +286,7 @@ Module second_tier_channel_module(const SystemShape& shape) {
   SystemShape tier = second_tier_shape(shape);
   tier.counter_bits = 0;  // who asks counts, and so do the references that are asked
   const DatapathGroup& group = *shape.second_tier;
-  Module module = {group.channel, {}, asked_ports(shape), {}};
+  Module module = {group.channel, asked_ports(shape), {}};
   add_ports(module.ports, asking_bundles(tier));
 
   std::vector<ModuleItem>& items = module.items;
@@ -328,7 +328,7 @@ TemplateInstance reference_port_template(const SystemShape& shape,
 }
 
 Module reference_channel_module(const SystemShape& shape, const DatapathGroup& group) {
-  Module module = {group.channel, {}, asked_ports(shape), {}};
+  Module module = {group.channel, asked_ports(shape), {}};
   if (shape.counts_answers()) add_output(module.ports, shape.counter_bits, "answers");
   const datapath::Schedule& schedule = group.schedule;
   const bool folded = schedule.initiation_interval > 1;

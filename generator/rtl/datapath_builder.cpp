@@ -130,7 +130,7 @@ Module datapath_module(std::string name, const std::vector<InputPort>& inputs,
   build(second);
   std::vector<Port> ports = second.data_ports();
   ports.insert(ports.end(), outputs.begin(), outputs.end());
-  return {std::move(name), {}, std::move(ports), second.take()};
+  return {std::move(name), std::move(ports), second.take()};
 }
 
 int phase_bits(int initiation_interval) {

@@ -156,7 +156,6 @@ struct ForGenerate {
 
 struct Module {
   std::string name;
-  std::vector<std::string> header;  ///< comment lines above the module
   std::vector<Port> ports;
   std::vector<ModuleItem> items;
 };

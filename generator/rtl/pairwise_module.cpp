@@ -185,7 +185,7 @@ void declare_reset_phases(const DatapathGroup& group, std::vector<ModuleItem>& i
   }
 }
 
-ModuleItem reference_loop(const SystemShape& system, const DatapathGroup& group) {
+ModuleItem engine_reference_loop(const SystemShape& system, const DatapathGroup& group) {
   std::vector<ModuleItem> items;
   const auto one = [](const std::string& name, int width) {
     return indexed(name, "reference", width);
@@ -324,7 +324,7 @@ std::vector<Counters> pairwise_counters(const PairwiseShape& shape, const System
 }
 
 Module pairwise_module(const PairwiseShape& shape, const SystemShape& system) {
-  Module module = {shape.engine.top, {}, pairwise_ports(shape, system), {}};
+  Module module = {shape.engine.top, pairwise_ports(shape, system), {}};
   std::vector<ModuleItem>& items = module.items;
   consume_unread("s_axis_tdata", shape.engine.item_bytes() * 8, {{0, shape.engine.item_bits()}},
                  items);
@@ -340,7 +340,7 @@ Module pairwise_module(const PairwiseShape& shape, const SystemShape& system) {
   }
   for (const DatapathGroup& group : system.reference_groups) {
     if (!takes_every_cycle(group)) declare_reset_phases(group, items);
-    items.push_back(reference_loop(system, group));
+    items.push_back(engine_reference_loop(system, group));
   }
   return module;
 }

@@ -187,7 +187,7 @@ int entry_bits(const EngineShape& engine, int lanes) {
 
 Module segment_module(const SystemShape& system, const EngineShape& engine, const ItemWords& words,
                       const SegmentGroup& segments) {
-  Module module = {segments.module, {}, segment_ports(engine, words, segments.lanes), {}};
+  Module module = {segments.module, segment_ports(engine, words, segments.lanes), {}};
   std::vector<ModuleItem>& items = module.items;
   const int bits = words.items.bits();
   const int lanes = segments.lanes;

@@ -197,7 +197,7 @@ TemplateInstance crossbar_template(const SystemShape& shape, int asked) {
 }
 
 Module top_module(const SystemShape& shape) {
-  Module module = {shape.top, {}, top_ports(shape), {}};
+  Module module = {shape.top, top_ports(shape), {}};
   std::vector<ModuleItem>& items = module.items;
   if (shape.recomputes()) {
     items.push_back(

@@ -279,8 +279,11 @@ constexpr bool is_digit(char c) {
 }  // namespace
 
 std::string name_problem(std::string_view name) {
+  return name.size() > max_name_length ? "the name is too long" : identifier_problem(name);
+}
+
+std::string identifier_problem(std::string_view name) {
   if (name.empty()) return "the name is empty";
-  if (name.size() > max_name_length) return "the name is too long";
   const auto allowed = [](char c) { return is_letter(c) || is_digit(c); };
   if (!is_letter(name[0]) || !std::all_of(name.begin(), name.end(), allowed)) {
     return "not a name";

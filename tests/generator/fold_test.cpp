@@ -27,6 +27,10 @@ constexpr auto logic = scene::Multipliers::logic;
 constexpr Scene scenes[] = {
     {"spheres", "(a - b)^2 + (c - d)^2 + (a - d)^2", "(b + c)^2"},
     {"products", "a * b + c^2 - d * 3", "max(a, b) * -min(c, d) + a * c"},
+    {"more_squares_than_products", "b^2", "c^2 + d * a"},
+    {"squares_beside_products", "(a - b)^2 + c * d + b^2 + c^2", "(c - d)^2 - a * c + d^2"},
+    {"squares_beside_a_product_of_logic", "(a - b)^2 + c * d + b^2 + c^2", "d^2", Sums::composed,
+     logic},
     {"roots", "sqrt(a^2 + b^2) / (c + 1) - sqrt(d)", "abs(a) / 4 + b / 4 + d * 2"},
     {"late_operand", "((a + b) * c + b) * c + d", "a"},
     {"signs_alone", "-a", "abs(b)"},
@@ -142,9 +146,24 @@ TEST_P(Fold, ThereAreAsFewUnitsAsTheIntervalAllows) {
     const int most = interval() / std::max(cycles[module], 1);
     EXPECT_EQ(units, units == 0 ? 0 : (operations + most - 1) / most) << module;
   }
-  EXPECT_TRUE(units_and_operations["fp_multiply"].first == 0 ||
-              units_and_operations["fp_square"].first == 0)
-      << "squares share multipliers";
+  const auto [multipliers, by_multipliers] = units_and_operations["fp_multiply"];
+  const auto [squarers, by_squarers] = units_and_operations["fp_square"];
+  const int operations = by_multipliers + by_squarers;
+  EXPECT_EQ(multipliers + squarers, (operations + interval() - 1) / interval())
+      << "multipliers with room to spare take squares";
+}
+
+/// A multiplier whose operands are always the same would be larger than a squarer, and its second
+/// operand nobody's.
+TEST_P(Fold, EveryMultiplierHasAProduct) {
+  for (const datapath::SharedUnit& unit : schedule_.shared_units) {
+    const bool has_product =
+        std::any_of(unit.operations.begin(), unit.operations.end(),
+                    [&](NodeId id) { return graph_.nodes[id].operation == Operation::multiply; });
+    if (unit.unit.module == "fp_multiply" || unit.unit.module == "fp_square") {
+      EXPECT_EQ(has_product, unit.unit.module == "fp_multiply");
+    }
+  }
 }
 
 TEST_P(Fold, OperandsStayAsLongAsTheyAreRead) {

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "generator/datapath/delays.hpp"
+#include "generator/emit/template_ports.hpp"
 #include "generator/emit/verilog.hpp"
 #include "generator/rtl/reference_module.hpp"
 #include "model/error/certified_lane.hpp"
@@ -190,7 +191,7 @@ TEST(LaneModule, SignChecksAreWires) {
   ASSERT_EQ(lane.checks.size(), 2u);
   lane.checks.back().sign = error::RequiredSign::nonpositive;
   EXPECT_EQ(count(instances(graph, lane), "fp_range_check"), 0);
-  const std::string text = emit::to_verilog(module_of(graph, lane));
+  const std::string text = emit::to_verilog(emit::checked({module_of(graph, lane)})).front();
   EXPECT_NE(text.find("wire wrong_sign = a[31] | ~b[31];"), std::string::npos) << text;
 }
 

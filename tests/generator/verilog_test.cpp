@@ -7,38 +7,51 @@ namespace {
 
 using namespace rtl;
 
+/// The text of a module whose instances, of modules "half" and "unit", have these ports.
+std::string printed(Module module) {
+  const OutsidePorts outside = [](const Instance& instance) -> Result<std::vector<Port>> {
+    if (instance.module == "half") return std::vector<Port>{{Direction::input, 8, "a"}};
+    return std::vector<Port>{{Direction::input, 1, "aclk"}, {Direction::input, 12, "d"}};
+  };
+  return emit::to_verilog(CheckedModules({std::move(module)}, outside)).front();
+}
+
 TEST(Verilog, PrintsAStructuralModule) {
   Module module;
   module.name = "pair";
-  module.header = {"pair: two of something.", "", "No reset."};
-  module.ports = {{Direction::input, 1, "aclk"},
-                  {Direction::input, 1, "go", true},
-                  {Direction::output, 16, "y"}};
+  module.ports = {{Direction::input, 1, "aclk"},   {Direction::input, 1, "go", true},
+                  {Direction::input, 8, "p"},      {Direction::input, 1, "r"},
+                  {Direction::output, 16, "y"},    {Direction::output, 2, "q"},
+                  {Direction::output, 1, "parity"}};
   auto loop = std::make_shared<ForGenerate>();
   *loop = {"k", 0, 2, "halves", {Instance{"half", "one", {}, {{"a", indexed("x", "k", 8)}}}}};
   module.items = {Comment{"A fact."},
                   Wire{16, "x", concatenation({slice("p", 7, 0), literal(8, 0xa5)})},
-                  Assignment{bit("q", 3), any_of({net("r"), inverted(bit("s", 0))})},
+                  Assignment{bit("q", 1), any_of({net("r"), inverted(bit("go", 0))})},
                   Instance{"unit",
                            "u",
                            {{"WIDTH", 16}, {"CUTS", Literal{5, 0b10010}}},
                            {{"aclk", net("aclk")}, {"d", literal(12, 0xabc)}}},
-                  std::shared_ptr<const ForGenerate>(loop)};
-  EXPECT_EQ(emit::to_verilog(module), R"(// pair: two of something.
-//
-// No reset.
-
+                  std::shared_ptr<const ForGenerate>(loop),
+                  Assignment{bit("q", 0), literal(1, 0)},
+                  Assignment{net("y"), net("x")},
+                  Assignment{net("parity"), all_bits(net("x"))}};
+  EXPECT_EQ(printed(module), R"(
 `default_nettype none
 
 module pair (
   input  wire        aclk,
   input  wire [0:0]  go,
-  output wire [15:0] y
+  input  wire [7:0]  p,
+  input  wire        r,
+  output wire [15:0] y,
+  output wire [1:0]  q,
+  output wire        parity
 );
 
   // A fact.
   wire [15:0] x = {p[7:0], 8'b10100101};
-  assign q[3] = r | ~s[0];
+  assign q[1] = r | ~go[0];
 
   unit #(
     .WIDTH(16),
@@ -57,39 +70,50 @@ module pair (
     end
   endgenerate
 
+  assign q[0] = 1'b0;
+  assign y = x;
+  assign parity = &x;
+
 endmodule
 
 `default_nettype wire
 )");
 }
 
+TEST(Verilog, HeadsAreComments) {
+  EXPECT_EQ(emit::to_comment({"pair: two of something.", "", "No reset."}),
+            "// pair: two of something.\n//\n// No reset.\n");
+}
+
 TEST(Verilog, AnyOfNothingIsZeroAndOfOneIsItself) {
-  Module module = {"m", {}, {{Direction::input, 1, "a"}}, {}};
-  module.items = {Wire{1, "x", any_of({})}, Wire{1, "y", any_of({net("a")})}};
-  const std::string text = emit::to_verilog(module);
-  EXPECT_NE(text.find("wire x = 1'b0;"), std::string::npos);
-  EXPECT_NE(text.find("wire y = a;"), std::string::npos);
+  Module module = {"m", {{Direction::input, 1, "a"}}, {}};
+  module.items = {Wire{1, "unused_x", any_of({})}, Wire{1, "unused_y", any_of({net("a")})}};
+  const std::string text = printed(module);
+  EXPECT_NE(text.find("wire unused_x = 1'b0;"), std::string::npos);
+  EXPECT_NE(text.find("wire unused_y = a;"), std::string::npos);
 }
 
 TEST(Verilog, LongConcatenationsAreBrokenBetweenParts) {
   const std::string part(40, 'a');
-  Module module = {"m", {}, {}, {}};
-  module.items = {Wire{1, "x", nullptr},
-                  Assignment{net("x"), concatenation({net(part), net(part), net("b"), net(part)})}};
-  EXPECT_NE(emit::to_verilog(module).find("  assign x =\n      {" + part + ", " + part +
-                                          ", b,\n       " + part + "};\n"),
+  Module module = {
+      "m",
+      {{Direction::input, 1, part}, {Direction::input, 1, "b"}, {Direction::output, 4, "x"}},
+      {}};
+  module.items = {Assignment{net("x"), concatenation({net(part), net(part), net("b"), net(part)})}};
+  EXPECT_NE(printed(module).find("  assign x =\n      {" + part + ", " + part + ", b,\n       " +
+                                 part + "};\n"),
             std::string::npos)
-      << emit::to_verilog(module);
+      << printed(module);
 }
 
 TEST(Verilog, PhasesStandOnOneLineOrOnOneEach) {
-  Module module;
-  module.name = "phases";
+  Module module = {"phases", {{Direction::input, 4, "phase"}, {Direction::output, 2, "y"}}, {}};
   module.items = {
       PhaseFlag{"few", {Literal{4, 3}, Literal{4, 11}}},
       PhaseFlag{"squarer_start",
-                {Literal{4, 0}, Literal{4, 3}, Literal{4, 6}, Literal{4, 9}, Literal{4, 12}}}};
-  const std::string text = emit::to_verilog(module);
+                {Literal{4, 0}, Literal{4, 3}, Literal{4, 6}, Literal{4, 9}, Literal{4, 12}}},
+      Assignment{net("y"), concatenation({net("few"), net("squarer_start")})}};
+  const std::string text = printed(module);
   EXPECT_NE(text.find("  wire few = (phase == 4'd3) || (phase == 4'd11);\n"), std::string::npos)
       << text;
   EXPECT_NE(text.find("  wire squarer_start =\n"
@@ -101,10 +125,10 @@ TEST(Verilog, PhasesStandOnOneLineOrOnOneEach) {
 
 TEST(Verilog, LongAlternativesTakeALineEach) {
   const std::string longest(60, 'a');
-  Module module = {"m", {}, {}, {}};
-  module.items = {Wire{1, "x", any_of({net(longest), net("b"), net(longest)})}};
-  EXPECT_NE(emit::to_verilog(module).find("  wire x =\n      " + longest + "\n      | b\n      | " +
-                                          longest + ";\n"),
+  Module module = {"m", {{Direction::input, 1, longest}, {Direction::input, 1, "b"}}, {}};
+  module.items = {Wire{1, "unused_x", any_of({net(longest), net("b"), net(longest)})}};
+  EXPECT_NE(printed(module).find("  wire unused_x =\n      " + longest + "\n      | b\n      | " +
+                                 longest + ";\n"),
             std::string::npos);
 }
 
