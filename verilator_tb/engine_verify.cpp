@@ -73,7 +73,7 @@ Result<VerifyReport> run_engine(const System& system, const VerifyOptions& optio
   MIXCMP_TRY(executable,
              icarus ? build_engine_in_icarus(system, build) : build_simulator(system, build));
   judge.report().build_seconds = executable.build_seconds;
-  judge.report().simulator = icarus ? "Icarus Verilog" : "Verilator";
+  judge.report().simulator = icarus ? icarus_name : verilator_name;
   const auto start = std::chrono::steady_clock::now();
   MIXCMP_TRY(run, trials(executable));
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;

@@ -142,11 +142,14 @@ struct LeastCounterexample {
   std::string waves;                           ///< the command that shows it as waves
 };
 
+inline constexpr const char* verilator_name = "Verilator";
+inline constexpr const char* icarus_name = "Icarus Verilog";
+
 struct VerifyReport {
   static constexpr std::size_t kept = 20;  ///< the most mismatches and violations in the lists
 
   std::string system;
-  std::string simulator;
+  std::string simulator;  ///< verilator_name or icarus_name
   int lanes = 0;
   int lanes_per_group = 1;
   int references = 0;

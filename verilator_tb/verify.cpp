@@ -335,7 +335,7 @@ Result<VerifyReport> run_system(const System& system, const design::Design& desi
   const auto start = Clock::now();
   const bool icarus = options.simulator == SimulatorKind::icarus;
   MIXCMP_TRY(outcome, icarus ? run_icarus(run) : run_verilator(run));
-  outcome.report.simulator = icarus ? "Icarus Verilog" : "Verilator";
+  outcome.report.simulator = icarus ? icarus_name : verilator_name;
   outcome.report.run_seconds = seconds_since(start) - outcome.report.build_seconds;
   if (options.wave_file != nullptr) {
     options.wave_file->set_save_file(save_file(run, outcome.first_undecided));

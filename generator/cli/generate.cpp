@@ -9,6 +9,7 @@
 #include "generator/cli/output.hpp"
 #include "generator/cli/project.hpp"
 #include "generator/cli/prove.hpp"
+#include "generator/cli/simulations.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/emit/system.hpp"
 #include "generator/report/json_text.hpp"
@@ -116,8 +117,9 @@ void print_second_tier(const emit::Signature& signature) {
                     tier.count == 1 ? "" : "s", tier.format, tier.latency_cycles));
 }
 
+/// `verify`: the command that simulates the system.
 void print_text(const emit::GeneratedSystem& system, const std::vector<GroupProof>& proofs,
-                const std::filesystem::path& directory) {
+                const std::string& verify, const std::filesystem::path& directory) {
   print_parts(system.signature);
   print_second_tier(system.signature);
   print_engine(system.signature);
@@ -126,6 +128,7 @@ void print_text(const emit::GeneratedSystem& system, const std::vector<GroupProo
     print(fmt::format("error bound{}: {}\n", proofs.size() == 1 ? "" : " of " + proof.name,
                       proof.quick.proof.verdict()));
   }
+  print(simulation_lines(system.signature.simulations, verify));
   print(fmt::format("{} files in {}\n", system.files.size(), directory.string()));
 }
 
@@ -166,6 +169,7 @@ void run(const GenerateOptions& options) {
   const design::Design design = value_or_exit(design_of(options.scene, loaded));
   const std::string command = command_line("generate", options.scene);
   emit::GeneratedSystem system = value_or_exit(emit::generate_system(design, command));
+  emit::state_simulations(system, simulations_of(system.signature.spec_hash));
   add_project(system, options.project, loaded, design, command);
   if (auto note = fit_note(loaded, design)) system.notes.push_back(std::move(*note));
   std::vector<GroupProof> proofs;
@@ -175,7 +179,7 @@ void run(const GenerateOptions& options) {
   value_or_exit(check_replaced_folder(directory, inputs_of(options.scene, loaded.scene)));
   value_or_exit(emit::write_system(system, directory));
   if (options.scene.json) return print_json(system, proofs, directory);
-  print_text(system, proofs, directory);
+  print_text(system, proofs, runnable_command("verify", options.scene), directory);
   print_commands(options.project.tools, system.signature.top, directory);
 }
 

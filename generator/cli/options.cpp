@@ -297,7 +297,13 @@ std::vector<std::filesystem::path> inputs_of(const SceneOptions& options,
 }
 
 std::string command_line(const std::string& verb, const SceneOptions& options) {
-  std::string line = "mixcmp " + verb + " " + quoted(options.scene.filename().string());
+  SceneOptions named = options;
+  named.scene = options.scene.filename();
+  return runnable_command(verb, named);
+}
+
+std::string runnable_command(const std::string& verb, const SceneOptions& options) {
+  std::string line = "mixcmp " + verb + " " + quoted(options.scene.string());
   for (const std::string& setting : options.settings) line += " --set " + quoted(setting);
   return line;
 }

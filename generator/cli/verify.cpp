@@ -11,6 +11,7 @@
 #include "generator/cli/options.hpp"
 #include "generator/cli/output.hpp"
 #include "generator/cli/result_table.hpp"
+#include "generator/cli/simulations.hpp"
 #include "generator/cli/suite.hpp"
 #include "generator/cli/verbs.hpp"
 #include "generator/emit/system.hpp"
@@ -167,8 +168,7 @@ verilator_tb::Selection::Options selection(const VerifyCommand& command) {
 }
 
 std::string repeat_command(const VerifyCommand& command) {
-  std::string line = "mixcmp verify " + quoted(command.scene.scene.string());
-  for (const std::string& setting : command.scene.settings) line += " --set " + quoted(setting);
+  std::string line = runnable_command("verify", command.scene);
   if (command.run.simulator == verilator_tb::SimulatorKind::icarus) line += " --simulator icarus";
   if (command.truth != TruthOption::off) line += " --truth all";
   return line;
@@ -365,6 +365,7 @@ void run(const VerifyCommand& command) {
       design.system.engine.kind == scene::EngineKind::none) {
     add_counterexample(report, command, design, *loaded.data, rtl, options);
   }
+  keep_simulation(system.signature.spec_hash, report);
   report.inputs = data::input_sources(*loaded.data, loaded.scene.graph.inputs());
   show_progress("");
   if (!command.junit.empty()) {

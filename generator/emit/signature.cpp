@@ -312,6 +312,24 @@ SignatureEngine read_engine(Reader& reader) {
 
 }  // namespace
 
+Json to_json(const SignatureSimulation& run) {
+  return {{"simulator", run.simulator},
+          {"comparisons", run.comparisons},
+          {"recomputations", run.recomputations},
+          {"passed", run.passed}};
+}
+
+std::optional<SignatureSimulation> simulation_in(const Json& json) {
+  try {
+    return SignatureSimulation{.simulator = json.at("simulator"),
+                               .comparisons = json.at("comparisons"),
+                               .recomputations = json.at("recomputations"),
+                               .passed = json.at("passed")};
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
 int counter_address_bits(const Signature& signature) {
   const std::vector<SignaturePort>& ports =
       signature.engine ? signature.engine->ports : signature.ports;
@@ -369,6 +387,7 @@ std::string to_json(const Signature& s) {
   json["files"] = s.files;
   if (!s.cells.empty()) json["cells"] = s.cells;
   if (!s.project.empty()) json["project"] = s.project;
+  json["simulations"] = groups_to_json(s.simulations);
   return json.dump(2) + "\n";
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -72,6 +74,14 @@ struct SignatureEngine {
   std::vector<SignaturePort> ports;
 };
 
+/// What a simulator has shown of a design: the run of `mixcmp verify` that is on record.
+struct SignatureSimulation {
+  std::string simulator;
+  std::uint64_t comparisons = 0;
+  std::uint64_t recomputations = 0;
+  bool passed = false;
+};
+
 /// What a testbench or an integrator must know of a generated system; printed as <top>.json.
 struct Signature {
   std::string top;
@@ -114,6 +124,8 @@ struct Signature {
   std::vector<std::string> cells;
   /// Files for other tools, relative to the signature (generator/project).
   std::vector<std::string> project = {};
+  /// What was simulated of this very design when `mixcmp generate` wrote the files.
+  std::vector<SignatureSimulation> simulations = {};
 };
 
 /// Groups of lanes in lock step; each lane by itself is one.
@@ -134,6 +146,10 @@ inline bool has_counter_ports(const Signature& signature) {
 int counter_address_bits(const Signature& signature);
 /// The number of references whose answers are counted.
 int counted_answers(const Signature& signature);
+
+nlohmann::ordered_json to_json(const SignatureSimulation& run);
+/// Reads what to_json made; nothing where it is something else.
+std::optional<SignatureSimulation> simulation_in(const nlohmann::ordered_json& json);
 
 std::string to_json(const Signature& signature);
 /// Reads the file that to_json was printed to. Errors name the file and the field.

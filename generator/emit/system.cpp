@@ -265,6 +265,13 @@ std::string signature_file(const Signature& signature) {
   return signature.top + ".json";
 }
 
+/// Prints the signature of a system again.
+void print_signature(GeneratedSystem& system) {
+  for (GeneratedFile& file : system.files) {
+    if (file.name == signature_file(system.signature)) file.text = to_json(system.signature);
+  }
+}
+
 /// `planned_clock`: as in a design.
 GeneratedFile constraint_file(const Signature& signature, const devices::Device& device,
                               const std::string& planned_clock) {
@@ -327,15 +334,18 @@ std::vector<std::string> provenance(const Signature& signature, const std::strin
           "  " + command, "This output is unencumbered: use it as you like."};
 }
 
+void state_simulations(GeneratedSystem& system, std::vector<SignatureSimulation> simulations) {
+  system.signature.simulations = std::move(simulations);
+  print_signature(system);
+}
+
 Result<Done> add_project_files(GeneratedSystem& system, std::vector<GeneratedFile> files) {
   MIXCMP_TRY(fits, check_file_names(files));
   for (GeneratedFile& file : files) {
     system.signature.project.push_back(file.name);
     system.files.push_back(std::move(file));
   }
-  for (GeneratedFile& file : system.files) {
-    if (file.name == signature_file(system.signature)) file.text = to_json(system.signature);
-  }
+  print_signature(system);
   return Done{};
 }
 

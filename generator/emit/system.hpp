@@ -32,6 +32,9 @@ Result<GeneratedSystem> generate_system(const design::Design& design, const std:
 /// it is unencumbered.
 std::vector<std::string> provenance(const Signature& signature, const std::string& command);
 
+/// States in the signature what has been simulated of the design.
+void state_simulations(GeneratedSystem& system, std::vector<SignatureSimulation> simulations);
+
 /// Adds files for other tools to a generated system, and their names to its signature. An error
 /// names a file whose name is too long.
 Result<Done> add_project_files(GeneratedSystem& system, std::vector<GeneratedFile> files);

@@ -4,9 +4,9 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 
 #include "model/characterise/sqlite.hpp"
+#include "model/common/cache_folder.hpp"
 #include "model/common/folder_lock.hpp"
 #include "model/common/output_file.hpp"
 
@@ -171,14 +171,7 @@ Result<int> ResultStore::size() const {
 }
 
 Result<std::filesystem::path> default_store_path() {
-  const auto variable = [](const char* name) {
-    const char* value = std::getenv(name);
-    return std::filesystem::path(value == nullptr ? "" : value);
-  };
-  // A relative $XDG_CACHE_HOME is to be ignored, says the XDG Base Directory Specification.
-  std::filesystem::path cache = variable("XDG_CACHE_HOME");
-  if (!cache.is_absolute() && !variable("HOME").empty()) cache = variable("HOME") / ".cache";
-  if (cache.is_absolute()) return cache / "mixcmp" / "characterisation.sqlite";
+  if (const auto cache = cache_folder()) return *cache / "characterisation.sqlite";
   return Error{.field = "--store",
                .message = "no place for the store of results",
                .received = "neither $XDG_CACHE_HOME nor $HOME is an absolute path",

@@ -108,6 +108,40 @@ TEST_F(CommandLine, CheckTellsWhatGenerateWillDo) {
   EXPECT_TRUE(fs::exists(path("rtl") / "scene_s8e8_1x1.v"));
 }
 
+TEST_F(CommandLine, GenerateSaysWhatWasSimulatedOfTheDesign) {
+  const std::string own_cache = fmt::format("XDG_CACHE_HOME='{}'", path("cache").string());
+  const auto generate = [&](const std::string& options) {
+    const Outcome run = mixcmp("generate scene.toml --no-prove -o rtl" + options, own_cache);
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    return run.output;
+  };
+  const auto verify = [&](const std::string& options) {
+    return mixcmp("verify scene.toml --simulator icarus --no-counterexample" + options, own_cache);
+  };
+  const auto in_signature = [&] {
+    return nlohmann::json::parse(read("rtl/scene_s8e8_1x1.json")).at("simulations");
+  };
+  EXPECT_NE(generate(" --set system.counters=off")
+                .find("\nnot simulated yet: mixcmp verify scene.toml --set system.counters=off\n"),
+            std::string::npos);
+  EXPECT_EQ(in_signature(), nlohmann::json::array());
+
+  const std::string passed = "\nsimulated: Icarus Verilog, 2 comparisons, 0 recomputed, passed\n";
+  EXPECT_EQ(verify("").exit_code, 0);
+  EXPECT_NE(generate("").find(passed), std::string::npos) << generate("");
+  EXPECT_EQ(in_signature().at(0).at("comparisons"), 2);
+  EXPECT_EQ(verify(" --first 1").exit_code, 0);
+  EXPECT_NE(generate("").find(passed), std::string::npos) << "more comparisons are on record";
+  EXPECT_NE(generate(" --format s9e8").find("\nnot simulated yet: "), std::string::npos);
+
+  // A simulator that answers nothing.
+  EXPECT_EQ(mixcmp("verify scene.toml --simulator icarus --no-counterexample --first 1",
+                   own_cache + " " + instead_of("vvp", "exit 1"))
+                .exit_code,
+            1);
+  EXPECT_NE(generate("").find(passed), std::string::npos) << "nothing was simulated";
+}
+
 TEST_F(CommandLine, CheckTellsHowOperandsTravel) {
   const std::string system =
       "  operands           carried\n"

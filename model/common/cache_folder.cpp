@@ -1,0 +1,19 @@
+#include "model/common/cache_folder.hpp"
+
+#include <cstdlib>
+
+namespace mixcmp::inline common {
+
+std::optional<std::filesystem::path> cache_folder() {
+  const auto variable = [](const char* name) {
+    const char* value = std::getenv(name);
+    return std::filesystem::path(value == nullptr ? "" : value);
+  };
+  // A relative $XDG_CACHE_HOME is to be ignored, says the specification.
+  std::filesystem::path cache = variable("XDG_CACHE_HOME");
+  if (!cache.is_absolute() && !variable("HOME").empty()) cache = variable("HOME") / ".cache";
+  if (!cache.is_absolute()) return std::nullopt;
+  return cache / "mixcmp";
+}
+
+}  // namespace mixcmp::inline common
