@@ -487,6 +487,8 @@ module tier_proof #(
       lemma_few_held: assert(count <= ALL);
       lemma_held: assert(held_right);
       lemma_picked: assert(!\dut.s1_valid_q || picked_right);
+      lemma_reads_another: assert(!\dut.s1_write_q || (\dut.s1_pair_q == 0) ||
+                                  (\dut.s1_place_q != \dut.s1_picked_q ));
       lemma_tells_all: assert(!aresetn || (told == due));
       lemma_tells_once: assert(!aresetn || told_once);
       lemma_tells_its_base: assert(!aresetn || told_right);
