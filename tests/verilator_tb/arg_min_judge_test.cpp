@@ -36,8 +36,8 @@ design::LaneGroup block_lanes(int bits, int count) {
 
 /// Lanes that leave undecided where a square underflows.
 design::LaneGroup floating_lanes(int count) {
-  const TypedGraph lane = lane_graph(squared_distances(), reference_format(), {format("s6e5")},
-                                     LaneInputs::exact);
+  const TypedGraph lane =
+      lane_graph(squared_distances(), reference_format(), {format("s6e5")}, LaneInputs::exact);
   return {.lane = relative_lane(lane, std::vector<bool>(6, false)).value(), .count = count};
 }
 
