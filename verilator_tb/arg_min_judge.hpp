@@ -15,9 +15,9 @@ struct LoadRange {
   std::uint64_t rows = 0;
 };
 
-/// Compares what an arg-min engine answers with the golden model, which computes every comparison
-/// of the chain as the lane that makes it must. Where the design is certified, it compares the
-/// answers with the arg-min that the reference alone finds, too.
+/// Compares what an arg-min engine answers with the golden model, which plays the engine's contest:
+/// each comparison has the verdict of the lane that makes it or, where the lane does not decide,
+/// the reference's. The reference's own search may find other candidates, since it rounds.
 class ArgMinJudge : public EngineJudge {
 public:
   ArgMinJudge(const emit::Signature& signature, const design::Design& design,
@@ -27,7 +27,7 @@ public:
 
 private:
   std::uint64_t chain(const LoadRange& load, std::uint64_t row, Use use);
-  void count(std::uint64_t row, std::uint64_t best, std::uint64_t own, ResultWord word);
+  void count(const data::Items& items, ResultWord word);
   void judge_row(const LoadRange& load, std::uint64_t row, const harness::wire::RowResult& got,
                  Use use);
   void judge_end(const LoadRange& load, const LoadAnswer& answer, Use use);

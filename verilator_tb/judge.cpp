@@ -257,6 +257,7 @@ void Judge::count(std::uint64_t index, const Fate& fate) {
   if (!options_.on_result) return;
   options_.on_result(
       {.index = index,
+       .items = comparisons_.items(index),
        .word = fate.word,
        .transfer = VerifiedResult::Transfer{fate.lane, fate.cycle_accepted, fate.cycle_left}});
 }

@@ -75,7 +75,7 @@ std::string to_text(harness::wire::Fault fault) {
     case harness::wire::Fault::lost: return "comparison lost";
     case harness::wire::Fault::hung: return "lane stands still";
     case harness::wire::Fault::unknown_refetch: return "refetch of a tag that is not inside";
-    case harness::wire::Fault::unknown_value: return "unknown value (x) on a handshake or a result";
+    case harness::wire::Fault::unknown_value: return "unknown value (x) in a handshake or a beat";
     case harness::wire::Fault::after_the_end: return "report behind the closing beat";
     case harness::wire::Fault::closed_early: return "closing beat before the last item";
     case harness::wire::Fault::loaded_among_rows: return "candidate accepted while rows are inside";

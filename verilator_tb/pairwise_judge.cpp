@@ -229,7 +229,7 @@ void PairwiseJudge::count(const SetRange& set, std::uint64_t i, std::uint64_t j,
     check_against_truth(*options_.truth, design_, operands_, word, *report_.truth, group);
   }
   if (options_.on_result && is_reported(word)) {
-    options_.on_result({pair_of(set, i, j), word});
+    options_.on_result({pair_of(set, i, j), rows_of(set, i, j), word});
   }
 }
 

@@ -142,7 +142,7 @@ std::string arg_min_lines(const VerifyReport& r) {
                                                 engine.top, engine.loads, engine.candidates));
   text +=
       line("rows", fmt::format("{} ({:.3f} per cycle)", engine.rows, ratio(engine.rows, r.cycles)));
-  if (!r.certified) text += line("rows unlike the reference", std::to_string(engine.wrong_rows));
+  text += line("unlike the reference", fmt::format("{} rows", engine.rows_unlike_reference));
   text += latency_line("latency of a row", engine.latency);
   text += expectation_line(engine.expected_cycles);
   text += line("loading", fmt::format("{} cycles", engine.loading_cycles));

@@ -110,7 +110,7 @@ void add_engines(Json& json, const VerifyReport& r) {
                        {"candidates", engine.candidates},
                        {"rows", engine.rows},
                        {"rows_per_cycle", ratio_of(engine.rows, r.cycles)},
-                       {"wrong_rows", engine.wrong_rows},
+                       {"rows_unlike_reference", engine.rows_unlike_reference},
                        {"row_latency_cycles", engine.latency.mean_cycles()},
                        {"loading_cycles", engine.loading_cycles},
                        {"stalled_cycles", engine.stalled_cycles},

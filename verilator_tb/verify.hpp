@@ -42,6 +42,9 @@ struct TruthCheck {
 /// The hardware's result for one comparison.
 struct VerifiedResult {
   std::uint64_t index;
+  /// The items that were compared: those of `index`, but in an arg-min engine, whose lanes choose
+  /// the best candidate so far, where the data follow the reference.
+  data::Items items;
   ResultWord word;
   /// Where and when it was a transfer on the streams of a lane: none in an engine.
   struct Transfer {

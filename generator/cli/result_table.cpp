@@ -59,11 +59,10 @@ void ResultTable::add(const verilator_tb::VerifiedResult& result) {
   if (kept_.count(verdict) == 0) return;
   std::string row = std::to_string(result.index);
   const std::vector<NamedItem> named = named_items(*data_);
-  const data::Items items = data_->items(result.index);
-  for (const NamedItem& item : named) row += fmt::format(",{}", items.of(item.item));
+  for (const NamedItem& item : named) row += fmt::format(",{}", result.items.of(item.item));
   for (const NamedItem& item : named) {
     if (item.table->labels.empty()) continue;
-    row += "," + field(item.table->labels[items.of(item.item)]);
+    row += "," + field(item.table->labels[result.items.of(item.item)]);
   }
   file_.write(fmt::format("{},{},{}\n", row, verdict, result.word.is_recomputed() ? 1 : 0));
 }

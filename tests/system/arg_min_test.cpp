@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -178,6 +179,61 @@ TEST(ArgMinSystemOf, LanesOfSeveralKindsAndThreeReferences) {
     }
   }
 }
+
+/// Every square of the data vanishes in the reference, which calls all candidates equal.
+data::Comparisons vanishing(const design::Design& design, std::size_t rows,
+                            std::size_t candidates) {
+  const FloatFormat format = design.reference.input_format;
+  const auto tiny = [&](const std::vector<std::string>& columns, std::size_t count,
+                        std::uint64_t seed) {
+    data::Table table{format, columns, {}, {}};
+    for (std::size_t k = 0; k < columns.size() * count; ++k) {
+      const std::uint64_t number = verilator_tb::counter_random(seed, k) % 8;
+      table.values.push_back(from_rational(format, mpq_class(number) / (mpz_class(1) << 80)));
+    }
+    return table;
+  };
+  return data::Comparisons::arg_min(tiny({"x", "y"}, rows, 1), tiny({"cx", "cy"}, candidates, 2),
+                                    design.inputs, workload::compare_by_reference(design.reference))
+      .value();
+}
+
+/// A lane in floating point asks the reference, one in block floating point decides: the candidate
+/// depends on which of them comes first in the chain.
+class ArgMinSystemOfTwoKinds : public testing::TestWithParam<bool> {};
+
+TEST_P(ArgMinSystemOfTwoKinds, ChoosesByTheLaneOfEachPosition) {
+  const bool block_first = GetParam();
+  design::Design design = nearest_point(1, 1);
+  const fixed::FixedOptions block = {.format = {.bits = 8, .is_block = true},
+                                     .ranges = std::vector<std::optional<Range>>(6)};
+  design.lanes.insert(
+      block_first ? design.lanes.begin() : design.lanes.end(),
+      {.lane = fixed::fixed_lane(squared_distances(), format("s24e8"), block).value(), .count = 1});
+  constexpr std::size_t rows = 60;
+  std::vector<std::uint64_t> chosen(rows, 0);
+  const verilator_tb::VerifyReport report =
+      simulate(design, vanishing(design, rows, 3),
+               {.simulator = block_first ? verilator_tb::SimulatorKind::icarus
+                                         : verilator_tb::SimulatorKind::verilator,
+                .traffic = verilator_tb::TrafficKind::stressed,
+                .resets = 1,
+                .on_result = [&](const verilator_tb::VerifiedResult& result) {
+                  EXPECT_EQ(result.items.first, chosen[result.items.row]);
+                  if (result.word.verdict() == Verdict::greater)
+                    chosen[result.items.row] = result.items.second;
+                }});
+  expect_passed(report, rows, 3);
+  const auto decided = static_cast<std::uint64_t>(
+      std::count_if(chosen.begin(), chosen.end(), [](std::uint64_t best) { return best != 0; }));
+  EXPECT_EQ(report.arg_min->rows_unlike_reference, decided);
+  EXPECT_GT(decided, 10u);
+  EXPECT_EQ(std::count(chosen.begin(), chosen.end(), block_first ? 2u : 1u), 0);
+  EXPECT_EQ(report.groups[block_first ? 1 : 0].recomputations, rows);
+}
+
+INSTANTIATE_TEST_SUITE_P(Block, ArgMinSystemOfTwoKinds, testing::Bool(),
+                         [](const auto& instance) { return instance.param ? "First" : "Last"; });
 
 TEST(ArgMinSystemOf, FewerCandidatesThanItHolds) {
   const design::Design design = nearest_point(5, 2);

@@ -102,6 +102,51 @@ TEST(IcarusEngine, WhoKillsTheProgramKillsTheSimulation) {
   EXPECT_EQ(files(), before) << "something is left in the folder of the build";
 }
 
+/// Two streams of reports. With resets, one is idle and unknown while the other has a beat.
+design::Design engine_of_two_streams() {
+  design::Design design = sphere_design(format("s6e8"), format("s24e8"), 4, 1);
+  design.system = with_engine(design.system, {.kind = scene::EngineKind::pairwise,
+                                              .capacity = 40,
+                                              .report_streams = 2,
+                                              .lanes_per_group = 2});
+  return design;
+}
+
+verilator_tb::VerifyReport judge(const design::Design& design, const fs::path& rtl, int resets) {
+  const data::Table spheres = data::uniform_spheres(
+      {.count = 40, .side = 100, .radius_max = 30, .seed = 3}, design.reference.input_format);
+  return verilator_tb::verify(design, data::Comparisons::all_pairs(spheres, design.inputs).value(),
+                              rtl,
+                              {.simulator = verilator_tb::SimulatorKind::icarus,
+                               .work_dir = test_work_dir("builds"),
+                               .resets = resets})
+      .value();
+}
+
+TEST(IcarusEngine, MayLeaveAnIdleStreamUnknown) {
+  const design::Design design = engine_of_two_streams();
+  const auto report = judge(design, generate_to(design, "icarus_idle_stream"), 1);
+  EXPECT_TRUE(report.passed()) << to_text(report);
+}
+
+/// The unknown bit is that of a closing beat. It reads as 1, which is right.
+TEST(IcarusEngine, MustKnowABeatBesideAnIdleStream) {
+  const design::Design design = engine_of_two_streams();
+  const fs::path rtl = generate_to(design, "icarus_unknown_beat");
+  const fs::path top = rtl / (verilator_tb::load_system(rtl)->signature.engine->top + ".v");
+  std::string text = read_file(top).value();
+  text.insert(text.rfind("endmodule"),
+              "  assign m_axis_tuser[15] =\n"
+              "      (m_axis_tvalid == 2'b10) && m_axis_tlast[1] ? 1'bx : 1'bz;\n\n");
+  std::ofstream(top) << text;
+  const auto report = judge(design, rtl, 0);
+  EXPECT_EQ(report.mismatch_count, 0u) << to_text(report);
+  ASSERT_GT(report.violation_count, 0u);
+  for (const auto& violation : report.violations) {
+    EXPECT_EQ(violation.fault, "unknown value (x) in a handshake or a beat");
+  }
+}
+
 /// A program that another process runs must not change.
 TEST(IcarusEngine, IsNotBuiltAnewInPlace) {
   const fs::path objects = build("icarus_anew").path.parent_path();

@@ -137,6 +137,24 @@ TEST_P(Faults, AreCaughtAndNamed) {
   EXPECT_EQ(report.violations[0].lane, 0u);
 }
 
+/// Unknown bits in the last of three streams, of requests that are not taken and of operands that
+/// are not sent: they change no result.
+TEST(Verify, FindsUnknownHandshakesOfRefetchesInIcarus) {
+  for (const int fault : {0, 13, 14}) {
+    const verilator_tb::VerifyReport report =
+        run({.name = "refetching", .lanes = 3, .operands = scene::OperandStore::refetched}, 500,
+            {.simulator = verilator_tb::SimulatorKind::icarus,
+             .traffic = verilator_tb::TrafficKind::stressed,
+             .plusargs = {"fault=" + std::to_string(fault)}});
+    EXPECT_EQ(report.passed(), fault == 0) << to_text(report);
+    EXPECT_EQ(report.mismatch_count, 0u) << to_text(report);
+    for (const auto& violation : report.violations) {
+      EXPECT_EQ(violation.fault, "unknown value (x) in a handshake or a beat");
+      EXPECT_EQ(violation.lane, 2u);
+    }
+  }
+}
+
 /// The emulator judges all but a sample, the recomputed and the mismatches; and whoever judges,
 /// everything else in the report is the same.
 TEST_P(FakeSystems, BothJudgesFindTheSame) {

@@ -4,6 +4,7 @@
 
 #include <vpi_user.h>
 
+#include <algorithm>
 #include <condition_variable>
 #include <cstdlib>
 #include <cstring>
@@ -112,34 +113,50 @@ private:
     }
   }
 
+  using BitNumbers = std::vector<int>;  ///< from the lowest bit up
+
   void read_outputs() {
-    bool payload_is_known = true, handshakes_are_known = true, is_valid = false;
+    std::vector<BitNumbers> unknown(handles().size());
+    const VpiModel::Port* valid = nullptr;
     for (std::size_t k = 0; k < handles().size(); ++k) {
       const VpiModel::Port& port = model_->ports_[k];
-      if (!port.is_output) continue;
-      const bool is_known = read(port, handles_[k]);
-      const std::string_view name = port.name;
-      const bool is_handshake = name.ends_with("_tvalid") || name.ends_with("_tready");
-      if (is_handshake) handshakes_are_known = handshakes_are_known && is_known;
-      if (name == "m_axis_tvalid") is_valid = (port.bytes[0] & 1) != 0;
-      if (name.starts_with("m_axis_") && !is_handshake) {
-        payload_is_known = payload_is_known && is_known;
-      }
+      if (port.is_output) unknown[k] = read(port, handles_[k]);
+      if (port.name == std::string_view("m_axis_tvalid")) valid = &port;
     }
-    model_->has_unknown_ = !handshakes_are_known || (is_valid && !payload_is_known);
+    model_->has_unknown_ = false;
+    for (std::size_t k = 0; k < unknown.size(); ++k) {
+      if (counts(model_->ports_[k], unknown[k], valid)) model_->has_unknown_ = true;
+    }
   }
 
-  /// Whether every bit is 0 or 1. An x is read as 1, a z as 0.
-  static bool read(const VpiModel::Port& port, vpiHandle handle) {
+  /// Whether one of these unknown bits is that of a handshake, or of the payload of a stream with a
+  /// valid beat. Each stream has a bit of `valid`, and as many bits of a payload as the others.
+  static bool counts(const VpiModel::Port& port, const BitNumbers& unknown,
+                     const VpiModel::Port* valid) {
+    const std::string_view name = port.name;
+    if (name.ends_with("_tvalid") || name.ends_with("_tready")) return !unknown.empty();
+    if (!name.starts_with("m_axis_") || valid == nullptr) return false;
+    const int bits_of_a_stream = port.width / valid->width;
+    return std::any_of(unknown.begin(), unknown.end(), [&](int bit) {
+      const int stream = bit / bits_of_a_stream;
+      return (valid->bytes[stream / 8] >> stream % 8 & 1) != 0;
+    });
+  }
+
+  /// Reads an output, and says which of its bits are neither 0 nor 1. An x is read as 1, a z as 0.
+  static BitNumbers read(const VpiModel::Port& port, vpiHandle handle) {
     s_vpi_value value{};
     value.format = vpiVectorVal;
     vpi_get_value(handle, &value);
-    bool is_known = true;
+    BitNumbers unknown;
     for (int word = 0; word < words_of(port); ++word) {
-      is_known = is_known && value.value.vector[word].bval == 0;
+      const auto bits = static_cast<std::uint32_t>(value.value.vector[word].bval);
+      for (int bit = 0; bit < 32 && bits >> bit != 0; ++bit) {
+        if ((bits >> bit & 1) != 0) unknown.push_back(32 * word + bit);
+      }
       std::memcpy(port.bytes + 4 * word, &value.value.vector[word].aval, 4);
     }
-    return is_known;
+    return unknown;
   }
 
   std::thread harness_;

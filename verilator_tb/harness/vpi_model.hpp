@@ -25,8 +25,8 @@ public:
   /// Lets the simulator run for a time unit with the inputs as they are, and reads its outputs.
   void eval();
 
-  /// Whether the last eval() left an unknown bit in a handshake, or in the payload of a valid
-  /// m_axis. Other outputs, counters among them, are not looked at.
+  /// Whether the last eval() left an unknown bit in a handshake, or in the payload of a stream of
+  /// m_axis whose valid is 1. Other outputs, counters among them, are not looked at.
   bool has_unknown() const { return has_unknown_; }
 
 protected:

@@ -385,12 +385,17 @@ module testbench;
     integer index;
     integer slot;
     integer number;
+    reg     unknown;
     reg [TAG_BITS-1:0] tag;
     begin
-      if (s_refetch_tvalid[reference] && s_refetch_tready[reference])
+      tag = m_refetch_tdata[reference*TAG_FIELD +: TAG_BITS];
+      unknown = (^{m_refetch_tvalid[reference], s_refetch_tready[reference]} === 1'bx)
+                || ((m_refetch_tvalid[reference] === 1'b1) && (^tag === 1'bx));
+      // The first lane, or group, that the stream serves has its number.
+      if (unknown) violate(UNKNOWN_VALUE, reference, -1, {TAG_BITS{1'b0}});
+      if (s_refetch_tvalid[reference] && (s_refetch_tready[reference] === 1'b1))
         queue_head[reference] = queue_head[reference] + 1;
-      if (m_refetch_tvalid[reference] && m_refetch_tready[reference]) begin
-        tag = m_refetch_tdata[reference*TAG_FIELD +: TAG_BITS];
+      if (!unknown && m_refetch_tvalid[reference] && m_refetch_tready[reference]) begin
         number = (tag - FIRST_TAG) & ((1 << NAME_BITS) - 1);
         index = index_of(tag - number);
         if ((index < 0) || (status[(index < 0) ? 0 : index] != INSIDE) || (number >= GROUP)) begin

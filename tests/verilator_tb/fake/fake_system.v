@@ -1,6 +1,7 @@
 // A system of the generated kind, as small as one can be, for the tests of the testbench itself.
 // It compares two positive finite binary16 numbers a and b; encodings closer than GUARD are sent
-// to a reference. +fault=N names one defect, which strikes in lane 0; 0 is a good system.
+// to a reference. +fault=N names one defect, which strikes in lane 0,
+// or 13 and 14 in the last stream of refetches; 0 is a good system.
 `default_nettype none
 
 module fake_system (
@@ -36,6 +37,11 @@ module fake_system (
   output wire [LANES*COUNTER_BITS-1:0]    comparisons;
   output wire [LANES*COUNTER_BITS-1:0]    recomputations;
   output wire [LANES*COUNTER_BITS-1:0]    stalls;
+  reg [7:0] fault;
+  initial begin
+    if (!$value$plusargs("fault=%d", fault)) fault = 8'd0;
+  end
+
   wire [LANES-1:0]               m_refetch_valid;
   wire [LANES-1:0]               m_refetch_ready;
   wire [LANES*TAG_BYTE_BITS-1:0] m_refetch_data;
@@ -51,11 +57,16 @@ module fake_system (
   output wire [LANES-1:0]               s_refetch_tready;
   input  wire [LANES*32-1:0]            s_refetch_tdata;
   localparam REFETCHED = 1;
-  assign m_refetch_tvalid = m_refetch_valid;
+  // Defects that a simulator of two values does not see: x where no transfer is.
+  localparam [7:0] UNKNOWN_REQUEST = 8'd13;
+  localparam [7:0] UNKNOWN_REFETCH_READY = 8'd14;
+  wire unknown_request = (fault == UNKNOWN_REQUEST) ? 1'bx : 1'b0;
+  wire unknown_ready = (fault == UNKNOWN_REFETCH_READY) ? 1'bx : 1'b0;
+  assign m_refetch_tvalid = m_refetch_valid | ({unknown_request, {LANES-1{1'b0}}} & ~m_refetch_tready);
   assign m_refetch_ready  = m_refetch_tready;
   assign m_refetch_tdata  = m_refetch_data;
   assign s_refetch_valid  = s_refetch_tvalid;
-  assign s_refetch_tready = s_refetch_ready;
+  assign s_refetch_tready = s_refetch_ready & ~({unknown_ready, {LANES-1{1'b0}}} & ~s_refetch_tvalid);
   assign s_refetch_data   = s_refetch_tdata;
 `else
   localparam REFETCHED = 0;
@@ -63,11 +74,6 @@ module fake_system (
   assign s_refetch_valid = {LANES{1'b0}};
   assign s_refetch_data  = {LANES*32{1'b0}};
 `endif
-
-  reg [7:0] fault;
-  initial begin
-    if (!$value$plusargs("fault=%d", fault)) fault = 8'd0;
-  end
 
   genvar lane;
   generate
