@@ -33,7 +33,7 @@ Result<GeneratedSystem> generate_system(const design::Design& design, const std:
 std::vector<std::string> provenance(const Signature& signature, const std::string& command);
 
 /// Adds files for other tools to a generated system, and their names to its signature. An error
-/// names a file whose name is too long.
+/// names a module whose name is too long.
 Result<Done> add_project_files(GeneratedSystem& system, std::vector<GeneratedFile> files);
 
 /// Writes the files as the whole content of `directory`: all or nothing. An existing directory is
