@@ -84,6 +84,11 @@ const std::string* text_of(const std::string& module, const SourceFiles& sources
   return nullptr;
 }
 
+/// The length of the longest name that a block of this module brings: the stub's third function.
+std::size_t longest_name(const std::string& module) {
+  return (module + "_settle").size();
+}
+
 /// The modules that can be blocks. A reference's channel cannot: its s_request_tready follows
 /// m_refetch_tready. A datapath without a register is no block, either.
 std::set<std::string> candidates(const emit::Signature& signature) {
@@ -178,7 +183,7 @@ std::vector<ClockedBlock> clocked_blocks(const emit::Signature& signature,
   std::vector<ClockedBlock> blocks;
   for (const std::string& module : candidates(signature)) {
     const std::string* const text = text_of(module, sources);
-    if (text == nullptr) continue;
+    if (text == nullptr || longest_name(module) > emit::longest_module_name) continue;
     if (auto block = clocked_block(module, *text)) blocks.push_back(std::move(*block));
   }
   return blocks;

@@ -12,6 +12,7 @@
 #include "generator/rtl/arg_min_module.hpp"
 #include "generator/rtl/datapath_builder.hpp"
 #include "generator/rtl/net_names.hpp"
+#include "model/common/content_hash.hpp"
 #include "model/design/slots.hpp"
 #include "model/devices/device.hpp"
 
@@ -113,8 +114,21 @@ std::vector<rtl::DatapathGroup> reference_groups(const design::Design& design,
   return groups;
 }
 
+/// The most that other modules add to the top's name: an engine's kind, and "_tb" of its test
+/// bench.
+std::size_t longest_suffix(scene::EngineKind kind) {
+  const bool is_engine = kind != scene::EngineKind::none;
+  return bench_suffix.size() + (is_engine ? 1 + to_string(kind).size() : 0);
+}
+
+/// A list of formats that is too long for a name, as their number and a hash of the list:
+/// "_24kinds_0d1f65c8".
+std::string short_list(const std::string& list, std::size_t formats) {
+  return fmt::format("_{}kinds_{}", formats, ContentHash().add(list).hex().substr(0, 8));
+}
+
 /// The scene's name, the lanes of each format, a second tier's, p_H: sphere_s8e8_6_s12e8_2x1,
-/// sphere_q8_64xq13_2x1.
+/// sphere_q8_64xq13_2x1. Modules around the top have its name with a suffix.
 std::string top_name(const design::Design& design) {
   std::vector<std::pair<std::string, int>> formats;
   for (const design::LaneGroup& group : design.lanes) {
@@ -127,13 +141,18 @@ std::string top_name(const design::Design& design) {
       known->second += group.count;
     }
   }
-  std::string name = design.name;
-  for (const auto& [format, count] : formats) name += fmt::format("_{}_{}", format, count);
+  std::string list;
+  for (const auto& [format, count] : formats) list += fmt::format("_{}_{}", format, count);
+  std::string end;
   if (design.has_second_lanes()) {
     const design::LaneGroup& tier = *design.second_tier;
-    name += fmt::format("x{}_{}", design::format_name(tier.lane), tier.count);
+    end += fmt::format("x{}_{}", design::format_name(tier.lane), tier.count);
   }
-  return name + fmt::format("x{}", design.reference_count());
+  end += fmt::format("x{}", design.reference_count());
+  const std::size_t length =
+      design.name.size() + list.size() + end.size() + longest_suffix(design.system.engine.kind);
+  if (length > longest_module_name) list = short_list(list, formats.size());
+  return design.name + list + end;
 }
 
 int slowest_cycles(const std::vector<rtl::DatapathGroup>& groups) {

@@ -31,6 +31,15 @@ struct SignatureCounters {
   int offset = 0;  ///< bytes; 8 more for each further counter, the low word of 32 bits first
 };
 
+/// The most characters of a module's name that every tool takes. Verilator replaces longer names by
+/// hashes, and then finds neither the top that it is told nor a file of the module's name. IEEE
+/// 1364 lets tools stop at 1024, where Vivado and Quartus do; Icarus and Yosys know no limit. File
+/// systems take names of 255 bytes, so that a module's file may have any extension.
+inline constexpr std::size_t longest_module_name = 127;
+
+/// The outermost module and this make the name of its test bench.
+inline constexpr std::string_view bench_suffix = "_tb";
+
 /// A datapath's module and this make the name of its channel.
 inline constexpr std::string_view channel_suffix = "_channel";
 

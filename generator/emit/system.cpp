@@ -246,17 +246,20 @@ GeneratedFile file_list(const Signature& signature, const devices::Device& devic
   return {signature.top + ".f", text};
 }
 
-/// Refuses files that no file system takes; the names of files are those of the modules in them.
-Result<Done> check_file_names(const std::vector<GeneratedFile>& files) {
-  constexpr std::size_t most = 255;  // bytes, on Linux
+/// Refuses modules with names that not every tool takes. Other files are named after the top.
+Result<Done> check_module_names(const std::vector<GeneratedFile>& files) {
   for (const GeneratedFile& file : files) {
-    const std::string name = std::filesystem::path(file.name).filename().string();
-    if (name.size() <= most) continue;
-    return Error{
-        .field = "comparison.name",
-        .message = "the names of the scene and of its lanes' formats are too long for a file",
-        .received = fmt::format("{} characters, {}", name.size(), name),
-        .accepted = fmt::format("at most {}", most)};
+    const std::filesystem::path path = file.name;
+    const std::string name = path.stem().string();
+    if (path.extension() != ".v" || name.size() <= longest_module_name) continue;
+    return Error{.field = "comparison.name",
+                 .message =
+                     "with system.prefix and the lanes' formats it makes the name of a module "
+                     "longer than every tool takes",
+                 .received = fmt::format("{} of {} characters", name, name.size()),
+                 .accepted = fmt::format("a shorter name or prefix: {} characters at most in the "
+                                         "module's",
+                                         longest_module_name)};
   }
   return Done{};
 }
@@ -324,7 +327,7 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
   system.files.push_back(file_list(system.signature, device));
   system.files.push_back(constraint_file(system.signature, device, design.planned_clock));
   system.files.push_back({signature_file(system.signature), to_json(system.signature)});
-  MIXCMP_TRY(fits, check_file_names(system.files));
+  MIXCMP_TRY(fits, check_module_names(system.files));
   return system;
 }
 
@@ -340,7 +343,7 @@ void state_simulations(GeneratedSystem& system, std::vector<SignatureSimulation>
 }
 
 Result<Done> add_project_files(GeneratedSystem& system, std::vector<GeneratedFile> files) {
-  MIXCMP_TRY(fits, check_file_names(files));
+  MIXCMP_TRY(fits, check_module_names(files));
   for (GeneratedFile& file : files) {
     system.signature.project.push_back(file.name);
     system.files.push_back(std::move(file));

@@ -36,7 +36,7 @@ std::vector<std::string> provenance(const Signature& signature, const std::strin
 void state_simulations(GeneratedSystem& system, std::vector<SignatureSimulation> simulations);
 
 /// Adds files for other tools to a generated system, and their names to its signature. An error
-/// names a file whose name is too long.
+/// names a module whose name is too long.
 Result<Done> add_project_files(GeneratedSystem& system, std::vector<GeneratedFile> files);
 
 /// Writes the files as the whole content of `directory`: all or nothing. An existing directory is

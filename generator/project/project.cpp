@@ -94,7 +94,7 @@ const std::string& ProjectSpec::build_top() const {
 }
 
 std::string ProjectSpec::bench() const {
-  return vectors.empty() && !tests_engine() ? "" : build_top() + "_tb";
+  return vectors.empty() && !tests_engine() ? "" : build_top() + std::string(emit::bench_suffix);
 }
 
 const std::vector<emit::SignaturePort>& ProjectSpec::build_ports() const {

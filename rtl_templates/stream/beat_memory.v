@@ -28,8 +28,8 @@ module beat_memory #(
     if (WIDTH < 1) begin : g_refused_width
       WIDTH_is_below_1 refused ();
     end
-    if ((BEAT_BITS < 0) || (BEAT_BITS > 14)) begin : g_refused_beat_bits
-      BEAT_BITS_is_not_0_to_14 refused ();
+    if ((BEAT_BITS < 0) || (BEAT_BITS > 8)) begin : g_refused_beat_bits
+      BEAT_BITS_is_not_0_to_8 refused ();
     end
     if (ADDRESS_BITS < 1) begin : g_refused_address_bits
       ADDRESS_BITS_is_below_1 refused ();

@@ -61,6 +61,22 @@ TEST(ClockedBlock, IsNoModuleThatMixcmpWouldNotPrint) {
   EXPECT_FALSE(verilator_tb::clocked_block("lane", with("aclk", "clock")).has_value());
 }
 
+TEST(ClockedBlock, IsNoModuleWhoseFunctionsWouldHaveNamesThatVerilatorHashes) {
+  const auto blocks = [](std::size_t length) {
+    const std::string module(length, 'm');
+    std::string text = printed;
+    text.replace(text.find("module lane ("), 13, "module " + module + " (");
+    emit::Signature signature =
+        emit::generate_system(sphere_design(format("s5e8"), format("s24e8"), 1, 1), "")
+            .value()
+            .signature;
+    signature.lane_groups.front().module = module;
+    return verilator_tb::clocked_blocks(signature, {{module + ".v", text}}).size();
+  };
+  EXPECT_EQ(blocks(120), 1u);
+  EXPECT_EQ(blocks(121), 0u);
+}
+
 TEST(ClockedBlock, ItsFilesAreThoseThatItNames) {
   const verilator_tb::SourceFiles all = {{"leaf.v", "module leaf; endmodule"},
                                          {"leaf_2.v", "module leaf_2; endmodule"},
