@@ -233,6 +233,20 @@ TEST(ReferenceModule, SquarersStartWhenTheirOperandIsThere) {
   }
 }
 
+/// A multiplier that takes squares among its products gets their operand twice.
+TEST(ReferenceModule, FoldedSquaresAndProductsHaveNoFault) {
+  const Graph graph = graph_of("a^2 + b^2 + a * b + c^2", "(a - b) * c + (a + c)^2 - 0.3 * b");
+  const TypedGraph reference = reference_graph(graph, {format("s24e8")});
+  for (const int interval : {2, 3, 4, 5, 8, 16}) {
+    const datapath::Schedule schedule = datapath::schedule_reference(
+        reference, {.multipliers = scene::Multipliers::embedded, .initiation_interval = interval},
+        datapath::delays_of("virtex6-lx760").value(), 250);
+    const rtl::Module module =
+        rtl::reference_module("reference", graph.inputs(), reference, schedule);
+    EXPECT_EQ(rtl::faults_of({module}, emit::template_ports), std::vector<std::string>());
+  }
+}
+
 /// The names that a module declares: of ports, wires and instances.
 std::vector<std::string> declared_names(const rtl::Module& module) {
   std::vector<std::string> names;
