@@ -71,11 +71,14 @@ def _judge(scene, folder, done):
         raise Failure(f"no report, exit code {done.returncode}", (done.stdout + done.stderr)[-2000:])
     if "error" in report:
         return _refusal(report["error"], done.returncode)
-    outcome = _check_verdicts(scene, folder, report)
-    if done.returncode != 0 or report["passed"] is not True:
+    try:
+        outcome = check_verdicts(scene, folder, report)
+    except Failure as failure:
+        outcome = failure.outcome
+    if report["passed"] is not True or done.returncode != 0:
         found = report["mismatches"] + report["violations"]
-        raise Failure("verify fails", json.dumps(found[:3], indent=1),
-                      [entry["index"] for entry in found if "index" in entry])
+        outcome.way = "verify fails"
+        outcome.detail += "\n" + json.dumps(found[:3], indent=1)
     return outcome
 
 
@@ -90,7 +93,7 @@ def _refusal(error, returncode):
     return Outcome(refusal=re.sub(r"\d+", "#", f'{error.get("field", "")}: {message}'), detail=said)
 
 
-def _check_verdicts(scene, folder, report):
+def check_verdicts(scene, folder, report):
     with open(folder / "verdicts.csv", newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     judge = Judge(scene)
@@ -102,6 +105,7 @@ def _check_verdicts(scene, folder, report):
         judge.check_all(rows)
         if report["recomputations"] != sum(row["recomputed"] == "1" for row in rows):
             raise Failure("recomputations are miscounted", f'{report["recomputations"]} reported')
+        judge.check_truth(report)
     return judge.outcome
 
 
@@ -141,6 +145,21 @@ class Judge:
             if complaint:
                 wrong.append((k, complaint))
         self._fail_if(wrong)
+
+    def check_truth(self, report):
+        """How often the reference is wrong, as --truth says, where all truths are determined."""
+        said = report.get("truth")
+        if not said or len(self.graph.parts) > 1 or not self.scene.get("system", "references", 1):
+            return
+        pairs = [(self.truth(inputs), self.recomputed(inputs))
+                 for _, _, inputs in comparisons(self.scene, self.graph)]
+        if said["not_checked"]["undetermined"] or any(truth is None for truth, _ in pairs):
+            return
+        defined = [pair for pair in pairs if pair[0] != "unordered"]
+        expected = len(defined), sum(truth != computed for truth, computed in defined)
+        found = said["reference_alone_checked"], said["reference_alone_wrong"]
+        if found != expected:
+            raise Failure("truths differ", f"checked and wrong references: {found}, expected {expected}")
 
     def check_reports(self, rows, report):
         """Pairwise engines: the pairs whose verdict is among engine.report, once each."""

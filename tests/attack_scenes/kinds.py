@@ -8,8 +8,8 @@ from .expressions import name
 
 
 def fold(draft):
-    draft.sides = draft.rng.choice(("products", "products", "any", "choices", "quotients"))
-    interval = draft.rng.choice((2, 2, 2, 3, 3, 3, 4, 4, 5, 6, 7, 8, 9, 10, 12, 13, 16, 17, 32, 64))
+    draft.sides = draft.rng.choice(("products", "products", "products", "any", "quotients"))
+    interval = draft.rng.choice((2, 2, 2, 2, 3, 3, 3, 4, 4, 5, 6, 7, 8, 9, 12, 16, 17, 32, 64))
     draft.scene.set("reference", initiation_interval=interval)
 
 

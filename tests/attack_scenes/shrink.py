@@ -20,6 +20,7 @@ class Search:
     def __init__(self, scene, outcome, attack):
         self.scene, self.outcome, self.attack = scene, outcome, attack
         self.end = time.monotonic() + SECONDS
+        self.tried = set()
 
     def keeps(self, candidate):
         """Takes the candidate if it fails in the same way."""
@@ -27,6 +28,9 @@ class Search:
             return False
         try:
             candidate = candidate.pruned()
+            if repr(candidate) in self.tried:
+                return False
+            self.tried.add(repr(candidate))
             outcome = self.attack(candidate)
         except (KeyError, IndexError, ValueError, ArithmeticError):
             return False  # what is left is no scene
@@ -84,8 +88,7 @@ class Search:
         for name in list(self.scene.lets):
             self.keeps(without_let(self.scene, name))
         while any(self.keeps(candidate) for candidate in smaller_expressions(self.scene)):
-            if time.monotonic() > self.end:
-                return
+            continue
 
 
 def with_rows(scene, kept):
