@@ -4,10 +4,8 @@ import random
 
 from .expressions import Expressions, candidates_for_let, name
 from .rows import Operands, draw_items, draw_rows
-from .rounded import Reference
-from .scene import Scene, contest, item_column
+from .scene import Scene, item_column
 from .trees import exchanged, literal, replaced, subtrees
-from . import exact
 
 NAMES = ("a", "b", "c", "d", "e", "u", "v", "w", "x", "z")
 PRECISIONS = (11, 11, 12, 12, 13, 14, 15, 16, 17, 18, 20, 23, 24, 25)
@@ -232,6 +230,8 @@ class Draft:
             fitting = [pair for pair in fitting if literal(pair[0]) >= 0]
         common = rng.choice(fitting)
         style = rng.choice(("common", "common", "each", "data"))
+        if not self.wants_ranges and self.chance(0.3):
+            style, names = "each", rng.sample(names, rng.randint(1, len(names)))
         if style == "data":
             common = rng.choice(fitting)
             self.scene.inputs["*"] = '{ range = "data" }'
@@ -261,9 +261,9 @@ class Draft:
             operands = Operands(self.rng, form, self.ranges, allows_specials)
             self.scene.rows = draw_rows(operands, graph, names, self.row_count)
             return
-        self.draw_tables(graph, names, form, allows_specials)
+        self.draw_tables(names, form, allows_specials)
 
-    def draw_tables(self, graph, names, form, allows_specials):
+    def draw_tables(self, names, form, allows_specials):
         """The items of an engine. Inputs of one column share the range of the first."""
         is_item = lambda word: item_column(word)[1] in "ij"
         ranges = {item_column(word)[0] if is_item(word) else word: self.ranges[word]
@@ -275,12 +275,10 @@ class Draft:
         operands = Operands(self.rng, form, ranges, allows_specials)
         columns = sorted({item_column(word)[0] for word in names if is_item(word)})
         if self.scene.pairs == "arg_min":
-            self.scene.others = draw_items(operands, columns, self.scene.get("system", "lanes") + 1)
-            rest = [word for word in names if not is_item(word)] or ["unused"]
-            rows = draw_items(operands, rest, self.rng.choice((4, 6, 9)))
-            self.scene.rows = rows
-            self.scene.rows = [row for number, row in enumerate(rows)
-                               if is_settled(self.scene, graph, number)] or rows[:1]
+            candidates = self.scene.get("system", "lanes") + 1 if self.scene.engine != "none" else 4
+            self.scene.others = draw_items(operands, columns, candidates)
+            rest = [word for word in names if not is_item(word)]
+            self.scene.rows = draw_items(operands, rest, self.rng.choice((4, 6, 9)))
             return
         self.scene.rows = draw_items(operands, columns, self.rng.choice((4, 6, 8)))
         if self.scene.pairs == "cross":
@@ -323,19 +321,3 @@ def other_item(tree):
 def items_of(sides):
     """The last letters of the inputs' names."""
     return {below[1][-1] for side in sides for _, below in subtrees(side) if below[0] == "input"}
-
-
-def is_settled(scene, graph, row):
-    """Whether lanes and the reference agree on every contest of a row.
-
-    What follows an arg-min engine's chain otherwise depends on who decides.
-    """
-    reference = Reference(graph, scene.reference_format(), scene.get("reference", "sums") == "fused")
-    count = len(scene.others)
-    for i in range(count):
-        for j in range(i + 1, count):
-            inputs = contest(scene, graph, row, i, j)
-            truth = exact.verdict(graph, graph.parts[0], inputs)
-            if truth != reference.verdicts(inputs)[0]:
-                return False
-    return True

@@ -97,7 +97,7 @@ def check_verdicts(scene, folder, report):
     with open(folder / "verdicts.csv", newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     judge = Judge(scene)
-    if scene.engine == "arg_min":
+    if scene.pairs == "arg_min":
         judge.check_chains(rows)
     elif scene.engine == "pairwise":
         judge.check_reports(rows, report)
@@ -149,7 +149,7 @@ class Judge:
     def check_truth(self, report):
         """How often the reference is wrong, as --truth says, where all truths are determined."""
         said = report.get("truth")
-        if not said or len(self.graph.parts) > 1 or not self.scene.get("system", "references", 1):
+        if not said or self.scene.pairs or len(self.graph.parts) > 1 or not self.scene.get("system", "references", 1):
             return
         pairs = [(self.truth(inputs), self.recomputed(inputs))
                  for _, _, inputs in comparisons(self.scene, self.graph)]
@@ -170,6 +170,7 @@ class Judge:
         wrong, least, most = [], 0, 0
         for k, pair, inputs in comparisons(self.scene, self.graph):
             found = listed.pop(pair, [])
+            self.outcome.comparisons += not found
             possible = {self.truth(inputs), self.recomputed(inputs)}
             least += possible <= set(kept)
             most += bool(possible & set(kept)) or None in possible
@@ -193,7 +194,10 @@ class Judge:
         self._fail_if(wrong)
 
     def check_chains(self, rows):
-        """Arg-min engines: each row's chain of contests, the winner meeting the next candidate."""
+        """Each row's chain of contests, the winner meeting the next candidate.
+
+        An engine's verdicts say who wins. For streams the reference's do, whatever lanes decide.
+        """
         wrong, best = [], 0
         contests = len(self.scene.others) - 1
         if len(rows) != contests * len(self.scene.rows):
@@ -203,10 +207,12 @@ class Judge:
             best = 0 if j == 1 else best
             if (int(row["row"]), int(row["i"]), int(row["j"])) != (number, best, j):
                 raise Failure("contests differ", f"{row}, expected row {number}, {best} and {j}", [k])
-            complaint = self.complaint(row, contest(self.scene, self.graph, number, best, j))
+            inputs = contest(self.scene, self.graph, number, best, j)
+            complaint = self.complaint(row, inputs)
             if complaint:
                 wrong.append((k, complaint))
-            best = j if row["verdict"] == "greater" else best
+            is_engine = self.scene.engine == "arg_min"
+            best = j if (row["verdict"] if is_engine else self.recomputed(inputs)) == "greater" else best
         self._fail_if(wrong)
 
     def complaint(self, row, inputs):

@@ -79,6 +79,8 @@ def bounds(draft):
         draft.scene.set("reduced", bound_digits=rng.choice((1, 1, 2, 3, 4, 5, 8)))
     draft.sides = {"relative": "positive", "running": "any", "constant": "polynomials"}[bound]
     draft.wants_ranges = bound != "running" or draft.chance(0.3)
+    if draft.wants_ranges and draft.chance(0.3):  # as few exponent bits as the ranges allow
+        draft.scene.set("reduced", format=draft.scene.get("reduced", "format").partition("e")[0])
     if bound != "relative":
         draft.scene.set("reduced", inputs=rng.choice(("rounded", "exact", draft.precision() - 1)))
 
@@ -159,6 +161,9 @@ def pairwise(draft):
     draft.scene.set("data", pairs=rng.choice(("all", "all", "cross")))
     draft.scene.set("system", lanes=group * rng.choice((1, 2, 3)))
     draft.scene.set("engine", kind="pairwise", capacity=rng.choice((13, 16, 40)), lanes_per_group=group)
+    groups_of_lanes = draft.scene.get("system", "lanes") // group
+    if groups_of_lanes > 1 and draft.chance(0.5):
+        draft.scene.set("engine", report_streams=rng.randint(2, groups_of_lanes))
     report = rng.sample(("less", "equal", "greater", "unordered"), rng.randint(1, 4))
     report_as = rng.choice(("pairs", "pairs", "bitmap", "count"))
     draft.scene.set("engine", report_as=report_as, report=report[:1] if report_as == "bitmap" else report)
@@ -176,6 +181,13 @@ def arg_min(draft):
     engine_lanes(draft)
     if draft.chance(0.3):
         draft.scene.set("reference", initiation_interval=draft.rng.choice((2, 3, 4, 8)))
+
+
+def pairs(draft):
+    """Pairs of tables' rows as streams, without an engine."""
+    draft.scene.set("data", pairs=draft.rng.choice(("all", "cross", "arg_min")))
+    engine_lanes(draft)
+    draft.system_options(0.1)
 
 
 def parts(draft):
@@ -248,7 +260,7 @@ def undecided(draft):
 
 
 KINDS = (fold, fused, formats, roundings, fixed, guarded, block, bounds, groups, second_tier, beats,
-         memories, refetched, in_order, counters, devices, pairwise, arg_min, parts, mixed, limited,
+         memories, refetched, in_order, counters, devices, pairwise, arg_min, pairs, parts, mixed, limited,
          quotients, choices, vectors, undecided)
 NAMES_OF_KINDS = tuple(kind.__name__ for kind in KINDS)
 SPREAD = 7  # share in percent of each other option
@@ -265,6 +277,6 @@ def drawn(seed):
     share = SPREAD / 100
     draft.reference_options(share)
     draft.lane_options(share)
-    if not draft.scene.pairs:
+    if draft.scene.engine == "none":
         draft.system_options(share)
     return draft.finished()

@@ -4,7 +4,7 @@ import time
 
 from .trees import replaced, size, subtrees
 
-SECONDS = 240  # that shrinking one scene may take
+SECONDS = 480  # that shrinking one scene may take
 
 
 def shrunken(scene, outcome, attack):
@@ -40,10 +40,11 @@ class Search:
         return True
 
     def drop_rows(self):
-        worst = [k for k in self.outcome.worst if k < len(self.scene.rows)]
-        if not self.scene.pairs and worst and self.keeps(with_rows(self.scene, [worst[0]])):
+        count = len(self.scene.rows)
+        likely = [k for k in self.outcome.worst if k < count][:2] + [0, count // 2]
+        if not self.scene.pairs and any(self.keeps(with_rows(self.scene, [k])) for k in likely):
             return
-        part = len(self.scene.rows) // 2
+        part = count // 2
         while part:
             first = 0
             while first < len(self.scene.rows):
