@@ -68,7 +68,7 @@ class Draft:
         self.some("reduced", choices, share)
         if self.scene.get("reduced", "inputs") == "digits":
             least = int(self.scene.get("reduced", "format")[1:].partition("e")[0])
-            self.scene.set("reduced", inputs=rng.randint(least, self.precision()))
+            self.scene.set("reduced", inputs=rng.randint(min(least, self.precision()), self.precision()))
 
     def system_options(self, share):
         rng, choices = self.rng, {
@@ -183,11 +183,20 @@ class Draft:
         draw = getattr(self, f"sides_{self.sides}")
         if self.leaves is None:
             self.draw_leaves()
-        self.scene.parts = [self.for_items(draw) for _ in range(count)]
+        allowed = 1
+        while not self.scene.parts or self.cost() > allowed:
+            self.scene.parts = [self.for_items(draw) for _ in range(count)]
+            allowed *= 1.05
         if count > 1:
             self.scene.combine = self.rng.choice(("all", "any"))
         if self.chance(0.12):
             self.add_let()
+
+    def cost(self):
+        """The size of the hardware, as a share of what Icarus simulates in a second or two."""
+        weights = {"input": 0, "constant": 0, "/": 3, "sqrt": 3}
+        units = sum(weights.get(node.operation, 1) for node in self.scene.graph().nodes)
+        return units / max(4, min(22, 500 // self.precision()))
 
     def for_items(self, draw):
         """A part that reads what the pairs of the data want: i and j, or candidates and the row."""

@@ -28,6 +28,7 @@ def formats(draft):
         draft.scene.set("reduced", format=f"s{rng.choice((4, 5, 7, 8, 9, 11))}e{rng.choice((2, 3, 4))}")
     elif draft.chance(0.3):
         draft.scene.set("reference", format=rng.choice(("binary16", "binary32", "binary64", "binary128")))
+        draft.scene.set("reduced", format=f"s{rng.randint(4, 11)}e{rng.randint(3, 8)}")
     draft.lane_options(0.3)
 
 
