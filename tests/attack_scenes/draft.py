@@ -78,13 +78,16 @@ class Draft:
             "tag_bits": lambda: rng.choice((9, 16, 33, 64)), "prefix": lambda: rng.choice(("", "x_", "Q9")),
             "counters": lambda: rng.choice(("none", "axi_lite", "axi_lite")),
             "counter_bits": lambda: rng.choice((16, 17, 40, 64))}
+        if self.scene.engine != "none":  # the engine decides the others
+            choices = {key: choices[key] for key in ("device", "target_mhz", "prefix", "counters",
+                                                     "counter_bits")}
         self.some("system", choices, share)
         system = self.scene.sections["system"]
         if system.get("counters") == "none":
             system.pop("counter_bits", None)
         if system.get("operands") == "refetched":
             system.pop("operand_memory", None)
-        elif self.chance(share):
+        elif self.scene.engine == "none" and self.chance(share):
             self.beats()
 
     def beats(self):
@@ -284,8 +287,7 @@ class Draft:
         operands = Operands(self.rng, form, ranges, allows_specials)
         columns = sorted({item_column(word)[0] for word in names if is_item(word)})
         if self.scene.pairs == "arg_min":
-            candidates = self.scene.get("system", "lanes") + 1 if self.scene.engine != "none" else 4
-            self.scene.others = draw_items(operands, columns, candidates)
+            self.scene.others = draw_items(operands, columns, self.scene.lane_count() + 1)
             rest = [word for word in names if not is_item(word)]
             self.scene.rows = draw_items(operands, rest, self.rng.choice((4, 6, 9)))
             return

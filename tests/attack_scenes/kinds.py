@@ -156,6 +156,18 @@ def engine_lanes(draft):
         draft.wants_ranges = True
 
 
+def split_lanes(draft, step):
+    """The lanes as two kinds, in multiples of `step`."""
+    rng, lanes = draft.rng, draft.scene.get("system", "lanes")
+    if lanes == step or not draft.chance(0.3):
+        return
+    first = step * rng.randint(1, lanes // step - 1)
+    form = draft.scene.get("reduced", "format")
+    other = f"{form.rstrip('0123456789')}{rng.randint(3, 9)}" if form[0] != "s" else f"s{rng.randint(4, 9)}e6"
+    del draft.scene.sections["system"]["lanes"]
+    draft.scene.sections["lanes"] = [{"count": first}, {"count": lanes - first, "format": other}]
+
+
 def pairwise(draft):
     rng = draft.rng
     group = rng.choice((1, 2, 3, 4))
@@ -171,6 +183,7 @@ def pairwise(draft):
     engine_lanes(draft)
     if draft.scene.get("reduced", "format")[0] == "q" and draft.chance(0.5):
         draft.scene.set("second_tier", format=f"q{rng.randint(8, draft.precision())}")
+    split_lanes(draft, group)
     if draft.chance(0.2):
         draft.scene.set("reference", initiation_interval=rng.choice((2, 3, 4, 8)))
 
@@ -180,6 +193,7 @@ def arg_min(draft):
     draft.scene.set("system", lanes=draft.rng.choice((1, 2, 3, 4)))
     draft.scene.set("engine", kind="arg_min", tag_bits=draft.rng.choice((1, 8, 16, 33)))
     engine_lanes(draft)
+    split_lanes(draft, 1)
     if draft.chance(0.3):
         draft.scene.set("reference", initiation_interval=draft.rng.choice((2, 3, 4, 8)))
 
@@ -278,6 +292,5 @@ def drawn(seed):
     share = SPREAD / 100
     draft.reference_options(share)
     draft.lane_options(share)
-    if draft.scene.engine == "none":
-        draft.system_options(share)
+    draft.system_options(share)
     return draft.finished()

@@ -62,6 +62,9 @@ class Scene:
     def pairs(self):
         return self.get("data", "pairs", "")
 
+    def lane_count(self):
+        return self.get("system", "lanes") or sum(table["count"] for table in self.sections["lanes"])
+
     def reference_format(self):
         return float_format(self.get("reference", "format"),
                             self.get("reference", "subnormals") == "flush")
