@@ -189,7 +189,7 @@ class Draft:
         allowed = 1
         while not self.scene.parts or self.cost() > allowed:
             self.scene.parts = [self.for_items(draw) for _ in range(count)]
-            allowed *= 1.05
+            allowed *= 1.02
         if count > 1:
             self.scene.combine = self.rng.choice(("all", "any"))
         if self.chance(0.12):
@@ -199,7 +199,8 @@ class Draft:
         """The size of the hardware, as a share of what Icarus simulates in a second or two."""
         weights = {"input": 0, "constant": 0, "/": 3, "sqrt": 3}
         units = sum(weights.get(node.operation, 1) for node in self.scene.graph().nodes)
-        return units / max(4, min(22, 500 // self.precision()))
+        datapaths = self.scene.lane_count() / 2 + self.scene.get("system", "references", 2)
+        return units * datapaths / max(6, min(30, 700 / self.precision()))
 
     def for_items(self, draw):
         """A part that reads what the pairs of the data want: i and j, or candidates and the row."""
@@ -277,7 +278,9 @@ class Draft:
 
     def draw_tables(self, names, form, allows_specials):
         """The items of an engine. Inputs of one column share the range of the first."""
-        is_item = lambda word: item_column(word)[1] in "ij"
+        def is_item(word):
+            return item_column(word)[1] in "ij"
+
         ranges = {item_column(word)[0] if is_item(word) else word: self.ranges[word]
                   for word in self.ranges}
         for word in self.ranges:

@@ -3,15 +3,12 @@
 from .trees import reads, subtrees
 
 CONSTANTS = ("2", "3", "0.5", "4", "0.25", "1.5", "5", "0x1.8p-3", "0.1", "7", "1", "-2", "-0.75", "0")
+FACTORS = tuple(word for word in CONSTANTS if word != "0")
+POSITIVE = tuple(word for word in FACTORS if word[0] != "-")
 
 
 def name(word):
     return ("input", word)
-
-
-def constant(rng, positive=False):
-    words = [word for word in CONSTANTS if not positive or word[0] not in "-0" or "." in word]
-    return ("constant", rng.choice([word for word in words if not positive or word[0] != "-"]))
 
 
 class Expressions:
@@ -50,9 +47,9 @@ class Expressions:
         if kind == "^":
             return self.kept(("^", self.any(rest // 2), rng.choice((1, 3, 3, 4, 5, 6))))
         if kind == "scale":
-            return self.kept((rng.choice("**/"), self.any(rest), self.factor()))
+            return self.kept((rng.choice("**/"), self.any(rest), self.constant(FACTORS)))
         if kind == "shift":
-            return self.kept((rng.choice("+-"), self.any(rest), constant(rng)))
+            return self.kept((rng.choice("+-"), self.any(rest), self.constant(CONSTANTS)))
         if kind == "sqrt":
             return self.kept(("sqrt", self.nonnegative(rest)))
         if kind in ("abs", "neg"):
@@ -61,14 +58,15 @@ class Expressions:
         function = rng.choice(("min", "max")) if kind == "choices" else kind
         return self.kept((function, *(self.any(rest // count) for _ in range(count))))
 
-    def factor(self):
-        word = self.rng.choice([word for word in CONSTANTS if word != "0"])
-        return ("constant", word)
+    def constant(self, words):
+        return ("constant", self.rng.choice(words))
 
     def nonnegative(self, operations):
-        squares = [("^", self.any(max(0, operations // 2 - 1)), 2) for _ in range(self.rng.choice((1, 2)))]
-        return self.rng.choice((("sum", *squares) if len(squares) == 2 else squares[0],
-                                ("abs", self.any(operations - 1))))
+        """A tree for a root: a square, a sum of two, or an absolute value."""
+        if self.rng.random() < 0.5:
+            return ("abs", self.any(operations - 1))
+        squares = [("^", self.any(operations // 2 - 1), 2) for _ in range(self.rng.choice((1, 2)))]
+        return ("+", *squares) if len(squares) == 2 else squares[0]
 
     def positive(self, operations):
         """Products, quotients, roots and sums of what is not negative; differences of operands."""
@@ -85,7 +83,7 @@ class Expressions:
         if kind == "sqrt":
             return self.kept(("sqrt", self.positive(rest)))
         if kind == "scale":
-            return self.kept(("*", constant(rng, positive=True), self.positive(rest)))
+            return self.kept(("*", self.constant(POSITIVE), self.positive(rest)))
         return self.kept((kind, self.positive(left), self.positive(rest - left)))
 
     def homogeneous(self, degree, operations):
@@ -100,7 +98,7 @@ class Expressions:
         if kind == "square" and degree % 2 == 0:
             return self.kept(("^", self.homogeneous(degree // 2, rest), 2))
         if kind == "scale":
-            return self.kept(("*", self.homogeneous(degree, rest), self.factor()))
+            return self.kept(("*", self.homogeneous(degree, rest), self.constant(FACTORS)))
         if kind == "choice":
             kind = rng.choice(("min", "max"))
         if kind == "sum":
@@ -119,7 +117,7 @@ class Expressions:
         if kind in ("abs", "neg"):
             return self.kept((kind, self.affine(rest)))
         if kind == "scale":
-            return self.kept(("*", self.affine(rest), ("constant", rng.choice(("2", "0.5", "-1", "4")))))
+            return self.kept(("*", self.affine(rest), self.constant(("2", "0.5", "-1", "4"))))
         left = rng.randint(0, rest)
         return self.kept((kind, self.affine(left), self.affine(rest - left)))
 
@@ -139,7 +137,10 @@ class Expressions:
     def identity(self, operations):
         """Two ways to write one value, so that only rounding tells them apart."""
         a, b, c = (self.any(operations // 3) for _ in range(3))
-        square = lambda x: ("^", x, 2)
+
+        def square(x):
+            return ("^", x, 2)
+
         pairs = [
             (square(("-", a, b)), ("+", ("-", square(a), ("*", ("constant", "2"), ("*", a, b))), square(b))),
             (("*", ("+", a, b), ("-", a, b)), ("-", square(a), square(b))),

@@ -244,7 +244,9 @@ class Reference:
         return apply(self.form, node.operation, operands)
 
     def _numbers(self, terms, inputs, values):
-        read = lambda node: self.form.read(self._value(node, inputs, values))
+        def read(node):
+            return self.form.read(self._value(node, inputs, values))
+
         return [(is_negated, read(a), self.ONE if b is None else read(b))
                 for is_negated, a, b in terms]
 

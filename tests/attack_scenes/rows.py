@@ -90,13 +90,12 @@ class Operands:
         name = self.rng.choice(names)
         ends = [self.styles[self.rng.choice(("random", "small"))](name) for _ in (0, 1)]
         low, high = (float_of(self.kept(end, name)) for end in ends)
-        at = lambda x: difference({**row, name: x})
-        below, above = at(low), at(high)
+        below, above = (difference({**row, name: end}) for end in (low, high))
         if below is None or above is None or below * above > 0:
             return row
         for _ in range(60):
             middle = (low + high) / 2
-            value = at(middle)
+            value = difference({**row, name: middle})
             if value is None:
                 return row
             if (value > 0) == (above > 0):
@@ -118,7 +117,7 @@ class Operands:
 
 
 def float_of(written):
-    return math.nan if written == "nan" else float(written) if "inf" in written else as_float(literal(written))
+    return float(written) if "n" in written else as_float(literal(written))  # inf and nan
 
 
 def as_float(value):

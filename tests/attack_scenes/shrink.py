@@ -2,7 +2,7 @@
 
 import time
 
-from .trees import replaced, size, subtrees
+from .trees import exchanged, replaced, size, subtrees
 
 SECONDS = 480  # that shrinking one scene may take
 
@@ -127,9 +127,8 @@ def without_let(scene, name):
     """The scene with a let's expression in the place of its name."""
     candidate = scene.copy()
     tree = candidate.lets.pop(name)
-    write_out = lambda side: tree if side == ("let", name) else tuple(
-        write_out(part) if isinstance(part, tuple) else part for part in side)
-    candidate.parts = [tuple(map(write_out, part)) for part in candidate.parts]
+    candidate.parts = [tuple(exchanged(side, ("let", name), tree) for side in part)
+                       for part in candidate.parts]
     return candidate
 
 
