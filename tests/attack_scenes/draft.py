@@ -1,4 +1,4 @@
-"""A scene on its way from a seed: formats, options, expressions, ranges and rows, drawn at random."""
+"""A scene drawn at random: formats, options, expressions, ranges and rows."""
 
 import random
 
@@ -43,7 +43,8 @@ class Draft:
         if precision > 25:
             exponent_bits = rng.choice((8, 11, 11, 15))
         most = min(precision, 52)
-        reduced = rng.choice([p for p in (4, 4, 5, 6, 7, 8, 9, 11, 12, 15, 16, 17, 24) if p <= most])
+        lane_precisions = (4, 4, 5, 6, 7, 8, 9, 11, 12, 15, 16, 17, 24)
+        reduced = rng.choice([p for p in lane_precisions if p <= most])
         lane_bits = exponent_bits if self.chance(0.6) else rng.randint(3, exponent_bits + 1)
         self.scene.set("reference", format=f"s{precision}e{exponent_bits}")
         self.scene.set("reduced", format=f"s{reduced}e{min(lane_bits, 15)}")
@@ -54,7 +55,7 @@ class Draft:
     def reference_options(self, share):
         rng, choices = self.rng, {
             "subnormals": lambda: "flush", "sums": lambda: "fused", "multipliers": lambda: "logic",
-            "initiation_interval": lambda: rng.choice((2, 2, 3, 3, 4, 5, 6, 7, 8, 9, 12, 16, 23, 64)),
+            "initiation_interval": lambda: rng.choice((2, 2, 3, 3, 4, 5, 7, 8, 9, 12, 16, 23, 64)),
             "target_mhz": lambda: rng.choice((1, 60, 150, 300, 500, 1000))}
         self.some("reference", choices, share)
 
@@ -67,15 +68,18 @@ class Draft:
             "bound": lambda: "profiled" if self.chance(0.15) else "certified"}
         self.some("reduced", choices, share)
         if self.scene.get("reduced", "inputs") == "digits":
+            most = self.precision()
             least = int(self.scene.get("reduced", "format")[1:].partition("e")[0])
-            self.scene.set("reduced", inputs=rng.randint(min(least, self.precision()), self.precision()))
+            self.scene.set("reduced", inputs=rng.randint(min(least, most), most))
 
     def system_options(self, share):
         rng, choices = self.rng, {
-            "device": lambda: rng.choice(DEVICES), "target_mhz": lambda: rng.choice((1, 50, 120, 350, 600)),
+            "device": lambda: rng.choice(DEVICES),
+            "target_mhz": lambda: rng.choice((1, 50, 120, 350, 600)),
             "input_registers": lambda: rng.choice((1, 2)), "order": lambda: "in_order",
             "operands": lambda: "refetched", "operand_memory": lambda: "block",
-            "tag_bits": lambda: rng.choice((9, 16, 33, 64)), "prefix": lambda: rng.choice(("", "x_", "Q9")),
+            "tag_bits": lambda: rng.choice((9, 16, 33, 64)),
+            "prefix": lambda: rng.choice(("", "x_", "Q9")),
             "counters": lambda: rng.choice(("none", "axi_lite", "axi_lite")),
             "counter_bits": lambda: rng.choice((16, 17, 40, 64))}
         if self.scene.engine != "none":  # the engine decides the others
@@ -238,7 +242,8 @@ class Draft:
     def draw_ranges(self, names):
         """Declares ranges: one for all, one for each, or for some."""
         rng, form = self.rng, self.scene.reference_format()
-        fitting = [pair for pair in RANGES if all(abs(literal(end)) <= form.largest for end in pair)]
+        fitting = [ends for ends in RANGES
+                   if max(abs(literal(end)) for end in ends) <= form.largest]
         if self.sides == "positive":
             fitting = [pair for pair in fitting if literal(pair[0]) >= 0]
         common = rng.choice(fitting)

@@ -1,4 +1,4 @@
-"""The order of the real numbers f and g, by rationals, and by enclosures where roots are irrational."""
+"""The order of the real numbers f and g: by rationals, irrational roots by enclosures."""
 
 import math
 from fractions import Fraction
@@ -17,7 +17,7 @@ class Undetermined(Exception):
 
 
 def verdict(graph, part, inputs):
-    """less, equal or greater; unordered where a side has no value; None where 8000 bits do not tell."""
+    """less, equal or greater; unordered where a side has no value; None where bits do not tell."""
     for bits in PRECISIONS:
         try:
             return _order(*(_value(graph, side, inputs, bits, {}) for side in part))
@@ -61,7 +61,9 @@ def _value(graph, index, inputs, bits, values):
 def _widened(ends, bits):
     """Ends of an inexact enclosure, rounded outward to so many bits."""
     low, high = ends
-    return ends if low == high else (_rounded(low, bits, math.floor), _rounded(high, bits, math.ceil))
+    if low == high:
+        return ends
+    return _rounded(low, bits, math.floor), _rounded(high, bits, math.ceil)
 
 
 def _rounded(value, bits, direction):
@@ -76,7 +78,8 @@ def _applied(operation, operands, bits):
     if operation == "neg":
         return -high, -low
     if operation == "abs":
-        return (Fraction(0), max(-low, high)) if low < 0 < high else tuple(sorted((abs(low), abs(high))))
+        least, most = sorted((abs(low), abs(high)))
+        return (Fraction(0) if low < 0 < high else least), most
     if operation == "sqrt":
         return _roots(low, high, bits)
     second = operands[1]

@@ -2,7 +2,8 @@
 
 from .trees import reads, subtrees
 
-CONSTANTS = ("2", "3", "0.5", "4", "0.25", "1.5", "5", "0x1.8p-3", "0.1", "7", "1", "-2", "-0.75", "0")
+CONSTANTS = ("2", "3", "0.5", "4", "0.25", "1.5", "5", "0x1.8p-3", "0.1", "7", "1", "-2", "-0.75",
+             "0")
 FACTORS = tuple(word for word in CONSTANTS if word != "0")
 POSITIVE = tuple(word for word in FACTORS if word[0] != "-")
 
@@ -75,7 +76,8 @@ class Expressions:
             return self.leaf()
         rest = operations - 1
         left = rng.randint(0, rest)
-        kind = rng.choice(("+", "+", "*", "*", "/", "sqrt", "square", "min", "max", "difference", "scale"))
+        kind = rng.choice(("+", "+", "*", "*", "/", "sqrt", "square", "min", "max", "difference",
+                           "scale"))
         if kind == "difference":
             return self.kept(("^", ("-", self.leaf(), self.leaf()), 2))
         if kind == "square":
@@ -94,7 +96,8 @@ class Expressions:
         if operations <= 1:
             return self.kept(("*", self.homogeneous(degree - 1, 0), self.leaf()))
         rest = operations - 1
-        kind = rng.choice(("+", "-", "+", "-", "product", "product", "square", "scale", "choice", "sum"))
+        kind = rng.choice(("+", "-", "+", "-", "product", "product", "square", "scale", "choice",
+                           "sum"))
         if kind == "square" and degree % 2 == 0:
             return self.kept(("^", self.homogeneous(degree // 2, rest), 2))
         if kind == "scale":
@@ -105,8 +108,9 @@ class Expressions:
             return self.kept(("sum", *(self.homogeneous(degree, rest // 3) for _ in range(3))))
         left = rng.randint(0, rest)
         if kind in ("product", "square"):
-            return self.kept(("*", self.homogeneous(degree - 1, left), self.homogeneous(1, rest - left)))
-        return self.kept((kind, self.homogeneous(degree, left), self.homogeneous(degree, rest - left)))
+            return self.kept(("*", self.homogeneous(degree - 1, left), self.affine(rest - left)))
+        sides = self.homogeneous(degree, left), self.homogeneous(degree, rest - left)
+        return self.kept((kind, *sides))
 
     def affine(self, operations):
         rng = self.rng
@@ -137,12 +141,13 @@ class Expressions:
     def identity(self, operations):
         """Two ways to write one value, so that only rounding tells them apart."""
         a, b, c = (self.any(operations // 3) for _ in range(3))
+        two = ("constant", "2")
 
         def square(x):
             return ("^", x, 2)
 
         pairs = [
-            (square(("-", a, b)), ("+", ("-", square(a), ("*", ("constant", "2"), ("*", a, b))), square(b))),
+            (square(("-", a, b)), ("+", ("-", square(a), ("*", two, ("*", a, b))), square(b))),
             (("*", ("+", a, b), ("-", a, b)), ("-", square(a), square(b))),
             (("*", a, ("+", b, c)), ("+", ("*", a, b), ("*", a, c))),
             (("+", ("+", a, b), c), ("+", a, ("+", b, c))),
@@ -159,14 +164,16 @@ class Expressions:
         rng = self.rng
         k = ("index", "k")
         elements = [("element", vector, k) for vector in vectors]
-        inner = Expressions(rng, elements + [rng.choice(self.leaves)], {"/": 0, "sqrt": 0.1, "again": 0})
+        weights = {"/": 0, "sqrt": 0.1, "again": 0}
+        inner = Expressions(rng, elements + [rng.choice(self.leaves)], weights)
         term = inner.any(rng.choice((2, 3, 4)))
         if rng.random() < 0.2:
             term = ("*", term, k)
-        return ("over", rng.choice(("sum", "sum", "sum", "min", "max", "product")), "k", 0, count - 1, term)
+        function = rng.choice(("sum", "sum", "sum", "min", "max", "product"))
+        return ("over", function, "k", 0, count - 1, term)
 
 
 def candidates_for_let(tree):
     """Subtrees that a let may stand for: no leaves, and without an index."""
     return [below for _, below in subtrees(tree)
-            if len(below) > 2 and not reads(below, "index") and below[0] not in ("constant", "input")]
+            if below[0] not in ("constant", "input", "index") and not reads(below, "index")]

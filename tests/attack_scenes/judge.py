@@ -16,8 +16,9 @@ from .rounded import Reference
 from .scene import comparisons, contest
 
 SECONDS = 900  # that one run may take
+# Of the parts' verdicts the last one in this order is that of the comparison.
 ORDERS = {"all": ("less", "equal", "unordered", "greater"),
-          "any": ("greater", "equal", "unordered", "less")}  # the last one that occurs is the verdict
+          "any": ("greater", "equal", "unordered", "less")}
 
 
 @dataclasses.dataclass
@@ -68,7 +69,8 @@ def _judge(scene, folder, done):
     try:
         report = json.loads(done.stdout)
     except ValueError:
-        raise Failure(f"no report, exit code {done.returncode}", (done.stdout + done.stderr)[-2000:])
+        raise Failure(f"no report, exit code {done.returncode}",
+                      (done.stdout + done.stderr)[-2000:])
     if "error" in report:
         return _refusal(report["error"], done.returncode)
     try:
@@ -118,6 +120,7 @@ class Judge:
                                    scene.get("reference", "sums") == "fused")
         tables = [scene.sections.get("reduced", {}), *scene.sections.get("lanes", [])]
         self.certified = all(table.get("bound") != "profiled" for table in tables)
+        self.has_references = scene.get("system", "references", 1) != 0
         self.has_second_tier = scene.get("second_tier", "format", "none") != "none"
         self.outcome = Outcome()
 
@@ -149,7 +152,7 @@ class Judge:
     def check_truth(self, report):
         """How often the reference is wrong, as --truth says, where all truths are determined."""
         said = report.get("truth")
-        if not said or self.scene.pairs or len(self.graph.parts) > 1 or not self.scene.get("system", "references", 1):
+        if not said or self.scene.pairs or len(self.graph.parts) > 1 or not self.has_references:
             return
         pairs = [(self.truth(inputs), self.recomputed(inputs))
                  for _, _, inputs in comparisons(self.scene, self.graph)]
@@ -159,7 +162,8 @@ class Judge:
         expected = len(defined), sum(truth != computed for truth, computed in defined)
         found = said["reference_alone_checked"], said["reference_alone_wrong"]
         if found != expected:
-            raise Failure("truths differ", f"checked and wrong references: {found}, expected {expected}")
+            raise Failure("truths differ",
+                          f"references checked and wrong: {found}, expected {expected}")
 
     def check_reports(self, rows, report):
         """Pairwise engines: the pairs whose verdict is among engine.report, once each."""
@@ -187,7 +191,7 @@ class Judge:
             elif self.certified and None not in possible and possible <= set(kept):
                 wrong.append((k, f"pair {pair}, {possible}, is not reported"))
         wrong += [(0, f"pair {pair} does not exist") for pair in listed]
-        if self.certified and self.scene.get("system", "references", 1):
+        if self.certified and self.has_references:
             reported = report["engine"]["reported"]
             if not least <= reported <= most:
                 wrong.append((0, f"{reported} pairs are counted, {least} to {most} expected"))
@@ -206,13 +210,14 @@ class Judge:
             number, j = k // contests, k % contests + 1
             best = 0 if j == 1 else best
             if (int(row["row"]), int(row["i"]), int(row["j"])) != (number, best, j):
-                raise Failure("contests differ", f"{row}, expected row {number}, {best} and {j}", [k])
+                raise Failure("contests differ", f"{row}, expected {number}: {best} and {j}", [k])
             inputs = contest(self.scene, self.graph, number, best, j)
             complaint = self.complaint(row, inputs)
             if complaint:
                 wrong.append((k, complaint))
             is_engine = self.scene.engine == "arg_min"
-            best = j if (row["verdict"] if is_engine else self.recomputed(inputs)) == "greater" else best
+            verdict = row["verdict"] if is_engine else self.recomputed(inputs)
+            best = j if verdict == "greater" else best
         self._fail_if(wrong)
 
     def complaint(self, row, inputs):
@@ -220,8 +225,7 @@ class Judge:
         self.outcome.comparisons += 1
         said = row["verdict"]
         if said == "undecided":
-            has_references = self.scene.get("system", "references", 1) != 0
-            return "undecided in spite of a reference" if has_references else ""
+            return "undecided in spite of a reference" if self.has_references else ""
         if row["recomputed"] == "1":
             self.outcome.recomputed += 1
             expected = self.recomputed(inputs)

@@ -25,9 +25,11 @@ def formats(draft):
     if draft.chance(0.5):
         precision = rng.choice((11, 12, 15, 16, 17))
         draft.scene.set("reference", format=f"s{precision}e{rng.choice((2, 3, 3, 4))}")
-        draft.scene.set("reduced", format=f"s{rng.choice((4, 5, 7, 8, 9, 11))}e{rng.choice((2, 3, 4))}")
+        lane = rng.choice((4, 5, 7, 8, 9, 11))
+        draft.scene.set("reduced", format=f"s{lane}e{rng.choice((2, 3, 4))}")
     elif draft.chance(0.3):
-        draft.scene.set("reference", format=rng.choice(("binary16", "binary32", "binary64", "binary128")))
+        named = rng.choice(("binary16", "binary32", "binary64", "binary128"))
+        draft.scene.set("reference", format=named)
         draft.scene.set("reduced", format=f"s{rng.randint(4, 11)}e{rng.randint(3, 8)}")
     draft.lane_options(0.3)
 
@@ -97,7 +99,8 @@ def second_tier(draft):
     rng, most = draft.rng, draft.precision()
     if draft.chance(0.6):
         draft.scene.set("reduced", format=f"q{rng.randint(2, 6)}")
-    draft.scene.set("second_tier", format=f"q{rng.randint(6, min(most, 16))}", count=rng.choice((1, 1, 2)))
+    draft.scene.set("second_tier", format=f"q{rng.randint(6, min(most, 16))}",
+                    count=rng.choice((1, 1, 2)))
     if draft.chance(0.4):
         draft.groups()
 
@@ -137,7 +140,8 @@ def counters(draft):
 def devices(draft):
     rng = draft.rng
     draft.sides = rng.choice(("any", "products", "quotients"))
-    draft.scene.set("system", device=rng.choice(DEVICES), target_mhz=rng.choice((1, 50, 100, 250, 400, 900)))
+    draft.scene.set("system", device=rng.choice(DEVICES),
+                    target_mhz=rng.choice((1, 50, 100, 250, 400, 900)))
     for section in ("reference", "reduced"):
         if draft.chance(0.5):
             draft.scene.set(section, multipliers="logic")
@@ -162,8 +166,9 @@ def split_lanes(draft, step):
     if lanes == step or not draft.chance(0.3):
         return
     first = step * rng.randint(1, lanes // step - 1)
-    form = draft.scene.get("reduced", "format")
-    other = f"{form.rstrip('0123456789')}{rng.randint(3, 9)}" if form[0] != "s" else f"s{rng.randint(4, 9)}e6"
+    other = draft.scene.get("reduced", "format").rstrip("0123456789") + str(rng.randint(3, 9))
+    if draft.is_float():
+        other = f"s{rng.randint(4, 9)}e6"
     del draft.scene.sections["system"]["lanes"]
     draft.scene.sections["lanes"] = [{"count": first}, {"count": lanes - first, "format": other}]
 
@@ -173,13 +178,15 @@ def pairwise(draft):
     group = rng.choice((1, 2, 3, 4))
     draft.scene.set("data", pairs=rng.choice(("all", "all", "cross")))
     draft.scene.set("system", lanes=group * rng.choice((1, 2, 3)))
-    draft.scene.set("engine", kind="pairwise", capacity=rng.choice((13, 16, 40)), lanes_per_group=group)
+    draft.scene.set("engine", kind="pairwise", capacity=rng.choice((13, 16, 40)),
+                    lanes_per_group=group)
     groups_of_lanes = draft.scene.get("system", "lanes") // group
     if groups_of_lanes > 1 and draft.chance(0.5):
         draft.scene.set("engine", report_streams=rng.randint(2, groups_of_lanes))
     report = rng.sample(("less", "equal", "greater", "unordered"), rng.randint(1, 4))
     report_as = rng.choice(("pairs", "pairs", "bitmap", "count"))
-    draft.scene.set("engine", report_as=report_as, report=report[:1] if report_as == "bitmap" else report)
+    draft.scene.set("engine", report_as=report_as,
+                    report=report[:1] if report_as == "bitmap" else report)
     engine_lanes(draft)
     if draft.scene.get("reduced", "format")[0] == "q" and draft.chance(0.5):
         draft.scene.set("second_tier", format=f"q{rng.randint(8, draft.precision())}")
@@ -275,8 +282,8 @@ def undecided(draft):
 
 
 KINDS = (fold, fused, formats, roundings, fixed, guarded, block, bounds, groups, second_tier, beats,
-         memories, refetched, in_order, counters, devices, pairwise, arg_min, pairs, parts, mixed, limited,
-         quotients, choices, vectors, undecided)
+         memories, refetched, in_order, counters, devices, pairwise, arg_min, pairs, parts, mixed,
+         limited, quotients, choices, vectors, undecided)
 NAMES_OF_KINDS = tuple(kind.__name__ for kind in KINDS)
 SPREAD = 7  # share in percent of each other option
 

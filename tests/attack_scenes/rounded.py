@@ -154,7 +154,7 @@ def compare(a, b):
 
 
 def cut_sum(form, terms):
-    """The sum of terms (negated, a, b), each cut as theorem 12 says: a number that is not rounded."""
+    """The sum of terms (negated, a, b), each cut as theorem 12 says; it is not rounded."""
     products, exponents = [], [] if form.flush else [form.least_exponent]
     for is_negated, a, b in terms:
         product = exact_product(a, b)
@@ -280,7 +280,7 @@ class Reference:
         return terms if len(terms) > 2 or any(map(self._rounds, terms)) else []
 
     def _side_terms(self, side):
-        """The terms of a side that is not rounded: a fused sum or a product that nothing else reads."""
+        """The terms of a fused sum or a product that no other node reads: it is not rounded."""
         if self.graph.readers(side) > 1:
             return []
         terms = self._sum_terms(side) or self._terms(side)

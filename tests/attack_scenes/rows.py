@@ -1,4 +1,4 @@
-"""Operands: small integers, ties and near ties, ends of ranges and formats, and what is no number."""
+"""Operands: small integers, ties and near ties, ends of ranges and formats, infinities, NaNs."""
 
 from fractions import Fraction
 import math
@@ -45,7 +45,7 @@ class Operands:
     def nearest(self, value):
         """The text of the number of the format that is nearest to a fraction."""
         negative, magnitude = self.form.rounded(value < 0, min(abs(value), self.form.largest))
-        return "-0" if negative and not magnitude else dyadic_text(-magnitude if negative else magnitude)
+        return ("-" if negative else "") + dyadic_text(magnitude)
 
     def small(self, _):
         return self.nearest(self.rng.randint(-4, 8) * min(self.scale, self.form.largest / 8))
@@ -76,7 +76,9 @@ class Operands:
         tiny, normal = form.last_place(0), TWO ** form.least_exponent
         value = rng.choice((Fraction(0), tiny, 3 * tiny, normal, normal - tiny, normal + tiny,
                             form.largest, TWO ** exponent_of(form.largest), Fraction(1)))
-        return "-0" if value == 0 and rng.random() < 0.5 else self.nearest(value * rng.choice((1, -1)))
+        if value == 0:
+            return rng.choice(("0", "-0"))
+        return self.nearest(value * rng.choice((1, -1)))
 
     def decimal(self, _):
         return self.rng.choice(DECIMALS)
@@ -86,7 +88,7 @@ class Operands:
         return self.nearest(value + places * self.form.last_place(abs(value)))
 
     def near_tie(self, row, difference, names):
-        """The row with one operand changed so that f - g is about zero; `difference` computes it."""
+        """The row with one operand changed to make f - g, as `difference` has it, nearly zero."""
         name = self.rng.choice(names)
         ends = [self.styles[self.rng.choice(("random", "small"))](name) for _ in (0, 1)]
         low, high = (float_of(self.kept(end, name)) for end in ends)

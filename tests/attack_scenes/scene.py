@@ -1,4 +1,4 @@
-"""A scene as the attack draws, shrinks and writes it: scene.toml, its CSV files and verify's options."""
+"""A scene as the attack draws, shrinks and writes it, with its rows and verify's options."""
 
 import copy
 import dataclasses
@@ -63,7 +63,7 @@ class Scene:
         return self.get("data", "pairs", "")
 
     def lane_count(self):
-        return self.get("system", "lanes") or sum(table["count"] for table in self.sections["lanes"])
+        return self.get("system", "lanes") or sum(kind["count"] for kind in self.sections["lanes"])
 
     def reference_format(self):
         return float_format(self.get("reference", "format"),
@@ -152,7 +152,8 @@ def _add_section(lines, name, values):
 
 def _csv(rows):
     columns = list(rows[0])
-    return "\n".join([",".join(columns)] + [",".join(row[name] for name in columns) for row in rows]) + "\n"
+    lines = [columns] + [[row[name] for name in columns] for row in rows]
+    return "".join(",".join(line) + "\n" for line in lines)
 
 
 def comparisons(scene, graph):

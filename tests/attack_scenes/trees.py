@@ -2,7 +2,7 @@
 
 A tree is a tuple: an operation and its operands.
 
-    ("input", "a")   ("element", "p", tree)   ("constant", "0x1.8p-3")   ("let", "d")   ("index", "k")
+    ("input", "a") ("element", "p", tree) ("constant", "0x1.8p-3") ("let", "d") ("index", "k")
     ("neg", x) ("abs", x) ("sqrt", x) ("^", x, 3) ("+", x, y) ("-", x, y) ("*", x, y) ("/", x, y)
     ("min", x, y, ...) ("max", ...) ("sum", ...) ("product", ...) ("within", x, "-4", "4")
     ("over", "sum", "k", 0, 2, x)
@@ -40,7 +40,7 @@ def dyadic_text(value):
 
 
 def text(tree, least=0):
-    """The tree as the scene file writes it, in parentheses if its operator binds less than `least`."""
+    """The tree as a scene writes it, in parentheses if its operator binds less than `least`."""
     operation, *operands = tree
     level = LEVELS.get(operation, 5)
     if operation in ("input", "let", "index", "constant"):
