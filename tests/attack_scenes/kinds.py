@@ -11,6 +11,10 @@ def fold(draft):
     draft.sides = draft.rng.choice(("products", "products", "products", "any", "quotients"))
     interval = draft.rng.choice((2, 2, 2, 2, 3, 3, 3, 4, 4, 5, 6, 7, 8, 9, 12, 16, 17, 32, 64))
     draft.scene.set("reference", initiation_interval=interval)
+    if draft.chance(0.3):  # squares of logic by serial units, where look-up tables have four inputs
+        draft.scene.set("reference", multipliers="logic")
+        draft.scene.set("system", device=draft.rng.choice(("ice40-hx8k", "ice40-up5k", "ecp5-85k")),
+                        target_mhz=draft.rng.choice((20, 60, 95, 200)))
 
 
 def fused(draft):
