@@ -6,7 +6,7 @@
 build_tools="g++ cmake ninja-build ccache pkg-config make git ca-certificates"
 libraries="libmpfr-dev libgmp-dev libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
   tao-pegtl-dev libhwy-dev zlib1g-dev libsqlite3-dev coinor-libcbc-dev"
-test_packages="libgtest-dev libbenchmark-dev jq"
+test_packages="libgtest-dev libbenchmark-dev jq python3"
 called_tools="verilator iverilog yosys nextpnr-ice40 gappa glpk-utils gnuplot-nox gtkwave"
 packages="$build_tools $libraries $test_packages $called_tools"
 # The Python module is built where these are installed, and always for Debian packages.

@@ -1,0 +1,342 @@
+"""A scene drawn at random: formats, options, expressions, ranges and rows."""
+
+import random
+
+from .expressions import Expressions, candidates_for_let, name
+from .rows import Operands, draw_items, draw_rows
+from .scene import Scene, item_column
+from .trees import exchanged, literal, replaced, subtrees
+
+NAMES = ("a", "b", "c", "d", "e", "u", "v", "w", "x", "z")
+PRECISIONS = (11, 11, 12, 12, 13, 14, 15, 16, 17, 18, 20, 23, 24, 25)
+WIDE_PRECISIONS = (31, 32, 33, 47, 48, 52, 53, 54, 63, 64, 65, 66, 100, 112, 113)
+DEVICES = ("virtex5-lx330t", "virtex6-lx760", "artix7-200t", "ultrascale+-vu9p", "ecp5-85k",
+           "ice40-hx8k", "ice40-up5k")
+RANGES = (("0", "4"), ("-4", "4"), ("1", "3"), ("0", "1"), ("-1", "1"), ("0.1", "7.3"), ("-8", "8"),
+          ("0x1p-3", "5"), ("-2.5", "0"), ("2", "16"))
+
+
+class Draft:
+    """A scene on its way: each step reads what earlier ones chose."""
+
+    def __init__(self, seed, kind):
+        self.rng = random.Random(f"mixcmp attack {seed}")
+        self.scene = Scene(seed, kind, [], [])
+        self.leaves = None
+        self.sides = "any"  # how f and g are drawn: a method sides_... below
+        self.ranges = {}
+        self.wants_ranges = False
+        self.row_count = self.rng.choice((12, 20, 30, 45))
+        self.formats()
+        self.scene.set("system", lanes=self.rng.choice((1, 1, 1, 2, 3)),
+                       references=self.rng.choice((1, 1, 1, 1, 2)))
+
+    def chance(self, share):
+        return self.rng.random() < share
+
+    # What a scene has, section by section.
+
+    def formats(self, wide=0.08):
+        rng = self.rng
+        precision = rng.choice(WIDE_PRECISIONS if self.chance(wide) else PRECISIONS)
+        exponent_bits = rng.choice((4, 5, 5, 6, 7, 8, 8))
+        if precision > 25:
+            exponent_bits = rng.choice((8, 11, 11, 15))
+        most = min(precision, 52)
+        lane_precisions = (4, 4, 5, 6, 7, 8, 9, 11, 12, 15, 16, 17, 24)
+        reduced = rng.choice([p for p in lane_precisions if p <= most])
+        lane_bits = exponent_bits if self.chance(0.6) else rng.randint(3, exponent_bits + 1)
+        self.scene.set("reference", format=f"s{precision}e{exponent_bits}")
+        self.scene.set("reduced", format=f"s{reduced}e{min(lane_bits, 15)}")
+
+    def precision(self):
+        return self.scene.reference_format().precision
+
+    def reference_options(self, share):
+        rng, choices = self.rng, {
+            "subnormals": lambda: "flush", "sums": lambda: "fused", "multipliers": lambda: "logic",
+            "initiation_interval": lambda: rng.choice((2, 2, 3, 3, 4, 5, 7, 8, 9, 12, 16, 23, 64)),
+            "target_mhz": lambda: rng.choice((1, 60, 150, 300, 500, 1000))}
+        self.some("reference", choices, share)
+
+    def lane_options(self, share):
+        if not self.is_float():
+            return
+        rng, choices = self.rng, {
+            "rounding": lambda: "toward_zero", "subnormals": lambda: "gradual",
+            "multipliers": lambda: "logic", "inputs": lambda: rng.choice(("rounded", "digits")),
+            "bound": lambda: "profiled" if self.chance(0.15) else "certified"}
+        self.some("reduced", choices, share)
+        if self.scene.get("reduced", "inputs") == "digits":
+            most = self.precision()
+            least = int(self.scene.get("reduced", "format")[1:].partition("e")[0])
+            self.scene.set("reduced", inputs=rng.randint(min(least, most), most))
+
+    def system_options(self, share):
+        rng, choices = self.rng, {
+            "device": lambda: rng.choice(DEVICES),
+            "target_mhz": lambda: rng.choice((1, 50, 120, 350, 600)),
+            "input_registers": lambda: rng.choice((1, 2)), "order": lambda: "in_order",
+            "operands": lambda: "refetched", "operand_memory": lambda: "block",
+            "tag_bits": lambda: rng.choice((9, 16, 33, 64)),
+            "prefix": lambda: rng.choice(("", "x_", "Q9")),
+            "counters": lambda: rng.choice(("none", "axi_lite", "axi_lite")),
+            "counter_bits": lambda: rng.choice((16, 17, 40, 64))}
+        if self.scene.engine != "none":  # the engine decides the others
+            choices = {key: choices[key] for key in ("device", "target_mhz", "prefix", "counters",
+                                                     "counter_bits")}
+        self.some("system", choices, share)
+        system = self.scene.sections["system"]
+        if system.get("counters") == "none":
+            system.pop("counter_bits", None)
+        if system.get("operands") == "refetched":
+            system.pop("operand_memory", None)
+        elif self.scene.engine == "none" and self.chance(share):
+            self.beats()
+
+    def beats(self):
+        beats = self.rng.choice((1, 2, 2, 4, 8, 16))
+        interval = self.scene.get("reference", "initiation_interval", 1)
+        if interval == 1 or interval >= 2 * beats:
+            self.scene.set("system", request_beats=beats)
+
+    def groups(self):
+        group = self.rng.choice((2, 2, 3, 4))
+        self.scene.set("system", lanes_per_group=group, lanes=group * self.rng.choice((1, 2)))
+
+    def run_options(self):
+        options = self.scene.options
+        options["simulator"] = "verilator" if self.chance(0.03) else "icarus"
+        if self.chance(0.35):
+            options["traffic"] = "stressed"
+            options["seed"] = self.rng.randint(1, 1000)
+        if self.chance(0.2):
+            options["resets"] = self.rng.choice((1, 2, 3))
+        if self.chance(0.4):
+            options["truth"] = "all"
+        if self.chance(0.1):
+            options["judge"] = "mpfr"
+
+    def some(self, section, choices, share):
+        for key, value in choices.items():
+            if self.chance(share):
+                self.scene.set(section, **{key: value()})
+
+    def is_float(self):
+        return self.scene.get("reduced", "format")[0] == "s"
+
+    # The comparison.
+
+    def draw_leaves(self):
+        rng, pairs = self.rng, self.scene.pairs
+        count = rng.choice((2, 3, 3, 4, 4, 5, 6))
+        if pairs:
+            bases = rng.sample(("x", "y", "z", "r"), rng.choice((1, 2, 3)))
+            names = [base + item for base in bases for item in "ij"]
+            if pairs == "arg_min":
+                names = [base + "i" for base in bases] + [f"p{base}" for base in bases[:2]]
+        else:
+            names = rng.sample(NAMES, count)
+        self.leaves = [name(word) for word in names]
+
+    def expressions(self, weights=None):
+        return Expressions(self.rng, self.leaves, weights)
+
+    def operations(self):
+        return self.rng.choice((1, 2, 3, 3, 4, 4, 5, 5, 6, 7, 8, 10))
+
+    def sides_any(self, weights=None):
+        made = self.expressions(weights)
+        if self.chance(0.15):
+            return made.identity(self.operations())
+        return made.any(self.operations()), made.any(self.operations())
+
+    def sides_products(self):
+        """Sums of products and squares, where folding and fusing have most to share."""
+        return self.sides_any({"*": 8, "square": 6, "^": 1, "abs": 0.2, "min": 0.2, "max": 0.2,
+                               "/": 0.2, "sqrt": 0.2, "sum": 1})
+
+    def sides_quotients(self):
+        return self.sides_any({"/": 6, "sqrt": 5})
+
+    def sides_choices(self):
+        return self.sides_any({"min": 5, "max": 5, "abs": 4, "choices": 3, "neg": 2})
+
+    def sides_polynomials(self):
+        return self.sides_any({"/": 0})
+
+    def sides_positive(self):
+        made = self.expressions()
+        return made.positive(self.operations()), made.positive(self.operations())
+
+    def sides_homogeneous(self):
+        made, degree = self.expressions(), self.rng.choice((1, 2, 2, 2, 3, 4))
+        return tuple(made.homogeneous(degree, self.operations()) for _ in (0, 1))
+
+    def sides_norms(self):
+        return self.expressions().norms()
+
+    def sides_vectors(self):
+        """Reductions over the elements of vectors."""
+        rng, count = self.rng, self.rng.choice((1, 2, 3, 3, 4, 5))
+        made = self.expressions()
+        vectors = rng.sample(("p", "q", "s"), 2)
+        f = made.over(vectors, count)
+        if self.chance(0.3):
+            f = ("+", f, made.any(2))
+        return f, made.over(vectors, count) if self.chance(0.4) else made.any(self.operations())
+
+    def draw_parts(self, count=1):
+        draw = getattr(self, f"sides_{self.sides}")
+        if self.leaves is None:
+            self.draw_leaves()
+        allowed = 1
+        while not self.scene.parts or self.cost() > allowed:
+            self.scene.parts = [self.for_items(draw) for _ in range(count)]
+            allowed *= 1.02
+        if count > 1:
+            self.scene.combine = self.rng.choice(("all", "any"))
+        if self.chance(0.12):
+            self.add_let()
+
+    def cost(self):
+        """The size of the hardware, as a share of what Icarus simulates in a second or two."""
+        weights = {"input": 0, "constant": 0, "/": 3, "sqrt": 3}
+        units = sum(weights.get(node.operation, 1) for node in self.scene.graph().nodes)
+        datapaths = self.scene.lane_count() / 2 + self.scene.get("system", "references", 2)
+        return units * datapaths / max(6, min(30, 700 / self.precision()))
+
+    def for_items(self, draw):
+        """A part that reads what the pairs of the data want: i and j, or candidates and the row."""
+        while True:
+            part = draw()
+            if self.scene.pairs == "arg_min":
+                items, part = items_of(part[:1]), (part[0], other_item(part[0]))
+                if "i" in items and len(items) > 1:
+                    return part
+            elif not self.scene.pairs or items_of(part) == {"i", "j"}:
+                return part
+
+    def add_let(self):
+        sides = [side for part in self.scene.parts for side in part]
+        found = [tree for side in sides for tree in candidates_for_let(side)]
+        if found:
+            tree = self.rng.choice(found)
+            self.scene.lets["shared"] = tree
+            self.scene.parts = [tuple(exchanged(side, tree, ("let", "shared")) for side in part)
+                                for part in self.scene.parts]
+
+    def limits(self):
+        """Limits around some subtrees."""
+        for k, part in enumerate(self.scene.parts):
+            side = self.rng.choice((0, 1))
+            found = [path for path, tree in subtrees(part[side])
+                     if tree[0] not in ("constant", "index", "within")]
+            path = self.rng.choice(found)
+            low, high = self.rng.choice((("-4", "4"), ("-1", "2"), ("0", "8"), ("-0.3", "10"),
+                                         ("-100", "100"), ("0x1p-2", "3")))
+            tree = at(part[side], path)
+            limited = replaced(part[side], path, ("within", tree, low, high))
+            self.scene.parts[k] = (limited, part[1]) if side == 0 else (part[0], limited)
+
+    def draw_ranges(self, names):
+        """Declares ranges: one for all, one for each, or for some."""
+        rng, form = self.rng, self.scene.reference_format()
+        fitting = [ends for ends in RANGES
+                   if max(abs(literal(end)) for end in ends) <= form.largest]
+        if self.sides == "positive":
+            fitting = [pair for pair in fitting if literal(pair[0]) >= 0]
+        common = rng.choice(fitting)
+        style = rng.choice(("common", "common", "each", "data"))
+        if not self.wants_ranges and self.chance(0.3):
+            style, names = "each", rng.sample(names, rng.randint(1, len(names)))
+        if style == "data":
+            common = rng.choice(fitting)
+            self.scene.inputs["*"] = '{ range = "data" }'
+            self.ranges = {word: tuple(map(literal, common)) for word in names}
+            return
+        for word in names:
+            low, high = common if style == "common" else rng.choice(fitting)
+            self.ranges[word] = literal(low), literal(high)
+            if style == "each":
+                self.scene.inputs[word] = table_of(low, high)
+        if style == "common":
+            self.scene.inputs["*"] = table_of(*common)
+
+    # The data.
+
+    def draw_data(self):
+        graph = self.scene.graph()
+        names = graph.inputs()
+        if not names:
+            self.scene.rows = [{"a": "1"}]
+            return
+        if self.wants_ranges or self.chance(0.15):
+            self.draw_ranges(names)
+        allows_specials = not self.scene.inputs.get("*", "").count("data")
+        form = self.scene.reference_format()
+        if not self.scene.pairs:
+            operands = Operands(self.rng, form, self.ranges, allows_specials)
+            self.scene.rows = draw_rows(operands, graph, names, self.row_count)
+            return
+        self.draw_tables(names, form, allows_specials)
+
+    def draw_tables(self, names, form, allows_specials):
+        """The items of an engine. Inputs of one column share the range of the first."""
+        def is_item(word):
+            return item_column(word)[1] in "ij"
+
+        ranges = {item_column(word)[0] if is_item(word) else word: self.ranges[word]
+                  for word in self.ranges}
+        for word in self.ranges:
+            if is_item(word) and word in self.scene.inputs:
+                low, high = ranges[item_column(word)[0]]
+                self.scene.inputs[word] = table_of(exact_text(low), exact_text(high))
+        operands = Operands(self.rng, form, ranges, allows_specials)
+        columns = sorted({item_column(word)[0] for word in names if is_item(word)})
+        if self.scene.pairs == "arg_min":
+            self.scene.others = draw_items(operands, columns, self.scene.lane_count() + 1)
+            rest = [word for word in names if not is_item(word)]
+            self.scene.rows = draw_items(operands, rest, self.rng.choice((4, 6, 9)))
+            return
+        self.scene.rows = draw_items(operands, columns, self.rng.choice((4, 6, 8)))
+        if self.scene.pairs == "cross":
+            self.scene.others = draw_items(operands, columns, self.rng.choice((3, 5)))
+
+    def finished(self):
+        if not self.scene.parts:
+            self.draw_parts(2 if self.chance(0.08) else 1)
+        self.scene.set("data", file="rows.csv")
+        self.draw_data()
+        if self.scene.others:
+            self.scene.set("data", **{"with": "others.csv"})
+        self.run_options()
+        return self.scene
+
+
+def exact_text(value):
+    """A literal of a fraction: each of RANGES is a decimal or a hex-float."""
+    return next(end for pair in RANGES for end in pair if literal(end) == value)
+
+
+def table_of(low, high):
+    quoted = [f'"{end}"' if "x" in end else end for end in (low, high)]
+    return f"{{ range = [{quoted[0]}, {quoted[1]}] }}"
+
+
+def at(tree, path):
+    for place in path:
+        tree = tree[place]
+    return tree
+
+
+def other_item(tree):
+    """The same tree of item j."""
+    if tree[0] == "input" and tree[1].endswith("i"):
+        return ("input", tree[1][:-1] + "j")
+    return tuple(other_item(part) if isinstance(part, tuple) else part for part in tree)
+
+
+def items_of(sides):
+    """The last letters of the inputs' names."""
+    return {below[1][-1] for side in sides for _, below in subtrees(side) if below[0] == "input"}

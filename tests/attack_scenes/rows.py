@@ -1,0 +1,201 @@
+"""Operands: small integers, ties and near ties, ends of ranges and formats, infinities, NaNs."""
+
+from fractions import Fraction
+import math
+
+from .rounded import TWO, exponent_of
+from .trees import dyadic_text, literal
+
+DECIMALS = ("0.1", "1.3", "-2.7", "0.3333", "1e-3", "-0.7", "3.14159265358979", "5e-7")
+
+
+class Operands:
+    """Draws the texts of operands in a format, each input within its range."""
+
+    def __init__(self, rng, form, ranges, allows_specials):
+        self.rng = rng
+        self.form = form.gradual()
+        self.ranges = ranges  # name -> (low, high) as Fractions
+        self.allows_specials = allows_specials
+        self.scale = TWO ** rng.choice((0, 0, 0, -3, 2, 5))
+        self.styles = {"small": self.small, "few": self.few, "random": self.random,
+                       "ends": self.end, "wide": self.wide, "decimal": self.decimal}
+
+    def row(self, names):
+        """A row by one style, or by a style for each operand."""
+        rng = self.rng
+        weights = {"small": 4, "few": 2, "random": 5, "ends": 1, "wide": 1, "decimal": 0.5}
+        style, = rng.choices(list(weights), list(weights.values()))
+        row = {}
+        for name in names:
+            own = rng.choice(list(weights)) if rng.random() < 0.15 else style
+            row[name] = self.kept(self.styles[own](name), name)
+        if self.allows_specials and rng.random() < 0.07:
+            row[rng.choice(names)] = rng.choice(("inf", "-inf", "nan"))
+        return row
+
+    def kept(self, written, name):
+        """The text, or that of the nearest end where it is out of the range, but now and then."""
+        if name not in self.ranges or (self.allows_specials and self.rng.random() < 0.03):
+            return written
+        low, high = self.ranges[name]
+        value = literal(written)
+        return written if low <= value <= high else self.nearest(min(max(value, low), high))
+
+    def nearest(self, value):
+        """The text of the number of the format that is nearest to a fraction."""
+        negative, magnitude = self.form.rounded(value < 0, min(abs(value), self.form.largest))
+        return ("-" if negative else "") + dyadic_text(magnitude)
+
+    def small(self, _):
+        return self.nearest(self.rng.randint(-4, 8) * min(self.scale, self.form.largest / 8))
+
+    def few(self, _):
+        return self.nearest(self.rng.choice((0, 1, 1, 2, -1)) * self.scale)
+
+    def random(self, name):
+        low, high = self.ranges.get(name, (-8 * self.scale, 8 * self.scale))
+        part = Fraction(self.rng.getrandbits(130), 1 << 130)
+        return self.nearest(low + (high - low) * part)
+
+    def wide(self, name):
+        """Any exponent."""
+        low, high = self.ranges.get(name, (-self.form.largest, self.form.largest))
+        limit = max(abs(low), abs(high), self.form.last_place(0))
+        significand = 1 + Fraction(self.rng.getrandbits(60), 1 << 60)
+        least = self.form.least_exponent - self.form.precision
+        exponent = self.rng.randint(least, max(least, exponent_of(limit)))
+        sign = -1 if low < 0 and self.rng.random() < 0.5 else 1
+        return self.nearest(sign * significand * TWO ** exponent)
+
+    def end(self, name):
+        form, rng = self.form, self.rng
+        if name in self.ranges and rng.random() < 0.7:
+            value = rng.choice(self.ranges[name])
+            return self.beside(value, rng.choice((0, 0, 1, -1)))
+        tiny, normal = form.last_place(0), TWO ** form.least_exponent
+        value = rng.choice((Fraction(0), tiny, 3 * tiny, normal, normal - tiny, normal + tiny,
+                            form.largest, TWO ** exponent_of(form.largest), Fraction(1)))
+        if value == 0:
+            return rng.choice(("0", "-0"))
+        return self.nearest(value * rng.choice((1, -1)))
+
+    def decimal(self, _):
+        return self.rng.choice(DECIMALS)
+
+    def beside(self, value, places):
+        """The number so many last places from a value."""
+        return self.nearest(value + places * self.form.last_place(abs(value)))
+
+    def near_tie(self, row, difference, names):
+        """The row with one operand changed to make f - g, as `difference` has it, nearly zero."""
+        name = self.rng.choice(names)
+        ends = [self.styles[self.rng.choice(("random", "small"))](name) for _ in (0, 1)]
+        low, high = (float_of(self.kept(end, name)) for end in ends)
+        below, above = (difference({**row, name: end}) for end in (low, high))
+        if below is None or above is None or below * above > 0:
+            return row
+        for _ in range(60):
+            middle = (low + high) / 2
+            value = difference({**row, name: middle})
+            if value is None:
+                return row
+            if (value > 0) == (above > 0):
+                high = middle
+            else:
+                low = middle
+        if not math.isfinite(high):
+            return row
+        tied = self.beside(Fraction(high), self.rng.choice((0, 0, 1, -1, 2, -2)))
+        return {**row, name: self.kept(tied, name)}
+
+    def neighbour(self, row, names):
+        """The row with one operand moved by a few places."""
+        name = self.rng.choice(names)
+        if row[name] in ("inf", "-inf", "nan"):
+            return row
+        moved = self.beside(literal(row[name]), self.rng.choice((1, -1, 1, -1, 2, -3)))
+        return {**row, name: self.kept(moved, name)}
+
+
+def float_of(written):
+    return float(written) if "n" in written else as_float(literal(written))  # inf and nan
+
+
+def as_float(value):
+    try:
+        return float(value)
+    except OverflowError:
+        return math.inf if value > 0 else -math.inf
+
+
+def estimate(graph, inputs):
+    """f - g of the first part in doubles; None where that is no number. For near ties only."""
+    values = {}
+
+    def value(index):
+        if index not in values:
+            node = graph.nodes[index]
+            if node.operation == "input":
+                values[index] = inputs[node.value]
+            elif node.operation == "constant":
+                values[index] = as_float(node.value)
+            else:
+                values[index] = apply(node.operation, *map(value, node.operands))
+        return values[index]
+
+    try:
+        f, g = map(value, graph.parts[0])
+    except (ArithmeticError, ValueError):
+        return None
+    return f - g if math.isfinite(f - g) else None
+
+
+def apply(operation, a, b=0.0):
+    if operation == "sqrt":
+        return math.sqrt(a)
+    if operation == "neg":
+        return -a
+    if operation == "abs":
+        return abs(a)
+    if operation == "+":
+        return a + b
+    if operation == "-":
+        return a - b
+    if operation == "*":
+        return a * b
+    if operation == "/":
+        return a / b
+    return min(a, b) if operation == "min" else max(a, b)
+
+
+def draw_rows(operands, graph, names, count):
+    """Rows of a system of streams: each input is a column."""
+    rng = operands.rng
+    rows = []
+
+    def difference(row):
+        values = {name: word if isinstance(word, float) else float_of(word)
+                  for name, word in row.items()}
+        return estimate(graph, values)
+
+    while len(rows) < count:
+        draw = rng.random()
+        if rows and draw < 0.2:
+            rows.append(operands.neighbour(rng.choice(rows), names))
+        elif draw < 0.6:
+            rows.append(operands.near_tie(operands.row(names), difference, names))
+        else:
+            rows.append(operands.row(names))
+    return rows
+
+
+def draw_items(operands, columns, count):
+    """Items of an engine: some of them equal or near to each other."""
+    rows = []
+    for _ in range(count):
+        if rows and operands.rng.random() < 0.4:
+            rows.append(operands.neighbour(operands.rng.choice(rows), columns))
+        else:
+            rows.append(operands.row(columns))
+    return rows
