@@ -55,7 +55,7 @@ enum class Fault : std::uint32_t {
   lost,          ///< never left, though its lane goes on
   hung,          ///< never left, and its lane takes nothing more
   unknown_refetch,
-  unknown_value,      ///< x on a handshake or a result; only an event-driven simulator sees it
+  unknown_value,      ///< x in a handshake or a beat; only an event-driven simulator sees it
   after_the_end,      ///< pairwise engine: a report behind the closing beat
   closed_early,       ///< pairwise engine: a closing beat before the last item
   loaded_among_rows,  ///< arg-min engine: a candidate accepted while a row is inside

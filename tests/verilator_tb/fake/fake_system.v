@@ -60,13 +60,15 @@ module fake_system (
   // Defects that a simulator of two values does not see: x where no transfer is.
   localparam [7:0] UNKNOWN_REQUEST = 8'd13;
   localparam [7:0] UNKNOWN_REFETCH_READY = 8'd14;
-  wire unknown_request = (fault == UNKNOWN_REQUEST) ? 1'bx : 1'b0;
-  wire unknown_ready = (fault == UNKNOWN_REFETCH_READY) ? 1'bx : 1'b0;
-  assign m_refetch_tvalid = m_refetch_valid | ({unknown_request, {LANES-1{1'b0}}} & ~m_refetch_tready);
+  localparam [LANES-1:0] LAST = {1'b1, {LANES-1{1'b0}}};
+  localparam [LANES-1:0] NONE = {LANES{1'b0}};
+  wire [LANES-1:0] unknown_request = (fault == UNKNOWN_REQUEST) ? LAST & {LANES{1'bx}} : NONE;
+  wire [LANES-1:0] unknown_ready = (fault == UNKNOWN_REFETCH_READY) ? LAST & {LANES{1'bx}} : NONE;
+  assign m_refetch_tvalid = m_refetch_valid | (unknown_request & ~m_refetch_tready);
   assign m_refetch_ready  = m_refetch_tready;
   assign m_refetch_tdata  = m_refetch_data;
   assign s_refetch_valid  = s_refetch_tvalid;
-  assign s_refetch_tready = s_refetch_ready & ~({unknown_ready, {LANES-1{1'b0}}} & ~s_refetch_tvalid);
+  assign s_refetch_tready = s_refetch_ready & ~(unknown_ready & ~s_refetch_tvalid);
   assign s_refetch_data   = s_refetch_tdata;
 `else
   localparam REFETCHED = 0;
