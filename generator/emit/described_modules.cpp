@@ -18,6 +18,9 @@ namespace {
 
 using design::Design;
 
+constexpr const char* recomputed_by_either =
+    "  recomputed: the second tier or a reference answered; the bit does not tell which.";
+
 std::string arithmetic_fact(const Arithmetic& arithmetic) {
   return fmt::format("Format: {}, rounding {}, subnormals {}{}.", arithmetic.format.name(),
                      to_string(arithmetic.rounding), to_string(arithmetic.subnormals),
@@ -206,6 +209,7 @@ Described describe_top(const Design& design, const ScheduledSystem& scheduled) {
   add(fmt::format("s_axis_tuser, m_axis_tuser, {} bits a {}: the tag.", shape.tag_bits, sender));
   add("m_axis_tdata, 8 bits a lane: {4'b0, undecided, recomputed, verdict[1:0]};");
   add("  verdict: 0 less, 1 equal, 2 greater, 3 unordered.");
+  if (shape.second_tier) add(recomputed_by_either);
   if (shape.refetches()) {
     add("m_refetch, AXI4-Stream, too: tags whose operands are wanted, a field a reference;");
     add("  s_refetch: these operands, in the same order.");
@@ -286,7 +290,8 @@ std::string report_fact(const rtl::PairwiseShape& shape, int references) {
   MIXCMP_CHECK(false);
 }
 
-std::vector<std::string> report_fields(const rtl::PairwiseShape& shape, int references) {
+std::vector<std::string> report_fields(const rtl::PairwiseShape& shape, int references,
+                                       bool has_second_tier) {
   const rtl::EngineShape& engine = shape.engine;
   const int field_bits = engine.index_field_bits();
   std::vector<std::string> facts;
@@ -304,6 +309,7 @@ std::vector<std::string> report_fields(const rtl::PairwiseShape& shape, int refe
   }
   if (engine.spec.report_as != scene::ReportForm::count) {
     facts.emplace_back("  verdict: 0 less, 1 equal, 2 greater, 3 unordered.");
+    if (has_second_tier) facts.emplace_back(recomputed_by_either);
   }
   return facts;
 }
@@ -324,7 +330,7 @@ Described describe_pairwise(const Design& design, const rtl::PairwiseShape& shap
   add_all(facts, {"  A set that begins with items with tuser compares each of these with each of "
                   "the others alone.",
                   report_fact(shape, system.references)});
-  add_all(facts, report_fields(shape, system.references));
+  add_all(facts, report_fields(shape, system.references, system.second_tier.has_value()));
   if (shape.streams() > 1) {
     facts.push_back(
         fmt::format("  {} streams side by side; each ends every set.", shape.streams()));

@@ -33,8 +33,8 @@ struct SignatureCounters {
 
 /// The most characters of a module's name that every tool takes. Verilator replaces longer names by
 /// hashes, and then finds neither the top that it is told nor a file of the module's name. IEEE
-/// 1364 lets tools stop at 1024, where Vivado and Quartus do; Icarus and Yosys know no limit. File
-/// systems take names of 255 bytes, so that a module's file may have any extension.
+/// 1364 lets tools stop at 1024, and no limit below that is known of Vivado, Quartus, Icarus or
+/// Yosys. File systems take names of 255 bytes, so that a module's file may have any extension.
 inline constexpr std::size_t longest_module_name = 127;
 
 /// The outermost module and this make the name of its test bench.

@@ -72,13 +72,6 @@ std::string cell(const SchemeProfile& scheme, std::size_t k, const RateProfile& 
   return fmt::format("  {:>9.2e} {:>10}", rate_of(counts, profile), counts.wrong);
 }
 
-bool exists(const SchemeProfile& scheme) {
-  for (const SchemeCounts& counts : scheme.counts) {
-    if (counts.exists) return true;
-  }
-  return false;
-}
-
 /// The number of rows up to the last precision at which some scheme recomputes or errs, or after
 /// which one begins to exist.
 std::size_t interesting_rows(const RateProfile& profile) {
@@ -99,7 +92,7 @@ std::size_t interesting_rows(const RateProfile& profile) {
 void add_wrong_lanes(FormattedText& page, const RateProfile& profile) {
   page.add("wrong verdicts that a lane decided, at all L together:");
   for (const SchemeProfile& scheme : profile.schemes) {
-    if (!exists(scheme)) continue;
+    if (!scheme.exists()) continue;
     std::uint64_t wrong = 0;
     for (const SchemeCounts& counts : scheme.counts) wrong += counts.wrong_by_lane;
     page.add(" {} {}", scheme.name, wrong);
@@ -118,7 +111,7 @@ void add_rates(FormattedText& page, const RateProfile& profile) {
   page.add("{:>4}", "L");
   std::string units = "    ";
   for (const SchemeProfile& scheme : profile.schemes) {
-    if (!exists(scheme)) continue;
+    if (!scheme.exists()) continue;
     const bool alone = scheme.kind == SchemeKind::lanes_alone;
     page.add("  {:>{}}", scheme.name, alone ? 12 : 20);
     units +=
@@ -129,7 +122,7 @@ void add_rates(FormattedText& page, const RateProfile& profile) {
   for (std::size_t k = 0; k < told; ++k) {
     page.add("{:>4}", profile.first_precision + static_cast<int>(k));
     for (const SchemeProfile& scheme : profile.schemes) {
-      if (exists(scheme)) page.add("{}", cell(scheme, k, profile));
+      if (scheme.exists()) page.add("{}", cell(scheme, k, profile));
     }
     page.add("\n");
   }

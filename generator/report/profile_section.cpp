@@ -30,7 +30,7 @@ page::Table table_of(const RateProfile& rates) {
   page::Table table{{"L"}, {}};
   std::vector<const SchemeProfile*> schemes;
   for (const SchemeProfile& scheme : rates.schemes) {
-    if (scheme.kind == SchemeKind::lanes_alone) continue;
+    if (scheme.kind == SchemeKind::lanes_alone || !scheme.exists()) continue;
     schemes.push_back(&scheme);
     table.header.push_back(scheme.name);
   }
@@ -51,6 +51,7 @@ page::Table table_of(const RateProfile& rates) {
 page::Table wrong_verdicts(const RateProfile& rates) {
   page::Table table{{"scheme", "certified", "wrong verdicts of a lane", "at the worst L"}, {}};
   for (const SchemeProfile& scheme : rates.schemes) {
+    if (!scheme.exists()) continue;
     std::uint64_t sum = 0, most = 0;
     int worst = 0;
     for (std::size_t k = 0; k < scheme.counts.size(); ++k) {
@@ -77,6 +78,10 @@ void add_rates(page::Section& section, const RateProfile& rates) {
       "{}.",
       rates.comparisons, rates.reference_wrong)));
   section.content.push_back(draw(wrong_verdicts(rates)));
+  for (const SchemeProfile& scheme : rates.schemes) {
+    if (scheme.reason.empty()) continue;
+    section.content.push_back(page::note(fmt::format("{}: {}", scheme.name, scheme.reason)));
+  }
   section.content.push_back(
       page::details(fmt::format("Undecided comparisons of {}, at every L", rates.comparisons),
                     draw(table_of(rates))));

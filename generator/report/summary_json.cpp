@@ -180,6 +180,8 @@ nlohmann::json to_json(const Summary& summary) {
   }
   json["reference_exact"] = summary.reference.exact;
   if (!summary.reference.exact) json["first_rounding"] = summary.reference.first_rounding;
+  const std::string& loose = summary.reference.first_loose_sum;
+  if (!loose.empty()) json["first_loose_sum"] = loose;
   if (scene.plan) {
     for (const auto& [key, value] : scene.plan->values) json["plan"][key] = value;
   }

@@ -257,6 +257,17 @@ void print_exactness(SectionList& page, const Summary& summary) {
   page.line("reference", text);
 }
 
+/// Tells whether fused sums are as close to the real ones as composed sums are.
+void print_fused_sums(SectionList& page, const Summary& summary) {
+  if (summary.scene->reference.sums != Sums::fused) return;
+  const std::string& loose = summary.reference.first_loose_sum;
+  page.line("fused sums",
+            loose.empty() ? std::string("the error bound of none is larger than composed")
+                          : fmt::format("below 2^{} a fused sum may err by more than a composed "
+                                        "one, first {}",
+                                        summary.scene->reference.format.min_exponent(), loose));
+}
+
 }  // namespace
 
 std::vector<SummaryLines> lines_of(const Summary& summary) {
@@ -284,6 +295,7 @@ std::vector<SummaryLines> lines_of(const Summary& summary) {
     }
   }
   print_exactness(page, summary);
+  print_fused_sums(page, summary);
   for (const DatapathSummary& datapath : summary.datapaths) {
     if (datapath.savings) print_savings(page, datapath.name, *datapath.savings);
   }

@@ -96,10 +96,20 @@ std::ptrdiff_t readers_of(const Graph& graph, NodeId id) {
   return readers;
 }
 
+void change_signs(std::vector<FusedTerm>& terms) {
+  for (FusedTerm& term : terms) term.negated = !term.negated;
+}
+
 /// The terms of one side of a comparison that its difference takes in: those of a sum that is to be
-/// fused, or a product. None where the side rounds nothing that can be saved, or has other readers.
+/// fused, or a product; a minus before either changes their signs. None where the side rounds
+/// nothing that can be saved, or has other readers.
 std::vector<FusedTerm> terms_of_side(const Graph& graph, NodeId side) {
   if (readers_of(graph, side) > 1) return {};
+  if (graph.nodes()[side].operation == Operation::negate) {
+    std::vector<FusedTerm> terms = terms_of_side(graph, graph.nodes()[side].operands[0]);
+    change_signs(terms);
+    return terms;
+  }
   std::vector<FusedTerm> terms = fused_terms(graph, side);
   if (!terms.empty()) return terms;
   terms = TermCollector(graph).collect(side);
@@ -116,7 +126,7 @@ std::vector<FusedTerm> terms_of_difference(const Graph& graph, const Sides& part
   if (terms.empty() && subtracted.empty()) return {};
   if (terms.empty()) terms.push_back({part.f, -1, false});
   if (subtracted.empty()) subtracted.push_back({part.g, -1, false});
-  for (FusedTerm& term : subtracted) term.negated = !term.negated;
+  change_signs(subtracted);
   terms.insert(terms.end(), subtracted.begin(), subtracted.end());
   return terms.size() <= max_fused_terms ? terms : std::vector<FusedTerm>();
 }

@@ -93,9 +93,14 @@ std::optional<mpq_class> parse_literal(std::string_view text) {
   return value;
 }
 
+bool is_signed_literal(std::string_view text) {
+  take_either(text, '-', '+');
+  return read_literal(text).has_value();
+}
+
 std::optional<mpq_class> parse_signed_literal(std::string_view text) {
   const bool negative = text.starts_with('-');
-  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  take_either(text, '-', '+');
   std::optional<mpq_class> value = parse_literal(text);
   if (value && negative) *value = -*value;
   return value;

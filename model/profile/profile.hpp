@@ -88,6 +88,8 @@ struct SchemeProfile {
   SchemeKind kind = SchemeKind::certified;
   std::vector<SchemeCounts> counts;  ///< one per precision
   std::string reason;                ///< why there is no lane at some precision
+
+  bool exists() const;  ///< at some precision
 };
 
 /// Figure 5 and the wrong verdicts.

@@ -130,6 +130,11 @@ RateTally run(const RateJob& job, const ProfileOptions& options) {
 
 }  // namespace
 
+bool SchemeProfile::exists() const {
+  return std::any_of(counts.begin(), counts.end(),
+                     [](const SchemeCounts& each) { return each.exists; });
+}
+
 RateProfile profile_rates(const scene::Scene& scene, const data::Comparisons& data,
                           const ErrorProfile& errors, const ProfileOptions& options) {
   const std::vector<SchemeLanes> schemes = make_schemes(scene, errors, options.bounds);

@@ -42,16 +42,20 @@ Result<InputDeclaration> read_input(const settings::Setting& entry) {
   if (const auto* word = std::get_if<std::string>(&range->value); word && *word == "data") {
     return InputDeclaration{.range = std::nullopt, .grid = grid};
   }
+  const std::string ranges = "[low, high], low <= high, or \"data\"";
   const auto wrong = [&](std::string message, std::string received) {
-    return section.mistake("range", std::move(message), std::move(received),
-                           "[low, high], low <= high, or \"data\"");
+    return section.mistake("range", std::move(message), std::move(received), ranges);
   };
   const auto* bounds = std::get_if<settings::Setting::Array>(&range->value);
   if (bounds == nullptr || bounds->size() != 2) return wrong("not a range", range->shown());
   const auto low = settings::exact_value((*bounds)[0]);
   const auto high = settings::exact_value((*bounds)[1]);
-  if (!low) return wrong("the low end is not a finite number", (*bounds)[0].shown());
-  if (!high) return wrong("the high end is not a finite number", (*bounds)[1].shown());
+  if (!low || !high) {
+    const settings::Setting& end = !low ? bounds->front() : bounds->back();
+    return section.mistake(
+        "range", fmt::format("the {} end {}", !low ? "low" : "high", settings::exact_problem(end)),
+        end.shown(), fmt::format("{}; ends are {}", ranges, settings::accepted_exact_values()));
+  }
   if (*low > *high) {
     return wrong("the range is empty", fmt::format("[{}, {}]", to_text(*low), to_text(*high)));
   }

@@ -9,6 +9,7 @@
 #include "model/error/hazards.hpp"
 #include "model/expression/text.hpp"
 #include "model/number/decimal.hpp"
+#include "model/number/dyadic.hpp"
 #include "model/number/exact.hpp"
 
 namespace mixcmp::scene {
@@ -211,14 +212,51 @@ DataSummary summarise_data(const Scene& scene, const data::Comparisons& data) {
           .inputs = data::input_sources(data, scene.graph.inputs())};
 }
 
-Exactness summarise_exactness(const Scene& scene, const TypedGraph& reference) {
-  const std::vector<bool> exact = error::exact_on_grid(reference, scene.ranges, scene.grids);
+mpq_class least_magnitude(const Range& range) {
+  if (range.low <= 0 && range.high >= 0) return 0;
+  return std::min<mpq_class>(abs(range.low), abs(range.high));
+}
+
+/// Whether a sum has one product and its terms may all be below the smallest normal number
+/// together.
+bool may_be_loose(const TypedNode& sum, const std::vector<error::NodeRange>& ranges) {
+  const mpq_class smallest_normal = power_of_two(sum.format.min_exponent());
+  mpq_class least = 0;
+  for (const FusedTerm& term : sum.terms) {
+    const mpq_class a = least_magnitude(ranges[term.a].value);
+    least += term.is_product() ? mpq_class(a * least_magnitude(ranges[term.b].value)) : a;
+  }
+  return least < smallest_normal &&
+         std::count_if(sum.terms.begin(), sum.terms.end(),
+                       [](const FusedTerm& term) { return term.is_product(); }) == 1;
+}
+
+std::string first_loose_sum(const Scene& scene, const TypedGraph& reference) {
+  if (reference.arithmetic.subnormals == Subnormals::flush) return {};
+  const std::vector<error::NodeRange> ranges =
+      analyse_ranges(reference, scene.ranges, error::Infinities::followed);
+  for (std::size_t id = 0; id < reference.nodes.size(); ++id) {
+    const TypedNode& node = reference.nodes[id];
+    const bool is_rounded = node.operation == Operation::fused_sum && !node.is_sign_of_sum();
+    if (!is_rounded || !may_be_loose(node, ranges)) continue;
+    return to_text(reference.nodes, reference.input_names, static_cast<NodeId>(id),
+                   max_expression_length);
+  }
+  return {};
+}
+
+/// `composed`: the reference with composed sums. Where none of its operations rounds, no digit of a
+/// fused sum is cut off or rounded.
+Exactness summarise_exactness(const Scene& scene, const TypedGraph& composed,
+                              const TypedGraph& reference) {
+  const std::vector<bool> exact = error::exact_on_grid(composed, scene.ranges, scene.grids);
   const auto first = std::find(exact.begin(), exact.end(), false);
-  if (first == exact.end()) return {.exact = true, .first_rounding = {}};
+  if (first == exact.end()) return {.exact = true};
   return {
       .exact = false,
-      .first_rounding = to_text(reference.nodes, reference.input_names,
-                                static_cast<NodeId>(first - exact.begin()), max_expression_length)};
+      .first_rounding = to_text(composed.nodes, composed.input_names,
+                                static_cast<NodeId>(first - exact.begin()), max_expression_length),
+      .first_loose_sum = first_loose_sum(scene, reference)};
 }
 
 void count_saved(LaneSavings& savings, Operation operation, const error::Hazards& hazards) {
@@ -316,8 +354,7 @@ Summary summarise(const Scene& scene, const data::Comparisons* data) {
     if (!groups[k].reduced.format) continue;
     summary.datapaths.push_back(summarise_lane(labels[k], scene, groups[k].reduced));
   }
-  // Where no composed operation rounds, no digit of a fused sum is cut off or rounded either.
-  summary.reference = summarise_exactness(scene, reference_graph(scene.graph, composed));
+  summary.reference = summarise_exactness(scene, reference_graph(scene.graph, composed), reference);
   if (data != nullptr) summary.data = summarise_data(scene, *data);
   return summary;
 }

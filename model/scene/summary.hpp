@@ -62,6 +62,9 @@ struct DatapathSummary {
 struct Exactness {
   bool exact = false;          ///< every verdict of a reference is the order of the real numbers
   std::string first_rounding;  ///< the first operation that may round, as an expression
+  /// The first fused sum that the declared ranges let err by more than the composed one, as an
+  /// expression; empty if there is none (docs/error_bounds.md, theorem 12).
+  std::string first_loose_sum;
 };
 
 struct DataSummary {

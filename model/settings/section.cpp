@@ -38,6 +38,17 @@ std::optional<mpq_class> exact_value(const Setting& setting) {
   return std::nullopt;
 }
 
+std::string exact_problem(const Setting& setting) {
+  const auto* text = std::get_if<std::string>(&setting.value);
+  return text != nullptr && is_signed_literal(*text) ? "needs too many digits"
+                                                     : "is not a finite number";
+}
+
+std::string accepted_exact_values() {
+  return fmt::format("finite numbers, as fractions at most {} bits above and below the bar",
+                     max_constant_bits);
+}
+
 Section::Section(const Settings& settings, std::string name)
     : name_(std::move(name)), file_(settings.path.string()) {
   const Setting* section = settings.root.find(name_);
@@ -127,8 +138,8 @@ void Section::exact(const std::string& key, std::optional<mpq_class>& target) {
   if (setting == nullptr) return;
   target = exact_value(*setting);
   if (!target) {
-    fail(key, "not a number", setting->shown(),
-         "a number, or a string with a decimal or hex-float");
+    fail(key, exact_problem(*setting), setting->shown(),
+         "a number, or a string with a decimal or hex-float: " + accepted_exact_values());
   }
 }
 

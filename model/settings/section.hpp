@@ -97,6 +97,12 @@ Result<std::span<const Setting>> tables_of(const Settings& settings, const std::
 /// that holds a decimal or hex-float literal.
 std::optional<mpq_class> exact_value(const Setting& setting);
 
+/// Why a setting has no exact value, for an error: "is not a finite number".
+std::string exact_problem(const Setting& setting);
+
+/// The numbers that have an exact value, for an error.
+std::string accepted_exact_values();
+
 template <std::integral Integer>
 void Section::integer(const std::string& key, Integer& target, std::int64_t low,
                       std::int64_t high) {

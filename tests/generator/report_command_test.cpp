@@ -64,6 +64,22 @@ TEST_F(Report, ShowsTheNumbersThatTheVerbsPrint) {
   EXPECT_NE(html.find("machine-checked"), std::string::npos);
 }
 
+/// Without ranges there is no lane in fixed point, and no constant bound.
+TEST_F(Report, ABoundThatDoesNotExistIsInNoTableAndItsReasonIsTold) {
+  write("data.csv", "a,b,c,d\n1,2,3,4\n5,6,7,8\n9,8,7,6\n");
+  write("scene.toml",
+        "[comparison]\nname = \"bare\"\nf = \"a * b\"\ng = \"c * d\"\n"
+        "[reference]\nformat = \"binary32\"\n[reduced]\nformat = \"s12e8\"\n"
+        "[system]\nlanes = 1\nreferences = 1\n[data]\nfile = \"data.csv\"\n");
+  const std::string html = page("--without plan,waves");
+  EXPECT_NE(html.find("<td>relative</td><td>yes</td>"), std::string::npos) << html;
+  for (const char* bound : {"constant", "fixed_norm", "fixed_constant", "block_norm"}) {
+    EXPECT_EQ(html.find(fmt::format("<td>{}</td>", bound)), std::string::npos) << bound;
+    EXPECT_EQ(html.find(fmt::format("<th class=\"number\">{}</th>", bound)), std::string::npos);
+    EXPECT_NE(html.find(fmt::format("{}: ", bound)), std::string::npos) << bound;
+  }
+}
+
 TEST_F(Report, IsOneWellFormedFileThatLoadsNothing) {
   write_scene();
   std::string html = page("--without plan,waves");

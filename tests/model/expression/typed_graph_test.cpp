@@ -98,6 +98,15 @@ TEST(FusedSums, OfBothSidesAreOneThatIsComparedWithZero) {
   EXPECT_EQ(compared("a + b + c", "max(a, b)"), "sign of +a +b +c -max(a, b)\n");
 }
 
+TEST(FusedSums, OfSidesWithAMinusBeforeThemHaveTermsOfOtherSigns) {
+  EXPECT_EQ(compared("-(a * b + c)", "d"), "sign of -a*b -c -d\n");
+  EXPECT_EQ(compared("d", "--(-(a * b - c))"), "sign of +d +a*b -c\n");
+  EXPECT_EQ(compared("-(a * b) + c", "d"), "sign of -a*b +c -d\n");
+  EXPECT_EQ(compared("-(a - b)", "c"), "");
+  EXPECT_EQ(compared("-(a * b + c)", "(a * b + c) * d"),
+            "+a*b +c\nsign of --(a * b + c) -a * b + c*d\n");
+}
+
 /// A difference a - b may cancel before c is subtracted: as a term of its own, c loses no digit.
 TEST(FusedSums, LeaveSidesThatAreRoundedOnceAsTheyAre) {
   EXPECT_EQ(compared("a - b", "c"), "");

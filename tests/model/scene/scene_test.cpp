@@ -472,10 +472,16 @@ INSTANTIATE_TEST_SUITE_P(
                 "low <= high, or \"data\""},
         Mistake{"range = [0, 100]", "range = [0, inf]",
                 ":7: inputs.c*.range: the high end is not a finite number: received inf; accepted "
-                "[low, high], low <= high, or \"data\""},
+                "[low, high], low <= high, or \"data\"; ends are finite numbers, as fractions at "
+                "most 131072 bits above and below the bar"},
+        Mistake{"range = [0, 100]", "range = [\"1e-99999999\", 1]",
+                ":7: inputs.c*.range: the low end needs too many digits: received "
+                "\"1e-99999999\"; accepted [low, high], low <= high, or \"data\"; ends are "
+                "finite numbers, as fractions at most 131072 bits above and below the bar"},
         Mistake{"range = [0, 100]", "range = [\"zero\", 1]",
                 ":7: inputs.c*.range: the low end is not a finite number: received \"zero\"; "
-                "accepted [low, high], low <= high, or \"data\""},
+                "accepted [low, high], low <= high, or \"data\"; ends are finite numbers, as "
+                "fractions at most 131072 bits above and below the bar"},
         Mistake{"range = [0, 100]", "range = \"date\"",
                 ":7: inputs.c*.range: not a range: received \"date\"; accepted [low, high], low <= "
                 "high, or \"data\""}));

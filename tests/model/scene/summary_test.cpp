@@ -171,6 +171,27 @@ TEST(Summary, JsonHoldsTheSame) {
   EXPECT_EQ(json["system"]["lanes"], 8);
 }
 
+/// Theorem 12 of docs/error_bounds.md: one product, gradual underflow, terms below 2^m together.
+TEST(Summary, TellsWhichFusedSumsMayErrByMoreThanComposedOnes) {
+  const auto loose = [](const std::string& f, const std::string& range,
+                        const std::string& subnormals) {
+    const test::ScratchDirectory directory;
+    const auto path = directory.path() / "loose.toml";
+    std::ofstream(path) << "[comparison]\nname = \"loose\"\nf = \"" << f << "\"\ng = \"e\"\n"
+                        << "[inputs]\n\"*\" = { range = " << range << " }\n[reference]\n"
+                        << "format = \"s24e8\"\nsums = \"fused\"\nsubnormals = \"" << subnormals
+                        << "\"\n";
+    const scene::Scene scene = load(path);
+    return scene::summarise(scene, nullptr).reference.first_loose_sum;
+  };
+  EXPECT_EQ(loose("max(a * b + c, d)", "[0, 1]", "gradual"), "a * b + c");
+  EXPECT_EQ(loose("max(a * b + c, d)", "[0, 1]", "flush"), "");
+  EXPECT_EQ(loose("max(a * b + c * d, d)", "[0, 1]", "gradual"), "");
+  EXPECT_EQ(loose("a * b + c", "[0, 1]", "gradual"), "") << "compared, not rounded";
+  EXPECT_EQ(loose("max(a * b + c, d)", "[\"0x1p-126\", 1]", "gradual"), "");
+  EXPECT_EQ(loose("max(a * b + c, d)", "[\"0x1p-128\", 1]", "gradual"), "a * b + c");
+}
+
 TEST(Summary, DeeplySharedExpressionsPrintShort) {
   const test::ScratchDirectory directory;
   const auto path = directory.path() / "scene.toml";
