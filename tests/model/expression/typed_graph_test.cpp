@@ -104,7 +104,7 @@ TEST(FusedSums, OfSidesWithAMinusBeforeThemHaveTermsOfOtherSigns) {
   EXPECT_EQ(compared("-(a * b) + c", "d"), "sign of -a*b +c -d\n");
   EXPECT_EQ(compared("-(a - b)", "c"), "");
   EXPECT_EQ(compared("-(a * b + c)", "(a * b + c) * d"),
-            "+a*b +c\nsign of --(a * b + c) -a * b + c*d\n");
+            "+a*b +c\nsign of +-(a * b + c) -a * b + c*d\n");
 }
 
 /// A difference a - b may cancel before c is subtracted: as a term of its own, c loses no digit.
