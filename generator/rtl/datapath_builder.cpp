@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "generator/rtl/unread_bits.hpp"
 #include "model/common/check.hpp"
 
 namespace mixcmp::rtl {
@@ -31,6 +32,13 @@ std::vector<int> widths_of(const std::vector<InputPort>& inputs) {
   std::vector<int> widths;
   for (const InputPort& input : inputs) widths.push_back(input.width);
   return widths;
+}
+
+bool reads_phase(const std::vector<ModuleItem>& items) {
+  return std::any_of(items.begin(), items.end(), [](const ModuleItem& item) {
+    return std::holds_alternative<HeldValue>(item) ||
+           std::holds_alternative<PhaseRegisters>(item) || std::holds_alternative<PhaseFlag>(item);
+  });
 }
 
 }  // namespace
@@ -130,7 +138,13 @@ Module datapath_module(std::string name, const std::vector<InputPort>& inputs,
   build(second);
   std::vector<Port> ports = second.data_ports();
   ports.insert(ports.end(), outputs.begin(), outputs.end());
-  return {std::move(name), std::move(ports), second.take()};
+  std::vector<ModuleItem> items = second.take();
+  consume_unread_delays(items, second.pool());
+  if (initiation_interval > 1 && !reads_phase(items)) {
+    items.emplace_back(Comment{"No unit is shared: every phase is alike."});
+    items.emplace_back(Wire{1, second.pool().unique("unused_phase"), all_bits(net("phase"))});
+  }
+  return {std::move(name), std::move(ports), std::move(items)};
 }
 
 int phase_bits(int initiation_interval) {

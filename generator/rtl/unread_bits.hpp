@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "generator/rtl/module.hpp"
+#include "generator/rtl/net_names.hpp"
 
 namespace mixcmp::rtl {
 
@@ -16,5 +17,9 @@ struct BitRange {
 /// Consumes what nothing reads of a net of `bits` bits of which `read` are read.
 void consume_unread(const std::string& name, int bits, const std::vector<BitRange>& read,
                     std::vector<ModuleItem>& items);
+
+/// Consumes what nothing reads of values that delay lines give. A value is delayed whole, and a
+/// unit may read only some bits of it.
+void consume_unread_delays(std::vector<ModuleItem>& items, NamePool& pool);
 
 }  // namespace mixcmp::rtl
