@@ -7,12 +7,19 @@ from .trees import exchanged, replaced, size, subtrees
 SECONDS = 480  # that shrinking one scene may take
 
 
+class Interrupted(Exception):
+    """No more scenes are to be judged."""
+
+
 def shrunken(scene, outcome, attack):
-    """The smallest scene found and its outcome; `attack` judges a scene."""
+    """The smallest scene found and its outcome; `attack` judges a scene, or is interrupted."""
     search = Search(scene, outcome, attack)
-    for shrink in (search.drop_rows, search.drop_options, search.shrink_expressions,
-                   search.drop_options, search.drop_rows):
-        shrink()
+    try:
+        for shrink in (search.drop_rows, search.drop_options, search.shrink_expressions,
+                       search.drop_options, search.drop_rows):
+            shrink()
+    except Interrupted:
+        pass
     return search.scene, search.outcome
 
 
