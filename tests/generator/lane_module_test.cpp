@@ -11,6 +11,7 @@
 #include "generator/emit/template_ports.hpp"
 #include "generator/emit/verilog.hpp"
 #include "generator/rtl/reference_module.hpp"
+#include "generator/rtl/unread_bits.hpp"
 #include "model/error/certified_lane.hpp"
 #include "tests/support/graphs.hpp"
 #include "tests/support/sphere.hpp"
@@ -195,6 +196,29 @@ TEST(LaneModule, SignChecksAreWires) {
   EXPECT_NE(text.find("wire wrong_sign = a[31] | ~b[31];"), std::string::npos) << text;
 }
 
+TEST(UnreadBits, OfADelayedValueAreConsumed) {
+  using namespace rtl;
+  const auto delay = [](const std::string& name) {
+    return Instance{"delay_line",
+                    "delay_" + name,
+                    {{"WIDTH", 8}, {"LENGTH", 1}},
+                    {{"aclk", net("aclk")}, {"d", net("a")}, {"q", net(name)}}};
+  };
+  std::vector<ModuleItem> items = {
+      Wire{8, "part", nullptr}, delay("part"), Wire{8, "whole", nullptr}, delay("whole"),
+      Assignment{net("y"),
+                 concatenation({slice("part", 6, 5), inverted(bit("part", 1)), net("whole")})}};
+  NamePool pool({"unused_part"});
+  consume_unread_delays(items, pool);
+  const std::vector<Port> ports = {
+      {Direction::input, 1, "aclk"}, {Direction::input, 8, "a"}, {Direction::output, 11, "y"}};
+  const std::string text = emit::to_verilog(emit::checked({{"m", ports, items}})).front();
+  EXPECT_NE(text.find("wire unused_part_2 = &{1'b0, part[0], part[4:2], part[7]};"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("unused_whole"), std::string::npos);
+}
+
 /// The phases in which the squares of a folded reference start, by its schedule; `later` cycles
 /// later.
 std::set<Bits> start_phases(const TypedGraph& graph, const datapath::Schedule& schedule,
@@ -245,6 +269,16 @@ TEST(ReferenceModule, FoldedSquaresAndProductsHaveNoFault) {
         rtl::reference_module("reference", graph.inputs(), reference, schedule);
     EXPECT_EQ(rtl::faults_of({module}, emit::template_ports), std::vector<std::string>());
   }
+}
+
+TEST(ReferenceModule, WithoutASharedUnitEveryPhaseIsAlike) {
+  const Graph graph = graph_of("a", "b * 1.5");
+  const TypedGraph reference = reference_graph(graph, {format("s23e6")});
+  const datapath::Schedule schedule = datapath::schedule_reference(
+      reference, {.initiation_interval = 16}, datapath::delays_of("virtex6-lx760").value(), 250);
+  const rtl::Module module =
+      rtl::reference_module("reference", graph.inputs(), reference, schedule);
+  EXPECT_EQ(rtl::faults_of({module}, emit::template_ports), std::vector<std::string>());
 }
 
 /// The names that a module declares: of ports, wires and instances.
