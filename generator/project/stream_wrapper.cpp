@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "generator/rtl/module.hpp"
+
 namespace mixcmp::project {
 namespace {
 
