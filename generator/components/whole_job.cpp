@@ -56,6 +56,7 @@ Result<characterise::SynthesisJob> references_job(const scene::Scene& scene, int
       {fmt::format("{}.v", alone), top_text(reference.job, rtl::input_ports(scene.graph.inputs()),
                                             scene.reference.format.width(), count)});
   job.top = alone;
+  job.least = count * job.least;
   return job;
 }
 

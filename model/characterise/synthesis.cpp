@@ -189,11 +189,45 @@ Result<std::string> tool_versions(const devices::Device& device, TimingEffort ef
   return fmt::format("{}; {}", yosys, router.ok() ? *router : "no router");
 }
 
+namespace {
+
+/// Whether Yosys maps products of the size of a device's multipliers to them. For the iCE40 only
+/// the cells of the family are multipliers.
+bool maps_multipliers(const devices::Device& device) {
+  const bool left_out = device.synthesis.find("-nodsp") != std::string::npos;
+  const bool by_cells = device.synthesis.starts_with("synth_ice40");
+  return device.available.dsps > 0 && !left_out && (!by_cells || device.cells == "ice40");
+}
+
+Error too_few(const char* field, const char* what, int counted, int least) {
+  return {
+      .field = field,
+      .message = fmt::format("synthesis has left fewer {} than the schedule has, as it does where "
+                             "it removes a unit; the area is of something else",
+                             what),
+      .received = fmt::format("{}", counted),
+      .accepted = fmt::format("at least {}", least)};
+}
+
+}  // namespace
+
+Result<Done> check_area(const devices::Area& area, const devices::Area& least,
+                        const devices::Device& device) {
+  if (maps_multipliers(device) && area.dsps < least.dsps) {
+    return too_few("dsps", "embedded multipliers", area.dsps, least.dsps);
+  }
+  // A shift register of one LUT holds a bit that waits.
+  const int registers = area.registers + area.shift_luts;
+  if (registers >= least.registers) return Done{};
+  return too_few("registers", "flip-flops and shift registers", registers, least.registers);
+}
+
 Result<SynthesisResult> synthesise(const SynthesisJob& job, const devices::Device& device,
                                    const SynthesisOptions& options, const fs::path& directory) {
   const Run run = {job, device, options, directory};
   MIXCMP_TRY(written, write_sources(run));
   MIXCMP_TRY(area, map_alone(run));
+  MIXCMP_TRY(whole, check_area(area, job.least, device));
   MIXCMP_TRY(timing, find_clock(run, area));
   return SynthesisResult{.area = area, .clock = timing.clock, .no_clock = timing.no_clock};
 }

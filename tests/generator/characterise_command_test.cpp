@@ -33,7 +33,7 @@ TEST_F(CharacteriseCommand, MeasuresOnceAndTheTableIsTheSame) {
   ASSERT_EQ(table.rows.size(), 3u);
   for (const characterise::Measurement& row : table.rows) {
     EXPECT_GT(row.area.luts, 1000) << "the sources' bytes";
-    EXPECT_EQ(row.area.registers, 7);
+    EXPECT_EQ(row.area.registers, 900);
     EXPECT_EQ(row.tools, "Yosys 9.9 (fake)");
   }
   EXPECT_NE(table.find(lane("s4e5")), nullptr) << text;
@@ -183,6 +183,40 @@ TEST_F(CharacteriseCommand, AJobThatFailsIsNamedAndTheOthersGoOn) {
   EXPECT_EQ(mended.exit_code, 0) << mended.output;
   EXPECT_EQ(read_table().rows.size(), 2u);
   EXPECT_FALSE(scratch_is_left()) << "what failed once has worked";
+}
+
+TEST_F(CharacteriseCommand, AnAreaWithFewerRegistersThanTheScheduleIsRefused) {
+  const std::string both = "--components lane,crossbar --precisions 6 --ports 2";
+  const Outcome run = characterise(both, fake("FAKE_REGISTERS=7"));
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  for (const char* words : {"lane s6e5 exact relative logic: ", "registers", "received 7",
+                            "flip-flops and shift registers", "accepted at least "}) {
+    EXPECT_NE(run.output.find(words), std::string::npos) << words << ": " << run.output;
+  }
+  ASSERT_EQ(read_table().rows.size(), 1u) << "the other row is there";
+  EXPECT_EQ(read_table().rows[0].key.kind, characterise::ComponentKind::crossbar);
+  EXPECT_EQ(stored(), 1);
+  EXPECT_EQ(characterise(both, fake("")).exit_code, 0);
+  EXPECT_EQ(read_table().rows.size(), 2u);
+}
+
+TEST_F(CharacteriseCommand, AnAreaWithFewerMultipliersThanTheScheduleIsRefused) {
+  const auto measure = [&](const std::string& settings) {
+    return mixcmp(
+        "characterise scene.toml --store s.sqlite --area-only --components reference "
+        "--multipliers embedded",
+        fake(settings));
+  };
+  const Outcome run = measure("FAKE_DSPS=0");
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  for (const char* words : {"reference s11e5 embedded", "dsps", "received 0",
+                            "embedded multipliers", "accepted at least 1"}) {
+    EXPECT_NE(run.output.find(words), std::string::npos) << words << ": " << run.output;
+  }
+  EXPECT_FALSE(fs::exists(table()));
+  EXPECT_EQ(stored(), 0);
+  EXPECT_EQ(measure("FAKE_DSPS=1").exit_code, 0);
+  EXPECT_EQ(read_table().rows.size(), 1u);
 }
 
 TEST_F(CharacteriseCommand, AnInterruptLosesTheRunningJobsAlone) {

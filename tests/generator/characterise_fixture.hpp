@@ -29,7 +29,8 @@ if [ -n "$FAKE_SLOW_AFTER" ] && [ "$(wc -l < "$FAKE/calls")" -gt "$FAKE_SLOW_AFT
   mktemp > /dev/null; echo $$ > "$FAKE/pid"; mv "$FAKE/pid" "$FAKE/sleeps"
   sleep "${FAKE_SLEEP:-60}"
 fi
-echo "{\"design\":{\"num_cells_by_type\":{\"LUT6\":$(cat *.v | wc -c),\"FDRE\":7}}}" > area.json
+echo "{\"design\":{\"num_cells_by_type\":{\"LUT6\":$(cat *.v | wc -c),\"FDRE\":${FAKE_REGISTERS:-900},\
+\"DSP48E1\":${FAKE_DSPS:-90}}}}" > area.json
 if [ -z "$FAKE_CUT" ]; then
   { echo "Latest arrival time in 'top' is 4000:"; echo end of the timing report; } > timing.txt
 else

@@ -327,10 +327,10 @@ TEST_F(Fit, ATableOfOtherRtlIsNoMeasurement) {
 }
 
 TEST_F(Fit, MeasuredAreasAreALowerBound) {
-  const std::string yosys =
-      instead_of("yosys",
-                 "case \"$*\" in *-V*) echo 'Yosys 9.9'; exit 0;; esac\n"
-                 "echo '{\"design\":{\"num_cells_by_type\":{\"LUT6\":40000}}}' > area.json");
+  const std::string yosys = instead_of("yosys",
+                                       "case \"$*\" in *-V*) echo 'Yosys 9.9'; exit 0;; esac\n"
+                                       "echo '{\"design\":{\"num_cells_by_type\":{\"LUT6\":40000,"
+                                       "\"FDRE\":9000,\"DSP48E1\":40}}}' > area.json");
   const Outcome measured = mixcmp(
       "characterise scene.toml --area-only --store s.sqlite --precisions 8 "
       "--components lane,reference --multipliers both",

@@ -376,11 +376,12 @@ TEST_F(TwoTiers, GenerateTellsOfBoth) {
 
 /// A Yosys that finds a reference nine times as large as anything else.
 TEST_F(OptimiseCommand, WithoutATableAQuickOneIsMade) {
-  const std::string yosys = instead_of(
-      "yosys",
-      "case \"$*\" in *-V*) echo 'Yosys 9.9 (fake)'; exit 0;; esac\n"
-      "luts=1000; ls | grep -q reference && luts=9000\n"
-      "echo \"{\\\"design\\\":{\\\"num_cells_by_type\\\":{\\\"LUT6\\\":$luts}}}\" > area.json");
+  const std::string yosys =
+      instead_of("yosys",
+                 "case \"$*\" in *-V*) echo 'Yosys 9.9 (fake)'; exit 0;; esac\n"
+                 "luts=1000; ls | grep -q reference && luts=9000\n"
+                 "echo \"{\\\"design\\\":{\\\"num_cells_by_type\\\":{\\\"LUT6\\\":$luts,"
+                 "\\\"FDRE\\\":9000,\\\"DSP48E1\\\":40}}}\" > area.json");
   const std::string environment = "XDG_CACHE_HOME=\"$PWD/cache\" " + yosys;
   const std::string optimise =
       "optimise scene.toml --device artix7-200t --first 8 --last 10 --use-bounds constant";

@@ -353,10 +353,10 @@ TEST_F(Outputs, ATmpdirThatDoesNotExistIsNamed) {
 }
 
 TEST_F(Outputs, CostsAreThoseOfTheProfiledLaneToo) {
-  const std::string yosys =
-      instead_of("yosys",
-                 "case \"$*\" in *-V*) echo 'Yosys 9.9'; exit 0;; esac\n"
-                 "echo '{\"design\":{\"num_cells_by_type\":{\"LUT6\":77}}}' > area.json");
+  const std::string yosys = instead_of("yosys",
+                                       "case \"$*\" in *-V*) echo 'Yosys 9.9'; exit 0;; esac\n"
+                                       "echo '{\"design\":{\"num_cells_by_type\":{\"LUT6\":77,"
+                                       "\"FDRE\":9000,\"DSP48E1\":40}}}' > area.json");
   const Outcome run = mixcmp("check scene.toml --costs --bound profiled", yosys);
   EXPECT_EQ(run.exit_code, 0) << run.output;
   const std::size_t place = run.output.rfind("profiled ");
@@ -377,7 +377,8 @@ TEST_F(Outputs, AreasThatCannotBeMeasuredEndInAnError) {
                        path("calls").string() + "\n" +
                        fmt::format("test $(wc -l < {}) = {} && echo broken && exit 1\n",
                                    path("calls").string(), broken) +
-                       "echo '{\"design\":{\"num_cells_by_type\":{\"LUT6\":77}}}' > area.json");
+                       "echo '{\"design\":{\"num_cells_by_type\":{\"LUT6\":77,"
+                       "\"FDRE\":9000,\"DSP48E1\":40}}}' > area.json");
     const Outcome run = mixcmp("check scene.toml --costs", yosys + " TMPDIR=" + folder());
     EXPECT_EQ(run.exit_code, 1) << broken << run.output;
     const std::size_t line = run.output.find("no areas, ");
