@@ -3,6 +3,7 @@
 import random
 
 from .expressions import Expressions, candidates_for_let, name
+from .rounded import Reference
 from .rows import Operands, draw_items, draw_rows
 from .scene import Scene, item_column
 from .trees import exchanged, literal, replaced, subtrees
@@ -277,7 +278,8 @@ class Draft:
         form = self.scene.reference_format()
         if not self.scene.pairs:
             operands = Operands(self.rng, form, self.ranges, allows_specials)
-            self.scene.rows = draw_rows(operands, graph, names, self.row_count)
+            reference = Reference(graph, form, self.scene.get("reference", "sums") == "fused")
+            self.scene.rows = draw_rows(operands, reference, names, self.row_count)
             return
         self.draw_tables(names, form, allows_specials)
 

@@ -8,7 +8,7 @@ import dataclasses
 import math
 from fractions import Fraction
 
-from .trees import is_power_of_two
+from .trees import is_power_of_two, literal
 
 INFINITE = "infinite"
 NAN = None
@@ -73,6 +73,17 @@ class Format:
 
     def gradual(self):
         return dataclasses.replace(self, flush=False)
+
+
+def number(written, form):
+    """An operand of a data file, rounded to the reference format."""
+    word = written.strip().lstrip("+-").lower()
+    negative = written.strip().startswith("-")
+    if word == "nan":
+        return NAN
+    if word == "inf":
+        return negative, INFINITE
+    return form.gradual().rounded(negative, abs(literal(word)))
 
 
 def negated(a):

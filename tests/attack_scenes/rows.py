@@ -3,7 +3,7 @@
 from fractions import Fraction
 import math
 
-from .rounded import TWO, exponent_of
+from .rounded import TWO, exponent_of, number
 from .trees import dyadic_text, literal
 
 DECIMALS = ("0.1", "1.3", "-2.7", "0.3333", "1e-3", "-0.7", "3.14159265358979", "5e-7")
@@ -87,9 +87,8 @@ class Operands:
         """The number so many last places from a value."""
         return self.nearest(value + places * self.form.last_place(abs(value)))
 
-    def near_tie(self, row, difference, names):
-        """The row with one operand changed to make f - g, as `difference` has it, nearly zero."""
-        name = self.rng.choice(names)
+    def near_tie(self, row, name, difference):
+        """The row with an operand changed to make f - g, as `difference` has it, nearly zero."""
         ends = [self.styles[self.rng.choice(("random", "small"))](name) for _ in (0, 1)]
         low, high = (float_of(self.kept(end, name)) for end in ends)
         below, above = (difference({**row, name: end}) for end in (low, high))
@@ -106,8 +105,19 @@ class Operands:
                 low = middle
         if not math.isfinite(high):
             return row
-        tied = self.beside(Fraction(high), self.rng.choice((0, 0, 1, -1, 2, -2)))
-        return {**row, name: self.kept(tied, name)}
+        return {**row, name: self.kept(self.nearest(Fraction(high)), name)}
+
+    def turning_point(self, row, name, verdicts):
+        """The row with an operand moved to a place where the reference changes its verdicts."""
+        if "n" in row[name]:  # infinities and NaNs have no neighbours
+            return row
+        near = [{**row, name: self.beside(literal(row[name]), places)} for places in range(-5, 6)]
+        found = [verdicts(other) for other in near]
+        turns = [k for k in range(len(near) - 1) if found[k] != found[k + 1]]
+        if not turns:
+            return self.rng.choice(near[3:8])
+        chosen = near[self.rng.choice(turns) + self.rng.choice((0, 1))]
+        return {**chosen, name: self.kept(chosen[name], name)}
 
     def neighbour(self, row, names):
         """The row with one operand moved by a few places."""
@@ -169,10 +179,13 @@ def apply(operation, a, b=0.0):
     return min(a, b) if operation == "min" else max(a, b)
 
 
-def draw_rows(operands, graph, names, count):
+def draw_rows(operands, reference, names, count):
     """Rows of a system of streams: each input is a column."""
-    rng = operands.rng
+    rng, graph = operands.rng, reference.graph
     rows = []
+
+    def verdicts(row):
+        return reference.verdicts({name: number(row[name], reference.form) for name in names})
 
     def difference(row):
         values = {name: word if isinstance(word, float) else float_of(word)
@@ -184,7 +197,9 @@ def draw_rows(operands, graph, names, count):
         if rows and draw < 0.2:
             rows.append(operands.neighbour(rng.choice(rows), names))
         elif draw < 0.6:
-            rows.append(operands.near_tie(operands.row(names), difference, names))
+            name = rng.choice(names)
+            row = operands.near_tie(operands.row(names), name, difference)
+            rows.append(operands.turning_point(row, name, verdicts))
         else:
             rows.append(operands.row(names))
     return rows

@@ -4,8 +4,8 @@ import copy
 import dataclasses
 import fnmatch
 
-from .rounded import NAN, INFINITE, Format
-from .trees import Graph, literal, reads, text
+from .rounded import Format, number
+from .trees import Graph, reads, text
 
 NAMED_FORMATS = {"binary16": (11, 5), "bfloat16": (8, 8), "binary32": (24, 8), "binary64": (53, 11),
                  "binary128": (113, 15)}
@@ -18,17 +18,6 @@ def float_format(name, flush=False):
         precision, _, exponent_bits = name[1:].partition("e")
         return Format(int(precision), int(exponent_bits), flush)
     return Format(*NAMED_FORMATS[name], flush)
-
-
-def number(written, form):
-    """An operand of a data file, rounded to the reference format."""
-    word = written.strip().lstrip("+-").lower()
-    negative = written.strip().startswith("-")
-    if word == "nan":
-        return NAN
-    if word == "inf":
-        return negative, INFINITE
-    return form.gradual().rounded(negative, abs(literal(word)))
 
 
 @dataclasses.dataclass
