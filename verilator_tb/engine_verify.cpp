@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 #include "verilator_tb/icarus_engine.hpp"
 #include "verilator_tb/waves.hpp"
@@ -19,12 +20,15 @@ std::string save_file(const emit::SignatureEngine& engine, const VerifyOptions& 
        .marked = {}});
 }
 
-std::vector<std::size_t> places_of(const data::Table& table,
-                                   const std::vector<std::string>& columns) {
-  std::vector<std::size_t> places;
+/// Where a table has these columns. Of two tables each has those that its own items are asked for.
+std::vector<std::optional<std::size_t>> places_of(const data::Table& table,
+                                                  const std::vector<std::string>& columns) {
+  std::vector<std::optional<std::size_t>> places;
   for (const std::string& name : columns) {
     const auto found = std::find(table.columns.begin(), table.columns.end(), name);
-    places.push_back(static_cast<std::size_t>(found - table.columns.begin()));
+    places.push_back(found == table.columns.end()
+                         ? std::nullopt
+                         : std::optional<std::size_t>(found - table.columns.begin()));
   }
   return places;
 }
@@ -50,12 +54,14 @@ std::vector<std::uint8_t> row_bytes(const data::Table& table,
 std::vector<std::uint8_t> row_bytes(const data::Table& table,
                                     const std::vector<std::string>& columns, int bytes_of_one,
                                     const std::vector<std::uint64_t>& rows) {
-  const std::vector<std::size_t> places = places_of(table, columns);
+  const std::vector<std::optional<std::size_t>> places = places_of(table, columns);
   const auto size = static_cast<std::size_t>(bytes_of_one);
   std::vector<std::uint8_t> bytes(size * rows.size());
   std::vector<Bits> values(places.size());
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    for (std::size_t c = 0; c < places.size(); ++c) values[c] = table.at(rows[k], places[c]);
+    for (std::size_t c = 0; c < places.size(); ++c) {
+      values[c] = places[c] ? table.at(rows[k], *places[c]) : Bits{0};
+    }
     pack_operands(values, table.format.width(), k % 2 != 0,
                   std::span(bytes).subspan(size * k, size));
   }

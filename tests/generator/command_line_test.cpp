@@ -121,8 +121,8 @@ TEST_F(CommandLine, GenerateSaysWhatWasSimulatedOfTheDesign) {
   const auto in_signature = [&] {
     return nlohmann::json::parse(read("rtl/scene_s8e8_1x1.json")).at("simulations");
   };
-  EXPECT_NE(generate(" --set system.counters=off")
-                .find("\nnot simulated yet: mixcmp verify scene.toml --set system.counters=off\n"),
+  EXPECT_NE(generate(" --set system.counters=none")
+                .find("\nnot simulated yet: mixcmp verify scene.toml --set system.counters=none\n"),
             std::string::npos);
   EXPECT_EQ(in_signature(), nlohmann::json::array());
 

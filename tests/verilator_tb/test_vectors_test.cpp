@@ -13,6 +13,7 @@
 #include "model/golden/evaluate.hpp"
 #include "tests/support/graphs.hpp"
 #include "tests/support/mixed_spheres.hpp"
+#include "verilator_tb/engine_verify.hpp"
 #include "verilator_tb/judgement.hpp"
 
 /// The vectors of the test bench that travels: which comparisons they are, and with which words.
@@ -182,6 +183,22 @@ TEST(TestVectorsOfParts, HaveATieInOnePartBesideEachOtherVerdict) {
     EXPECT_TRUE(seen.contains({Verdict::less, Verdict::equal})) << to_string(combination);
     EXPECT_TRUE(seen.contains({Verdict::equal, Verdict::greater})) << to_string(combination);
   }
+}
+
+/// Of two tables of items each has the columns that its own items are asked for.
+TEST(RowBytes, AColumnThatATableLacksIsZero) {
+  const data::Table table{.format = FloatFormat::make(3, 4).value(),
+                          .columns = {"y"},
+                          .values = {0x7f, 0x15},
+                          .labels = {}};
+  const std::vector<std::uint8_t> bytes = row_bytes(table, {"x", "y", "z"}, 3, 0, 2);
+  ASSERT_EQ(bytes.size(), 6u);
+  // Seven bits a column: y in [13:7]; padding in [23:21], zeros and then ones.
+  const auto row = [&](std::size_t k) {
+    return bytes[3 * k] | bytes[3 * k + 1] << 8 | bytes[3 * k + 2] << 16;
+  };
+  EXPECT_EQ(row(0), 0x7f << 7);
+  EXPECT_EQ(row(1), 0x15 << 7 | 0b111 << 21);
 }
 
 }  // namespace
