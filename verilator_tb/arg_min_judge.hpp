@@ -17,7 +17,7 @@ struct LoadRange {
 
 /// Compares what an arg-min engine answers with the golden model, which plays the engine's contest:
 /// each comparison has the verdict of the lane that makes it or, where the lane does not decide,
-/// the reference's. The reference's own search may find other candidates, since it rounds.
+/// that of the reference. The reference's own search may find other candidates, since it rounds.
 class ArgMinJudge : public EngineJudge {
 public:
   ArgMinJudge(const emit::Signature& signature, const design::Design& design,

@@ -84,7 +84,7 @@ const std::string* text_of(const std::string& module, const SourceFiles& sources
   return nullptr;
 }
 
-/// The length of the longest name that a block of this module brings: the stub's third function.
+/// The length of the longest name in a block of this module, which is that of a stub's function.
 std::size_t longest_name(const std::string& module) {
   return (module + "_settle").size();
 }

@@ -126,7 +126,7 @@ struct ArgMinFigures {
   std::string top;
   std::uint64_t candidates = 0;
   std::uint64_t rows = 0;
-  /// Rows whose candidate is not the one that the reference finds without lanes.
+  /// Rows for which the reference, without lanes, finds another candidate.
   std::uint64_t rows_unlike_reference = 0;
   std::uint64_t loading_cycles = 0;  ///< from the first candidate to the first row
   std::uint64_t stalled_cycles = 0;  ///< cycles with an offered row not taken; 0 without counters

@@ -42,8 +42,8 @@ struct TruthCheck {
 /// The hardware's result for one comparison.
 struct VerifiedResult {
   std::uint64_t index;
-  /// The items that were compared: those of `index` in the data. In an arg-min engine the best
-  /// candidate so far is the engine's, where the data have that of the reference's search.
+  /// The items that were compared: those of `index` in the data. In an arg-min engine the first
+  /// item is the engine's best candidate so far; the data have that of the reference's search.
   data::Items items;
   ResultWord word;
   /// Where and when it was a transfer on the streams of a lane: none in an engine.

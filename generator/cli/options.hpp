@@ -99,7 +99,7 @@ std::vector<std::filesystem::path> inputs_of(const SceneOptions& options,
 /// file name alone, since it is printed into generated files.
 std::string command_line(const std::string& verb, const SceneOptions& options);
 
-/// The same with the scene's path: a command for the terminal.
+/// As command_line, but with the scene's whole path: a command for the terminal.
 std::string runnable_command(const std::string& verb, const SceneOptions& options);
 
 }  // namespace mixcmp::cli

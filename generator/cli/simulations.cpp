@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using emit::SignatureSimulation;
 
-/// The file of what `simulator` found; empty where there is no folder for it.
+/// The file of the record for `simulator`; empty where there is no folder for it.
 fs::path record_of(const std::string& spec_hash, std::string simulator) {
   const std::optional<fs::path> cache = cache_folder();
   if (!cache) return {};

@@ -65,8 +65,9 @@ private:
     return {operation, 0, node.operand_format, node.format};
   }
 
-  /// Multipliers take squares only where that saves squarers, and no more than they have room for
-  /// beside their products. So no multiplier has squares only: a squarer would be smaller.
+  /// Chooses the squares that multipliers take: only where that saves squarers, and no more than
+  /// fit into the cycles that products leave free. So each multiplier has a product. A multiplier
+  /// for squares only would be larger than a squarer.
   void give_squares_to_multipliers() {
     std::map<UnitKey, std::vector<NodeId>> squares, products;
     for (NodeId id = 0; id < static_cast<NodeId>(count()); ++id) {

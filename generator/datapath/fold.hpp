@@ -10,9 +10,9 @@ namespace mixcmp::datapath {
 /// Places the nodes of a reference onto as few shared units as a comparison every
 /// `initiation_interval` (2 or more) cycles allows, by list scheduling, then moves them so that
 /// fewer values wait in registers (fold_plan.hpp). Additions and subtractions share adders. Squares
-/// share squarers, those that take several cycles for a square where that is smaller; multipliers
-/// that have room to spare take squares where that saves a squarer. Sets the steps, shared_units
-/// and initiation_interval of `schedule`.
+/// share squarers, which take several cycles for a square where that is smaller. A multiplier with
+/// free cycles takes squares where that saves a squarer. Sets the steps, shared_units and
+/// initiation_interval of `schedule`.
 void place_folded(const TypedGraph& reference, scene::Multipliers multipliers,
                   int initiation_interval, UnitPlacer& placer, Schedule& schedule);
 

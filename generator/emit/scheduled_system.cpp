@@ -114,21 +114,21 @@ std::vector<rtl::DatapathGroup> reference_groups(const design::Design& design,
   return groups;
 }
 
-/// The most that other modules add to the top's name: an engine's kind, and "_tb" of its test
-/// bench.
+/// The most characters that other modules add to the top's name: an engine adds its kind, and a
+/// test bench "_tb".
 std::size_t longest_suffix(scene::EngineKind kind) {
   const bool is_engine = kind != scene::EngineKind::none;
   return bench_suffix.size() + (is_engine ? 1 + to_string(kind).size() : 0);
 }
 
-/// A list of formats that is too long for a name, as their number and a hash of the list:
+/// Stands for a list of formats that is too long for a name: their number and a hash of the list,
 /// "_24kinds_0d1f65c8".
 std::string short_list(const std::string& list, std::size_t formats) {
   return fmt::format("_{}kinds_{}", formats, ContentHash().add(list).hex().substr(0, 8));
 }
 
 /// The scene's name, the lanes of each format, a second tier's, p_H: sphere_s8e8_6_s12e8_2x1,
-/// sphere_q8_64xq13_2x1. Modules around the top have its name with a suffix.
+/// sphere_q8_64xq13_2x1. The names of modules around the top are this name with a suffix.
 std::string top_name(const design::Design& design) {
   std::vector<std::pair<std::string, int>> formats;
   for (const design::LaneGroup& group : design.lanes) {

@@ -32,9 +32,9 @@ struct SignatureCounters {
 };
 
 /// The most characters of a module's name that every tool takes. Verilator replaces longer names by
-/// hashes, and then finds neither the top that it is told nor a file of the module's name. IEEE
-/// 1364 lets tools stop at 1024, and no limit below that is known of Vivado, Quartus, Icarus or
-/// Yosys. File systems take names of 255 bytes, so that a module's file may have any extension.
+/// hashes. It then finds neither the top that it is told nor a file of the module's name. IEEE 1364
+/// lets tools stop at 1024, and no limit below that is known of Vivado, Quartus, Icarus or Yosys.
+/// File systems take names of 255 bytes, so there is room for any extension of the module's file.
 inline constexpr std::size_t longest_module_name = 127;
 
 /// The outermost module and this make the name of its test bench.
@@ -83,7 +83,7 @@ struct SignatureEngine {
   std::vector<SignaturePort> ports;
 };
 
-/// What a simulator has shown of a design: the run of `mixcmp verify` that is on record.
+/// The run of `mixcmp verify` that is on record for a design and a simulator.
 struct SignatureSimulation {
   std::string simulator;
   std::uint64_t comparisons = 0;
@@ -133,7 +133,7 @@ struct Signature {
   std::vector<std::string> cells;
   /// Files for other tools, relative to the signature (generator/project).
   std::vector<std::string> project = {};
-  /// What was simulated of this very design when `mixcmp generate` wrote the files.
+  /// The runs of this very design that were on record when `mixcmp generate` wrote the files.
   std::vector<SignatureSimulation> simulations = {};
 };
 
@@ -157,7 +157,7 @@ int counter_address_bits(const Signature& signature);
 int counted_answers(const Signature& signature);
 
 nlohmann::ordered_json to_json(const SignatureSimulation& run);
-/// Reads what to_json made; nothing where it is something else.
+/// Reads what to_json made. Other JSON gives nothing.
 std::optional<SignatureSimulation> simulation_in(const nlohmann::ordered_json& json);
 
 std::string to_json(const Signature& signature);

@@ -246,7 +246,7 @@ GeneratedFile file_list(const Signature& signature, const devices::Device& devic
   return {signature.top + ".f", text};
 }
 
-/// Refuses modules with names that not every tool takes. Other files are named after the top.
+/// Refuses modules whose names some tool does not take. Other files are named after the top.
 Result<Done> check_module_names(const std::vector<GeneratedFile>& files) {
   for (const GeneratedFile& file : files) {
     const std::filesystem::path path = file.name;
@@ -254,11 +254,11 @@ Result<Done> check_module_names(const std::vector<GeneratedFile>& files) {
     if (path.extension() != ".v" || name.size() <= longest_module_name) continue;
     return Error{.field = "comparison.name",
                  .message =
-                     "with system.prefix and the lanes' formats it makes the name of a module "
-                     "longer than every tool takes",
+                     "with system.prefix and the lanes' formats it makes a module's name too long "
+                     "for some tools",
                  .received = fmt::format("{} of {} characters", name, name.size()),
                  .accepted = fmt::format("a shorter name or prefix: {} characters at most in the "
-                                         "module's",
+                                         "module's name",
                                          longest_module_name)};
   }
   return Done{};
@@ -268,7 +268,7 @@ std::string signature_file(const Signature& signature) {
   return signature.top + ".json";
 }
 
-/// Prints the signature of a system again.
+/// Prints the signature into its file again, after a change.
 void print_signature(GeneratedSystem& system) {
   for (GeneratedFile& file : system.files) {
     if (file.name == signature_file(system.signature)) file.text = to_json(system.signature);

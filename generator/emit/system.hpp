@@ -32,7 +32,7 @@ Result<GeneratedSystem> generate_system(const design::Design& design, const std:
 /// it is unencumbered.
 std::vector<std::string> provenance(const Signature& signature, const std::string& command);
 
-/// States in the signature what has been simulated of the design.
+/// Lists these simulations of the design in its signature.
 void state_simulations(GeneratedSystem& system, std::vector<SignatureSimulation> simulations);
 
 /// Adds files for other tools to a generated system, and their names to its signature. An error

@@ -26,7 +26,7 @@ bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '$' || c == '\'';
 }
 
-/// The token at the beginning of a text that does not begin with a blank or a comment.
+/// The token that a text begins with. The text must not begin with a blank or a comment.
 Token first_token(std::string_view text) {
   if (is_word(text.front())) {
     const auto end = std::find_if_not(text.begin(), text.end(), is_word);
@@ -54,7 +54,7 @@ Tokens tokens_of_head(std::string_view text) {
   return tokens;
 }
 
-/// Tokens with a place to read from.
+/// Tokens, and the place of the next one to read.
 class Cursor {
 public:
   explicit Cursor(Tokens tokens) : tokens_(std::move(tokens)) {}
@@ -91,7 +91,7 @@ private:
 /// A declaration of a parameter or a port.
 struct Declaration {
   Token name;
-  Tokens high;   ///< of a range [high:0]; empty where there is none
+  Tokens high;   ///< the first end of a range [high:0]; empty where there is no range
   Tokens value;  ///< a parameter's default
   rtl::Direction direction = rtl::Direction::input;
 };
@@ -243,7 +243,7 @@ private:
   std::map<Token, const rtl::Parameter*> given_;
 };
 
-/// What is wrong with a parameter that an instance gives; empty if nothing is.
+/// The fault of a parameter that an instance gives; empty if there is none.
 std::string fault_of(const rtl::Parameter& given, const Head& head, Evaluator& evaluator) {
   const auto declared =
       std::find_if(head.parameters.begin(), head.parameters.end(),

@@ -7,12 +7,13 @@
 
 namespace mixcmp::emit {
 
-/// The ports of a template, with the widths that the parameters of `instance` give them; read from
-/// the head of the template's Verilog. An error where there is no such template or parameter, or
-/// where a parameter's literal has another width than its declaration.
+/// The ports of the template that `instance` names, with the widths that the instance's parameters
+/// give them. They are read from the head of the template's Verilog. An error where there is no
+/// such template or parameter, or where a parameter's literal has another width than its
+/// declaration.
 Result<std::vector<rtl::Port>> template_ports(const rtl::Instance& instance);
 
-/// Checks a tree whose instances are of its own modules and of templates.
+/// Checks a tree of modules that instantiate each other and templates.
 rtl::CheckedModules checked(std::vector<rtl::Module> modules);
 
 }  // namespace mixcmp::emit

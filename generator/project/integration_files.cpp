@@ -31,7 +31,7 @@ Unit build_unit(const ProjectSpec& spec) {
   return unit;
 }
 
-/// `wrapped`: the one module that the wrapper has an instance of.
+/// `wrapped`: the only module that the wrapper instantiates.
 GeneratedFile wrapper_file(const emit::Described& wrapper, const Unit& wrapped) {
   const rtl::CheckedModules tree(
       {wrapper.module}, [&](const rtl::Instance& instance) -> Result<std::vector<rtl::Port>> {

@@ -80,7 +80,7 @@ rtl::Instance wrapped_instance(const ProjectSpec& spec) {
 std::string wrapper_name(const ProjectSpec& spec) {
   const std::string& top = spec.build_top();
   const std::string name = top + "_streams";
-  // Every top has room for the three characters that a bench appends.
+  // Every top leaves room for three more characters, those of a test bench's "_tb".
   return name.size() <= emit::longest_module_name ? name : top + "_io";
 }
 

@@ -257,14 +257,14 @@ void print_exactness(SectionList& page, const Summary& summary) {
   page.line("reference", text);
 }
 
-/// Tells whether fused sums are as close to the real ones as composed sums are.
+/// Tells whether no fused sum has a larger error bound than the composed sum.
 void print_fused_sums(SectionList& page, const Summary& summary) {
   if (summary.scene->reference.sums != Sums::fused) return;
   const std::string& loose = summary.reference.first_loose_sum;
   page.line("fused sums",
-            loose.empty() ? std::string("the error bound of none is larger than composed")
+            loose.empty() ? std::string("no error bound is larger than with composed sums")
                           : fmt::format("below 2^{} a fused sum may err by more than a composed "
-                                        "one, first {}",
+                                        "one; the first such sum is {}",
                                         summary.scene->reference.format.min_exponent(), loose));
 }
 

@@ -16,7 +16,7 @@ namespace {
 /// A net, and what happens to each of its bits.
 struct NetState {
   std::string name;
-  bool is_indexed;  ///< has a range, so that bits of it can be selected
+  bool is_indexed;  ///< it has a range, so that its bits can be selected
   std::vector<unsigned char> drivers;
   std::vector<unsigned char> readers;
 
@@ -60,7 +60,7 @@ public:
   }
 
 private:
-  /// What is declared at one level: the module's, or one round's of a loop.
+  /// The names declared in the module itself, or in one round of a loop.
   struct Scope {
     std::set<std::string> names;
     std::map<std::string, NetState> nets;
@@ -113,7 +113,7 @@ private:
 
   enum class Use { driven, read };
 
-  /// Notes the use of some bits of a net, and returns how many these are.
+  /// Notes the use of `width` bits of a net, and returns `width`.
   int use(const std::string& name, int low, int width, Use use) {
     NetState* const net = find(name);
     if (net == nullptr) return width;
@@ -128,7 +128,7 @@ private:
     return width;
   }
 
-  /// The same of bits that are selected by their numbers.
+  /// As `use`, for bits that are selected by their numbers: the net must have a range.
   int select(const std::string& name, int low, int width, Use use) {
     const NetState* const net = find(name);
     if (net != nullptr && !net->is_indexed) fault("{} is one bit, without a number", name);
@@ -305,7 +305,7 @@ private:
   }
 
   void check_item(const std::shared_ptr<const ForGenerate>& loop) {
-    // Several loops may share their variable.
+    // Loops beside each other may share a variable, loops inside each other may not.
     if (variables_.contains(loop->variable)) fault("{} runs in two loops", loop->variable);
     if (loop_variables_.insert(loop->variable).second) declare_name(loop->variable);
     declare_name("g_" + loop->label);
@@ -323,7 +323,7 @@ private:
   std::set<std::string>& faults_;
   std::vector<Scope> scopes_;  ///< the innermost last
   std::set<std::string> loop_variables_;
-  std::map<std::string, int> variables_;  ///< of the loops around, with their values
+  std::map<std::string, int> variables_;  ///< of the loops around, with their values in this round
   std::map<const Instance*, std::vector<Port>> ports_;
 };
 

@@ -9,25 +9,25 @@
 
 namespace mixcmp::rtl {
 
-/// The ports of a module that stands outside of a tree, a template say, with the widths that the
-/// parameters of an instance give them. An error where there is no such module or parameter.
+/// The ports of a module outside of a tree, such as a template, with the widths that the parameters
+/// of an instance give them. An error where there is no such module or parameter.
 using OutsidePorts = std::function<Result<std::vector<Port>>(const Instance&)>;
 
-/// What is wrong with a tree of modules, in words that name module, net or instance, and bits:
+/// The faults of a tree of modules, in words that name module, net or instance, and bits:
 ///   "top: pin b of product (fp_multiply) is not connected"
-/// Empty if nothing is:
-/// - every pin of an instance is connected, once, in its width, to a port that there is;
-/// - every bit of a net has one driver and is read, but for nets with "unused" in their name;
-/// - both sides of an assignment have one width, and bits are selected inside of a net;
-/// - a register holds data, in a module that has no reset, and takes a value in every case;
+/// A tree has no fault if
+/// - every port of an instance's module is connected once, in its width, and no other pin is;
+/// - every bit of a net has one driver and, unless the net has "unused" in its name, a reader;
+/// - both sides of an assignment have one width, and selected bits are bits of their net;
+/// - a register is in a module without a reset, and takes a value in every case;
 /// - a name is a Verilog identifier, declared once and before it is used, and hides no other.
 std::vector<std::string> faults_of(const std::vector<Module>& modules, const OutsidePorts& outside);
 
 /// A tree of modules without a fault. Printers take no other.
 class CheckedModules {
 public:
-  /// Ends the program, and says why, where the tree has a fault: that is a fault of the generator,
-  /// which must not reach a file.
+  /// Ends the program and names the faults if the tree has any. A fault is a mistake of the
+  /// generator, and must not reach a file.
   CheckedModules(std::vector<Module> modules, const OutsidePorts& outside);
 
   const std::vector<Module>& modules() const { return modules_; }

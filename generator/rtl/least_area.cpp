@@ -9,12 +9,13 @@
 namespace mixcmp::rtl {
 namespace {
 
-/// The registers inside of a DSP48E1 for operands (30 and 18 bits), product (43) and sum (48).
-/// Other devices' multipliers have fewer.
+/// The registers inside of a DSP48E1: for operands (30 and 18 bits), product (43) and sum (48).
+/// Multipliers of other devices have fewer.
 constexpr int registers_inside_multiplier = 30 + 18 + 43 + 48;
 
-/// Yosys leaves products of fewer than 9 bits and factors of a single one to logic. Some bits of a
-/// product may be known.
+/// Tells whether Yosys surely maps a product of these factors to a multiplier. It makes products of
+/// fewer than 9 bits, and those with a factor of one bit, of logic. The limits here are higher,
+/// since some bits of a product may be known.
 bool is_surely_embedded(int a_bits, int b_bits) {
   constexpr int fewest_factor_bits = 3, fewest_product_bits = 12;
   return std::min(a_bits, b_bits) >= fewest_factor_bits && a_bits + b_bits >= fewest_product_bits;
@@ -37,7 +38,7 @@ int multipliers_of_square(int precision, devices::MultiplierSize size) {
   return square.is_smaller() ? square.multipliers() : multipliers_of_product(precision, size);
 }
 
-/// The parameters of an instance, with the templates' defaults.
+/// The parameters of an instance. For those that it leaves out, the caller gives the default.
 class Parameters {
 public:
   explicit Parameters(const Instance& instance) : instance_(instance) {}
@@ -68,7 +69,7 @@ bool is_one_of(const std::string& module, std::initializer_list<const char*> nam
   return std::find(names.begin(), names.end(), module) != names.end();
 }
 
-/// Counts in one module and, for each time that it instantiates another one of the tree, in that.
+/// Counts in one module, and in each module of the tree that it instantiates, once per instance.
 class AreaCounter {
 public:
   AreaCounter(const Module& module, const std::map<std::string, const Module*>& tree)
@@ -95,7 +96,7 @@ private:
     if (wire.value == nullptr) return;
     if (!varies(wire.value)) constants_.insert(wire.name);
     if (wire.name.find("unused") != std::string::npos) add_unread(wire.value);
-    // A value with another sign shares its other bits with the value.
+    // A value whose sign is changed shares all other bits with the original.
     const auto* parts = std::get_if<Concatenation>(&wire.value->node);
     const auto* low = parts == nullptr ? nullptr : std::get_if<Slice>(&parts->parts.back()->node);
     if (low != nullptr) origins_[wire.name] = origin(low->name);
@@ -129,7 +130,7 @@ private:
     return found == origins_.end() ? name : found->second;
   }
 
-  /// Notes the bits that a wire for unused bits reads.
+  /// Notes the bits that a wire with "unused" in its name reads.
   void add_unread(const Operand& operand) {
     if (const auto* slice = std::get_if<Slice>(&operand->node)) {
       unread_[origin(slice->name)] += slice->high - slice->low + 1;
@@ -140,8 +141,8 @@ private:
     }
   }
 
-  /// How many bits of a net's `width` are registered where the net is; the sign of a square, say,
-  /// is known.
+  /// The number of a net's `width` bits that registers surely hold: without the bits that nothing
+  /// reads, and without one that may be known, such as the sign of a square.
   int registered_bits(const std::string& name, int width) const {
     const auto unread = unread_.find(name);
     return std::max(0, width - 1 - (unread == unread_.end() ? 0 : unread->second));
@@ -170,8 +171,8 @@ private:
                      [&](const Connection& connection) { return connection.port == port; });
     return found == instance.connections.end() ? nullptr : &found->value;
   }
-  /// Whether a pin may vary. A pin that is not connected is a fault and no constant: what it is of
-  /// still counts.
+  /// Tells whether the value at a pin may vary. A pin that is not connected is a fault, not a
+  /// constant, so its unit still counts.
   bool varies(const Instance& instance, const std::string& port) const {
     const Operand* const operand = pin(instance, port);
     return operand == nullptr || varies(*operand);
@@ -211,8 +212,8 @@ private:
   void add(const Assignment&, int) {}
   void add(const PhaseFlag&, int) {}
 
-  /// The bits of a unit's result, which the last of its cuts registers. Those of products may be
-  /// inside of multipliers, those of squares that are read inside of memories.
+  /// The bits of a unit's result, which the last of its cuts registers. 0 where these registers may
+  /// be inside of a multiplier (products) or of a memory (squares that are read from a table).
   int result_bits(const Instance& instance) const {
     const Operand* const result = pin(instance, "y");
     const bool is_inside = is_one_of(instance.module, {"fixed_product", "fixed_memory_square"});
@@ -273,7 +274,7 @@ private:
     const bool is_square = parameters.number("SQUARE", 0) != 0;
     const int a_width = parameters.number("A_WIDTH", 0);
     const int b_width = is_square ? a_width : parameters.number("B_WIDTH", 0);
-    // Without the sign bit that is always 0, and without the bits that become rows of gates.
+    // Two kinds of bits do not count: a sign that is always 0, and bits that become rows of gates.
     const bool b_positive = parameters.number(is_square ? "POSITIVE_A" : "POSITIVE_B", 0) != 0;
     const int a = a_width - parameters.number("POSITIVE_A", 0);
     const int excess = b_width - 1 - size.b_bits;
@@ -286,11 +287,11 @@ private:
   const std::map<std::string, const Module*>& tree_;
   std::map<std::string, int> widths_;
   std::set<std::string> constants_;             ///< nets that do not vary
-  std::map<std::string, std::string> origins_;  ///< nets that share bits with another, that one
-  std::map<std::string, int> unread_;           ///< bits of origins
-  std::set<std::string> held_;                  ///< origins of values that are held
-  int registers_ = 0;                           ///< of this module alone
-  int fixed_products_ = 0;                      ///< likewise
+  std::map<std::string, std::string> origins_;  ///< net -> the net whose bits it repeats
+  std::map<std::string, int> unread_;           ///< origin -> its bits that nothing reads
+  std::set<std::string> held_;                  ///< origins of values that wait in registers
+  int registers_ = 0;                           ///< of this module, without its instances
+  int fixed_products_ = 0;                      ///< of this module, without its instances
   devices::Area area_;
 };
 

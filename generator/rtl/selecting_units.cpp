@@ -27,7 +27,7 @@ const char* unit_name(Operation operation) {
   MIXCMP_CHECK(false);
 }
 
-/// What a unit for all of `operations` computes: a product where one of them is.
+/// The node that a unit for all of `operations` computes: a product if one of them is a product.
 TypedNode common_node(const TypedGraph& graph, const std::vector<NodeId>& operations) {
   TypedNode node = graph.nodes[operations.front()];
   for (const NodeId id : operations) {

@@ -25,13 +25,13 @@ std::vector<Operand> unread(const std::string& name, int bits,
   return slices;
 }
 
-/// A wire that reads these bits.
+/// A wire that reads these bits and has no other use.
 Wire consumer(std::string name, std::vector<Operand> bits) {
   bits.insert(bits.begin(), literal(1, 0));
   return {1, std::move(name), all_bits(concatenation(std::move(bits)))};
 }
 
-/// Tells whether a connection is the value that a delay line gives.
+/// Tells whether a connection is the output of a delay line.
 bool is_delayed_value(const Instance& instance, const Connection& connection) {
   return instance.module == "delay_line" && connection.port == "q";
 }
@@ -44,7 +44,7 @@ int width_of_delay(const Instance& instance) {
   return static_cast<int>(std::get<long long>(width->value));
 }
 
-/// Bits that are read, by the names of nets.
+/// The bits that items read, by the names of nets. Outputs of delay lines are not read there.
 class Reads {
 public:
   void add(const std::vector<ModuleItem>& items) {

@@ -18,8 +18,8 @@ struct BitRange {
 void consume_unread(const std::string& name, int bits, const std::vector<BitRange>& read,
                     std::vector<ModuleItem>& items);
 
-/// Consumes what nothing reads of values that delay lines give. A value is delayed whole, and a
-/// unit may read only some bits of it.
+/// Consumes the bits of delayed values that nothing reads. A delay line takes a whole value, and
+/// the units behind it may read only some of its bits.
 void consume_unread_delays(std::vector<ModuleItem>& items, NamePool& pool);
 
 }  // namespace mixcmp::rtl

@@ -191,8 +191,8 @@ Result<std::string> tool_versions(const devices::Device& device, TimingEffort ef
 
 namespace {
 
-/// Whether Yosys maps products of the size of a device's multipliers to them. For the iCE40 only
-/// the cells of the family are multipliers.
+/// Tells whether Yosys maps products to the device's multipliers. On the iCE40 it does so only with
+/// our own cells (`cells`).
 bool maps_multipliers(const devices::Device& device) {
   const bool left_out = device.synthesis.find("-nodsp") != std::string::npos;
   const bool by_cells = device.synthesis.starts_with("synth_ice40");
@@ -200,13 +200,13 @@ bool maps_multipliers(const devices::Device& device) {
 }
 
 Error too_few(const char* field, const char* what, int counted, int least) {
-  return {
-      .field = field,
-      .message = fmt::format("synthesis has left fewer {} than the schedule has, as it does where "
-                             "it removes a unit; the area is of something else",
-                             what),
-      .received = fmt::format("{}", counted),
-      .accepted = fmt::format("at least {}", least)};
+  return {.field = field,
+          .message =
+              fmt::format("synthesis has left fewer {} than the schedule needs, so it has removed "
+                          "a part of the datapath",
+                          what),
+          .received = fmt::format("{}", counted),
+          .accepted = fmt::format("at least {}", least)};
 }
 
 }  // namespace
@@ -216,7 +216,7 @@ Result<Done> check_area(const devices::Area& area, const devices::Area& least,
   if (maps_multipliers(device) && area.dsps < least.dsps) {
     return too_few("dsps", "embedded multipliers", area.dsps, least.dsps);
   }
-  // A shift register of one LUT holds a bit that waits.
+  // A shift register of one LUT holds a waiting bit as a flip-flop does.
   const int registers = area.registers + area.shift_luts;
   if (registers >= least.registers) return Done{};
   return too_few("registers", "flip-flops and shift registers", registers, least.registers);

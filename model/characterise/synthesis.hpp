@@ -26,14 +26,14 @@ struct SynthesisJob {
   std::vector<SourceText> sources;
   std::string top;
   std::string clock_port = "aclk";
-  /// The registers and dsps that synthesis cannot do without; 0: not known. It is no part of the
-  /// hash, since it follows from the sources.
+  /// The registers and dsps that synthesis cannot do without; 0: not known. They are no part of the
+  /// hash, since they follow from the sources.
   devices::Area least = {};
 };
 
 /// Refuses an area on `device` with fewer multipliers than `least` has, or with fewer flip-flops
-/// and shift registers together than it has registers: then synthesis has removed what the schedule
-/// counts on, as it does with units whose inputs nothing drives.
+/// and shift registers together than `least` has registers. Synthesis has then removed a part of
+/// the datapath, as it does with units whose inputs nothing drives.
 Result<Done> check_area(const devices::Area& area, const devices::Area& least,
                         const devices::Device& device);
 
@@ -59,8 +59,8 @@ struct SynthesisResult {
 /// and there will be no clocks.
 Result<std::string> tool_versions(const devices::Device& device, TimingEffort effort);
 
-/// Runs Yosys (and the router) in `directory`, which must exist; logs stay there. An error if the
-/// area is below the job's least.
+/// Runs Yosys (and the router) in `directory`, which must exist; logs stay there. An error if
+/// check_area refuses the area.
 Result<SynthesisResult> synthesise(const SynthesisJob& job, const devices::Device& device,
                                    const SynthesisOptions& options,
                                    const std::filesystem::path& directory);

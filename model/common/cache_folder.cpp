@@ -9,7 +9,7 @@ std::optional<std::filesystem::path> cache_folder() {
     const char* value = std::getenv(name);
     return std::filesystem::path(value == nullptr ? "" : value);
   };
-  // A relative $XDG_CACHE_HOME is to be ignored, says the specification.
+  // The specification says to ignore a relative $XDG_CACHE_HOME.
   std::filesystem::path cache = variable("XDG_CACHE_HOME");
   if (!cache.is_absolute() && !variable("HOME").empty()) cache = variable("HOME") / ".cache";
   if (!cache.is_absolute()) return std::nullopt;

@@ -5,8 +5,8 @@
 
 namespace mixcmp::inline common {
 
-/// Where this program keeps what later runs may use: $XDG_CACHE_HOME/mixcmp, $HOME/.cache/mixcmp
-/// where that is not set. None where neither is an absolute path (XDG Base Directory
+/// The folder for results that later runs may use: $XDG_CACHE_HOME/mixcmp, or $HOME/.cache/mixcmp
+/// if $XDG_CACHE_HOME is not an absolute path. None if neither is (XDG Base Directory
 /// Specification).
 std::optional<std::filesystem::path> cache_folder();
 

@@ -13,7 +13,7 @@ constexpr std::size_t max_name_length = 64;
 /// What breaks the rule, in words; empty if nothing does.
 std::string name_problem(std::string_view name);
 
-/// The same for a name of any length, such as one that the generator makes of several.
+/// As name_problem, for a name of any length, such as one that the generator makes of several.
 std::string identifier_problem(std::string_view name);
 
 /// What an error about a name says is accepted.

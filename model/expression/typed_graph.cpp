@@ -100,9 +100,9 @@ void change_signs(std::vector<FusedTerm>& terms) {
   for (FusedTerm& term : terms) term.negated = !term.negated;
 }
 
-/// The terms of one side of a comparison that its difference takes in: those of a sum that is to be
-/// fused, or a product; a minus before either changes their signs. None where the side rounds
-/// nothing that can be saved, or has other readers.
+/// The terms that one side of a comparison gives to the difference: those of a fused sum, or a
+/// product. A minus before either changes their signs. None where the side has no rounding that can
+/// be saved, or has other readers.
 std::vector<FusedTerm> terms_of_side(const Graph& graph, NodeId side) {
   if (readers_of(graph, side) > 1) return {};
   if (graph.nodes()[side].operation == Operation::negate) {

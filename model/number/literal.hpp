@@ -33,7 +33,7 @@ bool is_too_long(const mpq_class& value);
 std::optional<mpq_class> parse_literal(std::string_view text);
 /// Reads a literal with an optional leading sign.
 std::optional<mpq_class> parse_signed_literal(std::string_view text);
-/// Whether a literal with an optional leading sign fills `text`, however long its value is.
+/// Tells whether `text` is a literal with an optional leading sign, however long its value is.
 bool is_signed_literal(std::string_view text);
 
 }  // namespace mixcmp::inline number

@@ -89,7 +89,7 @@ struct SchemeProfile {
   std::vector<SchemeCounts> counts;  ///< one per precision
   std::string reason;                ///< why there is no lane at some precision
 
-  bool exists() const;  ///< at some precision
+  bool exists() const;  ///< there is a lane at some precision
 };
 
 /// Figure 5 and the wrong verdicts.

@@ -217,8 +217,8 @@ mpq_class least_magnitude(const Range& range) {
   return std::min<mpq_class>(abs(range.low), abs(range.high));
 }
 
-/// Whether a sum has one product and its terms may all be below the smallest normal number
-/// together.
+/// Tells whether a sum has exactly one product and the magnitudes of its terms may add up to less
+/// than the smallest normal number.
 bool may_be_loose(const TypedNode& sum, const std::vector<error::NodeRange>& ranges) {
   const mpq_class smallest_normal = power_of_two(sum.format.min_exponent());
   mpq_class least = 0;

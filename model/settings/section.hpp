@@ -97,10 +97,10 @@ Result<std::span<const Setting>> tables_of(const Settings& settings, const std::
 /// that holds a decimal or hex-float literal.
 std::optional<mpq_class> exact_value(const Setting& setting);
 
-/// Why a setting has no exact value, for an error: "is not a finite number".
+/// The reason why a setting has no exact value, for an error: "is not a finite number".
 std::string exact_problem(const Setting& setting);
 
-/// The numbers that have an exact value, for an error.
+/// The numbers that exact_value accepts, in words, for an error.
 std::string accepted_exact_values();
 
 template <std::integral Integer>

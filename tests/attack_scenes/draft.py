@@ -18,7 +18,7 @@ RANGES = (("0", "4"), ("-4", "4"), ("1", "3"), ("0", "1"), ("-1", "1"), ("0.1", 
 
 
 class Draft:
-    """A scene on its way: each step reads what earlier ones chose."""
+    """A scene that is being drawn: each step reads the choices of earlier steps."""
 
     def __init__(self, seed, kind):
         self.rng = random.Random(f"mixcmp attack {seed}")
@@ -35,7 +35,7 @@ class Draft:
     def chance(self, share):
         return self.rng.random() < share
 
-    # What a scene has, section by section.
+    # The sections of a scene.
 
     def formats(self, wide=0.08):
         rng = self.rng
@@ -208,7 +208,7 @@ class Draft:
         return units * datapaths / max(6, min(30, 700 / self.precision()))
 
     def for_items(self, draw):
-        """A part that reads what the pairs of the data want: i and j, or candidates and the row."""
+        """A part that reads the items of the data's pairs: i and j, or candidates and the row."""
         while True:
             part = draw()
             if self.scene.pairs == "arg_min":

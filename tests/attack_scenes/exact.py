@@ -17,7 +17,7 @@ class Undetermined(Exception):
 
 
 def verdict(graph, part, inputs):
-    """less, equal or greater; unordered where a side has no value; None where bits do not tell."""
+    """less, equal or greater; unordered if a side has no value; None if it is undetermined."""
     for bits in PRECISIONS:
         try:
             return _order(*(_value(graph, side, inputs, bits, {}) for side in part))

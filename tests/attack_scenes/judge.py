@@ -1,7 +1,7 @@
 """Runs `mixcmp verify` on a scene and judges what it wrote by arithmetic of its own.
 
-A verdict that a certified lane decided must be the order of the real numbers f and g, a recomputed
-one the order of what the reference computes.
+A verdict that a certified lane decided must be the order of the real numbers f and g. A recomputed
+verdict must be the order of the values that the reference computes.
 """
 
 import collections
@@ -16,7 +16,7 @@ from .rounded import Reference
 from .scene import comparisons, contest
 
 SECONDS = 900  # that one run may take
-# Of the parts' verdicts the last one in this order is that of the comparison.
+# The comparison has the verdict of its parts that comes last in this order.
 ORDERS = {"all": ("less", "equal", "unordered", "greater"),
           "any": ("greater", "equal", "unordered", "less")}
 
@@ -30,7 +30,7 @@ class Outcome:
     detail: str = ""
     comparisons: int = 0
     recomputed: int = 0
-    unchecked: int = 0  # verdicts of which this judge could not tell
+    unchecked: int = 0  # verdicts that this judge cannot check
     worst: tuple = ()  # numbers of the comparisons that are wrong
 
 
@@ -85,7 +85,7 @@ def _judge(scene, folder, done):
 
 
 def _refusal(error, returncode):
-    """A refusal says which field of the scene or data it does not take."""
+    """The outcome of an error, which must name the field at fault, or a file of the scene."""
     said = error.get("text", "")
     if returncode != 1 or not said:
         raise Failure("an error without words", json.dumps(error))
@@ -126,7 +126,7 @@ class Judge:
 
     def truth(self, inputs):
         verdicts = [exact.verdict(self.graph, part, inputs) for part in self.graph.parts]
-        # One part that decides for all outweighs another that is not determined.
+        # The last verdict of the order wins, even if another part is not determined.
         if self.order[-1] in verdicts:
             return self.order[-1]
         return None if None in verdicts else self._combined(verdicts)
@@ -150,7 +150,7 @@ class Judge:
         self._fail_if(wrong)
 
     def check_truth(self, report):
-        """How often the reference is wrong, as --truth says, where all truths are determined."""
+        """The count of wrong references that --truth reports, if all truths are determined."""
         said = report.get("truth")
         if not said or self.scene.pairs or len(self.graph.parts) > 1 or not self.has_references:
             return
@@ -200,7 +200,7 @@ class Judge:
     def check_chains(self, rows):
         """Each row's chain of contests, the winner meeting the next candidate.
 
-        An engine's verdicts say who wins. For streams the reference's do, whatever lanes decide.
+        In an engine its own verdicts say who wins. For streams the reference's verdicts do.
         """
         wrong, best = [], 0
         contests = len(self.scene.others) - 1
@@ -221,7 +221,7 @@ class Judge:
         self._fail_if(wrong)
 
     def complaint(self, row, inputs):
-        """What is wrong with a verdict; nothing, if it is as it must be."""
+        """Words for the fault of a verdict; empty if it is right or cannot be checked."""
         self.outcome.comparisons += 1
         said = row["verdict"]
         if said == "undecided":

@@ -23,7 +23,7 @@ def fused(draft):
 
 
 def formats(draft):
-    """Powers of two and their neighbours; and so few exponents that everything special happens."""
+    """Precisions around powers of two, and so few exponents that special values are frequent."""
     rng = draft.rng
     draft.formats(wide=0.35)
     if draft.chance(0.5):
@@ -256,7 +256,7 @@ def mixed(draft):
 
 
 def limited(draft):
-    """Values that matter within limits only."""
+    """Subexpressions within limits."""
     draft.sides = "polynomials"
     draft.wants_ranges = True
     draft.scene.set("reduced", format=f"q{draft.rng.randint(3, min(12, draft.precision()))}")
@@ -281,7 +281,7 @@ def vectors(draft):
 
 
 def undecided(draft):
-    """Without a reference."""
+    """Lanes without a reference."""
     draft.scene.set("system", references=0)
 
 

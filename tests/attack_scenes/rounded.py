@@ -1,4 +1,4 @@
-"""What a reference computes: floating point, each operation correctly rounded, on exact rationals.
+"""Computes as a reference does: floating point, each operation correctly rounded, on rationals.
 
 A number is a pair (negative, magnitude) with a Fraction or INFINITE as magnitude, or NAN. The rules
 are those of docs/scene_file.md (formats, subnormals, sums) and docs/error_bounds.md (theorem 12).
@@ -46,7 +46,7 @@ class Format:
         return (2 - TWO ** (1 - self.precision)) * TWO ** (2 ** (self.exponent_bits - 1) - 1)
 
     def last_place(self, magnitude):
-        """What the last digit of a number of this magnitude is worth."""
+        """The value of the last digit of a number of this magnitude."""
         exponent = self.least_exponent if magnitude == 0 else exponent_of(magnitude)
         return TWO ** (max(exponent, self.least_exponent) - self.precision + 1)
 
@@ -132,7 +132,7 @@ def square_root(form, a):
         return NAN
     if a[1] is INFINITE:
         return a
-    # The root in eighths of its last place, the last bit being set where digits follow.
+    # The root in eighths of its last place. The last bit is set if the root has further digits.
     place = TWO ** (exponent_of(a[1]) // 2 - form.precision + 1)
     scaled = a[1] / place ** 2 * 16
     quarters = math.isqrt(math.floor(scaled))
@@ -284,14 +284,14 @@ class Reference:
         return not any(map(is_power_of_two, constants))
 
     def _sum_terms(self, index):
-        """The terms of a sum that is fused; none where a node is none."""
+        """The terms of a node that is a fused sum; empty for other nodes."""
         if self.graph.nodes[index].operation not in ("+", "-"):
             return []
         terms = self._terms(index)
         return terms if len(terms) > 2 or any(map(self._rounds, terms)) else []
 
     def _side_terms(self, side):
-        """The terms of a fused sum or a product that no other node reads: it is not rounded."""
+        """The terms of a side that is not rounded: a sum or product without other readers."""
         if self.graph.readers(side) > 1:
             return []
         terms = self._sum_terms(side) or self._terms(side)

@@ -35,7 +35,7 @@ class Operands:
         return row
 
     def kept(self, written, name):
-        """The text, or that of the nearest end where it is out of the range, but now and then."""
+        """The text, or the nearest end of the range if it is outside; at times it stays outside."""
         if name not in self.ranges or (self.allows_specials and self.rng.random() < 0.03):
             return written
         low, high = self.ranges[name]
@@ -88,7 +88,7 @@ class Operands:
         return self.nearest(value + places * self.form.last_place(abs(value)))
 
     def near_tie(self, row, name, difference):
-        """The row with an operand changed to make f - g, as `difference` has it, nearly zero."""
+        """The row with an operand changed so that `difference`, f - g in doubles, is near 0."""
         ends = [self.styles[self.rng.choice(("random", "small"))](name) for _ in (0, 1)]
         low, high = (float_of(self.kept(end, name)) for end in ends)
         below, above = (difference({**row, name: end}) for end in (low, high))

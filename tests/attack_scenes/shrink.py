@@ -40,7 +40,7 @@ class Search:
             self.tried.add(repr(candidate))
             outcome = self.attack(candidate)
         except (KeyError, IndexError, ValueError, ArithmeticError):
-            return False  # what is left is no scene
+            return False  # the rest is no scene
         if outcome.way != self.outcome.way:
             return False
         self.scene, self.outcome = candidate, outcome

@@ -149,7 +149,7 @@ class Graph:
         return self._known[node]
 
     def _node(self, built):
-        """The node of what _built returned: a constant has one where an operation reads it."""
+        """The node of a result of _built; a constant gets one when an operation reads it."""
         return built if isinstance(built, int) else self._intern("constant", (), built)
 
     def _applied(self, operation, *built):

@@ -153,8 +153,8 @@ TEST_P(Fold, ThereAreAsFewUnitsAsTheIntervalAllows) {
       << "multipliers with room to spare take squares";
 }
 
-/// A multiplier whose operands are always the same would be larger than a squarer, and its second
-/// operand nobody's.
+/// A multiplier for squares only would be larger than a squarer, and no operation would give its
+/// second operand.
 TEST_P(Fold, EveryMultiplierHasAProduct) {
   for (const datapath::SharedUnit& unit : schedule_.shared_units) {
     const bool has_product =

@@ -65,7 +65,7 @@ TEST(LeastArea, MultipliersThatSynthesisMayLeaveOutDoNotCount) {
   EXPECT_EQ(least(unit("fp_add", two_operands)).dsps, 0);
 }
 
-/// Folded references had such a multiplier once. Synthesis removes it, so that it has to count.
+/// Folded references once had such a multiplier. Synthesis removes it, so the bound must count it.
 TEST(LeastArea, AMultiplierWhosePinIsNotConnectedCounts) {
   EXPECT_EQ(least(unit("fp_multiply", one_operand)).dsps, 9);
 }

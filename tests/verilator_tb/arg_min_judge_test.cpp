@@ -34,7 +34,7 @@ design::LaneGroup block_lanes(int bits, int count) {
           .count = count};
 }
 
-/// Lanes that leave undecided where a square underflows.
+/// Lanes that do not decide where a square underflows.
 design::LaneGroup floating_lanes(int count) {
   const TypedGraph lane =
       lane_graph(squared_distances(), reference_format(), {format("s6e5")}, LaneInputs::exact);
@@ -79,7 +79,7 @@ struct Judged {
   std::vector<verilator_tb::VerifiedResult> results;
 };
 
-/// What is said of an engine that chooses `choice` for the row.
+/// The judge's report and results for an engine that chooses `choice` for the row.
 Judged judged(const design::Design& design, const data::Comparisons& comparisons,
               std::uint64_t choice) {
   const Graph truth = squared_distances();

@@ -129,8 +129,8 @@ private:
     }
   }
 
-  /// Whether one of these unknown bits is that of a handshake, or of the payload of a stream with a
-  /// valid beat. Each stream has a bit of `valid`, and as many bits of a payload as the others.
+  /// Tells whether one of a port's unknown bits is in a handshake, or in the payload of a stream
+  /// with a valid beat. Each stream has one bit of `valid`, and an equal share of a payload's bits.
   static bool counts(const VpiModel::Port& port, const BitNumbers& unknown,
                      const VpiModel::Port* valid) {
     const std::string_view name = port.name;
@@ -143,7 +143,7 @@ private:
     });
   }
 
-  /// Reads an output, and says which of its bits are neither 0 nor 1. An x is read as 1, a z as 0.
+  /// Reads an output, and returns which of its bits are neither 0 nor 1. An x reads as 1, a z as 0.
   static BitNumbers read(const VpiModel::Port& port, vpiHandle handle) {
     s_vpi_value value{};
     value.format = vpiVectorVal;

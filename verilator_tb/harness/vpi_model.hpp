@@ -26,7 +26,7 @@ public:
   void eval();
 
   /// Whether the last eval() left an unknown bit in a handshake, or in the payload of a stream of
-  /// m_axis whose valid is 1. Other outputs, counters among them, are not looked at.
+  /// m_axis whose tvalid is 1. Other outputs, counters among them, are not looked at.
   bool has_unknown() const { return has_unknown_; }
 
 protected:

@@ -391,7 +391,7 @@ module testbench;
       tag = m_refetch_tdata[reference*TAG_FIELD +: TAG_BITS];
       unknown = (^{m_refetch_tvalid[reference], s_refetch_tready[reference]} === 1'bx)
                 || ((m_refetch_tvalid[reference] === 1'b1) && (^tag === 1'bx));
-      // The first lane, or group, that the stream serves has its number.
+      // The violation names the first lane, or group, that the stream serves: it has its number.
       if (unknown) violate(UNKNOWN_VALUE, reference, -1, {TAG_BITS{1'b0}});
       if (s_refetch_tvalid[reference] && (s_refetch_tready[reference] === 1'b1))
         queue_head[reference] = queue_head[reference] + 1;

@@ -1,7 +1,7 @@
-// memory_proof: a word that is read is the one written last at its address, and stays until the next
-// read. One address is watched, chosen by the solver. A read in the cycle that writes its address may
-// give anything, and so may a read of a word that was never written: the covers reach such words. The
-// proofs of templates with a memory inside rest on that.
+// memory_proof: a word that is read is the one written last at its address, and stays until the
+// next read. The solver chooses one address, which is watched. Two reads may give any word: one in
+// the cycle that writes its address, and one of an address that was never written. The covers reach
+// such words. The proofs of templates with a memory inside rest on these facts.
 `default_nettype none
 
 module memory_proof #(
