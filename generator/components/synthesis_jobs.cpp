@@ -97,12 +97,12 @@ SynthesisJob module_job(const rtl::Module& module) {
 }
 
 SynthesisJob modules_job(const std::vector<rtl::Module>& modules) {
+  const std::vector<std::string> texts = emit::to_verilog(emit::checked(modules));
   SynthesisJob job{.sources = {}, .top = modules.back().name, .least = rtl::least_area(modules)};
   std::set<std::string> templates;
   for (const rtl::Module& module : modules) templates.merge(instantiated_modules(module));
   for (const rtl::Module& module : modules) templates.erase(module.name);
   add_templates(job, templates);
-  const std::vector<std::string> texts = emit::to_verilog(emit::checked(modules));
   for (std::size_t k = 0; k < modules.size(); ++k) {
     job.sources.push_back({modules[k].name + ".v", without_comments(texts[k])});
   }

@@ -78,11 +78,12 @@ private:
       if (node.operation == Operation::multiply) products[formats].push_back(id);
     }
     for (const auto& [formats, all] : squares) {
-      const std::size_t most = interval_;  // operations of one unit
-      const std::size_t others = products[formats].size();
-      const std::size_t room = (others + most - 1) / most * most - others;
+      const std::size_t per_unit = interval_;  // operations
+      const std::size_t product_count = products[formats].size();
+      const std::size_t room = (product_count + per_unit - 1) / per_unit * per_unit - product_count;
       const std::size_t left = all.size() - std::min(room, all.size());
-      const std::size_t by_squarers = std::min(all.size(), (left + most - 1) / most * most);
+      const std::size_t by_squarers =
+          std::min(all.size(), (left + per_unit - 1) / per_unit * per_unit);
       by_multiplier_.insert(all.begin() + static_cast<std::ptrdiff_t>(by_squarers), all.end());
     }
   }

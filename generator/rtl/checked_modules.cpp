@@ -107,21 +107,21 @@ private:
       const auto found = scope->nets.find(name);
       if (found != scope->nets.end()) return &found->second;
     }
-    fault("{} is used and not declared before", name);
+    fault("{} is used before it is declared", name);
     return nullptr;
   }
 
   enum class Use { driven, read };
 
   /// Notes the use of `width` bits of a net, and returns `width`.
-  int use(const std::string& name, int low, int width, Use use) {
+  int use(const std::string& name, int low, int width, Use how) {
     NetState* const net = find(name);
     if (net == nullptr) return width;
     if (low < 0 || width < 1 || low + width > net->width()) {
       fault("{}[{}:{}] is outside of its {} bits", name, low + width - 1, low, net->width());
       return width;
     }
-    std::vector<unsigned char>& bits = use == Use::driven ? net->drivers : net->readers;
+    std::vector<unsigned char>& bits = how == Use::driven ? net->drivers : net->readers;
     for (int k = low; k < low + width; ++k) {
       if (bits[k] < 2) ++bits[k];
     }
@@ -129,76 +129,76 @@ private:
   }
 
   /// As `use`, for bits that are selected by their numbers: the net must have a range.
-  int select(const std::string& name, int low, int width, Use use) {
+  int select(const std::string& name, int low, int width, Use how) {
     const NetState* const net = find(name);
-    if (net != nullptr && !net->is_indexed) fault("{} is one bit, without a number", name);
-    return this->use(name, low, width, use);
+    if (net != nullptr && !net->is_indexed) fault("{} has no range", name);
+    return use(name, low, width, how);
   }
 
-  int use(const Operand& operand, Use use) {
+  int use(const Operand& operand, Use how) {
     if (operand == nullptr) {
       fault("an operand is missing");
       return 0;
     }
-    return std::visit([&](const auto& node) { return this->use(node, use); }, operand->node);
+    return std::visit([&](const auto& node) { return use(node, how); }, operand->node);
   }
 
-  int use(const Net& net, Use use) {
+  int use(const Net& net, Use how) {
     const NetState* const state = find(net.name);
-    return state == nullptr ? 0 : this->use(net.name, 0, state->width(), use);
+    return state == nullptr ? 0 : use(net.name, 0, state->width(), how);
   }
 
-  int use(const Slice& slice, Use use) {
-    return select(slice.name, slice.low, slice.high - slice.low + 1, use);
+  int use(const Slice& slice, Use how) {
+    return select(slice.name, slice.low, slice.high - slice.low + 1, how);
   }
 
-  int use(const IndexedSlice& slice, Use use) {
+  int use(const IndexedSlice& slice, Use how) {
     const auto variable = variables_.find(slice.variable);
     if (variable == variables_.end()) {
       fault("{} is used outside of its loop", slice.variable);
       return slice.width;
     }
-    return select(slice.name, (variable->second + slice.offset) * slice.width, slice.width, use);
+    return select(slice.name, (variable->second + slice.offset) * slice.width, slice.width, how);
   }
 
-  int use(const Literal& literal, Use use) {
+  int use(const Literal& literal, Use how) {
     if ((literal.value & ~low_mask(literal.width)) != 0) {
       fault("a literal has more than {} bits", literal.width);
     }
-    return constant(literal.width, use);
+    return constant(literal.width, how);
   }
 
-  int use(const Zeros& zeros, Use use) { return constant(zeros.width, use); }
+  int use(const Zeros& zeros, Use how) { return constant(zeros.width, how); }
 
-  int constant(int width, Use use) {
-    if (use == Use::driven) fault("a constant is driven");
+  int constant(int width, Use how) {
+    if (how == Use::driven) fault("a constant is driven");
     return width;
   }
 
-  int use(const Concatenation& concatenation, Use use) {
+  int use(const Concatenation& concatenation, Use how) {
     int width = 0;
-    for (const Operand& part : concatenation.parts) width += this->use(part, use);
+    for (const Operand& part : concatenation.parts) width += use(part, how);
     return width;
   }
 
-  int use(const Not& node, Use use) { return this->use(node.operand, only_read(use)); }
+  int use(const Not& node, Use how) { return use(node.operand, only_read(how)); }
 
-  int use(const Or& node, Use use) {
+  int use(const Or& node, Use how) {
     std::set<int> widths;
     for (const Operand& operand : node.operands) {
-      widths.insert(this->use(operand, only_read(use)));
+      widths.insert(use(operand, only_read(how)));
     }
     if (widths.size() != 1) fault("an OR has operands of {} bits", fmt::join(widths, " and "));
     return widths.empty() ? 0 : *widths.rbegin();
   }
 
-  int use(const AndReduce& node, Use use) {
-    this->use(node.operand, only_read(use));
+  int use(const AndReduce& node, Use how) {
+    use(node.operand, only_read(how));
     return 1;
   }
 
-  Use only_read(Use use) {
-    if (use == Use::driven) fault("the result of an operation is driven");
+  Use only_read(Use how) {
+    if (how == Use::driven) fault("the result of an operation is driven");
     return Use::read;
   }
 
@@ -342,7 +342,7 @@ std::vector<std::string> faults_of(const std::vector<Module>& modules,
     const auto found = by_name.find(instance.module);
     if (found == by_name.end()) return outside(instance);
     if (instance.parameters.empty()) return found->second->ports;
-    return Error{.message = "a module without parameters has some"};
+    return Error{.message = "the instance sets parameters of a module without any"};
   };
   for (const Module& module : modules) ModuleChecker(module, ports_of, faults).check();
   return {faults.begin(), faults.end()};

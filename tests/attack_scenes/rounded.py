@@ -294,6 +294,10 @@ class Reference:
         """The terms of a side that is not rounded: a sum or product without other readers."""
         if self.graph.readers(side) > 1:
             return []
+        node = self.graph.nodes[side]
+        if node.operation == "neg":
+            return [(not is_negated, a, b)
+                    for is_negated, a, b in self._side_terms(node.operands[0])]
         terms = self._sum_terms(side) or self._terms(side)
         is_sum = bool(self._sum_terms(side))
         return terms if is_sum or (len(terms) == 1 and self._rounds(terms[0])) else []

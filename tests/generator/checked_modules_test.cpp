@@ -159,8 +159,7 @@ TEST(CheckedModules, BothSidesHaveOneWidth) {
 TEST(CheckedModules, BitsAreSelectedInsideOfANetThatHasSeveral) {
   expect_fault(with(whole(), {Wire{2, "unused", slice("a", 32, 31)}}),
                "a[32:31] is outside of its 32 bits");
-  expect_fault(with(whole(), {Wire{1, "unused", bit("aclk", 0)}}),
-               "aclk is one bit, without a number");
+  expect_fault(with(whole(), {Wire{1, "unused", bit("aclk", 0)}}), "aclk has no range");
 }
 
 TEST(CheckedModules, LoopsAreWrittenOut) {
@@ -184,7 +183,7 @@ TEST(CheckedModules, NamesAreDeclaredOnceAndBeforeTheyAreUsed) {
   expect_fault(with(whole(), {Wire{1, "a", literal(1, 0)}}), "a is declared twice");
   expect_fault(with(whole(), {Wire{1, "product", literal(1, 0)}}), "product is declared twice");
   expect_fault(with(whole(), {Wire{1, "unused", net("later")}, Wire{1, "later", literal(1, 0)}}),
-               "later is used and not declared before");
+               "later is used before it is declared");
   expect_fault(with(whole(), {Wire{1, "always", literal(1, 0)}}),
                "always: \"always\" is a Verilog or SystemVerilog keyword");
   const std::vector<ModuleItem> body = {Wire{1, "a", literal(1, 0)}};
