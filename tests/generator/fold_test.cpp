@@ -153,6 +153,19 @@ TEST_P(Fold, ThereAreAsFewUnitsAsTheIntervalAllows) {
       << "multipliers with room to spare take squares";
 }
 
+/// No multiplier is there for squares.
+TEST_P(Fold, ProductsSayHowManyMultipliersThereAre) {
+  int multipliers = 0, products = 0;
+  for (const datapath::SharedUnit& unit : schedule_.shared_units) {
+    if (unit.unit.module != "fp_multiply") continue;
+    ++multipliers;
+    products += static_cast<int>(std::count_if(
+        unit.operations.begin(), unit.operations.end(),
+        [&](NodeId id) { return graph_.nodes[id].operation == Operation::multiply; }));
+  }
+  EXPECT_EQ(multipliers, (products + interval() - 1) / interval());
+}
+
 /// A multiplier for squares only would be larger than a squarer, and no operation would give its
 /// second operand.
 TEST_P(Fold, EveryMultiplierHasAProduct) {
