@@ -20,7 +20,8 @@ std::string save_file(const emit::SignatureEngine& engine, const VerifyOptions& 
        .marked = {}});
 }
 
-/// Where a table has these columns. Of two tables each has those that its own items are asked for.
+/// The places of these columns in a table. A table of "cross" lacks those that nothing reads of its
+/// items.
 std::vector<std::optional<std::size_t>> places_of(const data::Table& table,
                                                   const std::vector<std::string>& columns) {
   std::vector<std::optional<std::size_t>> places;

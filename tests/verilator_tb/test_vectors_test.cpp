@@ -185,7 +185,7 @@ TEST(TestVectorsOfParts, HaveATieInOnePartBesideEachOtherVerdict) {
   }
 }
 
-/// Of two tables of items each has the columns that its own items are asked for.
+/// A table of "cross" has only the columns that something reads of its items.
 TEST(RowBytes, AColumnThatATableLacksIsZero) {
   const data::Table table{.format = FloatFormat::make(3, 4).value(),
                           .columns = {"y"},
