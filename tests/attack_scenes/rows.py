@@ -4,7 +4,7 @@ from fractions import Fraction
 import math
 
 from .rounded import TWO, exponent_of, number
-from .trees import dyadic_text, literal
+from .trees import dyadic_text, fold, literal
 
 DECIMALS = ("0.1", "1.3", "-2.7", "0.3333", "1e-3", "-0.7", "3.14159265358979", "5e-7")
 
@@ -162,21 +162,7 @@ def estimate(graph, inputs):
 
 
 def apply(operation, a, b=0.0):
-    if operation == "sqrt":
-        return math.sqrt(a)
-    if operation == "neg":
-        return -a
-    if operation == "abs":
-        return abs(a)
-    if operation == "+":
-        return a + b
-    if operation == "-":
-        return a - b
-    if operation == "*":
-        return a * b
-    if operation == "/":
-        return a / b
-    return min(a, b) if operation == "min" else max(a, b)
+    return math.sqrt(a) if operation == "sqrt" else fold(operation, a, b)
 
 
 def draw_rows(operands, reference, names, count):

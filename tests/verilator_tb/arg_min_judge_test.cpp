@@ -18,7 +18,7 @@ namespace {
 using Choices = std::vector<std::uint64_t>;
 using Point = std::pair<int, int>;
 
-/// Of eight digits, and of so few exponents that squares below 2^-22 vanish.
+/// The format has eight digits, and so few exponents that squares below 2^-22 vanish.
 FloatFormat reference_format() {
   return format("s8e5");
 }
