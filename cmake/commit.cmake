@@ -65,7 +65,9 @@ if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
 namespace @NAMESPACE@ {
 
 const char* commit() {
-  return "@commit@";
+  // Of one length, so that programs of two commits differ here alone.
+  static const char text[64] = "@commit@";
+  return text;
 }
 
 }  // namespace @NAMESPACE@

@@ -1,5 +1,6 @@
 // fused_sums: fp_fused_sum and fp_fused_comparison in several shapes, for the regression alone. The
-// slots are {shape, GRADUAL, variant}, the shapes counting slowest. Variants: 0 without registers, of multipliers; 1 with
+// slots are {shape, GRADUAL, variant}, the shapes counting slowest; with ALTERNATE they are {shape,
+// variant}, and GRADUAL turns from slot to slot. Variants: 0 without registers, of multipliers; 1 with
 // SOME_CUTS, of logic, CANCELLATION = 1 whatever the shape is.
 `default_nettype none
 
@@ -8,7 +9,9 @@ module fused_sums #(
     parameter        PRECISION     = 3,
     parameter [29:0] SOME_CUTS     = 30'h0,
     parameter        SHAPES        = (PRECISION < 3) ? 7 : 10,  // sums of more digits can be squared
-    parameter        SLOTS         = 4 * SHAPES
+    parameter        ALTERNATE     = 0,
+    parameter        OF_SHAPE      = ALTERNATE ? 2 : 4,
+    parameter        SLOTS         = OF_SHAPE * SHAPES
 ) (
     input wire                               aclk,
     input wire [EXPONENT_BITS+PRECISION-1:0] x0,
@@ -31,9 +34,9 @@ module fused_sums #(
 
   generate
     for (slot = 0; slot < SLOTS; slot = slot + 1) begin : built
-      localparam SHAPE   = slot / 4;
-      localparam GRADUAL = slot / 2 % 2;
+      localparam SHAPE   = slot / OF_SHAPE;
       localparam VARIANT = slot % 2;
+      localparam GRADUAL = ALTERNATE ? (SHAPE + VARIANT) % 2 : slot / 2 % 2;
 
       localparam ONE_SIGN = (SHAPE == 0) || (SHAPE == 5) || (SHAPE == 7);
 

@@ -18,7 +18,20 @@
 namespace mixcmp::test::fused_sums_test {
 namespace {
 
-constexpr int shapes = PRECISION < 3 ? 7 : 10, slots = 4 * shapes;
+constexpr int shapes = PRECISION < 3 ? 7 : 10, of_shape = ALTERNATE ? 2 : 4;
+constexpr int slots = of_shape * shapes;
+
+struct Slot {
+  int shape;
+  int variant;
+  bool gradual;
+
+  explicit Slot(int index)
+      : shape(index / of_shape),
+        variant(index % 2),
+        gradual(ALTERNATE ? (shape + variant) % 2 == 1 : index / 2 % 2 == 1) {}
+  int result() const { return 2 * shape + gradual; }
+};
 
 using Operands = FusedOperandMaker::Operands;
 
@@ -87,13 +100,14 @@ private:
 
   /// The operands and results of a unit's present output; none until its registers are full.
   const Expected* expected_at(int slot, unsigned cuts) const {
-    const auto latency = static_cast<std::size_t>(slot % 2 == 0 ? 0 : std::popcount(cuts));
+    const auto latency =
+        static_cast<std::size_t>(Slot(slot).variant == 0 ? 0 : std::popcount(cuts));
     return history_.size() <= latency ? nullptr : &history_[latency];
   }
 
   std::string describe(int slot, const Expected& expected) const {
-    std::string text = fmt::format("shape {}, {}, variant {} of", slot / 4,
-                                   slot / 2 % 2 == 0 ? "flush" : "gradual", slot % 2);
+    std::string text = fmt::format("shape {}, {}, variant {} of", Slot(slot).shape,
+                                   Slot(slot).gradual ? "gradual" : "flush", Slot(slot).variant);
     for (const Bits x : expected.operands) {
       text += fmt::format(" {} ({})", to_hex(x, format_.width()), to_text(format_, x));
     }
@@ -108,7 +122,7 @@ private:
   void judge_sum(int slot) {
     const Expected* expected = expected_at(slot, SOME_CUTS);
     if (expected == nullptr) return;
-    const golden::Rounded& result = expected->results[slot / 2];
+    const golden::Rounded& result = expected->results[Slot(slot).result()];
     const Bits y = model_.rootp->fused_sums__DOT__y[slot];
     const bool exceptional = model_.rootp->fused_sums__DOT__flag[slot] != 0;
     if (y == result.bits && exceptional == result.exceptional) return;
@@ -122,9 +136,10 @@ private:
     const Expected* expected = expected_at(slot, SOME_CUTS & comparison_cuts);
     if (expected == nullptr) return;
     const auto order = static_cast<Verdict>(model_.rootp->fused_sums__DOT__order[slot]);
-    if (order == expected->orders[slot / 2]) return;
-    FAIL() << describe(slot, *expected) << ": expected verdict "
-           << static_cast<int>(expected->orders[slot / 2]) << ", got " << static_cast<int>(order);
+    const Verdict wanted = expected->orders[Slot(slot).result()];
+    if (order == wanted) return;
+    FAIL() << describe(slot, *expected) << ": expected verdict " << static_cast<int>(wanted)
+           << ", got " << static_cast<int>(order);
   }
 
   VerilatedContext context_;

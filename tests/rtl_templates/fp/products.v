@@ -1,10 +1,10 @@
 // products: fp_product at many precisions, for the regression alone. Of each precision a product and
 // a square, of logic, of logic with a stage for the digits, and of multipliers whose sizes differ
-// from precision to precision, with two masks of cuts that complement each other; the slots are
-// {precision, kind, SQUARE, complemented}, the precisions counting slowest, three kinds each. Of the
-// two squares of logic the one with the last cut is split. Of multipliers there are fewer
-// precisions: many small ones compile slowly. products_test.cpp repeats which are built and with
-// which masks.
+// from precision to precision; the slots are {precision, kind, SQUARE, complemented}, the precisions
+// counting slowest, three kinds each. Few digits of logic have two masks of cuts that complement each
+// other, all others one of them in turn. Of squares of logic those with the last cut are split. Of
+// multipliers there are fewer precisions: many small ones compile slowly. products_test.cpp repeats
+// which are built and with which masks.
 `default_nettype none
 
 module products #(
@@ -43,29 +43,32 @@ module products #(
         for (kind = 0; kind < KINDS; kind = kind + 1) begin : made
           for (square = 0; square < 2; square = square + 1) begin : of
             for (complemented = 0; complemented < 2; complemented = complemented + 1) begin : with_cuts
-              localparam       SLOT = 12 * precision + 4 * kind + 2 * square + complemented;
-              localparam [7:0] MASK = 37 * precision + 53 * square + 139 * kind;
-              localparam [7:0] CUTS = complemented ? ~MASK : MASK;
+              if ((precision <= 12 && kind < 2)
+                  || complemented == (precision + kind + square) % 2) begin : chosen
+                localparam       SLOT = 12 * precision + 4 * kind + 2 * square + complemented;
+                localparam [7:0] MASK = 37 * precision + 53 * square + 139 * kind;
+                localparam [7:0] CUTS = complemented ? ~MASK : MASK;
 
-              wire [2*precision-1:0] product;
+                wire [2*precision-1:0] product;
 
-              fp_product #(
-                  .PRECISION  (precision),
-                  .SQUARE     (square),
-                  .EMBEDDED   (kind == 2),
-                  .DIGIT_STAGE(kind == 1),
-                  .SPLIT      (kind == 0 && square == 1 && precision <= 65 && CUTS[7]),
-                  .FACTOR_A   (FACTOR_A),
-                  .FACTOR_B   (FACTOR_B),
-                  .CUTS       (CUTS)
-              ) unit (
-                  .aclk   (aclk),
-                  .a      (x0),
-                  .b      (x1),
-                  .product(product)
-              );
+                fp_product #(
+                    .PRECISION  (precision),
+                    .SQUARE     (square),
+                    .EMBEDDED   (kind == 2),
+                    .DIGIT_STAGE(kind == 1),
+                    .SPLIT      (kind == 0 && square == 1 && precision <= 65 && CUTS[7]),
+                    .FACTOR_A   (FACTOR_A),
+                    .FACTOR_B   (FACTOR_B),
+                    .CUTS       (CUTS)
+                ) unit (
+                    .aclk   (aclk),
+                    .a      (x0),
+                    .b      (x1),
+                    .product(product)
+                );
 
-              assign y[SLOT] = product;
+                assign y[SLOT] = product;
+              end
             end
           end
         end

@@ -1,0 +1,43 @@
+# Sourced by tests/run: which tests of many run for a commit, and what all tests read.
+
+# The commit's hash; an archive made by `git archive` says it in cmake/commit.txt.
+commit_hash() {
+  git rev-parse HEAD 2>/dev/null || grep -oE '^[0-9a-f]+' cmake/commit.txt || echo 0
+}
+
+# one_in N: ctest's selection of every N-th test, from one that the commit chooses.
+one_in() {
+  hash=$(commit_hash | cut -c1-7)
+  echo "$((0x$hash % $1 + 1)),,$1"
+}
+
+# proof_stride HEAVY: 1 where a file that proofs read has changed within a day of the commit or since
+# (or where nobody knows), else 8.
+proof_stride() {
+  proven="rtl_templates/engine rtl_templates/stream rtl_templates/fp tests/rtl_templates"
+  changed=$(git log -1 --format=%ct -- $proven 2>/dev/null) || changed=
+  now=$(git log -1 --format=%ct 2>/dev/null) || now=
+  if [ "$1" = ON ] || [ -z "$changed" ] || [ $((now - changed)) -lt 86400 ] ||
+    [ -n "$(git status --porcelain -- $proven)" ]; then
+    echo 1
+  else
+    echo 8
+  fi
+}
+
+# Prints what a test may depend on beside its inputs: the tools, and the files that programs read.
+common_inputs() {
+  dpkg-query -W 2>/dev/null || true
+  for tool in verilator iverilog yosys gappa coqc ghdl nextpnr-ice40 nextpnr-ecp5 python3; do
+    "$tool" --version 2>&1 | head -n 1
+  done || true
+  find examples model/devices docs/scene_file.md tests -type f ! -name '*.cpp' ! -name '*.hpp' \
+    ! -name '*.v' ! -name CMakeLists.txt ! -path 'tests/mutant*' ! -path tests/budget |
+    LC_ALL=C sort | xargs cat
+}
+
+# The processor time, in seconds, of this shell's children so far.
+processor_seconds() {
+  times > build/log/clock.txt
+  tail -n 1 build/log/clock.txt | tr 'ms' '  ' | awk '{printf "%d", 60 * $1 + $2 + 60 * $3 + $4}'
+}
