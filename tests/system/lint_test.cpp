@@ -52,7 +52,7 @@ design::Design design_of(const std::string& f, const std::string& g, Arithmetic 
 design::Design bounded(error::ErrorBoundKind kind, int digits, Arithmetic reduced,
                        std::optional<Range> range) {
   const Graph graph = sphere_graph();
-  design::Design design = sphere_design(reduced.format, format("s53e8"), 2, 1);
+  design::Design design = sphere_design(reduced.format, format("s24e8"), 2, 1);
   const FloatFormat reference = design.reference.input_format;
   design.lanes.front().lane =
       error::certified_lane(lane_graph(graph, reference, reduced, LaneInputs::rounded),
@@ -114,7 +114,7 @@ design::Design with_counter_port(design::Design design) {
 }
 
 std::vector<Variant> variants_of_systems() {
-  const design::Design base = sphere_design(format("s17e8"), format("s53e8"), 8, 1);
+  const design::Design base = sphere_design(format("s17e8"), format("s24e8"), 8, 1);
   constexpr auto running = error::ErrorBoundKind::running;
   const design::Design odd = sphere_design(format("s8e5"), format("s24e7"), 7, 3);
   return {
@@ -165,7 +165,7 @@ std::vector<Variant> variants_of_systems() {
 }
 
 std::vector<Variant> variants_of_engines() {
-  const design::Design base = sphere_design(format("s17e8"), format("s53e8"), 8, 1);
+  const design::Design base = sphere_design(format("s17e8"), format("s24e8"), 8, 1);
   const design::Design odd = sphere_design(format("s8e5"), format("s24e7"), 7, 3);
   return {
       {"pairwise_counter_port", with_counter_port(with_pairs(base, 9))},

@@ -13,14 +13,14 @@ namespace fs = std::filesystem;
 
 /// Items of all kinds: random spheres, tangent and coincident ones, infinities, NaNs, extremes.
 data::Comparisons sphere_pairs(std::size_t random_spheres) {
-  const FloatFormat s53e8 = format("s53e8");
-  data::Table table{.format = s53e8, .columns = {"cx", "cy", "cz", "r"}};
+  const FloatFormat s24e8 = format("s24e8");
+  data::Table table{.format = s24e8, .columns = {"cx", "cy", "cz", "r"}};
   for (std::size_t k = 0; k < 4 * random_spheres; ++k) {
     const mpz_class random(static_cast<unsigned long>(verilator_tb::counter_random(5, k) >> 11));
     mpq_class value(random, mpz_class(1) << 53);
     value *= k % 4 == 3 ? 25 : 100;
     value.canonicalize();
-    table.values.push_back(from_rational(s53e8, value));
+    table.values.push_back(from_rational(s24e8, value));
   }
   const char* const special[][4] = {{"0", "0", "0", "2"},
                                     {"3", "4", "0", "3"},
@@ -40,7 +40,7 @@ data::Comparisons sphere_pairs(std::size_t random_spheres) {
                                     {"1e-45", "0", "0", "1e-45"}};
   for (const auto& sphere : special) {
     for (const char* text : sphere) {
-      table.values.push_back(from_text(s53e8, text).value());
+      table.values.push_back(from_text(s24e8, text).value());
     }
   }
   return data::Comparisons::all_pairs(table, test::sphere_graph().inputs()).value();
@@ -84,22 +84,22 @@ void expect_pass(const design::Design& design, const std::string& folder,
 
 /// Every other row a pair of tangent spheres, which only a reference can decide.
 data::Comparisons half_tangent(std::size_t rows) {
-  const FloatFormat s53e8 = format("s53e8");
+  const FloatFormat s24e8 = format("s24e8");
   const auto inputs = test::sphere_graph().inputs();
-  data::Table table{.format = s53e8, .columns = inputs};
+  data::Table table{.format = s24e8, .columns = inputs};
   for (std::size_t k = 0; k < rows; ++k) {
     const auto scale = static_cast<long>(1 + verilator_tb::counter_random(9, k) % 1000);
     const long gap = k % 2 == 0 ? 0 : scale;
     const long values[] = {3 * scale + gap, 0, 4 * scale, 0, gap, 0, 2 * scale, 3 * scale};
     for (const long value : values) {
-      table.values.push_back(from_rational(s53e8, value));
+      table.values.push_back(from_rational(s24e8, value));
     }
   }
   return data::Comparisons::rows(table, inputs).value();
 }
 
 TEST(SphereSystem, HalfOfEverythingRecomputed) {
-  const auto design = test::sphere_design(format("s12e8"), format("s53e8"), 7, 3);
+  const auto design = test::sphere_design(format("s12e8"), format("s24e8"), 7, 3);
   const auto data = half_tangent(20'000);
   const auto folder = generate(design, "sphere_half_recomputed");
   for (const verilator_tb::TrafficKind traffic :
@@ -115,35 +115,35 @@ TEST(SphereSystem, HalfOfEverythingRecomputed) {
 }
 
 TEST(SphereSystem, OneLaneOneReferenceInVerilator) {
-  expect_pass(test::sphere_design(format("s12e8"), format("s53e8"), 1, 1), "sphere_1x1",
+  expect_pass(test::sphere_design(format("s12e8"), format("s24e8"), 1, 1), "sphere_1x1",
               verilator_tb::SimulatorKind::verilator, 100);
 }
 
 TEST(SphereSystem, OneLaneOneReferenceInIcarus) {
-  expect_pass(test::sphere_design(format("s12e8"), format("s53e8"), 1, 1), "sphere_1x1_icarus",
+  expect_pass(test::sphere_design(format("s12e8"), format("s24e8"), 1, 1), "sphere_1x1_icarus",
               verilator_tb::SimulatorKind::icarus, 10);
 }
 
 TEST(SphereSystem, SevenLanesThreeReferencesInVerilator) {
-  expect_pass(test::sphere_design(format("s12e8"), format("s53e8"), 7, 3), "sphere_7x3",
+  expect_pass(test::sphere_design(format("s12e8"), format("s24e8"), 7, 3), "sphere_7x3",
               verilator_tb::SimulatorKind::verilator, 200);
 }
 
 TEST(SphereSystem, InOrderAndRefetchedInVerilator) {
-  design::Design design = test::sphere_design(format("s12e8"), format("s53e8"), 3, 2);
+  design::Design design = test::sphere_design(format("s12e8"), format("s24e8"), 3, 2);
   design.system.order = scene::ResultOrder::in_order;
   design.system.operands = scene::OperandStore::refetched;
   expect_pass(design, "sphere_in_order_refetched", verilator_tb::SimulatorKind::verilator, 100);
 }
 
 TEST(SphereSystem, RefetchedInIcarus) {
-  design::Design design = test::sphere_design(format("s12e8"), format("s53e8"), 2, 1);
+  design::Design design = test::sphere_design(format("s12e8"), format("s24e8"), 2, 1);
   design.system.operands = scene::OperandStore::refetched;
   expect_pass(design, "sphere_refetched_icarus", verilator_tb::SimulatorKind::icarus, 10);
 }
 
 TEST(SphereSystem, LanesAloneInVerilator) {
-  design::Design design = test::sphere_design(format("s12e8"), format("s53e8"), 2, 0);
+  design::Design design = test::sphere_design(format("s12e8"), format("s24e8"), 2, 0);
   design.system.counter_bits = 0;
   expect_pass(design, "sphere_2x0", verilator_tb::SimulatorKind::verilator, 100);
 }
