@@ -36,8 +36,10 @@ common_inputs() {
     LC_ALL=C sort | xargs cat
 }
 
-# The processor time, in seconds, of this shell's children so far.
-processor_seconds() {
+# Sets `seconds` to the processor time of this shell's children so far; a subshell would have none.
+read_clock() {
+  mkdir -p build/log
   times > build/log/clock.txt
-  tail -n 1 build/log/clock.txt | tr 'ms' '  ' | awk '{printf "%d", 60 * $1 + $2 + 60 * $3 + $4}'
+  seconds=$(tail -n 1 build/log/clock.txt | tr 'ms' '  ' |
+    awk '{printf "%d", 60 * $1 + $2 + 60 * $3 + $4}')
 }
