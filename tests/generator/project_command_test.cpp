@@ -340,21 +340,21 @@ TEST_F(Project, ScriptsSayHowTheyAreUsed) {
 }
 
 TEST_F(Project, AGroupOfLanesHasStreamsOfTheWrapper) {
-  generate("--project verilator --vectors 50 --lanes 8 --set system.lanes_per_group=4");
-  const std::string wrapper = read("rtl/integration/scene_s8e8_8x1_streams.v");
-  for (const char* port : {"wire         s_axis_1_tvalid", "wire [255:0] s_axis_1_tdata",
-                           "wire [31:0]  s_axis_1_tuser", "wire [31:0]  m_axis_1_tdata",
+  generate("--project verilator --vectors 50 --lanes 4 --set system.lanes_per_group=2");
+  const std::string wrapper = read("rtl/integration/scene_s8e8_4x1_streams.v");
+  for (const char* port : {"wire         s_axis_1_tvalid", "wire [127:0] s_axis_1_tdata",
+                           "wire [31:0]  s_axis_1_tuser", "wire [15:0]  m_axis_1_tdata",
                            "wire [31:0]  recomputations_1"}) {
     expect_in(wrapper, port);
   }
   EXPECT_EQ(wrapper.find("s_axis_2_tvalid"), std::string::npos);
   const Outcome lint = in_folder(
-      "verilator --lint-only -Wall --top-module scene_s8e8_8x1_streams -F rtl/scene_s8e8_8x1.f "
-      "rtl/integration/scene_s8e8_8x1_streams.v");
+      "verilator --lint-only -Wall --top-module scene_s8e8_4x1_streams -F rtl/scene_s8e8_4x1.f "
+      "rtl/integration/scene_s8e8_4x1_streams.v");
   EXPECT_EQ(without_report(lint.output), "");
   const Outcome bench = in_folder(
-      "verilator --lint-only --timing --top-module scene_s8e8_8x1_tb -F rtl/scene_s8e8_8x1.f "
-      "rtl/testbench/scene_s8e8_8x1_tb.v");
+      "verilator --lint-only --timing --top-module scene_s8e8_4x1_tb -F rtl/scene_s8e8_4x1.f "
+      "rtl/testbench/scene_s8e8_4x1_tb.v");
   EXPECT_EQ(without_report(bench.output), "");
   const Outcome run = in_folder("rtl/verilator/run work");
   EXPECT_EQ(run.exit_code, 0) << run.output;
