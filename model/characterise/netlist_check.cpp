@@ -19,11 +19,14 @@ bool maps_multipliers(const devices::Device& device) {
 
 /// The number of a net's low bits that vary. A constant bit is a string ("0", "1", "x"), any other
 /// the number of a wire. Wires that nothing drives vary: a register that has become part of a shift
-/// register leaves such a wire. Synthesis may have cut constant bits off a net's upper end.
-int varying_bits(const nlohmann::json& bits, int low_bits) {
+/// register leaves such a wire. One that has become part of a multiplier leaves "x". Synthesis may
+/// have cut constant bits off a net's upper end.
+int varying_bits(const nlohmann::json& bits, int low_bits, bool has_multipliers) {
   const std::size_t count = std::min(bits.size(), static_cast<std::size_t>(low_bits));
   int varying = 0;
-  for (std::size_t k = 0; k < count; ++k) varying += bits[k].is_number() ? 1 : 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    varying += bits[k].is_number() || (has_multipliers && bits[k] == "x") ? 1 : 0;
+  }
   return varying;
 }
 
@@ -63,14 +66,14 @@ Result<Done> check_multipliers(const devices::Area& area, const NeededParts& nee
 }
 
 Result<Done> check_nets(const nlohmann::json& netlist, const std::string& top,
-                        const std::vector<NeededNet>& nets) {
+                        const std::vector<NeededNet>& nets, bool has_multipliers) {
   const nlohmann::json& names = netlist.at("modules").at(top).at("netnames");
   std::map<std::string, bool> found_in;  // by instance
   for (const NeededNet& net : nets) {
     const auto found = names.find(net.name);
     found_in[instance_of(net)] |= found != names.end();
     if (found == names.end()) continue;
-    const int varying = varying_bits(found->at("bits"), net.low_bits);
+    const int varying = varying_bits(found->at("bits"), net.low_bits, has_multipliers);
     if (varying < net.varying_bits) return too_few_bits(net, varying);
   }
   for (const auto& [instance, found] : found_in) {

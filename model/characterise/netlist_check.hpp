@@ -32,9 +32,12 @@ Result<Done> check_multipliers(const devices::Area& area, const NeededParts& nee
 /// joins to a shift register; a constant net keeps its name. But it is an error if an instance has
 /// none of its nets.
 ///
-///     check_nets(netlist, "reference", {{"product", 52, 2}})
+/// Where the netlist has embedded multipliers, unknown bits ("x") count as varying: so look the
+/// registers that a multiplier has taken in, and check_multipliers counts the multipliers.
+///
+///     check_nets(netlist, "reference", {{"product", 52, 2}}, false)
 ///     // product: synthesis has found ...: received 0 of 52 bits that vary; accepted at least 2
 Result<Done> check_nets(const nlohmann::json& netlist, const std::string& top,
-                        const std::vector<NeededNet>& nets);
+                        const std::vector<NeededNet>& nets, bool has_multipliers);
 
 }  // namespace mixcmp::characterise

@@ -81,7 +81,7 @@ Result<Done> check_parts(const Run& run, const devices::Area& area) {
   MIXCMP_TRY(multipliers, check_multipliers(area, run.job.needed, run.device));
   if (run.job.needed.nets.empty()) return Done{};
   MIXCMP_TRY(netlist, read_json(run.directory / "map.json"));
-  return check_nets(netlist, run.job.top, run.job.needed.nets);
+  return check_nets(netlist, run.job.top, run.job.needed.nets, area.dsps > 0);
 }
 
 /// The last line of Yosys' report. Yosys reports no error when a full disk cuts the file short.
