@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "generator/emit/template_ports.hpp"
 #include "generator/emit/templates.hpp"
 

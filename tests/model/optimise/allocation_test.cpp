@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "model/optimise/feasibility.hpp"
 #include "model/performance/performance.hpp"
 #include "tests/model/optimise/random_problems.hpp"
