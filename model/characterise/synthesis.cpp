@@ -89,11 +89,12 @@ constexpr const char* end_of_timing = "end of the timing report";
 
 /// After -abc9 the carry cells in memory have lost their delays (Yosys 0.23 and 0.52): the netlist
 /// is read again, beside the library of cells. One pass: what a shift register becomes has one,
-/// too.
+/// too. Newer versions leave cells that only name what was flattened, and `sta` knows none of them.
 std::string timing_script(const Run& run) {
   const std::string& top = run.job.top;
   return fmt::format(
-      "{}{} -top {}\nselect {}\nwrite_rtlil -selected timing.il\ndesign -reset\n"
+      "{}{} -top {}\ndelete t:$scopeinfo\nselect {}\nwrite_rtlil -selected timing.il\n"
+      "design -reset\n"
       "read_rtlil timing.il\ntechmap -max_iter 1 -map {}\n"
       "read_verilog -lib -specify +/xilinx/cells_sim.v\n"
       "hierarchy -top {}\ntee -q -o timing.txt sta\ntee -q -a timing.txt log {}\n",
