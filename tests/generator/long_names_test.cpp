@@ -47,9 +47,10 @@ TEST_F(LongNames, ManyKindsOfLanesAreCountedInTheTop) {
   ASSERT_EQ(run.exit_code, 0) << run.output;
   EXPECT_TRUE(fs::exists(path("many/s_24kinds_5f93df3dx1.v")));
   EXPECT_LE(longest_module("many"), 127u);
+  // Newer Verilators report on themselves in lines that start with a dash.
   const Outcome lint =
       shell(fmt::format("cd '{}' && verilator --lint-only -Wall --top-module s_24kinds_5f93df3dx1 "
-                        "-F many/s_24kinds_5f93df3dx1.f",
+                        "-F many/s_24kinds_5f93df3dx1.f 2>&1 | sed '/^- /d'",
                         path("").string()));
   EXPECT_EQ(lint.output, "");
 }
