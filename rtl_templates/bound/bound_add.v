@@ -23,12 +23,9 @@ module bound_add #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (EXPONENT_BITS < 2) begin : g_refused_exponent
-      EXPONENT_BITS_is_below_2 refused ();
-    end
-    if (BOUND_PRECISION < 1) begin : g_refused_bound_precision
-      BOUND_PRECISION_is_below_1 refused ();
-    end
+    if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
+    if (BOUND_PRECISION < 1)
+      begin : g_refused_bound_precision BOUND_PRECISION_is_below_1 refused (); end
   endgenerate
 
   // Stage align: for n > 0, n / 2^k rounded up is (n - 1) / 2^k rounded down, plus one. The

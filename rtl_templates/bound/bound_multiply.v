@@ -42,12 +42,9 @@ module bound_multiply #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (EXPONENT_BITS < 2) begin : g_refused_exponent
-      EXPONENT_BITS_is_below_2 refused ();
-    end
-    if (BOUND_PRECISION < 1) begin : g_refused_bound_precision
-      BOUND_PRECISION_is_below_1 refused ();
-    end
+    if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
+    if (BOUND_PRECISION < 1)
+      begin : g_refused_bound_precision BOUND_PRECISION_is_below_1 refused (); end
   endgenerate
 
   // Stage multiply: the product of two significands in [1, 2) lies in [1, 4). The bias is 2^(E-1)

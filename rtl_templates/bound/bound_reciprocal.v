@@ -23,18 +23,12 @@ module bound_reciprocal #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (EXPONENT_BITS < 2) begin : g_refused_exponent
-      EXPONENT_BITS_is_below_2 refused ();
-    end
-    if (PRECISION < 2) begin : g_refused_precision
-      PRECISION_is_below_2 refused ();
-    end
-    if (BOUND_PRECISION < 1) begin : g_refused_bound_precision
-      BOUND_PRECISION_is_below_1 refused ();
-    end
-    if (BOUND_PRECISION > PRECISION) begin : g_refused_more_digits
-      BOUND_PRECISION_is_above_PRECISION refused ();
-    end
+    if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
+    if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
+    if (BOUND_PRECISION < 1)
+      begin : g_refused_bound_precision BOUND_PRECISION_is_below_1 refused (); end
+    if (BOUND_PRECISION > PRECISION)
+      begin : g_refused_more_digits BOUND_PRECISION_is_above_PRECISION refused (); end
   endgenerate
 
   // Stage negate: with all ones for zero, twice the bias less the exponent is its complement less

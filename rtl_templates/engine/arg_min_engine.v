@@ -91,45 +91,21 @@ module arg_min_engine #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (CANDIDATES < 2) begin : g_refused_candidates
-      CANDIDATES_is_below_2 refused ();
-    end
-    if (CANDIDATE_BITS < 1) begin : g_refused_candidate_bits
-      CANDIDATE_BITS_is_below_1 refused ();
-    end
-    if (ROW_BITS < 1) begin : g_refused_row_bits
-      ROW_BITS_is_below_1 refused ();
-    end
-    if (WORD_BITS < 1) begin : g_refused_word_bits
-      WORD_BITS_is_below_1 refused ();
-    end
-    if (ROW_WORD_BITS < 1) begin : g_refused_row_word_bits
-      ROW_WORD_BITS_is_below_1 refused ();
-    end
-    if (WORD_LATENCY < 0) begin : g_refused_word_latency
-      WORD_LATENCY_is_below_0 refused ();
-    end
-    if (TAG_BITS < 1) begin : g_refused_tag_bits
-      TAG_BITS_is_below_1 refused ();
-    end
-    if (INDEX_BITS < 1) begin : g_refused_index_bits
-      INDEX_BITS_is_below_1 refused ();
-    end
-    if (INDEX_BITS > 30) begin : g_refused_index_shift
-      INDEX_BITS_is_above_30 refused ();
-    end
-    if (((CANDIDATES - 1) >>> INDEX_BITS) > 0) begin : g_refused_last_candidate
-      INDEX_BITS_is_too_small_for_CANDIDATES refused ();
-    end
-    if (PLACE_BITS < 1) begin : g_refused_place_bits
-      PLACE_BITS_is_below_1 refused ();
-    end
-    if (REFERENCES < 1) begin : g_refused_references
-      REFERENCES_is_below_1 refused ();
-    end
-    if (COUNTER_BITS < 0) begin : g_refused_counter_bits
-      COUNTER_BITS_is_below_0 refused ();
-    end
+    if (CANDIDATES < 2) begin : g_refused_candidates CANDIDATES_is_below_2 refused (); end
+    if (CANDIDATE_BITS < 1)
+      begin : g_refused_candidate_bits CANDIDATE_BITS_is_below_1 refused (); end
+    if (ROW_BITS < 1) begin : g_refused_row_bits ROW_BITS_is_below_1 refused (); end
+    if (WORD_BITS < 1) begin : g_refused_word_bits WORD_BITS_is_below_1 refused (); end
+    if (ROW_WORD_BITS < 1) begin : g_refused_row_word_bits ROW_WORD_BITS_is_below_1 refused (); end
+    if (WORD_LATENCY < 0) begin : g_refused_word_latency WORD_LATENCY_is_below_0 refused (); end
+    if (TAG_BITS < 1) begin : g_refused_tag_bits TAG_BITS_is_below_1 refused (); end
+    if (INDEX_BITS < 1) begin : g_refused_index_bits INDEX_BITS_is_below_1 refused (); end
+    if (INDEX_BITS > 30) begin : g_refused_index_shift INDEX_BITS_is_above_30 refused (); end
+    if (((CANDIDATES - 1) >>> INDEX_BITS) > 0)
+      begin : g_refused_last_candidate INDEX_BITS_is_too_small_for_CANDIDATES refused (); end
+    if (PLACE_BITS < 1) begin : g_refused_place_bits PLACE_BITS_is_below_1 refused (); end
+    if (REFERENCES < 1) begin : g_refused_references REFERENCES_is_below_1 refused (); end
+    if (COUNTER_BITS < 0) begin : g_refused_counter_bits COUNTER_BITS_is_below_0 refused (); end
   endgenerate
 
   // Words go from the last stage to the first, rows from the first to the last: link k of either

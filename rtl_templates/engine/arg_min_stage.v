@@ -52,33 +52,18 @@ module arg_min_stage #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (STAGE < 1) begin : g_refused_stage
-      STAGE_is_below_1 refused ();
-    end
-    if (WORD_BITS < 1) begin : g_refused_word_bits
-      WORD_BITS_is_below_1 refused ();
-    end
-    if (ROW_WORD_BITS < 1) begin : g_refused_row_word_bits
-      ROW_WORD_BITS_is_below_1 refused ();
-    end
-    if (PLACE_BITS < 1) begin : g_refused_place_bits
-      PLACE_BITS_is_below_1 refused ();
-    end
-    if (INDEX_BITS > 30) begin : g_refused_index_shift
-      INDEX_BITS_is_above_30 refused ();
-    end
-    if ((STAGE >>> INDEX_BITS) > 0) begin : g_refused_own_index
-      INDEX_BITS_is_too_small_for_STAGE refused ();
-    end
-    if (BEST_BITS < 1) begin : g_refused_best_bits
-      BEST_BITS_is_below_1 refused ();
-    end
-    if (((STAGE - 1) >>> BEST_BITS) > 0) begin : g_refused_best_index
-      BEST_BITS_is_too_small_for_STAGE refused ();
-    end
-    if (BEST_BITS > INDEX_BITS) begin : g_refused_longer_best
-      BEST_BITS_is_above_INDEX_BITS refused ();
-    end
+    if (STAGE < 1) begin : g_refused_stage STAGE_is_below_1 refused (); end
+    if (WORD_BITS < 1) begin : g_refused_word_bits WORD_BITS_is_below_1 refused (); end
+    if (ROW_WORD_BITS < 1) begin : g_refused_row_word_bits ROW_WORD_BITS_is_below_1 refused (); end
+    if (PLACE_BITS < 1) begin : g_refused_place_bits PLACE_BITS_is_below_1 refused (); end
+    if (INDEX_BITS > 30) begin : g_refused_index_shift INDEX_BITS_is_above_30 refused (); end
+    if ((STAGE >>> INDEX_BITS) > 0)
+      begin : g_refused_own_index INDEX_BITS_is_too_small_for_STAGE refused (); end
+    if (BEST_BITS < 1) begin : g_refused_best_bits BEST_BITS_is_below_1 refused (); end
+    if (((STAGE - 1) >>> BEST_BITS) > 0)
+      begin : g_refused_best_index BEST_BITS_is_too_small_for_STAGE refused (); end
+    if (BEST_BITS > INDEX_BITS)
+      begin : g_refused_longer_best BEST_BITS_is_above_INDEX_BITS refused (); end
   endgenerate
 
   // Candidates.

@@ -30,21 +30,13 @@ module candidate_loader #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (CANDIDATES < 2) begin : g_refused_candidates
-      CANDIDATES_is_below_2 refused ();
-    end
-    if (CANDIDATE_BITS < 1) begin : g_refused_candidate_bits
-      CANDIDATE_BITS_is_below_1 refused ();
-    end
-    if (INDEX_BITS < 1) begin : g_refused_index_bits
-      INDEX_BITS_is_below_1 refused ();
-    end
-    if (INDEX_BITS > 30) begin : g_refused_index_shift
-      INDEX_BITS_is_above_30 refused ();
-    end
-    if (((CANDIDATES - 1) >>> INDEX_BITS) > 0) begin : g_refused_last_candidate
-      INDEX_BITS_is_too_small_for_CANDIDATES refused ();
-    end
+    if (CANDIDATES < 2) begin : g_refused_candidates CANDIDATES_is_below_2 refused (); end
+    if (CANDIDATE_BITS < 1)
+      begin : g_refused_candidate_bits CANDIDATE_BITS_is_below_1 refused (); end
+    if (INDEX_BITS < 1) begin : g_refused_index_bits INDEX_BITS_is_below_1 refused (); end
+    if (INDEX_BITS > 30) begin : g_refused_index_shift INDEX_BITS_is_above_30 refused (); end
+    if (((CANDIDATES - 1) >>> INDEX_BITS) > 0)
+      begin : g_refused_last_candidate INDEX_BITS_is_too_small_for_CANDIDATES refused (); end
   endgenerate
 
   reg  [INDEX_BITS:0] sent_q;      // words of this load

@@ -37,15 +37,10 @@ module closing_tree #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (INPUTS < 1) begin : g_refused_inputs
-      INPUTS_is_below_1 refused ();
-    end
-    if (WIDTH < 1) begin : g_refused_width
-      WIDTH_is_below_1 refused ();
-    end
-    if ((COUNT_BITS < 0) || (COUNT_BITS > WIDTH)) begin : g_refused_count_bits
-      COUNT_BITS_is_not_0_to_WIDTH refused ();
-    end
+    if (INPUTS < 1) begin : g_refused_inputs INPUTS_is_below_1 refused (); end
+    if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
+    if ((COUNT_BITS < 0) || (COUNT_BITS > WIDTH))
+      begin : g_refused_count_bits COUNT_BITS_is_not_0_to_WIDTH refused (); end
   endgenerate
 
   wire [INPUTS*(WIDTH+1)-1:0] words;

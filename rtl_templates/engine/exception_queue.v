@@ -29,9 +29,7 @@ module exception_queue #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (MAY_COME < 1) begin : g_refused_may_come
-      MAY_COME_is_below_1 refused ();
-    end
+    if (MAY_COME < 1) begin : g_refused_may_come MAY_COME_is_below_1 refused (); end
     if ((DEPTH_BITS < 1) || (DEPTH_BITS > 30)) begin : g_refused_depth_bits
       DEPTH_BITS_is_not_1_to_30 refused ();
     end else if ((1 << DEPTH_BITS) <= MAY_COME) begin : g_refused_depth

@@ -27,18 +27,11 @@ module item_loader #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (CAPACITY < 2) begin : g_refused_capacity
-      CAPACITY_is_below_2 refused ();
-    end
-    if (INDEX_BITS < 1) begin : g_refused_index_bits
-      INDEX_BITS_is_below_1 refused ();
-    end
-    if (INDEX_BITS > 30) begin : g_refused_index_shift
-      INDEX_BITS_is_above_30 refused ();
-    end
-    if (((CAPACITY - 1) >>> INDEX_BITS) > 0) begin : g_refused_last_item
-      INDEX_BITS_is_too_small_for_CAPACITY refused ();
-    end
+    if (CAPACITY < 2) begin : g_refused_capacity CAPACITY_is_below_2 refused (); end
+    if (INDEX_BITS < 1) begin : g_refused_index_bits INDEX_BITS_is_below_1 refused (); end
+    if (INDEX_BITS > 30) begin : g_refused_index_shift INDEX_BITS_is_above_30 refused (); end
+    if (((CAPACITY - 1) >>> INDEX_BITS) > 0)
+      begin : g_refused_last_item INDEX_BITS_is_too_small_for_CAPACITY refused (); end
   endgenerate
 
   reg  [INDEX_BITS:0] kept_q;      // items of the set so far

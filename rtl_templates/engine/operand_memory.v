@@ -36,9 +36,7 @@ module operand_memory #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (REFERENCES < 1) begin : g_refused_references
-      REFERENCES_is_below_1 refused ();
-    end
+    if (REFERENCES < 1) begin : g_refused_references REFERENCES_is_below_1 refused (); end
   endgenerate
 
   // One after the other, each with a bit for the reference that asks.

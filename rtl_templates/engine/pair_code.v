@@ -21,9 +21,7 @@ module pair_code #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if ((REPORT >> 4) != 0) begin : g_refused_report
-      REPORT_is_not_0_to_15 refused ();
-    end
+    if ((REPORT >> 4) != 0) begin : g_refused_report REPORT_is_not_0_to_15 refused (); end
     if ((CODE_BITS != 3) && ((CODE_BITS != 2) || ((REPORT & (REPORT - 1)) != 0)))
     begin : g_refused_code_bits
       CODE_BITS_is_not_3_nor_2_for_one_verdict refused ();

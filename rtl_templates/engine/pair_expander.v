@@ -44,22 +44,15 @@ module pair_expander #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (LANES < 1) begin : g_refused_lanes
-      LANES_is_below_1 refused ();
-    end
-    if (INDEX_BITS < 1) begin : g_refused_index_bits
-      INDEX_BITS_is_below_1 refused ();
-    end
-    if ((REPORT >> 4) != 0) begin : g_refused_report
-      REPORT_is_not_0_to_15 refused ();
-    end
+    if (LANES < 1) begin : g_refused_lanes LANES_is_below_1 refused (); end
+    if (INDEX_BITS < 1) begin : g_refused_index_bits INDEX_BITS_is_below_1 refused (); end
+    if ((REPORT >> 4) != 0) begin : g_refused_report REPORT_is_not_0_to_15 refused (); end
     if ((CODE_BITS != 3) && ((CODE_BITS != 2) || ((REPORT & (REPORT - 1)) != 0)))
     begin : g_refused_code_bits
       CODE_BITS_is_not_3_nor_2_for_one_verdict refused ();
     end
-    if ((BITMAP != 0) && (CODE_BITS != 2)) begin : g_refused_bitmap
-      BITMAP_is_for_one_verdict refused ();
-    end
+    if ((BITMAP != 0) && (CODE_BITS != 2))
+      begin : g_refused_bitmap BITMAP_is_for_one_verdict refused (); end
   endgenerate
 
   // The beat at hand, with the codes of the lanes that have not left.

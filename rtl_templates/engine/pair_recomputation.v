@@ -53,21 +53,12 @@ module pair_recomputation #(
     end else if (REFERENCES > 32) begin : g_refused_many_references
       REFERENCES_is_above_32 refused ();
     end
-    if (ITEM_BITS < 1) begin : g_refused_item_bits
-      ITEM_BITS_is_below_1 refused ();
-    end
-    if (INDEX_BITS < 1) begin : g_refused_index_bits
-      INDEX_BITS_is_below_1 refused ();
-    end
-    if ((REPORT >> 4) != 0) begin : g_refused_report
-      REPORT_is_not_0_to_15 refused ();
-    end
-    if (OUTSTANDING_BITS < 1) begin : g_refused_outstanding_bits
-      OUTSTANDING_BITS_is_below_1 refused ();
-    end
-    if (QUEUE_BITS < 1) begin : g_refused_queue_bits
-      QUEUE_BITS_is_below_1 refused ();
-    end
+    if (ITEM_BITS < 1) begin : g_refused_item_bits ITEM_BITS_is_below_1 refused (); end
+    if (INDEX_BITS < 1) begin : g_refused_index_bits INDEX_BITS_is_below_1 refused (); end
+    if ((REPORT >> 4) != 0) begin : g_refused_report REPORT_is_not_0_to_15 refused (); end
+    if (OUTSTANDING_BITS < 1)
+      begin : g_refused_outstanding_bits OUTSTANDING_BITS_is_below_1 refused (); end
+    if (QUEUE_BITS < 1) begin : g_refused_queue_bits QUEUE_BITS_is_below_1 refused (); end
   endgenerate
 
   // Pairs that wait.

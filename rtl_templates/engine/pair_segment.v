@@ -55,26 +55,17 @@ module pair_segment #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (LANES < 1) begin : g_refused_lanes
-      LANES_is_below_1 refused ();
-    end
+    if (LANES < 1) begin : g_refused_lanes LANES_is_below_1 refused (); end
     if ((LANE_BITS < 1) || (LANE_BITS > 30)) begin : g_refused_lane_bits
       LANE_BITS_is_not_1_to_30 refused ();
     end else if (LANES > (1 << LANE_BITS)) begin : g_refused_few_lane_bits
       LANE_BITS_is_too_small_for_LANES refused ();
     end
-    if (WORD_BITS < 1) begin : g_refused_word_bits
-      WORD_BITS_is_below_1 refused ();
-    end
-    if (INDEX_BITS < 1) begin : g_refused_index_bits
-      INDEX_BITS_is_below_1 refused ();
-    end
-    if (LANE_LATENCY < 0) begin : g_refused_lane_latency
-      LANE_LATENCY_is_below_0 refused ();
-    end
-    if ((TIERED != 0) && (TIERED != 1)) begin : g_refused_tiered
-      TIERED_is_not_0_or_1 refused ();
-    end
+    if (WORD_BITS < 1) begin : g_refused_word_bits WORD_BITS_is_below_1 refused (); end
+    if (INDEX_BITS < 1) begin : g_refused_index_bits INDEX_BITS_is_below_1 refused (); end
+    if (LANE_LATENCY < 0) begin : g_refused_lane_latency LANE_LATENCY_is_below_0 refused (); end
+    if ((TIERED != 0) && (TIERED != 1))
+      begin : g_refused_tiered TIERED_is_not_0_or_1 refused (); end
   endgenerate
 
   // The word at hand.

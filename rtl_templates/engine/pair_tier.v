@@ -48,23 +48,15 @@ module pair_tier #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (LANES < 1) begin : g_refused_lanes
-      LANES_is_below_1 refused ();
-    end
+    if (LANES < 1) begin : g_refused_lanes LANES_is_below_1 refused (); end
     if ((LANE_BITS < 1) || (LANE_BITS > 30)) begin : g_refused_lane_bits
       LANE_BITS_is_not_1_to_30 refused ();
     end else if (LANES > (1 << LANE_BITS)) begin : g_refused_few_lane_bits
       LANE_BITS_is_too_small_for_LANES refused ();
     end
-    if (WORD_BITS < 1) begin : g_refused_word_bits
-      WORD_BITS_is_below_1 refused ();
-    end
-    if (INDEX_BITS < 1) begin : g_refused_index_bits
-      INDEX_BITS_is_below_1 refused ();
-    end
-    if (LANE_LATENCY < 0) begin : g_refused_lane_latency
-      LANE_LATENCY_is_below_0 refused ();
-    end
+    if (WORD_BITS < 1) begin : g_refused_word_bits WORD_BITS_is_below_1 refused (); end
+    if (INDEX_BITS < 1) begin : g_refused_index_bits INDEX_BITS_is_below_1 refused (); end
+    if (LANE_LATENCY < 0) begin : g_refused_lane_latency LANE_LATENCY_is_below_0 refused (); end
   endgenerate
 
   // The beat at hand, and those of its pairs that have not gone through. Flags say which of them is

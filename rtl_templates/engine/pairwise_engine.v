@@ -87,15 +87,10 @@ module pairwise_engine #(
     end else if (STREAMS > SEGMENTS) begin : g_refused_idle_streams
       STREAMS_is_above_SEGMENTS refused ();
     end
-    if (REFERENCES < 0) begin : g_refused_references
-      REFERENCES_is_below_0 refused ();
-    end
-    if ((BITMAP != 0) && (BITMAP != 1)) begin : g_refused_bitmap
-      BITMAP_is_not_0_or_1 refused ();
-    end
-    if (COUNTER_BITS < 0) begin : g_refused_counter_bits
-      COUNTER_BITS_is_below_0 refused ();
-    end
+    if (REFERENCES < 0) begin : g_refused_references REFERENCES_is_below_0 refused (); end
+    if ((BITMAP != 0) && (BITMAP != 1))
+      begin : g_refused_bitmap BITMAP_is_not_0_or_1 refused (); end
+    if (COUNTER_BITS < 0) begin : g_refused_counter_bits COUNTER_BITS_is_below_0 refused (); end
   endgenerate
 
   // The set: counted as it comes, words written WORD_LATENCY cycles later.

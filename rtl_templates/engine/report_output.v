@@ -33,12 +33,8 @@ module report_output #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (INDEX_BITS < 1) begin : g_refused_index_bits
-      INDEX_BITS_is_below_1 refused ();
-    end
-    if (FLAG_BITS < 0) begin : g_refused_flag_bits
-      FLAG_BITS_is_below_0 refused ();
-    end
+    if (INDEX_BITS < 1) begin : g_refused_index_bits INDEX_BITS_is_below_1 refused (); end
+    if (FLAG_BITS < 0) begin : g_refused_flag_bits FLAG_BITS_is_below_0 refused (); end
   endgenerate
 
   wire [HELD_FLAGS-1:0] flags;

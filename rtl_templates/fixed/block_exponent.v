@@ -20,15 +20,10 @@ module block_exponent #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (COUNT < 1) begin : g_refused_count
-      COUNT_is_below_1 refused ();
-    end
-    if ((LEVELS < 1) || ((1 << LEVELS) < COUNT)) begin : g_refused_levels
-      LEVELS_are_too_few_for_COUNT refused ();
-    end
-    if (EXPONENT_BITS < 2) begin : g_refused_exponent
-      EXPONENT_BITS_is_below_2 refused ();
-    end
+    if (COUNT < 1) begin : g_refused_count COUNT_is_below_1 refused (); end
+    if ((LEVELS < 1) || ((1 << LEVELS) < COUNT))
+      begin : g_refused_levels LEVELS_are_too_few_for_COUNT refused (); end
+    if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
   endgenerate
 
   // Stages level 0 to DEPTH - 1: of each two exponents the larger one goes on.

@@ -16,9 +16,7 @@ module fixed_absolute #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (A_WIDTH < 1) begin : g_refused_a
-      A_WIDTH_is_below_1 refused ();
-    end
+    if (A_WIDTH < 1) begin : g_refused_a A_WIDTH_is_below_1 refused (); end
     if (DROPPED < 0) begin : g_refused_dropped
       DROPPED_is_below_0 refused ();
     end else if ((WIDTH < 1) || (WIDTH + DROPPED > A_WIDTH)) begin : g_refused_width

@@ -30,18 +30,11 @@ module fixed_alignment #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (EXPONENT_BITS < 2) begin : g_refused_exponent
-      EXPONENT_BITS_is_below_2 refused ();
-    end
-    if (PRECISION < 1) begin : g_refused_precision
-      PRECISION_is_below_1 refused ();
-    end
-    if (WIDTH < 1) begin : g_refused_width
-      WIDTH_is_below_1 refused ();
-    end
-    if ((SIGNED != 0) && (SIGNED != 1)) begin : g_refused_signed
-      SIGNED_is_not_0_or_1 refused ();
-    end
+    if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
+    if (PRECISION < 1) begin : g_refused_precision PRECISION_is_below_1 refused (); end
+    if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
+    if ((SIGNED != 0) && (SIGNED != 1))
+      begin : g_refused_signed SIGNED_is_not_0_or_1 refused (); end
   endgenerate
 
   localparam FRACTION = PRECISION - 1;

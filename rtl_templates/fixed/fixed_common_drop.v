@@ -19,9 +19,7 @@ module fixed_common_drop #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (COUNT < 1) begin : g_refused_count
-      COUNT_is_below_1 refused ();
-    end
+    if (COUNT < 1) begin : g_refused_count COUNT_is_below_1 refused (); end
     if (MOST < 1) begin : g_refused_most
       MOST_is_below_1 refused ();
     end else if ((DROP_BITS < 1) || ((MOST >> DROP_BITS) != 0)) begin : g_refused_drop

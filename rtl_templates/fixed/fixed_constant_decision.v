@@ -22,12 +22,9 @@ module fixed_constant_decision #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (WIDTH < 1) begin : g_refused_width
-      WIDTH_is_below_1 refused ();
-    end
-    if ($signed(LESS_TO) >= $signed(GREATER_FROM)) begin : g_refused_constants
-      LESS_TO_is_not_below_GREATER_FROM refused ();
-    end
+    if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
+    if ($signed(LESS_TO) >= $signed(GREATER_FROM))
+      begin : g_refused_constants LESS_TO_is_not_below_GREATER_FROM refused (); end
   endgenerate
 
   // Stage compare.

@@ -24,12 +24,8 @@ module fixed_logic_product #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (A_WIDTH < 1) begin : g_refused_a
-      A_WIDTH_is_below_1 refused ();
-    end
-    if (B_WIDTH < 1) begin : g_refused_b
-      B_WIDTH_is_below_1 refused ();
-    end
+    if (A_WIDTH < 1) begin : g_refused_a A_WIDTH_is_below_1 refused (); end
+    if (B_WIDTH < 1) begin : g_refused_b B_WIDTH_is_below_1 refused (); end
     if (DROPPED < 0) begin : g_refused_dropped
       DROPPED_is_below_0 refused ();
     end else if ((WIDTH < 1) || (WIDTH + DROPPED > A_WIDTH + SECOND)) begin : g_refused_width

@@ -24,9 +24,7 @@ module fixed_memory_square #(
     end else if ((WIDTH < 1) || (WIDTH + DROPPED > 2 * A_WIDTH)) begin : g_refused_width
       WIDTH_is_not_1_to_that_of_the_square refused ();
     end
-    if (!CUTS[1]) begin : g_refused_cuts
-      CUTS_has_no_register_behind_the_memory refused ();
-    end
+    if (!CUTS[1]) begin : g_refused_cuts CUTS_has_no_register_behind_the_memory refused (); end
   endgenerate
 
   // The second port has nothing to read: synthesis takes it away.

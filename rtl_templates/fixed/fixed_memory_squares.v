@@ -47,9 +47,7 @@ module fixed_memory_squares #(
     end else if ((WIDTH_B < 1) || (WIDTH_B + DROPPED_B > 2 * B_WIDTH)) begin : g_refused_width_b
       WIDTH_B_is_not_1_to_that_of_the_square refused ();
     end
-    if (!CUTS[1]) begin : g_refused_cuts
-      CUTS_has_no_register_behind_the_memory refused ();
-    end
+    if (!CUTS[1]) begin : g_refused_cuts CUTS_has_no_register_behind_the_memory refused (); end
   endgenerate
 
   // The bits HIGH-1 to LOW of a square are in the memory: those that either result reads.

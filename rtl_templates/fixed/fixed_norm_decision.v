@@ -36,18 +36,12 @@ module fixed_norm_decision #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (WIDTH < 1) begin : g_refused_width
-      WIDTH_is_below_1 refused ();
-    end
-    if (RADIUS_WIDTH < 1) begin : g_refused_radius
-      RADIUS_WIDTH_is_below_1 refused ();
-    end
-    if ((SHIFT_ABOVE < 0) || (SHIFT_ABOVE + S_WIDTH > THRESHOLD_WIDTH)) begin : g_refused_above
-      SHIFT_ABOVE_is_not_0_to_what_THRESHOLD_WIDTH_holds refused ();
-    end
-    if ((SHIFT_BELOW < 0) || (SHIFT_BELOW + S_WIDTH > THRESHOLD_WIDTH)) begin : g_refused_below
-      SHIFT_BELOW_is_not_0_to_what_THRESHOLD_WIDTH_holds refused ();
-    end
+    if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
+    if (RADIUS_WIDTH < 1) begin : g_refused_radius RADIUS_WIDTH_is_below_1 refused (); end
+    if ((SHIFT_ABOVE < 0) || (SHIFT_ABOVE + S_WIDTH > THRESHOLD_WIDTH))
+      begin : g_refused_above SHIFT_ABOVE_is_not_0_to_what_THRESHOLD_WIDTH_holds refused (); end
+    if ((SHIFT_BELOW < 0) || (SHIFT_BELOW + S_WIDTH > THRESHOLD_WIDTH))
+      begin : g_refused_below SHIFT_BELOW_is_not_0_to_what_THRESHOLD_WIDTH_holds refused (); end
   endgenerate
 
   // Stage root: bit k is 1 where radius >= 4^k, so s0_s is s - 1.

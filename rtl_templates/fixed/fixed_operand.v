@@ -32,9 +32,7 @@ module fixed_operand #(
     end else if ((LIMIT < 2) || (LIMIT > (1 << EXPONENT_BITS) - 1)) begin : g_refused_top
       TOP_is_no_power_of_two_of_the_format refused ();
     end
-    if (PRECISION < 2) begin : g_refused_precision
-      PRECISION_is_below_2 refused ();
-    end
+    if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
   endgenerate
 
   fixed_alignment #(

@@ -14,9 +14,8 @@ module fixed_overflow #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if ((WIDTH < 1) || (WIDTH >= A_WIDTH)) begin : g_refused_width
-      WIDTH_is_not_1_to_below_A_WIDTH refused ();
-    end
+    if ((WIDTH < 1) || (WIDTH >= A_WIDTH))
+      begin : g_refused_width WIDTH_is_not_1_to_below_A_WIDTH refused (); end
   endgenerate
 
   // Stage compare: the bits from the narrower sign on, which are alike in what fits.

@@ -31,23 +31,15 @@ module fixed_product #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (A_WIDTH < 1) begin : g_refused_a
-      A_WIDTH_is_below_1 refused ();
-    end
-    if (B_WIDTH < 1) begin : g_refused_b
-      B_WIDTH_is_below_1 refused ();
-    end
+    if (A_WIDTH < 1) begin : g_refused_a A_WIDTH_is_below_1 refused (); end
+    if (B_WIDTH < 1) begin : g_refused_b B_WIDTH_is_below_1 refused (); end
     if (DROPPED < 0) begin : g_refused_dropped
       DROPPED_is_below_0 refused ();
     end else if ((WIDTH < 1) || (WIDTH + DROPPED > PRODUCT)) begin : g_refused_width
       WIDTH_is_not_1_to_that_of_the_product refused ();
     end
-    if (FACTOR_A < 1) begin : g_refused_factor_a
-      FACTOR_A_is_below_1 refused ();
-    end
-    if (FACTOR_B < 1) begin : g_refused_factor_b
-      FACTOR_B_is_below_1 refused ();
-    end
+    if (FACTOR_A < 1) begin : g_refused_factor_a FACTOR_A_is_below_1 refused (); end
+    if (FACTOR_B < 1) begin : g_refused_factor_b FACTOR_B_is_below_1 refused (); end
   endgenerate
 
   // Bits of the second factor for which the multiplier has no room.

@@ -15,12 +15,9 @@ module fixed_range_check #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (A_WIDTH < 2) begin : g_refused_a
-      A_WIDTH_is_below_2 refused ();
-    end
-    if ($signed(LEAST) > $signed(GREATEST)) begin : g_refused_limits
-      LEAST_is_above_GREATEST refused ();
-    end
+    if (A_WIDTH < 2) begin : g_refused_a A_WIDTH_is_below_2 refused (); end
+    if ($signed(LEAST) > $signed(GREATEST))
+      begin : g_refused_limits LEAST_is_above_GREATEST refused (); end
   endgenerate
 
   // Stage compare.

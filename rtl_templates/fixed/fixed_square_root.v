@@ -21,12 +21,8 @@ module fixed_square_root #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (WIDTH < 1) begin : g_refused_width
-      WIDTH_is_below_1 refused ();
-    end
-    if (A_WIDTH <= DOWN) begin : g_refused_a
-      A_WIDTH_is_not_above_what_SHIFT_drops refused ();
-    end
+    if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
+    if (A_WIDTH <= DOWN) begin : g_refused_a A_WIDTH_is_not_above_what_SHIFT_drops refused (); end
   endgenerate
 
   // The bits that the root depends on; those above are zero.

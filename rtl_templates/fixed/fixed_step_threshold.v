@@ -27,9 +27,7 @@ module fixed_step_threshold #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if ((LAST < 1) || (LAST > 7)) begin : g_refused_last
-      LAST_is_not_1_to_7 refused ();
-    end
+    if ((LAST < 1) || (LAST > 7)) begin : g_refused_last LAST_is_not_1_to_7 refused (); end
   endgenerate
 
   // Stages join and encode.

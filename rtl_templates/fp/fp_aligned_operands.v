@@ -53,18 +53,11 @@ module fp_aligned_operands #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (EXPONENT_BITS < 2) begin : g_refused_exponent
-      EXPONENT_BITS_is_below_2 refused ();
-    end
-    if (PRECISION < 2) begin : g_refused_precision
-      PRECISION_is_below_2 refused ();
-    end
-    if (ALIGNED < PRECISION) begin : g_refused_aligned
-      ALIGNED_is_below_PRECISION refused ();
-    end
-    if ((GRADUAL != 0) && (UNDERFLOW == 0)) begin : g_refused_gradual
-      GRADUAL_without_UNDERFLOW refused ();
-    end
+    if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
+    if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
+    if (ALIGNED < PRECISION) begin : g_refused_aligned ALIGNED_is_below_PRECISION refused (); end
+    if ((GRADUAL != 0) && (UNDERFLOW == 0))
+      begin : g_refused_gradual GRADUAL_without_UNDERFLOW refused (); end
   endgenerate
 
   // Stage compare: packed magnitudes order as integers; both exponent differences are at hand when

@@ -16,9 +16,7 @@ module fp_chain_sum #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (WIDTH < 1) begin : g_refused_width
-      WIDTH_is_below_1 refused ();
-    end
+    if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
   endgenerate
 
   // The carry enters through an extra last place: as its carry out, or as no borrow out.

@@ -21,12 +21,8 @@ module fp_compare #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (EXPONENT_BITS < 2) begin : g_refused_exponent
-      EXPONENT_BITS_is_below_2 refused ();
-    end
-    if (PRECISION < 2) begin : g_refused_precision
-      PRECISION_is_below_2 refused ();
-    end
+    if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
+    if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
   endgenerate
 
   // Stage compare: packed magnitudes order as integers. What many bits say is put together in stage

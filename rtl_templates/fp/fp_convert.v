@@ -56,21 +56,15 @@ module fp_convert #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 29)) begin : g_refused_exponent
-      EXPONENT_BITS_is_not_2_to_29 refused ();
-    end
-    if (PRECISION < 2) begin : g_refused_precision
-      PRECISION_is_below_2 refused ();
-    end
-    if ((RESULT_EXPONENT_BITS < 2) || (RESULT_EXPONENT_BITS > 29)) begin : g_refused_result_exponent
-      RESULT_EXPONENT_BITS_is_not_2_to_29 refused ();
-    end
-    if (RESULT_PRECISION < 2) begin : g_refused_result_precision
-      RESULT_PRECISION_is_below_2 refused ();
-    end
-    if ((SIGNED_SCALE >= SCALE_LIMIT) || (SIGNED_SCALE <= -SCALE_LIMIT)) begin : g_refused_scale
-      SCALE_is_too_large_for_EXPONENT_BITS refused ();
-    end
+    if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 29))
+      begin : g_refused_exponent EXPONENT_BITS_is_not_2_to_29 refused (); end
+    if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
+    if ((RESULT_EXPONENT_BITS < 2) || (RESULT_EXPONENT_BITS > 29))
+      begin : g_refused_result_exponent RESULT_EXPONENT_BITS_is_not_2_to_29 refused (); end
+    if (RESULT_PRECISION < 2)
+      begin : g_refused_result_precision RESULT_PRECISION_is_below_2 refused (); end
+    if ((SIGNED_SCALE >= SCALE_LIMIT) || (SIGNED_SCALE <= -SCALE_LIMIT))
+      begin : g_refused_scale SCALE_is_too_large_for_EXPONENT_BITS refused (); end
   endgenerate
 
   // Stages count, normalise: the significand gets a leading one.

@@ -78,37 +78,22 @@ module fp_cut_sum #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 28)) begin : g_refused_exponent
-      EXPONENT_BITS_is_not_2_to_28 refused ();
-    end
-    if (PRECISION < 2) begin : g_refused_precision
-      PRECISION_is_below_2 refused ();
-    end
-    if ((TERMS < 2) || (TERMS > 63)) begin : g_refused_terms
-      TERMS_are_not_2_to_63 refused ();
-    end
+    if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 28))
+      begin : g_refused_exponent EXPONENT_BITS_is_not_2_to_28 refused (); end
+    if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
+    if ((TERMS < 2) || (TERMS > 63)) begin : g_refused_terms TERMS_are_not_2_to_63 refused (); end
     if (((SQUARES & PLAIN) | (SUMS & DIFFERENCES)
-         | ((SQUARES | PLAIN) & (SUMS | DIFFERENCES))) != 0) begin : g_refused_kinds
-      SQUARES_PLAIN_SUMS_and_DIFFERENCES_overlap refused ();
-    end
-    if (WINDOW < PRECISION) begin : g_refused_window
-      WINDOW_is_below_PRECISION refused ();
-    end
-    if (ADDEND < WINDOW) begin : g_refused_addend
-      ADDEND_is_below_WINDOW refused ();
-    end
-    if ((OFFSET < PRODUCT + WINDOW) || ((OFFSET % 2) != 0)) begin : g_refused_offset
-      OFFSET_is_odd_or_too_small_for_PRECISION_and_WINDOW refused ();
-    end
+         | ((SQUARES | PLAIN) & (SUMS | DIFFERENCES))) != 0)
+      begin : g_refused_kinds SQUARES_PLAIN_SUMS_and_DIFFERENCES_overlap refused (); end
+    if (WINDOW < PRECISION) begin : g_refused_window WINDOW_is_below_PRECISION refused (); end
+    if (ADDEND < WINDOW) begin : g_refused_addend ADDEND_is_below_WINDOW refused (); end
+    if ((OFFSET < PRODUCT + WINDOW) || ((OFFSET % 2) != 0))
+      begin : g_refused_offset OFFSET_is_odd_or_too_small_for_PRECISION_and_WINDOW refused (); end
     if (EXPONENT_WIDTH < width_of(4 * BIAS + 2 + OFFSET)) begin : g_refused_exponent_width
       EXPONENT_WIDTH_is_too_small_for_OFFSET_and_EXPONENT_BITS refused ();
     end
-    if (FACTOR_A < 1) begin : g_refused_factor_a
-      FACTOR_A_is_below_1 refused ();
-    end
-    if (FACTOR_B < 1) begin : g_refused_factor_b
-      FACTOR_B_is_below_1 refused ();
-    end
+    if (FACTOR_A < 1) begin : g_refused_factor_a FACTOR_A_is_below_1 refused (); end
+    if (FACTOR_B < 1) begin : g_refused_factor_b FACTOR_B_is_below_1 refused (); end
   endgenerate
 
   // Stages of sums that are squared, count, normalise, and those of the product, for each term.

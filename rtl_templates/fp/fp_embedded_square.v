@@ -79,15 +79,10 @@ module fp_embedded_square #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (PRECISION < 2) begin : g_refused_precision
-      PRECISION_is_below_2 refused ();
-    end
-    if (FACTOR_B < 1) begin : g_refused_factor_b
-      FACTOR_B_is_below_1 refused ();
-    end
-    if ((PARTS < 2) || (LAST < 1) || (EXCESS > 2) || (WIDEST > FACTOR_A)) begin : g_refused_parts
-      PARTS_do_not_fit_PRECISION_and_factors refused ();
-    end
+    if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
+    if (FACTOR_B < 1) begin : g_refused_factor_b FACTOR_B_is_below_1 refused (); end
+    if ((PARTS < 2) || (LAST < 1) || (EXCESS > 2) || (WIDEST > FACTOR_A))
+      begin : g_refused_parts PARTS_do_not_fit_PRECISION_and_factors refused (); end
   endgenerate
 
   // The product's lowest bits are those of the squares: no product of two parts has a bit there.

@@ -13,12 +13,8 @@ module fp_fit #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (FROM < 1) begin : g_refused_from
-      FROM_is_below_1 refused ();
-    end
-    if (TO < 1) begin : g_refused_to
-      TO_is_below_1 refused ();
-    end
+    if (FROM < 1) begin : g_refused_from FROM_is_below_1 refused (); end
+    if (TO < 1) begin : g_refused_to TO_is_below_1 refused (); end
   endgenerate
 
   generate

@@ -53,24 +53,16 @@ module fp_fused_squared_sum #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 28)) begin : g_refused_exponent
-      EXPONENT_BITS_is_not_2_to_28 refused ();
-    end
-    if (PRECISION < 3) begin : g_refused_precision
-      PRECISION_is_below_3 refused ();
-    end
-    if ((OFFSET < 2 * PRECISION) || ((OFFSET % 2) != 0)) begin : g_refused_offset
-      OFFSET_is_odd_or_too_small_for_PRECISION refused ();
-    end
+    if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 28))
+      begin : g_refused_exponent EXPONENT_BITS_is_not_2_to_28 refused (); end
+    if (PRECISION < 3) begin : g_refused_precision PRECISION_is_below_3 refused (); end
+    if ((OFFSET < 2 * PRECISION) || ((OFFSET % 2) != 0))
+      begin : g_refused_offset OFFSET_is_odd_or_too_small_for_PRECISION refused (); end
     if (EXPONENT_WIDTH < length_of(4 * BIAS + 2 + OFFSET)) begin : g_refused_exponent_width
       EXPONENT_WIDTH_is_too_small_for_OFFSET_and_EXPONENT_BITS refused ();
     end
-    if (FACTOR_A < 1) begin : g_refused_factor_a
-      FACTOR_A_is_below_1 refused ();
-    end
-    if (FACTOR_B < 1) begin : g_refused_factor_b
-      FACTOR_B_is_below_1 refused ();
-    end
+    if (FACTOR_A < 1) begin : g_refused_factor_a FACTOR_A_is_below_1 refused (); end
+    if (FACTOR_B < 1) begin : g_refused_factor_b FACTOR_B_is_below_1 refused (); end
   endgenerate
 
   // Stages of the sum.

@@ -71,15 +71,10 @@ module fp_fused_sum #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 28)) begin : g_refused_exponent
-      EXPONENT_BITS_is_not_2_to_28 refused ();
-    end
-    if (PRECISION < 2) begin : g_refused_precision
-      PRECISION_is_below_2 refused ();
-    end
-    if ((TERMS < 2) || (TERMS > 63)) begin : g_refused_terms
-      TERMS_are_not_2_to_63 refused ();
-    end
+    if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 28))
+      begin : g_refused_exponent EXPONENT_BITS_is_not_2_to_28 refused (); end
+    if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
+    if ((TERMS < 2) || (TERMS > 63)) begin : g_refused_terms TERMS_are_not_2_to_63 refused (); end
   endgenerate
 
   // Stages of the terms and of their sum.

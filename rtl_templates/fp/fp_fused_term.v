@@ -47,30 +47,19 @@ module fp_fused_term #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 28)) begin : g_refused_exponent
-      EXPONENT_BITS_is_not_2_to_28 refused ();
-    end
-    if (PRECISION < 2) begin : g_refused_precision
-      PRECISION_is_below_2 refused ();
-    end
-    if (OFFSET < 2 * PRECISION) begin : g_refused_offset
-      OFFSET_is_too_small_for_PRECISION refused ();
-    end
+    if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 28))
+      begin : g_refused_exponent EXPONENT_BITS_is_not_2_to_28 refused (); end
+    if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
+    if (OFFSET < 2 * PRECISION)
+      begin : g_refused_offset OFFSET_is_too_small_for_PRECISION refused (); end
     if (EXPONENT_WIDTH < length_of(4 * BIAS + 2 + OFFSET)) begin : g_refused_exponent_width
       EXPONENT_WIDTH_is_too_small_for_OFFSET_and_EXPONENT_BITS refused ();
     end
-    if ((SQUARE != 0) && (PLAIN != 0)) begin : g_refused_kind
-      SQUARE_and_PLAIN refused ();
-    end
-    if ((VANISHING != 0) && (GRADUAL == 0)) begin : g_refused_vanishing
-      VANISHING_without_GRADUAL refused ();
-    end
-    if (FACTOR_A < 1) begin : g_refused_factor_a
-      FACTOR_A_is_below_1 refused ();
-    end
-    if (FACTOR_B < 1) begin : g_refused_factor_b
-      FACTOR_B_is_below_1 refused ();
-    end
+    if ((SQUARE != 0) && (PLAIN != 0)) begin : g_refused_kind SQUARE_and_PLAIN refused (); end
+    if ((VANISHING != 0) && (GRADUAL == 0))
+      begin : g_refused_vanishing VANISHING_without_GRADUAL refused (); end
+    if (FACTOR_A < 1) begin : g_refused_factor_a FACTOR_A_is_below_1 refused (); end
+    if (FACTOR_B < 1) begin : g_refused_factor_b FACTOR_B_is_below_1 refused (); end
   endgenerate
 
   generate

@@ -20,9 +20,7 @@ module fp_halved_sum #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (WIDTH < 2) begin : g_refused_width
-      WIDTH_is_below_2 refused ();
-    end
+    if (WIDTH < 2) begin : g_refused_width WIDTH_is_below_2 refused (); end
   endgenerate
 
   generate

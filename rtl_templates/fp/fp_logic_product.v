@@ -59,30 +59,22 @@ module fp_logic_product #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if ((PRECISION < 2) || (PRECISION > 127)) begin : g_refused_precision
-      PRECISION_is_not_2_to_127 refused ();
-    end
-    if ((SIGNED != 0) && (PRECISION < 4)) begin : g_refused_signed
-      PRECISION_of_SIGNED_is_below_4 refused ();
-    end
-    if ((DIGIT_STAGE != 0) && (SIGNED != 0)) begin : g_refused_digits
-      DIGIT_STAGE_of_SIGNED refused ();
-    end
-    if ((DIGIT_STAGE != 0) && (PRECISION > 63)) begin : g_refused_stages
-      DIGIT_STAGE_of_PRECISION_above_63 refused ();
-    end
-    if ((SPLIT != 0) && ((SQUARE == 0) || (SIGNED != 0))) begin : g_refused_split_kind
-      SPLIT_of_no_unsigned_square refused ();
-    end
-    if ((SPLIT != 0) && (PRECISION > 65)) begin : g_refused_split_precision
-      SPLIT_of_PRECISION_above_65 refused ();
-    end
-    if ((SPLIT != 0) && (DIGIT_STAGE != 0)) begin : g_refused_split_digits
-      SPLIT_with_DIGIT_STAGE refused ();
-    end
-    if ((SPLIT != 0) && !CUTS[6]) begin : g_refused_split_cut
-      SPLIT_without_its_cut_6 refused ();
-    end
+    if ((PRECISION < 2) || (PRECISION > 127))
+      begin : g_refused_precision PRECISION_is_not_2_to_127 refused (); end
+    if ((SIGNED != 0) && (PRECISION < 4))
+      begin : g_refused_signed PRECISION_of_SIGNED_is_below_4 refused (); end
+    if ((DIGIT_STAGE != 0) && (SIGNED != 0))
+      begin : g_refused_digits DIGIT_STAGE_of_SIGNED refused (); end
+    if ((DIGIT_STAGE != 0) && (PRECISION > 63))
+      begin : g_refused_stages DIGIT_STAGE_of_PRECISION_above_63 refused (); end
+    if ((SPLIT != 0) && ((SQUARE == 0) || (SIGNED != 0)))
+      begin : g_refused_split_kind SPLIT_of_no_unsigned_square refused (); end
+    if ((SPLIT != 0) && (PRECISION > 65))
+      begin : g_refused_split_precision SPLIT_of_PRECISION_above_65 refused (); end
+    if ((SPLIT != 0) && (DIGIT_STAGE != 0))
+      begin : g_refused_split_digits SPLIT_with_DIGIT_STAGE refused (); end
+    if ((SPLIT != 0) && !CUTS[6])
+      begin : g_refused_split_cut SPLIT_without_its_cut_6 refused (); end
   endgenerate
 
   genvar level;

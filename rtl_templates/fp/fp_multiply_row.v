@@ -22,9 +22,7 @@ module fp_multiply_row #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (PRECISION < 2) begin : g_refused_precision
-      PRECISION_is_below_2 refused ();
-    end
+    if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
   endgenerate
 
   wire [PRECISION:0] multiple;

@@ -38,21 +38,14 @@ module fp_operand #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (EXPONENT_BITS < 2) begin : g_refused_exponent
-      EXPONENT_BITS_is_below_2 refused ();
-    end
-    if (PRECISION < 2) begin : g_refused_precision
-      PRECISION_is_below_2 refused ();
-    end
-    if (EXPONENT_WIDTH <= EXPONENT_BITS) begin : g_refused_exponent_width
-      EXPONENT_WIDTH_is_too_small_for_EXPONENT_BITS refused ();
-    end
-    if (EXPONENT_WIDTH <= COUNT_BITS) begin : g_refused_precision_width
-      EXPONENT_WIDTH_is_too_small_for_PRECISION refused ();
-    end
-    if ((GRADUAL != 0) && (UNDERFLOW == 0)) begin : g_refused_gradual
-      GRADUAL_without_UNDERFLOW refused ();
-    end
+    if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
+    if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
+    if (EXPONENT_WIDTH <= EXPONENT_BITS)
+      begin : g_refused_exponent_width EXPONENT_WIDTH_is_too_small_for_EXPONENT_BITS refused (); end
+    if (EXPONENT_WIDTH <= COUNT_BITS)
+      begin : g_refused_precision_width EXPONENT_WIDTH_is_too_small_for_PRECISION refused (); end
+    if ((GRADUAL != 0) && (UNDERFLOW == 0))
+      begin : g_refused_gradual GRADUAL_without_UNDERFLOW refused (); end
   endgenerate
 
   // Stage count: leading zeros of the significand; a normal number has none.

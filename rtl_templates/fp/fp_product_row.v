@@ -23,15 +23,10 @@ module fp_product_row #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (PRECISION < 2) begin : g_refused_precision
-      PRECISION_is_below_2 refused ();
-    end
-    if ((ROW < 0) || (ROW >= ROWS)) begin : g_refused_row
-      ROW_is_not_a_row_of_PRECISION refused ();
-    end
-    if (WIDTH != ROW_WIDTH) begin : g_refused_width
-      WIDTH_is_not_that_of_the_row refused ();
-    end
+    if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
+    if ((ROW < 0) || (ROW >= ROWS))
+      begin : g_refused_row ROW_is_not_a_row_of_PRECISION refused (); end
+    if (WIDTH != ROW_WIDTH) begin : g_refused_width WIDTH_is_not_that_of_the_row refused (); end
   endgenerate
 
   wire single;

@@ -25,27 +25,15 @@ module fp_range_check #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (EXPONENT_BITS < 2) begin : g_refused_exponent
-      EXPONENT_BITS_is_below_2 refused ();
-    end
-    if (PRECISION < 2) begin : g_refused_precision
-      PRECISION_is_below_2 refused ();
-    end
-    if ((SIGN < 0) || (SIGN > 2)) begin : g_refused_sign
-      SIGN_is_not_0_to_2 refused ();
-    end
-    if (LEADING_BITS < 0) begin : g_refused_leading_bits
-      LEADING_BITS_is_below_0 refused ();
-    end
-    if (LEADING_BITS > MAGNITUDE) begin : g_refused_magnitude
-      LEADING_BITS_is_above_the_magnitude refused ();
-    end
-    if (GREATEST > LARGEST) begin : g_refused_greatest
-      GREATEST_is_too_large_for_LEADING_BITS refused ();
-    end
-    if (LEAST > GREATEST) begin : g_refused_least
-      LEAST_is_above_GREATEST refused ();
-    end
+    if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
+    if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
+    if ((SIGN < 0) || (SIGN > 2)) begin : g_refused_sign SIGN_is_not_0_to_2 refused (); end
+    if (LEADING_BITS < 0) begin : g_refused_leading_bits LEADING_BITS_is_below_0 refused (); end
+    if (LEADING_BITS > MAGNITUDE)
+      begin : g_refused_magnitude LEADING_BITS_is_above_the_magnitude refused (); end
+    if (GREATEST > LARGEST)
+      begin : g_refused_greatest GREATEST_is_too_large_for_LEADING_BITS refused (); end
+    if (LEAST > GREATEST) begin : g_refused_least LEAST_is_above_GREATEST refused (); end
   endgenerate
 
   // Stage check: magnitudes order as integers; limits that nothing breaks are not compared with.

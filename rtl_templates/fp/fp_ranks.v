@@ -14,12 +14,8 @@ module fp_ranks #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (WIDTH < 1) begin : g_refused_width
-      WIDTH_is_below_1 refused ();
-    end
-    if (COUNT < 1) begin : g_refused_count
-      COUNT_is_below_1 refused ();
-    end
+    if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
+    if (COUNT < 1) begin : g_refused_count COUNT_is_below_1 refused (); end
   endgenerate
 
   wire [(COUNT+1)*WIDTH-1:0] chain;

@@ -70,33 +70,26 @@ module fp_round #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (RESULT_EXPONENT_BITS < 2) begin : g_refused_result_exponent
-      RESULT_EXPONENT_BITS_is_below_2 refused ();
-    end
-    if (RESULT_PRECISION < 2) begin : g_refused_result_precision
-      RESULT_PRECISION_is_below_2 refused ();
-    end
+    if (RESULT_EXPONENT_BITS < 2)
+      begin : g_refused_result_exponent RESULT_EXPONENT_BITS_is_below_2 refused (); end
+    if (RESULT_PRECISION < 2)
+      begin : g_refused_result_precision RESULT_PRECISION_is_below_2 refused (); end
     if (EXPONENT_WIDTH <= RESULT_EXPONENT_BITS + 1) begin : g_refused_exponent_width
       EXPONENT_WIDTH_is_too_small_for_RESULT_EXPONENT_BITS refused ();
     end
     if ((DENORMALISE != 0) && (EXPONENT_WIDTH <= width_of(WIDTH))) begin : g_refused_precision_width
       EXPONENT_WIDTH_is_too_small_for_RESULT_PRECISION refused ();
     end
-    if ((GRADUAL != 0) && (UNDERFLOW == 0)) begin : g_refused_gradual
-      GRADUAL_without_UNDERFLOW refused ();
-    end
-    if ((DENORMALISE != 0) && (GRADUAL == 0)) begin : g_refused_denormalise
-      DENORMALISE_without_GRADUAL refused ();
-    end
-    if ((AMOUNT_BITS < 0) || (AMOUNT_BITS > 2)) begin : g_refused_amount_bits
-      AMOUNT_BITS_is_not_0_to_2 refused ();
-    end
-    if ((SUM_SELECTS < 0) || (SUM_SELECTS > 2)) begin : g_refused_sum_selects
-      SUM_SELECTS_is_not_0_to_2 refused ();
-    end
-    if ((DENORMALISE != 0) && (AMOUNT_BITS != 0)) begin : g_refused_two_moves
-      AMOUNT_BITS_with_DENORMALISE refused ();
-    end
+    if ((GRADUAL != 0) && (UNDERFLOW == 0))
+      begin : g_refused_gradual GRADUAL_without_UNDERFLOW refused (); end
+    if ((DENORMALISE != 0) && (GRADUAL == 0))
+      begin : g_refused_denormalise DENORMALISE_without_GRADUAL refused (); end
+    if ((AMOUNT_BITS < 0) || (AMOUNT_BITS > 2))
+      begin : g_refused_amount_bits AMOUNT_BITS_is_not_0_to_2 refused (); end
+    if ((SUM_SELECTS < 0) || (SUM_SELECTS > 2))
+      begin : g_refused_sum_selects SUM_SELECTS_is_not_0_to_2 refused (); end
+    if ((DENORMALISE != 0) && (AMOUNT_BITS != 0))
+      begin : g_refused_two_moves AMOUNT_BITS_with_DENORMALISE refused (); end
   endgenerate
 
   // Stage denormalise: below exponent 1 the significand moves down instead of the exponent.

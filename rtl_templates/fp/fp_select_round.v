@@ -38,24 +38,18 @@ module fp_select_round #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (WIDTH < 2) begin : g_refused_width
-      WIDTH_is_below_2 refused ();
-    end
-    if (RESULT_EXPONENT_BITS < 2) begin : g_refused_result_exponent
-      RESULT_EXPONENT_BITS_is_below_2 refused ();
-    end
-    if (RESULT_PRECISION < 2) begin : g_refused_result_precision
-      RESULT_PRECISION_is_below_2 refused ();
-    end
+    if (WIDTH < 2) begin : g_refused_width WIDTH_is_below_2 refused (); end
+    if (RESULT_EXPONENT_BITS < 2)
+      begin : g_refused_result_exponent RESULT_EXPONENT_BITS_is_below_2 refused (); end
+    if (RESULT_PRECISION < 2)
+      begin : g_refused_result_precision RESULT_PRECISION_is_below_2 refused (); end
     if (EXPONENT_WIDTH <= RESULT_EXPONENT_BITS + 1) begin : g_refused_exponent_width
       EXPONENT_WIDTH_is_too_small_for_RESULT_EXPONENT_BITS refused ();
     end
-    if ((MOVED >> AMOUNT_BITS) != 0) begin : g_refused_amount_bits
-      AMOUNT_BITS_is_too_small_for_RESULT_PRECISION refused ();
-    end
-    if ((GRADUAL != 0) && (UNDERFLOW == 0)) begin : g_refused_gradual
-      GRADUAL_without_UNDERFLOW refused ();
-    end
+    if ((MOVED >> AMOUNT_BITS) != 0)
+      begin : g_refused_amount_bits AMOUNT_BITS_is_too_small_for_RESULT_PRECISION refused (); end
+    if ((GRADUAL != 0) && (UNDERFLOW == 0))
+      begin : g_refused_gradual GRADUAL_without_UNDERFLOW refused (); end
   endgenerate
 
   // Stage denormalise: by as many places as four divides.

@@ -21,18 +21,11 @@ module fp_shift_left #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (KEPT < 1) begin : g_refused_kept
-      KEPT_is_below_1 refused ();
-    end
-    if (KEPT > WIDTH) begin : g_refused_more_kept
-      KEPT_is_above_WIDTH refused ();
-    end
-    if ((AMOUNT_BITS < 1) || (AMOUNT_BITS > 30)) begin : g_refused_amount_bits
-      AMOUNT_BITS_is_not_1_to_30 refused ();
-    end
-    if (STEP < 1) begin : g_refused_step
-      STEP_is_below_1 refused ();
-    end
+    if (KEPT < 1) begin : g_refused_kept KEPT_is_below_1 refused (); end
+    if (KEPT > WIDTH) begin : g_refused_more_kept KEPT_is_above_WIDTH refused (); end
+    if ((AMOUNT_BITS < 1) || (AMOUNT_BITS > 30))
+      begin : g_refused_amount_bits AMOUNT_BITS_is_not_1_to_30 refused (); end
+    if (STEP < 1) begin : g_refused_step STEP_is_below_1 refused (); end
   endgenerate
 
   reg [WIDTH-1:0] moving;

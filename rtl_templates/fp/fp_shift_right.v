@@ -15,12 +15,9 @@ module fp_shift_right #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (WIDTH < 1) begin : g_refused_width
-      WIDTH_is_below_1 refused ();
-    end
-    if ((AMOUNT_BITS < 1) || (AMOUNT_BITS > 30)) begin : g_refused_amount_bits
-      AMOUNT_BITS_is_not_1_to_30 refused ();
-    end
+    if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
+    if ((AMOUNT_BITS < 1) || (AMOUNT_BITS > 30))
+      begin : g_refused_amount_bits AMOUNT_BITS_is_not_1_to_30 refused (); end
   endgenerate
 
   integer k;

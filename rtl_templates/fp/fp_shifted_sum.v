@@ -17,15 +17,10 @@ module fp_shifted_sum #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (SHIFT < 1) begin : g_refused_shift
-      SHIFT_is_below_1 refused ();
-    end
-    if (SHIFT >= LOW) begin : g_refused_low_end
-      SHIFT_is_not_below_LOW refused ();
-    end
-    if (LOW >= HIGH + SHIFT) begin : g_refused_high_end
-      LOW_is_not_below_HIGH_plus_SHIFT refused ();
-    end
+    if (SHIFT < 1) begin : g_refused_shift SHIFT_is_below_1 refused (); end
+    if (SHIFT >= LOW) begin : g_refused_low_end SHIFT_is_not_below_LOW refused (); end
+    if (LOW >= HIGH + SHIFT)
+      begin : g_refused_high_end LOW_is_not_below_HIGH_plus_SHIFT refused (); end
   endgenerate
 
   wire [HIGH-1:0] low_above = {{(HIGH + SHIFT - LOW) {1'b0}}, low[LOW-1:SHIFT]};

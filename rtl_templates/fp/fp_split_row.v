@@ -24,12 +24,9 @@ module fp_split_row #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (LATE_FROM < 2) begin : g_refused_late_from
-      LATE_FROM_is_below_2 refused ();
-    end
-    if ((LATE_FROM < WIDTH) && (SQUARE == 0)) begin : g_refused_product
-      LATE_FROM_of_no_square refused ();
-    end
+    if (LATE_FROM < 2) begin : g_refused_late_from LATE_FROM_is_below_2 refused (); end
+    if ((LATE_FROM < WIDTH) && (SQUARE == 0))
+      begin : g_refused_product LATE_FROM_of_no_square refused (); end
   endgenerate
 
   wire [WIDTH-1:0] early;

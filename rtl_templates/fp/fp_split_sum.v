@@ -23,15 +23,11 @@ module fp_split_sum #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (LATE_FROM <= SHIFT) begin : g_refused_late_from
-      LATE_FROM_is_not_above_SHIFT refused ();
-    end
-    if ((LATE_FROM < SUM) && (LOW >= SUM)) begin : g_refused_low_end
-      LOW_is_not_below_HIGH_plus_SHIFT refused ();
-    end
-    if ((LATE_FROM < SUM) && (CARRY != 0)) begin : g_refused_carry
-      CARRY_of_a_split_sum refused ();
-    end
+    if (LATE_FROM <= SHIFT) begin : g_refused_late_from LATE_FROM_is_not_above_SHIFT refused (); end
+    if ((LATE_FROM < SUM) && (LOW >= SUM))
+      begin : g_refused_low_end LOW_is_not_below_HIGH_plus_SHIFT refused (); end
+    if ((LATE_FROM < SUM) && (CARRY != 0))
+      begin : g_refused_carry CARRY_of_a_split_sum refused (); end
   endgenerate
 
   generate

@@ -63,24 +63,15 @@ module fp_square #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 30)) begin : g_refused_exponent
-      EXPONENT_BITS_is_not_2_to_30 refused ();
-    end
-    if (PRECISION < 2) begin : g_refused_precision
-      PRECISION_is_below_2 refused ();
-    end
-    if ((RESULT_EXPONENT_BITS < 2) || (RESULT_EXPONENT_BITS > 30)) begin : g_refused_result_exponent
-      RESULT_EXPONENT_BITS_is_not_2_to_30 refused ();
-    end
-    if (RESULT_PRECISION < 2) begin : g_refused_result_precision
-      RESULT_PRECISION_is_below_2 refused ();
-    end
-    if (FACTOR_A < 1) begin : g_refused_factor_a
-      FACTOR_A_is_below_1 refused ();
-    end
-    if (FACTOR_B < 1) begin : g_refused_factor_b
-      FACTOR_B_is_below_1 refused ();
-    end
+    if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 30))
+      begin : g_refused_exponent EXPONENT_BITS_is_not_2_to_30 refused (); end
+    if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
+    if ((RESULT_EXPONENT_BITS < 2) || (RESULT_EXPONENT_BITS > 30))
+      begin : g_refused_result_exponent RESULT_EXPONENT_BITS_is_not_2_to_30 refused (); end
+    if (RESULT_PRECISION < 2)
+      begin : g_refused_result_precision RESULT_PRECISION_is_below_2 refused (); end
+    if (FACTOR_A < 1) begin : g_refused_factor_a FACTOR_A_is_below_1 refused (); end
+    if (FACTOR_B < 1) begin : g_refused_factor_b FACTOR_B_is_below_1 refused (); end
   endgenerate
 
   // Stages count, normalise: the significand gets a leading one.

@@ -23,12 +23,8 @@ module fp_square_row #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (PLACE < 1) begin : g_refused_place
-      PLACE_is_below_1 refused ();
-    end
-    if ((LAST != 0) && (PLACE < 3)) begin : g_refused_last
-      LAST_is_also_the_first refused ();
-    end
+    if (PLACE < 1) begin : g_refused_place PLACE_is_below_1 refused (); end
+    if ((LAST != 0) && (PLACE < 3)) begin : g_refused_last LAST_is_also_the_first refused (); end
   endgenerate
 
   wire [PLACE:0] multiple;

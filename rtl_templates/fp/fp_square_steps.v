@@ -40,12 +40,9 @@ module fp_square_steps #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (PRECISION < 13) begin : g_refused_precision
-      PRECISION_is_below_13 refused ();
-    end
-    if (CYCLES != (PRECISION + 5) / 6) begin : g_refused_cycles
-      CYCLES_is_not_that_of_PRECISION refused ();
-    end
+    if (PRECISION < 13) begin : g_refused_precision PRECISION_is_below_13 refused (); end
+    if (CYCLES != (PRECISION + 5) / 6)
+      begin : g_refused_cycles CYCLES_is_not_that_of_PRECISION refused (); end
   endgenerate
 
   // Bit k of `steps` says that this is the k-th cycle after `start`, in which the digits of step k

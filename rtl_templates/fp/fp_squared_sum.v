@@ -66,18 +66,11 @@ module fp_squared_sum #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 30)) begin : g_refused_exponent
-      EXPONENT_BITS_is_not_2_to_30 refused ();
-    end
-    if (PRECISION < 3) begin : g_refused_precision
-      PRECISION_is_below_3 refused ();
-    end
-    if (FACTOR_A < 1) begin : g_refused_factor_a
-      FACTOR_A_is_below_1 refused ();
-    end
-    if (FACTOR_B < 1) begin : g_refused_factor_b
-      FACTOR_B_is_below_1 refused ();
-    end
+    if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 30))
+      begin : g_refused_exponent EXPONENT_BITS_is_not_2_to_30 refused (); end
+    if (PRECISION < 3) begin : g_refused_precision PRECISION_is_below_3 refused (); end
+    if (FACTOR_A < 1) begin : g_refused_factor_a FACTOR_A_is_below_1 refused (); end
+    if (FACTOR_B < 1) begin : g_refused_factor_b FACTOR_B_is_below_1 refused (); end
   endgenerate
 
   // Stages of the sum.

@@ -16,12 +16,9 @@ module fp_subnormal_shift #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (AMOUNT_BITS < 1) begin : g_refused_amount_bits
-      AMOUNT_BITS_is_below_1 refused ();
-    end
-    if (EXPONENT_WIDTH <= AMOUNT_BITS) begin : g_refused_exponent_width
-      EXPONENT_WIDTH_is_not_above_AMOUNT_BITS refused ();
-    end
+    if (AMOUNT_BITS < 1) begin : g_refused_amount_bits AMOUNT_BITS_is_below_1 refused (); end
+    if (EXPONENT_WIDTH <= AMOUNT_BITS)
+      begin : g_refused_exponent_width EXPONENT_WIDTH_is_not_above_AMOUNT_BITS refused (); end
   endgenerate
 
   generate

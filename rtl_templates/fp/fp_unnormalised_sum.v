@@ -37,18 +37,12 @@ module fp_unnormalised_sum #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (EXPONENT_BITS < 2) begin : g_refused_exponent
-      EXPONENT_BITS_is_below_2 refused ();
-    end
-    if (PRECISION < 3) begin : g_refused_precision
-      PRECISION_is_below_3 refused ();
-    end
-    if ((SUM_SELECTS < 0) || (SUM_SELECTS > 2)) begin : g_refused_sum_selects
-      SUM_SELECTS_is_not_0_to_2 refused ();
-    end
-    if (EXPONENT_WIDTH < EXPONENT_BITS + 2) begin : g_refused_exponent_width
-      EXPONENT_WIDTH_is_too_small_for_EXPONENT_BITS refused ();
-    end
+    if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
+    if (PRECISION < 3) begin : g_refused_precision PRECISION_is_below_3 refused (); end
+    if ((SUM_SELECTS < 0) || (SUM_SELECTS > 2))
+      begin : g_refused_sum_selects SUM_SELECTS_is_not_0_to_2 refused (); end
+    if (EXPONENT_WIDTH < EXPONENT_BITS + 2)
+      begin : g_refused_exponent_width EXPONENT_WIDTH_is_too_small_for_EXPONENT_BITS refused (); end
   endgenerate
 
   // Stages compare, swap, align by fours, align: the larger operand is that of the larger exponent.

@@ -23,15 +23,10 @@ module fp_unpack #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (EXPONENT_BITS < 2) begin : g_refused_exponent
-      EXPONENT_BITS_is_below_2 refused ();
-    end
-    if (PRECISION < 2) begin : g_refused_precision
-      PRECISION_is_below_2 refused ();
-    end
-    if ((GRADUAL != 0) && (UNDERFLOW == 0)) begin : g_refused_gradual
-      GRADUAL_without_UNDERFLOW refused ();
-    end
+    if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
+    if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
+    if ((GRADUAL != 0) && (UNDERFLOW == 0))
+      begin : g_refused_gradual GRADUAL_without_UNDERFLOW refused (); end
   endgenerate
 
   wire [EXPONENT_BITS-1:0] field         = a[EXPONENT_BITS+PRECISION-2:PRECISION-1];

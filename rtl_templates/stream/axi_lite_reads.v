@@ -42,9 +42,7 @@ module axi_lite_reads #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (ADDRESS_BITS < 1) begin : g_refused_address_bits
-      ADDRESS_BITS_is_below_1 refused ();
-    end
+    if (ADDRESS_BITS < 1) begin : g_refused_address_bits ADDRESS_BITS_is_below_1 refused (); end
   endgenerate
 
   wire unused_inputs = &{s_axi_awaddr, s_axi_awprot, s_axi_wdata, s_axi_wstrb, s_axi_arprot};

@@ -25,18 +25,11 @@ module beat_memory #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (WIDTH < 1) begin : g_refused_width
-      WIDTH_is_below_1 refused ();
-    end
-    if ((BEAT_BITS < 0) || (BEAT_BITS > 8)) begin : g_refused_beat_bits
-      BEAT_BITS_is_not_0_to_8 refused ();
-    end
-    if (ADDRESS_BITS < 1) begin : g_refused_address_bits
-      ADDRESS_BITS_is_below_1 refused ();
-    end
-    if (ADDRESS_BITS > 20) begin : g_refused_address_shift
-      ADDRESS_BITS_is_above_20 refused ();
-    end
+    if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
+    if ((BEAT_BITS < 0) || (BEAT_BITS > 8))
+      begin : g_refused_beat_bits BEAT_BITS_is_not_0_to_8 refused (); end
+    if (ADDRESS_BITS < 1) begin : g_refused_address_bits ADDRESS_BITS_is_below_1 refused (); end
+    if (ADDRESS_BITS > 20) begin : g_refused_address_shift ADDRESS_BITS_is_above_20 refused (); end
   endgenerate
 
   wire [ADDRESS_BITS-1:0] read_word = read_address[ADDRESS_BITS+BEAT_BITS-1:BEAT_BITS];

@@ -36,18 +36,11 @@ module carried_operands #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if ((LANES < 1) || (LANES > 64)) begin : g_refused_lanes
-      LANES_is_not_1_to_64 refused ();
-    end
-    if (OPERAND_BITS < 1) begin : g_refused_operand_bits
-      OPERAND_BITS_is_below_1 refused ();
-    end
-    if (SLOT_BITS < 1) begin : g_refused_slot_bits
-      SLOT_BITS_is_below_1 refused ();
-    end
-    if ((BEAT_BITS < 0) || (BEAT_BITS > 8)) begin : g_refused_beat_bits
-      BEAT_BITS_is_not_0_to_8 refused ();
-    end
+    if ((LANES < 1) || (LANES > 64)) begin : g_refused_lanes LANES_is_not_1_to_64 refused (); end
+    if (OPERAND_BITS < 1) begin : g_refused_operand_bits OPERAND_BITS_is_below_1 refused (); end
+    if (SLOT_BITS < 1) begin : g_refused_slot_bits SLOT_BITS_is_below_1 refused (); end
+    if ((BEAT_BITS < 0) || (BEAT_BITS > 8))
+      begin : g_refused_beat_bits BEAT_BITS_is_not_0_to_8 refused (); end
   endgenerate
 
   wire                              waiting_valid;

@@ -34,17 +34,13 @@ module counter_memory #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (COUNTERS < 2) begin : g_refused_counters
-      COUNTERS_is_below_2 refused ();
-    end
+    if (COUNTERS < 2) begin : g_refused_counters COUNTERS_is_below_2 refused (); end
     if ((NARROW_BITS < 1) || (NARROW_BITS > 30)) begin : g_refused_narrow_bits
       NARROW_BITS_is_not_1_to_30 refused ();
     end else if (((2 * COUNTERS + 1) >>> NARROW_BITS) > 0) begin : g_refused_round
       NARROW_BITS_is_too_small_for_COUNTERS refused ();
     end
-    if (WIDTH <= NARROW_BITS) begin : g_refused_width
-      WIDTH_is_not_above_NARROW_BITS refused ();
-    end
+    if (WIDTH <= NARROW_BITS) begin : g_refused_width WIDTH_is_not_above_NARROW_BITS refused (); end
   endgenerate
 
   // Stage 0: a narrow count arrives, and the memory reads what is stored for it. In the next cycle

@@ -42,9 +42,7 @@ module counter_port #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if ((WIDTH < 1) || (WIDTH > 64)) begin : g_refused_width
-      WIDTH_is_not_1_to_64 refused ();
-    end
+    if ((WIDTH < 1) || (WIDTH > 64)) begin : g_refused_width WIDTH_is_not_1_to_64 refused (); end
   endgenerate
 
   wire                    readable;

@@ -59,12 +59,8 @@ module counter_scan #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (COUNTERS < 1) begin : g_refused_counters
-      COUNTERS_is_below_1 refused ();
-    end
-    if (WIDTH < 1) begin : g_refused_width
-      WIDTH_is_below_1 refused ();
-    end
+    if (COUNTERS < 1) begin : g_refused_counters COUNTERS_is_below_1 refused (); end
+    if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
     if ((INDEX_BITS < 1) || (INDEX_BITS > 30)) begin : g_refused_index_bits
       INDEX_BITS_is_not_1_to_30 refused ();
     end else if (((COUNTERS - 1) >>> INDEX_BITS) > 0) begin : g_refused_last_index

@@ -13,12 +13,8 @@ module delay_line #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (WIDTH < 1) begin : g_refused_width
-      WIDTH_is_below_1 refused ();
-    end
-    if (LENGTH < 0) begin : g_refused_length
-      LENGTH_is_below_0 refused ();
-    end
+    if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
+    if (LENGTH < 0) begin : g_refused_length LENGTH_is_below_0 refused (); end
   endgenerate
 
   generate

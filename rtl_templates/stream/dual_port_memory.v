@@ -20,15 +20,9 @@ module dual_port_memory #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (WIDTH < 1) begin : g_refused_width
-      WIDTH_is_below_1 refused ();
-    end
-    if (ADDRESS_BITS < 1) begin : g_refused_address_bits
-      ADDRESS_BITS_is_below_1 refused ();
-    end
-    if (ADDRESS_BITS > 30) begin : g_refused_address_shift
-      ADDRESS_BITS_is_above_30 refused ();
-    end
+    if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
+    if (ADDRESS_BITS < 1) begin : g_refused_address_bits ADDRESS_BITS_is_below_1 refused (); end
+    if (ADDRESS_BITS > 30) begin : g_refused_address_shift ADDRESS_BITS_is_above_30 refused (); end
   endgenerate
 
   (* no_rw_check, ramstyle = "no_rw_check", rw_addr_collision = "no" *)

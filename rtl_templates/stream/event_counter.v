@@ -15,12 +15,9 @@ module event_counter #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (COUNTER_BITS < 0) begin : g_refused_counter_bits
-      COUNTER_BITS_is_below_0 refused ();
-    end
-    if ((EVENTS < 1) || (EVENTS > 64)) begin : g_refused_events
-      EVENTS_is_not_1_to_64 refused ();
-    end
+    if (COUNTER_BITS < 0) begin : g_refused_counter_bits COUNTER_BITS_is_below_0 refused (); end
+    if ((EVENTS < 1) || (EVENTS > 64))
+      begin : g_refused_events EVENTS_is_not_1_to_64 refused (); end
   endgenerate
 
   generate

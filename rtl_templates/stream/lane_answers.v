@@ -34,12 +34,8 @@ module lane_answers #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if ((LANES < 1) || (LANES > 64)) begin : g_refused_lanes
-      LANES_is_not_1_to_64 refused ();
-    end
-    if (SLOT_BITS < 1) begin : g_refused_slot_bits
-      SLOT_BITS_is_below_1 refused ();
-    end
+    if ((LANES < 1) || (LANES > 64)) begin : g_refused_lanes LANES_is_not_1_to_64 refused (); end
+    if (SLOT_BITS < 1) begin : g_refused_slot_bits SLOT_BITS_is_below_1 refused (); end
   endgenerate
 
   wire                 entry_valid;

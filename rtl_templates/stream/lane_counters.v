@@ -21,9 +21,7 @@ module lane_counters #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (COUNTER_BITS < 0) begin : g_refused_counter_bits
-      COUNTER_BITS_is_below_0 refused ();
-    end
+    if (COUNTER_BITS < 0) begin : g_refused_counter_bits COUNTER_BITS_is_below_0 refused (); end
   endgenerate
 
   event_counter #(

@@ -57,30 +57,16 @@ module lane_scoreboard #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if ((LANES < 1) || (LANES > 64)) begin : g_refused_lanes
-      LANES_is_not_1_to_64 refused ();
-    end
-    if (OPERAND_BITS < 1) begin : g_refused_operand_bits
-      OPERAND_BITS_is_below_1 refused ();
-    end
-    if (TAG_BITS < 1) begin : g_refused_tag_bits
-      TAG_BITS_is_below_1 refused ();
-    end
-    if (SLOT_BITS < 1) begin : g_refused_slot_bits
-      SLOT_BITS_is_below_1 refused ();
-    end
-    if (LANE_LATENCY < 0) begin : g_refused_lane_latency
-      LANE_LATENCY_is_below_0 refused ();
-    end
-    if (COUNTER_BITS < 0) begin : g_refused_counter_bits
-      COUNTER_BITS_is_below_0 refused ();
-    end
-    if ((BEAT_BITS < 0) || (BEAT_BITS > 8)) begin : g_refused_beat_bits
-      BEAT_BITS_is_not_0_to_8 refused ();
-    end
-    if (INPUT_REGISTERS < 0) begin : g_refused_input_registers
-      INPUT_REGISTERS_is_below_0 refused ();
-    end
+    if ((LANES < 1) || (LANES > 64)) begin : g_refused_lanes LANES_is_not_1_to_64 refused (); end
+    if (OPERAND_BITS < 1) begin : g_refused_operand_bits OPERAND_BITS_is_below_1 refused (); end
+    if (TAG_BITS < 1) begin : g_refused_tag_bits TAG_BITS_is_below_1 refused (); end
+    if (SLOT_BITS < 1) begin : g_refused_slot_bits SLOT_BITS_is_below_1 refused (); end
+    if (LANE_LATENCY < 0) begin : g_refused_lane_latency LANE_LATENCY_is_below_0 refused (); end
+    if (COUNTER_BITS < 0) begin : g_refused_counter_bits COUNTER_BITS_is_below_0 refused (); end
+    if ((BEAT_BITS < 0) || (BEAT_BITS > 8))
+      begin : g_refused_beat_bits BEAT_BITS_is_not_0_to_8 refused (); end
+    if (INPUT_REGISTERS < 0)
+      begin : g_refused_input_registers INPUT_REGISTERS_is_below_0 refused (); end
   endgenerate
 
   // A slot is taken with each comparison, and free again when its result leaves.

@@ -22,15 +22,9 @@ module lane_tracker #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if ((LANES < 1) || (LANES > 64)) begin : g_refused_lanes
-      LANES_is_not_1_to_64 refused ();
-    end
-    if (SLOT_BITS < 1) begin : g_refused_slot_bits
-      SLOT_BITS_is_below_1 refused ();
-    end
-    if (LANE_LATENCY < 0) begin : g_refused_lane_latency
-      LANE_LATENCY_is_below_0 refused ();
-    end
+    if ((LANES < 1) || (LANES > 64)) begin : g_refused_lanes LANES_is_not_1_to_64 refused (); end
+    if (SLOT_BITS < 1) begin : g_refused_slot_bits SLOT_BITS_is_below_1 refused (); end
+    if (LANE_LATENCY < 0) begin : g_refused_lane_latency LANE_LATENCY_is_below_0 refused (); end
   endgenerate
 
   valid_delay_line #(

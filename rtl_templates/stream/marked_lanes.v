@@ -20,9 +20,7 @@ module marked_lanes #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if ((LANES < 1) || (LANES > 64)) begin : g_refused_lanes
-      LANES_is_not_1_to_64 refused ();
-    end
+    if ((LANES < 1) || (LANES > 64)) begin : g_refused_lanes LANES_is_not_1_to_64 refused (); end
   endgenerate
 
   generate

@@ -45,21 +45,12 @@ module reference_port #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (OPERAND_BITS < 1) begin : g_refused_operand_bits
-      OPERAND_BITS_is_below_1 refused ();
-    end
-    if (TAG_BITS < 1) begin : g_refused_tag_bits
-      TAG_BITS_is_below_1 refused ();
-    end
-    if (LANE_BITS < 1) begin : g_refused_lane_bits
-      LANE_BITS_is_below_1 refused ();
-    end
-    if (SLOT_BITS < 1) begin : g_refused_slot_bits
-      SLOT_BITS_is_below_1 refused ();
-    end
-    if (REFERENCE_LATENCY < 0) begin : g_refused_reference_latency
-      REFERENCE_LATENCY_is_below_0 refused ();
-    end
+    if (OPERAND_BITS < 1) begin : g_refused_operand_bits OPERAND_BITS_is_below_1 refused (); end
+    if (TAG_BITS < 1) begin : g_refused_tag_bits TAG_BITS_is_below_1 refused (); end
+    if (LANE_BITS < 1) begin : g_refused_lane_bits LANE_BITS_is_below_1 refused (); end
+    if (SLOT_BITS < 1) begin : g_refused_slot_bits SLOT_BITS_is_below_1 refused (); end
+    if (REFERENCE_LATENCY < 0)
+      begin : g_refused_reference_latency REFERENCE_LATENCY_is_below_0 refused (); end
     if (INITIATION_INTERVAL < 1) begin : g_refused_initiation_interval
       INITIATION_INTERVAL_is_below_1 refused ();
     end else if ((LAST_OPERAND_PHASE < 0) || (LAST_OPERAND_PHASE >= INITIATION_INTERVAL))
@@ -74,12 +65,10 @@ module reference_port #(
     end else if (((INITIATION_INTERVAL - 1) >>> PHASE_BITS) > 0) begin : g_refused_last_phase
       PHASE_BITS_is_too_small_for_INITIATION_INTERVAL refused ();
     end
-    if ((BEAT_BITS < 0) || (BEAT_BITS > 8)) begin : g_refused_beat_bits
-      BEAT_BITS_is_not_0_to_8 refused ();
-    end
-    if (OUTSTANDING_BITS < 1) begin : g_refused_outstanding_bits
-      OUTSTANDING_BITS_is_below_1 refused ();
-    end
+    if ((BEAT_BITS < 0) || (BEAT_BITS > 8))
+      begin : g_refused_beat_bits BEAT_BITS_is_not_0_to_8 refused (); end
+    if (OUTSTANDING_BITS < 1)
+      begin : g_refused_outstanding_bits OUTSTANDING_BITS_is_below_1 refused (); end
   endgenerate
 
   // Operands that wait at the datapath, and for whom; `take`: they may leave at the end of the cycle.

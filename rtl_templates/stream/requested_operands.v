@@ -36,21 +36,13 @@ module requested_operands #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (OPERAND_BITS < 1) begin : g_refused_operand_bits
-      OPERAND_BITS_is_below_1 refused ();
-    end
-    if (TAG_BITS < 1) begin : g_refused_tag_bits
-      TAG_BITS_is_below_1 refused ();
-    end
-    if (SENDER_BITS < 1) begin : g_refused_sender_bits
-      SENDER_BITS_is_below_1 refused ();
-    end
-    if ((BEAT_BITS < 0) || (BEAT_BITS > 8)) begin : g_refused_beat_bits
-      BEAT_BITS_is_not_0_to_8 refused ();
-    end
-    if (OUTSTANDING_BITS < 1) begin : g_refused_outstanding_bits
-      OUTSTANDING_BITS_is_below_1 refused ();
-    end
+    if (OPERAND_BITS < 1) begin : g_refused_operand_bits OPERAND_BITS_is_below_1 refused (); end
+    if (TAG_BITS < 1) begin : g_refused_tag_bits TAG_BITS_is_below_1 refused (); end
+    if (SENDER_BITS < 1) begin : g_refused_sender_bits SENDER_BITS_is_below_1 refused (); end
+    if ((BEAT_BITS < 0) || (BEAT_BITS > 8))
+      begin : g_refused_beat_bits BEAT_BITS_is_not_0_to_8 refused (); end
+    if (OUTSTANDING_BITS < 1)
+      begin : g_refused_outstanding_bits OUTSTANDING_BITS_is_below_1 refused (); end
   endgenerate
 
   generate

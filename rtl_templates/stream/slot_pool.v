@@ -21,9 +21,7 @@ module slot_pool #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (SLOT_BITS < 1) begin : g_refused_slot_bits
-      SLOT_BITS_is_below_1 refused ();
-    end
+    if (SLOT_BITS < 1) begin : g_refused_slot_bits SLOT_BITS_is_below_1 refused (); end
   endgenerate
 
   // A queue that reset leaves full: place k stands for slot k until a slot that came back is written

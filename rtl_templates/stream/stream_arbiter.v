@@ -38,15 +38,10 @@ module stream_arbiter #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (INPUTS < 1) begin : g_refused_inputs
-      INPUTS_is_below_1 refused ();
-    end
-    if (WIDTH < 1) begin : g_refused_width
-      WIDTH_is_below_1 refused ();
-    end
-    if ((BEAT_BITS < 0) || (BEAT_BITS > 8)) begin : g_refused_beat_bits
-      BEAT_BITS_is_not_0_to_8 refused ();
-    end
+    if (INPUTS < 1) begin : g_refused_inputs INPUTS_is_below_1 refused (); end
+    if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
+    if ((BEAT_BITS < 0) || (BEAT_BITS > 8))
+      begin : g_refused_beat_bits BEAT_BITS_is_not_0_to_8 refused (); end
   endgenerate
 
   reg  [SELECT_BITS-1:0] last_q;   // the input served last, or whose packet is

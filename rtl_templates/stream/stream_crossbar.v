@@ -36,33 +36,17 @@ module stream_crossbar #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (LANES < 1) begin : g_refused_lanes
-      LANES_is_below_1 refused ();
-    end
-    if (REFERENCES < 1) begin : g_refused_references
-      REFERENCES_is_below_1 refused ();
-    end
-    if (LANE_BITS < 1) begin : g_refused_lane_bits
-      LANE_BITS_is_below_1 refused ();
-    end
-    if (LANE_BITS > 30) begin : g_refused_lane_shift
-      LANE_BITS_is_above_30 refused ();
-    end
-    if (((LANES - 1) >>> LANE_BITS) > 0) begin : g_refused_last_lane
-      LANE_BITS_is_too_small_for_LANES refused ();
-    end
-    if (SLOT_BITS < 1) begin : g_refused_slot_bits
-      SLOT_BITS_is_below_1 refused ();
-    end
-    if (PAYLOAD_BITS < 1) begin : g_refused_payload_bits
-      PAYLOAD_BITS_is_below_1 refused ();
-    end
-    if (RADIX < 2) begin : g_refused_radix
-      RADIX_is_below_2 refused ();
-    end
-    if ((BEAT_BITS < 0) || (BEAT_BITS > 8)) begin : g_refused_beat_bits
-      BEAT_BITS_is_not_0_to_8 refused ();
-    end
+    if (LANES < 1) begin : g_refused_lanes LANES_is_below_1 refused (); end
+    if (REFERENCES < 1) begin : g_refused_references REFERENCES_is_below_1 refused (); end
+    if (LANE_BITS < 1) begin : g_refused_lane_bits LANE_BITS_is_below_1 refused (); end
+    if (LANE_BITS > 30) begin : g_refused_lane_shift LANE_BITS_is_above_30 refused (); end
+    if (((LANES - 1) >>> LANE_BITS) > 0)
+      begin : g_refused_last_lane LANE_BITS_is_too_small_for_LANES refused (); end
+    if (SLOT_BITS < 1) begin : g_refused_slot_bits SLOT_BITS_is_below_1 refused (); end
+    if (PAYLOAD_BITS < 1) begin : g_refused_payload_bits PAYLOAD_BITS_is_below_1 refused (); end
+    if (RADIX < 2) begin : g_refused_radix RADIX_is_below_2 refused (); end
+    if ((BEAT_BITS < 0) || (BEAT_BITS > 8))
+      begin : g_refused_beat_bits BEAT_BITS_is_not_0_to_8 refused (); end
   endgenerate
 
   genvar r;

@@ -21,12 +21,8 @@ module stream_fifo #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (WIDTH < 1) begin : g_refused_width
-      WIDTH_is_below_1 refused ();
-    end
-    if (DEPTH_BITS < 1) begin : g_refused_depth_bits
-      DEPTH_BITS_is_below_1 refused ();
-    end
+    if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
+    if (DEPTH_BITS < 1) begin : g_refused_depth_bits DEPTH_BITS_is_below_1 refused (); end
   endgenerate
 
   // One bit more than an address: equal pointers mean empty, opposite in that bit alone, full.

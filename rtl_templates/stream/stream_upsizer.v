@@ -23,15 +23,10 @@ module stream_upsizer #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (WIDTH < 1) begin : g_refused_width
-      WIDTH_is_below_1 refused ();
-    end
-    if (USER_BITS < 1) begin : g_refused_user_bits
-      USER_BITS_is_below_1 refused ();
-    end
-    if ((BEAT_BITS < 0) || (BEAT_BITS > 8)) begin : g_refused_beat_bits
-      BEAT_BITS_is_not_0_to_8 refused ();
-    end
+    if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
+    if (USER_BITS < 1) begin : g_refused_user_bits USER_BITS_is_below_1 refused (); end
+    if ((BEAT_BITS < 0) || (BEAT_BITS > 8))
+      begin : g_refused_beat_bits BEAT_BITS_is_not_0_to_8 refused (); end
   endgenerate
 
   generate

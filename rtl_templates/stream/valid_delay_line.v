@@ -13,9 +13,7 @@ module valid_delay_line #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (LENGTH < 0) begin : g_refused_length
-      LENGTH_is_below_0 refused ();
-    end
+    if (LENGTH < 0) begin : g_refused_length LENGTH_is_below_0 refused (); end
   endgenerate
 
   generate

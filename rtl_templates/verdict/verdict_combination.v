@@ -22,9 +22,7 @@ module verdict_combination #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (PARTS < 1) begin : g_refused_parts
-      PARTS_is_below_1 refused ();
-    end
+    if (PARTS < 1) begin : g_refused_parts PARTS_is_below_1 refused (); end
   endgenerate
 
   // Stage combine: among parts none of which decides, unordered outweighs equal, equal the rest.

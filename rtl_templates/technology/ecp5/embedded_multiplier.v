@@ -19,12 +19,8 @@ module embedded_multiplier #(
 
   // Parameters that do not fit: an instance of a module that does not exist.
   generate
-    if (A_WIDTH < 1) begin : g_refused_a
-      A_WIDTH_is_below_1 refused ();
-    end
-    if (B_WIDTH < 1) begin : g_refused_b
-      B_WIDTH_is_below_1 refused ();
-    end
+    if (A_WIDTH < 1) begin : g_refused_a A_WIDTH_is_below_1 refused (); end
+    if (B_WIDTH < 1) begin : g_refused_b B_WIDTH_is_below_1 refused (); end
   endgenerate
 
   wire a_negative = (SIGNED_A != 0) && a[A_WIDTH-1];
