@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "model/common/cases.hpp"
 #include "model/common/check.hpp"
 
 namespace mixcmp::verilator_tb {
@@ -22,7 +23,7 @@ using LaneEmulator = std::variant<emulator::Emulator, emulator::FixedEmulator>;
 
 LaneEmulator emulator_of(const design::Lane& lane) {
   return std::visit(
-      design::Cases{
+      Cases{
           [](const error::Lane& made) { return LaneEmulator(emulator::Emulator(made)); },
           [](const fixed::FixedLane& made) { return LaneEmulator(emulator::FixedEmulator(made)); }},
       lane);

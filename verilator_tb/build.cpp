@@ -189,7 +189,7 @@ Result<FolderLock> prepare(const ModelBuild& build, const Waiting& waiting) {
     if (failure) return cannot_write(build.folder / left, failure.value());
   }
   for (const auto& [name, text] : build.inputs) {
-    MIXCMP_TRY(written, write_file(build.folder / name, text));
+    MIXCMP_DO(write_file(build.folder / name, text));
   }
   return lock;
 }
@@ -267,7 +267,7 @@ Result<Executable> make_program(const ModelBuild& program, const std::vector<Mod
                              .log = program.folder / "build.log",
                              .progress = options.progress});
   if (!run.ok()) return missing_compiler().value_or(run.error());
-  MIXCMP_TRY(stamped, write_file(program.folder / build_stamp, ""));
+  MIXCMP_DO(write_file(program.folder / build_stamp, ""));
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   return Executable{executable.path, taken.count()};
 }

@@ -265,16 +265,16 @@ Result<Answer> simulate_in_icarus(const System& system, const Block& block,
       work_folder(work_dir, system.signature.top + "-icarus", version, command, inputs);
   MIXCMP_TRY(lock, FolderLock::take(folder, waiting));
   for (const auto& [name, text] : inputs) {
-    MIXCMP_TRY(written, write_file(folder / name, text));
+    MIXCMP_DO(write_file(folder / name, text));
   }
   std::error_code failure;
   fs::remove(folder / "results.txt", failure);
-  MIXCMP_TRY(compiled, run_tool({.command = command,
-                                 .directory = folder,
-                                 .log = folder / "compile.log",
-                                 .progress = progress}));
+  MIXCMP_DO(run_tool({.command = command,
+                      .directory = folder,
+                      .log = folder / "compile.log",
+                      .progress = progress}));
   if (!options.waves.empty()) {
-    MIXCMP_TRY(linked, link_waves(folder, options.waves));
+    MIXCMP_DO(link_waves(folder, options.waves));
   }
   const auto simulated = run_tool({.command = run_command(options),
                                    .directory = folder,
@@ -282,7 +282,7 @@ Result<Answer> simulate_in_icarus(const System& system, const Block& block,
                                    .progress = progress});
   if (!simulated.ok()) return naming_the_package(simulated.error(), "vvp");
   MIXCMP_TRY(answer, read_results(folder / "results.txt", words));
-  MIXCMP_TRY(possible, check_results(answer, block, system.signature, folder / "results.txt"));
+  MIXCMP_DO(check_results(answer, block, system.signature, folder / "results.txt"));
   return answer;
 }
 

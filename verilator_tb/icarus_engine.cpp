@@ -116,7 +116,7 @@ Result<Done> check_programs() {
 
 Result<Executable> build_engine_in_icarus(const System& system, const BuildOptions& options) {
   MIXCMP_TRY(version, tool_version({"iverilog", "-V"}, "iverilog"));
-  MIXCMP_TRY(there, check_programs());
+  MIXCMP_DO(check_programs());
   MIXCMP_TRY(sources, system_sources(system));
   const Bench bench = bench_of(system.signature);
   ModelBuild build{

@@ -226,7 +226,7 @@ Result<ShareOutcome> run_share(const Run& run, const Share& share, const Executa
     told = judge.report().mismatch_count;
   }
   judge.take(answer);
-  MIXCMP_TRY(finished, simulation.finish());
+  MIXCMP_DO(simulation.finish());
   outcome.report = std::move(judge.report());
   outcome.first_undecided = judge.first_undecided();
   return outcome;
@@ -325,7 +325,7 @@ Result<VerifyReport> run_system(const System& system, const design::Design& desi
     case scene::EngineKind::pairwise: return verify_pairwise(system, design, comparisons, options);
     case scene::EngineKind::arg_min: return verify_arg_min(system, design, comparisons, options);
   }
-  MIXCMP_TRY(tags, check_tags(system.signature));
+  MIXCMP_DO(check_tags(system.signature));
   const Selection selection(comparisons.size(), options.selection);
   std::optional<ExpectedWords> emulator;
   if (options.judge == JudgeKind::emulator && fits_double(comparisons.format())) {
@@ -355,7 +355,7 @@ SimulationOptions simulation_options(const VerifyOptions& options) {
 
 Result<Done> check_request(const design::Design& design, const data::Comparisons& comparisons,
                            const VerifyOptions& options) {
-  MIXCMP_TRY(portion_checked, check_portion(design, comparisons, options));
+  MIXCMP_DO(check_portion(design, comparisons, options));
   switch (design.system.engine.kind) {
     case scene::EngineKind::none: return check_selection(comparisons, options.selection);
     case scene::EngineKind::pairwise: {
@@ -363,7 +363,7 @@ Result<Done> check_request(const design::Design& design, const data::Comparisons
       break;
     }
     case scene::EngineKind::arg_min: {
-      MIXCMP_TRY(possible, check_engine_options(options, "every candidate for every row"));
+      MIXCMP_DO(check_engine_options(options, "every candidate for every row"));
       break;
     }
   }
@@ -392,15 +392,15 @@ Result<VerifyReport> judge_system(const System& system, const design::Design& de
   VerifyOptions with_waves = options;
   with_waves.wave_file = &waves;
   MIXCMP_TRY(report, run_system(system, design, comparisons, with_waves));
-  MIXCMP_TRY(kept, waves.commit());
+  MIXCMP_DO(waves.commit());
   return report;
 }
 
 Result<VerifyReport> verify(const design::Design& design, const data::Comparisons& comparisons,
                             const fs::path& generated_dir, const VerifyOptions& options) {
-  MIXCMP_TRY(requested, check_request(design, comparisons, options));
+  MIXCMP_DO(check_request(design, comparisons, options));
   MIXCMP_TRY(system, load_system(generated_dir));
-  MIXCMP_TRY(of_design, check_design(system, design));
+  MIXCMP_DO(check_design(system, design));
   return judge_system(system, design, comparisons, options);
 }
 

@@ -150,7 +150,7 @@ std::string gtkwave_save_file(const emit::SignatureEngine& engine, const SaveFil
 
 Result<WaveFile> WaveFile::open(const fs::path& path) {
   for (const fs::path& output : {path, save_file_beside(path)}) {
-    MIXCMP_TRY(possible, check_place(output));
+    MIXCMP_DO(check_place(output));
   }
   MIXCMP_TRY(target, follow_links(fs::absolute(path)));
   auto own = ScratchFolder::make_in(target.parent_path(), "waves");
@@ -168,8 +168,8 @@ Result<Done> WaveFile::commit() {
   }
   MIXCMP_TRY(save_file, OutputFile::open(save_file_beside(path_)));
   save_file.write(save_file_text_);
-  MIXCMP_TRY(written, save_file.write_out());
-  MIXCMP_TRY(placed, put_in_place(unfinished(), path_));
+  MIXCMP_DO(save_file.write_out());
+  MIXCMP_DO(put_in_place(unfinished(), path_));
   return save_file.commit();
 }
 

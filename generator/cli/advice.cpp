@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "model/scene/lane_bound.hpp"
+
 namespace mixcmp::cli {
 namespace {
 
@@ -24,10 +26,9 @@ components::ComponentQuery query_of(const scene::Scene& scene,
                                     const std::vector<profile::RateProfile>& rates) {
   components::ComponentQuery query;
   query.inputs.clear();
-  const bool wants_profiled = scene.reduced.bound == scene::BoundKind::profiled;
   const profile::SchemeKind wanted =
-      wants_profiled ? profile::SchemeKind::profiled : profile::SchemeKind::certified;
-  std::set<scene::BoundChoice> bounds;
+      scene.reduced.is_profiled ? profile::SchemeKind::profiled : profile::SchemeKind::certified;
+  std::set<Bound> bounds;
   std::set<int> precisions;
   for (const profile::RateProfile& each : rates) {
     query.inputs.push_back(each.inputs);
@@ -68,13 +69,13 @@ std::string command_of(const std::string& verb, const SceneOptions& options,
 /// The keys that make lanes of this kind; an empty value: the key keeps its default.
 std::map<std::string, std::string> keys_for(const LaneEstimate& lane) {
   const scene::ReducedSpec reduced = scene::with_bound({}, *lane.key.bound);
-  const bool digits = lane.key.bound->kind == scene::BoundChoice::Kind::running;
-  const bool profiled = reduced.bound == scene::BoundKind::profiled;
+  const bool digits =
+      lane.key.bound->kind == BoundKind::running && !lane.key.bound->is_fixed_point();
   return {
       {"reduced.format", lane.key.format},
       {"reduced.inputs", to_string(lane.key.inputs)},
-      {"reduced.bound", std::string(to_string(reduced.bound))},
-      {"reduced.error_bound", profiled ? "" : std::string(scene::to_string(reduced.error_bound))},
+      {"reduced.bound", std::string(reduced.bound_word())},
+      {"reduced.error_bound", reduced.is_profiled ? "" : std::string(reduced.error_bound_word())},
       {"reduced.bound_digits", digits ? std::to_string(reduced.bound_digits) : ""},
       {"reduced.multipliers", lane.key.multipliers},
       {"system.lanes", "4"},

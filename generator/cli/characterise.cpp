@@ -30,7 +30,7 @@ struct MissingKind {
 std::vector<MissingKind> missing_kinds(const std::vector<components::MissingLane>& missing) {
   std::vector<MissingKind> found;
   for (const components::MissingLane& lane : missing) {
-    const std::string what = scene::to_string(lane.key.bound) + " " + to_string(lane.key.inputs);
+    const std::string what = to_string(lane.key.bound) + " " + to_string(lane.key.inputs);
     auto kind = std::find_if(found.begin(), found.end(),
                              [&](const MissingKind& known) { return known.what == what; });
     if (kind == found.end()) kind = found.insert(kind, {.what = what, .first = lane.key.format});

@@ -114,8 +114,8 @@ Result<ImportedReports> read_reports(const std::vector<fs::path>& paths,
   std::vector<VendorReport> reports;
   for (const fs::path& path : paths) {
     MIXCMP_TRY(report, characterise::read_vendor_report(path));
-    MIXCMP_TRY(ours, check_origin(report, device, signature));
-    MIXCMP_TRY(current, check_rtl(report, signature));
+    MIXCMP_DO(check_origin(report, device, signature));
+    MIXCMP_DO(check_rtl(report, signature));
     reports.push_back(std::move(report));
   }
   MIXCMP_TRY(areas, only_report(reports, false));
@@ -126,8 +126,8 @@ Result<ImportedReports> read_reports(const std::vector<fs::path>& paths,
   }
   ImportedReports imported{*areas, std::nullopt, part_of(device, areas->vendor)};
   if (timing == nullptr) return imported;
-  MIXCMP_TRY(same_tool, check_same_tool(*areas, *timing));
-  MIXCMP_TRY(same_stage, check_same_stage(*areas, *timing));
+  MIXCMP_DO(check_same_tool(*areas, *timing));
+  MIXCMP_DO(check_same_stage(*areas, *timing));
   imported.timing = *timing;
   return imported;
 }
@@ -178,7 +178,7 @@ nlohmann::ordered_json json_of_row(const characterise::Measurement& row) {
                                  {"name", row.key.name},
                                  {"format", row.key.format},
                                  {"inputs", to_string(row.key.inputs)},
-                                 {"bound", scene::to_string(row.key.bound)},
+                                 {"bound", to_string(row.key.bound)},
                                  {"multipliers", row.key.multipliers},
                                  {"sums", to_string(row.key.sums)},
                                  {"initiation_interval", row.key.initiation_interval},

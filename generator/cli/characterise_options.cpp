@@ -12,8 +12,9 @@
 
 #include "model/common/check.hpp"
 #include "model/common/quote.hpp"
+#include "model/number/bound.hpp"
 #include "model/profile/profile.hpp"
-#include "model/scene/bound_choice.hpp"
+#include "model/settings/bound_name.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -82,7 +83,7 @@ Result<Done> check_memories(const components::ComponentQuery& query) {
   const bool memory_alone = query.multipliers == std::vector{Multipliers::memory};
   const bool any_fixed_point =
       std::any_of(query.bounds.begin(), query.bounds.end(),
-                  [](const scene::BoundChoice& bound) { return bound.is_fixed_point(); });
+                  [](const Bound& bound) { return bound.is_fixed_point(); });
   if (!memory_alone || any_fixed_point) return Done{};
   return mistake("--multipliers", "squares are read from memories by lanes in fixed point alone",
                  "memory",
@@ -204,7 +205,7 @@ Result<components::ComponentQuery> query_of(const CharacteriseCommand& command,
   query.inputs = inputs;
   MIXCMP_TRY(multipliers, multiplier_kinds(command.multipliers));
   query.multipliers = multipliers;
-  MIXCMP_TRY(possible, check_memories(query));
+  MIXCMP_DO(check_memories(query));
   MIXCMP_TRY(intervals, initiation_intervals(command.initiation_intervals, scene));
   query.initiation_intervals = intervals;
   MIXCMP_TRY(targets, reference_targets(command, scene));
@@ -253,9 +254,8 @@ void add_characterise_options(const Verb& verb, CharacteriseCommand& command) {
       "--precisions", command.precisions,
       fmt::format("of lanes: {}-{} or 8,12,17 (default: all that the scene can have)",
                   settings::limits::lane_precision.least, settings::limits::lane_precision.most));
-  verb.option(
-      "--bounds", command.bounds,
-      fmt::format("of lanes: {} (default: {})", scene::bound_choice_names(), command.bounds));
+  verb.option("--bounds", command.bounds,
+              fmt::format("of lanes: {} (default: {})", settings::bound_names(), command.bounds));
   verb.option("--inputs", command.inputs,
               "of lanes: exact, rounded, digits that operands are rounded to, 20 (default: " +
                   command.inputs + ")");

@@ -93,7 +93,7 @@ Result<std::optional<characterise::Characterisation>> previous_table(const fs::p
   if (!is_table) return std::optional<characterise::Characterisation>();
   MIXCMP_TRY(table, characterise::read_characterisation(path));
   if (table.scene == scene.name && table.device == device) {
-    MIXCMP_TRY(comparable, check_rows_can_stay(table, path, scene));
+    MIXCMP_DO(check_rows_can_stay(table, path, scene));
     return std::optional(std::move(table));
   }
   return Error{.file = path.string(),
@@ -162,7 +162,7 @@ void write_table(CharacteriseReport& report, const CharacteriseCommand& command,
 std::string kinds_of(const std::set<characterise::ComponentKey>& lanes) {
   std::map<std::string, std::set<int>> formats;
   for (const characterise::ComponentKey& lane : lanes) {
-    const std::string kind = scene::to_string(lane.bound) + (lane.inputs ? " " : "");
+    const std::string kind = to_string(lane.bound) + (lane.inputs ? " " : "");
     formats[kind + to_string(lane.inputs)].insert(
         LaneFormat::parse(lane.format).value().precision());
   }
@@ -176,9 +176,8 @@ std::string kinds_of(const std::set<characterise::ComponentKey>& lanes) {
 /// Leaves out the bounds of lanes that no plan of the scene may use: profiled ones where it wants
 /// certified lanes, certified ones where it wants profiled lanes.
 void leave_out_unusable(const scene::Scene& scene, components::ComponentQuery& query) {
-  const bool wants_profiled = scene.reduced.bound == scene::BoundKind::profiled;
-  std::erase_if(query.bounds, [&](const scene::BoundChoice& bound) {
-    return (bound.kind == scene::BoundChoice::Kind::profiled) != wants_profiled;
+  std::erase_if(query.bounds, [&](const Bound& bound) {
+    return bound.is_profiled() != scene.reduced.is_profiled;
   });
 }
 

@@ -14,7 +14,7 @@
 #include "model/profile/profile.hpp"
 #include "model/profile/profiled_error.hpp"
 #include "model/profile/schemes.hpp"
-#include "model/scene/bound_choice.hpp"
+#include "model/scene/lane_bound.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -26,7 +26,7 @@ using scene::Scene;
 /// The area of one lane alone on the scene's device.
 Result<Area> lane_area(const Scene& scene, const design::Lane& lane,
                        scene::Multipliers multipliers) {
-  MIXCMP_TRY(possible, design::check_multipliers(lane, multipliers));
+  MIXCMP_DO(design::check_multipliers(lane, multipliers));
   MIXCMP_TRY(device, devices::find_device(scene.system.device));
   MIXCMP_TRY(tools, characterise::tool_versions(device, characterise::TimingEffort::area_only));
   MIXCMP_TRY(built, components::lane_rtl(scene.graph.inputs(), lane, multipliers, scene.system));
@@ -57,8 +57,9 @@ Result<std::optional<Area>> area_of_all_built(const Scene& scene, const ReducedS
 /// Tells whether `generate` takes the bound of `tried`, whose lane has this decision.
 bool is_chosen(const LoadedScene& loaded, const ReducedSpec& tried, const std::string& decision) {
   const ReducedSpec& reduced = loaded.scene.reduced;
-  if (reduced.bound != tried.bound || reduced.fixed_point != tried.fixed_point) return false;
-  if (reduced.bound == scene::BoundKind::profiled) return true;
+  if (reduced.is_profiled != tried.is_profiled || reduced.fixed_point != tried.fixed_point)
+    return false;
+  if (reduced.is_profiled) return true;
   const auto taken = design::design_lane(loaded.scene, reduced, nullptr);
   return taken.ok() && design::describe_criterion(*taken) == decision;
 }
@@ -76,11 +77,10 @@ Result<Done> add_areas(const Scene& scene, const ReducedSpec& reduced, const des
   return Done{};
 }
 
-BoundCost cost_of(const LoadedScene& loaded, const ReducedSpec& compared,
-                  const scene::BoundChoice& choice) {
+BoundCost cost_of(const LoadedScene& loaded, const ReducedSpec& compared, const Bound& bound) {
   const Scene& scene = loaded.scene;
-  const ReducedSpec reduced = with_bound(compared, choice);
-  BoundCost cost{.name = to_string(choice)};
+  const ReducedSpec reduced = with_bound(compared, bound);
+  BoundCost cost{.name = to_string(bound)};
   const auto lane = design::design_lane(scene, reduced, loaded.data ? &*loaded.data : nullptr,
                                         profile::profile_error);
   if (!lane.ok()) {
@@ -153,8 +153,8 @@ nlohmann::json json_of(const std::optional<Area>& area) {
 Result<BoundCosts> measure_costs(const LoadedScene& loaded) {
   MIXCMP_TRY(compared, lane_in_floating_point(loaded.scene));
   BoundCosts costs;
-  for (const scene::BoundChoice& choice : scene::counted_bound_choices()) {
-    costs.bounds.push_back(cost_of(loaded, compared, choice));
+  for (const Bound& bound : counted_bounds()) {
+    costs.bounds.push_back(cost_of(loaded, compared, bound));
   }
   add_rates(loaded, compared.format->precision(), costs);
   show_progress("");

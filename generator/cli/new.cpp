@@ -68,7 +68,7 @@ Result<Done> check_so_far(const NewCommand& command) {
   NewScene scene = command.scene;
   scene.path = path_of(command);
   if (!command.output.empty() || !scene.name.empty()) {
-    MIXCMP_TRY(is_new, check_new(scene.path));
+    MIXCMP_DO(check_new(scene.path));
   }
   if (scene.name.empty()) scene.name = "unnamed";
   if (scene.f.empty()) scene.f = "x";

@@ -72,7 +72,7 @@ std::string command_of(const OptimiseCommand& command) {
 std::string word_of(const std::string& word) {
   return word;
 }
-std::string word_of(const scene::BoundChoice& bound) {
+std::string word_of(const Bound& bound) {
   return to_string(bound);
 }
 std::string word_of(LaneInputs inputs) {

@@ -18,6 +18,7 @@
 #include "model/scene/error_location.hpp"
 #include "model/scene/override_error.hpp"
 #include "model/scene/plan.hpp"
+#include "model/settings/bound_name.hpp"
 #include "model/workload/load_comparisons.hpp"
 
 namespace mixcmp::cli {
@@ -215,11 +216,11 @@ Result<Done> check_has_data(const LoadedScene& loaded, const std::string& why) {
                .accepted = "[data] with items or file"};
 }
 
-Result<std::vector<scene::BoundChoice>> parse_bounds(const std::string& option,
-                                                     const std::vector<std::string>& names) {
-  std::vector<scene::BoundChoice> choices;
+Result<std::vector<Bound>> parse_bounds(const std::string& option,
+                                        const std::vector<std::string>& names) {
+  std::vector<Bound> choices;
   for (const std::string& name : names) {
-    const auto choice = scene::parse_bound_choice(name);
+    const auto choice = settings::parse_bound(name);
     if (choice.ok()) {
       choices.push_back(*choice);
       continue;
@@ -254,9 +255,8 @@ Result<design::Design> design_of(const SceneOptions& options, const LoadedScene&
   const Error error = as_user_error(design.error(), options);
   // The errors of a profiled bound are measured on the data, which takes too long to do again.
   const std::vector<scene::LaneGroupSpec> groups = loaded.scene.lane_groups();
-  const bool certified = std::all_of(groups.begin(), groups.end(), [](const auto& group) {
-    return group.reduced.bound == scene::BoundKind::certified;
-  });
+  const bool certified = std::all_of(groups.begin(), groups.end(),
+                                     [](const auto& group) { return !group.reduced.is_profiled; });
   if (!certified) return error;
   return as_user_error(
       scene::with_setting(error, options.settings,

@@ -12,7 +12,7 @@
 #include "model/common/quote.hpp"
 #include "model/data/comparisons.hpp"
 #include "model/design/design.hpp"
-#include "model/scene/bound_choice.hpp"
+#include "model/number/bound.hpp"
 
 namespace mixcmp::cli {
 
@@ -80,8 +80,8 @@ Result<std::vector<LaneInputs>> parse_inputs(const std::string& option,
                                              const std::vector<std::string>& words, int most);
 
 /// Reads the names of error bounds given for this option.
-Result<std::vector<scene::BoundChoice>> parse_bounds(const std::string& option,
-                                                     const std::vector<std::string>& names);
+Result<std::vector<Bound>> parse_bounds(const std::string& option,
+                                        const std::vector<std::string>& names);
 
 /// The design of the scene's system. Errors name the file and line of the key at fault.
 Result<design::Design> design_of(const SceneOptions& options, const LoadedScene& loaded);

@@ -8,8 +8,9 @@
 #include "generator/cli/exit.hpp"
 #include "generator/cli/output.hpp"
 #include "model/common/quote.hpp"
-#include "model/scene/bound_choice.hpp"
+#include "model/number/bound.hpp"
 #include "model/scene/plan.hpp"
+#include "model/settings/bound_name.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -63,8 +64,7 @@ void add_planning_options(const Verb& verb, PlanningOptions& options) {
           [&choice](const std::vector<std::string>& names) {
             choice.bounds = value_or_exit(parse_bounds("--use-bounds", names));
           },
-          fmt::format("error bounds to choose from: {} (default: all)",
-                      scene::bound_choice_names()))
+          fmt::format("error bounds to choose from: {} (default: all)", settings::bound_names()))
       .separated_by(',');
   verb.option("--use-multipliers", choice.multipliers,
               "multipliers to choose from: embedded,logic,memory (default: all)")
@@ -102,7 +102,7 @@ std::string planning_command_line(const std::string& verb, const PlanningOptions
   for (const LaneInputs each : choice.inputs) inputs.push_back(to_string(each));
   add_words("--use-inputs", inputs);
   std::vector<std::string> bounds;
-  for (const scene::BoundChoice& bound : choice.bounds) bounds.push_back(to_string(bound));
+  for (const Bound& bound : choice.bounds) bounds.push_back(to_string(bound));
   add_words("--use-bounds", bounds);
   add_words("--use-multipliers", choice.multipliers);
   if (choice.clocks.lane_mhz) add("--lane-mhz", fmt::format("{}", *choice.clocks.lane_mhz));
@@ -128,10 +128,10 @@ std::filesystem::path table_of(const PlanningOptions& options, const scene::Scen
 
 Result<Planning> load_planning(const PlanningOptions& options, const scene::Scene& scene,
                                const data::Comparisons* data) {
-  MIXCMP_TRY(accepted, check_options(options.choice, {.first_precision = "--first",
-                                                      .last_precision = "--last",
-                                                      .lane_mhz = "--lane-mhz",
-                                                      .reference_mhz = "--reference-mhz"}));
+  MIXCMP_DO(check_options(options.choice, {.first_precision = "--first",
+                                           .last_precision = "--last",
+                                           .lane_mhz = "--lane-mhz",
+                                           .reference_mhz = "--reference-mhz"}));
   MIXCMP_TRY(chain, with_chain_lanes(scene, data, options.scene));
   MIXCMP_TRY(device, devices::find_device(scene.system.device));
   const std::filesystem::path table = table_of(options, scene);
@@ -145,7 +145,7 @@ Result<Planning> load_planning(const PlanningOptions& options, const scene::Scen
 Result<std::vector<profile::RateProfile>> measure_rates(const LoadedScene& loaded,
                                                         const std::set<LaneInputs>& inputs,
                                                         const optimise::OptimiseOptions& choice) {
-  MIXCMP_TRY(has_data, check_has_data(loaded, "recomputation rates are measured on data"));
+  MIXCMP_DO(check_has_data(loaded, "recomputation rates are measured on data"));
   auto rates = optimise::measure_rates(
       loaded.scene, *loaded.data, inputs, choice, [](const std::string& what, double share) {
         show_progress(fmt::format("{}: {:.0f} %", what, share * 100));

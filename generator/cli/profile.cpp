@@ -22,13 +22,13 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Profiles count running bounds of 4 and 1 digits alone, but any number of guard digits.
-Result<std::vector<scene::BoundChoice>> counted_bounds(const std::vector<std::string>& names) {
+Result<std::vector<Bound>> bounds_to_count(const std::vector<std::string>& names) {
   const std::string option = "--bounds";
   MIXCMP_TRY(bounds, parse_bounds(option, names));
-  const auto counted = scene::counted_bound_choices();
+  const auto counted = counted_bounds();
   std::vector<std::string> accepted;
-  for (const scene::BoundChoice& choice : counted) accepted.push_back(to_string(choice));
-  for (const scene::BoundChoice& bound : bounds) {
+  for (const Bound& bound : counted) accepted.push_back(to_string(bound));
+  for (const Bound& bound : bounds) {
     const bool is_counted = std::find(counted.begin(), counted.end(), bound) != counted.end();
     if (is_counted || bound.is_fixed_point()) continue;
     return Error{.field = option,
@@ -71,7 +71,7 @@ void add_options(const Verb& verb, ProfileCommand& command) {
   verb.list_option(
           "--bounds",
           [&run = command.run](const std::vector<std::string>& names) {
-            run.bounds = value_or_exit(counted_bounds(names));
+            run.bounds = value_or_exit(bounds_to_count(names));
           },
           "rates of lanes with these bounds alone: relative, running_4, running_1, constant, "
           "profiled, fixed_norm, fixed_constant, fixed_running, block_norm, block_constant, "
@@ -141,7 +141,7 @@ void print_text(const report::ProfileReport& report, const Trades& weighed,
 
 /// Of the lanes only profiled ones need measured errors, and whoever asks for lanes in fixed point
 /// alone does not ask about lanes in floating point.
-std::uint64_t usual_samples(const std::vector<scene::BoundChoice>& bounds) {
+std::uint64_t usual_samples(const std::vector<Bound>& bounds) {
   const bool fixed_point_alone =
       !bounds.empty() && std::all_of(bounds.begin(), bounds.end(),
                                      [](const auto& bound) { return bound.is_fixed_point(); });

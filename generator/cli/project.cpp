@@ -47,9 +47,9 @@ void add_project_options(const Verb& verb, ProjectOptions& options) {
 Result<Done> check_project(const ProjectOptions& options, const LoadedScene& loaded) {
   for (const project::Tool tool : options.tools) {
     if (!project::runs_test_bench(tool)) continue;
-    MIXCMP_TRY(there, check_has_data(loaded, fmt::format("the test bench of --project {} needs "
-                                                         "data to run on",
-                                                         project::to_string(tool))));
+    MIXCMP_DO(check_has_data(loaded, fmt::format("the test bench of --project {} needs "
+                                                 "data to run on",
+                                                 project::to_string(tool))));
   }
   return Done{};
 }

@@ -42,7 +42,7 @@ public:
   RunReader(const Setting& table, const GroupForm& form) : table_(table), form_(form) {}
 
   Result<std::vector<SuiteRun>> read(const fs::path& folder) {
-    MIXCMP_TRY(done, add_entries(std::get<Setting::Table>(table_.value), ""));
+    MIXCMP_DO(add_entries(std::get<Setting::Table>(table_.value), ""));
     if (scenes_.empty()) {
       return mistake_at(table_, form_.name + ".scenes", "a run without a scene", "no such key",
                         "one scene file or a list of them");
@@ -75,7 +75,7 @@ private:
         return mistake_at(entry, form_.name + "." + key, "cannot be the value of an option",
                           value.kind(), "a number, a text, true, false, or a list of these");
       }
-      MIXCMP_TRY(added, add_choice(entry, key));
+      MIXCMP_DO(add_choice(entry, key));
     }
     return Done{};
   }

@@ -380,9 +380,9 @@ void run(const VerifyCommand& command) {
 
 Result<Done> check_verify(const std::vector<std::string>& words) {
   VerifyCommand command;
-  MIXCMP_TRY(parsed, parse_words(words, [&](const Verb& verb) { add_options(verb, command); }));
+  MIXCMP_DO(parse_words(words, [&](const Verb& verb) { add_options(verb, command); }));
   MIXCMP_TRY(loaded, load(command.scene));
-  MIXCMP_TRY(has_data, check_has_data(loaded, "verify needs data to run on"));
+  MIXCMP_DO(check_has_data(loaded, "verify needs data to run on"));
   MIXCMP_TRY(design, design_of(command.scene, loaded));
   return check_request(design, *loaded.data, run_options(command, loaded, {}));
 }

@@ -48,7 +48,7 @@ public:
     MIXCMP_TRY(jobs, pending_jobs());
     MIXCMP_TRY(measured, measure(jobs));
     take(std::move(measured));
-    MIXCMP_TRY(collected, collect());
+    MIXCMP_DO(collect());
     keep_previous();
     auto& rows = report_.table.rows;
     std::sort(rows.begin(), rows.end(),
@@ -214,8 +214,8 @@ private:
 
 std::string label(const ComponentKey& key) {
   std::string text(to_string(key.kind));
-  for (const std::string& word : {key.name, key.format, to_string(key.inputs),
-                                  scene::to_string(key.bound), key.multipliers}) {
+  for (const std::string& word :
+       {key.name, key.format, to_string(key.inputs), to_string(key.bound), key.multipliers}) {
     if (!word.empty()) text += " " + word;
   }
   if (key.sums == Sums::fused) text += " fused";

@@ -8,8 +8,8 @@
 #include "generator/components/engine_components.hpp"
 #include "model/design/slots.hpp"
 #include "model/error/exponent_range.hpp"
+#include "model/number/bound.hpp"
 #include "model/optimise/second_tier.hpp"
-#include "model/scene/bound_choice.hpp"
 
 namespace mixcmp::components {
 namespace {
@@ -20,7 +20,7 @@ using scene::Multipliers;
 using scene::Scene;
 
 int exponent_bits(const Scene& scene, const ComponentQuery& query, int precision, LaneInputs inputs,
-                  const scene::BoundChoice& bound) {
+                  const Bound& bound) {
   const scene::ReducedSpec& reduced = scene.reduced;
   const int widest = scene.reference.format.exponent_bits();
   const bool fixed = reduced.format && !reduced.exponent_bits_from_ranges;
@@ -28,7 +28,7 @@ int exponent_bits(const Scene& scene, const ComponentQuery& query, int precision
   const bool from_ranges = query.exponents ? *query.exponents == LaneExponents::ranges
                                            : reduced.exponent_bits_from_ranges;
   // A profiled lane checks no range: its exponents reach as far as the reference's.
-  if (!from_ranges || bound.kind == scene::BoundChoice::Kind::profiled) return widest;
+  if (!from_ranges || bound.is_profiled()) return widest;
   const FloatFormat format = FloatFormat::make(precision, widest).value();
   return error::lane_exponent_bits(scene.graph, scene.reference.format,
                                    {format, reduced.rounding, reduced.subnormals}, inputs,
@@ -44,7 +44,7 @@ std::vector<Multipliers> float_multipliers(const ComponentQuery& query) {
 
 /// Lanes in fixed point take operands as they arrive: there is no choice of inputs.
 void add_fixed_lanes(std::vector<ComponentKey>& keys, const Scene& scene,
-                     const ComponentQuery& query, const scene::BoundChoice& bound) {
+                     const ComponentQuery& query, const Bound& bound) {
   for (const int bits : query.precisions) {
     const FixedPoint format = bound.fixed_point(bits);
     if (!allow(settings::lane_fixed_bits(scene.reference.format), format)) continue;
@@ -69,21 +69,19 @@ public:
   Result<std::vector<MissingLane>> run() {
     if (needs_lanes()) {
       MIXCMP_TRY(lanes, visit_lanes());
-      MIXCMP_TRY(second_tier, visit_second_tier());
+      MIXCMP_DO(visit_second_tier());
     }
     if (asked(ComponentKind::second_lane)) {
-      MIXCMP_TRY(second_lanes, visit_second_lanes());
+      MIXCMP_DO(visit_second_lanes());
     }
     MIXCMP_TRY(references, visit_references());
-    MIXCMP_TRY(fifos, visit_all(ComponentKind::fifo, slots_));
+    MIXCMP_DO(visit_all(ComponentKind::fifo, slots_));
     if (recomputes() && maker_.has_crossbar()) {
-      MIXCMP_TRY(crossbars,
-                 visit_all(ComponentKind::crossbar, {query_.ports.begin(), query_.ports.end()}));
+      MIXCMP_DO(visit_all(ComponentKind::crossbar, {query_.ports.begin(), query_.ports.end()}));
     }
     if (maker_.engine().kind == scene::EngineKind::arg_min) {
-      MIXCMP_TRY(memories,
-                 visit_all(ComponentKind::operand_memory,
-                           {measured_memory_references.begin(), measured_memory_references.end()}));
+      MIXCMP_DO(visit_all(ComponentKind::operand_memory,
+                          {measured_memory_references.begin(), measured_memory_references.end()}));
     }
     if (asked(ComponentKind::unit)) {
       for (const ComponentKey& unit : units_) {
@@ -217,7 +215,7 @@ private:
   Result<Done> visit_all(ComponentKind kind, const std::set<int>& ports) {
     if (!asked(kind)) return Done{};
     for (const int count : ports) {
-      MIXCMP_TRY(visited, visit({.kind = kind, .ports = count}));
+      MIXCMP_DO(visit({.kind = kind, .ports = count}));
     }
     return Done{};
   }
@@ -241,7 +239,7 @@ std::vector<Multipliers> reference_multipliers(const ComponentQuery& query) {
 
 Result<std::vector<ComponentKey>> lane_keys(const Scene& scene, const ComponentQuery& query) {
   std::vector<ComponentKey> keys;
-  for (const scene::BoundChoice& bound : query.bounds) {
+  for (const Bound& bound : query.bounds) {
     if (bound.is_fixed_point()) add_fixed_lanes(keys, scene, query, bound);
     for (const int precision : query.precisions) {
       if (bound.is_fixed_point()) break;

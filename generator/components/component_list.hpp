@@ -23,7 +23,7 @@ struct ComponentQuery {
       characterise::ComponentKind::reference, characterise::ComponentKind::fifo,
       characterise::ComponentKind::crossbar};
   std::vector<int> precisions;  ///< of lanes: L, or W in fixed point
-  std::vector<scene::BoundChoice> bounds;
+  std::vector<Bound> bounds;
   std::vector<LaneInputs> inputs = {LaneInputs::exact, LaneInputs::rounded};
   /// `memory` is for lanes in fixed point alone.
   std::vector<scene::Multipliers> multipliers = {scene::Multipliers::embedded,

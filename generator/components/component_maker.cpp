@@ -15,13 +15,14 @@
 #include "generator/rtl/lane_module.hpp"
 #include "generator/rtl/reference_module.hpp"
 #include "generator/rtl/system_modules.hpp"
+#include "model/common/cases.hpp"
 #include "model/common/quote.hpp"
 #include "model/design/design.hpp"
 #include "model/design/request_beats.hpp"
 #include "model/design/slots.hpp"
 #include "model/number/lane_format.hpp"
 #include "model/profile/profile.hpp"
-#include "model/scene/bound_choice.hpp"
+#include "model/scene/lane_bound.hpp"
 
 namespace mixcmp::components {
 namespace {
@@ -75,10 +76,9 @@ bool has_product(const TypedGraph& reference) {
 }
 
 bool has_product(const design::Lane& lane) {
-  return std::visit(
-      design::Cases{[](const error::Lane& made) { return any_product(made.graph.nodes); },
-                    [](const fixed::FixedLane& made) { return any_product(made.nodes); }},
-      lane);
+  return std::visit(Cases{[](const error::Lane& made) { return any_product(made.graph.nodes); },
+                          [](const fixed::FixedLane& made) { return any_product(made.nodes); }},
+                    lane);
 }
 
 /// The units of a module, each once. Delay lines are left out: their area is known without
@@ -168,7 +168,7 @@ Result<Component> ComponentMaker::make(const ComponentKey& key) {
 }
 
 Result<design::Lane> ComponentMaker::lane(const ComponentKey& key) {
-  const scene::BoundChoice& bound = *key.bound;
+  const Bound& bound = *key.bound;
   MIXCMP_TRY(format, LaneFormat::parse(key.format));
   MIXCMP_TRY(multipliers, multipliers_of(key));
   scene::ReducedSpec reduced = scene::with_bound(scene_.reduced, bound);
@@ -179,11 +179,11 @@ Result<design::Lane> ComponentMaker::lane(const ComponentKey& key) {
     reduced.inputs = *key.inputs;
   }
   reduced.multipliers = multipliers;
-  if (bound.kind == scene::BoundChoice::Kind::profiled) {
-    MIXCMP_TRY(given, give_constants(reduced));
+  if (bound.is_profiled()) {
+    MIXCMP_DO(give_constants(reduced));
   }
   MIXCMP_TRY(made, design::design_lane(scene_, reduced, nullptr));
-  MIXCMP_TRY(possible, design::check_multipliers(made, multipliers));
+  MIXCMP_DO(design::check_multipliers(made, multipliers));
   return made;
 }
 
@@ -219,7 +219,7 @@ Result<Done> ComponentMaker::check_reference(const ComponentKey& key) const {
 
 Result<datapath::Schedule> ComponentMaker::reference_schedule(const ComponentKey& key,
                                                               const TypedGraph& graph) const {
-  MIXCMP_TRY(possible, check_reference(key));
+  MIXCMP_DO(check_reference(key));
   MIXCMP_TRY(multipliers, reference_multipliers_of(key));
   MIXCMP_TRY(delays, datapath::delays_of(scene_.system.device));
   return datapath::schedule_reference(
@@ -438,7 +438,7 @@ Result<Done> ComponentMaker::measure_constants(LaneInputs inputs) {
   const profile::ProfileOptions options{
       .last_precision = settings::lane_precisions(scene.reference.format).most,
       .error_samples = constant_samples};
-  MIXCMP_TRY(possible, check_profile(scene, options));
+  MIXCMP_DO(check_profile(scene, options));
   const auto measured = profile_errors(scene, *data_, {inputs}, options);
   for (const profile::ErrorAtPrecision& error : measured.front().precisions) {
     constants_[inputs][error.precision] = {error.f, error.g};

@@ -8,7 +8,8 @@
 #include "generator/components/synthesis_jobs.hpp"
 #include "generator/emit/scheduled_system.hpp"
 #include "model/characterise/job_hash.hpp"
-#include "model/scene/bound_choice.hpp"
+#include "model/common/cases.hpp"
+#include "model/scene/lane_bound.hpp"
 
 namespace mixcmp::components {
 namespace {
@@ -39,17 +40,16 @@ bool is_same_rtl(const characterise::SynthesisJob& one, const characterise::Synt
 }
 
 /// The bounds that a lane may be listed under: its own, or any where its parts have several.
-std::vector<scene::BoundChoice> possible_bounds(const design::Lane& lane) {
-  return std::visit(design::Cases{[](const error::Lane& made) {
-                                    const auto own = scene::bound_choice(made);
-                                    if (own) return std::vector{*own};
-                                    const auto all = scene::counted_bound_choices();
-                                    return std::vector<scene::BoundChoice>(all.begin(), all.end());
-                                  },
-                                  [](const fixed::FixedLane& made) {
-                                    return std::vector{scene::bound_choice(made)};
-                                  }},
-                    lane);
+std::vector<Bound> possible_bounds(const design::Lane& lane) {
+  return std::visit(
+      Cases{[](const error::Lane& made) {
+              const auto own = scene::bound_of(made);
+              if (own) return std::vector{*own};
+              const auto all = counted_bounds();
+              return std::vector<Bound>(all.begin(), all.end());
+            },
+            [](const fixed::FixedLane& made) { return std::vector{scene::bound_of(made)}; }},
+      lane);
 }
 
 /// Instances are numbered through the groups of lanes and of references.
@@ -66,7 +66,7 @@ public:
     MIXCMP_TRY(scheduled, emit::schedule_system(design_));
     shape_ = std::move(scheduled.shape);
     MIXCMP_TRY(lanes, add_lanes());
-    MIXCMP_TRY(fifos, add_fifos());
+    MIXCMP_DO(add_fifos());
     if (shape_.recomputes()) {
       MIXCMP_TRY(references, add_references());
       MIXCMP_TRY(crossbar, add_crossbar());
@@ -154,7 +154,7 @@ private:
                                         maker_.scene().reference.format.precision());
     }
     key.multipliers = std::string(to_string(group.multipliers));
-    for (const scene::BoundChoice& bound : possible_bounds(group.lane)) {
+    for (const Bound& bound : possible_bounds(group.lane)) {
       key.bound = bound;
       Result<Component> component = maker_.make(key);
       if (component.ok() && is_same_rtl(component->job, wanted)) return component;

@@ -46,7 +46,7 @@ void note_imported(Planning& planning) {
 Result<Planning> load_planning(const scene::Scene& scene, const data::Comparisons* data,
                                const devices::Device& device, const std::filesystem::path& table,
                                const TableAdvice& advice) {
-  MIXCMP_TRY(exists, check_table_exists(table, advice));
+  MIXCMP_DO(check_table_exists(table, advice));
   MIXCMP_TRY(areas, optimise::read_table(table, scene, device));
   MIXCMP_TRY(placed, optimise::with_target_of(areas, table, scene));
   Planning planning{std::move(placed), device, std::move(areas), table, {}};

@@ -88,7 +88,7 @@ public:
     weigh_shared_parts();
     MIXCMP_TRY(keys, lane_keys(maker_.scene(), query_));
     for (const ComponentKey& key : keys) {
-      MIXCMP_TRY(weighed, weigh(key));
+      MIXCMP_DO(weigh(key));
     }
     choose();
     return std::move(result_);
@@ -96,7 +96,7 @@ public:
 
 private:
   struct Kind {
-    scene::BoundChoice bound;
+    Bound bound;
     std::optional<LaneInputs> inputs;
     friend auto operator<=>(const Kind&, const Kind&) = default;
   };

@@ -12,6 +12,7 @@
 #include "generator/rtl/lane_module.hpp"
 #include "generator/rtl/reference_module.hpp"
 #include "generator/rtl/system_modules.hpp"
+#include "model/common/cases.hpp"
 
 namespace mixcmp::emit {
 namespace {
@@ -43,13 +44,13 @@ std::string what_is_ordered(const Design& design) {
 }
 
 std::string arithmetic_fact(const design::Lane& lane) {
-  return std::visit(
-      design::Cases{[](const error::Lane& l) { return arithmetic_fact(l.graph.arithmetic); },
-                    [&](const fixed::FixedLane&) {
-                      return fmt::format("Format: {}, fixed point; operands are rounded down.",
-                                         design::format_name(lane));
-                    }},
-      lane);
+  return std::visit(Cases{[](const error::Lane& l) { return arithmetic_fact(l.graph.arithmetic); },
+                          [&](const fixed::FixedLane&) {
+                            return fmt::format(
+                                "Format: {}, fixed point; operands are rounded down.",
+                                design::format_name(lane));
+                          }},
+                    lane);
 }
 
 std::vector<std::string> decision_facts(const design::Lane& lane) {

@@ -327,7 +327,7 @@ Result<GeneratedSystem> generate_system(const Design& design, const std::string&
   system.files.push_back(file_list(system.signature, device));
   system.files.push_back(constraint_file(system.signature, device, design.planned_clock));
   system.files.push_back({signature_file(system.signature), to_json(system.signature)});
-  MIXCMP_TRY(fits, check_module_names(system.files));
+  MIXCMP_DO(check_module_names(system.files));
   return system;
 }
 
@@ -343,7 +343,7 @@ void state_simulations(GeneratedSystem& system, std::vector<SignatureSimulation>
 }
 
 Result<Done> add_project_files(GeneratedSystem& system, std::vector<GeneratedFile> files) {
-  MIXCMP_TRY(fits, check_module_names(files));
+  MIXCMP_DO(check_module_names(files));
   for (GeneratedFile& file : files) {
     system.signature.project.push_back(file.name);
     system.files.push_back(std::move(file));

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "generator/emit/templates.hpp"
+#include "model/common/cases.hpp"
 #include "model/common/check.hpp"
 
 namespace mixcmp::emit {
@@ -16,13 +17,6 @@ namespace {
 using namespace rtl;
 
 constexpr std::size_t line_length = 100;
-
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
 
 std::string print(const Literal& literal) {
   MIXCMP_CHECK((literal.value & ~low_mask(literal.width)) == 0);
@@ -45,7 +39,7 @@ std::string print_all(const std::vector<Operand>& operands, std::string_view sep
 
 std::string print(const Operand& operand) {
   MIXCMP_CHECK(operand != nullptr);
-  return std::visit(Overloaded{
+  return std::visit(Cases{
                         [](const Net& n) { return n.name; },
                         [](const IndexedSlice& s) {
                           const std::string sum = fmt::format("{} + {}", s.offset, s.variable);
@@ -243,7 +237,7 @@ std::string print(const Comment& comment, const std::string& indent) {
 
 std::string print(const ModuleItem& item, std::size_t range_width, const std::string& indent) {
   return std::visit(
-      Overloaded{
+      Cases{
           [&](const Comment& c) { return print(c, indent); },
           [&](const Wire& w) { return print(w, range_width, indent); },
           [&](const Assignment& a) { return print(a, indent); },
@@ -320,8 +314,8 @@ std::string print(const std::string& module, const std::vector<Port>& ports,
 }  // namespace
 
 std::string to_verilog(const Parameter& parameter) {
-  return std::visit(Overloaded{[](long long number) { return fmt::format("{}", number); },
-                               [](const Literal& literal) { return print(literal); }},
+  return std::visit(Cases{[](long long number) { return fmt::format("{}", number); },
+                          [](const Literal& literal) { return print(literal); }},
                     parameter.value);
 }
 

@@ -78,7 +78,7 @@ Result<Done> check_entries(const Replaced& replaced, const fs::path& below) {
     if (!fs::is_directory(status) || !replaced.folders.contains(name)) {
       return foreign_file(replaced, name);
     }
-    MIXCMP_TRY(inside, check_entries(replaced, name));
+    MIXCMP_DO(check_entries(replaced, name));
   }
   if (failed) return cannot_write(folder, failed.value());
   return Done{};
@@ -125,7 +125,7 @@ Result<Done> stage(const GeneratedFile& file, const fs::path& staged) {
   std::error_code failed;
   fs::create_directories(path.parent_path(), failed);
   if (failed) return cannot_write(path.parent_path(), failed.value());
-  MIXCMP_TRY(written, write_file(path, file.text));
+  MIXCMP_DO(write_file(path, file.text));
   return file.is_script ? make_executable(path) : Done{};
 }
 
@@ -161,14 +161,14 @@ Result<Done> write_system(const GeneratedSystem& system, const fs::path& request
   // The path ends with the folder's name, whether or not the user wrote a final slash.
   if (!named.has_filename()) named = named.parent_path();
   MIXCMP_TRY(directory, follow_links(named));
-  MIXCMP_TRY(parent, make_writable_folder(directory.parent_path()));
-  MIXCMP_TRY(replaceable, check_replaceable(directory));
+  MIXCMP_DO(make_writable_folder(directory.parent_path()));
+  MIXCMP_DO(check_replaceable(directory));
   MIXCMP_TRY(staging, ScratchFolder::make_in(directory.parent_path(), "staging"));
   for (const GeneratedFile& file : system.files) {
     const Result<Done> written = stage(file, staging.path());
     if (!written.ok()) return in_place(written.error(), directory / file.name);
   }
-  MIXCMP_TRY(opened, set_permissions(staging.path(), directory));
+  MIXCMP_DO(set_permissions(staging.path(), directory));
   // After an exchange the staging path holds the previous output, which then goes.
   return put_folder_in_place(staging.path(), directory);
 }

@@ -37,7 +37,7 @@ std::vector<Curve> curves_by_kind(const Optimisation& optimisation, Value value)
       const ComponentKey& key = lane.measured.key;
       const std::string inputs = key.inputs ? describe(*key.inputs) + ", " : "";
       const std::string title =
-          fmt::format("{}, {}{}", scene::to_string(key.bound), inputs, key.multipliers);
+          fmt::format("{}, {}{}", to_string(key.bound), inputs, key.multipliers);
       Curve& curve = curves[title];
       curve.title = title;
       const double y = value(lane.measured);

@@ -188,8 +188,8 @@ std::string figure7_csv(const Optimisation& optimisation) {
     for (const LaneImplementation& lane : plan.lanes) {
       const Measurement& m = lane.measured;
       text += fmt::format("{},{},{},{},{},{},{},{},", plan.precision, to_string(m.key.inputs),
-                          scene::to_string(m.key.bound), m.key.multipliers, m.area.luts,
-                          m.area.registers, m.area.dsps, m.latency_cycles);
+                          to_string(m.key.bound), m.key.multipliers, m.area.luts, m.area.registers,
+                          m.area.dsps, m.latency_cycles);
       text +=
           m.clock ? fmt::format("{:.2f},{}\n", m.clock->mhz, to_string(m.clock->source)) : ",\n";
     }

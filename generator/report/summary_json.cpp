@@ -133,8 +133,8 @@ nlohmann::json json_of(const ReducedSpec& reduced) {
   return {{"format", reduced.format_name()},
           {"rounding", to_string(reduced.rounding)},
           {"subnormals", to_string(reduced.subnormals)},
-          {"bound", to_string(reduced.bound)},
-          {"error_bound", scene::to_string(reduced.error_bound)},
+          {"bound", reduced.bound_word()},
+          {"error_bound", reduced.error_bound_word()},
           {"bound_digits", reduced.bound_digits},
           {"inputs", to_string(reduced.inputs)},
           {"multipliers", to_string(reduced.multipliers)}};

@@ -10,7 +10,6 @@ namespace mixcmp::report {
 
 using data::InputSource;
 using data::Pairing;
-using scene::BoundKind;
 using scene::DatapathSummary;
 using scene::DataSummary;
 using scene::EngineKind;
@@ -82,16 +81,15 @@ void print_reduced(SectionList& page, const std::string& name, const ReducedSpec
               fmt::format("{}, {}, multipliers {}", reduced.format_name(),
                           reduced.fixed_point->is_block ? "block floating point" : "fixed point",
                           to_string(reduced.multipliers)));
-    return page.line("error bound", std::string(scene::to_string(reduced.error_bound)));
+    return page.line("error bound", std::string(reduced.error_bound_word()));
   }
   page.line(name, fmt::format("{}, {}, {}, inputs {}, bound {}, multipliers {}",
                               reduced.format_name(), to_string(reduced.rounding),
                               to_string(reduced.subnormals), to_string(reduced.inputs),
-                              to_string(reduced.bound), to_string(reduced.multipliers)));
-  if (reduced.bound == BoundKind::certified) {
-    page.line("error bound",
-              fmt::format("{}, running ones of {} digits", scene::to_string(reduced.error_bound),
-                          reduced.bound_digits));
+                              reduced.bound_word(), to_string(reduced.multipliers)));
+  if (!reduced.is_profiled) {
+    page.line("error bound", fmt::format("{}, running ones of {} digits",
+                                         reduced.error_bound_word(), reduced.bound_digits));
   }
 }
 

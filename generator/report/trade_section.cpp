@@ -100,7 +100,7 @@ std::vector<Candidate> candidates_of(const Optimisation& plans) {
     for (const LaneImplementation& lane : plan.lanes) {
       const auto& key = lane.measured.key;
       const std::string kind = fmt::format(
-          "{}{}{}", scene::to_string(key.bound), key.inputs ? ", " + describe(*key.inputs) : "",
+          "{}{}{}", to_string(key.bound), key.inputs ? ", " + describe(*key.inputs) : "",
           key.multipliers.empty() ? "" : ", multipliers: " + key.multipliers);
       candidates.push_back(
           {kind,
@@ -110,7 +110,7 @@ std::vector<Candidate> candidates_of(const Optimisation& plans) {
                         lane.kind.name, lane.with_streams.luts, lane.with_streams.dsps,
                         lane.with_streams.registers, lane.kind.recomputation_rate,
                         lane.kind.clock_hz / optimise::hertz_per_mhz)},
-           key.bound->kind != scene::BoundChoice::Kind::profiled});
+           !key.bound->is_profiled()});
     }
   }
   return candidates;

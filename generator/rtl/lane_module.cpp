@@ -2,13 +2,14 @@
 
 #include "generator/rtl/fixed_lane_module.hpp"
 #include "generator/rtl/float_lane_module.hpp"
+#include "model/common/cases.hpp"
 
 namespace mixcmp::rtl {
 namespace {
 
 FloatFormat input_format(const design::Lane& lane) {
-  return std::visit(design::Cases{[](const error::Lane& made) { return made.graph.input_format; },
-                                  [](const fixed::FixedLane& made) { return made.input_format; }},
+  return std::visit(Cases{[](const error::Lane& made) { return made.graph.input_format; },
+                          [](const fixed::FixedLane& made) { return made.input_format; }},
                     lane);
 }
 

@@ -181,10 +181,8 @@ std::string processor_name() {
   return "unknown";
 }
 
-std::optional<error::ErrorBoundKind> kind_of(const std::string& name) {
-  using error::ErrorBoundKind;
-  for (const auto kind :
-       {ErrorBoundKind::relative, ErrorBoundKind::running, ErrorBoundKind::constant}) {
+std::optional<BoundKind> kind_of(const std::string& name) {
+  for (const auto kind : {BoundKind::relative, BoundKind::running, BoundKind::constant}) {
     if (name == to_string(kind)) return kind;
   }
   return std::nullopt;

@@ -38,9 +38,9 @@ struct MeasuredRate {
 };
 
 struct BaselineKernel {
-  std::optional<error::ErrorBoundKind> filter;  ///< nullopt: double throughout
-  VerdictCounts verdicts;                       ///< of all comparisons
-  std::uint64_t recomputed = 0;                 ///< comparisons that a filter left to doubles
+  std::optional<BoundKind> filter;  ///< nullopt: double throughout
+  VerdictCounts verdicts;           ///< of all comparisons
+  std::uint64_t recomputed = 0;     ///< comparisons that a filter left to doubles
   MeasuredRate one_core, all_cores;
 };
 

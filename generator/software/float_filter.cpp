@@ -16,7 +16,6 @@ namespace mixcmp::software {
 namespace {
 
 using error::BoundOperation;
-using error::ErrorBoundKind;
 
 constexpr int float_digits = std::numeric_limits<float>::digits;
 
@@ -102,7 +101,7 @@ void fold_constant(ThresholdCriterion& criterion) {
   criterion.factor = 1;
 }
 
-Result<PartFilter> threshold_filter(ErrorBoundKind kind, const TypedGraph& graph,
+Result<PartFilter> threshold_filter(BoundKind kind, const TypedGraph& graph,
                                     const scene::Scene& scene) {
   // A CPU gains nothing from hazards that ranges rule out: its flags tell when one occurs.
   MIXCMP_TRY(lane, error::certified_lane(graph, {.kind = kind,
@@ -140,14 +139,12 @@ Result<PartFilter> ratio_filter(const TypedGraph& graph, const scene::Scene& sce
   return filter;
 }
 
-Result<FloatFilter> filter_of(ErrorBoundKind kind, const TypedGraph& graph,
-                              const scene::Scene& scene) {
+Result<FloatFilter> filter_of(BoundKind kind, const TypedGraph& graph, const scene::Scene& scene) {
   FloatFilter filter{.kind = kind, .parts = {}};
   for (std::size_t k = 0; k < graph.parts.size(); ++k) {
     const TypedGraph part = part_of(graph, k).graph;
-    Result<PartFilter> made = kind == ErrorBoundKind::relative
-                                  ? ratio_filter(part, scene)
-                                  : threshold_filter(kind, part, scene);
+    Result<PartFilter> made = kind == BoundKind::relative ? ratio_filter(part, scene)
+                                                          : threshold_filter(kind, part, scene);
     if (!made.ok()) return error::of_part(made.error(), k, graph.parts.size());
     filter.parts.push_back(std::move(made).value());
   }
@@ -170,8 +167,7 @@ FloatFilters float_filters(const scene::Scene& scene) {
   const TypedGraph graph =
       lane_graph(scene.graph, software_format(), {float_format()}, LaneInputs::rounded);
   FloatFilters found;
-  for (const ErrorBoundKind kind :
-       {ErrorBoundKind::constant, ErrorBoundKind::relative, ErrorBoundKind::running}) {
+  for (const BoundKind kind : {BoundKind::constant, BoundKind::relative, BoundKind::running}) {
     Result<FloatFilter> filter = filter_of(kind, graph, scene);
     if (filter.ok()) {
       found.filters.push_back(std::move(filter).value());

@@ -49,13 +49,13 @@ struct PartFilter {
 
 /// All parts of a comparison, with bounds of one kind.
 struct FloatFilter {
-  error::ErrorBoundKind kind;
+  BoundKind kind;
   std::vector<PartFilter> parts;
 };
 
 /// A kind of filter that a scene cannot have, and why.
 struct MissingFilter {
-  error::ErrorBoundKind kind;
+  BoundKind kind;
   std::string reason;
 };
 

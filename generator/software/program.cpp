@@ -126,11 +126,11 @@ Result<SoftwareProgram> SoftwareProgram::compile(const scene::Scene& scene,
   const fs::path& work = options.work;
   std::error_code absent;
   fs::remove(work / "comparison", absent);  // so that no older program is run
-  MIXCMP_TRY(written, write_file(work / "comparison.cpp", software_source(scene, data, filters)));
-  MIXCMP_TRY(compiled, run_tool({.command = compile_command,
-                                 .directory = work,
-                                 .log = work / "compile.log",
-                                 .progress = options.progress}));
+  MIXCMP_DO(write_file(work / "comparison.cpp", software_source(scene, data, filters)));
+  MIXCMP_DO(run_tool({.command = compile_command,
+                      .directory = work,
+                      .log = work / "compile.log",
+                      .progress = options.progress}));
   if (!fs::exists(work / "comparison")) {
     return Error{.file = (work / "compile.log").string(),
                  .message = "g++ ended well and wrote no program"};
@@ -140,14 +140,12 @@ Result<SoftwareProgram> SoftwareProgram::compile(const scene::Scene& scene,
 
 Result<std::vector<KernelOutput>> SoftwareProgram::run(const data::Comparisons& data,
                                                        const Command& arguments) const {
-  MIXCMP_TRY(written, write_data(options_.work / "data.bin", data));
+  MIXCMP_DO(write_data(options_.work / "data.bin", data));
   Command command = {"./comparison", "data.bin"};
   command.insert(command.end(), arguments.begin(), arguments.end());
   const fs::path log = options_.work / "run.log";
-  MIXCMP_TRY(finished, run_tool({.command = command,
-                                 .directory = options_.work,
-                                 .log = log,
-                                 .progress = options_.progress}));
+  MIXCMP_DO(run_tool(
+      {.command = command, .directory = options_.work, .log = log, .progress = options_.progress}));
   return parse(log);
 }
 

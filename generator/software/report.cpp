@@ -45,7 +45,7 @@ std::string check_text(const BaselineCheck& check) {
                         check.undetermined));
 }
 
-std::string name_of(const std::optional<error::ErrorBoundKind>& filter) {
+std::string name_of(const std::optional<BoundKind>& filter) {
   return filter ? std::string(to_string(*filter)) : "none";
 }
 

@@ -231,12 +231,12 @@ std::string checks(const FloatFilter& filter) {
   return text + "}};\n";
 }
 
-std::string filter_type(error::ErrorBoundKind kind) {
+std::string filter_type(BoundKind kind) {
   switch (kind) {
-    case error::ErrorBoundKind::relative: return "RelativeFilter";
-    case error::ErrorBoundKind::running: return "RunningFilter";
-    case error::ErrorBoundKind::constant: return "ConstantFilter";
-    case error::ErrorBoundKind::norm: break;
+    case BoundKind::relative: return "RelativeFilter";
+    case BoundKind::running: return "RunningFilter";
+    case BoundKind::constant: return "ConstantFilter";
+    case BoundKind::norm: break;
   }
   MIXCMP_CHECK(false);
 }

@@ -33,7 +33,7 @@ std::string replaced(std::string text, const std::string& old_part, const std::s
 /// Copies a folder to `kept`, in place of one that an earlier run of the same job has left there.
 Result<Done> copy_in_place_of(const fs::path& folder, const fs::path& kept) {
   MIXCMP_TRY(staging, ScratchFolder::make_in(kept.parent_path(), "staging"));
-  MIXCMP_TRY(copied, copy_folder(folder, staging.path()));
+  MIXCMP_DO(copy_folder(folder, staging.path()));
   return put_folder_in_place(staging.path(), kept);
 }
 
@@ -131,7 +131,7 @@ private:
     synthesis.each_tool.cancelled = &cancelled_;
     const auto result = synthesise(make(job), device_, synthesis, folder);
     if (!options_.keep.empty() && !cancelled_) {
-      MIXCMP_TRY(copied, copy_in_place_of(folder, options_.keep));
+      MIXCMP_DO(copy_in_place_of(folder, options_.keep));
     }
     if (!result.ok()) return result.error();
     // The signal that interrupts this run may have ended a tool, too, and a tool's end may be taken

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "model/devices/device.hpp"
-#include "model/scene/bound_choice.hpp"
+#include "model/number/bound.hpp"
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::characterise {
@@ -72,14 +72,14 @@ bool depends_on_reference(ComponentKind kind);
 /// Identifies a synthesised component in a table. A field that does not apply is empty or 0.
 struct ComponentKey {
   ComponentKind kind = ComponentKind::lane;
-  std::string name;                         ///< of a unit its template and formats; else empty
-  std::string format;                       ///< "s17e8"; of a lane in fixed point "q13"
-  std::optional<LaneInputs> inputs;         ///< of a lane in floating point
-  std::optional<scene::BoundChoice> bound;  ///< of a lane
-  std::string multipliers;                  ///< of lanes, references and units with a product
-  Sums sums = Sums::composed;               ///< of a reference; composed of everything else
-  int initiation_interval = 0;              ///< of a reference, in cycles
-  int target_mhz = 0;                       ///< of a reference; 0: the table's
+  std::string name;                  ///< of a unit its template and formats; else empty
+  std::string format;                ///< "s17e8"; of a lane in fixed point "q13"
+  std::optional<LaneInputs> inputs;  ///< of a lane in floating point
+  std::optional<Bound> bound;        ///< of a lane
+  std::string multipliers;           ///< of lanes, references and units with a product
+  Sums sums = Sums::composed;        ///< of a reference; composed of everything else
+  int initiation_interval = 0;       ///< of a reference, in cycles
+  int target_mhz = 0;                ///< of a reference; 0: the table's
   /// Of a crossbar and of a segment: lanes; of a fifo and of a second lane: slots; of an engine:
   /// segments; of an operand memory: references.
   int ports = 0;

@@ -75,7 +75,7 @@ Result<ResultStore> ResultStore::open(const std::filesystem::path& path) {
   }
   const std::filesystem::file_status status = std::filesystem::status(path, failed);
   if (std::filesystem::is_directory(status)) {
-    MIXCMP_TRY(writable, make_writable_folder(path));
+    MIXCMP_DO(make_writable_folder(path));
     ResultStore store(path, nullptr);
     store.folder_.emplace(path);
     return store;
@@ -92,7 +92,7 @@ Result<ResultStore> ResultStore::open(const std::filesystem::path& path) {
   sqlite3* opened = nullptr;
   sqlite3_open(path.c_str(), &opened);
   ResultStore store(path, Database(opened));
-  MIXCMP_TRY(prepared, store.prepare());
+  MIXCMP_DO(store.prepare());
   return store;
 }
 
@@ -101,9 +101,9 @@ Result<Done> ResultStore::prepare() {
   sqlite3* database = database_.get();
   if (sqlite3_errcode(database) != SQLITE_OK) return sqlite_error(path_, database);
   sqlite3_busy_timeout(database, patience_ms);
-  MIXCMP_TRY(begun, execute(path_, database, "BEGIN IMMEDIATE"));
+  MIXCMP_DO(execute(path_, database, "BEGIN IMMEDIATE"));
   const Result<Done> fitting = check_identity();
-  MIXCMP_TRY(ended, execute(path_, database, fitting.ok() ? "COMMIT" : "ROLLBACK"));
+  MIXCMP_DO(execute(path_, database, fitting.ok() ? "COMMIT" : "ROLLBACK"));
   return fitting;
 }
 

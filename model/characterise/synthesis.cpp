@@ -31,7 +31,7 @@ struct Run {
 
 Result<Done> write_sources(const Run& run) {
   for (const SourceText& source : run.job.sources) {
-    MIXCMP_TRY(written, write_file(run.directory / source.name, source.text));
+    MIXCMP_DO(write_file(run.directory / source.name, source.text));
   }
   return Done{};
 }
@@ -48,7 +48,7 @@ std::string read_sources(const Run& run) {
 }
 
 Result<Done> run_yosys(const Run& run, const std::string& name, const std::string& script) {
-  MIXCMP_TRY(written, write_file(run.directory / (name + ".ys"), script));
+  MIXCMP_DO(write_file(run.directory / (name + ".ys"), script));
   Command command = yosys_command(run.device);
   command.insert(command.end(), {"-q", "-s", name + ".ys"});
   return run_in(run.directory, command, name + ".log", run.options.each_tool);
@@ -65,7 +65,7 @@ Result<devices::Area> map_alone(const Run& run) {
       "{}{} -top {}\n{}tee -q -o area.json stat -json\nwrite_json map.json\n"
       "select {}\nwrite_rtlil -selected map.il\n",
       read_sources(run), run.device.synthesis, top, run.is_xilinx() ? share_inverters : "", top);
-  MIXCMP_TRY(ran, run_yosys(run, "map", script));
+  MIXCMP_DO(run_yosys(run, "map", script));
   MIXCMP_TRY(statistics, read_json(run.directory / "area.json"));
   MIXCMP_TRY(area, in_file(area_of_statistics(statistics), run.directory / "area.json"));
   if (run.is_ice40()) {
@@ -102,8 +102,8 @@ struct Timing {
 
 Result<Timing> estimate_clock(const Run& run) {
   const EmbeddedFile& techmap = shift_register_output();
-  MIXCMP_TRY(written, write_file(run.directory / techmap.name, techmap.text));
-  MIXCMP_TRY(ran, run_yosys(run, "timing", timing_script(run)));
+  MIXCMP_DO(write_file(run.directory / techmap.name, techmap.text));
+  MIXCMP_DO(run_yosys(run, "timing", timing_script(run)));
   MIXCMP_TRY(log, read_file(run.directory / "timing.txt"));
   if (!log.ends_with(std::string(end_of_timing) + "\n")) {
     return Error{.file = (run.directory / "timing.txt").string(),
@@ -125,7 +125,7 @@ Result<Done> wrap(const Run& run) {
   const std::string name = "mixcmp_wrapper_of_" + run.job.top;
   MIXCMP_TRY(netlist, read_json(run.directory / "map.json"));
   MIXCMP_TRY(wrapper, register_wrapper(netlist, run.job.top, run.job.clock_port, name));
-  MIXCMP_TRY(written, write_file(run.directory / "mixcmp_wrapper.v", wrapper));
+  MIXCMP_DO(write_file(run.directory / "mixcmp_wrapper.v", wrapper));
   return run_yosys(run, "wrap",
                    fmt::format("read_rtlil map.il\nread_verilog mixcmp_wrapper.v\n{} -top {}\n"
                                "write_json wrapped.json\n",
@@ -226,9 +226,9 @@ Result<Done> check_area(const devices::Area& area, const devices::Area& least,
 Result<SynthesisResult> synthesise(const SynthesisJob& job, const devices::Device& device,
                                    const SynthesisOptions& options, const fs::path& directory) {
   const Run run = {job, device, options, directory};
-  MIXCMP_TRY(written, write_sources(run));
+  MIXCMP_DO(write_sources(run));
   MIXCMP_TRY(area, map_alone(run));
-  MIXCMP_TRY(whole, check_area(area, job.least, device));
+  MIXCMP_DO(check_area(area, job.least, device));
   MIXCMP_TRY(timing, find_clock(run, area));
   return SynthesisResult{.area = area, .clock = timing.clock, .no_clock = timing.no_clock};
 }

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "model/characterise/measurement.hpp"
+#include "model/settings/bound_name.hpp"
 
 namespace mixcmp::characterise {
 
@@ -52,10 +53,10 @@ inline KeyColumn inputs_column() {
 }
 
 inline KeyColumn bound_column() {
-  return {"bound", [](const ComponentKey& key) { return scene::to_string(key.bound); },
+  return {"bound", [](const ComponentKey& key) { return to_string(key.bound); },
           [](ComponentKey& key, const std::string& text) -> Result<Done> {
             if (text.empty()) return Done{};
-            MIXCMP_TRY(choice, scene::parse_bound_choice(text));
+            MIXCMP_TRY(choice, settings::parse_bound(text));
             key.bound = choice;
             return Done{};
           }};

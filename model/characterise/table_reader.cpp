@@ -45,7 +45,7 @@ public:
       MIXCMP_TRY(row, read_row());
       table.rows.push_back(std::move(row));
     }
-    MIXCMP_TRY(sorted, sort(table));
+    MIXCMP_DO(sort(table));
     return table;
   }
 
@@ -168,7 +168,7 @@ private:
       MIXCMP_TRY(text, next());
       const Result<Done> is_set = column.set(row.key, text.text);
       if (!is_set.ok()) return error(text, is_set.error().message, is_set.error().accepted);
-      MIXCMP_TRY(known, check_word(row.key, column, text));
+      MIXCMP_DO(check_word(row.key, column, text));
     }
     MIXCMP_TRY(interval, initiation_interval(row.key.kind));
     row.key.initiation_interval = interval;
@@ -213,7 +213,7 @@ private:
     if (column.name == "bound" && is_lane) {
       const LaneFormat format = *LaneFormat::parse(key.format);
       if (key.bound && key.bound->is_for(format)) return Done{};
-      return error(field, "not a bound of such lanes", bounds_of(format));
+      return error(field, "not a bound of such lanes", bound_words(format));
     }
     if (column.name == "multipliers") {
       return check_one_of(field, {"embedded", "logic", "memory", ""});
@@ -221,11 +221,11 @@ private:
     return Done{};
   }
 
-  static std::string bounds_of(const LaneFormat& format) {
+  static std::string bound_words(const LaneFormat& format) {
     if (format.floating) return "a bound in floating point";
     std::string names;
-    for (const scene::BoundChoice& choice : scene::fixed_bound_choices(*format.fixed_point)) {
-      names += (names.empty() ? "" : ", ") + to_string(choice);
+    for (const Bound& bound : bounds_of(*format.fixed_point)) {
+      names += (names.empty() ? "" : ", ") + to_string(bound);
     }
     return names;
   }
@@ -288,7 +288,7 @@ private:
                  .received = fmt::format("{} {} {} {} {} {}, initiation interval {}, ports {}",
                                          to_string(twin->key.kind), name_column().get(twin->key),
                                          twin->key.format, to_string(twin->key.inputs),
-                                         scene::to_string(twin->key.bound), twin->key.multipliers,
+                                         to_string(twin->key.bound), twin->key.multipliers,
                                          twin->key.initiation_interval, twin->key.ports),
                  .accepted = "one"};
   }

@@ -38,7 +38,7 @@ Result<Done> make_writable_folder(const fs::path& folder) {
 
 Result<FolderLock> FolderLock::take(const fs::path& folder, const Waiting& waiting) {
   while (true) {
-    MIXCMP_TRY(made, make_writable_folder(folder));
+    MIXCMP_DO(make_writable_folder(folder));
     Descriptor opened(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (opened.get() < 0) return cannot_write(folder, errno);
     if (const int failure = lock(opened.get(), folder, waiting); failure != 0) {

@@ -204,17 +204,17 @@ Result<Done> put_folder_in_place(const fs::path& finished, const fs::path& path)
 }
 
 Result<Done> copy_folder(const fs::path& folder, const fs::path& copy) {
-  MIXCMP_TRY(made, make_writable_folder(copy));
+  MIXCMP_DO(make_writable_folder(copy));
   std::error_code failed;
   std::error_code unknown;
   for (const fs::directory_entry& entry : entries_of(folder, failed)) {
     const fs::path own = copy / entry.path().filename();
     if (entry.is_directory(unknown)) {
-      MIXCMP_TRY(copied, copy_folder(entry.path(), own));
+      MIXCMP_DO(copy_folder(entry.path(), own));
       continue;
     }
     MIXCMP_TRY(text, read_file(entry.path()));
-    MIXCMP_TRY(written, write_file(own, text));
+    MIXCMP_DO(write_file(own, text));
   }
   if (failed) return cannot_write(copy, failed.value());
   return Done{};

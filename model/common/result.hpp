@@ -74,3 +74,10 @@ struct Done {};
   auto name##_result = (expression);                     \
   if (!name##_result.ok()) return name##_result.error(); \
   [[maybe_unused]] auto name = std::move(name##_result).value()
+
+/// Returns the error of `expression`, a Result<Done>, from the enclosing function.
+#define MIXCMP_DO(expression)                                      \
+  do {                                                             \
+    const mixcmp::Result<mixcmp::Done> done_result = (expression); \
+    if (!done_result.ok()) return done_result.error();             \
+  } while (false)

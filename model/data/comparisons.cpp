@@ -108,7 +108,7 @@ Result<Comparisons> Comparisons::make(Pairing pairing, std::vector<Table> tables
                  .accepted = pairing == Pairing::cross ? "inputs of item i and inputs of item j"
                                                        : "inputs of the row and of items i and j"};
   }
-  MIXCMP_TRY(counts_checked, check_counts(pairing, tables));
+  MIXCMP_DO(check_counts(pairing, tables));
   return Comparisons(pairing, std::move(tables), std::move(sources));
 }
 

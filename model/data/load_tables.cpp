@@ -33,7 +33,7 @@ Result<Table> generated_table(const DataSpec& data, FloatFormat format) {
     return sphere_family({.name = data.family, .count = count, .seed = data.seed}, format);
   }
   MIXCMP_TRY(side, check_limit("data.side", data.side, format));
-  MIXCMP_TRY(radius, check_limit("data.radius_max", data.radius_max, format));
+  MIXCMP_DO(check_limit("data.radius_max", data.radius_max, format));
   return uniform_spheres(
       {.count = count, .side = data.side, .radius_max = data.radius_max, .seed = data.seed},
       format);
@@ -170,7 +170,7 @@ private:
   }
 
   Result<Table> load_table(std::size_t which, const std::vector<std::string>& wanted) const {
-    MIXCMP_TRY(source_checked, check_source(data_, which));
+    MIXCMP_DO(check_source(data_, which));
     MIXCMP_TRY(columns, file_columns(which == 0 ? data_.columns : data_.with_columns, wanted));
     const Result<Table> table = read_table(data_, which, format_, columns);
     if (table.ok()) return table;

@@ -59,7 +59,7 @@ public:
                          (key == "shape" && has_shape);
       if (again) return header_error("a key given twice", in_quotes(key), "each key once");
       if (key == "descr") {
-        MIXCMP_TRY(done, type(header));
+        MIXCMP_DO(type(header));
         has_type = true;
       } else if (key == "fortran_order") {
         MIXCMP_TRY(order, truth());

@@ -166,19 +166,18 @@ Result<error::Lane> design_certified_lane(const scene::Scene& scene,
   return undecidable(lane.graph.arithmetic.format.name());
 }
 
-/// How a lane in fixed point bounds its errors; none: its own choice.
-Result<std::optional<fixed::FixedBound>> fixed_bound(const scene::ReducedSpec& reduced) {
-  using Bound = std::optional<fixed::FixedBound>;
-  if (!reduced.error_bound) return Bound();
-  switch (*reduced.error_bound) {
-    case error::ErrorBoundKind::constant: return Bound(fixed::FixedBound::constant);
-    case error::ErrorBoundKind::norm: return Bound(fixed::FixedBound::norm);
-    case error::ErrorBoundKind::running: return Bound(fixed::FixedBound::running);
-    case error::ErrorBoundKind::relative: break;
+/// Refuses a bound that lanes in fixed point do not have.
+Result<Done> check_fixed_bound(const scene::ReducedSpec& reduced) {
+  if (reduced.is_profiled) {
+    return Error{.field = "reduced.bound",
+                 .message = "a lane in fixed point is certified",
+                 .received = "profiled",
+                 .accepted = "certified, or a format in floating point"};
   }
+  if (reduced.error_bound != BoundKind::relative) return Done{};
   return Error{.field = "reduced.error_bound",
                .message = "not a bound of lanes in fixed point",
-               .received = std::string(to_string(*reduced.error_bound)),
+               .received = "relative",
                .accepted = "auto, constant, norm, running"};
 }
 
@@ -228,15 +227,9 @@ bool can_decide(const fixed::FixedLane& lane) {
 
 Result<fixed::FixedLane> design_fixed_lane(const scene::Scene& scene,
                                            const scene::ReducedSpec& reduced) {
-  if (reduced.bound == scene::BoundKind::profiled) {
-    return Error{.field = "reduced.bound",
-                 .message = "a lane in fixed point is certified",
-                 .received = "profiled",
-                 .accepted = "certified, or a format in floating point"};
-  }
-  MIXCMP_TRY(bound, fixed_bound(reduced));
+  MIXCMP_DO(check_fixed_bound(reduced));
   const fixed::FixedOptions options{
-      .format = *reduced.fixed_point, .bound = bound, .ranges = scene.ranges};
+      .format = *reduced.fixed_point, .bound = reduced.error_bound, .ranges = scene.ranges};
   MIXCMP_TRY(lane, fixed::fixed_lane(scene.graph, scene.reference.format, options));
   if (can_decide(lane)) return lane;
   return undecidable(reduced.format_name());
@@ -312,7 +305,7 @@ Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
     MIXCMP_TRY(group, design_group(scene, spec, data, measure));
     design.lanes.push_back(std::move(group));
   }
-  MIXCMP_TRY(second_tier_known, check_second_tier(scene));
+  MIXCMP_DO(check_second_tier(scene));
   MIXCMP_TRY(second_tier, design_second_tier(scene));
   design.second_tier = std::move(second_tier);
   std::optional<int> shortest;
@@ -332,12 +325,12 @@ Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
     design.references.push_back(
         {.structure = {multipliers, *interval, target_mhz}, .count = *spec.count});
     shortest = std::min(shortest.value_or(*interval), *interval);
-    MIXCMP_TRY(in_time, check_request_beats(scene.system, *interval));
+    MIXCMP_DO(check_request_beats(scene.system, *interval));
   }
   const int operand_bits = static_cast<int>(design.inputs.size()) * scene.reference.format.width();
   design.system.request_beats = request_beats(scene.system, operand_bits, shortest.value_or(1));
   if (data != nullptr) {
-    MIXCMP_TRY(fits, check_engine_data(scene.system.engine, design.lane_count(), *data));
+    MIXCMP_DO(check_engine_data(scene.system.engine, design.lane_count(), *data));
   }
   return design;
 }
@@ -386,12 +379,9 @@ Result<Lane> design_lane(const scene::Scene& scene, const scene::ReducedSpec& re
   const FloatFormat reference = scene.reference.format;
   const TypedGraph graph =
       lane_graph(scene.graph, reference, arithmetic, reduced.inputs_beside(reference));
-  switch (reduced.bound) {
-    case scene::BoundKind::certified: return as_lane(design_certified_lane(scene, reduced, graph));
-    case scene::BoundKind::profiled:
-      return as_lane(design_profiled_lane(scene, reduced, graph, data, measure));
-  }
-  MIXCMP_CHECK(false);
+  if (reduced.is_profiled)
+    return as_lane(design_profiled_lane(scene, reduced, graph, data, measure));
+  return as_lane(design_certified_lane(scene, reduced, graph));
 }
 
 Result<std::optional<LaneGroup>> design_second_tier(const scene::Scene& scene) {
@@ -440,7 +430,7 @@ Result<scene::Scene> with_chain_lanes(scene::Scene scene, const data::Comparison
     lanes += count;
   }
   if (data != nullptr) {
-    MIXCMP_TRY(fits, check_engine_data(scene.system.engine, lanes, *data));
+    MIXCMP_DO(check_engine_data(scene.system.engine, lanes, *data));
   }
   if (scene.lanes.empty()) scene.system.lanes = lanes;
   return scene;

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "model/design/design.hpp"
-#include "model/scene/bound_choice.hpp"
+#include "model/scene/lane_bound.hpp"
 
 namespace mixcmp::design {
 namespace {
@@ -16,7 +16,7 @@ std::string bound_name(const error::Lane& lane) {
   std::string name;
   std::set<std::string> told;
   for (const error::LanePart& part : lane.parts) {
-    const std::string bound = to_string(scene::bound_choice(part));
+    const std::string bound = to_string(scene::bound_of(part));
     if (told.insert(bound).second) name += (name.empty() ? "" : "_") + bound;
   }
   return name;

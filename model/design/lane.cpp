@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include "model/common/cases.hpp"
+
 namespace mixcmp::design {
 
 bool is_certified(const Lane& lane) {

@@ -33,12 +33,4 @@ inline error::Lane& float_lane(Lane& lane) {
   return std::get<error::Lane>(lane);
 }
 
-/// Makes a visitor of one function for each number system.
-template <class... Functions>
-struct Cases : Functions... {
-  using Functions::operator()...;
-};
-template <class... Functions>
-Cases(Functions...) -> Cases<Functions...>;  // clang 14 deduces no aggregates itself
-
 }  // namespace mixcmp::design

@@ -186,13 +186,13 @@ Result<Done> read_sources(const settings::Settings& settings, std::vector<std::s
 
 Result<Device> read_device(std::string text, const std::filesystem::path& path) {
   MIXCMP_TRY(settings, settings::parse_settings(std::move(text), path));
-  MIXCMP_TRY(names, check_section_names(settings));
+  MIXCMP_DO(check_section_names(settings));
   Device device;
-  MIXCMP_TRY(figures, read_figures(settings, device));
-  MIXCMP_TRY(synthesis, read_synthesis(settings, device));
-  MIXCMP_TRY(timing, read_timing(settings, device));
-  MIXCMP_TRY(delays, read_delays(settings, device.delays));
-  MIXCMP_TRY(sources, read_sources(settings, device.sources));
+  MIXCMP_DO(read_figures(settings, device));
+  MIXCMP_DO(read_synthesis(settings, device));
+  MIXCMP_DO(read_timing(settings, device));
+  MIXCMP_DO(read_delays(settings, device.delays));
+  MIXCMP_DO(read_sources(settings, device.sources));
   return device;
 }
 

@@ -87,7 +87,7 @@ std::string what_helps(const TypedGraph& graph, NodeId failure) {
   return help + "reduced.bound = \"profiled\", or another formulation of f and g";
 }
 
-Error no_bound(ErrorBoundKind kind, const std::string& reason, std::string accepted) {
+Error no_bound(BoundKind kind, const std::string& reason, std::string accepted) {
   return {.field = "reduced.bound",
           .message = fmt::format("no {} bound can be proven: {}", to_string(kind), reason),
           .received = "\"certified\"",
@@ -119,7 +119,7 @@ Result<Lane> relative_lane(TypedGraph graph, const CertifiedOptions& options) {
   const NodeBound &f = analysis.nodes[graph.f()], &g = analysis.nodes[graph.g()];
   if (!f.relative || !g.relative) {
     const NodeId failure = first_failure(analysis, [](const NodeBound& b) { return !b.relative; });
-    return no_bound(ErrorBoundKind::relative, analysis.nodes[failure].reason,
+    return no_bound(BoundKind::relative, analysis.nodes[failure].reason,
                     what_helps(graph, failure));
   }
   const FloatFormat format = graph.arithmetic.format;
@@ -172,7 +172,7 @@ struct DifferenceBound {
   AbsoluteError bound;
 };
 
-Result<DifferenceBound> bound_difference(TypedGraph& graph, ErrorBoundKind kind,
+Result<DifferenceBound> bound_difference(TypedGraph& graph, BoundKind kind,
                                          const CertifiedOptions& options) {
   const NodeId difference = append_difference(graph);
   DifferenceBound result{
@@ -199,7 +199,7 @@ Result<DifferenceBound> bound_difference(TypedGraph& graph, ErrorBoundKind kind,
 }
 
 Result<Lane> running_lane(TypedGraph graph, const CertifiedOptions& options) {
-  MIXCMP_TRY(found, bound_difference(graph, ErrorBoundKind::running, options));
+  MIXCMP_TRY(found, bound_difference(graph, BoundKind::running, options));
   const FloatFormat format = graph.arithmetic.format;
   Pruner pruner(found.analysis.bounds);
   AbsoluteBoundCriterion criterion{.difference = found.difference,
@@ -218,9 +218,9 @@ Result<Lane> running_lane(TypedGraph graph, const CertifiedOptions& options) {
 }
 
 Result<Lane> constant_lane(TypedGraph graph, const CertifiedOptions& options) {
-  MIXCMP_TRY(found, bound_difference(graph, ErrorBoundKind::constant, options));
+  MIXCMP_TRY(found, bound_difference(graph, BoundKind::constant, options));
   const std::vector<RangeCheck> checks = full_range_checks(graph, options.ranges);
-  MIXCMP_TRY(divisors_checked, check_divisors(graph, checks));
+  MIXCMP_DO(check_divisors(graph, checks));
   MIXCMP_TRY(bound, constant_bound(graph, found.analysis, found.bound, checks));
   const FloatFormat format = graph.arithmetic.format;
   AbsoluteBoundCriterion criterion{
@@ -232,12 +232,13 @@ Result<Lane> constant_lane(TypedGraph graph, const CertifiedOptions& options) {
   return one_part_lane(std::move(graph), std::move(criterion), checks);
 }
 
-Result<Lane> lane_of(ErrorBoundKind kind, TypedGraph graph, const CertifiedOptions& options) {
+Result<Lane> lane_of(BoundKind kind, TypedGraph graph, const CertifiedOptions& options) {
   switch (kind) {
-    case ErrorBoundKind::relative: return relative_lane(std::move(graph), options);
-    case ErrorBoundKind::running: return running_lane(std::move(graph), options);
-    case ErrorBoundKind::constant: return constant_lane(std::move(graph), options);
-    case ErrorBoundKind::norm: break;
+    case BoundKind::relative: return relative_lane(std::move(graph), options);
+    case BoundKind::running: return running_lane(std::move(graph), options);
+    case BoundKind::constant: return constant_lane(std::move(graph), options);
+    case BoundKind::norm: break;
+    case BoundKind::profiled: MIXCMP_CHECK(!"a bound that is proven");
   }
   return Error{.field = "reduced.error_bound",
                .message = "a bound of lanes in fixed point",
@@ -247,7 +248,7 @@ Result<Lane> lane_of(ErrorBoundKind kind, TypedGraph graph, const CertifiedOptio
 
 /// The lane with a kind of bound that the scene asks for: an error names the key that does so,
 /// reduced.error_bound.
-Result<Lane> asked_lane(ErrorBoundKind kind, TypedGraph graph, const CertifiedOptions& options) {
+Result<Lane> asked_lane(BoundKind kind, TypedGraph graph, const CertifiedOptions& options) {
   Result<Lane> lane = lane_of(kind, std::move(graph), options);
   if (lane.ok() || lane.error().field != "reduced.bound") return lane;
   Error error = lane.error();
@@ -271,16 +272,6 @@ Result<Lane> certified_part(const TypedGraph& graph, const CertifiedOptions& opt
 
 }  // namespace
 
-std::string_view to_string(ErrorBoundKind kind) {
-  switch (kind) {
-    case ErrorBoundKind::relative: return "relative";
-    case ErrorBoundKind::running: return "running";
-    case ErrorBoundKind::constant: return "constant";
-    case ErrorBoundKind::norm: return "norm";
-  }
-  MIXCMP_CHECK(false);
-}
-
 Result<Lane> certified_lane(const TypedGraph& graph, const CertifiedOptions& options) {
   return lane_of_parts(graph,
                        [&](const TypedGraph& part) { return certified_part(part, options); });
@@ -289,15 +280,12 @@ Result<Lane> certified_lane(const TypedGraph& graph, const CertifiedOptions& opt
 std::vector<CandidateLane> candidate_lanes(const TypedGraph& graph,
                                            const std::vector<std::optional<Range>>& ranges) {
   std::vector<CandidateLane> candidates;
-  const auto add = [&](ErrorBoundKind kind, int digits) {
+  for (const Bound& bound : counted_bounds()) {
+    if (bound.is_fixed_point() || bound.is_profiled()) continue;
     const CertifiedOptions options{
-        .kind = kind, .bound_digits = std::max(digits, 1), .ranges = ranges};
-    candidates.push_back({kind, digits, certified_lane(graph, options)});
-  };
-  add(ErrorBoundKind::relative, 0);
-  add(ErrorBoundKind::running, 4);
-  add(ErrorBoundKind::running, 1);
-  add(ErrorBoundKind::constant, 0);
+        .kind = bound.kind, .bound_digits = std::max(bound.digits, 1), .ranges = ranges};
+    candidates.push_back({bound, certified_lane(graph, options)});
+  }
   return candidates;
 }
 

@@ -1,21 +1,12 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "model/error/lane.hpp"
+#include "model/number/bound.hpp"
 
 namespace mixcmp::error {
-
-/// How the error of f - g is bounded.
-enum class ErrorBoundKind {
-  relative,  ///< by the relative errors of f and g: a distance in ulps, one integer subtraction
-  running,   ///< by an absolute bound, computed beside the values in a few digits, rounded up
-  constant,  ///< by an absolute bound that follows from the inputs' ranges
-  norm,      ///< by the norm of the errors: of lanes in fixed point alone (docs/fixed_point.md)
-};
-std::string_view to_string(ErrorBoundKind kind);
 
 /// Whether a lane's operations omit the hardware for hazards that the ranges rule out.
 enum class HazardRemoval {
@@ -24,7 +15,7 @@ enum class HazardRemoval {
 };
 
 struct CertifiedOptions {
-  std::optional<ErrorBoundKind> kind = {};  ///< none: relative if it exists, else running
+  std::optional<BoundKind> kind = {};  ///< none: relative if it exists, else running
   /// Digits of a running bound, 1..8, at most the lane's; 1: exponents alone.
   int bound_digits = 4;
   /// The ranges that the scene declares, one per input; empty if it declares none. The lane checks
@@ -40,8 +31,7 @@ Result<Lane> certified_lane(const TypedGraph& graph, const CertifiedOptions& opt
 
 /// The result of one way to certify a lane: the lane, or the reason why there is none.
 struct CandidateLane {
-  ErrorBoundKind kind;
-  int bound_digits;  ///< digits of a running bound; 0 for others
+  Bound bound;
   Result<Lane> lane;
 };
 /// Tries four ways to certify the lane: the relative bound, the running bound with 4 digits, the

@@ -27,11 +27,11 @@ Result<FixedPart> make_part(FixedGraphBuilder& builder, const Sides& sides,
                             const FixedOptions& options) {
   MIXCMP_TRY(f, builder.side(sides, sides.f));
   MIXCMP_TRY(g, builder.side(sides, sides.g));
-  if (!options.bound || options.bound == FixedBound::norm) {
+  if (!options.bound || options.bound == BoundKind::norm) {
     if (auto part = norm_part(builder, f, g)) return *part;
   }
   const NodeId difference = builder.difference(f, g);
-  if (options.bound == FixedBound::running) {
+  if (options.bound == BoundKind::running) {
     auto running = running_thresholds(builder.nodes(), options.format.bits, difference,
                                       builder.nodes_in_products(sides));
     if (running) return FixedPart{.difference = difference, .criterion = std::move(*running)};
@@ -179,7 +179,7 @@ Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
                              const FixedOptions& options) {
   MIXCMP_TRY(degrees, degrees_of(graph, options.format));
   FixedGraphBuilder builder(graph, input_format, options);
-  MIXCMP_TRY(cut, builder.cut_in_common());
+  MIXCMP_DO(builder.cut_in_common());
   FixedLane lane{.format = options.format,
                  .nodes = {},
                  .input_names = graph.inputs(),
@@ -193,8 +193,8 @@ Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
   }
   lane.nodes = std::move(builder.nodes());
   remove_unread(lane);
-  if (options.bound == FixedBound::norm && !has_norm(lane)) return no_norm();
-  if (options.bound == FixedBound::running && !has_running(lane)) return no_running();
+  if (options.bound == BoundKind::norm && !has_norm(lane)) return no_norm();
+  if (options.bound == BoundKind::running && !has_running(lane)) return no_running();
   return lane;
 }
 

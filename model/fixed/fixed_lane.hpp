@@ -10,6 +10,7 @@
 #include "model/common/result.hpp"
 #include "model/expression/graph.hpp"
 #include "model/expression/range.hpp"
+#include "model/number/bound.hpp"
 #include "model/number/fixed_format.hpp"
 #include "model/number/float_format.hpp"
 #include "model/number/lane_format.hpp"
@@ -155,15 +156,11 @@ struct FixedLane {
   friend bool operator==(const FixedLane&, const FixedLane&) = default;
 };
 
-enum class FixedBound {
-  constant,
-  norm,     ///< for parts of the form of theorem 4, of which there must be one
-  running,  ///< for parts with products, of which there must be one; other parts have constants
-};
-
 struct FixedOptions {
   FixedPoint format = {.bits = 13};
-  std::optional<FixedBound> bound = {};  ///< none: norms where there are any, else constants
+  /// None: norms where there are any, else constants. `norm` is for parts of the form of theorem 4,
+  /// `running` for parts with products; there must be one, and other parts have constants.
+  std::optional<BoundKind> bound = {};
   /// One per input; a lane needs them all. In block floating point they are optional: an input
   /// whose range has no negative numbers needs no sign.
   std::vector<std::optional<Range>> ranges;

@@ -263,7 +263,7 @@ FixedNode FixedGraphBuilder::product(NodeId a, NodeId b) {
 /// another kind.
 std::optional<FixedNode> FixedGraphBuilder::multiple_of_square(const mpq_class& coefficient,
                                                                NodeId square) {
-  if (options_.bound == FixedBound::constant ||
+  if (options_.bound == BoundKind::constant ||
       graph_.nodes()[square].operation != Operation::square || graph_.limits().contains(square)) {
     return std::nullopt;
   }

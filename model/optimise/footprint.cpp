@@ -11,6 +11,7 @@
 #include "model/optimise/engine_area.hpp"
 #include "model/performance/performance.hpp"
 #include "model/profile/cost_model.hpp"
+#include "model/scene/lane_bound.hpp"
 
 namespace mixcmp::optimise {
 namespace {
@@ -29,12 +30,9 @@ const characterise::Measurement* find(const characterise::Characterisation& tabl
   return table.find(key);
 }
 
-std::optional<scene::BoundChoice> bound_of(const design::Lane& lane) {
-  return std::visit(
-      [](const auto& made) -> std::optional<scene::BoundChoice> {
-        return scene::bound_choice(made);
-      },
-      lane);
+std::optional<Bound> bound_of(const design::Lane& lane) {
+  return std::visit([](const auto& made) -> std::optional<Bound> { return scene::bound_of(made); },
+                    lane);
 }
 
 /// Lanes in fixed point have no choice of inputs.

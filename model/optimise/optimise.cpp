@@ -129,8 +129,8 @@ Error nothing_to_choose_from(const scene::Scene& scene, const std::string& what)
 /// With reduced.bound = "profiled" certified lanes are left out, and the other way round.
 Error no_lane(const scene::Scene& scene) {
   Error error = nothing_to_choose_from(scene, "lane");
-  error.accepted = fmt::format("a table of {0} lanes, as reduced.bound is \"{0}\"",
-                               to_string(scene.reduced.bound));
+  error.accepted =
+      fmt::format("a table of {0} lanes, as reduced.bound is \"{0}\"", scene.reduced.bound_word());
   return error;
 }
 
@@ -224,22 +224,22 @@ const PrecisionPlan* Optimisation::best() const {
 }
 
 Result<Done> check_options(const OptimiseOptions& options, const OptionNames& names) {
-  MIXCMP_TRY(first, check_precision(options.first_precision, names.first_precision));
-  MIXCMP_TRY(last, check_precision(options.last_precision, names.last_precision));
+  MIXCMP_DO(check_precision(options.first_precision, names.first_precision));
+  MIXCMP_DO(check_precision(options.last_precision, names.last_precision));
   if (options.first_precision > options.last_precision) {
     return Error{.field = names.first_precision,
                  .message = fmt::format("is above {}", names.last_precision),
                  .received = std::to_string(options.first_precision),
                  .accepted = fmt::format("at most {}", options.last_precision)};
   }
-  MIXCMP_TRY(lane, check_clock(options.clocks.lane_mhz, names.lane_mhz));
+  MIXCMP_DO(check_clock(options.clocks.lane_mhz, names.lane_mhz));
   return check_clock(options.clocks.reference_mhz, names.reference_mhz);
 }
 
 Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& device,
                               const characterise::Characterisation& table, const Rates& rates,
                               const OptimiseOptions& options) {
-  MIXCMP_TRY(possible, check_options(options));
+  MIXCMP_DO(check_options(options));
   MIXCMP_TRY(known_chain, design::with_chain_lanes(scene, nullptr));
   MIXCMP_TRY(second_tier, second_tier_key(scene));
   ProblemMaker maker(scene, table, rates, options, second_tier);

@@ -28,7 +28,7 @@ struct OptimiseOptions {
   int last_precision = settings::limits::lane_precision.most;
   /// Values that a row of the table may have to be used; an empty list admits all.
   std::vector<LaneInputs> inputs;
-  std::vector<scene::BoundChoice> bounds;
+  std::vector<Bound> bounds;
   std::vector<std::string> multipliers;
   ClockChoice clocks;
   /// A fixed C(com), as the paper's, in place of our measured scoreboards and crossbar.

@@ -5,18 +5,19 @@
 #include <variant>
 
 #include "model/common/quote.hpp"
+#include "model/scene/lane_bound.hpp"
 #include "model/settings/settings.hpp"
 
 namespace mixcmp::optimise {
 namespace {
 
-std::string bound_keys(const scene::BoundChoice& choice) {
-  const scene::ReducedSpec reduced = scene::with_bound({}, choice);
-  std::string keys = fmt::format("bound = \"{}\"\n", to_string(reduced.bound));
+std::string bound_keys(const Bound& bound) {
+  const scene::ReducedSpec reduced = scene::with_bound({}, bound);
+  std::string keys = fmt::format("bound = \"{}\"\n", reduced.bound_word());
   if (!reduced.error_bound) return keys;
   keys += fmt::format("error_bound = \"{}\"\n", to_string(*reduced.error_bound));
-  if (choice.digits == 0) return keys;
-  return keys + fmt::format("bound_digits = {}\n", choice.digits);
+  if (bound.is_fixed_point() || bound.digits == 0) return keys;
+  return keys + fmt::format("bound_digits = {}\n", bound.digits);
 }
 
 /// The scene's key for the kind of multipliers; empty for datapaths without a product.

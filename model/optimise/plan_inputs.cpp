@@ -73,7 +73,7 @@ Result<characterise::Characterisation> read_table(const fs::path& path, const sc
     if (name != "engine" || wanted.empty()) continue;
     if (text != wanted) return of_another(path, "engine", text, wanted);
   }
-  MIXCMP_TRY(groups, characterise::check_groups(table, path, scene));
+  MIXCMP_DO(characterise::check_groups(table, path, scene));
   return table;
 }
 
@@ -115,7 +115,7 @@ Result<std::vector<profile::RateProfile>> measure_rates(
     options.last_precision = std::min(options.last_precision, most);
   }
   options.progress = progress;
-  MIXCMP_TRY(possible, check_profile(scene, options));
+  MIXCMP_DO(check_profile(scene, options));
   auto errors = profile_errors(scene, data, {inputs.begin(), inputs.end()}, options);
   std::vector<profile::RateProfile> rates;
   for (profile::ErrorProfile& each : errors) {

@@ -30,8 +30,7 @@ LaneFormat format_of(const characterise::Measurement& row) {
 
 std::string lane_name(const characterise::ComponentKey& key) {
   std::string name = key.format;
-  for (const std::string& trait :
-       {to_string(key.inputs), scene::to_string(key.bound), key.multipliers}) {
+  for (const std::string& trait : {to_string(key.inputs), to_string(key.bound), key.multipliers}) {
     if (!trait.empty()) name += " " + trait;
   }
   return name;
@@ -39,7 +38,7 @@ std::string lane_name(const characterise::ComponentKey& key) {
 
 /// Lanes in fixed point have one rate for all kinds of inputs, so theirs are not named.
 std::string name_of(const RateKey& key) {
-  const std::string bound = scene::to_string(key.bound);
+  const std::string bound = to_string(key.bound);
   return key.bound.is_fixed_point() ? bound : fmt::format("{} {}", to_string(key.inputs), bound);
 }
 
@@ -314,8 +313,7 @@ bool ProblemMaker::is_before_second_tier(int precision) const {
 
 /// Lanes with a measured, unproven bound serve scenes that ask for them, and only those.
 bool ProblemMaker::is_trusted(const characterise::Measurement& lane) const {
-  const bool measured = lane.key.bound->kind == scene::BoundChoice::Kind::profiled;
-  return measured == (scene_.reduced.bound == scene::BoundKind::profiled);
+  return lane.key.bound->is_profiled() == scene_.reduced.is_profiled;
 }
 
 /// Whether the rates hold for this lane. With fewer exponent bits than they were counted with, more

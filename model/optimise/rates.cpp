@@ -6,6 +6,7 @@
 
 #include "model/common/file.hpp"
 #include "model/common/quote.hpp"
+#include "model/settings/bound_name.hpp"
 
 namespace mixcmp::optimise {
 namespace {
@@ -40,7 +41,7 @@ std::optional<std::string> read_row(const std::vector<std::string>& fields, Row&
   if (!inputs.ok()) return "inputs";
   row.key.inputs = *inputs;
   if (!read_number(fields[1], row.key.precision)) return "precision";
-  const auto bound = scene::parse_bound_choice(fields[2]);
+  const auto bound = settings::parse_bound(fields[2]);
   if (!bound.ok()) return "scheme";
   row.key.bound = *bound;
   if (!read_number(fields[3], row.rate.comparisons) || row.rate.comparisons == 0) {

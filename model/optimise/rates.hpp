@@ -15,7 +15,7 @@ namespace mixcmp::optimise {
 /// The properties of a lane on which its recomputation rate R_R depends.
 struct RateKey {
   LaneInputs inputs = LaneInputs::exact;
-  scene::BoundChoice bound;
+  Bound bound;
   int precision = 0;  ///< L, or W of fixed point
 
   friend auto operator<=>(const RateKey&, const RateKey&) = default;

@@ -2,6 +2,7 @@
 
 #include "model/design/design.hpp"
 #include "model/number/lane_format.hpp"
+#include "model/scene/lane_bound.hpp"
 
 namespace mixcmp::optimise {
 
@@ -12,7 +13,7 @@ Result<std::optional<characterise::ComponentKey>> second_tier_key(const scene::S
   return std::optional(characterise::ComponentKey{
       .kind = characterise::ComponentKind::lane,
       .format = scene.second_tier->fixed_point->name(),
-      .bound = scene::bound_choice(lane),
+      .bound = scene::bound_of(lane),
       .multipliers = std::string(to_string(scene.second_tier->multipliers))});
 }
 

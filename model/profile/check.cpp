@@ -37,9 +37,7 @@ Result<Done> check_profile(const scene::Scene& scene, const ProfileOptions& opti
                                 "the last",
                                 to_string(allowed))};
   }
-  const auto is_profiled = [](const scene::BoundChoice& bound) {
-    return bound.kind == scene::BoundChoice::Kind::profiled;
-  };
+  const auto is_profiled = [](const Bound& bound) { return bound.is_profiled(); };
   if (options.error_samples == 0 &&
       std::any_of(options.bounds.begin(), options.bounds.end(), is_profiled)) {
     return Error{.file = scene.path.string(),

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -14,7 +13,7 @@
 #include "model/common/file.hpp"
 #include "model/fixed/square_tables.hpp"
 #include "model/number/dyadic.hpp"
-#include "model/scene/bound_choice.hpp"
+#include "model/settings/bound_name.hpp"
 
 namespace mixcmp::profile {
 namespace {
@@ -279,14 +278,18 @@ double reference_luts(const TypedGraph& reference, Products products) {
 
 namespace {
 
-const std::array<std::string_view, 11> names = {
-    "reference", "lanes_alone", "profiled",       "relative",   "running_4",     "running_1",
-    "constant",  "fixed_norm",  "fixed_constant", "block_norm", "block_constant"};
+/// The schemes that a file of areas may name, beside every bound in fixed point.
+std::vector<std::string> usual_schemes() {
+  std::vector<std::string> names = {"reference", "lanes_alone"};
+  for (const Bound& bound : counted_bounds()) names.push_back(to_string(bound));
+  return names;
+}
 
 bool is_scheme(const std::string& name) {
-  const bool is_listed = std::find(names.begin(), names.end(), name) != names.end();
-  const auto bound = scene::parse_bound_choice(name);
-  return is_listed || (bound.ok() && bound->is_fixed_point());
+  const std::vector<std::string> names = usual_schemes();
+  if (std::find(names.begin(), names.end(), name) != names.end()) return true;
+  const auto bound = settings::parse_bound(name);
+  return bound.ok() && bound->is_fixed_point();
 }
 
 }  // namespace
@@ -310,7 +313,8 @@ Result<MeasuredAreas> MeasuredAreas::read(const std::filesystem::path& path) {
     double luts = 0;
     if (fields.size() != 3) return bad_area(path, line, "line", text, header);
     if (!is_scheme(fields[0])) {
-      return bad_area(path, line, "scheme", fields[0], fmt::format("{}", fmt::join(names, ", ")));
+      return bad_area(path, line, "scheme", fields[0],
+                      fmt::format("{}", fmt::join(usual_schemes(), ", ")));
     }
     if (!read_number(fields[1], precision)) {
       return bad_area(path, line, "precision", fields[1], "an integer");

@@ -1,16 +1,17 @@
 #include "model/profile/lane_runner.hpp"
 
+#include "model/common/cases.hpp"
+
 namespace mixcmp::profile {
 
 LaneRunner::LaneRunner(SchemeKind kind, const std::optional<design::Lane>& lane) : kind_(kind) {
   if (!lane) return;
-  std::visit(design::Cases{[&](const error::Lane& floating) {
-                             emulator_.emplace<emulator::Emulator>(floating);
-                           },
-                           [&](const fixed::FixedLane& fixed_point) {
-                             emulator_.emplace<emulator::FixedEmulator>(fixed_point);
-                           }},
-             *lane);
+  std::visit(
+      Cases{[&](const error::Lane& floating) { emulator_.emplace<emulator::Emulator>(floating); },
+            [&](const fixed::FixedLane& fixed_point) {
+              emulator_.emplace<emulator::FixedEmulator>(fixed_point);
+            }},
+      *lane);
 }
 
 void LaneRunner::decide(emulator::OperandColumns operands, std::size_t count,

@@ -8,7 +8,7 @@
 
 #include "model/data/comparisons.hpp"
 #include "model/expression/typed_graph.hpp"
-#include "model/scene/bound_choice.hpp"
+#include "model/number/bound.hpp"
 #include "model/scene/scene.hpp"
 
 /// Errors, recomputations and wrong verdicts of a scene's comparisons at every precision: figures 4
@@ -28,7 +28,7 @@ struct ProfileOptions {
   /// Comparisons that figure 4 and the profiled constants are measured on; 0: these are left out.
   std::uint64_t error_samples = 1'000'000;
   /// Of the lanes counted; none: lanes of every kind, and lanes alone.
-  std::vector<scene::BoundChoice> bounds = {};
+  std::vector<Bound> bounds = {};
   unsigned threads = 0;  ///< 0: as many as the machine has
   ProfileMethod method = ProfileMethod::envelope;
   /// Called with the name of the current step and the fraction of it that is done, 0..1; from any
@@ -83,8 +83,8 @@ struct SchemeCounts {
 };
 
 struct SchemeProfile {
-  std::string name;                         ///< "lanes_alone", or the name of its bound
-  std::optional<scene::BoundChoice> bound;  ///< none: lanes alone
+  std::string name;            ///< "lanes_alone", or the name of its bound
+  std::optional<Bound> bound;  ///< none: lanes alone
   SchemeKind kind = SchemeKind::certified;
   std::vector<SchemeCounts> counts;  ///< one per precision
   std::string reason;                ///< why there is no lane at some precision

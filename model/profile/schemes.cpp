@@ -8,12 +8,13 @@
 #include "model/design/design.hpp"
 #include "model/error/certified_lane.hpp"
 #include "model/error/profiled_lane.hpp"
+#include "model/scene/lane_bound.hpp"
 
 namespace mixcmp::profile {
 namespace {
 
-SchemeLanes& scheme_with(std::vector<SchemeLanes>& schemes,
-                         const std::optional<scene::BoundChoice>& bound, SchemeKind kind) {
+SchemeLanes& scheme_with(std::vector<SchemeLanes>& schemes, const std::optional<Bound>& bound,
+                         SchemeKind kind) {
   const auto found = std::find_if(schemes.begin(), schemes.end(),
                                   [&](const SchemeLanes& scheme) { return scheme.bound == bound; });
   if (found != schemes.end()) return *found;
@@ -22,8 +23,8 @@ SchemeLanes& scheme_with(std::vector<SchemeLanes>& schemes,
 }
 
 /// `bound`: none for lanes alone.
-void add(std::vector<SchemeLanes>& schemes, const std::optional<scene::BoundChoice>& bound,
-         SchemeKind kind, Result<design::Lane> lane) {
+void add(std::vector<SchemeLanes>& schemes, const std::optional<Bound>& bound, SchemeKind kind,
+         Result<design::Lane> lane) {
   SchemeLanes& scheme = scheme_with(schemes, bound, kind);
   if (lane.ok()) {
     scheme.lanes.emplace_back(std::move(lane).value());
@@ -67,37 +68,35 @@ Result<design::Lane> profiled_at(const TypedGraph& graph, const ErrorAtPrecision
 
 /// The counted bounds, those of the scene's own formats, and those asked for. Running ones are
 /// counted where a scene or a caller asks for them: many comparisons have to be looked at for them.
-std::vector<scene::BoundChoice> fixed_choices(const scene::Scene& scene,
-                                              std::span<const scene::BoundChoice> asked) {
-  std::vector<scene::BoundChoice> choices;
-  const auto add_new = [&](const scene::BoundChoice& choice) {
-    const bool known = std::find(choices.begin(), choices.end(), choice) != choices.end();
-    if (choice.is_fixed_point() && !known) choices.push_back(choice);
+std::vector<Bound> bounds_in_fixed_point(const scene::Scene& scene, std::span<const Bound> asked) {
+  std::vector<Bound> bounds;
+  const auto add_new = [&](const Bound& bound) {
+    const bool known = std::find(bounds.begin(), bounds.end(), bound) != bounds.end();
+    if (bound.is_fixed_point() && !known) bounds.push_back(bound);
   };
   const auto add_format = [&](const scene::ReducedSpec& reduced) {
     if (!reduced.fixed_point) return;
-    const bool runs = reduced.error_bound == error::ErrorBoundKind::running;
-    for (const auto& choice : scene::fixed_bound_choices(*reduced.fixed_point)) {
-      if (runs || !choice.is_running()) add_new(choice);
+    const bool runs = reduced.error_bound == BoundKind::running;
+    for (const auto& bound : bounds_of(*reduced.fixed_point)) {
+      if (runs || bound.kind != BoundKind::running) add_new(bound);
     }
   };
-  for (const scene::BoundChoice& choice : scene::counted_bound_choices()) add_new(choice);
+  for (const Bound& bound : counted_bounds()) add_new(bound);
   add_format(scene.reduced);
   for (const scene::LaneGroupSpec& group : scene.lanes) add_format(group.reduced);
-  for (const scene::BoundChoice& choice : asked) add_new(choice);
-  return choices;
+  for (const Bound& bound : asked) add_new(bound);
+  return bounds;
 }
 
-void add_fixed_lanes(const scene::Scene& scene, int bits,
-                     std::span<const scene::BoundChoice> choices,
+void add_fixed_lanes(const scene::Scene& scene, int bits, std::span<const Bound> bounds,
                      std::vector<SchemeLanes>& schemes) {
   const settings::Limits limits = settings::lane_fixed_bits(scene.reference.format);
-  for (const scene::BoundChoice& choice : choices) {
-    scene::ReducedSpec reduced = with_bound(scene.reduced, choice);
-    reduced.fixed_point = choice.fixed_point(bits);
-    SchemeLanes& scheme = scheme_with(schemes, choice, SchemeKind::certified);
+  for (const Bound& bound : bounds) {
+    scene::ReducedSpec reduced = with_bound(scene.reduced, bound);
+    reduced.fixed_point = bound.fixed_point(bits);
+    SchemeLanes& scheme = scheme_with(schemes, bound, SchemeKind::certified);
     if (allow(limits, *reduced.fixed_point)) {
-      add(schemes, choice, SchemeKind::certified, design::design_lane(scene, reduced, nullptr));
+      add(schemes, bound, SchemeKind::certified, design::design_lane(scene, reduced, nullptr));
     } else {
       scheme.lanes.emplace_back(std::nullopt);
     }
@@ -107,16 +106,16 @@ void add_fixed_lanes(const scene::Scene& scene, int bits,
 }  // namespace
 
 std::vector<SchemeLanes> make_schemes(const scene::Scene& scene, const ErrorProfile& errors,
-                                      std::span<const scene::BoundChoice> bounds) {
+                                      std::span<const Bound> bounds) {
   std::vector<SchemeLanes> schemes;
-  const std::vector<scene::BoundChoice> in_fixed_point = fixed_choices(scene, bounds);
+  const std::vector<Bound> in_fixed_point = bounds_in_fixed_point(scene, bounds);
   for (const ErrorAtPrecision& error : errors.precisions) {
     const TypedGraph graph = graph_at(scene, error.precision, errors.inputs);
     add(schemes, std::nullopt, SchemeKind::lanes_alone, design::Lane(lanes_alone(graph)));
-    add(schemes, scene::BoundChoice{scene::BoundChoice::Kind::profiled}, SchemeKind::profiled,
+    add(schemes, Bound{.kind = BoundKind::profiled}, SchemeKind::profiled,
         profiled_at(graph, error, errors.comparisons));
     for (error::CandidateLane& candidate : error::candidate_lanes(graph, scene.ranges)) {
-      add(schemes, scene::bound_choice(candidate), SchemeKind::certified,
+      add(schemes, candidate.bound, SchemeKind::certified,
           design::as_lane(std::move(candidate.lane)));
     }
     add_fixed_lanes(scene, error.precision, in_fixed_point, schemes);

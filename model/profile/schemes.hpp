@@ -13,7 +13,7 @@ namespace mixcmp::profile {
 /// The lanes with one kind of error bound, at every precision where they exist.
 struct SchemeLanes {
   std::string name;
-  std::optional<scene::BoundChoice> bound;  ///< none: lanes alone
+  std::optional<Bound> bound;  ///< none: lanes alone
   SchemeKind kind;
   std::vector<std::optional<design::Lane>> lanes;  ///< one per precision
   std::string reason;                              ///< why there is no lane at some precision
@@ -32,6 +32,6 @@ TypedGraph graph_at(const scene::Scene& scene, int precision, LaneInputs inputs)
 /// and every certified candidate, in floating point and in fixed point. The precision of a lane in
 /// fixed point is its W. If `bounds` names any, these alone.
 std::vector<SchemeLanes> make_schemes(const scene::Scene& scene, const ErrorProfile& errors,
-                                      std::span<const scene::BoundChoice> bounds = {});
+                                      std::span<const Bound> bounds = {});
 
 }  // namespace mixcmp::profile

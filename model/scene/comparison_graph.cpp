@@ -126,7 +126,7 @@ Result<Graph> read_graph(const settings::Settings& settings, const ComparisonSpe
     MIXCMP_TRY(g, reading.parse(graph, *part.g, "comparison.g", part.indices));
     parts.push_back({f, g});
   }
-  MIXCMP_TRY(index_checked, check_index_name(comparison, graph));
+  MIXCMP_DO(check_index_name(comparison, graph));
   graph.compare(std::move(parts), comparison.combination);
   used_lets.merge(reading.used_lets);
   if (graph.inputs().empty()) {

@@ -91,7 +91,7 @@ Result<ComparisonSpec> read_comparison(const settings::Settings& settings,
   if (const auto error = section.finish()) return *error;
   comparison.index = section.find("for");
   for (std::size_t k = 0; k < f.size(); ++k) comparison.parts.push_back({f[k], g[k]});
-  MIXCMP_TRY(expanded, expand_parts(settings, lets, comparison));
+  MIXCMP_DO(expand_parts(settings, lets, comparison));
   return comparison;
 }
 

@@ -126,9 +126,9 @@ Result<Done> check_report_form(const settings::Section& section, const EngineSpe
 Result<Done> check_pairwise(const settings::Settings& settings, const settings::Section& section,
                             const EngineSpec& engine, const std::vector<std::string>& inputs,
                             const std::optional<data::DataSpec>& data) {
-  MIXCMP_TRY(system_checked, check_pairwise_system(settings, engine));
-  MIXCMP_TRY(inputs_checked, check_pairwise_inputs(section, inputs));
-  MIXCMP_TRY(form_checked, check_report_form(section, engine));
+  MIXCMP_DO(check_pairwise_system(settings, engine));
+  MIXCMP_DO(check_pairwise_inputs(section, inputs));
+  MIXCMP_DO(check_report_form(section, engine));
   return check_data(settings, data, {data::Pairing::all, data::Pairing::cross},
                     "the pairwise engine compares every two items, or those of two tables");
 }
@@ -136,8 +136,8 @@ Result<Done> check_pairwise(const settings::Settings& settings, const settings::
 Result<Done> check_arg_min(const settings::Settings& settings, const settings::Section& section,
                            const EngineSpec& engine, const std::vector<std::string>& inputs,
                            const std::optional<data::DataSpec>& data) {
-  MIXCMP_TRY(system_checked, check_arg_min_system(settings, engine));
-  MIXCMP_TRY(inputs_checked, check_arg_min_inputs(section, inputs));
+  MIXCMP_DO(check_arg_min_system(settings, engine));
+  MIXCMP_DO(check_arg_min_inputs(section, inputs));
   return check_data(settings, data, {data::Pairing::arg_min},
                     "the arg-min engine compares candidates for each row");
 }
@@ -251,7 +251,7 @@ Result<EngineSpec> read_engine(const settings::Settings& settings,
       break;
     }
     case EngineKind::arg_min: {
-      MIXCMP_TRY(checked, check_arg_min(settings, section, engine, inputs, data));
+      MIXCMP_DO(check_arg_min(settings, section, engine, inputs, data));
       break;
     }
   }

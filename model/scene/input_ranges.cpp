@@ -127,7 +127,7 @@ Result<InputDeclarations> read_inputs(const settings::Settings& settings,
                                       const std::vector<std::string>& inputs) {
   const settings::Section section(settings, "inputs");
   if (settings.root.find("inputs") != nullptr && !section.present()) return *section.finish();
-  MIXCMP_TRY(spelt_once, check_spellings(section.entries()));
+  MIXCMP_DO(check_spellings(section.entries()));
   for (const settings::Setting& entry : section.entries()) {
     const std::string pattern = name_spelling(entry.key);
     const auto match = [&](const std::string& input) { return matches(pattern, input); };

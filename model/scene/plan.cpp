@@ -144,7 +144,7 @@ Result<SceneSettings> read_scene_settings(const SceneSource& source,
   MIXCMP_TRY(file, source.text ? settings::parse_settings(*source.text, source.path)
                                : settings::read_settings(source.path, {}));
   MIXCMP_TRY(read, read_below(std::move(file), {source.path}));
-  MIXCMP_TRY(applied, settings::apply_overrides(read.settings, overrides));
+  MIXCMP_DO(settings::apply_overrides(read.settings, overrides));
   return read;
 }
 

@@ -52,21 +52,6 @@ void read_reduced_format(settings::Section& section, FloatFormat reference, Redu
   spec.exponent_bits_from_ranges = true;
 }
 
-void read_error_bound(settings::Section& section, std::optional<error::ErrorBoundKind>& target) {
-  if (section.find("error_bound") == nullptr) return;
-  target.reset();
-  std::string word = "auto";
-  section.text("error_bound", word);
-  for (const error::ErrorBoundKind kind :
-       {error::ErrorBoundKind::relative, error::ErrorBoundKind::running,
-        error::ErrorBoundKind::constant, error::ErrorBoundKind::norm}) {
-    if (word == to_string(kind)) target = kind;
-  }
-  if (target || word == "auto") return;
-  section.fail("error_bound", "not a choice", fmt::format("\"{}\"", word),
-               "auto, relative, running, constant, norm");
-}
-
 void read_relative_error(settings::Section& section, const std::string& key,
                          std::optional<mpq_class>& target) {
   section.exact(key, target);
@@ -121,8 +106,13 @@ void read_lane_inputs(settings::Section& section, FloatFormat reference, Reduced
 /// Reads the keys of [reduced] but `format`, which `spec` has already; an absent key leaves it as
 /// it is.
 void read_keys_but_format(settings::Section& section, FloatFormat reference, ReducedSpec& spec) {
-  section.choice("bound", spec.bound, {BoundKind::certified, BoundKind::profiled});
-  read_error_bound(section, spec.error_bound);
+  section.choice("bound", spec.is_profiled, {{"certified", false}, {"profiled", true}});
+  section.choice("error_bound", spec.error_bound,
+                 {{"auto", std::nullopt},
+                  {"relative", BoundKind::relative},
+                  {"running", BoundKind::running},
+                  {"constant", BoundKind::constant},
+                  {"norm", BoundKind::norm}});
   section.integer("bound_digits", spec.bound_digits, settings::limits::bound_digits);
   read_lane_inputs(section, reference, spec);
   section.choice("rounding", spec.rounding, {Rounding::nearest_even, Rounding::toward_zero});

@@ -144,7 +144,7 @@ Result<ComparisonSpec> read_formulation(const Formulations& formulations,
   std::set<std::string> used_lets;
   MIXCMP_TRY(graph, read_graph(settings, base, lets, {}, used_lets));
   base.used_lets = used_lets;
-  MIXCMP_TRY(lets_checked, check_unused_lets(settings, lets, used_lets));
+  MIXCMP_DO(check_unused_lets(settings, lets, used_lets));
   base.graph = std::move(graph);
   ComparisonSpec chosen = base;
   for (std::size_t k = 1; k < formulations.all.size(); ++k) {
@@ -195,7 +195,7 @@ std::vector<LetDefinition> texts_of_lets(const ComparisonSpec& comparison,
 /// exponents must reach as far as the reference's.
 void choose_exponent_bits(ReducedSpec& reduced, const Graph& graph, FloatFormat reference,
                           const std::vector<std::optional<Range>>& ranges) {
-  if (!reduced.exponent_bits_from_ranges || reduced.bound == BoundKind::profiled) return;
+  if (!reduced.exponent_bits_from_ranges || reduced.is_profiled) return;
   const Arithmetic arithmetic{*reduced.format, reduced.rounding, reduced.subnormals};
   const LaneInputs inputs = reduced.inputs_beside(reference);
   const int bits = error::lane_exponent_bits(graph, reference, arithmetic, inputs, ranges);
@@ -229,7 +229,7 @@ void note_unused_keys(const Scene& scene, const settings::Settings& settings,
   bool errors_given = false;
   for (const LaneGroupSpec& group : scene.lane_groups()) {
     const ReducedSpec& reduced = group.reduced;
-    if (reduced.bound == BoundKind::profiled) return;
+    if (reduced.is_profiled) return;
     errors_given = errors_given || reduced.relative_error_f || reduced.relative_error_g;
   }
   if (errors_given) {
@@ -372,7 +372,7 @@ Result<Scene> load_with(const SceneSource& source, std::span<const std::string> 
 }  // namespace
 
 Result<Scene> interpret(SceneSettings read) {
-  MIXCMP_TRY(names_checked, check_section_names(read.settings));
+  MIXCMP_DO(check_section_names(read.settings));
   MIXCMP_TRY(formulations, read_formulations(read.settings));
   const settings::Settings& settings = formulations.all[formulations.chosen].settings;
   std::vector<std::string> notes;
@@ -382,11 +382,10 @@ Result<Scene> interpret(SceneSettings read) {
   MIXCMP_TRY(declared, read_inputs(settings, graph.inputs()));
   MIXCMP_TRY(reference, read_reference(settings));
   const FloatFormat format = reference.arithmetic.format;
-  MIXCMP_TRY(constants_checked, check_constants(settings, graph, reference.arithmetic, notes));
-  MIXCMP_TRY(sums_checked, check_sums(settings, graph, reference.arithmetic.sums));
+  MIXCMP_DO(check_constants(settings, graph, reference.arithmetic, notes));
+  MIXCMP_DO(check_sums(settings, graph, reference.arithmetic.sums));
   MIXCMP_TRY(data, read_data(settings));
-  MIXCMP_TRY(measured,
-             take_ranges_from_data(data ? &*data : nullptr, graph.inputs(), format, declared));
+  MIXCMP_DO(take_ranges_from_data(data ? &*data : nullptr, graph.inputs(), format, declared));
   note_missed_ends(declared.ranges, format, notes);
   MIXCMP_TRY(lanes, read_lanes(settings, graph, format, declared.ranges));
   MIXCMP_TRY(references, read_reference_groups(settings, reference.structure));
@@ -396,10 +395,10 @@ Result<Scene> interpret(SceneSettings read) {
   }
   MIXCMP_TRY(engine, read_engine(settings, graph.inputs(), data));
   if (engine.kind == EngineKind::none) {
-    MIXCMP_TRY(whole_groups, check_groups(settings, lanes.groups, system));
+    MIXCMP_DO(check_groups(settings, lanes.groups, system));
   } else {
     note_stream_keys(system, engine, notes);
-    MIXCMP_TRY(streams_filled, check_report_streams(settings, lanes.groups, system, engine));
+    MIXCMP_DO(check_report_streams(settings, lanes.groups, system, engine));
   }
   MIXCMP_TRY(second_tier, read_second_tier(settings, format, engine.kind));
   const bool has_no_tier = engine.kind != EngineKind::arg_min && !second_tier.reduced;

@@ -20,11 +20,6 @@
 
 namespace mixcmp::scene {
 
-enum class BoundKind {
-  certified,
-  profiled,
-};
-
 /// Order in which results of one lane leave.
 enum class ResultOrder {
   tagged,    ///< results may overtake a recomputed one
@@ -58,8 +53,6 @@ enum class Multipliers {
 };
 
 /// The words of scene files, options and reports.
-std::string_view to_string(BoundKind bound);
-std::string_view to_string(std::optional<error::ErrorBoundKind> bound);  ///< none: "auto"
 std::string_view to_string(ResultOrder order);
 std::string_view to_string(OperandStore store);
 std::string_view to_string(OperandMemory memory);
@@ -71,9 +64,9 @@ struct ReducedSpec {
   std::optional<FixedPoint> fixed_point;  ///< written as "q13", "block13", "q13g3"
   /// Written as "s17": the format's exponent bits are the fewest that the ranges allow.
   bool exponent_bits_from_ranges = false;
-  BoundKind bound = BoundKind::certified;
-  std::optional<error::ErrorBoundKind> error_bound;  ///< kind of a certified bound; none: "auto"
-  int bound_digits = 4;  ///< digits of a running bound, 1..8; 1: exponents alone
+  bool is_profiled = false;              ///< `bound`: by errors measured on data, without a proof
+  std::optional<BoundKind> error_bound;  ///< kind of a certified bound; none: "auto"
+  int bound_digits = 4;                  ///< digits of a running bound, 1..8; 1: exponents alone
   LaneInputs inputs = LaneInputs::exact;
   Rounding rounding = Rounding::nearest_even;
   Subnormals subnormals = Subnormals::flush;
@@ -82,7 +75,9 @@ struct ReducedSpec {
   std::optional<mpq_class> relative_error_f;
   std::optional<mpq_class> relative_error_g;
 
-  std::string format_name() const;  ///< "s17e8", "q13", "block13" or "auto"
+  std::string format_name() const;            ///< "s17e8", "q13", "block13" or "auto"
+  std::string_view bound_word() const;        ///< "certified" or "profiled"
+  std::string_view error_bound_word() const;  ///< such as "running", or "auto"
   /// `inputs` beside this reference, by the only name that they have in this lane. Fixed point has
   /// no choice of inputs: its operands are taken as they arrive.
   LaneInputs inputs_beside(FloatFormat reference) const;

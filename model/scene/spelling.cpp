@@ -2,16 +2,12 @@
 
 namespace mixcmp::scene {
 
-std::string_view to_string(BoundKind bound) {
-  switch (bound) {
-    case BoundKind::certified: return "certified";
-    case BoundKind::profiled: return "profiled";
-  }
-  MIXCMP_CHECK(false);
+std::string_view ReducedSpec::bound_word() const {
+  return is_profiled ? "profiled" : "certified";
 }
 
-std::string_view to_string(std::optional<error::ErrorBoundKind> bound) {
-  return bound ? to_string(*bound) : "auto";
+std::string_view ReducedSpec::error_bound_word() const {
+  return error_bound ? to_string(*error_bound) : "auto";
 }
 
 std::string_view to_string(ResultOrder order) {

@@ -271,7 +271,7 @@ void count_saved(LaneSavings& savings, Operation operation, const error::Hazards
 
 std::optional<LaneSavings> summarise_savings(const Scene& scene, const ReducedSpec& reduced,
                                              const TypedGraph& graph) {
-  if (reduced.bound != BoundKind::certified) return std::nullopt;
+  if (reduced.is_profiled) return std::nullopt;
   const Result<error::Lane> lane = error::certified_lane(
       graph,
       {.kind = reduced.error_bound, .bound_digits = reduced.bound_digits, .ranges = scene.ranges});

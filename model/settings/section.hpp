@@ -48,6 +48,11 @@ public:
   template <class Enum>
   void choice(const std::string& key, Enum& target, std::initializer_list<Enum> accepted);
 
+  /// One of these words; `target` becomes the value beside it.
+  template <class T>
+  void choice(const std::string& key, T& target,
+              std::initializer_list<std::pair<std::string_view, T>> accepted);
+
   /// A list of one or more of `accepted`, each once.
   template <class Enum>
   void choices(const std::string& key, std::vector<Enum>& target,
@@ -122,6 +127,16 @@ void Section::choice(const std::string& key, Enum& target, std::initializer_list
   std::optional<std::size_t> chosen;
   choose(key, words, chosen);
   if (chosen) target = accepted.begin()[*chosen];
+}
+
+template <class T>
+void Section::choice(const std::string& key, T& target,
+                     std::initializer_list<std::pair<std::string_view, T>> accepted) {
+  std::vector<std::string> words;
+  for (const auto& [word, value] : accepted) words.emplace_back(word);
+  std::optional<std::size_t> chosen;
+  choose(key, words, chosen);
+  if (chosen) target = accepted.begin()[*chosen].second;
 }
 
 template <class Enum>

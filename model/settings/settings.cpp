@@ -134,7 +134,7 @@ Result<Done> check_sizes(const std::string& name, const toml::node& node, const 
   for (const auto& [key, value] : *table) {
     const std::string below =
         name.empty() ? std::string(key.str()) : name + "." + std::string(key.str());
-    MIXCMP_TRY(checked, check_sizes(below, value, file, depth + 1));
+    MIXCMP_DO(check_sizes(below, value, file, depth + 1));
   }
   return Done{};
 }
@@ -296,7 +296,7 @@ Setting& find_or_add(Setting::Table& table, const std::string& key) {
 Result<Settings> parse_settings(std::string text, const std::filesystem::path& path) {
   const auto file = std::make_shared<const SettingsFile>(SettingsFile{path, std::move(text)});
   MIXCMP_TRY(table, parse_toml(file->text, path.string()));
-  MIXCMP_TRY(sizes_checked, check_sizes("", table, path.string(), 0));
+  MIXCMP_DO(check_sizes("", table, path.string(), 0));
   return Settings{.path = path, .root = to_table(table, file)};
 }
 
@@ -340,7 +340,7 @@ Result<Settings> read_settings(const std::filesystem::path& path,
                                std::span<const std::string> overrides) {
   MIXCMP_TRY(text, read_file(path));
   MIXCMP_TRY(settings, parse_settings(std::move(text), path));
-  MIXCMP_TRY(applied, apply_overrides(settings, overrides));
+  MIXCMP_DO(apply_overrides(settings, overrides));
   return settings;
 }
 

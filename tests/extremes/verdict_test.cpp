@@ -24,7 +24,6 @@
 namespace mixcmp::test::verdict_test {
 namespace {
 
-using error::ErrorBoundKind;
 using error::Lane;
 
 constexpr std::uint64_t family_rows = MIXCMP_FAMILY_ROWS;
@@ -108,8 +107,8 @@ std::vector<NamedLane> certified_lanes(FloatFormat reference, int precision) {
           lanes.push_back(
               {fmt::format("{} {} {} {}, bound {} {}{}", format.name(),
                            to_string(arithmetic.rounding), to_string(arithmetic.subnormals),
-                           to_string(inputs), to_string(candidate.kind), candidate.bound_digits,
-                           ranged ? ", with ranges" : ""),
+                           to_string(inputs), to_string(candidate.bound.kind),
+                           candidate.bound.digits, ranged ? ", with ranges" : ""),
                *candidate.lane});
         }
       }
@@ -199,7 +198,7 @@ double attained(int precision, int bound_digits) {
   const Arithmetic reduced = {format_of(precision, 8), Rounding::nearest_even, Subnormals::flush};
   const Lane lane =
       error::certified_lane(lane_graph(sphere_graph(), reference, reduced, LaneInputs::rounded),
-                            {.kind = ErrorBoundKind::running, .bound_digits = bound_digits})
+                            {.kind = BoundKind::running, .bound_digits = bound_digits})
           .value();
   const auto& criterion = std::get<error::AbsoluteBoundCriterion>(lane.criterion());
   const Judged data = judged(fmt::format("near_tie_{}", precision), reference, 2000);

@@ -9,6 +9,7 @@
 #include "model/devices/device.hpp"
 #include "model/optimise/feasibility.hpp"
 #include "model/optimise/footprint.hpp"
+#include "model/settings/bound_name.hpp"
 #include "tests/support/scratch_directory.hpp"
 
 /// The rows of an arg-min engine's table, added up as `optimise` does, against the whole engine in
@@ -29,7 +30,7 @@ components::CharacteriseOptions all_parts(const std::filesystem::path& store) {
                               ComponentKind::operand_memory, ComponentKind::crossbar,
                               ComponentKind::reference, ComponentKind::reference_port},
                     .precisions = {9},
-                    .bounds = {scene::parse_bound_choice("fixed_norm").value()},
+                    .bounds = {settings::parse_bound("fixed_norm").value()},
                     .multipliers = {scene::Multipliers::embedded},
                     .ports = {6}},
           .synthesis = areas,

@@ -20,7 +20,7 @@ characterise::ComponentKey lane(const std::string& format) {
   return {.kind = characterise::ComponentKind::lane,
           .format = format,
           .inputs = LaneInputs::exact,
-          .bound = scene::BoundChoice{},
+          .bound = Bound{},
           .multipliers = "logic"};
 }
 

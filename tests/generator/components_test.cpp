@@ -16,7 +16,8 @@
 #include "model/devices/device.hpp"
 #include "model/number/lane_format.hpp"
 #include "model/profile/profiled_error.hpp"
-#include "model/scene/bound_choice.hpp"
+#include "model/scene/lane_bound.hpp"
+#include "model/settings/bound_name.hpp"
 #include "model/workload/load_comparisons.hpp"
 #include "tests/support/scratch_directory.hpp"
 
@@ -52,7 +53,7 @@ protected:
     std::vector<std::string> formats(const std::string& bound) const {
       std::vector<std::string> names;
       for (const auto& [key, component] : components) {
-        if (key.kind == characterise::ComponentKind::lane && scene::to_string(key.bound) == bound)
+        if (key.kind == characterise::ComponentKind::lane && to_string(key.bound) == bound)
           names.push_back(key.format);
       }
       return names;
@@ -73,9 +74,9 @@ protected:
 
   static components::ComponentQuery lanes(std::vector<int> precisions,
                                           const std::vector<std::string>& names) {
-    std::vector<scene::BoundChoice> bounds;
+    std::vector<Bound> bounds;
     for (const std::string& name : names) {
-      bounds.push_back(scene::parse_bound_choice(name).value());
+      bounds.push_back(settings::parse_bound(name).value());
     }
     return {.kinds = {characterise::ComponentKind::lane},
             .precisions = std::move(precisions),
@@ -224,7 +225,7 @@ components::ComponentQuery parts_of_a_chain() {
                     characterise::ComponentKind::crossbar, characterise::ComponentKind::reference,
                     characterise::ComponentKind::reference_port},
           .precisions = {9},
-          .bounds = {scene::parse_bound_choice("fixed_norm").value()},
+          .bounds = {settings::parse_bound("fixed_norm").value()},
           .multipliers = {scene::Multipliers::embedded},
           .ports = {1, 6}};
 }
@@ -372,7 +373,7 @@ TEST_F(Components, LanesThatDoNotExistAreToldWithTheirReason) {
     EXPECT_FALSE(lane.reason.message.empty());
   EXPECT_EQ(found.components.size() + found.missing.size(), 12u);
   const auto is_rounded_relative = [](const components::MissingLane& lane) {
-    return scene::to_string(lane.key.bound) == "relative" && lane.key.inputs == LaneInputs::rounded;
+    return to_string(lane.key.bound) == "relative" && lane.key.inputs == LaneInputs::rounded;
   };
   EXPECT_EQ(std::count_if(found.missing.begin(), found.missing.end(), is_rounded_relative), 2)
       << "differences of rounded operands have no relative bound";
@@ -397,7 +398,7 @@ TEST_F(Components, ProfiledLanesTakeTheirConstantsFromTheSceneOrItsData) {
   ASSERT_TRUE(measured.ok()) << measured.error().to_string();
   EXPECT_NE(source(*measured, "lane.v"), source(given.components.begin()->second, "lane.v"));
   // The lane that `generate` makes measures the same two comparisons.
-  scene::ReducedSpec reduced = with_bound(with_data.reduced, {scene::BoundChoice::Kind::profiled});
+  scene::ReducedSpec reduced = with_bound(with_data.reduced, {.kind = BoundKind::profiled});
   reduced.format = FloatFormat::parse("s12e8").value();
   const auto lane = design::design_lane(with_data, reduced, &*data, profile::profile_error);
   ASSERT_TRUE(lane.ok()) << lane.error().to_string();
@@ -546,7 +547,7 @@ optimise::Rates rates_of(const std::map<std::string, bool>& halving) {
   constexpr std::uint64_t comparisons = 1 << 20;
   profile::RateProfile rates{.first_precision = 4, .comparisons = comparisons};
   for (const auto& [name, halves] : halving) {
-    profile::SchemeProfile scheme{.name = name, .bound = scene::parse_bound_choice(name).value()};
+    profile::SchemeProfile scheme{.name = name, .bound = settings::parse_bound(name).value()};
     for (int digits = 4; digits <= 16; ++digits) {
       scheme.counts.push_back(
           {.exists = true, .undecided = halves ? comparisons >> (digits - 4) : comparisons});
@@ -568,7 +569,7 @@ TEST_F(Components, TheShortlistHasTheBestPrecisionsOfTheBestKinds) {
     EXPECT_TRUE(found.ok()) << found.error().to_string();
     std::map<std::string, std::vector<int>> precisions;
     for (const characterise::ComponentKey& key : found->lanes) {
-      precisions[scene::to_string(key.bound)].push_back(LaneFormat::parse(key.format)->precision());
+      precisions[to_string(key.bound)].push_back(LaneFormat::parse(key.format)->precision());
     }
     EXPECT_GT(found->seconds, 0);
     return precisions;

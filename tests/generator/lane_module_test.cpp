@@ -20,7 +20,6 @@
 namespace mixcmp::test::lane_module_test {
 namespace {
 
-using error::ErrorBoundKind;
 using error::Lane;
 
 rtl::Module module_of(const Graph& graph, const Lane& lane,
@@ -65,7 +64,7 @@ const rtl::Instance& only(const std::vector<rtl::Instance>& all, const std::stri
                        [&](const rtl::Instance& instance) { return instance.module == module; });
 }
 
-Lane lane_of(const Graph& graph, ErrorBoundKind kind, Subnormals subnormals,
+Lane lane_of(const Graph& graph, BoundKind kind, Subnormals subnormals,
              std::optional<Range> range) {
   const Arithmetic reduced = {format("s8e8"), Rounding::nearest_even, subnormals};
   return error::certified_lane(
@@ -77,7 +76,7 @@ Lane lane_of(const Graph& graph, ErrorBoundKind kind, Subnormals subnormals,
 
 TEST(LaneModule, BoundHasAUnitForEveryOperation) {
   const Graph graph = graph_of("a / (b - 1.1)", "sqrt(a - 0.7)");
-  const Lane lane = lane_of(graph, ErrorBoundKind::running, Subnormals::gradual, {});
+  const Lane lane = lane_of(graph, BoundKind::running, Subnormals::gradual, {});
   const auto& criterion = std::get<error::AbsoluteBoundCriterion>(lane.criterion());
   std::map<std::string, int> expected;
   for (const error::BoundNode& node : criterion.bound.nodes) {
@@ -98,7 +97,7 @@ TEST(LaneModule, BoundHasAUnitForEveryOperation) {
 TEST(LaneModule, BoundsReadSubnormalNumbersOnlyWhereThereMayBeSome) {
   const Graph graph = graph_of("a * b", "a + b");
   const auto gradual = [&](Subnormals subnormals, std::optional<Range> range) {
-    const Lane lane = lane_of(graph, ErrorBoundKind::running, subnormals, range);
+    const Lane lane = lane_of(graph, BoundKind::running, subnormals, range);
     long long any = 0;
     for (const rtl::Instance& instance : instances(graph, lane)) {
       if (instance.module == "bound_magnitude") any |= parameter(instance, "GRADUAL").value();
@@ -113,7 +112,7 @@ TEST(LaneModule, BoundsReadSubnormalNumbersOnlyWhereThereMayBeSome) {
 
 TEST(LaneModule, ProductsAndNothingElseAreToldToBeLogic) {
   const Graph graph = graph_of("a * b + a^2", "a + b");
-  const Lane lane = lane_of(graph, ErrorBoundKind::running, Subnormals::gradual, {});
+  const Lane lane = lane_of(graph, BoundKind::running, Subnormals::gradual, {});
   for (const rtl::Instance& instance : instances(graph, lane)) {
     EXPECT_EQ(parameter(instance, "EMBEDDED"), std::nullopt) << instance.module;
   }
@@ -130,7 +129,7 @@ TEST(LaneModule, ProductsAndNothingElseAreToldToBeLogic) {
 /// In front of carry chains: two bits on Virtex-6, which is the templates' default.
 TEST(LaneModule, UnitsSelectAsManyBitsAsTheDeviceCan) {
   const Graph graph = graph_of("a * b + a^2", "a / b");
-  const Lane lane = lane_of(graph, ErrorBoundKind::running, Subnormals::gradual, {});
+  const Lane lane = lane_of(graph, BoundKind::running, Subnormals::gradual, {});
   const std::set<std::string> select = {"fp_add", "fp_multiply", "fp_square", "fp_divide"};
   const auto expect = [&](const std::string& device, std::optional<long long> bits) {
     std::set<std::string> found;
@@ -150,14 +149,14 @@ TEST(LaneModule, UnitsSelectAsManyBitsAsTheDeviceCan) {
 TEST(LaneModule, HazardsThatRangesRuleOutAreNotBuilt) {
   const Graph graph = graph_of("a * b", "a + b");
   const Range range = {1, 100};
-  const Lane lane = lane_of(graph, ErrorBoundKind::running, Subnormals::gradual, range);
+  const Lane lane = lane_of(graph, BoundKind::running, Subnormals::gradual, range);
   const std::vector<rtl::Instance> all = instances(graph, lane);
   EXPECT_EQ(count(all, "fp_range_check"), 2);
   const rtl::Instance product = only(all, "fp_multiply");
   EXPECT_EQ(parameter(product, "SPECIAL_OPERANDS"), 0);
   EXPECT_EQ(parameter(product, "OVERFLOW"), 0);
   EXPECT_EQ(parameter(product, "UNDERFLOW"), 0);
-  const Lane unchecked = lane_of(graph, ErrorBoundKind::running, Subnormals::gradual, {});
+  const Lane unchecked = lane_of(graph, BoundKind::running, Subnormals::gradual, {});
   const std::vector<rtl::Instance> unranged = instances(graph, unchecked);
   for (const char* hazard : {"SPECIAL_OPERANDS", "OVERFLOW", "UNDERFLOW"}) {
     EXPECT_EQ(parameter(only(unranged, "fp_multiply"), hazard), std::nullopt);
@@ -166,7 +165,7 @@ TEST(LaneModule, HazardsThatRangesRuleOutAreNotBuilt) {
 
 TEST(LaneModule, RangeChecksAreThoseOfTheLane) {
   const Graph graph = graph_of("a * b", "a + b");
-  const Lane lane = lane_of(graph, ErrorBoundKind::constant, Subnormals::flush, Range{-100, -1});
+  const Lane lane = lane_of(graph, BoundKind::constant, Subnormals::flush, Range{-100, -1});
   const std::vector<rtl::Instance> all = instances(graph, lane);
   std::size_t k = 0;
   for (const rtl::Instance& instance : all) {
@@ -185,7 +184,7 @@ TEST(LaneModule, SignChecksAreWires) {
   const Graph graph = graph_of("a + b", "a * 0.3");
   Lane lane = error::certified_lane(
                   lane_graph(graph, format("s24e8"), {format("s8e8")}, LaneInputs::rounded),
-                  {.kind = ErrorBoundKind::relative,
+                  {.kind = BoundKind::relative,
                    .ranges = {Range{0, 100}, Range{0, 100}},
                    .hazards = error::HazardRemoval::keep})
                   .value();
@@ -296,7 +295,7 @@ std::vector<std::string> declared_names(const rtl::Module& module) {
 std::vector<rtl::Module> modules_with_input(const std::string& name) {
   const Graph graph = graph_of(name + " * b", "c");
   const auto delays = datapath::delays_of("virtex6-lx760").value();
-  const Lane lane = lane_of(graph, ErrorBoundKind::running, Subnormals::gradual, Range{0, 1});
+  const Lane lane = lane_of(graph, BoundKind::running, Subnormals::gradual, Range{0, 1});
   const TypedGraph reference = reference_graph(graph, {format("s24e8")});
   const auto embedded = scene::Multipliers::embedded;
   return {rtl::lane_module("lane", graph.inputs(), design::Lane(lane),

@@ -221,7 +221,7 @@ TEST_P(ScheduleAtTarget, BoundsFollowTheirOperandsAndPrecedeTheDecision) {
   const error::Lane lane =
       error::certified_lane(
           lane_graph(graph, format("s53e8"), {format("s17e8")}, LaneInputs::rounded),
-          {.kind = error::ErrorBoundKind::running,
+          {.kind = BoundKind::running,
            .ranges = std::vector<std::optional<Range>>(8, Range{0, 100})})
           .value();
   const auto& criterion = std::get<error::AbsoluteBoundCriterion>(lane.criterion());

@@ -35,7 +35,7 @@ std::vector<std::optional<Range>> ranges_of(const Graph& graph) {
   return std::vector<std::optional<Range>>(graph.inputs().size(), Range{0, 100});
 }
 
-design::Lane float_lane(error::ErrorBoundKind kind) {
+design::Lane float_lane(BoundKind kind) {
   const Graph graph = sphere_graph();
   const Arithmetic reduced = {format("s12e8"), Rounding::nearest_even, Subnormals::flush};
   return error::certified_lane(lane_graph(graph, format("s53e8"), reduced, LaneInputs::exact),
@@ -95,8 +95,10 @@ void expect_whole(const Pipeline& pipeline) {
 
 TEST(Schematic, ALaneHasABoxForEachUnitOfItsModule) {
   const std::vector<design::Lane> lanes = {
-      float_lane(error::ErrorBoundKind::relative), float_lane(error::ErrorBoundKind::running),
-      float_lane(error::ErrorBoundKind::constant), fixed_lane({.bits = 13}),
+      float_lane(BoundKind::relative),
+      float_lane(BoundKind::running),
+      float_lane(BoundKind::constant),
+      fixed_lane({.bits = 13}),
       fixed_lane({.bits = 13, .is_block = true}),
   };
   for (const design::Lane& lane : lanes) {

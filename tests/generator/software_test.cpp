@@ -19,8 +19,6 @@
 namespace mixcmp::test::software_test {
 namespace {
 
-using error::ErrorBoundKind;
-
 constexpr std::string_view letters_of_verdicts = "<=>u";
 
 char letter(Verdict verdict) {
@@ -154,7 +152,7 @@ TEST(Software, FiltersNeverDecideSphereFamiliesWrongly) {
 TEST(Software, RunningBoundsSurviveNearTiesAndUnderflow) {
   CompiledSoftware software(sphere_scene);
   ASSERT_EQ(software.filters().filters.size(), 1u);
-  EXPECT_EQ(software.filters().filters[0].kind, ErrorBoundKind::running);
+  EXPECT_EQ(software.filters().filters[0].kind, BoundKind::running);
   auto rows =
       data::sphere_family({.name = "near_tie_24", .count = 4000}, software::software_format());
   const auto seen = expect_right(software, software.comparisons(*rows), "near_tie_24");

@@ -130,18 +130,17 @@ namespace {
 
 std::vector<NamedFixedLane> lanes_of(const BoundedComparison& comparison, FloatFormat format,
                                      const std::vector<FixedPoint>& lane_formats) {
-  using fixed::FixedBound;
   std::vector<NamedFixedLane> lanes;
   for (const FixedPoint& lane_format : lane_formats) {
-    for (const auto& [bound, name] : {std::pair(FixedBound::constant, "constant"),
-                                      {FixedBound::norm, "norm"},
-                                      {FixedBound::running, "running"}}) {
+    for (const auto& [bound, name] : {std::pair(BoundKind::constant, "constant"),
+                                      {BoundKind::norm, "norm"},
+                                      {BoundKind::running, "running"}}) {
       const auto lane =
           fixed::fixed_lane(comparison.graph(), format,
                             {.format = lane_format, .bound = bound, .ranges = comparison.ranges()});
-      const bool exists = bound == FixedBound::constant ||
-                          (bound == FixedBound::norm && comparison.has_norm.value_or(lane.ok())) ||
-                          (bound == FixedBound::running && lane.ok());
+      const bool exists = bound == BoundKind::constant ||
+                          (bound == BoundKind::norm && comparison.has_norm.value_or(lane.ok())) ||
+                          (bound == BoundKind::running && lane.ok());
       EXPECT_EQ(lane.ok(), exists) << lane_format.name() << ", " << name;
       if (lane.ok()) lanes.push_back({fmt::format("{}, {}", lane_format.name(), name), *lane});
     }

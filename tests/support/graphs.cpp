@@ -27,7 +27,7 @@ const error::UlpDistanceCriterion& certified_decision(const error::Lane& lane) {
 }
 
 Result<error::Lane> relative_lane(TypedGraph graph, const std::vector<bool>& nonnegative) {
-  error::CertifiedOptions options{.kind = error::ErrorBoundKind::relative,
+  error::CertifiedOptions options{.kind = BoundKind::relative,
                                   .hazards = error::HazardRemoval::keep};
   for (const bool input : nonnegative) {
     options.ranges.push_back(input ? std::optional(Range{0, 1}) : std::nullopt);

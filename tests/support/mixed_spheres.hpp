@@ -8,7 +8,7 @@ namespace mixcmp::test {
 inline error::Lane running_sphere_lane(FloatFormat lane, FloatFormat reference) {
   const Arithmetic reduced = {lane, Rounding::nearest_even, Subnormals::flush};
   return error::certified_lane(lane_graph(sphere_graph(), reference, reduced, LaneInputs::rounded),
-                               {.kind = error::ErrorBoundKind::running,
+                               {.kind = BoundKind::running,
                                 .bound_digits = 4,
                                 .ranges = std::vector<std::optional<Range>>(8)})
       .value();

@@ -15,13 +15,11 @@
 namespace mixcmp::test::error_bound_test {
 namespace {
 
-using error::ErrorBoundKind;
-
 struct Case {
   const char* name;
   const char* f;
   const char* g;
-  ErrorBoundKind kind;
+  BoundKind kind;
   int digits = 4;
   const char* lane = "s4e4";
   LaneInputs inputs = LaneInputs::rounded;
@@ -84,42 +82,42 @@ const Range negative = {-4, mpq_class(-1, 2)};
 INSTANTIATE_TEST_SUITE_P(
     Lanes, EveryOperand,
     testing::Values(
-        Case{"running_4_digits", "a * b - a", "b + 0.3", ErrorBoundKind::running, 4},
-        Case{"running_exponents_alone_toward_zero", "(a - b)^2 * a", "b^2", ErrorBoundKind::running,
-             1, "s6e5", LaneInputs::rounded, std::nullopt, Rounding::toward_zero},
+        Case{"running_4_digits", "a * b - a", "b + 0.3", BoundKind::running, 4},
+        Case{"running_exponents_alone_toward_zero", "(a - b)^2 * a", "b^2", BoundKind::running, 1,
+             "s6e5", LaneInputs::rounded, std::nullopt, Rounding::toward_zero},
         Case{"running_divisor_and_root_gradual", "a / (b - 1.1)", "sqrt(a - 0.7)",
-             ErrorBoundKind::running, 3, "s4e3", LaneInputs::rounded, std::nullopt,
+             BoundKind::running, 3, "s4e3", LaneInputs::rounded, std::nullopt,
              Rounding::nearest_even, Subnormals::gradual},
         Case{"running_exact_inputs_selected", "max(a - b, a * b) - a", "abs(b) - a",
-             ErrorBoundKind::running, 2, "s3e4", LaneInputs::exact},
-        Case{"running_inputs_of_4_digits", "a - b", "min(a, b) * a", ErrorBoundKind::running, 3,
-             "s3e5", LaneInputs::of_digits(4), std::nullopt, Rounding::nearest_even,
-             Subnormals::flush, "s5e3"},
+             BoundKind::running, 2, "s3e4", LaneInputs::exact},
+        Case{"running_inputs_of_4_digits", "a - b", "min(a, b) * a", BoundKind::running, 3, "s3e5",
+             LaneInputs::of_digits(4), std::nullopt, Rounding::nearest_even, Subnormals::flush,
+             "s5e3"},
         Case{"running_inputs_of_4_digits_toward_zero", "a - b / 3", "max(b, 0.3) - a",
-             ErrorBoundKind::running, 3, "s3e5", LaneInputs::of_digits(4), std::nullopt,
+             BoundKind::running, 3, "s3e5", LaneInputs::of_digits(4), std::nullopt,
              Rounding::toward_zero, Subnormals::flush, "s5e3"},
-        Case{"running_inputs_of_4_digits_gradual", "a - b", "min(a, b) * a",
-             ErrorBoundKind::running, 3, "s3e4", LaneInputs::of_digits(4), std::nullopt,
-             Rounding::nearest_even, Subnormals::gradual, "s5e3"},
-        Case{"constant_inputs_of_5_digits_in_ranges", "a - b", "a * b", ErrorBoundKind::constant, 0,
+        Case{"running_inputs_of_4_digits_gradual", "a - b", "min(a, b) * a", BoundKind::running, 3,
+             "s3e4", LaneInputs::of_digits(4), std::nullopt, Rounding::nearest_even,
+             Subnormals::gradual, "s5e3"},
+        Case{"constant_inputs_of_5_digits_in_ranges", "a - b", "a * b", BoundKind::constant, 0,
              "s4e5", LaneInputs::of_digits(5), Range{0, 4}, Rounding::nearest_even,
              Subnormals::flush, "s6e2"},
-        Case{"powers_of_two_of_either_sign", "a / -4", "b * -0.5", ErrorBoundKind::relative, 0,
-             "s3e4", LaneInputs::exact},
-        Case{"zero_factor", "a * 0 + b", "b * a", ErrorBoundKind::running, 3, "s4e4"},
-        Case{"subnormal_powers_of_two", "a / -64", "b / 128", ErrorBoundKind::relative, 0, "s3e4",
+        Case{"powers_of_two_of_either_sign", "a / -4", "b * -0.5", BoundKind::relative, 0, "s3e4",
+             LaneInputs::exact},
+        Case{"zero_factor", "a * 0 + b", "b * a", BoundKind::running, 3, "s4e4"},
+        Case{"subnormal_powers_of_two", "a / -64", "b / 128", BoundKind::relative, 0, "s3e4",
              LaneInputs::rounded, std::nullopt, Rounding::nearest_even, Subnormals::gradual},
-        Case{"running_in_ranges", "a * b - a", "b", ErrorBoundKind::running, 3, "s3e5",
+        Case{"running_in_ranges", "a * b - a", "b", BoundKind::running, 3, "s3e5",
              LaneInputs::rounded, within_two, Rounding::nearest_even, Subnormals::gradual},
-        Case{"constant_in_ranges", "a * b - a", "b", ErrorBoundKind::constant, 0, "s5e5",
+        Case{"constant_in_ranges", "a * b - a", "b", BoundKind::constant, 0, "s5e5",
              LaneInputs::rounded, within_two},
         // Normal operands whose differences are subnormal.
-        Case{"gradual_differences_in_ranges", "a - b", "4 * a", ErrorBoundKind::running, 3, "s4e3",
+        Case{"gradual_differences_in_ranges", "a - b", "4 * a", BoundKind::running, 3, "s4e3",
              LaneInputs::rounded, Range{mpq_class(1, 4), mpq_class(7, 2)}, Rounding::nearest_even,
              Subnormals::gradual},
-        Case{"relative_positive_ranges", "a * b", "a + b", ErrorBoundKind::relative, 0, "s3e5",
+        Case{"relative_positive_ranges", "a * b", "a + b", BoundKind::relative, 0, "s3e5",
              LaneInputs::exact, positive},
-        Case{"relative_negative_ranges", "a * b", "a / b", ErrorBoundKind::relative, 0, "s3e5",
+        Case{"relative_negative_ranges", "a * b", "a / b", BoundKind::relative, 0, "s3e5",
              LaneInputs::exact, negative}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
@@ -190,17 +188,16 @@ TEST_P(Spheres, OfAnyNumbersAreDecidedAsTheGoldenModelSays) {
 
 INSTANTIATE_TEST_SUITE_P(
     Lanes, Spheres,
-    testing::Values(Case{"s8e8_running_4_digits", "", "", ErrorBoundKind::running, 4, "s8e8"},
-                    Case{"s17e8_running_4_digits", "", "", ErrorBoundKind::running, 4, "s17e8"},
-                    Case{"s17e8_exponents_alone_gradual", "", "", ErrorBoundKind::running, 1,
-                         "s17e8", LaneInputs::rounded, std::nullopt, Rounding::toward_zero,
+    testing::Values(Case{"s8e8_running_4_digits", "", "", BoundKind::running, 4, "s8e8"},
+                    Case{"s17e8_running_4_digits", "", "", BoundKind::running, 4, "s17e8"},
+                    Case{"s17e8_exponents_alone_gradual", "", "", BoundKind::running, 1, "s17e8",
+                         LaneInputs::rounded, std::nullopt, Rounding::toward_zero,
                          Subnormals::gradual},
-                    Case{"s17e8_running_inputs_of_20_digits", "", "", ErrorBoundKind::running, 4,
+                    Case{"s17e8_running_inputs_of_20_digits", "", "", BoundKind::running, 4,
                          "s17e8", LaneInputs::of_digits(20)},
-                    Case{"s8e8_exponents_alone_inputs_of_10_digits", "", "",
-                         ErrorBoundKind::running, 1, "s8e8", LaneInputs::of_digits(10),
-                         std::nullopt, Rounding::toward_zero},
-                    Case{"s8e8_constant_in_ranges", "", "", ErrorBoundKind::constant, 0, "s8e8",
+                    Case{"s8e8_exponents_alone_inputs_of_10_digits", "", "", BoundKind::running, 1,
+                         "s8e8", LaneInputs::of_digits(10), std::nullopt, Rounding::toward_zero},
+                    Case{"s8e8_constant_in_ranges", "", "", BoundKind::constant, 0, "s8e8",
                          LaneInputs::rounded, Range{0, 100}}),
     [](const auto& instance) { return std::string(instance.param.name); });
 

@@ -21,7 +21,7 @@ struct Case {
   scene::Multipliers multipliers = scene::Multipliers::embedded;
   bool is_block = false;
   int guard_digits = 0;
-  std::optional<fixed::FixedBound> bound = {};
+  std::optional<BoundKind> bound = {};
 };
 
 void PrintTo(const Case& c, std::ostream* stream) {
@@ -31,7 +31,7 @@ void PrintTo(const Case& c, std::ostream* stream) {
 design::Design design_of(const Graph& graph, FloatFormat reference, FixedPoint lane_format,
                          const Range& range,
                          scene::Multipliers multipliers = scene::Multipliers::embedded,
-                         std::optional<fixed::FixedBound> bound = {}) {
+                         std::optional<BoundKind> bound = {}) {
   const fixed::FixedOptions options = {.format = lane_format,
                                        .bound = bound,
                                        .ranges = {graph.inputs().size(), std::optional(range)}};
@@ -240,7 +240,7 @@ INSTANTIATE_TEST_SUITE_P(
              scene::Multipliers::embedded,
              false,
              0,
-             fixed::FixedBound::running},
+             BoundKind::running},
         Case{"running_parts_and_limits",
              {{"within(a - b, -3, 4)^2 * 0.3", "a * b + 0.2"}, {"b^3", "a * b"}, {"a", "b"}},
              5,
@@ -249,7 +249,7 @@ INSTANTIATE_TEST_SUITE_P(
              scene::Multipliers::logic,
              false,
              0,
-             fixed::FixedBound::running},
+             BoundKind::running},
         Case{"block_running_behind_cuts",
              {{"(a - b) * b", "a * abs(b)"}},
              4,
@@ -258,7 +258,7 @@ INSTANTIATE_TEST_SUITE_P(
              scene::Multipliers::embedded,
              true,
              2,
-             fixed::FixedBound::running}),
+             BoundKind::running}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 /// The families of spheres that are made to mislead a lane.

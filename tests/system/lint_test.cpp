@@ -49,8 +49,7 @@ design::Design design_of(const std::string& f, const std::string& g, Arithmetic 
 }
 
 /// Spheres in a lane of any kind of error bound.
-design::Design bounded(error::ErrorBoundKind kind, int digits, Arithmetic reduced,
-                       std::optional<Range> range) {
+design::Design bounded(BoundKind kind, int digits, Arithmetic reduced, std::optional<Range> range) {
   const Graph graph = sphere_graph();
   design::Design design = sphere_design(reduced.format, format("s24e8"), 2, 1);
   const FloatFormat reference = design.reference.input_format;
@@ -115,7 +114,7 @@ design::Design with_counter_port(design::Design design) {
 
 std::vector<Variant> variants_of_systems() {
   const design::Design base = sphere_design(format("s17e8"), format("s24e8"), 8, 1);
-  constexpr auto running = error::ErrorBoundKind::running;
+  constexpr auto running = BoundKind::running;
   const design::Design odd = sphere_design(format("s8e5"), format("s24e7"), 7, 3);
   return {
       {"tagged_8x1", base},
@@ -156,8 +155,8 @@ std::vector<Variant> variants_of_systems() {
       {"running_8_digits_flushing",
        bounded(running, 8, {format("s8e8"), Rounding::nearest_even, Subnormals::flush}, {})},
       {"constant_in_ranges",
-       bounded(error::ErrorBoundKind::constant, 0,
-               {format("s17e8"), Rounding::nearest_even, Subnormals::flush}, Range{0, 100})},
+       bounded(BoundKind::constant, 0, {format("s17e8"), Rounding::nearest_even, Subnormals::flush},
+               Range{0, 100})},
       {"lane_only", sphere_design(format("s12e6"), format("s24e8"), 3, 0)},
       {"single_lane", sphere_design(format("s4e8"), format("s11e8"), 1, 1)},
       {"more_references_than_lanes", sphere_design(format("s4e8"), format("s11e8"), 2, 3)},

@@ -14,8 +14,6 @@
 namespace mixcmp::test::parts_test {
 namespace {
 
-using error::ErrorBoundKind;
-
 struct Case {
   const char* name;
   std::vector<std::pair<std::string, std::string>> parts;

@@ -14,7 +14,6 @@ namespace {
 
 using data::Comparisons;
 using design::Design;
-using error::ErrorBoundKind;
 using error::IntervalCriterion;
 using scene::BoundKind;
 using scene::LaneGroupSpec;
@@ -156,7 +155,7 @@ TEST(MakeDesign, NamesTheGroupThatCannotBe) {
   Scene scene = complete_scene();
   scene.lanes = {group_of(scene, 3), group_of(scene, 1)};
   scene.lanes[1].place.line = 12;
-  scene.lanes[1].reduced.bound = BoundKind::profiled;
+  scene.lanes[1].reduced.is_profiled = true;
   const Error error = error_of(scene);
   EXPECT_EQ(error.file, "plan.toml");
   EXPECT_EQ(error.line, 12);
@@ -169,7 +168,7 @@ TEST(MakeDesign, IsCertifiedOnlyIfAllLanesAre) {
   Scene scene = complete_scene();
   scene.lanes = {group_of(scene, 3), group_of(scene, 1)};
   EXPECT_TRUE(design::make_design(scene, nullptr)->certified());
-  scene.lanes[1].reduced.bound = BoundKind::profiled;
+  scene.lanes[1].reduced.is_profiled = true;
   scene.lanes[1].reduced.relative_error_f = scene.lanes[1].reduced.relative_error_g = 0;
   EXPECT_FALSE(design::make_design(scene, nullptr)->certified());
 }
@@ -177,7 +176,7 @@ TEST(MakeDesign, IsCertifiedOnlyIfAllLanesAre) {
 TEST(LaneGroupNames, SayWhatTellsLanesOfOneFormatApart) {
   Scene scene = complete_scene();
   scene.lanes = {group_of(scene, 1), group_of(scene, 1), group_of(scene, 1), group_of(scene, 1)};
-  scene.lanes[1].reduced.error_bound = ErrorBoundKind::running;
+  scene.lanes[1].reduced.error_bound = BoundKind::running;
   scene.lanes[2].reduced.inputs = LaneInputs::rounded;
   const Design design = design::make_design(scene, nullptr).value();
   EXPECT_EQ(lane_group_names(design),
@@ -207,7 +206,7 @@ TEST(LaneGroupNames, NameInputsByTheirDigitsWhereTheyAreNeitherRoundedNorExact) 
 
 TEST(LaneGroupNames, TellProfiledLanesOfOtherErrorsApart) {
   Scene scene = complete_scene();
-  scene.reduced.bound = BoundKind::profiled;
+  scene.reduced.is_profiled = true;
   scene.reduced.relative_error_f = scene.reduced.relative_error_g = mpq_class(1, 8);
   scene.lanes = {group_of(scene, 1), group_of(scene, 1), group_of(scene, 1)};
   scene.lanes[1].reduced.relative_error_g = mpq_class(1, 4);
@@ -219,7 +218,7 @@ TEST(LaneGroupNames, TellProfiledLanesOfOtherErrorsApart) {
 TEST(MakeDesign, UsesTheRangesOfTheScene) {
   Scene scene = complete_scene();
   scene.graph = graph_of("a * b + a^2", "b");
-  scene.reduced.error_bound = error::ErrorBoundKind::relative;
+  scene.reduced.error_bound = BoundKind::relative;
   EXPECT_EQ(error_of(scene).field, "reduced.error_bound");
   scene.ranges = {Range{0, 1}, Range{0, 1}};
   EXPECT_TRUE(design::make_design(scene, nullptr).ok());
@@ -231,7 +230,7 @@ TEST(MakeDesign, RefusesAConstantBoundBeyondEveryDifference) {
   Scene scene = complete_scene();
   scene.graph = graph_of("a - b", "0.001 * a");
   scene.reduced.inputs = LaneInputs::rounded;
-  scene.reduced.error_bound = error::ErrorBoundKind::constant;
+  scene.reduced.error_bound = BoundKind::constant;
   scene.ranges = {Range{900, 901}, Range{900, 901}};
   scene.reduced.format = format_of(4, 8);
   EXPECT_NE(error_of(scene).message.find("exceeds every difference"), std::string::npos);
@@ -241,7 +240,7 @@ TEST(MakeDesign, RefusesAConstantBoundBeyondEveryDifference) {
 
 TEST(MakeDesign, NeedsConstantsOrDataForAProfiledBound) {
   Scene scene = complete_scene();
-  scene.reduced.bound = BoundKind::profiled;
+  scene.reduced.is_profiled = true;
   EXPECT_NE(error_of(scene).field.find("relative_error_f"), std::string::npos);
   scene.reduced.relative_error_f = mpq_class(1, 1000);
   EXPECT_FALSE(design::make_design(scene, nullptr).ok());
@@ -301,18 +300,18 @@ TEST(MakeDesign, RefusesWhatFixedPointHasNot) {
   scene.ranges[1].reset();
   EXPECT_EQ(error_of(scene).field, "inputs.b.range");
   scene = fixed_scene();
-  scene.reduced.bound = BoundKind::profiled;
+  scene.reduced.is_profiled = true;
   EXPECT_EQ(error_of(scene).field, "reduced.bound");
   scene = fixed_scene();
-  scene.reduced.error_bound = ErrorBoundKind::relative;
+  scene.reduced.error_bound = BoundKind::relative;
   EXPECT_EQ(error_of(scene).field, "reduced.error_bound");
-  scene.reduced.error_bound = ErrorBoundKind::running;
+  scene.reduced.error_bound = BoundKind::running;
   scene.graph = graph_of("a - b", "b");
   EXPECT_EQ(error_of(scene).field, "reduced.error_bound") << "nothing is multiplied";
   scene.graph = graph_of("(a - b)^2", "b");
   EXPECT_TRUE(design::make_design(scene, nullptr).ok());
   scene = complete_scene();
-  scene.reduced.error_bound = ErrorBoundKind::norm;
+  scene.reduced.error_bound = BoundKind::norm;
   EXPECT_EQ(error_of(scene).field, "reduced.error_bound");
 }
 
@@ -336,7 +335,7 @@ TEST(MakeDesign, RefusesALaneInFixedPointThatCouldNeverDecide) {
   Scene scene = fixed_scene();
   scene.graph = graph_of("a^8", "b^8");
   scene.reduced.fixed_point = FixedPoint{2};
-  scene.reduced.error_bound = ErrorBoundKind::constant;
+  scene.reduced.error_bound = BoundKind::constant;
   EXPECT_NE(error_of(scene).message.find("exceeds every difference"), std::string::npos);
   EXPECT_EQ(error_of(scene).received, "q2");
 }
@@ -345,7 +344,7 @@ TEST(LaneGroupNames, TellLanesInFixedPointApart) {
   Scene scene = fixed_scene();
   LaneGroupSpec norm{.count = 1, .reduced = scene.reduced, .place = {}};
   LaneGroupSpec constant = norm;
-  constant.reduced.error_bound = ErrorBoundKind::constant;
+  constant.reduced.error_bound = BoundKind::constant;
   scene.lanes = {norm, constant};
   EXPECT_EQ(lane_group_names(design::make_design(scene, nullptr).value()),
             (std::vector<std::string>{"q13_norm", "q13_constant"}));
@@ -353,7 +352,7 @@ TEST(LaneGroupNames, TellLanesInFixedPointApart) {
 
 TEST(MakeDesign, RefusesAProfileOfNothing) {
   Scene scene = complete_scene();
-  scene.reduced.bound = BoundKind::profiled;
+  scene.reduced.is_profiled = true;
   data::Table table{.format = format_of(53, 8), .columns = {"a", "b"}};
   table.values = {table.format.quiet_nan(), table.format.infinity(false)};
   const Comparisons data = Comparisons::rows(std::move(table), {"a", "b"}).value();
@@ -365,7 +364,7 @@ TEST(MakeDesign, RefusesAProfileOfNothing) {
 
 TEST(MakeDesign, RefusesConstantsThatNoComparisonTells) {
   Scene scene = complete_scene();
-  scene.reduced.bound = BoundKind::profiled;
+  scene.reduced.is_profiled = true;
   scene.reduced.format = format_of(17, 5);
   data::Table table{.format = format_of(53, 8), .columns = {"a", "b"}};
   for (const char* value : {"1e30", "1e30"}) {
@@ -379,7 +378,7 @@ TEST(MakeDesign, RefusesConstantsThatNoComparisonTells) {
 
 TEST(MakeDesign, MeasuresMissingConstantsOnData) {
   Scene scene = complete_scene();
-  scene.reduced.bound = BoundKind::profiled;
+  scene.reduced.is_profiled = true;
   scene.reduced.relative_error_g = mpq_class(1, 2000);
   data::Table table{.format = format_of(53, 8), .columns = {"a", "b"}};
   for (const char* value : {"0.1", "0.3"}) {

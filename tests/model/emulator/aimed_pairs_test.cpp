@@ -77,9 +77,8 @@ class AimedAt : public testing::TestWithParam<int> {};
 TEST_P(AimedAt, NoVerdictIsWrong) {
   const std::vector<std::optional<Range>> ranges(8, Range{0, 100});
   const FixedEmulator lane(
-      fixed::fixed_lane(
-          sphere_graph(), format("s53e8"),
-          {.format = {GetParam()}, .bound = fixed::FixedBound::norm, .ranges = ranges})
+      fixed::fixed_lane(sphere_graph(), format("s53e8"),
+                        {.format = {GetParam()}, .bound = BoundKind::norm, .ranges = ranges})
           .value());
   AimedPairs pairs(GetParam());
   std::vector<Decision> decisions(block);

@@ -10,7 +10,6 @@
 namespace mixcmp::test::precisions_test {
 namespace {
 
-using error::ErrorBoundKind;
 using error::Lane;
 
 Operands operands_of(const data::Table& table) {
@@ -39,9 +38,8 @@ Operands every_family(FloatFormat reference, int lane_precision) {
 Lane sphere_lane(FloatFormat reference, Arithmetic reduced, LaneInputs inputs, int bound_digits) {
   TypedGraph graph = lane_graph(sphere_graph(), reference, reduced, inputs);
   const bool relative = inputs == LaneInputs::exact;
-  return error::certified_lane(
-             graph, {.kind = relative ? ErrorBoundKind::relative : ErrorBoundKind::running,
-                     .bound_digits = bound_digits})
+  return error::certified_lane(graph, {.kind = relative ? BoundKind::relative : BoundKind::running,
+                                       .bound_digits = bound_digits})
       .value();
 }
 

@@ -53,9 +53,9 @@ const FloatFormat reference = format_of(24, 8);
 Result<Lane> lane_of(const Aimed& aimed) {
   const Arithmetic arithmetic = {aimed.lane, aimed.rounding, Subnormals::gradual};
   const Graph graph = graph_of(aimed.f, "c");
-  return error::certified_lane(lane_graph(graph, reference, arithmetic, aimed.inputs),
-                               {.kind = error::ErrorBoundKind::constant,
-                                .ranges = {aimed.ranges.begin(), aimed.ranges.end()}});
+  return error::certified_lane(
+      lane_graph(graph, reference, arithmetic, aimed.inputs),
+      {.kind = BoundKind::constant, .ranges = {aimed.ranges.begin(), aimed.ranges.end()}});
 }
 
 mpq_class& constant_of(Lane& lane) {
@@ -280,8 +280,7 @@ TEST(ConstantBound, IsToldAsTheHardwareHasIt) {
     const std::vector<std::optional<Range>> ranges(graph.inputs().size(), range);
     const auto typed = lane_graph(graph, arrives, {lane}, LaneInputs::rounded);
     return describe_criterion(
-        error::certified_lane(typed, {.kind = error::ErrorBoundKind::constant, .ranges = ranges})
-            .value());
+        error::certified_lane(typed, {.kind = BoundKind::constant, .ranges = ranges}).value());
   };
   EXPECT_EQ(told("a * a", "b", format_of(24, 8), format_of(4, 8), {0, 1}),
             "certified: where |f - g| exceeds 0.3438, a constant");
@@ -309,7 +308,7 @@ TEST(ConstantBound, CoversSumsThatRoundUp) {
   const std::vector<std::optional<Range>> ranges = {just_above_one, just_above_one, Range{0, hair}};
   const Lane lane =
       error::certified_lane(lane_graph(graph, reference, {format_of(4, 8)}, LaneInputs::rounded),
-                            {.kind = error::ErrorBoundKind::constant, .ranges = ranges})
+                            {.kind = BoundKind::constant, .ranges = ranges})
           .value();
   std::vector<Bits> inputs;
   for (const mpq_class& input :

@@ -22,7 +22,6 @@ namespace mixcmp::test::fuzz_test {
 namespace {
 
 using error::CertifiedOptions;
-using error::ErrorBoundKind;
 using error::Lane;
 using golden::evaluate_lane;
 using golden::LaneResult;
@@ -291,9 +290,8 @@ std::optional<Range> random_range(Random& random) {
 }
 
 CertifiedOptions random_options(Random& random, std::size_t inputs) {
-  static const std::vector<ErrorBoundKind> kinds = {
-      ErrorBoundKind::relative, ErrorBoundKind::running, ErrorBoundKind::running,
-      ErrorBoundKind::constant};
+  static const std::vector<BoundKind> kinds = {BoundKind::relative, BoundKind::running,
+                                               BoundKind::running, BoundKind::constant};
   CertifiedOptions options{.kind = any_of(kinds, random), .bound_digits = 1 + below(random, 8)};
   for (size_t i = 0; i < inputs; ++i) options.ranges.push_back(random_range(random));
   return options;
@@ -301,7 +299,7 @@ CertifiedOptions random_options(Random& random, std::size_t inputs) {
 
 TEST_P(RandomGraphs, AreDecidedAsTheRealNumbersAre) {
   Random random(static_cast<unsigned>(GetParam()));
-  std::map<ErrorBoundKind, int> lanes, at_the_guard;
+  std::map<BoundKind, int> lanes, at_the_guard;
   for (int k = 0; k < MIXCMP_FUZZED_GRAPHS && !HasFailure(); ++k) {
     const Graph graph = random_graph(random);
     const FloatFormat reference = random_reference(random);
@@ -320,9 +318,9 @@ TEST_P(RandomGraphs, AreDecidedAsTheRealNumbersAre) {
     fmt::print("{}: {} lanes, {} decisions at the guard\n", to_string(kind), count,
                at_the_guard[kind]);
   }
-  EXPECT_GT(lanes[ErrorBoundKind::relative], MIXCMP_FUZZED_GRAPHS / 20);
-  EXPECT_GT(lanes[ErrorBoundKind::running], MIXCMP_FUZZED_GRAPHS / 4);
-  EXPECT_GT(lanes[ErrorBoundKind::constant], MIXCMP_FUZZED_GRAPHS / 100);
+  EXPECT_GT(lanes[BoundKind::relative], MIXCMP_FUZZED_GRAPHS / 20);
+  EXPECT_GT(lanes[BoundKind::running], MIXCMP_FUZZED_GRAPHS / 4);
+  EXPECT_GT(lanes[BoundKind::constant], MIXCMP_FUZZED_GRAPHS / 100);
   for (const auto& [kind, count] : lanes) EXPECT_GT(at_the_guard[kind], count / 8);
 }
 

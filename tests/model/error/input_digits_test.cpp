@@ -13,7 +13,6 @@
 namespace mixcmp::test::input_digits_test {
 namespace {
 
-using error::ErrorBoundKind;
 using error::Lane;
 
 const FloatFormat reference = format_of(53, 8);
@@ -23,8 +22,7 @@ Lane lane_of(Rounding rounding, int bound_digits) {
   const Arithmetic reduced{format_of(lane_digits, 8), rounding, Subnormals::flush};
   const TypedGraph graph =
       lane_graph(graph_of("a - b", "c"), reference, reduced, LaneInputs::of_digits(input_digits));
-  return error::certified_lane(graph,
-                               {.kind = ErrorBoundKind::running, .bound_digits = bound_digits})
+  return error::certified_lane(graph, {.kind = BoundKind::running, .bound_digits = bound_digits})
       .value();
 }
 

@@ -44,13 +44,12 @@ class JudgedLanes {
 public:
   JudgedLanes(const Graph& graph, FloatFormat reference, std::optional<Range> range)
       : graph_(graph), reference_(reference), ranges_(graph.inputs().size(), range) {
-    using error::ErrorBoundKind;
     const FloatFormat format = format_of(2, 4);
     const Arithmetic flushing = {format, Rounding::nearest_even, Subnormals::flush};
     const Arithmetic gradual = {format, Rounding::toward_zero, Subnormals::gradual};
     for (const auto& kind :
-         {std::optional<ErrorBoundKind>(), std::optional(ErrorBoundKind::relative),
-          std::optional(ErrorBoundKind::running), std::optional(ErrorBoundKind::constant)}) {
+         {std::optional<BoundKind>(), std::optional(BoundKind::relative),
+          std::optional(BoundKind::running), std::optional(BoundKind::constant)}) {
       for (const int digits : {1, 4}) {
         add(flushing, LaneInputs::rounded, {.kind = kind, .bound_digits = digits});
         add(gradual, LaneInputs::exact, {.kind = kind, .bound_digits = digits});
@@ -180,7 +179,7 @@ TEST(EveryTupleOfAPart, IsDecidedWhereTheConditionsOfItsOwnNodesHold) {
     const Graph graph = graph_of({{"a + b", "1.5"}, {f, "a"}}, Combination::all);
     const auto lane = [&](const Graph& of) {
       const auto typed = lane_graph(of, format, {format_of(2, 4)}, LaneInputs::rounded);
-      return error::certified_lane(typed, {.kind = error::ErrorBoundKind::running}).value();
+      return error::certified_lane(typed, {.kind = BoundKind::running}).value();
     };
     const Judged judged{lane(graph), {lane(graph.part(0)), lane(graph.part(1))}};
     hold_on_every_tuple(graph, format, {judged});
@@ -235,7 +234,7 @@ TEST(Lane, AnErrorNamesThePart) {
   const Graph graph = graph_of({{"a", "b"}, {"a - b * b", "b"}}, Combination::all);
   const auto lane = error::certified_lane(
       lane_graph(graph, format_of(24, 8), {format_of(8, 8)}, LaneInputs::exact),
-      {.kind = error::ErrorBoundKind::relative});
+      {.kind = BoundKind::relative});
   ASSERT_FALSE(lane.ok());
   EXPECT_EQ(lane.error().field, "reduced.error_bound");
   EXPECT_NE(lane.error().message.find("of f[1] and g[1], no relative bound"), std::string::npos)

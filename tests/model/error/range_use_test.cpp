@@ -78,9 +78,8 @@ TEST(RangeCheck, ThatChecksSignsAloneLetsNansPass) {
 void hold_hazards(const std::string& f, const Ranges& ranges, FloatFormat reference,
                   const Arithmetic& reduced, LaneInputs inputs) {
   const Graph graph = graph_of(f, "b");
-  const auto lane =
-      error::certified_lane(lane_graph(graph, reference, reduced, inputs),
-                            {.kind = error::ErrorBoundKind::running, .ranges = ranges});
+  const auto lane = error::certified_lane(lane_graph(graph, reference, reduced, inputs),
+                                          {.kind = BoundKind::running, .ranges = ranges});
   ASSERT_TRUE(lane.ok()) << f;
   ASSERT_EQ(lane->hazards.size(), lane->graph.nodes.size()) << f;
   for (Bits index = 0; index < Bits{1} << (2 * reference.width()); ++index) {
@@ -106,7 +105,7 @@ Hazards hazards_of(const std::string& f, const Ranges& ranges, FloatFormat lane)
       lane_graph(graph_of(f, "b"), format_of(24, 8),
                  {lane, Rounding::nearest_even, Subnormals::flush}, LaneInputs::exact);
   const auto certified =
-      error::certified_lane(typed, {.kind = error::ErrorBoundKind::running, .ranges = ranges});
+      error::certified_lane(typed, {.kind = BoundKind::running, .ranges = ranges});
   if (certified->hazards.empty()) return {};
   return certified->hazards[static_cast<size_t>(typed.f())];
 }
@@ -118,8 +117,8 @@ TEST(Hazards, GradualDifferencesMayBeSubnormal) {
   const auto typed =
       lane_graph(graph_of("a - b", "c"), format_of(24, 8), {format}, LaneInputs::rounded);
   const Range normal{mpq_class(16, 1000), mpq_class(1, 10)};
-  const auto lane = error::certified_lane(
-      typed, {.kind = error::ErrorBoundKind::running, .ranges = Ranges(3, normal)});
+  const auto lane =
+      error::certified_lane(typed, {.kind = BoundKind::running, .ranges = Ranges(3, normal)});
   EXPECT_TRUE(lane->hazards[static_cast<size_t>(typed.f())].underflow);
 }
 
@@ -147,7 +146,7 @@ TEST(Hazards, NansAndInfinitiesReachOnlyWhatIsBuiltForThem) {
   for (const char* f : {"sqrt(a - b) * b", "abs(sqrt(a - b)) + a", "(b / (a - b)) * b"}) {
     const auto lane = error::certified_lane(
         lane_graph(graph_of(f, "b"), reference, {format_of(3, 4)}, LaneInputs::exact),
-        {.kind = error::ErrorBoundKind::running, .ranges = ranges});
+        {.kind = BoundKind::running, .ranges = ranges});
     ASSERT_TRUE(lane.ok()) << f;
     ASSERT_FALSE(lane->hazards.empty()) << f;
     int met = 0;

@@ -196,8 +196,7 @@ TEST(CertifiedLane, GuardsTheFactorThatARunningBoundLeavesOut) {
         lane_graph(graph_of(f, "d"), reference, {format_of(8, 8)}, LaneInputs::exact);
     const std::vector<std::optional<Range>> ranges(static_cast<std::size_t>(graph.input_count));
     const Lane lane =
-        error::certified_lane(graph, {.kind = error::ErrorBoundKind::running, .ranges = ranges})
-            .value();
+        error::certified_lane(graph, {.kind = BoundKind::running, .ranges = ranges}).value();
     return std::get<error::AbsoluteBoundCriterion>(lane.criterion()).guard_ulp;
   };
   EXPECT_GE(guard("(a * b - c)^2"), Bits{1}) << "the error of a * b, times one rounding";
@@ -280,8 +279,7 @@ TEST(CertifiedLane, NamesADivisorThatMayBeZero) {
   const auto typed =
       lane_graph(graph_of("a / (b - c)", "a"), reference, {format_of(17, 8)}, LaneInputs::exact);
   const std::vector<std::optional<Range>> ranges(3, Range{1, 4});
-  const auto lane =
-      error::certified_lane(typed, {.kind = error::ErrorBoundKind::constant, .ranges = ranges});
+  const auto lane = error::certified_lane(typed, {.kind = BoundKind::constant, .ranges = ranges});
   ASSERT_FALSE(lane.ok());
   EXPECT_NE(lane.error().message.find("b - c may be zero"), std::string::npos);
   EXPECT_NE(lane.error().accepted.find("ranges that keep it away"), std::string::npos);

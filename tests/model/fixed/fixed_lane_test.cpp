@@ -16,7 +16,6 @@ namespace mixcmp::test::fixed_lane_test {
 namespace {
 
 using fixed::ConstantThresholds;
-using fixed::FixedBound;
 using fixed::FixedLane;
 using fixed::FixedNode;
 using fixed::NormThresholds;
@@ -88,7 +87,7 @@ TEST(FixedLane, WhatIsCutHasNoNorm) {
   const std::vector<std::optional<Range>> ranges(3, Range{0, 1});
   const auto has_norm = [&](const char* f) {
     return fixed::fixed_lane(graph_of(f, "c^2"), format_of(53, 8),
-                             {.format = {9}, .bound = FixedBound::norm, .ranges = ranges})
+                             {.format = {9}, .bound = BoundKind::norm, .ranges = ranges})
         .ok();
   };
   EXPECT_TRUE(has_norm("a^2 + (b / 128)^2")) << "32 bits";

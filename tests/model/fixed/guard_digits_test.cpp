@@ -10,7 +10,6 @@
 namespace mixcmp::test::guard_digits_test {
 namespace {
 
-using fixed::FixedBound;
 using fixed::FixedLane;
 using fixed::FixedNode;
 using fixed::NormThresholds;
@@ -18,7 +17,7 @@ using fixed::NormThresholds;
 using Values = std::vector<std::optional<mpz_class>>;
 
 FixedLane guarded(const Graph& graph, FixedPoint format, const Range& range,
-                  std::optional<FixedBound> bound = {}) {
+                  std::optional<BoundKind> bound = {}) {
   return fixed::fixed_lane(graph, format_of(24, 8),
                            {.format = format,
                             .bound = bound,

@@ -15,7 +15,7 @@ inline constexpr const char* spheres = "(cxi - cxj)^2 + (cyi - cyj)^2 + (czi - c
 
 /// The lane of a graph whose inputs all have one range and arrive as doubles of 8 exponent bits.
 inline fixed::FixedLane lane_of(const Graph& graph, int bits, const Range& range,
-                                std::optional<fixed::FixedBound> bound = {}) {
+                                std::optional<BoundKind> bound = {}) {
   const std::vector<std::optional<Range>> ranges(graph.inputs().size(), range);
   return fixed::fixed_lane(graph, format_of(53, 8),
                            {.format = {bits}, .bound = bound, .ranges = ranges})

@@ -12,7 +12,6 @@
 namespace mixcmp::test::norms_test {
 namespace {
 
-using fixed::FixedBound;
 using fixed::FixedLane;
 using fixed::FixedNode;
 using fixed::NormThresholds;
@@ -155,7 +154,7 @@ TEST(Norms, HaveNoReachThatNothingIsWithin) {
 /// Radii that are zero are exceeded by every unit.
 TEST(Norms, HaveReachesOfABitOrMore) {
   const Graph graph = graph_of("4 * (a - a)^2 + b^2 + (a - b)^2", "(c - c)^2");
-  const FixedLane lane = lane_of(graph, 9, {0, 3}, FixedBound::norm);
+  const FixedLane lane = lane_of(graph, 9, {0, 3}, BoundKind::norm);
   for (const FixedNode& node : lane.nodes) {
     if (!fixed::is_reach(node)) continue;
     EXPECT_LT(node.format.magnitude_bits(), lane.nodes[node.operands[0]].format.magnitude_bits());

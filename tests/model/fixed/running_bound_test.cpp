@@ -12,12 +12,11 @@
 namespace mixcmp::test::running_bound_test {
 namespace {
 
-using fixed::FixedBound;
 using fixed::FixedLane;
 using fixed::RunningThresholds;
 
 FixedLane running(const char* f, const char* g, int bits, const Range& range) {
-  return lane_of(graph_of(f, g), bits, range, FixedBound::running);
+  return lane_of(graph_of(f, g), bits, range, BoundKind::running);
 }
 
 /// Operands below 8 in q10 count 2^-7. Both factors of a product below 8 (1024 units, in step 7),
@@ -85,10 +84,9 @@ TEST(RunningBound, ThresholdsAreNoWiderThanDifferences) {
 
 TEST(RunningBound, IsRefusedWhereNothingIsMultiplied) {
   const Graph graph = graph_of("a - b", "c");
-  const auto lane = fixed::fixed_lane(graph, format_of(24, 8),
-                                      {.format = {9},
-                                       .bound = FixedBound::running,
-                                       .ranges = {graph.inputs().size(), Range{0, 1}}});
+  const auto lane = fixed::fixed_lane(
+      graph, format_of(24, 8),
+      {.format = {9}, .bound = BoundKind::running, .ranges = {graph.inputs().size(), Range{0, 1}}});
   ASSERT_FALSE(lane.ok());
   EXPECT_EQ(lane.error().field, "reduced.error_bound");
   EXPECT_EQ(lane.error().received, "running");

@@ -4,6 +4,7 @@
 
 #include "model/optimise/engine_area.hpp"
 #include "model/optimise/footprint.hpp"
+#include "model/settings/bound_name.hpp"
 #include "tests/model/optimise/planning_case.hpp"
 
 namespace mixcmp::test::engine_plan_test {
@@ -58,7 +59,7 @@ protected:
     optimise::Rates rates = rates_of(undecided);
     profile::RateProfile tier{.comparisons = 1'000'000};
     tier.schemes.push_back({.name = "fixed_norm",
-                            .bound = scene::parse_bound_choice("fixed_norm").value(),
+                            .bound = settings::parse_bound("fixed_norm").value(),
                             .kind = profile::SchemeKind::certified,
                             .counts = {},
                             .reason = {}});

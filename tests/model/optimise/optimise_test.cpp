@@ -158,13 +158,12 @@ TEST_F(Optimise, CrossbarSharesBetweenMeasuredPortCountsAreInterpolatedUpward) {
 TEST_F(Optimise, ProfiledLanesAreOnlyForScenesThatAskForThem) {
   const auto has_profiled = [](const Optimisation& found) {
     return std::any_of(found.plans.begin(), found.plans.end(), [](const PrecisionPlan& plan) {
-      return std::any_of(plan.lanes.begin(), plan.lanes.end(), [](const auto& lane) {
-        return lane.measured.key.bound->kind == scene::BoundChoice::Kind::profiled;
-      });
+      return std::any_of(plan.lanes.begin(), plan.lanes.end(),
+                         [](const auto& lane) { return lane.measured.key.bound->is_profiled(); });
     });
   };
   EXPECT_FALSE(has_profiled(optimise_now()));
-  scene_.reduced.bound = scene::BoundKind::profiled;
+  scene_.reduced.is_profiled = true;
   EXPECT_TRUE(has_profiled(optimise_now()));
 }
 

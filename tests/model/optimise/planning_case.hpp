@@ -7,6 +7,7 @@
 #include <string>
 
 #include "model/optimise/optimise.hpp"
+#include "model/settings/bound_name.hpp"
 #include "tests/model/profile/profile_cases.hpp"
 #include "tests/support/sphere.hpp"
 
@@ -49,7 +50,7 @@ protected:
                 .inputs = inputs.empty() ? std::nullopt
                                          : std::optional(LaneInputs::parse(inputs, 4, 52).value()),
                 .bound = bound.empty() ? std::nullopt
-                                       : std::optional(scene::parse_bound_choice(bound).value()),
+                                       : std::optional(settings::parse_bound(bound).value()),
                 .multipliers = multipliers},
         .latency_cycles = 20,
         .area = {.luts = luts, .registers = luts, .dsps = dsps},
@@ -81,7 +82,7 @@ protected:
     for (const auto& [name, kind] : {std::pair("relative", profile::SchemeKind::certified),
                                      std::pair("profiled", profile::SchemeKind::profiled)}) {
       profile.schemes.push_back({.name = name,
-                                 .bound = scene::parse_bound_choice(name).value(),
+                                 .bound = settings::parse_bound(name).value(),
                                  .kind = kind,
                                  .counts = {},
                                  .reason = {}});

@@ -4,6 +4,7 @@
 
 #include "model/optimise/footprint.hpp"
 #include "model/optimise/plan.hpp"
+#include "model/settings/bound_name.hpp"
 #include "tests/model/optimise/planning_case.hpp"
 
 /// Plans of systems of streams with a second tier.
@@ -47,7 +48,7 @@ protected:
   static optimise::Rates rates_of_bits(const std::map<int, std::uint64_t>& undecided) {
     profile::RateProfile rates{.comparisons = 1'000'000};
     rates.schemes.push_back({.name = "fixed_norm",
-                             .bound = scene::parse_bound_choice("fixed_norm").value(),
+                             .bound = settings::parse_bound("fixed_norm").value(),
                              .kind = profile::SchemeKind::certified,
                              .counts = {},
                              .reason = {}});

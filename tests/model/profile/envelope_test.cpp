@@ -281,8 +281,8 @@ TEST(Threshold, IsNeverBelowBoundAndGuard) {
     const Case test(scene, LaneInputs::rounded, 6, last, Family::uniform, random);
     std::vector<Lane> all;
     for (int precision = 6; precision <= last; ++precision) {
-      auto lane = error::certified_lane(
-          test.graph(precision), {.kind = error::ErrorBoundKind::running, .ranges = scene.ranges});
+      auto lane = error::certified_lane(test.graph(precision),
+                                        {.kind = BoundKind::running, .ranges = scene.ranges});
       if (lane.ok()) all.push_back(std::move(lane).value());
     }
     std::vector<const Lane*> lanes;

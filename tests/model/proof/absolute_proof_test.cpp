@@ -14,13 +14,12 @@ namespace mixcmp::test::absolute_proof_test {
 namespace {
 
 using error::ErrorAnalysis;
-using error::ErrorBoundKind;
 using error::Lane;
 using namespace proof;
 
 constexpr std::array both_roundings = {Rounding::nearest_even, Rounding::toward_zero};
 
-Result<Lane> absolute_lane(const Graph& graph, ErrorBoundKind kind,
+Result<Lane> absolute_lane(const Graph& graph, BoundKind kind,
                            Rounding rounding = Rounding::nearest_even,
                            const char* format = "s17e8") {
   return lane_of(graph, {.format = format,
@@ -47,7 +46,7 @@ class AbsoluteProofIn : public AbsoluteProof, public testing::WithParamInterface
 
 TEST_P(AbsoluteProofIn, SphereWithRoundedInputsIsProven) {
   for (const Rounding rounding : both_roundings) {
-    for (const ErrorBoundKind kind : {ErrorBoundKind::running, ErrorBoundKind::constant}) {
+    for (const BoundKind kind : {BoundKind::running, BoundKind::constant}) {
       const auto lane = absolute_lane(sphere_graph(), kind, rounding, GetParam().c_str());
       ASSERT_TRUE(lane.ok()) << lane.error().to_string();
       const LaneProof proof = prove(*lane);
@@ -61,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, AbsoluteProofIn,
                          [](const auto& tested) { return tested.param; });
 
 TEST_F(AbsoluteProof, ConstantBoundsAreProvenWholeFromTheRanges) {
-  const Lane lane = absolute_lane(sphere_graph(), ErrorBoundKind::constant).value();
+  const Lane lane = absolute_lane(sphere_graph(), BoundKind::constant).value();
   const LaneProof proof = prove(lane);
   ASSERT_EQ(proof.findings.size(), 1U) << report::to_text(proof, "");
   EXPECT_EQ(proof.findings[0].what, "f - g, the whole expression, from the ranges");
@@ -78,7 +77,7 @@ TEST_F(AbsoluteProof, EveryOperationIsProven) {
            {"(a - b) * (c - d)", "-(a - 1)"}}) {
     const Graph graph = graph_of(f, g);
     for (const Rounding rounding : both_roundings) {
-      for (const ErrorBoundKind kind : {ErrorBoundKind::running, ErrorBoundKind::constant}) {
+      for (const BoundKind kind : {BoundKind::running, BoundKind::constant}) {
         const auto lane = absolute_lane(graph, kind, rounding);
         if (!lane.ok()) continue;  // no constant bound where a divisor may be zero
         ++lanes;
@@ -98,7 +97,7 @@ TEST_F(AbsoluteProof, OperationsOnConstantsThatAreLostAreProven) {
            {"a + 0x1p-200", "b"},
            {"0x1p-200 * a - b", "sqrt(0x1p-200)"},
            {"min(a - b, 0x1p-200)", "0x1p-200 / a"}}) {
-    const Lane lane = absolute_lane(graph_of(f, g), ErrorBoundKind::running).value();
+    const Lane lane = absolute_lane(graph_of(f, g), BoundKind::running).value();
     const LaneProof proof = prove(lane);
     EXPECT_TRUE(proof.machine_checked()) << f << " : " << g << "\n" << report::to_text(proof, "");
   }
@@ -106,7 +105,7 @@ TEST_F(AbsoluteProof, OperationsOnConstantsThatAreLostAreProven) {
 
 /// Gappa concludes nothing from a sign and a magnitude that spans so many binades.
 TEST_F(AbsoluteProof, QuotientsOfManyExponentBitsAreProven) {
-  const Lane lane = absolute_lane(graph_of("a / b + c", "d"), ErrorBoundKind::running,
+  const Lane lane = absolute_lane(graph_of("a / b + c", "d"), BoundKind::running,
                                   Rounding::nearest_even, "s17e14")
                         .value();
   const LaneProof proof = prove(lane);
@@ -118,7 +117,7 @@ TEST_F(AbsoluteProof, ChoicesAmongNumbersBeyondDoubleAreProven) {
   for (const char* f : {"max(d, 2 * d)", "min(abs(d), d + d)"}) {
     const auto lane = lane_of(graph_of(f, "c"), {.format = "s12e12",
                                                  .inputs = LaneInputs::rounded,
-                                                 .kind = ErrorBoundKind::running,
+                                                 .kind = BoundKind::running,
                                                  .reference = "s53e11"});
     ASSERT_TRUE(lane.ok()) << lane.error().to_string();
     const LaneProof proof = prove_lane(*lane, std::ref(prover_), Effort::operations);
@@ -131,7 +130,7 @@ TEST_F(AbsoluteProof, RandomLanesAreProven) {
   for (std::uint64_t seed = 5000; seed < 5025; ++seed) {
     const Graph graph = random_comparison(seed);
     LaneOptions options = random_options(seed);
-    options.kind = seed % 4 == 0 ? ErrorBoundKind::constant : ErrorBoundKind::running;
+    options.kind = seed % 4 == 0 ? BoundKind::constant : BoundKind::running;
     if (seed % 3 == 0) options.ranges = nonnegative_ranges(graph);
     const auto lane = lane_of(graph, options);
     if (!lane.ok()) continue;
@@ -149,7 +148,7 @@ mpq_class shrunken(const mpq_class& inflation) {
 
 TEST_F(AbsoluteProof, AFudgeShrunkenByOneInAThousandIsRefused) {
   for (const Rounding rounding : both_roundings) {
-    const Lane lane = absolute_lane(sphere_graph(), ErrorBoundKind::running, rounding).value();
+    const Lane lane = absolute_lane(sphere_graph(), BoundKind::running, rounding).value();
     const ErrorAnalysis analysis = analysis_of(lane);
     int shrunk = 0;
     for (std::size_t id = 0; id < analysis.nodes.size(); ++id) {
@@ -165,7 +164,7 @@ TEST_F(AbsoluteProof, AFudgeShrunkenByOneInAThousandIsRefused) {
 }
 
 TEST_F(AbsoluteProof, AFactorShrunkenByOneInAThousandIsRefused) {
-  const Lane lane = absolute_lane(sphere_graph(), ErrorBoundKind::running).value();
+  const Lane lane = absolute_lane(sphere_graph(), BoundKind::running).value();
   const ErrorAnalysis analysis = analysis_of(lane);
   for (std::size_t id = 0; id < analysis.nodes.size(); ++id) {
     ErrorAnalysis wrong = analysis;
@@ -178,7 +177,7 @@ TEST_F(AbsoluteProof, AFactorShrunkenByOneInAThousandIsRefused) {
 
 TEST_F(AbsoluteProof, ABoundThatForgetsATermIsRefused) {
   const Graph graph = graph_of("(a - b) * (c - d)", "(a - d) / (b - c)");
-  const Lane lane = absolute_lane(graph, ErrorBoundKind::running).value();
+  const Lane lane = absolute_lane(graph, BoundKind::running).value();
   const ErrorAnalysis analysis = analysis_of(lane);
   int forgotten = 0;
   for (std::size_t id = 0; id < analysis.nodes.size(); ++id) {
@@ -197,7 +196,7 @@ TEST_F(AbsoluteProof, ABoundThatForgetsATermIsRefused) {
 }
 
 TEST_F(AbsoluteProof, BoundsOfTheOtherRoundingAreRefused) {
-  Lane lane = absolute_lane(sphere_graph(), ErrorBoundKind::running).value();
+  Lane lane = absolute_lane(sphere_graph(), BoundKind::running).value();
   const ErrorAnalysis analysis = analysis_of(lane);
   EXPECT_FALSE(prove(lane, analysis).refused());
   lane.graph.arithmetic.rounding = Rounding::toward_zero;
@@ -205,7 +204,7 @@ TEST_F(AbsoluteProof, BoundsOfTheOtherRoundingAreRefused) {
 }
 
 TEST_F(AbsoluteProof, AConversionThatTheBoundsForgetIsRefused) {
-  const Lane lane = absolute_lane(sphere_graph(), ErrorBoundKind::running).value();
+  const Lane lane = absolute_lane(sphere_graph(), BoundKind::running).value();
   Lane forgetful = lane;
   for (TypedNode& node : forgetful.graph.nodes) {
     if (node.operation == Operation::convert) node.operand_format = node.format;
@@ -215,7 +214,7 @@ TEST_F(AbsoluteProof, AConversionThatTheBoundsForgetIsRefused) {
 
 TEST_F(AbsoluteProof, ALaneThatDoesNotKeepToItsAnalysisIsRefused) {
   const Graph graph = graph_of("(a - d) / (b - c)", "a * b");
-  const Lane lane = absolute_lane(graph, ErrorBoundKind::running, Rounding::toward_zero).value();
+  const Lane lane = absolute_lane(graph, BoundKind::running, Rounding::toward_zero).value();
   ASSERT_TRUE(prove(lane).machine_checked()) << report::to_text(prove(lane), "");
   Lane unguarded = lane;
   ASSERT_GT(decision_of(unguarded).guard_ulp, 0U);
@@ -237,14 +236,14 @@ TEST_F(AbsoluteProof, ALaneThatDoesNotKeepToItsAnalysisIsRefused) {
 
 TEST_F(AbsoluteProof, ASmallerConstantIsRefused) {
   for (const Rounding rounding : both_roundings) {
-    Lane lane = absolute_lane(sphere_graph(), ErrorBoundKind::constant, rounding).value();
+    Lane lane = absolute_lane(sphere_graph(), BoundKind::constant, rounding).value();
     decision_of(lane).bound.nodes.back().constant /= 2;
     EXPECT_TRUE(prove(lane).refused()) << report::to_text(prove(lane), "");
   }
 }
 
 TEST_F(AbsoluteProof, RangesThatAreNotCheckedProveNothing) {
-  Lane lane = absolute_lane(sphere_graph(), ErrorBoundKind::constant).value();
+  Lane lane = absolute_lane(sphere_graph(), BoundKind::constant).value();
   lane.checks.pop_back();
   EXPECT_FALSE(prove(lane).machine_checked());
 }

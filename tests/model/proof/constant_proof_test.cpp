@@ -24,7 +24,6 @@
 namespace mixcmp::test::constant_proof_test {
 namespace {
 
-using error::ErrorBoundKind;
 using error::Lane;
 using error::RangeCheck;
 using namespace proof;
@@ -39,7 +38,7 @@ struct Ranged {
 };
 
 Result<Lane> lane_of(const Ranged& ranged, LaneInputs inputs, Rounding rounding,
-                     ErrorBoundKind kind = ErrorBoundKind::constant) {
+                     BoundKind kind = BoundKind::constant) {
   const Arithmetic arithmetic = {format(ranged.format), rounding, Subnormals::gradual};
   const Graph graph = graph_of(ranged.f, ranged.g);
   return error::certified_lane(lane_graph(graph, format("s53e11"), arithmetic, inputs),
@@ -149,13 +148,13 @@ TEST_F(ConstantProof, AConditionThatTheRangesBreakIsRefused) {
 
 TEST_F(ConstantProof, TheVerdictNamesWhatIsByHand) {
   const Ranged& ranged = every_term()[1];
-  const auto verdict = [&](ErrorBoundKind kind) {
+  const auto verdict = [&](BoundKind kind) {
     const Lane lane = lane_of(ranged, LaneInputs::rounded, Rounding::nearest_even, kind).value();
     return prove(lane, Effort::operations).verdict();
   };
-  EXPECT_EQ(verdict(ErrorBoundKind::constant),
+  EXPECT_EQ(verdict(BoundKind::constant),
             "machine-checked but for theorems 1 (exponents), 7, 8 and 10, by hand");
-  EXPECT_EQ(verdict(ErrorBoundKind::running),
+  EXPECT_EQ(verdict(BoundKind::running),
             "machine-checked but for theorems 1 (exponents), 7, 8, 9 and 10, by hand");
   const LaneProof relative =
       prove(mixcmp::test::lane_of(sphere_graph(), {}).value(), Effort::operations);
@@ -172,7 +171,7 @@ TEST_F(ConstantProof, HazardsAreLeftOutWhereGappaSaysSoAndNowhereElse) {
                          "s8e4",
                          {Range{1, 8}, Range{1, 8}, Range{2, 4}, Range{-1, 3}, Range{1, 8}}};
   Lane lane =
-      lane_of(ranged, LaneInputs::exact, Rounding::nearest_even, ErrorBoundKind::running).value();
+      lane_of(ranged, LaneInputs::exact, Rounding::nearest_even, BoundKind::running).value();
   const auto refused = [&](const Lane& one) {
     const std::vector<Finding> findings = prove_hazards(one, std::ref(prover_));
     return std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
@@ -202,7 +201,7 @@ TEST_F(ConstantProof, HazardsAreLeftOutWhereGappaSaysSoAndNowhereElse) {
 TEST_F(ConstantProof, HazardsOfFewerExponentBitsAreRefused) {
   const Ranged ranged = {"a * b", "c", "s8e8", {Range{1, 100}, Range{1, 100}, Range{1, 100}}};
   Lane lane =
-      lane_of(ranged, LaneInputs::exact, Rounding::nearest_even, ErrorBoundKind::running).value();
+      lane_of(ranged, LaneInputs::exact, Rounding::nearest_even, BoundKind::running).value();
   EXPECT_TRUE(prove(lane, Effort::operations).machine_checked());
   for (TypedNode& node : lane.graph.nodes) {
     if (node.format == format("s8e8")) node.format = format("s8e4");
@@ -219,7 +218,7 @@ TEST_F(ConstantProof, RandomLanesWithRangesAreProven) {
   for (std::uint64_t seed = 1; seed < 24; ++seed) {
     const Graph graph = random_comparison(seed);
     LaneOptions options = random_options(seed);
-    options.kind = seed % 4 == 0 ? ErrorBoundKind::running : ErrorBoundKind::constant;
+    options.kind = seed % 4 == 0 ? BoundKind::running : BoundKind::constant;
     options.ranges = {ranges.begin(), ranges.begin() + static_cast<long>(graph.inputs().size())};
     const auto lane = mixcmp::test::lane_of(graph, options);
     if (!lane.ok()) continue;

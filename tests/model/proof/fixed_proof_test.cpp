@@ -14,7 +14,6 @@
 namespace mixcmp::test::fixed_proof_test {
 namespace {
 
-using fixed::FixedBound;
 using fixed::FixedLane;
 using proof::LaneProof;
 using proof::Outcome;
@@ -25,7 +24,7 @@ struct Case {
   int bits;
   Range range;
   const char* verdict;
-  std::optional<FixedBound> bound = {};
+  std::optional<BoundKind> bound = {};
   bool is_block = false;
   int guard_digits = 0;
 };
@@ -91,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(
              13,
              {0, 100},
              "machine-checked but for theorems 1 (operands) and 3, by hand",
-             FixedBound::constant},
+             BoundKind::constant},
         Case{"constant_that_is_no_dyadic_number",
              sum,
              12,
@@ -159,7 +158,7 @@ INSTANTIATE_TEST_SUITE_P(
              9,
              {-2, 3},
              "machine-checked but for theorems 1 (operands) and 9, by hand",
-             FixedBound::running},
+             BoundKind::running},
         Case{"guard_digits",
              {{"(a - b + 0.3)^2 + 0.7 * a * b", "(d + max(e, 0))^2"}, {"a - c", "0.2"}},
              9,
@@ -181,7 +180,7 @@ class TooClose : public testing::TestWithParam<int> {};
 /// Each of the numbers that a criterion is made of, a step too close to what it must exceed.
 TEST_P(TooClose, IsRefused) {
   if (!proof::gappa_version().ok()) GTEST_SKIP() << "gappa is not installed";
-  const auto bound = GetParam() < 3 ? FixedBound::norm : FixedBound::constant;
+  const auto bound = GetParam() < 3 ? BoundKind::norm : BoundKind::constant;
   FixedLane lane = lane_of({"", spheres, 13, {0, 100}, "", bound});
   auto& criterion = lane.parts.front().criterion;
   ASSERT_FALSE(proof_of(lane).refused());
@@ -210,7 +209,7 @@ TEST(FixedProofOfBlocks, RefusesWhatDoesNotGrowAlike) {
 /// A sum of a square and what is cut before squaring: of degrees 2 and 1.
 TEST(FixedProofOfCuts, RefusesWhatDoesNotGrowAlike) {
   const Case guarded{"", {{"(a - b)^2 + c^2", "d^2"}}, 9,     {0, 1},
-                     "", FixedBound::constant,         false, 3};
+                     "", BoundKind::constant,          false, 3};
   const FixedLane lane = lane_of(guarded);
   EXPECT_FALSE(is_refused(lane));
   for (std::size_t id = 0; id < lane.nodes.size(); ++id) {
@@ -299,8 +298,8 @@ TEST(FixedProofOfReaches, RefusesConstantsOfWhatIsWithinReach) {
 const Case lanes_of_all_kinds[] = {
     {"", {{"(a - b)^2 + c^2", "(d / 16)^2"}}, 9, {0, 3}, ""},
     {"", {{"abs(a * b - 3 * c) + min(a, d)", "sqrt(a^2 + b^2)"}}, 7, {-2, 3}, ""},
-    {"", {{"(a - b)^2 + c^2", "d^2"}}, 9, {0, 1}, "", FixedBound::norm, false, 3},
-    {"", {{"(a - b)^2 + c^2", "a * d"}}, 9, {-1, 1}, "", FixedBound::constant, true, 3}};
+    {"", {{"(a - b)^2 + c^2", "d^2"}}, 9, {0, 1}, "", BoundKind::norm, false, 3},
+    {"", {{"(a - b)^2 + c^2", "a * d"}}, 9, {-1, 1}, "", BoundKind::constant, true, 3}};
 
 /// A unit of twice the size, where the operation sets it.
 TEST(FixedProofOfUnits, RefusesWhatTheHardwareDoesNotCount) {
@@ -327,7 +326,7 @@ TEST(FixedProofOfConstants, RefusesEqualityWhereSomethingIsRounded) {
 }
 
 TEST(FixedProofOfNorms, RefusesASumInThePlaceOfTheDifference) {
-  FixedLane lane = lane_of({"", {{"(a - b)^2 + c^2", "d^2"}}, 9, {0, 3}, "", FixedBound::norm});
+  FixedLane lane = lane_of({"", {{"(a - b)^2 + c^2", "d^2"}}, 9, {0, 3}, "", BoundKind::norm});
   lane.nodes[lane.parts[0].difference].operation = Operation::add;
   EXPECT_TRUE(is_refused(lane));
 }
@@ -375,7 +374,7 @@ TEST(FixedProofOfWidths, RefusesResultsThatDoNotFit) {
 /// Each threshold one unit lower; and a part that watches one factor less.
 TEST(FixedProofOfRunningBounds, RefusesThresholdsThatAreTooNear) {
   const FixedLane lane =
-      lane_of({"", {{"a * b - c * d", "e"}}, 9, {-2, 3}, "", FixedBound::running});
+      lane_of({"", {{"a * b - c * d", "e"}}, 9, {-2, 3}, "", BoundKind::running});
   EXPECT_FALSE(is_refused(lane));
   const auto& running = std::get<fixed::RunningThresholds>(lane.parts[0].criterion);
   for (std::size_t step = 0; step < running.of_steps.size(); ++step) {

@@ -24,7 +24,7 @@ struct LaneOptions {
   const char* format = "s17e8";
   Rounding rounding = Rounding::nearest_even;
   LaneInputs inputs = LaneInputs::exact;
-  error::ErrorBoundKind kind = error::ErrorBoundKind::relative;
+  BoundKind kind = BoundKind::relative;
   int bound_digits = 4;
   std::vector<std::optional<Range>> ranges = {};
   const char* reference = "s53e8";

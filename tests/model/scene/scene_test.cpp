@@ -22,7 +22,7 @@ TEST_F(SceneTest, EveryKeyArrives) {
   EXPECT_EQ(scene->reference.format.name(), "s53e8");
   EXPECT_EQ(scene->reference.subnormals, Subnormals::gradual);
   EXPECT_EQ(scene->reduced.format->name(), "s17e8");
-  EXPECT_EQ(scene->reduced.bound, scene::BoundKind::profiled);
+  EXPECT_TRUE(scene->reduced.is_profiled);
   EXPECT_EQ(scene->reduced.inputs, LaneInputs::rounded);
   EXPECT_EQ(*scene->reduced.relative_error_f, mpq_class(1, 10000));
   EXPECT_FALSE(scene->reduced.relative_error_g.has_value());
@@ -61,7 +61,7 @@ TEST_F(SceneTest, ReducedSystemAndDataMayBeAbsent) {
       "[comparison]\nname = \"n\"\nf = \"x\"\ng = \"y\"\n[reference]\nformat = \"binary64\"\n");
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   EXPECT_FALSE(scene->reduced.format.has_value());
-  EXPECT_EQ(scene->reduced.bound, scene::BoundKind::certified);
+  EXPECT_FALSE(scene->reduced.is_profiled);
   EXPECT_EQ(scene->reduced.subnormals, Subnormals::flush);
   EXPECT_FALSE(scene->data.has_value());
   EXPECT_FALSE(scene->ranges.at(0).has_value());

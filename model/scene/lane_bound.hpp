@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "model/error/certified_lane.hpp"
+#include "model/fixed/fixed_lane.hpp"
+#include "model/number/bound.hpp"
+#include "model/scene/scene.hpp"
+
+namespace mixcmp::scene {
+
+/// How one part of a lane bounds its errors.
+Bound bound_of(const error::LanePart& part);
+/// How a lane bounds its errors; none if its parts do so in different ways.
+std::optional<Bound> bound_of(const error::Lane& lane);
+Bound bound_of(const fixed::FixedLane& lane);
+
+/// Returns a copy of `reduced` with this bound, in its number system: W of fixed point is that of
+/// `reduced`, or the digits of its format.
+ReducedSpec with_bound(const ReducedSpec& reduced, const Bound& bound);
+
+}  // namespace mixcmp::scene
