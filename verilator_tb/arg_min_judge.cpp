@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "model/number/verdict.hpp"
 #include "verilator_tb/judgement.hpp"
 
@@ -11,45 +9,33 @@ namespace mixcmp::verilator_tb {
 
 ArgMinJudge::ArgMinJudge(const emit::Signature& signature, const design::Design& design,
                          const data::Comparisons& comparisons, const VerifyOptions& options)
-    : EngineJudge(signature, design, comparisons, options) {
+    : EngineJudge(signature, design, comparisons, options), chain_(design, comparisons) {
   report_.arg_min = ArgMinFigures{.top = signature.engine->top,
                                   .candidates = comparisons.tables()[1].rows(),
                                   .rows = comparisons.table().rows()};
 }
 
-/// Computes the candidate that the chain of lanes must choose for a row, and counts what each lane
-/// does. In a short load the last candidate stands in for those that are missing; a load longer
-/// than the data starts again with their first candidate.
-std::uint64_t ArgMinJudge::chain(const LoadRange& load, std::uint64_t row, Use use) {
-  const std::uint64_t all = report_.arg_min->candidates;
-  std::uint64_t best = 0;
-  for (std::uint64_t lane = 0; lane < lanes_.size(); ++lane) {
-    const std::uint64_t last = load.candidates - 1;
-    const std::uint64_t own = std::min(lane + 1, last);
-    const data::Items items = {
-        .row = row, .first = std::min(best, last) % all, .second = own % all};
-    comparisons_.fetch(items, operands_);
-    const ResultWord word = expected_word(design_, group_of_lane_[lane], operands_);
-    ++lanes_[lane].observed[0];
-    if (word.is_recomputed()) ++lanes_[lane].observed[1];
-    if (use == Use::figures && lane < last) count(items, word);
-    if (word.verdict() == Verdict::greater) best = lane + 1;
-  }
-  return best;
+std::uint64_t ArgMinJudge::choose(const LoadRange& load, std::uint64_t row, Use use) {
+  return chain_.choose(row, load.candidates, [&](const ChainComparison& made) {
+    ++lanes_[made.lane].observed[0];
+    if (made.word.is_recomputed()) ++lanes_[made.lane].observed[1];
+    if (use == Use::figures && made.lane + 1 < load.candidates) count(made);
+  });
 }
 
-void ArgMinJudge::count(const data::Items& items, ResultWord word) {
-  GroupReport& group = report_.groups[group_of_lane_[items.second - 1]];
+void ArgMinJudge::count(const ChainComparison& made) {
+  GroupReport& group = report_.groups[group_of_lane_[made.lane]];
   ++report_.comparisons;
   ++group.comparisons;
-  if (word.is_recomputed()) ++report_.recomputations, ++group.recomputations;
-  ++report_.verdicts[static_cast<std::size_t>(word.verdict())];
+  if (made.word.is_recomputed()) ++report_.recomputations, ++group.recomputations;
+  ++report_.verdicts[static_cast<std::size_t>(made.word.verdict())];
   if (options_.truth) {
-    check_against_truth(*options_.truth, design_, operands_, word, *report_.truth, group);
+    check_against_truth(*options_.truth, design_, made.operands, made.word, *report_.truth, group);
   }
   if (!options_.on_result) return;
-  const std::uint64_t index = items.row * (report_.arg_min->candidates - 1) + items.second - 1;
-  options_.on_result({index, items, word});
+  const std::uint64_t index =
+      made.items.row * (report_.arg_min->candidates - 1) + made.items.second - 1;
+  options_.on_result({index, made.items, made.word});
 }
 
 void ArgMinJudge::take(const LoadRange& load, const LoadAnswer& answer, Use use) {
@@ -74,7 +60,7 @@ void ArgMinJudge::take(const LoadRange& load, const LoadAnswer& answer, Use use)
 
 void ArgMinJudge::judge_row(const LoadRange& load, std::uint64_t row,
                             const harness::wire::RowResult& got, Use use) {
-  const std::uint64_t expected = chain(load, row, use);
+  const std::uint64_t expected = choose(load, row, use);
   if (got.index != expected) add_mismatch(row, expected, got);
   if (use == Use::check) return;
   if (expected != comparisons_.arg_min(row)) ++report_.arg_min->rows_unlike_reference;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "verilator_tb/arg_min_chain.hpp"
 #include "verilator_tb/arg_min_simulation.hpp"
 #include "verilator_tb/engine_judge.hpp"
 
@@ -26,13 +27,16 @@ public:
   void take(const LoadRange& load, const LoadAnswer& answer, Use use);
 
 private:
-  std::uint64_t chain(const LoadRange& load, std::uint64_t row, Use use);
-  void count(const data::Items& items, ResultWord word);
+  /// The candidate that the chain chooses for a row; counts what each lane does.
+  std::uint64_t choose(const LoadRange& load, std::uint64_t row, Use use);
+  void count(const ChainComparison& made);
   void judge_row(const LoadRange& load, std::uint64_t row, const harness::wire::RowResult& got,
                  Use use);
   void judge_end(const LoadRange& load, const LoadAnswer& answer, Use use);
   void judge_counters(const LoadAnswer& answer, Use use);
   void add_mismatch(std::uint64_t row, std::uint64_t expected, const harness::wire::RowResult& got);
+
+  ArgMinChain chain_;
 };
 
 }  // namespace mixcmp::verilator_tb

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <set>
 
+#include "verilator_tb/arg_min_chain.hpp"
 #include "verilator_tb/engine_verify.hpp"
 #include "verilator_tb/judgement.hpp"
 #include "verilator_tb/test_vectors.hpp"
@@ -109,38 +110,14 @@ PairwiseVectors pairwise_vectors(const design::Design& design, const data::Compa
              : pairs_of_one_table(design, comparisons, *signature.engine, count);
 }
 
-/// The chain of lanes, by the golden model: lane k compares the best candidate so far with
-/// candidate k + 1. The engine repeats its last candidate where there are too few.
-class Chain {
-public:
-  Chain(const design::Design& design, const data::Comparisons& comparisons,
-        std::uint64_t candidates)
-      : design_(design),
-        comparisons_(comparisons),
-        last_(candidates - 1),
-        operands_(comparisons.input_count()) {}
-
-  RowVector run(std::uint64_t row) {
-    RowVector found;
-    for (int lane = 0; lane < design_.lane_count(); ++lane) {
-      const auto own = static_cast<std::uint64_t>(lane) + 1;
-      comparisons_.fetch({.row = row,
-                          .first = std::min<std::uint64_t>(found.choice, last_),
-                          .second = std::min(own, last_)},
-                         operands_);
-      const ResultWord word = expected_word(design_, design_.group_of_lane(lane), operands_);
-      found.is_recomputed.push_back(word.is_recomputed());
-      if (word.verdict() == Verdict::greater) found.choice = static_cast<std::uint32_t>(own);
-    }
-    return found;
-  }
-
-private:
-  const design::Design& design_;
-  const data::Comparisons& comparisons_;
-  std::uint64_t last_;
-  std::vector<Bits> operands_;
-};
+RowVector row_vector(ArgMinChain& chain, std::uint64_t row, std::uint64_t candidates) {
+  RowVector vector;
+  vector.choice =
+      static_cast<std::uint32_t>(chain.choose(row, candidates, [&](const ChainComparison& made) {
+        vector.is_recomputed.push_back(made.word.is_recomputed());
+      }));
+  return vector;
+}
 
 bool any_recomputed(const RowVector& row) {
   return std::find(row.is_recomputed.begin(), row.is_recomputed.end(), true) !=
@@ -148,11 +125,15 @@ bool any_recomputed(const RowVector& row) {
 }
 
 /// Rows in rising order: up to a quarter of them with a recomputed comparison, the others spread.
-Indices choose_rows(Chain& chain, std::uint64_t available, std::uint64_t count) {
+Indices choose_rows(ArgMinChain& chain, std::uint64_t candidates, std::uint64_t available,
+                    std::uint64_t count) {
   std::set<std::uint64_t> chosen;
+  const auto recomputes = [&](std::uint64_t row) {
+    return any_recomputed(row_vector(chain, row, candidates));
+  };
   const Indices looked_at = spread(available, std::min(available, 4 * count));
   for (const std::uint64_t row : looked_at) {
-    if (chosen.size() < (count + 3) / 4 && any_recomputed(chain.run(row))) chosen.insert(row);
+    if (chosen.size() < (count + 3) / 4 && recomputes(row)) chosen.insert(row);
   }
   for (const std::uint64_t row : spread(available, count)) {
     if (chosen.size() < count) chosen.insert(row);
@@ -167,15 +148,15 @@ ArgMinVectors arg_min_vectors(const design::Design& design, const data::Comparis
   Indices candidates(
       std::min<std::uint64_t>(all.rows(), static_cast<std::uint64_t>(engine.capacity)));
   std::iota(candidates.begin(), candidates.end(), std::uint64_t{0});
-  Chain chain(design, comparisons, candidates.size());
+  ArgMinChain chain(design, comparisons);
   const std::uint64_t available = comparisons.table().rows();
   const auto lanes = static_cast<std::uint64_t>(signature.lanes);
-  const Indices rows =
-      choose_rows(chain, available, std::clamp<std::uint64_t>(count / lanes, 1, available));
+  const Indices rows = choose_rows(chain, candidates.size(), available,
+                                   std::clamp<std::uint64_t>(count / lanes, 1, available));
   ArgMinVectors vectors{beats(all, engine.columns, engine.item_bytes, candidates), {}};
   const auto data = beats(comparisons.table(), engine.row_columns, engine.row_bytes, rows);
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    vectors.rows.push_back(chain.run(rows[k]));
+    vectors.rows.push_back(row_vector(chain, rows[k], candidates.size()));
     vectors.rows.back().tdata = data[k];
   }
   return vectors;

@@ -6,10 +6,10 @@
 #include <regex>
 #include <sstream>
 
+#include "generator/components/needed_parts.hpp"
 #include "generator/emit/template_ports.hpp"
 #include "generator/emit/templates.hpp"
 #include "generator/emit/verilog.hpp"
-#include "generator/rtl/least_area.hpp"
 #include "model/common/quote.hpp"
 
 namespace mixcmp::components {
@@ -98,7 +98,7 @@ SynthesisJob module_job(const rtl::Module& module) {
 
 SynthesisJob modules_job(const std::vector<rtl::Module>& modules) {
   const std::vector<std::string> texts = emit::to_verilog(emit::checked(modules));
-  SynthesisJob job{.sources = {}, .top = modules.back().name, .least = rtl::least_area(modules)};
+  SynthesisJob job{.sources = {}, .top = modules.back().name, .needed = needed_parts(modules)};
   std::set<std::string> templates;
   for (const rtl::Module& module : modules) templates.merge(instantiated_modules(module));
   for (const rtl::Module& module : modules) templates.erase(module.name);

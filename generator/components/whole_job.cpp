@@ -20,6 +20,18 @@ std::string instance(const characterise::SynthesisJob& reference,
   return text + fmt::format("    .verdict(verdict[{}:{}])\n  );\n", 2 * k + 1, 2 * k);
 }
 
+/// The parts of `count` references.
+characterise::NeededParts of_instances(const characterise::NeededParts& reference, int count) {
+  characterise::NeededParts parts{.dsps = count * reference.dsps, .nets = {}};
+  for (int k = 0; k < count; ++k) {
+    for (characterise::NeededNet net : reference.nets) {
+      net.name = fmt::format("reference_{}.{}", k, net.name);
+      parts.nets.push_back(std::move(net));
+    }
+  }
+  return parts;
+}
+
 std::string top_text(const characterise::SynthesisJob& reference,
                      const std::vector<std::string>& inputs, int width, int count) {
   std::string text =
@@ -56,7 +68,7 @@ Result<characterise::SynthesisJob> references_job(const scene::Scene& scene, int
       {fmt::format("{}.v", alone), top_text(reference.job, rtl::input_ports(scene.graph.inputs()),
                                             scene.reference.format.width(), count)});
   job.top = alone;
-  job.least = count * job.least;
+  job.needed = of_instances(reference.job.needed, count);
   return job;
 }
 

@@ -164,6 +164,18 @@ public:
     return result;
   }
 
+  /// The value of a parameter that the head declares.
+  long long parameter(Token name) {
+    const auto given = given_.find(name);
+    if (given == given_.end()) {
+      const auto declared = defaults_.find(name);
+      MIXCMP_CHECK(declared != defaults_.end());
+      return value(declared->second->value);
+    }
+    if (const auto* number = std::get_if<long long>(&given->second->value)) return *number;
+    return static_cast<long long>(std::get<rtl::Literal>(given->second->value).value);
+  }
+
 private:
   struct Operator {
     Token name;
@@ -228,27 +240,21 @@ private:
     return parameter(word);
   }
 
-  long long parameter(Token name) {
-    const auto given = given_.find(name);
-    if (given == given_.end()) {
-      const auto declared = defaults_.find(name);
-      MIXCMP_CHECK(declared != defaults_.end());
-      return value(declared->second->value);
-    }
-    if (const auto* number = std::get_if<long long>(&given->second->value)) return *number;
-    return static_cast<long long>(std::get<rtl::Literal>(given->second->value).value);
-  }
-
   std::map<Token, const Declaration*> defaults_;
   std::map<Token, const rtl::Parameter*> given_;
 };
 
+/// The declaration of a parameter; null if there is none.
+const Declaration* find_parameter(const Head& head, const std::string& name) {
+  const auto found = std::find_if(head.parameters.begin(), head.parameters.end(),
+                                  [&](const Declaration& each) { return each.name == name; });
+  return found == head.parameters.end() ? nullptr : &*found;
+}
+
 /// The fault of a parameter that an instance gives; empty if there is none.
 std::string fault_of(const rtl::Parameter& given, const Head& head, Evaluator& evaluator) {
-  const auto declared =
-      std::find_if(head.parameters.begin(), head.parameters.end(),
-                   [&](const Declaration& each) { return each.name == given.name; });
-  if (declared == head.parameters.end()) return "there is no parameter " + given.name;
+  const Declaration* const declared = find_parameter(head, given.name);
+  if (declared == nullptr) return "there is no parameter " + given.name;
   const auto* literal = std::get_if<rtl::Literal>(&given.value);
   if (literal == nullptr || declared->high.empty()) return "";
   const long long width = evaluator.value(declared->high) + 1;
@@ -273,6 +279,14 @@ Result<std::vector<rtl::Port>> template_ports(const rtl::Instance& instance) {
         {port.direction, static_cast<int>(width), std::string(port.name), !port.high.empty()});
   }
   return ports;
+}
+
+std::optional<long long> template_parameter(const rtl::Instance& instance,
+                                            const std::string& name) {
+  if (!is_template(instance.module)) return std::nullopt;
+  const Head head = head_of(template_text(instance.module));
+  if (find_parameter(head, name) == nullptr) return std::nullopt;
+  return Evaluator(head, instance).parameter(name);
 }
 
 rtl::CheckedModules checked(std::vector<rtl::Module> modules) {

@@ -58,11 +58,12 @@ Result<Done> run_yosys(const Run& run, const std::string& name, const std::strin
 /// leaves them so. One inverter serves all registers of a reset.
 constexpr const char* share_inverters = "opt_merge -share_all t:INV\nopt_clean\n";
 
-/// Maps the module alone. Leaves map.json, the netlist, and map.il, the same for Yosys.
+/// Maps the module alone. Leaves map.json, the netlist, and map.il, the same for Yosys. A device's
+/// command need not flatten the design; the names in the netlist are those of a flat one.
 Result<devices::Area> map_alone(const Run& run) {
   const std::string& top = run.job.top;
   const std::string script = fmt::format(
-      "{}{} -top {}\n{}tee -q -o area.json stat -json\nwrite_json map.json\n"
+      "{}{} -top {}\n{}tee -q -o area.json stat -json\nflatten\nwrite_json map.json\n"
       "select {}\nwrite_rtlil -selected map.il\n",
       read_sources(run), run.device.synthesis, top, run.is_xilinx() ? share_inverters : "", top);
   MIXCMP_DO(run_yosys(run, "map", script));
@@ -73,6 +74,14 @@ Result<devices::Area> map_alone(const Run& run) {
     area.luts = ice40_logic_cells(netlist, top);
   }
   return area;
+}
+
+/// Refuses a netlist, or an area, that lacks a part which the job needs.
+Result<Done> check_parts(const Run& run, const devices::Area& area) {
+  MIXCMP_DO(check_multipliers(area, run.job.needed, run.device));
+  if (run.job.needed.nets.empty()) return Done{};
+  MIXCMP_TRY(netlist, read_json(run.directory / "map.json"));
+  return check_nets(netlist, run.job.top, run.job.needed.nets, area.dsps > 0);
 }
 
 /// The last line of Yosys' report. Yosys reports no error when a full disk cuts the file short.
@@ -190,45 +199,12 @@ Result<std::string> tool_versions(const devices::Device& device, TimingEffort ef
   return fmt::format("{}; {}", yosys, router.ok() ? *router : "no router");
 }
 
-namespace {
-
-/// Tells whether Yosys maps products to the device's multipliers. On the iCE40 it does so only with
-/// our own cells (`cells`).
-bool maps_multipliers(const devices::Device& device) {
-  const bool left_out = device.synthesis.find("-nodsp") != std::string::npos;
-  const bool by_cells = device.synthesis.starts_with("synth_ice40");
-  return device.available.dsps > 0 && !left_out && (!by_cells || device.cells == "ice40");
-}
-
-Error too_few(const char* field, const char* what, int counted, int least) {
-  return {.field = field,
-          .message =
-              fmt::format("synthesis has left fewer {} than the schedule needs, so it has removed "
-                          "a part of the datapath",
-                          what),
-          .received = fmt::format("{}", counted),
-          .accepted = fmt::format("at least {}", least)};
-}
-
-}  // namespace
-
-Result<Done> check_area(const devices::Area& area, const devices::Area& least,
-                        const devices::Device& device) {
-  if (maps_multipliers(device) && area.dsps < least.dsps) {
-    return too_few("dsps", "embedded multipliers", area.dsps, least.dsps);
-  }
-  // A shift register of one LUT holds a waiting bit as a flip-flop does.
-  const int registers = area.registers + area.shift_luts;
-  if (registers >= least.registers) return Done{};
-  return too_few("registers", "flip-flops and shift registers", registers, least.registers);
-}
-
 Result<SynthesisResult> synthesise(const SynthesisJob& job, const devices::Device& device,
                                    const SynthesisOptions& options, const fs::path& directory) {
   const Run run = {job, device, options, directory};
   MIXCMP_DO(write_sources(run));
   MIXCMP_TRY(area, map_alone(run));
-  MIXCMP_DO(check_area(area, job.least, device));
+  MIXCMP_DO(check_parts(run, area));
   MIXCMP_TRY(timing, find_clock(run, area));
   return SynthesisResult{.area = area, .clock = timing.clock, .no_clock = timing.no_clock};
 }

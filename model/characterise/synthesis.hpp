@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/characterise/measurement.hpp"
+#include "model/characterise/netlist_check.hpp"
 #include "model/common/process.hpp"
 
 namespace mixcmp::characterise {
@@ -26,16 +27,10 @@ struct SynthesisJob {
   std::vector<SourceText> sources;
   std::string top;
   std::string clock_port = "aclk";
-  /// The registers and dsps that synthesis cannot do without; 0: not known. They are no part of the
-  /// hash, since they follow from the sources.
-  devices::Area least = {};
+  /// The parts that synthesis cannot do without; empty: not known. They are no part of the hash,
+  /// since they follow from the sources.
+  NeededParts needed = {};
 };
-
-/// Refuses an area on `device` with fewer multipliers than `least` has, or with fewer flip-flops
-/// and shift registers together than `least` has registers. Synthesis has then removed a part of
-/// the datapath, as it does with units whose inputs nothing drives.
-Result<Done> check_area(const devices::Area& area, const devices::Area& least,
-                        const devices::Device& device);
 
 enum class TimingEffort {
   area_only,
@@ -60,7 +55,7 @@ struct SynthesisResult {
 Result<std::string> tool_versions(const devices::Device& device, TimingEffort effort);
 
 /// Runs Yosys (and the router) in `directory`, which must exist; logs stay there. An error if
-/// check_area refuses the area.
+/// the netlist lacks a part that the job needs.
 Result<SynthesisResult> synthesise(const SynthesisJob& job, const devices::Device& device,
                                    const SynthesisOptions& options,
                                    const std::filesystem::path& directory);
