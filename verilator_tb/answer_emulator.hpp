@@ -24,8 +24,8 @@ public:
 
   explicit AnswerEmulator(const design::Design& design);
 
-  /// Comparisons that are emulated together, and room for what is computed of them. One thread
-  /// fills it and uses it.
+  /// Comparisons that are emulated together, with memory for intermediate results. Only one thread
+  /// may fill and use a batch.
   class Batch {
   public:
     explicit Batch(std::size_t inputs)
@@ -36,12 +36,12 @@ public:
   private:
     friend class AnswerEmulator;
     data::OperandBlock undecided_;        ///< those of `operands` that the lane does not decide
-    std::vector<std::size_t> positions_;  ///< in the batch, of each of `undecided_`
+    std::vector<std::size_t> positions_;  ///< [undecided]: its position in the batch
     std::vector<Decision> decisions_;
   };
 
-  /// Whether the emulator computes lanes of the design's group number `group` itself; others it
-  /// leaves to the golden model.
+  /// Whether the emulator itself computes lanes of the design's group number `group`. Other lanes
+  /// are left to the golden model.
   bool emulates(std::size_t group) const;
   /// The answers of a lane of group `group` to the comparisons whose operands `batch` holds.
   void find(std::size_t group, Batch& batch, std::span<ResultWord> words) const;
@@ -49,13 +49,13 @@ public:
 private:
   using LaneEmulator = std::variant<emulator::Emulator, emulator::FixedEmulator>;
 
-  /// Takes over what a lane decided, and gathers in `batch` what it left undecided.
+  /// Copies the decisions of a lane, and gathers in `batch` the comparisons that it left undecided.
   void decide(const LaneEmulator& lane, Batch& batch, std::span<ResultWord> words) const;
-  /// Asks the second tier, and keeps in `batch` only what it leaves undecided, too.
+  /// Asks the second tier, and keeps in `batch` only the comparisons that it also leaves undecided.
   void decide_again(Batch& batch, std::span<ResultWord> words) const;
   void recompute(Batch& batch, std::span<ResultWord> words) const;
 
-  std::vector<LaneEmulator> lanes_;  ///< one a group
+  std::vector<LaneEmulator> lanes_;  ///< one per group
   std::optional<LaneEmulator> second_tier_;
   bool marks_second_tier_;
   std::optional<emulator::Emulator> reference_;

@@ -16,9 +16,10 @@ struct LoadRange {
   std::uint64_t rows = 0;
 };
 
-/// Compares what an arg-min engine answers with the golden model, which plays the engine's contest:
-/// each comparison has the verdict of the lane that makes it or, where the lane does not decide,
-/// that of the reference. The reference's own search may find other candidates, since it rounds.
+/// Compares the answers of an arg-min engine with the golden model, which plays the engine's
+/// contest: each comparison has the verdict of the lane that makes it or, where the lane does not
+/// decide, that of the reference. The reference's own search may find other candidates, since it
+/// rounds.
 class ArgMinJudge : public EngineJudge {
 public:
   ArgMinJudge(const emit::Signature& signature, const design::Design& design,

@@ -53,7 +53,7 @@ Command verilator_call(Waves waves) {
 }
 
 /// The call of make in a makefile. One source for each model and -O1 build in half the time of many
-/// sources and -O2, and what is built is about as fast. Whoever looks at waves waits for the
+/// sources and -O2, and the result is about as fast. A user who looks at waves waits for the
 /// compiler and simulates little.
 std::string make_call(Waves waves, bool ccache) {
   return fmt::format("$(MAKE) VM_PARALLEL_BUILDS=0 OPT_FAST={0} OPT_GLOBAL={0}{1}",

@@ -60,17 +60,17 @@ struct ModelBuild {
   SourceFiles inputs;
 };
 
-/// Builds a program by its folder's build.mk, which builds `parts` in their folders, too. What is
-/// complete is used as it is. Anything else starts anew with an empty obj/, so that no file which
-/// another process runs is written over. All callers sort parts by the names of their modules, so
-/// that two builds never wait for each other.
+/// Builds a program by its folder's build.mk, which also builds `parts` in their folders. A
+/// complete product is used as it is. Any other starts anew with an empty obj/, so that no file
+/// which another process runs is written over. All callers sort parts by the names of their
+/// modules, so that two builds never wait for each other.
 Result<Executable> make_program(const ModelBuild& program, const std::vector<ModelBuild>& parts,
                                 const BuildOptions& options);
 
 /// Runs Verilator on the system together with our harness. A build is found again by the content of
 /// everything that went into it; one that was interrupted starts anew (ccache keeps its objects).
 /// Lane channels and reference datapaths are blocks (clocked_block.hpp), built once in folders of
-/// their own, which other systems use, too.
+/// their own. Other systems also use these.
 Result<Executable> build_simulator(const System& system, const BuildOptions& options);
 
 }  // namespace mixcmp::verilator_tb

@@ -39,8 +39,7 @@ std::optional<ClockedBlock> clocked_block(const std::string& module, const std::
 std::vector<ClockedBlock> clocked_blocks(const emit::Signature& signature,
                                          const SourceFiles& sources);
 
-/// The files of `all`, in their order, that `module` is made of. A file holds one module, of the
-/// file's name.
+/// The files of `all` that make `module`, in their order. A file holds one module and has its name.
 SourceFiles files_of_module(const std::string& module, const SourceFiles& all);
 
 }  // namespace mixcmp::verilator_tb

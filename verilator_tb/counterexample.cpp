@@ -33,7 +33,7 @@ Result<std::optional<Counterexample>> one_alone(const VerifyReport& failed, cons
 }
 
 /// Bisects the length of the run, from its first mismatch on. Failures need not be monotonic in the
-/// length, so what is found is not always the shortest.
+/// length, so the result is not always the shortest run.
 Result<std::optional<Counterexample>> short_start(const VerifyReport& failed, const Rerun& rerun,
                                                   double seconds) {
   const auto begin = std::chrono::steady_clock::now();

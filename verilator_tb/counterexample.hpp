@@ -17,10 +17,10 @@ struct Counterexample {
 /// Repeats the failed run on other comparisons, all else equal.
 using Rerun = std::function<Result<VerifyReport>(const Selection::Options& selection)>;
 
-/// Looks for a short run that fails: one of the mismatched comparisons alone, that with the fewest
-/// hexadecimal digits first; otherwise, for a run from the first comparison on, bisects its length.
-/// Nothing where neither fails, for example in a random sample whose failure takes several
-/// comparisons. The bisection ends when it has taken `seconds`.
+/// Looks for a short run that fails. First come single comparisons among the mismatched ones, that
+/// with the fewest hexadecimal digits first. Otherwise, for a run from the first comparison on, its
+/// length is bisected until this has taken `seconds`. Returns nothing where neither fails, for
+/// example in a random sample whose failure takes several comparisons.
 Result<std::optional<Counterexample>> least_counterexample(const VerifyReport& failed,
                                                            const Selection::Options& selection,
                                                            const Rerun& rerun, double seconds);

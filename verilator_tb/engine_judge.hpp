@@ -15,8 +15,8 @@ class EngineJudge {
 public:
   /// Which findings of a trial enter the report.
   enum class Use {
-    check,    ///< mismatches and violations alone
-    figures,  ///< the report's numbers, too; for the one trial that is the scene's data
+    check,    ///< only mismatches and violations
+    figures,  ///< also the report's numbers; for the one trial that is the scene's data
   };
 
   VerifyReport& report() { return report_; }
@@ -27,7 +27,7 @@ protected:
 
   /// Compares the lanes' own counters with `lanes_`. Returns the totals, by name.
   std::vector<CounterTotal> check_lanes(const std::vector<harness::wire::CounterValues>& counted);
-  /// Compares what each reference of a system inside has answered with the recomputations of its
+  /// Compares the answers of each reference of a system inside with the recomputations of its
   /// lanes, and adds the total. Does nothing where answers are not counted.
   void check_answers(const std::vector<std::uint64_t>& counted, std::vector<CounterTotal>& totals);
   void check_counter(const std::string& name, std::uint64_t counted, std::uint64_t observed,

@@ -34,7 +34,7 @@ performance::PairwiseSet pairwise_set_of(const design::Design& design, const Ver
   const bool tells_pairs = design.system.engine.report_as != scene::ReportForm::count;
   const std::uint64_t leave =
       report.undecided + report.recomputations + (tells_pairs ? report.engine->reported : 0);
-  // Streams share the segments, of which one has more than others where they do not divide evenly.
+  // Streams share the segments. Where these do not divide evenly, one stream has more than others.
   const double share = double((segments + streams - 1) / streams) / segments;
   return {.items = report.engine->items - report.engine->others,
           .others = report.engine->others,

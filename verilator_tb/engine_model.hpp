@@ -7,12 +7,11 @@
 #include "model/performance/pairwise.hpp"
 #include "verilator_tb/report.hpp"
 
-/// What the performance model (docs/performance.md) says of an engine and of the data that it was
-/// simulated on.
+/// The performance model (docs/performance.md) of an engine, for the data of a simulation.
 namespace mixcmp::verilator_tb {
 
-/// What the whole set asked of the engine, by the numbers that the report has counted. They do not
-/// tell what a second tier had to do; it is left out.
+/// The work of the engine for the whole set, from the numbers that the report has counted. The work
+/// of a second tier is left out, since it is not counted.
 performance::PairwiseSet pairwise_set_of(const design::Design& design, const VerifyReport& report);
 
 /// The lanes of an arg-min engine's design, with their streams.

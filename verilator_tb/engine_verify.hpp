@@ -11,8 +11,8 @@
 /// The steps of `verify` that are the same for every engine.
 namespace mixcmp::verilator_tb {
 
-/// Refuses what no engine supports, a selection of comparisons. `compares`: what the
-/// engine compares, for the message, such as "every pair of its items".
+/// Refuses a selection of comparisons, which no engine supports. `compares`: the comparisons of the
+/// engine for the message, such as "every pair of its items".
 Result<Done> check_engine_options(const VerifyOptions& options, const std::string& compares);
 
 /// The bytes of `count` rows of a table from row `first` on, each as a tdata of `bytes_of_one`

@@ -107,7 +107,7 @@ Command compile_command(const System& system, const Block& block, const Words& w
 }
 
 /// The link in the work folder through which vvp reaches the folder of the waves: its $dumpfile
-/// takes ASCII names alone.
+/// takes only ASCII names.
 constexpr const char* waves_link = "waves";
 
 Result<Done> link_waves(const fs::path& folder, const fs::path& waves) {
@@ -193,8 +193,8 @@ bool parse_line(const std::string& line, const Words& group, Answer& answer) {
   return !words.fail();
 }
 
-/// Checks what the judge relies on: each result is that of a comparison which was offered, and no
-/// comparison has two results; each lane with counters says once what they counted.
+/// Checks the preconditions of the judge: each result belongs to a comparison that was offered, no
+/// comparison has two results, and each lane with counters reports them once.
 Result<Done> check_results(const Answer& answer, const Block& block,
                            const emit::Signature& signature, const fs::path& path) {
   std::vector<bool> has_left(block.comparisons);

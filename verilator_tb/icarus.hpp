@@ -15,7 +15,7 @@ inline constexpr std::uint64_t icarus_time_per_cycle = 4;
 /// iverilog itself. Other errors stay as they are.
 Error naming_the_package(Error error, const std::string& program);
 
-/// Runs a block on an event-driven simulator, so that no result depends on Verilator alone. It is
+/// Runs a block on an event-driven simulator, so that no result depends only on Verilator. It is
 /// meant for small systems and thousands of comparisons: the whole run is one block. Sources,
 /// stimulus, results and logs stay in a folder of `work_dir`.
 Result<Answer> simulate_in_icarus(const System& system, const Block& block,

@@ -66,8 +66,8 @@ std::string makefile(const Command& compile, const std::string& main) {
 }
 
 /// The program that the host starts. It becomes vvp, so that whoever kills it kills the simulation.
-/// vvp runs in the folder of the waves: its $dumpfile takes ASCII names alone, and the name of that
-/// folder may be any.
+/// vvp runs in the folder of the waves: its $dumpfile takes only ASCII names, and that folder may
+/// have any name.
 constexpr const char* launcher =
     "#!/bin/sh\n"
     "# Runs the engine with its harness, which reads the words. trace=FILE: writes waves, too.\n"
@@ -81,7 +81,7 @@ constexpr const char* launcher =
     "done\n"
     "exec vvp -n \"-M$objects\" -mharness \"$objects/simulation\" \"$@\"\n";
 
-/// The model with its clock, and what takes its place here.
+/// The header of the model with its clock, and the header that takes its place here.
 constexpr std::string_view clocked_model = "clocked_model.hpp",
                            vpi_clocked_model = "vpi_clocked_model.hpp";
 

@@ -6,10 +6,10 @@ namespace mixcmp::verilator_tb {
 
 /// Builds a program that simulates a system's engine in Icarus Verilog. The program has the same
 /// harness as the one of build_simulator(): it drives the engine alike, makes the same checks and
-/// speaks with the host by the same protocol. In addition, Icarus simulates unknown bits (x): one
-/// in a tvalid or tready that the engine drives, or in what it sends with m_axis_tvalid high, is a
-/// violation. Counters and `overrun` are not looked at for unknown bits. Meant for small engines
-/// and sets of data, because Icarus is slow.
+/// speaks with the host by the same protocol. In addition, Icarus simulates unknown bits (x). Such
+/// a bit is a violation in a tvalid or tready that the engine drives, or in a payload that it sends
+/// with m_axis_tvalid high. Counters and `overrun` are not looked at for unknown bits. Meant for
+/// small engines and sets of data, because Icarus is slow.
 Result<Executable> build_engine_in_icarus(const System& system, const BuildOptions& options);
 
 }  // namespace mixcmp::verilator_tb

@@ -193,8 +193,8 @@ void Judge::take_counters(const std::vector<harness::wire::CounterValues>& group
   }
 }
 
-/// Which lane of the second tier asked, and whether before a reset, is not known: the references'
-/// answers are compared in sum, and not at all after a reset.
+/// Compares the references' answers only in sum, since it is not known which lane of the second
+/// tier asked. After a reset they are not compared: it is not known which requests came before it.
 void Judge::take_answers_behind_second_tier(const Answer& answer) {
   if (options_.resets > 0) return;
   const std::uint64_t counted =

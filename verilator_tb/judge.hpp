@@ -8,11 +8,11 @@
 
 namespace mixcmp::verilator_tb {
 
-/// Compares results with what lanes must answer, in whatever order and from whichever simulator
-/// they come. `emulator` says that where there is one and it computes the lane itself. The golden
-/// model says it elsewhere; also for one comparison in 64, for all that the lane must leave
-/// undecided, and for all mismatches. The judge remembers only the comparisons from the oldest
-/// missing result to the newest announced.
+/// Compares results with the answers that lanes must give, in whatever order and from whichever
+/// simulator they come. The answers come from `emulator` if it is given and computes the lane
+/// itself, otherwise from the golden model. The golden model also judges one comparison in 64, all
+/// comparisons that the lane must leave undecided, and all mismatches. The judge remembers only the
+/// comparisons from the oldest missing result to the newest announced.
 class Judge {
 public:
   Judge(const emit::Signature& signature, const design::Design& design,

@@ -19,8 +19,8 @@ VerifyReport empty_report(const emit::Signature& signature, const design::Design
 /// by the golden model.
 ResultWord expected_word(const design::Design& design, std::size_t group,
                          std::span<const Bits> operands);
-/// Whether a reference has to answer about operands that a lane leaves undecided: unless a second
-/// tier decides them.
+/// Whether a reference must answer for operands that a lane leaves undecided: unless a second tier
+/// decides them.
 bool reaches_reference(const design::Design& design, std::span<const Bits> operands);
 
 /// "less, decided by the lane"
@@ -32,7 +32,7 @@ Mismatch describe_comparison(const design::Design& design, const data::Compariso
                              std::uint64_t index);
 
 /// Compares a result with the order of the real numbers f and g. Counts it in `truth`, as checked
-/// or under the reason why it is not; counts a wrong verdict of a lane in `group`, too.
+/// or under the reason why it is not. Counts a wrong verdict of a lane also in `group`.
 void check_against_truth(const TruthCheck& check, const design::Design& design,
                          std::span<const Bits> operands, ResultWord word, TruthCount& truth,
                          GroupReport& group);

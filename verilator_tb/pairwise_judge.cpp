@@ -205,7 +205,7 @@ void PairwiseJudge::judge_counters(const SetAnswer& answer, Use use) {
   check_counter("busy_cycles", counters.counted[1], counters.observed[1], totals[2]);
   if (!answer.answers.empty()) {
     totals.push_back({"answers"});
-    // Any reference takes any pair: only what all of them have answered is known.
+    // Any reference takes any pair, so only the sum of their answers is known.
     std::uint64_t answers = 0;
     for (const std::uint64_t counted : answer.answers) answers += counted;
     const auto mask = static_cast<std::uint64_t>(low_mask(signature_.counter_bits));

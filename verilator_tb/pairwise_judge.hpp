@@ -21,15 +21,15 @@ struct SetRange {
 
   std::uint64_t size() const { return items.count + others.count; }
   std::uint64_t targets() const { return others.count > 0 ? items.count : 0; }
-  /// The items in front of which the set's item i meets none.
+  /// The first item of the set that item i meets.
   std::uint64_t first_partner(std::uint64_t i) const {
     return others.count > 0 ? items.count : i + 1;
   }
 };
 
 /// Compares the reports of a pairwise engine with the golden model: each pair of a set must be
-/// reported once if its verdict asks for it, else not at all, and with the right result. Judges the
-/// closing beat and the counters, too.
+/// reported once if its verdict asks for it, else not at all, and with the right result. Also
+/// judges the closing beat and the counters.
 class PairwiseJudge : public EngineJudge {
 public:
   PairwiseJudge(const emit::Signature& signature, const design::Design& design,

@@ -11,7 +11,7 @@ namespace mixcmp::verilator_tb {
 /// One set for a pairwise engine.
 struct ItemSet {
   std::uint64_t items = 0;
-  std::uint64_t targets = 0;        ///< the first items, which meet the others alone; 0: all meet
+  std::uint64_t targets = 0;        ///< the first items, which only meet the others; 0: all meet
   std::vector<std::uint8_t> bytes;  ///< of all items
   std::uint64_t reset_after = 0;    ///< not 0: reset in that cycle of the set
   bool last = false;

@@ -32,7 +32,8 @@ public:
   std::uint64_t draw() const { return counter_random(seed_, trials_.size()); }
   void add(Trial trial) { trials_.push_back(std::move(trial)); }
 
-  /// A set of `count` items at a random place; of two tables, with three others.
+  /// A set of `count` items at a random place; with two tables also the last three items of the
+  /// second.
   void add_small(std::uint64_t count) {
     if (count >= rows_) return;
     const std::uint64_t others = std::min<std::uint64_t>(other_rows_, 3);

@@ -173,7 +173,7 @@ std::string latency_range(const Latency& latency) {
   return fmt::format("{} .. {} cycles", latency.minimum_cycles, latency.maximum_cycles);
 }
 
-/// The lines that say what each kind of lane did; empty where there is one kind.
+/// The lines with the results of each kind of lane; empty where there is one kind.
 std::string group_lines(const VerifyReport& r) {
   if (r.groups.size() < 2) return {};
   std::string text;
@@ -196,7 +196,7 @@ std::string group_lines(const VerifyReport& r) {
   return text;
 }
 
-/// Adds remarks on what lanes of one kind did that no count of mismatches shows.
+/// Adds remarks on lanes of one kind that no count of mismatches shows.
 void add_notes(std::vector<std::string>& notes, const GroupReport& group) {
   if (group.comparisons == 0) {
     notes.push_back(fmt::format("no comparison went through the lanes {}", group.name));

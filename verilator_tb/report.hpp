@@ -28,7 +28,7 @@ struct Mismatch {
   std::uint32_t lane = 0;
   std::uint64_t cycle = 0;       ///< of its simulation, in which the result left
   std::uint64_t simulation = 0;  ///< its number in the run
-  std::string repeat;            ///< the command that repeats this comparison alone
+  std::string repeat;            ///< the command that repeats only this comparison
 };
 
 /// One violation of the streams' contract by the system.
@@ -75,13 +75,14 @@ struct TruthCount {
   std::uint64_t checked = 0;
   std::uint64_t wrong_by_lane = 0;
   std::uint64_t wrong_by_reference = 0;
-  /// Verdicts of the golden reference on checked comparisons, whoever decided these in hardware.
-  /// Comparisons without a true order are left out; none are counted in a system without
+  /// Verdicts of the golden reference on checked comparisons, whether or not it decided them in
+  /// hardware. Comparisons without a true order are left out; none are counted in a system without
   /// references.
   std::uint64_t reference_alone_checked = 0;
   std::uint64_t reference_alone_wrong = 0;
   /// Not checked: a reference answered, but f or g has no value (an infinite or NaN operand, a
-  /// division by zero, the root of a negative number). A lane that decides there is wrong.
+  /// division by zero, the root of a negative number). If a lane decides such a comparison, it is
+  /// wrong.
   std::uint64_t undefined = 0;
   std::uint64_t undetermined = 0;     ///< not checked: golden::true_verdict has no answer
   std::uint64_t undecided = 0;        ///< not checked: no lane decided and there is no reference
@@ -166,7 +167,7 @@ struct VerifyReport {
   std::uint64_t cycles = 0;
   Latencies latencies;
   std::vector<CounterTotal> counters;
-  std::uint64_t judged_by_emulator = 0;  ///< results judged by the emulator alone
+  std::uint64_t judged_by_emulator = 0;  ///< results judged only by the emulator
   std::uint64_t emulator_errors = 0;     ///< comparisons on which it and the golden model differ
   std::uint64_t mismatch_count = 0;
   std::vector<Mismatch> mismatches;  ///< the first ones
@@ -185,8 +186,8 @@ struct VerifyReport {
   void append(const VerifyReport& share);
 
   /// Tells whether every requested comparison came back once, with the golden model's result and
-  /// without a protocol violation, and no error of the emulator was found; and, if the truth was
-  /// asked for, no certified lane was wrong.
+  /// without a protocol violation, and no error of the emulator was found. If the truth was asked
+  /// for, no certified lane may be wrong.
   bool passed() const;
   double recomputation_rate() const;
   double comparisons_per_cycle() const;
@@ -194,8 +195,8 @@ struct VerifyReport {
   double item_bytes_per_pair() const;
 };
 
-/// The report of a run from those of its portions (RunPortion), in their order and at least one:
-/// what the run would have told in one piece, up to and with the first simulation that a fault
+/// The report of a run from those of its portions (RunPortion), in their order and at least one. It
+/// equals the report of the run in one piece, up to and with the first simulation that a fault
 /// ended early.
 VerifyReport join_portions(const std::vector<VerifyReport>& portions);
 
@@ -204,8 +205,8 @@ std::vector<std::string> notes_on(const VerifyReport& report);
 
 std::string to_text(const VerifyReport& report);
 nlohmann::ordered_json to_json(const VerifyReport& report);
-/// The report that `to_json` has written, but for engines and counterexamples. Throws
-/// nlohmann::json::exception where it is none.
+/// The report that `to_json` has written, without engines and counterexamples. Throws
+/// nlohmann::json::exception if the JSON is no such report.
 VerifyReport report_in(const nlohmann::ordered_json& json);
 
 }  // namespace mixcmp::verilator_tb

@@ -14,8 +14,8 @@ enum class Sampling {
   random,  ///< one from each of `limit` equal strata: spread over all, without repetition
 };
 
-/// Which comparisons of a scene a run takes. Positions 0 .. size() - 1 map to rising indices, so
-/// results in order of position are in order of index, too.
+/// The comparisons of a scene that a run takes. Positions 0 .. size() - 1 map to rising indices, so
+/// results in order of position are also in order of index.
 class Selection {
 public:
   struct Options {
@@ -23,7 +23,7 @@ public:
     std::uint64_t start = 0;  ///< of Sampling::first: the index of the first one
     Sampling sampling = Sampling::first;
     std::uint64_t seed = 1;
-    std::optional<std::uint64_t> only;  ///< this one comparison alone
+    std::optional<std::uint64_t> only;  ///< only this comparison
   };
 
   Selection(std::uint64_t available, const Options& options);

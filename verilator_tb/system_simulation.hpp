@@ -27,7 +27,7 @@ struct SimulationOptions {
 struct Block {
   std::uint64_t comparisons = 0;
   std::vector<std::uint8_t> operands;
-  std::vector<std::uint64_t> resets;  ///< rising; a reset once so many comparisons were offered
+  std::vector<std::uint64_t> resets;  ///< rising; a reset once this many comparisons were offered
   bool last = false;
 };
 
@@ -35,10 +35,11 @@ struct Block {
 struct Answer {
   std::vector<harness::wire::Result> results;
   std::vector<harness::wire::Violation> violations;
-  /// Of each lane or group of lanes; only in the answer to the last block.
+  /// One for each lane or group of lanes; only in the answer to the last block.
   std::vector<harness::wire::CounterValues> groups;
-  std::vector<std::uint64_t> answers;  ///< of each reference, where they are counted; likewise
-  std::uint64_t cycles = 0;            ///< cycles simulated so far
+  std::vector<std::uint64_t>
+      answers;               ///< of each reference, where counted; only in the last answer
+  std::uint64_t cycles = 0;  ///< cycles simulated so far
   harness::wire::State state = harness::wire::State::running;
 };
 

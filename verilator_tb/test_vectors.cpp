@@ -74,10 +74,10 @@ std::vector<std::uint64_t> pick(WordFinder& finder, std::uint64_t available, std
 
 /// Comparisons that data rarely have: some of the data with one operand, or all of them, replaced
 /// by a zero, a NaN, an infinity, or a number at an end of the format's range. They show faults in
-/// ties, in special values and in range checks. Most of them no lane decides, so one after the
-/// other they keep lanes, crossbar and references as busy with recomputations as they can be.
-/// Where a comparison has several parts, all operands of one part are zero in some cases, and those
-/// of the others as in the data: the parts' verdicts then differ, and one of them is a tie.
+/// ties, in special values and in range checks. Lanes decide few of them, so a series of them keeps
+/// lanes, crossbar and references as busy with recomputations as possible. If a comparison has
+/// several parts, in some cases all operands of one part are zero, and those of the others as in
+/// the data: the parts' verdicts then differ, and one of them is a tie.
 class EdgeCases {
 public:
   EdgeCases(const design::Design& design, const data::Comparisons& comparisons)

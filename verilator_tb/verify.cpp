@@ -35,14 +35,14 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// A run in progress: what is simulated.
+/// The input of a run.
 struct Run {
   const System& system;
   const design::Design& design;
   const data::Comparisons& comparisons;
   const Selection& selection;
   const VerifyOptions& options;
-  const ExpectedWords* emulator;  ///< null where the golden model judges alone
+  const ExpectedWords* emulator;  ///< null where only the golden model judges
 };
 
 /// One simulation, from reset to the end: `number` counts them in a run.
@@ -56,7 +56,7 @@ struct Share {
 struct ShareOutcome {
   VerifyReport report;
   std::optional<harness::wire::Result> first_undecided;
-  std::vector<VerifiedResult> results;  ///< where somebody asks for them
+  std::vector<VerifiedResult> results;  ///< only if they are asked for
 };
 
 /// Adds up the progress of all shares, and tells them when to stop. Thread-safe.
@@ -183,7 +183,7 @@ Block make_block(const Run& run, const Share& share, std::uint64_t first) {
   return block;
 }
 
-/// The options of one share: it keeps its results, has a seed of its own, and the first alone has
+/// The options of one share. Each keeps its results and has a seed of its own; only the first has
 /// waves.
 VerifyOptions options_of(const Run& run, const Share& share, ShareOutcome& outcome) {
   VerifyOptions options = run.options;

@@ -22,7 +22,7 @@ enum class SimulatorKind {
   icarus,  ///< for small systems and thousands of comparisons
 };
 
-/// Who says what the hardware must answer; see Judge.
+/// The source of the answers that the hardware must give; see Judge.
 enum class JudgeKind {
   emulator,
   golden_model,  ///< MPFR and GMP, for every comparison
@@ -33,7 +33,7 @@ enum class TruthScope {
   all,
 };
 
-/// Asks `verify` to compare verdicts with the order of the real numbers f and g, too.
+/// Asks `verify` to compare verdicts also with the order of the real numbers f and g.
 struct TruthCheck {
   const Graph* graph;
   TruthScope scope = TruthScope::all;
@@ -55,9 +55,9 @@ struct VerifiedResult {
   std::optional<Transfer> transfer = {};
 };
 
-/// One of several portions of a long run, for machines that share it: of n simulations portion k of
-/// `count` makes those from n k / count to n (k + 1) / count. Put together, the reports of all
-/// parts are that of the whole run.
+/// One of several portions of a long run, for machines that share it. Portion k of `count` makes
+/// simulations n k / count to n (k + 1) / count of the n in the run. The joined reports of all
+/// portions equal that of the whole run.
 struct RunPortion {
   std::uint64_t number = 0;  ///< k, from 0
   std::uint64_t count = 1;
@@ -74,7 +74,8 @@ struct VerifyOptions {
   std::uint64_t hang_cycles = 50'000;
   std::uint64_t block_size = 16'384;  ///< comparisons exchanged at a time
   /// Comparisons that Verilator makes between a reset and the end of a simulation. A longer run is
-  /// so many simulations, `jobs` at a time: its report is the same for any number of them.
+  /// split into simulations of this size, `jobs` at a time. Its report is the same for any number
+  /// of jobs.
   std::uint64_t share_size = std::uint64_t{1} << 20;
   int jobs = 1;
   RunPortion portion = {};
@@ -92,12 +93,12 @@ struct VerifyOptions {
 /// The part of the options that the simulator is given.
 SimulationOptions simulation_options(const VerifyOptions& options);
 
-/// Refuses what cannot be run, before anything is written: a selection of nothing, a simulator or a
-/// selection that an engine does not have, data that do not fit into it.
+/// Refuses a request that cannot be run, before anything is written: a selection of nothing, a
+/// simulator or a selection that an engine does not have, data that do not fit into it.
 Result<Done> check_request(const design::Design& design, const data::Comparisons& comparisons,
                            const VerifyOptions& options);
 
-/// Checks that the system is what this version generates from the design.
+/// Checks that the system equals the one that this version generates from the design.
 Result<Done> check_design(const System& system, const design::Design& design);
 
 /// Runs a system on the comparisons and compares every result with the golden model of `design`,
@@ -107,8 +108,8 @@ Result<VerifyReport> judge_system(const System& system, const design::Design& de
                                   const data::Comparisons& comparisons,
                                   const VerifyOptions& options);
 
-/// Checks the request, and that `generated_dir` holds what this version generates from the design;
-/// then judges it.
+/// Checks the request, and that `generated_dir` holds the system that this version generates from
+/// the design; then judges that system.
 Result<VerifyReport> verify(const design::Design& design, const data::Comparisons& comparisons,
                             const std::filesystem::path& generated_dir,
                             const VerifyOptions& options);

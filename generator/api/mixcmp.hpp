@@ -15,9 +15,9 @@
 /// The C++ library of mixcmp: from a scene to Verilog, to the verdicts of its hardware, to the
 /// counts of a profile and to a plan. docs/library.md shows it at work.
 ///
-/// Values are cheap to copy and hold what they need; none may be used after it was moved from.
-/// Functions that the header calls const may run in several threads at once. Mistakes of the user
-/// throw Error; a failure of the machine, such as no memory, throws another std::exception. A
+/// Values are cheap to copy and own their contents. A value must not be used after it was moved
+/// from. Functions that the header calls const may run in several threads at once. A user's mistake
+/// throws Error; a failure of the machine, such as no memory, throws another std::exception. A
 /// change that would break a program which uses this header comes with a new minor version as long
 /// as the major version is 0.
 namespace mixcmp::api {
@@ -27,11 +27,11 @@ namespace mixcmp::api {
 /// "0.1.0", the version that stands in the header of generated files.
 MIXCMP_API std::string version();
 
-/// A user's mistake. what() is the message that the program would print. Parts that have no meaning
-/// for the mistake are empty, or 0.
+/// A user's mistake. what() returns the message that the program would print. Members that have no
+/// meaning for the mistake are empty, or 0.
 class MIXCMP_API Error : public std::runtime_error {
 public:
-  /// The place of a mistake, what was received there, and what is accepted.
+  /// The place of a mistake, the text received there, and the accepted values.
   struct Details {
     std::string file;
     int line = 0;
@@ -62,9 +62,9 @@ enum class Verdict : std::uint8_t {
 /// "less", "equal", "greater" or "unordered".
 MIXCMP_API std::string_view to_string(Verdict verdict);
 
-/// The answer of a system to one comparison, in the bits of m_axis_tdata (docs/ports.md): the
-/// verdict in bits 1 and 0; bit 2 if a reference has recomputed it, or second lanes have; bit 3 if
-/// nothing decided it, and then the verdict has no meaning.
+/// The answer of a system to one comparison, in the bits of m_axis_tdata (docs/ports.md). Bits 1
+/// and 0 are the verdict. Bit 2 is set if a reference or a second lane has recomputed it. Bit 3 is
+/// set if nothing decided it; the verdict then has no meaning.
 class Answer {
 public:
   static constexpr std::uint8_t verdict_mask = 3, recomputed_bit = 4, undecided_bit = 8;
@@ -73,7 +73,7 @@ public:
 
   constexpr Verdict verdict() const { return static_cast<Verdict>(bits_ & verdict_mask); }
   constexpr bool is_recomputed() const { return (bits_ & recomputed_bit) != 0; }
-  /// Never true of a system that has references.
+  /// Never true for a system that has references.
   constexpr bool is_undecided() const { return (bits_ & undecided_bit) != 0; }
   constexpr std::uint8_t bits() const { return bits_; }
 
@@ -98,7 +98,7 @@ public:
   /// them.
   static Scene from_file(const std::filesystem::path& file,
                          const std::vector<std::string>& settings = {});
-  /// Reads a scene from a text in TOML. Files that it names are seen from `folder`.
+  /// Reads a scene from a text in TOML. File names in it are relative to `folder`.
   static Scene from_text(std::string_view toml, const std::vector<std::string>& settings = {},
                          const std::filesystem::path& folder = ".");
 
@@ -113,7 +113,7 @@ public:
 
   const std::string& name() const;
   const std::vector<std::string>& inputs() const;
-  std::string f() const;  ///< as written, on one line; of several parts all, separated by "; "
+  std::string f() const;  ///< as written, on one line; several parts are separated by "; "
   std::string g() const;
   std::string reference_format() const;  ///< "s53e8"
   std::string reduced_format() const;    ///< "s17e8", "q13", "block13" or "auto"
@@ -125,7 +125,8 @@ public:
   /// data have fewer, or where a reference format beyond double has a number that double has not.
   std::vector<double> operands(std::uint64_t first, std::size_t count) const;
   /// The order of the real numbers f and g of each row, by interval arithmetic of growing
-  /// precision; none where the precision that docs/profile.md names does not tell.
+  /// precision; none where the highest precision, which docs/profile.md names, still leaves the
+  /// order open.
   std::vector<std::optional<Verdict>> true_verdicts(std::span<const double> rows) const;
 
   /// Return the output of `mixcmp check` for the scene, as text and as JSON.
@@ -158,7 +159,7 @@ struct LaneGroup {
 class MIXCMP_API System {
 public:
   /// Makes every choice that the scene leaves open. It is an Error if an "auto" needs an option, or
-  /// if the scene has no such lane.
+  /// if a lane of the scene does not exist.
   explicit System(const Scene& scene);
 
   System(const System&);
@@ -181,8 +182,8 @@ public:
   /// shares no arithmetic with the emulator.
   std::vector<Answer> evaluate(std::span<const double> rows, std::size_t group = 0) const;
 
-  /// The files: Verilog, signature, file list, constraint. Of a scene from a file they are byte for
-  /// byte those of `mixcmp generate`.
+  /// The files: Verilog, signature, file list, constraint. For a scene from a file they equal those
+  /// of `mixcmp generate` byte for byte.
   const std::vector<File>& files() const;
   /// Writes the files as the whole content of `folder`. An existing folder is replaced only where
   /// it is empty or holds an earlier output.
@@ -201,9 +202,10 @@ using Progress = std::function<void(const std::string& step, double share)>;
 struct ProfileOptions {
   std::optional<int> first_precision;  ///< the lowest L; none: the lowest there is
   std::optional<int> last_precision;   ///< the highest L; none: the highest there is
-  /// Comparisons that relative errors are measured on; 0: none, and there are no profiled lanes.
+  /// The number of comparisons on which relative errors are measured; 0: none, and there are no
+  /// profiled lanes.
   std::uint64_t error_samples = 1'000'000;
-  unsigned threads = 0;  ///< 0: one a processor; results do not depend on it
+  unsigned threads = 0;  ///< 0: one per processor; results do not depend on it
   Progress progress;
 };
 
@@ -232,13 +234,14 @@ struct RelativeErrors {
 /// Errors, recomputations and wrong verdicts of a scene's data: docs/profile.md.
 struct Profile {
   std::uint64_t comparisons = 0;
-  std::uint64_t reference_wrong = 0;  ///< wrong verdicts of the reference format alone
+  std::uint64_t reference_wrong = 0;  ///< wrong verdicts if references decide all
   std::uint64_t undetermined = 0;     ///< comparisons whose true verdict is not known
   std::vector<RelativeErrors> errors;
   std::vector<Scheme> schemes;
 };
 
-/// Counts on the scene's data, for lanes with its kind of inputs. It is an Error if there are none.
+/// Counts errors, recomputations and wrong verdicts on the scene's data, for lanes with the scene's
+/// kind of inputs. It is an Error if the scene has no data.
 MIXCMP_API Profile profile(const Scene& scene, const ProfileOptions& options = {});
 
 /// The options of plan(), as `mixcmp optimise` has them.
@@ -249,8 +252,8 @@ struct PlanOptions {
   std::optional<int> last_precision;
   std::optional<double> lane_mhz;  ///< in place of the table's clocks
   std::optional<double> reference_mhz;
-  /// The place at which Plan::toml is to be written. The plan names its scene relative to this
-  /// place. If it is empty, the place is plan.toml beside the scene.
+  /// The path at which the caller will write Plan::toml. The plan names its scene relative to this
+  /// path. If it is empty, the path is plan.toml beside the scene.
   std::filesystem::path plan_file;
   Progress progress;
 };
@@ -270,16 +273,16 @@ struct PlanPoint {
 struct Plan {
   std::optional<PlanPoint> best;  ///< none: no plan fits the device
   std::vector<PlanPoint> points;  ///< by precision: figure 9 of the paper
-  double baseline_per_s = 0;      ///< of the device filled with references alone
+  double baseline_per_s = 0;      ///< of the device filled with references only
   std::vector<std::string> notes;
   std::string text;  ///< the output of `mixcmp optimise` for one formulation
-  /// A plan file with the best plan, which Scene::from_file and the program read in place of the
+  /// A plan file with the best plan. Scene::from_file and the program read it in place of the
   /// scene. Empty where no plan fits, and for a scene from a text, which a file cannot name.
   std::string toml;
 };
 
-/// Finds L, p_L, p_H and the kinds of lanes with the highest throughput: docs/optimise.md. Variants
-/// of the scene are planned by themselves, each with the setting comparison.variant. It is an Error
+/// Finds L, p_L, p_H and the kinds of lanes with the highest throughput: docs/optimise.md. A
+/// variant of the scene is planned by itself, with the setting comparison.variant. It is an Error
 /// if there is no table, or if the scene has no data to count recomputations on.
 MIXCMP_API Plan plan(const Scene& scene, const PlanOptions& options = {});
 

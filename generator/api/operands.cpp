@@ -21,8 +21,8 @@ std::optional<Operand> nearest_operand(FloatFormat format, double value) {
   if (value == 0 || !std::isfinite(value)) return special_operand(format, value);
   const int exponent = std::max(std::ilogb(value), format.min_exponent());
   if (exponent > format.max_exponent()) return std::nullopt;
-  // The number counts units of its last place: at most 2^P of them. What double cannot hold of them
-  // is there to be rounded off, and nearbyint rounds ties to even.
+  // The number counts units of its last place: at most 2^P. nearbyint rounds the rest of a unit
+  // off, ties to even.
   const int unit_exponent = exponent - format.fraction_bits();
   const double units = std::nearbyint(std::ldexp(std::fabs(value), -unit_exponent));
   // A carry into the next binade, or out of the subnormal numbers, is right as a sum: the fraction

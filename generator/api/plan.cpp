@@ -57,7 +57,8 @@ PlanPoint public_point(const optimise::PrecisionPlan& plan) {
           .kinds = summary.kinds};
 }
 
-/// What makes the plan again: a command, but where the caller's operands are the data.
+/// The origin that the plan states: the command that makes it again or, if the caller gave the
+/// operands, the library.
 std::string origin_of_plan(const SceneState& state) {
   if (state.scene.data) return origin("optimise", state);
   return fmt::format("the library of mixcmp, on {} comparisons that its caller gave",

@@ -33,7 +33,8 @@ OperandRows rows_of(const SceneState& state, std::span<const double> numbers) {
       OperandRows::make(numbers, state.scene.graph.inputs(), state.scene.reference.format));
 }
 
-/// Tells whether a double, as an operand, is this number of the format again. All NaNs are one.
+/// Tells whether a double, taken as an operand, gives this number of the format again. All NaNs
+/// count as one number.
 bool is_same(FloatFormat format, Bits bits, double value) {
   if (format.is_nan(bits)) return true;
   const auto operand = nearest_operand(format, value);

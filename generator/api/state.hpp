@@ -51,9 +51,9 @@ T value_or_throw(Result<T> result, const SceneState& state) {
 /// The scene's data; throws where there are none, with this message.
 const data::Comparisons& data_of(const SceneState& state, const std::string& why);
 
-/// What makes an output again, for its head: "mixcmp VERB SCENE --set KEY=VALUE ...", which names
-/// the scene by its file name alone. No command makes an output of a scene from a text; that it is
-/// the library's is said instead.
+/// The origin that the head of an output states: the command that makes the output again, "mixcmp
+/// VERB SCENE --set KEY=VALUE ...", with the scene's file name but no folder. A scene from a text
+/// has no such command; its origin names the library.
 std::string origin(const std::string& verb, const SceneState& state);
 
 }  // namespace mixcmp::api

@@ -14,9 +14,9 @@ namespace mixcmp::cli {
 /// rates counted on data and by rough areas.
 struct Advice {
   std::vector<components::LaneEstimate> best;  ///< of each kind, the cheapest first; may be empty
-  double reference_share = 0;                  ///< of the device, that a reference takes
+  double reference_share = 0;                  ///< of the device, for one reference
   std::string device;
-  std::string try_first;  ///< a command that measures what is advised
+  std::string try_first;  ///< a command that measures the advised lanes
   std::string try_now;    ///< a command that verifies a system of such lanes; may be empty
 };
 

@@ -60,8 +60,8 @@ Result<Done> check_origin(const VendorReport& report, const devices::Device& dev
   return error_at(report, report.design_line, "a report of another design", report.design, top);
 }
 
-/// The signature that the vendor's script left beside the report says which RTL was compiled: it
-/// must be that of the scene today.
+/// Checks that the compiled RTL is that of the scene today, by the signature that the vendor's
+/// script left beside the report.
 Result<Done> check_rtl(const VendorReport& report, const emit::Signature& today) {
   const fs::path path = report.file.parent_path() / (today.top + ".json");
   if (!path_exists(path)) {

@@ -78,7 +78,7 @@ Result<std::vector<LaneInputs>> kinds_of_inputs(const std::string& text, FloatFo
   return kinds;
 }
 
-/// Refuses a query of which no lane could come: memories are for lanes in fixed point alone.
+/// Refuses a query that gives no lane: memories are only for lanes in fixed point.
 Result<Done> check_memories(const components::ComponentQuery& query) {
   const bool memory_alone = query.multipliers == std::vector{Multipliers::memory};
   const bool any_fixed_point =
@@ -90,8 +90,7 @@ Result<Done> check_memories(const components::ComponentQuery& query) {
                  "embedded, logic, or --bounds with fixed_norm or another of fixed point");
 }
 
-/// The parts of the systems that a scene makes: of an engine, or of a system whose lanes take
-/// streams.
+/// The kinds of components in the systems of a scene: those of an engine, or of lanes with streams.
 std::set<ComponentKind> parts_of_system(const scene::Scene& scene) {
   std::set<ComponentKind> parts = {ComponentKind::lane, ComponentKind::reference,
                                    ComponentKind::reference_port};
@@ -158,8 +157,8 @@ Result<std::pair<int, int>> interval(const std::string& option, const std::strin
 /// The crossbars of a quick table: `optimise` interpolates between them.
 constexpr std::string_view quick_ports = "1,8,32,64";
 
-/// What is measured where the scene's interval is "auto": a reference that is not folded, one with
-/// few units, and about the smallest one.
+/// The intervals that are measured where the scene's is "auto": a reference that is not folded, one
+/// with few units, and about the smallest one.
 const std::vector<int> usual_intervals = {1, 4, 16};
 
 Result<std::vector<int>> initiation_intervals(const std::string& text, const scene::Scene& scene) {
@@ -170,8 +169,8 @@ Result<std::vector<int>> initiation_intervals(const std::string& text, const sce
   return interval ? std::vector<int>{*interval} : usual_intervals;
 }
 
-/// Where the scene names no target for references: the system's, and half as much again, since the
-/// registers of the second cost little, and a reference must not be what sets the clock.
+/// The targets where the scene names none for references: the system's, and half as much again. The
+/// registers of the second cost little, and a reference must not limit the clock.
 std::vector<std::optional<int>> usual_targets(const scene::Scene& scene) {
   const int more = static_cast<int>(std::lround(1.5 * scene.system.target_mhz));
   if (!settings::limits::target_mhz.allow(more)) return {std::nullopt};
@@ -221,7 +220,7 @@ Result<components::ComponentQuery> query_of(const CharacteriseCommand& command,
   return query;
 }
 
-/// The option that takes a vendor's reports, with which nothing that only measuring needs goes.
+/// Adds the option for a vendor's reports. It excludes the options that only a measurement needs.
 void add_import_option(const Verb& verb, CharacteriseCommand& command) {
   const Option import = verb.option(
       "--import", command.reports,

@@ -48,7 +48,7 @@ Result<components::CharacteriseOptions> characterise_options(const CharacteriseC
 Result<std::vector<int>> number_list(const std::string& option, const std::string& text,
                                      settings::Limits allowed);
 
-/// The command that makes the same table; it names the scene by its file name alone.
+/// The command that makes the same table. It names the scene by its file name, without folders.
 std::string characterise_command_line(const CharacteriseCommand& command);
 
 }  // namespace mixcmp::cli

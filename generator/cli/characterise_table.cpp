@@ -181,7 +181,7 @@ void leave_out_unusable(const scene::Scene& scene, components::ComponentQuery& q
   });
 }
 
-/// Leaves those lanes in the query that look promising, and says which, and how long they take.
+/// Keeps the promising lanes in the query. Tells the user which they are, and how long they take.
 void choose_quickly(const CharacteriseCommand& command, const LoadedScene& loaded,
                     const devices::Device& device, const optimise::Rates& rates,
                     components::CharacteriseOptions& options) {

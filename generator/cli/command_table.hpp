@@ -19,7 +19,7 @@ enum class OptionValue {
 
 /// An option or a positional argument of a verb, as --help lists it.
 struct CommandOption {
-  std::vector<std::string> names;  ///< "-o", "--output"; of an argument its name alone, "SCENE"
+  std::vector<std::string> names;  ///< "-o", "--output"; for an argument only its name, "SCENE"
   std::string help;
   OptionValue value = OptionValue::none;
   std::string type;  ///< "PATH", "INT:4..52", "FLOAT:MHZ"; empty for a flag

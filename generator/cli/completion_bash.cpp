@@ -14,7 +14,7 @@ std::vector<std::string> bash_options(const CommandEntry& command) {
   return names;
 }
 
-/// One branch of `case`: what may stand at one of these places.
+/// One branch of `case`: the commands for these places.
 std::string bash_branch(const std::vector<std::string>& places, const std::string& commands) {
   return fmt::format("    {}) {} ;;\n", fmt::join(places, " | "), commands);
 }

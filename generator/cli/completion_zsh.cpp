@@ -39,7 +39,7 @@ std::string argument_specification(const CommandOption& option, int number) {
   return fmt::format("        '{}{}' \\\n", place, zsh_value(option));
 }
 
-/// The specifications of one option for _arguments, one a name, each on a line.
+/// The specifications of one option for _arguments, one per name, each on a line.
 std::string specifications(const CommandOption& option) {
   // Names of one option exclude each other, unless it may be repeated.
   const std::string others =

@@ -43,7 +43,7 @@ private:
   Time next_ = start_ + Seconds(2);
 };
 
-/// Standard error with what is known of it. Thread-safe.
+/// Standard error and its properties. Thread-safe.
 class Console {
 public:
   void be_quiet() {
@@ -89,7 +89,7 @@ private:
     write("mixcmp: progress: " + shown_ + "\n");
   }
 
-  /// Starts the thread that repeats in a log what is being done where nothing new is shown, as
+  /// Starts the thread that repeats the current action in a log where nothing new is shown, as
   /// while a tool runs. It takes no signals: these are for the threads that wait for them.
   void start_reminder() {
     sigset_t all, before;
@@ -117,9 +117,9 @@ private:
       isatty(STDERR_FILENO) != 0 && !variable("TERM").empty() && variable("TERM") != "dumb";
   const bool colors_ = overwrites_ && variable("NO_COLOR").empty();  // https://no-color.org
   LogPace pace_;
-  std::string shown_;  ///< in a log: what is being done
+  std::string shown_;  ///< in a log: the current action
   std::condition_variable_any stopped_;
-  std::jthread reminder_;  ///< declared last: it ends before what it uses
+  std::jthread reminder_;  ///< declared last: it ends before the members that it uses
 };
 
 /// The process has one standard error, and so one console.

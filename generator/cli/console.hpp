@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-/// What a run says to the user beside its results, on standard error, and what it asks.
+/// Messages to the user beside the results of a run, on standard error, and questions.
 namespace mixcmp::cli {
 
 /// Starts the clock by which a log gets its lines of progress.
@@ -18,10 +18,9 @@ void tell(const std::string& line);
 /// Writes "mixcmp: note: " and a line that changes no result, unless --quiet was given.
 void tell_note(const std::string& line);
 
-/// Shows what is being done. On a terminal it is one line that the next one overwrites, and an
-/// empty one clears it. Elsewhere, in a log, it is a line every so often, which begins with
-/// "mixcmp: progress: ": the first after two seconds, the next ones 10 to 60 seconds apart, the
-/// same one again where nothing new is shown.
+/// Shows the current action. On a terminal it is one line that the next one overwrites, and an
+/// empty line clears it. In a log, lines begin with "mixcmp: progress: ". The first comes after two
+/// seconds, the next ones 10 to 60 seconds apart; a line is repeated where nothing new is shown.
 void show_progress(const std::string& line);
 
 /// Whether there is somebody to ask: standard input and standard error are a terminal.

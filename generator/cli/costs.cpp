@@ -23,7 +23,7 @@ using devices::Area;
 using scene::ReducedSpec;
 using scene::Scene;
 
-/// The area of one lane alone on the scene's device.
+/// The area of one lane, without streams, on the scene's device.
 Result<Area> lane_area(const Scene& scene, const design::Lane& lane,
                        scene::Multipliers multipliers) {
   MIXCMP_DO(design::check_multipliers(lane, multipliers));
@@ -95,7 +95,7 @@ BoundCost cost_of(const LoadedScene& loaded, const ReducedSpec& compared, const 
   return cost;
 }
 
-/// The scene's lane; in the place of one in fixed point a lane in floating point, with W bits of
+/// The scene's lane. A lane in fixed point is replaced by one in floating point, with W bits of
 /// significand.
 Result<ReducedSpec> lane_in_floating_point(const Scene& scene) {
   ReducedSpec reduced = scene.reduced;

@@ -28,7 +28,7 @@ struct Tool {
   const char* name;
   std::function<Result<std::string>()> version;  ///< an error says why the tool is unusable
   const char* package;                           ///< the Debian package
-  const char* disables;                          ///< what is missing without it
+  const char* disables;                          ///< the functions that are missing without it
   Need need = Need::required;
 };
 

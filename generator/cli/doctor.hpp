@@ -12,7 +12,7 @@ struct FoundTool {
   std::string name;
   Result<std::string> version;  ///< an error says why the tool is unusable
   std::string package;          ///< the Debian package
-  std::string disables;         ///< what is missing without it
+  std::string disables;         ///< the functions that are missing without it
   bool required = true;         ///< a verb needs it
 };
 

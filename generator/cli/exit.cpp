@@ -32,7 +32,7 @@ void fail(const Error& error) {
   throw exit;
 }
 
-// A failed write is ignored: standard error has told the error already.
+// A failed write is ignored: the error is on standard error already.
 void print_error_as_json(const Exit& exit) {
   if (!exit.error) return;
   const std::string text = report::json_text({{"error", report::to_json(*exit.error)}});

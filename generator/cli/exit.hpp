@@ -22,7 +22,8 @@ enum class ExitCode {
 /// Thrown by a verb to end the program; only main catches it.
 struct Exit {
   int code;
-  /// Why there is no result, where no result was printed; none where it was, whatever is wrong.
+  /// The reason why no result was printed. None if a result was printed, even one that tells of
+  /// faults.
   std::optional<Error> error = {};
 
   explicit Exit(ExitCode meaning) : code(static_cast<int>(meaning)) {}

@@ -171,7 +171,7 @@ std::string command_of(const ExploreCommand& command) {
   return line;
 }
 
-/// Adds the best plan to the results. `set`: the data set that it is for; empty: for all.
+/// Adds the best plan to the results. `set`: its data set; empty: all of them.
 void add_plan(ResultFiles& results, const ExploreCommand& command, const std::string& device,
               const std::string& set, const fs::path& path, const optimise::Optimisation& found) {
   const optimise::PrecisionPlan* best = found.best();
@@ -203,7 +203,7 @@ ResultFiles results_for(const ExploreCommand& command, const std::string& device
                         const optimise::Exploration& exploration, const std::string& tables) {
   const fs::path folder = command.output / exploration.device.name;
   const optimise::ResultsAtClocks& ours = exploration.columns.back();
-  // The first column has given clocks, if any has: then lanes without a measured clock count, too.
+  // The first column has given clocks, if any has: then lanes without a measured clock also count.
   const optimise::Optimisation& areas = exploration.columns.front().example;
   const std::string& first = exploration.data_sets.front();
   ResultFiles results(folder, exploration_files);
@@ -230,7 +230,8 @@ std::set<std::string> notes_of_plans(const optimise::Exploration& exploration) {
   return notes;
 }
 
-/// Keeps the notes of the table, which are told already, and of the plans, which are told here.
+/// Keeps the notes of the table, which were printed before, and of the plans, which are printed
+/// here.
 void take_notes(optimise::Exploration& exploration, const Planning& known) {
   exploration.notes = known.notes;
   for (const std::string& note : notes_of_plans(exploration)) {
@@ -375,7 +376,8 @@ void add_device(Findings& findings, const ExploreCommand& command, const Plannin
   findings.explorations.push_back(exploration);
 }
 
-/// Makes the page of --page: what `report` shows of the scene, and all that was explored.
+/// Makes the page of --page: the sections that `report` has for the scene, and all that was
+/// explored.
 std::string html_page(Findings& findings, const ExploreCommand& command, const LoadedScene& loaded,
                       const std::vector<report::SoftwareThroughput>& software) {
   ReportChoice choice{

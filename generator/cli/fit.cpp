@@ -9,7 +9,7 @@ namespace mixcmp::cli {
 namespace {
 
 /// The table beside the scene; nullopt where it is absent, unreadable or of another scene or
-/// device. None of these is an error here; `optimise` reports what is wrong.
+/// device. None of these is an error here; `optimise` reports them.
 std::optional<characterise::Characterisation> table_beside(const std::filesystem::path& path,
                                                            const scene::Scene& scene,
                                                            const devices::Device& device) {
@@ -35,7 +35,7 @@ std::optional<std::string> fit_note(const LoadedScene& loaded, const design::Des
   };
   if (!table) return note(nullptr);
   const auto measured = note(&*table);
-  // Whether the areas are of this RTL takes time to tell: only where there is something to say.
+  // It takes time to find whether the areas are of this RTL, so this is done only for a note.
   if (!measured) return std::nullopt;
   const data::Comparisons* data = loaded.data ? &*loaded.data : nullptr;
   const bool outdated = components::count_rows(*table, scene, data, *device).outdated > 0;

@@ -40,14 +40,14 @@ std::string counted(int count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-/// "67 cycles", of a folded reference "74 cycles, one comparison in 16".
+/// "67 cycles"; for a folded reference "74 cycles, one comparison in 16".
 std::string timing(const emit::SignatureReferences& group) {
   const std::string latency = fmt::format("{} cycles", group.latency_cycles);
   if (group.initiation_interval_cycles == 1) return latency;
   return fmt::format("{}, one comparison in {}", latency, group.initiation_interval_cycles);
 }
 
-/// "p_L = 8", of lanes in lock step "p_L = 8 (in groups of 4)".
+/// "p_L = 8"; for lanes in lock step "p_L = 8 (in groups of 4)".
 std::string lane_count(const emit::Signature& s) {
   const std::string lanes = fmt::format("p_L = {}", s.lanes);
   return s.lanes_per_group == 1 ? lanes
@@ -79,7 +79,7 @@ void print_parts(const emit::Signature& s) {
   }
 }
 
-/// What leaves a pairwise engine, and by how many streams.
+/// The words for the output of a pairwise engine and the number of its streams.
 std::string what_leaves(const emit::SignatureEngine& engine) {
   const std::string pairs = fmt::format("pairs that are {}", fmt::join(engine.report, ", "));
   const std::string streams =

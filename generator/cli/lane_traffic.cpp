@@ -20,8 +20,8 @@ constexpr std::uint64_t simulated = 120, before = 3;
 /// How many comparisons are looked through for one that a lane leaves undecided.
 constexpr std::uint64_t looked_through = 1 << 22;
 
-/// The design with one of its lanes and one reference, as a system without an engine: what a lane
-/// does with a comparison is the same there.
+/// The design with one of its lanes and one reference, as a system without an engine. A lane treats
+/// a comparison there in the same way.
 design::Design small_system(design::Design design) {
   design.lanes.erase(design.lanes.begin() + 1, design.lanes.end());
   design.lanes.front().count = 1;
@@ -35,7 +35,7 @@ design::Design small_system(design::Design design) {
   return design;
 }
 
-/// What is simulated in the place of `design`.
+/// Describes the system that is simulated in the place of `design`.
 std::string describe(const design::Design& design) {
   const bool has_engine = design.system.engine.kind != scene::EngineKind::none;
   return fmt::format(

@@ -23,8 +23,8 @@ namespace {
 using mixcmp::cli::Exit;
 using mixcmp::cli::ExitCode;
 
-/// Opens /dev/null, for reading alone, in place of standard streams that are closed. Otherwise the
-/// first output file would get the descriptor of standard output, and receive what is printed.
+/// Opens /dev/null, read-only, in place of standard streams that are closed. Otherwise the first
+/// output file would get the descriptor of standard output, and receive the printed text.
 void occupy_standard_streams() {
   while (true) {
     const int descriptor = open("/dev/null", O_RDONLY);
@@ -35,7 +35,7 @@ void occupy_standard_streams() {
   }
 }
 
-/// Adds --version, and the two options that go with it alone.
+/// Adds --version, and the two options that go only with it.
 void add_version_options(CLI::App& app) {
   CLI::Option* version = app.set_version_flag("--version", std::string(mixcmp::emit::version),
                                               "print version and commit");
@@ -69,7 +69,7 @@ void parse_and_run(CLI::App& app, int argc, char** argv) {
 }
 
 /// Checks that each argument is one line of UTF-8, since arguments are written into comments of
-/// generated files, into plans and into JSON. An empty argument is refused, too: an empty path
+/// generated files, into plans and into JSON. An empty argument is also refused: an empty path
 /// would count as an absent option, and its file would not be written.
 void check_arguments(int argc, char** argv) {
   for (int k = 1; k < argc; ++k) {
@@ -131,7 +131,7 @@ Exit unexpected_end(const char* why) {
 }
 
 /// Ends the program before all is done. With --json, which is a word of its own in every verb, the
-/// error is an object on standard output, too.
+/// error is also an object on standard output.
 int end_early(const Exit& exit, int argc, char** argv) {
   const bool json = std::find(argv, argv + argc, std::string_view("--json")) != argv + argc;
   if (json) mixcmp::cli::print_error_as_json(exit);

@@ -63,7 +63,8 @@ fs::path path_of(const NewCommand& command) {
   return command.output.empty() ? fs::path(command.scene.name + ".toml") : command.output;
 }
 
-/// Checks the command without its data; simple expressions stand for what is not known yet.
+/// Checks the command without its data. Simple expressions stand for answers that are still
+/// missing.
 Result<Done> check_so_far(const NewCommand& command) {
   NewScene scene = command.scene;
   scene.path = path_of(command);
@@ -90,7 +91,7 @@ void ask_if_empty(NewCommand& command, std::string NewScene::*text, const std::s
   }
 }
 
-/// Asks for what a scene must have and the command does not say, and says whether anything was
+/// Asks for the parts that a scene must have and the command does not give. Returns whether any was
 /// missing. The options given are checked before the first question.
 bool ask_for_missing(NewCommand& command) {
   const NewScene& scene = command.scene;
@@ -102,7 +103,7 @@ bool ask_for_missing(NewCommand& command) {
   return true;
 }
 
-/// A path as the scene's file, which lies in `folder`, has to name it.
+/// The path with which the scene's file in `folder` names a file.
 std::string seen_from(const fs::path& folder, const std::string& path) {
   if (path.empty() || fs::path(path).is_absolute()) return path;
   std::error_code failed;
@@ -146,7 +147,7 @@ std::vector<Pairing> possible_pairings(const NewCommand& command) {
   return {Pairing::rows, Pairing::all};
 }
 
-/// Whether each input names a column of an item i or j, so that an error of pairs tells more than
+/// Whether each input names a column of an item i or j. If so, an error of pairs tells more than
 /// one of rows.
 bool names_items(const NewScene& scene) {
   NewScene without_data = scene;
@@ -158,8 +159,8 @@ bool names_items(const NewScene& scene) {
                      [](const std::string& input) { return data::item_column(input).has_value(); });
 }
 
-/// Loads the scene with the first pairing that suits the data, and puts that into `scene`. If none
-/// does, the error is that of the pairing that the inputs' names suggest.
+/// Loads the scene with the first pairing that suits the data, and puts that pairing into `scene`.
+/// If none does, the error is that of the pairing that the inputs' names suggest.
 Result<LoadedScene> load_with_pairing(const NewCommand& command, NewScene& scene) {
   const std::vector<Pairing> possible = possible_pairings(command);
   for (const Pairing pairing : possible) {
@@ -171,8 +172,8 @@ Result<LoadedScene> load_with_pairing(const NewCommand& command, NewScene& scene
   return load_new(scene);
 }
 
-/// Asks which column is meant by one that the data do not have; `missing` is the error if the user
-/// gives up.
+/// Asks which column is meant by a name that the data do not have. `missing` is the error if the
+/// user gives up.
 NewScene::Column ask_for_column(const Error& missing) {
   while (true) {
     const std::string word = answer_to(

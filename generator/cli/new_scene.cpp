@@ -94,7 +94,7 @@ Error with_option(Error error) {
   return error;
 }
 
-/// What is known of an input from its data.
+/// The range of an input's finite numbers in the data.
 struct Numbers {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -240,7 +240,7 @@ Result<LoadedScene> load_new(const NewScene& scene) {
   }
   Result<LoadedScene> loaded = load_from(settings_of(scene));
   if (!loaded.ok()) return with_option(loaded.error());
-  // The file says a little more than the options. What it says must read as they do.
+  // The file says a little more than the options. This text must also load.
   MIXCMP_TRY(written, settings::parse_settings(scene_text(scene, *loaded), scene.path));
   MIXCMP_TRY(same, load_from(std::move(written)));
   return loaded;

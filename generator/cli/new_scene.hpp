@@ -19,10 +19,10 @@ struct NewScene {
   std::string reference;
   std::string device;
   std::string file;  ///< of data, as seen from the scene's folder; empty: no data
-  std::string with;  ///< the second one, where the pairing has two; likewise
+  std::string with;  ///< the second file, where the pairing has two; as seen from there
   data::Pairing pairing = data::Pairing::rows;
-  /// The scene's name and the file's name or number of columns that are called differently; several
-  /// columns have commas between them.
+  /// A column with another name than its input: the scene's name, and the file's name or number of
+  /// the column. Several columns have commas between them.
   using Column = std::pair<std::string, std::string>;
   std::vector<Column> columns;
   std::vector<Column> with_columns;
@@ -36,8 +36,8 @@ Result<LoadedScene> load_new(const NewScene& scene);
 /// has the range of its data, if it has finite ones.
 std::string scene_text(const NewScene& scene, const LoadedScene& loaded);
 
-/// The commands that come next, each with its purpose. `file` names the scene as seen from where
-/// they are to be typed; the plan is made beside it.
+/// The commands that come next, each with its purpose. `file` names the scene as seen from the
+/// folder in which they will be typed; the plan is made beside it.
 std::vector<std::pair<std::string, std::string>> next_commands(const NewScene& scene,
                                                                const std::filesystem::path& file);
 

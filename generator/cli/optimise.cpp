@@ -29,7 +29,8 @@ struct OptimiseCommand {
   bool no_characterise = false;
 };
 
-/// Refuses rates of another reference, and tells of other data, which may be meant.
+/// Refuses rates of another reference. Notes that the rates are of other data, which may be
+/// intended.
 void check_rates(const optimise::Rates& rates, const fs::path& file, const LoadedScene& loaded) {
   if (!rates.origin()) return;
   const optimise::Rates::Origin& origin = *rates.origin();
@@ -47,8 +48,8 @@ void check_rates(const optimise::Rates& rates, const fs::path& file, const Loade
   }
 }
 
-/// Rates that the choice of a quick table has counted, of each formulation; none where no table was
-/// made.
+/// The rates that were counted to choose a quick table, one for each formulation; none where no
+/// table was made.
 using CountedRates = std::vector<std::optional<optimise::Rates>>;
 
 optimise::Rates rates_for(const OptimiseCommand& command, const LoadedScene& loaded,
@@ -79,7 +80,7 @@ std::string word_of(LaneInputs inputs) {
   return to_string(inputs);
 }
 
-/// What tells this formulation from the scene's others.
+/// The name that distinguishes this formulation from the scene's others.
 std::string name_of(const scene::Scene& scene) {
   std::string name = scene.variant.empty() ? "[comparison]" : "variant " + scene.variant;
   if (scene.second_tier) name += ", second tier " + scene.second_tier->format_name();
@@ -107,8 +108,8 @@ struct Candidate {
   std::string name() const { return name_of(known.scene); }
 };
 
-/// The scene as it is and, where it names no variant, its variants. With a table or rates given by
-/// hand, which are of one formulation, it is the scene alone.
+/// The scene as it is and, if it names no variant, its variants. A table or rates given by hand
+/// belong to one formulation; then there is only the scene.
 std::vector<LoadedScene> variants_of(const OptimiseCommand& command, const LoadedScene& loaded) {
   const bool by_hand = !command.planning.table.empty() || !command.rates.empty();
   if (!by_hand) return value_or_exit(load_formulations(command.planning.scene, loaded));
@@ -118,13 +119,13 @@ std::vector<LoadedScene> variants_of(const OptimiseCommand& command, const Loade
   return {loaded};
 }
 
-/// Whether engines without the second tier are planned, too: unless the user names the tier, or a
-/// table, which is of one of the two.
+/// Whether engines are also planned without the second tier. They are, unless the user names the
+/// tier, or a table, which belongs to one of the two.
 bool weighs_second_tier(const OptimiseCommand& command) {
   return command.planning.table.empty() && !is_set(command.planning.scene, "second_tier.format");
 }
 
-/// The variants and, of each that has a second tier, the same without it.
+/// The variants. Each that has a second tier is also listed without it.
 std::vector<LoadedScene> formulations_of(const OptimiseCommand& command,
                                          const LoadedScene& loaded) {
   std::vector<LoadedScene> formulations = variants_of(command, loaded);
@@ -142,7 +143,7 @@ std::vector<LoadedScene> formulations_of(const OptimiseCommand& command,
   return formulations;
 }
 
-/// The quick measurement of what plans of this formulation may use: areas alone.
+/// The quick measurement of components that plans of this formulation may use: only areas.
 CharacteriseCommand quick_characterisation(const PlanningOptions& planning,
                                            const scene::Scene& formulation) {
   const optimise::OptimiseOptions& choice = planning.choice;
@@ -167,7 +168,7 @@ CharacteriseCommand quick_characterisation(const PlanningOptions& planning,
   return quick;
 }
 
-/// Whether a quick table of each formulation is to be made: none has one yet.
+/// Whether each formulation gets a quick table: none has one yet.
 bool lacks_tables(const OptimiseCommand& command, const std::vector<LoadedScene>& formulations) {
   const PlanningOptions& planning = command.planning;
   if (command.no_characterise || !planning.table.empty()) return false;
@@ -176,8 +177,8 @@ bool lacks_tables(const OptimiseCommand& command, const std::vector<LoadedScene>
   });
 }
 
-/// Measures what looks promising where no formulation has a table yet. Returns the rates that were
-/// counted for that.
+/// Measures promising components where no formulation has a table yet. Returns the rates that were
+/// counted to choose them.
 CountedRates make_missing_tables(const OptimiseCommand& command,
                                  const std::vector<LoadedScene>& formulations) {
   CountedRates counted(formulations.size());
@@ -229,7 +230,7 @@ std::vector<Candidate> find_candidates(const OptimiseCommand& command,
   return candidates;
 }
 
-/// Says that a file which stands where a plan was to be written is of an earlier run.
+/// Notes that a file in the place of a plan is from an earlier run.
 void tell_of_older(const fs::path& file) {
   if (file.empty() || !path_exists(file)) return;
   tell(fmt::format("{}: not written, since no plan was found; the file is of an earlier run",

@@ -171,7 +171,7 @@ Condition between(double least, double most, const std::string& unit) {
 
 Error as_user_error(const Error& found, const SceneOptions& options) {
   Error error = scene::with_location(found, options.scene, options.settings);
-  // "--set" alone is about the key that the error names, "--set key" about another.
+  // The file "--set" means the key that the error names, "--set key" means another key.
   const std::string set = "--set";
   const std::string key = error.file == set                   ? error.field
                           : error.file.starts_with(set + " ") ? error.file.substr(set.size() + 1)

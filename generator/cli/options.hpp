@@ -27,7 +27,7 @@ struct SceneOptions {
 
 enum class SceneArgument {
   required,
-  optional,  ///< the verb says itself what must be there instead
+  optional,  ///< the verb itself checks that something else is given
 };
 
 /// Adds SCENE, --set, the shortcuts (--format, --lanes, ...) and --json to a verb. Shortcuts that
@@ -66,13 +66,13 @@ struct Fraction {
   std::uint64_t count = 1;
 };
 std::optional<Fraction> fraction_of(const std::string& text);
-/// Accepts such a text.
+/// Accepts the text of a Fraction.
 Condition a_fraction();
 
 /// The number that fills `text`; none for any other text.
 std::optional<double> number(const std::string& text);
 
-/// Accepts a number in these limits, NaN none of them.
+/// Accepts a number in these limits, but not NaN.
 Condition between(double least, double most, const std::string& unit);
 
 /// Reads the kinds of inputs given for this option: "exact", "rounded", or up to `most` digits.
@@ -96,7 +96,7 @@ std::vector<std::filesystem::path> inputs_of(const SceneOptions& options,
                                              const scene::Scene& scene);
 
 /// The verb and its settings as a command that gives the same result. It names the scene by its
-/// file name alone, since it is printed into generated files.
+/// file name, without folders, since it is printed into generated files.
 std::string command_line(const std::string& verb, const SceneOptions& options);
 
 /// As command_line, but with the scene's whole path: a command for the terminal.

@@ -59,7 +59,7 @@ public:
 
   /// Writes all files beside their places. Ends the program where one cannot be written.
   void write_out();
-  /// Puts all files in their places. Returns descriptions of what was not done.
+  /// Puts all files in their places. Returns descriptions of the parts that were not done.
   std::vector<std::string> commit();
 
 private:

@@ -21,7 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Profiles count running bounds of 4 and 1 digits alone, but any number of guard digits.
+/// Reads the bounds to count. Profiles count running bounds only with 4 digits and 1 digit, but
+/// guard digits of any number.
 Result<std::vector<Bound>> bounds_to_count(const std::vector<std::string>& names) {
   const std::string option = "--bounds";
   MIXCMP_TRY(bounds, parse_bounds(option, names));
@@ -139,8 +140,8 @@ void print_text(const report::ProfileReport& report, const Trades& weighed,
                     : fmt::format("\nadvice: none: {}\n", advice.error().to_string()));
 }
 
-/// Of the lanes only profiled ones need measured errors, and whoever asks for lanes in fixed point
-/// alone does not ask about lanes in floating point.
+/// The usual number of comparisons on which errors are measured. Only profiled lanes need measured
+/// errors, and a user who asks only for lanes in fixed point wants none of floating point.
 std::uint64_t usual_samples(const std::vector<Bound>& bounds) {
   const bool fixed_point_alone =
       !bounds.empty() && std::all_of(bounds.begin(), bounds.end(),
@@ -173,7 +174,8 @@ void run(const ProfileCommand& command) {
   const report::ProfileReport report = measure_profile(loaded, counted, options);
   const bool weighs = command.trade || !command.accepted.empty() || !command.areas.empty();
   const Trades weighed = weighs ? weigh(loaded, report, areas, command.accepted) : Trades();
-  // A scene that only profiles may ask for what no hardware has: then there is nothing to advise.
+  // A scene that is only profiled may ask for more than hardware has. Then there is nothing to
+  // advise.
   const Result<Advice> advice = advise(command.scene, loaded, report.rates);
   std::vector<std::string> not_done;
   if (!command.output.empty()) not_done = write_results(report, weighed, advice, command.output);

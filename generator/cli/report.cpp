@@ -20,7 +20,7 @@ struct ReportCommand {
   fs::path output;
 };
 
-/// The command with what changes the page.
+/// The command with the options that change the page.
 std::string command_of(const ReportCommand& command) {
   std::string line = command_line("report", command.planning.scene);
   if (!command.planning.table.empty()) {

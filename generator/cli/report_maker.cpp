@@ -18,8 +18,8 @@ using report::Missing;
 
 namespace {
 
-/// An error as a page says it, which names no path and no option: its field and message, and of its
-/// file the name. The full error goes to standard error.
+/// An error as a page states it, without paths and options: the field, the message, and the file's
+/// name. The full error goes to standard error.
 std::string on_page(const Error& error) {
   return Error{.file = std::filesystem::path(error.file).filename().string(),
                .line = error.line,
@@ -56,7 +56,7 @@ page::Page ReportMaker::make() {
   return page;
 }
 
-/// Adds what is measured and what is concluded from it: the profile, the trade, the plan.
+/// Adds the measurements and the conclusions from them: the profile, the trade, the plan.
 void ReportMaker::add_measurements(page::Page& page) {
   if (shows("profile")) {
     profile_ = measure();
@@ -168,8 +168,8 @@ const Planning* ReportMaker::plannable() {
   return planning_->ok() ? &planning_->value() : nullptr;
 }
 
-/// The table beside the scene or, of a plan, beside a scene that it is laid over. Where there is
-/// none, the path that it would have beside the scene.
+/// The table beside the scene, or beside a scene that this plan is laid over. If there is none, the
+/// path that it would have beside the scene.
 std::filesystem::path ReportMaker::table_beside_a_layer() const {
   const SceneOptions& options = planning_options_.scene;
   const scene::Scene& scene = loaded_.scene;

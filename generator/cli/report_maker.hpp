@@ -11,7 +11,7 @@
 
 namespace mixcmp::cli {
 
-/// What a page shows beside what every page does.
+/// The choices that change a page.
 struct ReportChoice {
   std::set<std::string> without;  ///< of "profile", "plan", "waves": left out
   bool beside_paper = false;      ///< the scene is the paper's benchmark
@@ -19,13 +19,13 @@ struct ReportChoice {
 };
 
 /// Makes the page of one scene: measures its rates, proves its bounds, plans, simulates. Remembers
-/// what could not be made.
+/// the parts that could not be made.
 class ReportMaker {
 public:
   ReportMaker(const PlanningOptions& planning, const LoadedScene& loaded, ReportChoice choice);
 
   page::Page make();
-  /// What was not made, and why: for end_if_incomplete.
+  /// The parts that were not made, with reasons, for end_if_incomplete.
   const std::vector<std::string>& not_done() const { return not_done_; }
 
 private:

@@ -8,7 +8,7 @@ struct SuiteCommand {
   std::filesystem::path suite;
   std::filesystem::path work;   ///< empty: NAME_suite
   std::filesystem::path junit;  ///< empty: none
-  double minutes = 0;           ///< 0: what the suite says
+  double minutes = 0;           ///< 0: as the suite says
   bool json = false;
 };
 

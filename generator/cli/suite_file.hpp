@@ -16,8 +16,8 @@ struct SuiteRun {
   std::string name;                  ///< scene and options as the suite writes them
   int portions = 1;                  ///< in how many portions a sweep makes it
   std::string group = {};            ///< "run", the table of the file that asks for it
-  std::string file = {};             ///< of that table
-  int line = 0;                      ///< likewise
+  std::string file = {};             ///< the file of that table
+  int line = 0;                      ///< the line of that table
 };
 
 /// A regression suite as its file describes it (docs/verification.md, "Suites").
@@ -26,7 +26,8 @@ struct Suite {
   std::vector<SuiteRun> runs;
 };
 
-/// What a table [[name]] of a suite or a sweep may say besides `scenes` and keys of the scene.
+/// The keys that a table [[name]] of a suite or a sweep may have besides `scenes` and keys of the
+/// scene.
 struct GroupForm {
   std::string name;
   std::vector<std::string> options;  ///< that take a value: `first = 3` is --first=3
@@ -36,7 +37,7 @@ struct GroupForm {
 /// [[run]]: runs of `mixcmp verify`.
 const GroupForm& verify_group();
 
-/// A mistake in what a group asks for, with the group's place and the run's name.
+/// A mistake in the request of a group, with the group's place and the run's name.
 Error mistake_in(const SuiteRun& run, const Error& error);
 
 /// Reads all tables of this form.

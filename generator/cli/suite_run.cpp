@@ -18,8 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// A report as `verify --json` prints it; null where the text is none, or where it says of itself
-/// that it passed but its counts do not, or the other way round.
+/// A report as `verify --json` prints it; null if the text is none, or if its own statement that it
+/// passed contradicts its counts.
 Json verify_report(const std::string& text) {
   Json report = Json::parse(text, nullptr, false);
   try {
@@ -32,12 +32,13 @@ Json verify_report(const std::string& text) {
 
 constexpr const char* key_field = "key";
 
-/// The name that a kept report must have in itself, so that a file under another's name is none.
+/// The name that a kept report must contain, so that a file under another report's name is not
+/// taken.
 std::string key_of(const fs::path& kept) {
   return kept.stem().string();
 }
 
-/// The text of a report to be kept in this file.
+/// The text of a report for this file.
 std::string kept_text(const fs::path& kept, const std::string& report) {
   Json json = {{key_field, key_of(kept)}};
   json.update(Json::parse(report));

@@ -44,8 +44,8 @@ std::string key_of(const ContentHash& identity);
 /// The outcome that an earlier run has left in this file; one that was skipped where it has none.
 RunOutcome kept_outcome(const std::filesystem::path& kept);
 
-/// Runs `mixcmp verify` for so many seconds at most, and keeps its report in the file `kept` if
-/// that is not empty.
+/// Runs `mixcmp verify` for at most `seconds`. Keeps its report in the file `kept` if that is not
+/// empty.
 RunOutcome verify_run(const SuiteRun& run, const std::filesystem::path& work,
                       const std::filesystem::path& kept, double seconds);
 

@@ -32,7 +32,7 @@ struct SweepCommand {
   bool json = false;
 };
 
-/// What one shard has done.
+/// The outcome of one shard.
 struct ShardOutcome {
   std::size_t jobs = 0;
   std::size_t done_before = 0;
@@ -165,7 +165,7 @@ void verify(const SweepRun& run, const SweepFolder& folder, const fs::path& work
   }
 }
 
-/// The jobs that are not to be done again: measured, or verified and passed.
+/// The jobs that need no repetition: measured, or verified and passed.
 std::set<std::string> finished_jobs(const Sweep& sweep, const SweepFolder& folder) {
   const std::set<std::string> missing = missing_jobs(sweep, folder);
   std::set<std::string> finished;

@@ -11,7 +11,7 @@
 
 namespace mixcmp::cli {
 
-/// The folder of a sweep: its plan, its results by their keys, and what is merged from them.
+/// The folder of a sweep: its plan, its results by their keys, and the files merged from them.
 struct SweepFolder {
   std::filesystem::path path;
 
@@ -42,14 +42,14 @@ struct SweepRun {
   SuiteRun portion(std::size_t k) const;
 };
 
-/// All that a sweep's file asks for. Its jobs have hashes for keys: of all that a result depends
-/// on, the tools' versions or this program included.
+/// All that a sweep's file asks for. The key of a job is a hash of everything that its result
+/// depends on, the tools' versions or this program included.
 struct Sweep {
   std::filesystem::path file;
   std::vector<SweepTable> tables;
   std::vector<SweepRun> runs;
 
-  /// What the jobs are, by their keys.
+  /// The descriptions of the jobs, by their keys.
   std::map<std::string, std::string> jobs() const;
 };
 

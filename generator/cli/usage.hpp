@@ -7,8 +7,8 @@
 
 namespace mixcmp::cli {
 
-/// What is wrong with a command line: a word that is no verb, an option that the verb does not
-/// have, a value that an option does not take.
+/// The mistake in a command line: a word that is no verb, an option that the verb does not have, a
+/// value that an option does not take.
 Error usage_error(const CLI::App& app, const CLI::ParseError& error);
 
 /// The verbs with commas between them, in the order in which main adds them.

@@ -44,8 +44,8 @@ private:
   CLI::Option* option_;
 };
 
-/// A verb of the command line, `mixcmp VERB`. CLI11 does the parsing; its header takes the compiler
-/// seconds in each file, so verb.cpp, main.cpp, usage.cpp and command_table.cpp alone include it.
+/// A verb of the command line, `mixcmp VERB`. CLI11 does the parsing. Its header takes the compiler
+/// seconds in each file, so only verb.cpp, main.cpp, usage.cpp and command_table.cpp include it.
 class Verb {
 public:
   Verb(CLI::App& app, const std::string& name, const std::string& help);
@@ -63,7 +63,7 @@ public:
                      const std::function<void(const std::vector<std::string>&)>& use,
                      const std::string& help) const;
 
-  /// No option but those of these names goes with `option`.
+  /// Lets only options of these names go with `option`.
   void keep_alone(Option option, const std::set<std::string>& with) const;
 
   void when_chosen(std::function<void()> run) const;
@@ -73,7 +73,7 @@ private:
 };
 
 /// Reads these words as arguments of a verb whose options `add` adds, and runs nothing. The error
-/// is what a user of the verb would be told.
+/// is the one that a user of the verb would see.
 Result<Done> parse_words(const std::vector<std::string>& words,
                          const std::function<void(const Verb&)>& add);
 

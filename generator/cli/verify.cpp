@@ -35,7 +35,7 @@ enum class TruthOption { off, recomputed, all };
 struct VerifyCommand {
   SceneOptions scene;
   fs::path suite;
-  double minutes = 0;  ///< of the suite; 0: what it says itself
+  double minutes = 0;  ///< of the suite; 0: as the suite says
   fs::path junit;
   verilator_tb::VerifyOptions run;
   int jobs = 0;  ///< 0: not asked for
@@ -191,7 +191,7 @@ std::string waves_command(const VerifyCommand& command,
   return line + " --trace counterexample.fst";
 }
 
-/// Looks for a short run that fails, too, and puts it into the report.
+/// Looks for a short run that also fails, and puts it into the report.
 void add_counterexample(verilator_tb::VerifyReport& failed, const VerifyCommand& command,
                         const design::Design& design, const data::Comparisons& data,
                         const fs::path& rtl, const verilator_tb::VerifyOptions& options) {

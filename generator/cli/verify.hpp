@@ -7,8 +7,8 @@
 
 namespace mixcmp::cli {
 
-/// Checks what `mixcmp verify` checks before it simulates: its arguments, which are these words,
-/// and the scene, its data and the portion that they name.
+/// Makes the checks of `mixcmp verify` that come before its simulation: on its arguments, which are
+/// these words, and on the scene, its data and the portion that they name.
 Result<Done> check_verify(const std::vector<std::string>& words);
 
 }  // namespace mixcmp::cli

@@ -106,8 +106,8 @@ private:
     return Done{};
   }
 
-  /// Takes rows that were imported, or where areas alone are asked for rows that have a clock, in
-  /// place of planned ones.
+  /// Replaces planned rows by better rows of the previous table: imported ones and, if only areas
+  /// are asked for, those that also have a clock.
   void use_better_rows() {
     const auto known = [this](const Measurement& planned) {
       const Measurement* row = previous_ == nullptr ? nullptr : previous_->find(planned.key);
@@ -122,7 +122,8 @@ private:
   }
 
   /// Tells whether neither the RTL nor the tools nor the device's synthesis have changed since the
-  /// row was measured. Of an imported row only the RTL is compared: its tool is not ours to run.
+  /// row was measured. For an imported row only the RTL is compared, since this program does not
+  /// run its tool.
   bool is_kept(const Measurement& row) {
     if (row.is_imported()) return is_current(row, maker_, device_);
     const auto tools = tools_here_.find(options_of(row).effort);

@@ -20,7 +20,7 @@ struct CharacteriseOptions {
   characterise::SynthesisOptions synthesis;
   std::filesystem::path store;
   unsigned workers = 1;
-  /// Is told how many of all jobs are finished, and how many seconds they have taken.
+  /// Called with the number of finished jobs, the number of all jobs, and the seconds so far.
   std::function<void(int finished, int jobs, double seconds)> progress = {};
 };
 
@@ -40,9 +40,9 @@ struct CharacteriseReport {
 
 /// Measures the components that the store lacks, and makes a table of all that are asked for. Rows
 /// of `previous` (may be null) that are not asked for stay if they are current: if today's
-/// generator, tools and device give the same hash. If areas alone are asked for, a current row that
-/// has a clock, too, is kept instead. A row that a vendor's report gave stays as long as today's
-/// generator makes the same RTL, also where it is asked for.
+/// generator, tools and device give the same hash. If only areas are asked for, a current row that
+/// also has a clock replaces a new one. A row from a vendor's report stays as long as today's
+/// generator makes the same RTL, even if it is asked for.
 Result<CharacteriseReport> characterise(const scene::Scene& scene, const data::Comparisons* data,
                                         const devices::Device& device,
                                         const CharacteriseOptions& options,
@@ -61,13 +61,13 @@ Result<std::vector<PlannedJob>> list_jobs(const scene::Scene& scene, const data:
                                           const devices::Device& device,
                                           const CharacteriseOptions& options);
 
-/// Measures those of these jobs that the store lacks, and makes no table.
+/// Measures those jobs with these hashes that the store lacks. Makes no table.
 Result<characterise::JobRun> run_some(const scene::Scene& scene, const data::Comparisons* data,
                                       const devices::Device& device,
                                       const CharacteriseOptions& options,
                                       const std::set<std::string>& hashes);
 
-/// How many rows of a table still describe what is generated today.
+/// The number of a table's rows, and of those that no longer describe today's RTL or synthesis.
 struct RowCount {
   int all = 0;
   int outdated = 0;  ///< measured on other RTL, or for another device's synthesis

@@ -133,7 +133,7 @@ private:
     return Done{};
   }
 
-  /// The lane of the second tier alone, which is in an engine's segments or in second lanes.
+  /// Visits the lane of the second tier. Such lanes are in an engine's segments or in second lanes.
   Result<Done> visit_second_tier() {
     MIXCMP_TRY(key, optimise::second_tier_key(maker_.scene()));
     return key ? visit(*key) : Done{};
@@ -158,8 +158,8 @@ private:
     return Done{};
   }
 
-  /// What an engine of such lanes has. Lanes in floating point and in block floating point
-  /// have no conversion.
+  /// Visits the parts of an engine with such lanes. Lanes in floating point and in block floating
+  /// point have no conversion.
   Result<Done> visit_engine_parts(ComponentKey key) {
     if (asked(ComponentKind::segment)) {
       key.kind = ComponentKind::segment;
@@ -244,7 +244,8 @@ Result<std::vector<ComponentKey>> lane_keys(const Scene& scene, const ComponentQ
     for (const int precision : query.precisions) {
       if (bound.is_fixed_point()) break;
       for (const LaneInputs inputs : query.inputs) {
-        // A number of digits is that of lanes with fewer; with as many they are rounded to.
+        // A number of digits applies to lanes with fewer digits. With as many or more, inputs are
+        // rounded.
         if (inputs.in_lane(precision, scene.reference.format.precision()) != inputs) continue;
         const int bits = exponent_bits(scene, query, precision, inputs, bound);
         MIXCMP_TRY(format, FloatFormat::make(precision, bits));

@@ -12,7 +12,7 @@ namespace mixcmp::components {
 
 /// How the number of a lane's exponent bits is chosen.
 enum class LaneExponents {
-  reference,  ///< as many as the reference has
+  reference,  ///< the reference's number
   ranges,     ///< the fewest that the declared ranges allow
 };
 
@@ -25,21 +25,21 @@ struct ComponentQuery {
   std::vector<int> precisions;  ///< of lanes: L, or W in fixed point
   std::vector<Bound> bounds;
   std::vector<LaneInputs> inputs = {LaneInputs::exact, LaneInputs::rounded};
-  /// `memory` is for lanes in fixed point alone.
+  /// `memory` is only for lanes in fixed point.
   std::vector<scene::Multipliers> multipliers = {scene::Multipliers::embedded,
                                                  scene::Multipliers::logic};
   std::vector<int> initiation_intervals = {1};  ///< of references, in cycles
   /// MHz that the registers of references are placed for; none: the system's target.
   std::vector<std::optional<int>> reference_targets = {std::nullopt};
   std::vector<int> ports;  ///< numbers of lanes at a crossbar with one reference
-  /// If present: of the lanes that all this asks for, these alone.
+  /// If present: only these of the lanes that the query asks for.
   std::optional<std::set<characterise::ComponentKey>> lanes = {};
   /// If absent: as reduced.format says, or as many as the reference's where that is "auto".
   std::optional<LaneExponents> exponents;
 };
 
-/// The multipliers of references: those that the query asks for, but memories; embedded ones where
-/// it asks for memories alone.
+/// The multipliers of references: those that the query asks for except memories; embedded ones if
+/// it asks only for memories.
 std::vector<scene::Multipliers> reference_multipliers(const ComponentQuery& query);
 
 /// A lane that was asked for and does not exist.
@@ -54,7 +54,7 @@ Result<std::vector<characterise::ComponentKey>> lane_keys(const scene::Scene& sc
 
 /// Calls `use` with every component of the query, each once. Returns the lanes that do not exist.
 /// Fifos and units are those that the query's lanes need, whether or not the query asks for lanes.
-/// Errors name what a scene cannot have.
+/// An error names another component that the scene cannot have.
 Result<std::vector<MissingLane>> for_each_component(
     ComponentMaker& maker, const ComponentQuery& query,
     const std::function<void(const Component&)>& use);

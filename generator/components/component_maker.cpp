@@ -31,7 +31,8 @@ using characterise::ComponentKey;
 using characterise::ComponentKind;
 using scene::Multipliers;
 
-/// Comparisons that the constants of profiled lanes are measured on: as many as for `generate`.
+/// The number of comparisons on which the constants of profiled lanes are measured, as for
+/// `generate`.
 constexpr std::uint64_t constant_samples = 100'000;
 /// The slots of lanes with 11 to 42 cycles. For other lanes a request is a bit narrower or wider.
 constexpr int crossbar_slot_bits = 6;

@@ -18,11 +18,11 @@ namespace mixcmp::components {
 
 class EngineParts;
 
-/// How many lanes per reference a crossbar may have that is measured alone. Yosys maps 128 in a
-/// minute but not 512 in five. Generated systems may have more.
+/// The numbers of lanes per reference with which a crossbar is measured by itself. Yosys maps 128
+/// in a minute but not 512 in five. Generated systems may have more.
 inline constexpr settings::Limits measured_ports{1, 128};
 
-/// One component of a scene's systems, ready to be synthesised alone.
+/// One component of a scene's systems, ready for synthesis by itself.
 struct Component {
   characterise::ComponentKey key;
   int latency_cycles = 0;
@@ -34,7 +34,7 @@ struct Component {
 characterise::ComponentKey reference_key(const scene::Scene& scene,
                                          const design::ReferenceStructure& structure);
 
-/// The datapath of one lane alone.
+/// The datapath of one lane, without streams around it.
 struct LaneRtl {
   int latency_cycles = 0;
   rtl::Module module;
@@ -81,9 +81,10 @@ private:
   Result<Component> make_operand_memory(const characterise::ComponentKey& key) const;
   /// Lanes of a key, as a group of a design.
   Result<design::LaneGroup> lane_group(const characterise::ComponentKey& key, int count);
-  /// The parts of an engine with lanes of this key: as many as decide the widths inside.
+  /// The parts of an engine with lanes of this key. It has as many lanes as determine the widths
+  /// inside.
   Result<EngineParts> engine_parts(const characterise::ComponentKey& key);
-  /// An arg-min engine as far as its candidates and rows decide it.
+  /// The properties of an arg-min engine that follow from its candidates and rows.
   struct Chain {
     rtl::EngineShape engine;
     int place_bits;  ///< of lanes with as many slots as a crossbar is measured with
@@ -94,10 +95,10 @@ private:
                                                 const TypedGraph& graph) const;
   Result<Done> give_constants(scene::ReducedSpec& lane);
   Result<Done> measure_constants(LaneInputs inputs);
-  /// The streams of one lane and one reference, which do not depend on what is computed between
-  /// them.
+  /// The streams of one lane and one reference. They do not depend on the computation between them.
   rtl::SystemShape stream_shape() const;
-  /// What a request for recomputation carries in the largest system, or in the scene's engine.
+  /// The shape that sets the width of a request for recomputation: the largest system, or the
+  /// scene's engine.
   Result<rtl::SystemShape> request_shape() const;
 
   scene::Scene scene_;

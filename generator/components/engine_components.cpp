@@ -12,7 +12,7 @@ namespace {
 /// Below this number a merge is one multiplexer, which says little of larger ones.
 constexpr int fewest_segments = 4;
 
-/// A design of these lanes alone, with one reference: what an engine's parts depend on.
+/// A design with these lanes and one reference. The parts of an engine depend on nothing else.
 design::Design design_of(const scene::Scene& scene, const design::LaneGroup& lanes,
                          std::optional<design::LaneGroup> second_tier) {
   return {.name = "engine",  // not the scene's: equal hardware has equal names

@@ -7,13 +7,13 @@
 #include "generator/emit/scheduled_system.hpp"
 #include "model/design/design.hpp"
 
-/// The parts of an engine, each ready to be synthesised alone.
+/// The parts of an engine, each ready for synthesis by itself.
 namespace mixcmp::components {
 
-/// The numbers of segments with which the scene's engine is measured. What an engine takes grows by
-/// the same amount with each further segment, so that two are enough. What an arg-min engine takes
-/// for a lane grows with the number of candidates, too: the larger number, but of a single lane, is
-/// the scene's, which a plan has. The scene's lanes are known.
+/// The numbers of segments with which the scene's engine is measured. Each further segment adds the
+/// same area, so two numbers are enough. In an arg-min engine the area for a lane also grows with
+/// the number of candidates. The larger number is therefore the scene's, which a plan has, unless
+/// that is a single lane. The scene's lanes are known.
 std::vector<int> measured_segments(const scene::Scene& scene);
 
 /// The numbers of references with which the memory of an arg-min engine is measured.
@@ -28,9 +28,9 @@ public:
 
   /// Cycles of a lane behind the conversion.
   int lane_latency_cycles() const;
-  /// A lane alone, behind the conversion.
+  /// One lane, behind the conversion.
   rtl::Module lane() const;
-  /// The first segment with its lanes; of an arg-min engine a lane with the buffer around it.
+  /// The first segment with its lanes; in an arg-min engine a lane with the buffer around it.
   characterise::SynthesisJob segment() const;
 
   /// Whether items and rows are converted when they come in.
@@ -38,8 +38,8 @@ public:
   int conversion_latency_cycles() const;
   characterise::SynthesisJob conversion() const;
 
-  /// Everything else but crossbar and references. Of a pairwise engine: loading, the chain's
-  /// beginning, the merge of exceptions, recomputation, reports. Of an arg-min engine with one
+  /// The rest of the engine, without crossbar and references. A pairwise engine: loading, the
+  /// chain's beginning, the merge of exceptions, recomputation, reports. An arg-min engine with one
   /// reference: loading, the memories of full rows and candidates, the stages of the chain.
   characterise::SynthesisJob engine() const;
 

@@ -75,7 +75,7 @@ public:
   }
 
 private:
-  /// Its lanes begin behind the conversion, as no row's do.
+  /// The lanes of an engine begin behind the conversion; those of rows do not.
   Error no_rows_of_an_engine() const {
     return {
         .field = "engine.kind",
@@ -134,7 +134,7 @@ private:
                                       .seeds = 1,
                                       .source = characterise::ClockSource::routed};
     }
-    // Groups without a product may differ in their multipliers alone, which no key names then.
+    // Groups without a product may differ only in their multipliers, which no key names then.
     const auto twin = std::find_if(rows_.begin(), rows_.end(), [&](const ImportedRow& known) {
       return known.row.key == row.key;
     });
@@ -144,7 +144,7 @@ private:
     twin->row.area = scaled(sum, 1, twin->instances);
   }
 
-  /// The component whose RTL is that of these lanes: what a row of the table would name them.
+  /// The component whose RTL equals that of these lanes. A row of the table names them by its key.
   Result<Component> component_of(const design::LaneGroup& group) {
     MIXCMP_TRY(built, lane_rtl(design_.inputs, group.lane, group.multipliers, design_.system));
     const characterise::SynthesisJob wanted = module_job(built.module);

@@ -23,10 +23,10 @@ struct ImportedRow {
 
 /// Makes rows of the components that a system of `scene` has: lanes, scoreboards, references, the
 /// crossbar. An area is the mean over the component's instances, rounded up, so that a plan counts
-/// for them what they took together. The crossbar's share of a reference is that of the lanes which
-/// it serves. The clock of every row is that of the whole system. Errors name the report and its
-/// line, a lane that no row can name, or an engine, which has no such components. A
-/// crossbar of more lanes a reference than `measured_ports` has no row.
+/// their total area. The crossbar's share of a reference is that of the lanes which it serves. The
+/// clock of every row is that of the whole system. Errors name the report and its line, a lane that
+/// no row can name, or an engine, which has no such components. A crossbar of more lanes per
+/// reference than `measured_ports` has no row.
 Result<std::vector<ImportedRow>> imported_rows(const scene::Scene& scene,
                                                const data::Comparisons* data,
                                                const design::Design& design,

@@ -28,7 +28,7 @@ void note_outdated(Planning& planning, const data::Comparisons* data) {
                   planning.table_path.filename().string(), rows.outdated, rows.all));
 }
 
-/// Tells of a table that has areas of a vendor's tool beside those of Yosys.
+/// Adds a note if the table has areas of a vendor's tool beside those of Yosys.
 void note_imported(Planning& planning) {
   const auto& rows = planning.table.rows;
   const auto imported =

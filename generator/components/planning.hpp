@@ -11,17 +11,17 @@
 
 namespace mixcmp::components {
 
-/// What plans are made from.
+/// The input of a plan: scene, device and measured table.
 struct Planning {
   /// With the target_mhz that the table was measured for, and the lanes that a chain has.
   scene::Scene scene;
   devices::Device device;
   characterise::Characterisation table;
   std::filesystem::path table_path;
-  std::vector<std::string> notes;  ///< for the user: what the table's rows are not
+  std::vector<std::string> notes;  ///< for the user: limitations of the table's rows
 };
 
-/// How an error calls the table's path, and what the user can do where no table is.
+/// Texts for an error about the table: the name of its path, and the remedy if there is no table.
 struct TableAdvice {
   std::string field;
   std::string accepted;

@@ -17,10 +17,10 @@ namespace {
 using characterise::ComponentKey;
 using scene::Multipliers;
 
-/// A kind of lane is left out if its best lane takes more than the best of all times this factor.
+/// A kind of lane is left out if its best lane takes more than this factor times the best of all.
 constexpr double margin = 1.25;
-/// Seconds of Yosys for one component: what it needs to begin, and for each LUT of the rough area.
-/// Three lanes of 598 to 1004 LUTs took 4.5 to 6.9 s on a machine that was not idle.
+/// Seconds of Yosys for one component: at the start, and for each LUT of the rough area. Three
+/// lanes of 598 to 1004 LUTs took 4.5 to 6.9 s on a machine that was not idle.
 constexpr double seconds_to_begin = 2;
 constexpr double seconds_per_lut = 0.005;
 
@@ -34,7 +34,7 @@ profile::Products products_of(Multipliers multipliers) {
   MIXCMP_CHECK(false);
 }
 
-/// The area of anything that the cost model knows; the memories of squares are not included.
+/// The area of any datapath in the cost model. The memories of squares are not included.
 template <class Datapath>
 devices::Area rough_area(double (*luts)(const Datapath&, profile::Products),
                          const Datapath& datapath, Multipliers multipliers,
@@ -64,8 +64,8 @@ int lanes_at_once(const scene::Scene& scene) {
   return engine.kind == scene::EngineKind::pairwise ? engine.lanes_per_group : 1;
 }
 
-/// The streams around one lane, if a LUT of memory keeps one bit of each of 64 comparisons; its
-/// share of those of a group, or of a segment of a pairwise engine.
+/// The rough area of the streams around one lane: its share of those of a group, or of a segment of
+/// a pairwise engine. A LUT of memory keeps one bit of each of 64 comparisons.
 devices::Area rough_streams(const scene::Scene& scene, int slots) {
   if (scene.system.engine.kind == scene::EngineKind::pairwise) return {.luts = 30};
   const bool in_blocks = scene.system.operand_memory == scene::OperandMemory::block;
@@ -73,7 +73,7 @@ devices::Area rough_streams(const scene::Scene& scene, int slots) {
   return {.luts = (100 + bits * std::max(slots, 64) / 64) / scene.system.lanes_per_group};
 }
 
-/// The share of a crossbar, if a LUT chooses between two requests' bits.
+/// The rough area of one lane's share of a crossbar. A LUT chooses between bits of two requests.
 devices::Area rough_crossbar(const scene::Scene& scene, int ports) {
   return {.luts = 100 + request_bits(scene) * ports / 2};
 }
@@ -141,7 +141,7 @@ private:
     return rate ? std::optional(rate->value()) : std::nullopt;
   }
 
-  /// A lane that does not exist is no candidate; the measurement tells why there is none.
+  /// A lane that does not exist is no candidate; the measurement gives the reason.
   Result<Done> weigh(const ComponentKey& key) {
     MIXCMP_TRY(format, LaneFormat::parse(key.format));
     const std::optional<double> rate = rate_of(key, format.precision());

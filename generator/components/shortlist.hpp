@@ -8,29 +8,29 @@
 
 namespace mixcmp::components {
 
-/// What a lane costs by rough areas.
+/// The cost of a lane by rough areas.
 struct LaneEstimate {
   characterise::ComponentKey key;
   int precision = 0;
   devices::Area area;  ///< of the lane without its streams
   double rate = 0;     ///< of recomputation
-  double share = 0;    ///< of the device, that a comparison takes: C(L) + R_R C(H)
+  double share = 0;    ///< of the device, for one comparison: C(L) + R_R C(H)
 };
 
 /// The lanes that are worth measuring.
 struct Shortlist {
   std::set<characterise::ComponentKey> lanes;
-  std::vector<LaneEstimate> best;  ///< the best lane of each kind, that of the least share first
-  double reference_share = 0;      ///< of the device, that a reference takes
-  int candidates = 0;              ///< lanes that were to choose from
+  std::vector<LaneEstimate> best;  ///< the best lane of each kind, the least share first
+  double reference_share = 0;      ///< of the device, for one reference
+  int candidates = 0;              ///< lanes that were considered
   double seconds = 0;              ///< rough time of one processor to map all components, for areas
 };
 
-/// Chooses among the lanes that `query` asks for before anything is synthesised. What a comparison
-/// takes of the device is C(L) + R_R C(H) by equations 10 and 11 of the paper: here by rough areas
-/// (profile/cost_model.hpp) and by `rates`. Of each kind of lane, which is a bound and a choice of
-/// inputs, the best L and its two neighbours are chosen, unless that best takes more than 5/4 of
-/// the best of all. Lanes without a rate are left out.
+/// Chooses among the lanes that `query` asks for before anything is synthesised. A comparison takes
+/// the share C(L) + R_R C(H) of the device by equations 10 and 11 of the paper, here with rough
+/// areas (profile/cost_model.hpp) and `rates`. A kind of lane is a bound and a choice of inputs.
+/// For each kind, the best L and its two neighbours are chosen, unless that best takes more than
+/// 5/4 of the best of all. Lanes without a rate are left out.
 Result<Shortlist> shortlist(ComponentMaker& maker, const ComponentQuery& query,
                             const devices::Device& device, const optimise::Rates& rates);
 

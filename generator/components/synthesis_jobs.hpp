@@ -8,16 +8,16 @@
 
 namespace mixcmp::components {
 
-/// The job that synthesises a module alone, with the templates that it instantiates. Its sources
-/// have no comments, so that only the hardware decides their hash.
+/// The job that synthesises one module with the templates that it instantiates. Its sources have no
+/// comments, so that only the hardware decides their hash.
 characterise::SynthesisJob module_job(const rtl::Module& module);
 
 /// The job that synthesises the last of these modules, which instantiates the others, with their
 /// templates.
 characterise::SynthesisJob modules_job(const std::vector<rtl::Module>& modules);
 
-/// The job that synthesises a template alone: its parameters' defaults are replaced by the
-/// instance's values.
+/// The job that synthesises one template, with its parameters' defaults replaced by the instance's
+/// values.
 characterise::SynthesisJob template_job(const rtl::TemplateInstance& instance);
 
 /// "fp_add EXPONENT_BITS=8 PRECISION=12 CUTS=9'h01f": all that template_job needs.

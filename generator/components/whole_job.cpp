@@ -59,7 +59,7 @@ characterise::SynthesisJob system_job(const emit::GeneratedSystem& system) {
 
 Result<characterise::SynthesisJob> references_job(const scene::Scene& scene, int count) {
   ComponentMaker maker(scene, nullptr);
-  // References that stand alone take a comparison in every cycle, whatever the system's do.
+  // These references take a comparison in every cycle, even if the system's are folded.
   MIXCMP_TRY(reference, maker.make(reference_key(
                             scene, {.multipliers = scene.reference_structure.multipliers,
                                     .target_mhz = scene.reference_structure.target_mhz})));

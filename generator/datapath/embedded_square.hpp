@@ -24,9 +24,10 @@ public:
   }
 
   int multipliers() const { return parts() * (parts() + 1) / 2; }
-  /// Products of two different parts, each of which is added to those before it.
+  /// The number of products of two different parts. Each is added to those before it.
   int links() const { return parts() * (parts() - 1) / 2; }
-  /// The last part has more bits than a multiplier's narrow side: logic adds what they contribute.
+  /// The last part has more bits than a multiplier's narrow side: logic adds the contribution of
+  /// the excess bits.
   bool has_excess() const { return precision_ > parts() * multiplier_.b_bits; }
 
   /// Bits that the lower and the upper half of the last sum add.
@@ -40,7 +41,7 @@ private:
   int parts() const {
     return precision_ > spare_bits() ? ceil_div(precision_ - spare_bits(), multiplier_.b_bits) : 1;
   }
-  /// No product of two parts has one of the square's bits below these.
+  /// Bits of the last sum. No product of two parts has bits below these.
   int sum_bits() const { return 2 * precision_ - multiplier_.b_bits - 1; }
 
   int precision_;

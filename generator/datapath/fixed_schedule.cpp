@@ -102,7 +102,7 @@ private:
   }
 
   /// Moves a node to the cycle in which its result is needed first, if that takes fewer registers.
-  /// What reads the node has been moved before.
+  /// The readers of the node have been moved before.
   void move_later(NodeId id) {
     const FixedNode& node = lane_.nodes[id];
     if (arity(node.operation) == 0 || fixed::is_common_cut(node)) return;

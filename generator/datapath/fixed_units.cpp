@@ -56,7 +56,7 @@ Unit choice_unit(int bits, const DelayTable& delays) {
   return std::move(stages).unit("fixed_minimum_maximum");
 }
 
-/// One bit of the root a stage.
+/// A square root with one stage for each bit of the root.
 Unit square_root_unit(int root_bits, const DelayTable& delays) {
   StageList stages(delays);
   for (int bit = 0; bit < root_bits; ++bit) {

@@ -51,7 +51,7 @@ private:
 
   UnitKey key_of(NodeId id) const {
     const TypedNode& node = graph_.nodes[id];
-    // Its terms are all there at once, so that sharing it would take a register for each.
+    // The terms of a fused sum are all there at once, so sharing it would take a register for each.
     if (node.operation == Operation::fused_sum) {
       return {node.operation, 0, node.operand_format, node.format, id};
     }
@@ -65,9 +65,9 @@ private:
     return {operation, 0, node.operand_format, node.format};
   }
 
-  /// Chooses the squares that multipliers take: only where that saves squarers, and no more than
-  /// fit into the cycles that products leave free. So each multiplier has a product. A multiplier
-  /// for squares only would be larger than a squarer.
+  /// Chooses the squares that multipliers compute: only where that saves squarers, and no more than
+  /// fit into the cycles that products leave free. Each multiplier therefore has a product: a
+  /// multiplier for squares only would be larger than a squarer.
   void give_squares_to_multipliers() {
     std::map<UnitKey, std::vector<NodeId>> squares, products;
     for (NodeId id = 0; id < static_cast<NodeId>(count()); ++id) {
@@ -124,7 +124,7 @@ private:
     return serials * serial_square_tables(operands) < parallels * logic_square_tables(operands);
   }
 
-  /// Units of which each takes as many operations as the interval has room for.
+  /// The number of units, if each takes as many operations as the interval has room for.
   std::size_t units_needed(const UnitClass& shared, const Unit& unit) const {
     const auto most = static_cast<std::size_t>(interval_ / unit.initiation_interval);
     return (shared.operations.size() + most - 1) / most;
@@ -161,8 +161,8 @@ private:
     return FoldedNode::Kind::wires;
   }
 
-  /// A unit with several operations reads its operands through registers, unless all of them come
-  /// out of one other unit: then they are read where they come out, if the plan allows that.
+  /// A unit with several operations reads its operands through registers. If all of them come out
+  /// of one other unit, they are read where they come out, if the plan allows that.
   void plan() {
     for (UnitClass& shared : classes()) shared.reads_results = may_read_results(shared);
     if (try_plan()) return;
@@ -182,8 +182,9 @@ private:
     return true;
   }
 
-  /// Where a cell is a table of four inputs and a register, a register alone takes a cell. Wider
-  /// tables have registers to spare, and what waits costs less than reading it where it comes.
+  /// Tells whether a value that waits in a register costs a logic cell. In a cell of one four-input
+  /// table and one register, a register occupies the whole cell. Devices with wider tables have
+  /// registers to spare, so waiting costs less there than reading a result where it comes out.
   bool waiting_takes_cells() const { return !placer_.delays().has_wide_tables(); }
 
   static bool selects(const UnitClass& shared) {

@@ -14,9 +14,9 @@ using Kind = FoldedNode::Kind;
 
 /// The phases in which each unit begins an operation.
 ///
-/// Where operations keep their unit for several cycles, they begin whole multiples of these after
-/// the first one that the unit was given. No phases are lost between two of them then, and a unit
-/// takes as many as the interval has room for.
+/// If an operation keeps its unit for several cycles, the starts on that unit are whole multiples
+/// of this time apart from the first one. No phases are then lost between two operations, and a
+/// unit takes as many as the interval has room for.
 class Occupancy {
 public:
   explicit Occupancy(const FoldedGraph& graph) : interval_(graph.interval) {
@@ -107,7 +107,8 @@ private:
     }
   }
 
-  /// The cycles that pass if each node is waited for, and then a unit for an interval.
+  /// An upper bound of the schedule's length, in cycles: each node waits for the one before it, and
+  /// then an interval for its unit.
   int longest() const {
     int cycles = 0;
     for (const FoldedNode& node : graph_.nodes) cycles += node.latency + graph_.interval;
@@ -131,7 +132,8 @@ private:
     return true;
   }
 
-  /// Tells whether a unit is free, and one for what reads the result at once.
+  /// Tells whether a unit is free for the node, and a unit for each operation that reads its result
+  /// at once.
   bool may_start(NodeId id, int cycle) const {
     const FoldedNode& node = graph_.nodes[id];
     if (node.kind != Kind::operation) return true;
@@ -160,8 +162,8 @@ private:
   Occupancy occupancy_;
 };
 
-/// Searches by branch and bound, from the last operation to the first: each is tried from the
-/// latest cycle on that those which read it allow.
+/// Searches by branch and bound, from the last operation to the first. The cycles of an operation
+/// are tried from the latest one that its readers allow.
 class StorageSearch {
 public:
   StorageSearch(const FoldedGraph& graph, FoldPlan plan)
@@ -186,8 +188,8 @@ public:
 private:
   /// Bounds the time: some milliseconds.
   static constexpr int most_trials = 5'000;
-  /// A bit that waits takes a flip-flop, and often a cell of its own. A place more to read from
-  /// takes about half a cell a bit.
+  /// A bit that waits takes a flip-flop, and often a cell of its own. Each further source of an
+  /// operand takes about half a cell per bit.
   static constexpr long cost_of_waiting = 2;
   static constexpr long cost_of_source = 1;
 
@@ -267,7 +269,7 @@ private:
     return cost_of_source * width * static_cast<long>(sources.size());
   }
 
-  /// What a whole plan costs.
+  /// The cost of a whole plan.
   long cost() const {
     long cost = 0;
     for (NodeId id = 0; id < static_cast<NodeId>(graph_.nodes.size()); ++id) {
@@ -312,7 +314,8 @@ private:
     });
   }
 
-  /// What feeds a datapath needs a cycle to bring the next operands once these are read.
+  /// The last cycle in which inputs may be read: their source needs one more cycle to bring the
+  /// next operands.
   int last_read_of_inputs() const { return graph_.interval - 2; }
 
   void keep_if_better() {
@@ -349,7 +352,7 @@ private:
   std::vector<int> starts_;
   std::vector<std::size_t> units_;
   std::vector<NodeId> operations_;                 ///< the last one first
-  std::vector<std::vector<NodeId>> readers_;       ///< operations, of each value
+  std::vector<std::vector<NodeId>> readers_;       ///< the operations that read each value
   std::vector<int> deadlines_;                     ///< of compared values
   std::vector<std::pair<NodeId, int>> last_read_;  ///< compared values, and when
   std::vector<int> earliest_;

@@ -7,7 +7,7 @@
 
 namespace mixcmp::datapath {
 
-/// What the plan of a folded datapath has to know of one node.
+/// A node of a folded datapath, with the properties that the plan depends on.
 struct FoldedNode {
   enum class Kind {
     input,      ///< its value stays for a whole interval
@@ -45,17 +45,17 @@ struct FoldedGraph {
 /// When each node starts, and the unit of each operation.
 struct FoldPlan {
   std::vector<int> starts;
-  std::vector<std::size_t> units;  ///< index in the class; 0 for what is not an operation
+  std::vector<std::size_t> units;  ///< index in the class; 0 for nodes that are no operations
 };
 
-/// A plan by list scheduling: in each cycle, of the operations whose operands are ready and whose
-/// unit is free in this phase, the one from which the longest way is left to go. Where other
-/// operations read its result at once, their units have to be free, too. Nothing where that would
-/// make an operation wait for ever.
+/// A plan by list scheduling. In each cycle, operations start whose operands are ready and whose
+/// unit is free in this phase; the operation with the longest way left to a verdict comes first. If
+/// other operations read its result at once, their units must also be free. Returns nothing if an
+/// operation would then wait for ever.
 std::optional<FoldPlan> list_schedule(const FoldedGraph& graph);
 
-/// A plan by which fewer bits wait in registers, and units read from fewer places, while the
-/// compared values are ready no later than with `plan`: the best that a bounded search finds.
+/// A plan in which fewer bits wait in registers and units read from fewer places, while the
+/// compared values are ready no later than with `plan`. It is the best that a bounded search finds.
 FoldPlan reduce_storage(const FoldedGraph& graph, FoldPlan plan);
 
 }  // namespace mixcmp::datapath

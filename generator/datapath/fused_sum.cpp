@@ -41,8 +41,8 @@ void add_sums(StageList& stages, FloatFormat format, Subnormals subnormals, cons
   }
 }
 
-/// The stages "count" and "normalise" of a squared sum, whose exponent alone is normalised. Beside
-/// the second its significand goes to the multipliers.
+/// The stages "count" and "normalise" of a squared sum, of which only the exponent is normalised.
+/// During "normalise" its significand goes to the multipliers.
 StageList count_of_squared_sum(const FusedSum& sum, FloatFormat format, Multipliers multipliers,
                                const DelayTable& delays) {
   StageList stages(delays);
@@ -65,7 +65,7 @@ StageList exponent_stages(const FusedSum& sum, int candidates, const DelayTable&
   return stages;
 }
 
-/// Adds what the terms and the search for the largest exponent do side by side.
+/// Adds the stages of the terms beside those of the search for the largest exponent.
 void add_terms(StageList& stages, const TypedNode& node, const Kinds& kinds, Subnormals subnormals,
                Multipliers multipliers, const DelayTable& delays) {
   const FusedSum sum(node.format, node.terms.size());

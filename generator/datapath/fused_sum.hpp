@@ -18,7 +18,7 @@ public:
   FusedSum(FloatFormat format, std::size_t terms)
       : format_(format), terms_(static_cast<int>(terms)) {}
 
-  /// Tells whether a level of a tree over so many branches has anything to do.
+  /// Tells whether a level of a tree over this many branches has anything to do.
   static bool is_used(int level, int branches) { return (1 << level) < branches; }
 
   /// Places that a sum of all terms may need in front of the largest one's.

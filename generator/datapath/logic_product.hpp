@@ -69,8 +69,8 @@ private:
                                  : 2 * (last - first) + precision_ + 6;
   }
   int first_late_bit() const { return 3 * sum_bits(0, rows() - 1) / 4; }
-  /// The chains of a sum of `bits`, of which those from `late` up may be late. The early one has
-  /// one bit more, its carry.
+  /// The chains of a sum of `bits`. Bits from `late` up may be late. The early chain has one bit
+  /// more, its carry.
   Chains chains_of(int bits, int late) const {
     if (form_ != Form::split || late >= bits) return {bits, 0};
     return {late + 1, bits - late};

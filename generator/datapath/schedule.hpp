@@ -41,12 +41,12 @@ struct SharedUnit {
   bool selects = false;
 };
 
-/// When each node of a graph is computed. All paths are balanced: an operand is delayed by
-/// start_cycle of the operation that reads it, less its own ready_cycle.
+/// The cycle in which each node of a graph is computed. All paths are balanced: an operand is
+/// delayed by start_cycle of the operation that reads it, less its own ready_cycle.
 struct Schedule {
-  /// A comparison may start every so many cycles. Above 1 the reference is folded: in cycle c its
-  /// phase is c modulo the interval, and the units are `shared_units`. One that selects
-  /// reads operands in start_cycle into registers of its own.
+  /// Cycles between the starts of two comparisons. Above 1 the reference is folded: in cycle c its
+  /// phase is c modulo the interval, and the units are `shared_units`. A unit that selects reads
+  /// operands in start_cycle into registers of its own.
   int initiation_interval = 1;
   std::vector<SharedUnit> shared_units;
   int last_operand_phase = 0;  ///< operands of the comparison have to stay until then
@@ -55,10 +55,10 @@ struct Schedule {
   /// With guard digits: finds how many bits the common cuts drop. No unit elsewhere.
   Step common_drop;
   std::vector<Step> steps;  ///< one per node of the graph that all parts share
-  /// One per range check of a lane in floating point, where a check of a sign alone is wires; one
-  /// per limit and reach of a lane in fixed point.
+  /// In floating point one step per range check; a check of only the sign is wires. In fixed point
+  /// one per limit and reach.
   std::vector<Step> checks;
-  /// The squares of a lane in fixed point that are read from memories; each has a step, too.
+  /// The squares of a lane in fixed point that are read from memories; each also has a step.
   std::vector<fixed::SquareTable> square_tables;
   std::vector<PartSchedule> parts;
   Step combination;        ///< of the verdicts of several parts; no unit if there is one part

@@ -8,15 +8,15 @@
 
 namespace mixcmp::datapath {
 
-/// Whether a sum and its square share a unit. It has no `exceptional` output, so lanes keep them
-/// apart.
+/// Whether a sum and its square share a unit. The shared unit has no `exceptional` output, so lanes
+/// keep the two apart.
 enum class SquaredSums { apart, together };
 
-/// Tells whether a node is a sum or difference of one format, rounded to nearest, that nothing
-/// reads but one square, a node of its own or a term of a fused sum: their unit squares it with its
-/// leading zeros, which gives the same bits in fewer gates.
+/// Tells whether a node is a sum or difference of one format, rounded to nearest, whose only reader
+/// is one square: a node of its own or a term of a fused sum. The unit of both squares the sum with
+/// its leading zeros, which gives the same bits in fewer gates.
 bool is_only_squared(const TypedGraph& graph, NodeId sum);
-/// The sum that the node `square` is of, if it is only squared.
+/// The operand of the node `square`, if it is a sum that is only squared.
 std::optional<NodeId> squared_sum_of(const TypedGraph& graph, NodeId square);
 
 /// The stages of fp_unnormalised_sum.

@@ -18,7 +18,7 @@ inline int bits_for(int value) {
   return std::bit_width(static_cast<unsigned>(value));
 }
 
-/// Depth in LUTs, of six inputs each, of a tree that reduces `bits` bits to one.
+/// Depth of a tree of six-input LUTs that reduces `bits` bits to one.
 inline int reduction_levels(int bits) {
   int levels = 0;
   for (int left = bits; left > 1; left = (left + 5) / 6) ++levels;
@@ -30,7 +30,7 @@ inline int shift_levels(int amount_bits) {
   return (amount_bits + 1) / 2;
 }
 
-/// Depth in LUTs of a leading-zero counter of `bits` bits: a binary tree, three levels of which are
+/// Depth in LUTs of a leading-zero counter of `bits` bits: a binary tree, of which three levels are
 /// two LUTs deep.
 inline int count_levels(int bits) {
   return (2 * bits_for(bits) + 2) / 3;
@@ -52,7 +52,7 @@ public:
 
   /// Tells whether a look-up table has more than four inputs.
   bool has_wide_tables() const { return delays_.has_wide_tables(); }
-  /// Tells whether two bits may select what a carry chain adds at no cost.
+  /// Tells whether two bits may select an addend of a carry chain at no cost.
   bool selects_in_sums() const { return delays_.sum_selects >= 2; }
   double lut_delay_ns(int levels) const { return levels * delays_.lut_ns; }
   double carry(int bits) const { return delays_.carry_start_ns + bits * delays_.carry_ns_per_bit; }
@@ -80,7 +80,7 @@ public:
 
   int count() const { return static_cast<int>(stages_.size()); }
 
-  /// By what fp_aligned_operands tells which operand is the larger one.
+  /// How fp_aligned_operands finds the larger operand.
   enum class Order { by_magnitude, by_exponent };
   void add_aligned_operands(FloatFormat operands, int aligned, Subnormals subnormals, Order order);
   void add_operand(FloatFormat operands, Subnormals subnormals);
@@ -109,7 +109,7 @@ private:
   void add_embedded_square(int precision);
   void add_levels(LogicProduct product, int levels);
   void add_round_and_pack(FloatFormat result);
-  /// Whether to round up, at the end of the stage before "round".
+  /// The delay of the decision to round up, at the end of the stage before "round".
   double deciding_ns() const { return lut_delay_ns(1); }
 
   const DelayTable& delays_;
@@ -228,8 +228,8 @@ inline void StageList::add_logic_product(LogicProduct product) {
       add("digits", digits_bits > 0 ? carry(digits_bits) : lut_delay_ns(1));
       return add_levels(product, LogicProduct::levels - 1);
     case LogicProduct::Form::split:
-      // The last cut, at which bits wait for the late ones, does not register those: without a
-      // register at the cut before it their chain would go on into the next stage.
+      // At the last cut, bits wait for the late ones, which have no register there. Without a
+      // register at the cut before it, the chain of the late bits would go on into the next stage.
       add_levels(product, LogicProduct::levels - 1);
       stages_.back().registered = true;
       return add_registered("level 6", 0);
@@ -281,7 +281,7 @@ inline void StageList::add_product_behind_factors(int precision, LogicProduct::K
   MIXCMP_CHECK(false);
 }
 
-/// The stages of fp_square_steps: what is in front of the sum, then a stage for each step.
+/// The stages of fp_square_steps: those in front of the sum, then one for each step.
 inline void StageList::add_serial_square(SerialSquare square) {
   add_registered("digits", lut_delay_ns(3) + carry(SerialSquare::step_bits + 1));
   add_registered("two rows", lut_delay_ns(1) + carry(square.row_bits()));
@@ -292,7 +292,7 @@ inline void StageList::add_serial_square(SerialSquare square) {
 }
 
 /// The stages of fp_round. The last `dropped_bits` bits of a fraction that arrives too wide are
-/// ORed into the sticky bit; `select_ns` is what it takes to select the places that are kept.
+/// ORed into the sticky bit. The selection of the places that are kept takes `select_ns`.
 inline void StageList::add_round(FloatFormat result, bool denormalises, int dropped_bits,
                                  double select_ns) {
   const int amount_bits = bits_for(result.precision() + 2);

@@ -37,9 +37,10 @@ private:
   std::vector<double> ends_;
 };
 
-/// Finds the fewest cuts, the output's included, with at most `logic_ns` of logic between two of
-/// them; a stage that is longer stands alone. Among equals it prefers fewer halved sums, then later
-/// cuts. By dynamic programming: the best cuts in front of a stage extend those of an earlier one.
+/// Finds the fewest cuts, the output's included, with at most `logic_ns` of logic between two cuts.
+/// A longer stage has a cut at either end. Among equals the search prefers fewer halved sums, then
+/// later cuts. It is dynamic programming: the best cuts in front of a stage extend those of an
+/// earlier one.
 class CutSearch {
 public:
   /// forced: a stage that ends in a cut whatever the period is.
@@ -98,7 +99,7 @@ private:
   std::vector<Choice> best_;
 };
 
-/// By how much stages are longer than `logic_ns`, summed over those that are.
+/// The time by which stages exceed `logic_ns`, summed over those that do.
 double excess_ns(const Unit& unit, double logic_ns) {
   double excess = 0;
   for (const Stage& stage : unit.stages) excess += std::max(0.0, stage.delay_ns - logic_ns);

@@ -18,8 +18,8 @@ public:
 
   /// Chooses the form of `unit`, whose operands are read in cycle `start`, and its registers.
   Step place(Unit unit, int start);
-  /// Completes a schedule whose parts are placed: combines their verdicts, says how long all takes
-  /// and which stages are too slow.
+  /// Completes a schedule whose parts are placed: combines their verdicts, and sets the latency and
+  /// the list of slow stages.
   Schedule finish(Schedule schedule);
 
 private:

@@ -194,8 +194,8 @@ bool multiplies_by_zero(const TypedGraph& graph, const TypedNode& node) {
   });
 }
 
-/// Gives a product with zero the delay of what synthesis leaves of it: whether the other factor is
-/// a number, and the sign.
+/// Gives a product with zero the delay of the logic that synthesis leaves: the sign, and the test
+/// whether the other factor is a number.
 void leave_special_values(Unit& unit, FloatFormat operands, const DelayTable& delays) {
   for (Stage& stage : unit.stages) stage = {.name = stage.name, .delay_ns = 0};
   unit.stages.front().delay_ns =

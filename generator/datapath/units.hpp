@@ -34,7 +34,7 @@ struct Stage {
   /// The upper half of the sum that the stage before begins. A register between the two halves its
   /// carry chain.
   bool is_upper_half = false;
-  /// Chains of logic that work side by side, delay_ns being the longest of theirs; empty: one, of
+  /// Chains of logic that work side by side; delay_ns is that of the longest. Empty: one chain, of
   /// delay_ns and overlap_ns.
   std::vector<ChainDelay> chains = {};
   /// These chains begin together, when all of the stage before has ended.
@@ -55,8 +55,8 @@ struct Unit {
   /// Cycles for which an operation keeps the unit; above 1 it has an input `start`, which is 1 when
   /// its operand is there.
   int initiation_interval = 1;
-  /// At most one: the same operation by shorter stages and more registers, for periods that this
-  /// unit's stages are too long for. A vector, since Unit is incomplete here.
+  /// The same operation with shorter stages and more registers, for periods that are too short for
+  /// this unit's stages. At most one; a vector, since Unit is incomplete here.
   std::vector<Unit> faster_form = {};
 };
 
@@ -75,20 +75,20 @@ std::optional<Scaling> scaling_of(const TypedGraph& graph, const TypedNode& node
 /// comparison of that sum with zero finds.
 bool has_unit(const TypedNode& node);
 
-/// The unit that computes `node` of `graph`, which has one.
+/// The unit that computes `node` of `graph`, for which has_unit(node) holds.
 Unit unit_for(const TypedGraph& graph, const TypedNode& node, const error::Hazards& hazards,
               scene::Multipliers multipliers, const DelayTable& delays);
-/// The unit that computes `node` if nothing is known of its operands but what `hazards` rules out:
-/// a multiplication by a power of two takes a multiplier here. Not for fused sums.
+/// The unit that computes `node`, with no more known of its operands than `hazards` rules out: a
+/// multiplication by a power of two takes a multiplier here. Not for fused sums.
 Unit unit_for(const TypedNode& node, Subnormals subnormals, const error::Hazards& hazards,
               scene::Multipliers multipliers, const DelayTable& delays);
-/// The unit of logic that takes several cycles for a square, where there is one: not for operands
-/// of few bits, nor for devices with look-up tables of five inputs or more, where rows cost nothing
-/// beside the sums that they are added to.
+/// The unit of logic that takes several cycles for a square, where there is one. There is none for
+/// operands of few bits, nor for devices with look-up tables of five inputs or more, where rows
+/// cost nothing beside the sums that they are added to.
 std::optional<Unit> serial_square_unit(const TypedNode& square, Subnormals subnormals,
                                        const DelayTable& delays);
-/// About how many look-up tables of four inputs fp_square takes in logic, and fp_serial_square.
-/// Both fit what Yosys 0.23 makes of them for the iCE40 with 13 to 53 bits, within one part in ten.
+/// Estimates of the four-input look-up tables of fp_square in logic, and of fp_serial_square. Both
+/// agree with Yosys 0.23 for the iCE40 within one part in ten, for 13 to 53 bits.
 double logic_square_tables(FloatFormat operands);
 double serial_square_tables(FloatFormat operands);
 Unit compare_unit(FloatFormat format, const DelayTable& delays);
@@ -103,7 +103,7 @@ Unit bound_unit(error::BoundOperation operation, FloatFormat value, BoundFormat 
                 const DelayTable& delays);
 Unit bound_at_most_unit(BoundFormat bound, const DelayTable& delays);
 Unit bound_decision_unit(FloatFormat lane, BoundFormat bound, const DelayTable& delays);
-/// The unit of a range check (not for a check of the sign alone: that is a wire).
+/// The unit of a range check (not for a check of only the sign: that is a wire).
 Unit range_check_unit(const error::RangeCheck& check, const DelayTable& delays);
 
 }  // namespace mixcmp::datapath

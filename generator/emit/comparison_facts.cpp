@@ -19,7 +19,7 @@ std::vector<std::string> in_lines(const std::vector<std::string>& items) {
   return lines;
 }
 
-/// "the sign of f - g", or the same of several parts.
+/// "the sign of f - g", or the words for several parts.
 std::string verdict_of(const design::Design& design) {
   if (design.parts.size() == 1) return "the sign of f - g";
   return fmt::format("that of {} of {} parts, the signs of f[k] - g[k]",

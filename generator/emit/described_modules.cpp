@@ -133,7 +133,7 @@ Described describe_second_tier_channel(const rtl::SystemShape& shape) {
 }
 
 /// Counts and formats of lanes and references: one sentence if there is one kind of each, otherwise
-/// a line for each group, too.
+/// also a line for each group.
 std::vector<std::string> count_facts(const Design& design, const rtl::SystemShape& shape) {
   const std::string reference = design.reference.arithmetic.format.name();
   if (design.lanes.size() == 1 && design.references.size() <= 1 && !design.second_tier) {
@@ -172,7 +172,7 @@ void add_all(std::vector<std::string>& facts, std::vector<std::string> more) {
   for (std::string& fact : more) facts.push_back(std::move(fact));
 }
 
-/// What a lane gets of a comparison.
+/// The fields of a lane's s_axis_tdata: operands or, in an engine, words of its items.
 std::vector<std::string> operand_facts(const Design& design, const ScheduledSystem& scheduled) {
   const rtl::SystemShape& shape = scheduled.shape;
   const int tdata_bits = shape.lane_tdata_bytes() * 8;
@@ -352,7 +352,7 @@ Described describe_pairwise(const Design& design, const rtl::PairwiseShape& shap
   return {rtl::pairwise_module(shape, system), std::move(facts)};
 }
 
-/// What computes the words of `what`.
+/// The conversion that computes the words of an item or a row.
 Described describe_conversion(const rtl::ItemWords& words, data::Item item, const char* what,
                               const rtl::EngineShape& engine) {
   const rtl::Word& word = words.of(item);
@@ -406,7 +406,7 @@ Described describe_segment(const rtl::PairwiseShape& shape, const rtl::SystemSha
   return segment;
 }
 
-/// Adds each module once, whatever number of groups have it.
+/// Adds each module once, however many groups have it.
 class ModuleList {
 public:
   template <class Describe>
@@ -504,7 +504,7 @@ std::vector<Described> describe_system_modules(const Design& design,
   return modules.take();
 }
 
-/// Has the counters of the outermost module read on an AXI4-Lite port, and says where they are.
+/// Moves the counters of the outermost module to an AXI4-Lite port, and states their addresses.
 void add_counter_port(Described& top, const ScheduledSystem& scheduled) {
   const std::vector<rtl::Counters> counters = scheduled.counters();
   top.module = rtl::with_counter_port(std::move(top.module), counters, scheduled.shape);

@@ -42,7 +42,8 @@ void add_group(std::vector<rtl::DatapathGroup>& groups, rtl::DatapathGroup group
   groups.push_back(std::move(group));
 }
 
-/// The groups of a design's lanes; of an engine, of what is left of them behind `words`.
+/// The groups of a design's lanes. With `words`, they are the lanes of an engine behind the
+/// conversion.
 std::vector<rtl::DatapathGroup> lane_groups(const design::Design& design,
                                             const rtl::SystemShape& shape,
                                             const std::optional<rtl::ItemWords>& words,
@@ -69,7 +70,8 @@ std::vector<rtl::DatapathGroup> lane_groups(const design::Design& design,
   return groups;
 }
 
-/// The lanes of the second tier; of an engine, one behind each segment that reads `words`, too.
+/// The lanes of the second tier. In an engine they stand behind the segments, one each, and also
+/// read `words`.
 std::optional<rtl::DatapathGroup> second_tier(const design::Design& design,
                                               const rtl::SystemShape& shape,
                                               const std::optional<rtl::ItemWords>& words,
@@ -121,8 +123,8 @@ std::size_t longest_suffix(scene::EngineKind kind) {
   return bench_suffix.size() + (is_engine ? 1 + to_string(kind).size() : 0);
 }
 
-/// Stands for a list of formats that is too long for a name: their number and a hash of the list,
-/// "_24kinds_0d1f65c8".
+/// A short form of a list of formats that is too long for a name: their number and a hash of the
+/// list, "_24kinds_0d1f65c8".
 std::string short_list(const std::string& list, std::size_t formats) {
   return fmt::format("_{}kinds_{}", formats, ContentHash().add(list).hex().substr(0, 8));
 }
@@ -209,7 +211,7 @@ bool has_ports_of_two_widths(const scene::SystemSpec& system) {
   return device.ok() && device->quartus_part.empty();
 }
 
-/// What else the engine is made of, around a system whose lanes are scheduled.
+/// Adds the other parts of the engine around a system whose lanes are scheduled.
 void add_engine(std::optional<rtl::ItemWords> words, rtl::SystemShape& shape,
                 ScheduledSystem& scheduled) {
   if (!scheduled.engine) return;

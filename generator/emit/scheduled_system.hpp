@@ -17,21 +17,21 @@ namespace mixcmp::emit {
 struct ScheduledSystem {
   rtl::SystemShape shape;
   std::optional<rtl::EngineShape> engine;
-  /// What else a pairwise engine is made of. Its lanes are those of the shape, behind the
-  /// conversion of their operands.
+  /// The other parts of a pairwise engine. Its lanes are those of the shape, behind the conversion
+  /// of their operands.
   std::optional<rtl::PairwiseShape> pairwise;
-  /// What an arg-min engine is made of around the system, whose lanes begin there, too.
+  /// The parts of an arg-min engine around the system. Its lanes also begin behind the conversion.
   std::optional<rtl::ArgMinShape> arg_min;
 
-  /// What the lanes of an engine know of its items; null where there is no engine.
+  /// The words of an engine's items, which its lanes read; null where there is no engine.
   const rtl::ItemWords* words() const;
 
   /// The counters of the outermost module.
   std::vector<rtl::Counters> counters() const;
 };
 
-/// The part of a SystemShape that the streams alone decide; names, counts and latencies are left to
-/// the caller. `format`: of the operands that arrive.
+/// The part of a SystemShape that depends only on the streams; names, counts and latencies are left
+/// to the caller. `format`: of the operands that arrive.
 rtl::SystemShape stream_shape(const std::vector<std::string>& inputs, FloatFormat format,
                               const scene::SystemSpec& system);
 

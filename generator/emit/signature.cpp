@@ -62,7 +62,7 @@ const char* text_of(const std::array<Name<Value>, count>& names, Value value) {
 /// Takes fields out of a JSON object; the first one that does not fit is kept as the error.
 class Reader {
 public:
-  /// `path`: what stands before a field's name in errors.
+  /// `path`: the text before a field's name in errors.
   Reader(const Json& object, std::string file, std::string path = {})
       : object_(object), file_(std::move(file)), path_(std::move(path)) {}
 

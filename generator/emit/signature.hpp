@@ -31,16 +31,16 @@ struct SignatureCounters {
   int offset = 0;  ///< bytes; 8 more for each further counter, the low word of 32 bits first
 };
 
-/// The most characters of a module's name that every tool takes. Verilator replaces longer names by
-/// hashes. It then finds neither the top that it is told nor a file of the module's name. IEEE 1364
-/// lets tools stop at 1024, and no limit below that is known of Vivado, Quartus, Icarus or Yosys.
-/// File systems take names of 255 bytes, so there is room for any extension of the module's file.
+/// The greatest length of a module's name that every tool takes. Verilator replaces longer names by
+/// hashes. It then finds neither the top that it was given nor a file of the module's name. IEEE
+/// 1364 lets tools stop at 1024. No lower limit is known of Vivado, Quartus, Icarus or Yosys. File
+/// systems take names of 255 bytes, so there is room for any extension of the module's file.
 inline constexpr std::size_t longest_module_name = 127;
 
-/// The outermost module and this make the name of its test bench.
+/// The name of a test bench is that of the outermost module with this suffix.
 inline constexpr std::string_view bench_suffix = "_tb";
 
-/// A datapath's module and this make the name of its channel.
+/// The name of a channel is that of its datapath's module with this suffix.
 inline constexpr std::string_view channel_suffix = "_channel";
 
 /// Lanes of one kind.
@@ -91,7 +91,8 @@ struct SignatureSimulation {
   bool passed = false;
 };
 
-/// What a testbench or an integrator must know of a generated system; printed as <top>.json.
+/// The properties of a generated system that a testbench or an integrator needs; printed as
+/// <top>.json.
 struct Signature {
   std::string top;
   std::string generator_version;
@@ -107,7 +108,7 @@ struct Signature {
   /// Lanes that share handshakes, tag and counters: these ports have a field for each group.
   int lanes_per_group = 1;
   int references = 0;  ///< p_H
-  /// Lanes are numbered through their groups, in order, and so are references.
+  /// Lanes are numbered through their groups, in order. References are numbered in the same way.
   std::vector<SignatureLanes> lane_groups;
   std::vector<SignatureReferences> reference_groups;  ///< none where p_H = 0
   int tdata_bytes = 0;  ///< operands of one comparison, padded to whole bytes
@@ -137,13 +138,13 @@ struct Signature {
   std::vector<SignatureSimulation> simulations = {};
 };
 
-/// Groups of lanes in lock step; each lane by itself is one.
+/// The number of groups of lanes in lock step. A lane without a group counts as one.
 inline int group_count(const Signature& signature) {
   return signature.lanes / signature.lanes_per_group;
 }
 
-/// The streams m_refetch and s_refetch of a system: of its references, then of its second tier; 0
-/// where operands are carried.
+/// The number of streams m_refetch and s_refetch of a system: first those of its references, then
+/// those of its second tier. 0 where operands are carried.
 int refetch_streams(const Signature& signature);
 
 /// Whether the counters are outputs of the top.
@@ -157,7 +158,7 @@ int counter_address_bits(const Signature& signature);
 int counted_answers(const Signature& signature);
 
 nlohmann::ordered_json to_json(const SignatureSimulation& run);
-/// Reads what to_json made. Other JSON gives nothing.
+/// Reads the output of to_json. Other JSON gives nothing.
 std::optional<SignatureSimulation> simulation_in(const nlohmann::ordered_json& json);
 
 std::string to_json(const Signature& signature);

@@ -131,7 +131,8 @@ std::vector<std::string> slow_stages(const rtl::SystemShape& shape) {
   return notes;
 }
 
-/// Says that an engine which tells a number alone counts the pairs that no reference decides.
+/// Adds a note if an engine reports only the number of pairs and has no reference: undecided pairs
+/// are then in this number.
 void note_undecided_count(const Design& design, std::vector<std::string>& notes) {
   const scene::EngineSpec& engine = design.system.engine;
   const bool counts =
@@ -191,7 +192,7 @@ std::string spec_hash(const std::vector<std::string>& texts,
   return hash.hex().substr(0, 16);
 }
 
-/// `text`: what is printed of the module.
+/// `text`: the printed module.
 GeneratedFile verilog_file(const Described& described, const std::string& text,
                            const Signature& signature, const std::string& command) {
   return {described.module.name + ".v", to_comment(described.facts) + to_comment({""}) +
@@ -215,14 +216,15 @@ GeneratedFile template_file(const std::string& name, const std::string& prefix) 
   return {prefix + name + ".v", copied(template_text(name), prefix)};
 }
 
-/// Its name does not end in ".v": tools that read DIR/*.v find the template of the same module.
+/// The file of a cell. Its name does not end in ".v": tools that read DIR/*.v find the template of
+/// the same module.
 GeneratedFile cell_file(const TechnologyCell& cell, const std::string& prefix) {
   return {prefix + cell.module + ".v." + cell.cells, copied(cell.text, prefix), cell.cells};
 }
 
-/// Names are relative to the list's own folder: absolute ones would make other bytes in another
-/// place. Tools differ in how they read such a list, so its head gives a command for each;
-/// tests/system/lint_test.cpp runs these commands.
+/// The list of the Verilog files. Names are relative to the list's own folder: absolute ones would
+/// make other bytes in another place. Tools differ in how they read such a list, so its head gives
+/// a command for each; tests/system/lint_test.cpp runs these commands.
 GeneratedFile file_list(const Signature& signature, const devices::Device& device) {
   const std::string& top = signature.engine ? signature.engine->top : signature.top;
   std::string text = fmt::format(

@@ -40,8 +40,8 @@ void state_simulations(GeneratedSystem& system, std::vector<SignatureSimulation>
 Result<Done> add_project_files(GeneratedSystem& system, std::vector<GeneratedFile> files);
 
 /// Writes the files as the whole content of `directory`: all or nothing. An existing directory is
-/// replaced only where it is empty or holds nothing but a previous output of this program, in its
-/// folders, too.
+/// replaced only if it is empty, or if it and its folders hold nothing but a previous output of
+/// this program.
 Result<Done> write_system(const GeneratedSystem& system, const std::filesystem::path& directory);
 
 }  // namespace mixcmp::emit

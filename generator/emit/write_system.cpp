@@ -50,7 +50,7 @@ std::set<fs::path> folders_of(const std::set<fs::path>& files) {
   return folders;
 }
 
-/// A folder that is about to be replaced, with what a previous output has left in it.
+/// A folder that is about to be replaced, and the parts of a previous output in it.
 struct Replaced {
   fs::path directory;
   std::set<fs::path> files;
@@ -84,8 +84,8 @@ Result<Done> check_entries(const Replaced& replaced, const fs::path& below) {
   return Done{};
 }
 
-/// Refuses what must not be replaced, such as a folder with a file that no earlier output lists:
-/// no file of the user may be lost.
+/// Refuses to replace a path such as a folder with a file that no earlier output lists: no file of
+/// the user may be lost.
 Result<Done> check_replaceable(const fs::path& directory) {
   std::error_code failed;
   const fs::file_status status = fs::status(directory, failed);
@@ -107,7 +107,7 @@ Result<Done> check_replaceable(const fs::path& directory) {
   return check_entries(replaced, {});
 }
 
-/// Lets whoever may read a file execute it, too.
+/// Lets whoever may read a file also execute it.
 Result<Done> make_executable(const fs::path& path) {
   std::error_code failed;
   const fs::perms readers =
@@ -144,7 +144,7 @@ Result<Done> set_permissions(const fs::path& staged, const fs::path& directory) 
   return Done{};
 }
 
-/// An error about a staged file, told of the path that the user knows.
+/// An error about a staged file, with the path that the user knows.
 Error in_place(Error error, const fs::path& path) {
   error.file = path.string();
   return error;

@@ -16,8 +16,8 @@ struct ChartPoint {
 
 enum class Mark {
   line,         ///< points with a line through them
-  dashed_line,  ///< a line without points: what is proven or given, not measured
-  points,       ///< points alone
+  dashed_line,  ///< a line without points: proven or given values, not measured ones
+  points,       ///< points without a line
   steps,        ///< a line of horizontal and vertical pieces: a front
 };
 
@@ -39,7 +39,7 @@ struct ChartBand {
 };
 
 struct Chart {
-  std::string title;  ///< what the picture shows, for those who cannot see it
+  std::string title;  ///< describes the picture to readers who cannot see it
   AxisSpec x, y;
   std::vector<Series> series;
   std::vector<ChartBand> bands = {};

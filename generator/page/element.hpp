@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-/// Pages and pictures as text: HTML 5 and SVG that are well-formed XML, too.
+/// Pages and pictures as text: HTML 5 and SVG that are also well-formed XML.
 namespace mixcmp::page {
 
 struct Attribute {
@@ -33,7 +33,7 @@ private:
   std::string content_;  ///< printed
 };
 
-/// An element that contains a text alone.
+/// An element that contains only a text.
 Element text_element(std::string name, const std::vector<Attribute>& attributes,
                      std::string_view text);
 
@@ -43,8 +43,8 @@ std::string coordinate(double value);
 /// An SVG text at a place. `style`: its class.
 Element text_at(double x, double y, std::string_view style, std::string_view text);
 
-/// What a reader sees who points at the element, or reaches it by keys: its <title>, one line or
-/// several.
+/// The <title> of an element, one line or several. A reader sees it by pointing at the element, or
+/// by reaching it with keys.
 Element tip(std::string_view text);
 
 /// Concatenates commands and coordinates of an SVG path: "M1,2", "L3.5,4".

@@ -11,13 +11,13 @@ namespace mixcmp::page {
 Element paragraph(std::string_view text);
 Element note(std::string_view text);
 Element heading(std::string_view text);
-/// Names and what they stand for, in two columns.
+/// Names and their meanings, in two columns.
 Element definitions(const std::vector<std::pair<std::string, std::string>>& entries);
-/// The same of short texts: several side by side where there is room.
+/// Names and short meanings: several entries side by side where there is room.
 Element short_definitions(const std::vector<std::pair<std::string, std::string>>& entries);
 /// Lines of a command or a program, as they are.
 Element code(std::string_view text);
-/// Says what a section lacks, and the command that makes it (empty: none).
+/// States the missing part of a section, and the command that makes it (empty: none).
 Element missing(std::string_view why, std::string_view command);
 /// A picture with a sentence below it.
 Element figure(const Element& picture, std::string_view caption);
@@ -25,7 +25,7 @@ Element figure(const Element& picture, std::string_view caption);
 Element gallery(const std::vector<Element>& figures);
 /// Large numbers with their names.
 Element key_figures(const std::vector<std::pair<std::string, std::string>>& entries);
-/// What a reader opens who wants to know more.
+/// A part of a page that a reader may open for more details.
 Element details(std::string_view summary, const Element& content);
 
 /// Rows of cells. Columns whose cells are all numbers are aligned to the right.

@@ -15,7 +15,7 @@ enum class UnitRole {
   decision,
 };
 
-/// One box of a pipeline: what a hardware unit does, and in which cycles.
+/// One box of a pipeline: the work of a hardware unit, and its cycles.
 struct PipelineUnit {
   std::string title;
   std::string detail;
@@ -29,7 +29,7 @@ struct PipelineUnit {
 /// A pipeline whose units start when their operands are ready, or later: the operands are then
 /// delayed. Time runs downwards.
 struct Pipeline {
-  std::string title;  ///< what the picture shows, for those who cannot see it
+  std::string title;  ///< describes the picture to readers who cannot see it
   std::vector<PipelineUnit> units;
   int cycles = 0;  ///< from the operands to the result
 };

@@ -67,8 +67,8 @@ void PipelineColumns::connect(int one, int other) {
   items_[other].neighbours.push_back(one);
 }
 
-/// Orders units as a walk from the results back to the inputs meets them: of a tree, no wires
-/// cross.
+/// Orders units in the order of a walk from the results back to the inputs. The wires of a tree
+/// then do not cross.
 void PipelineColumns::order_first(const Pipeline& pipeline) {
   const std::size_t units = pipeline.units.size();
   std::vector<bool> is_read(units, false), known(units, false);

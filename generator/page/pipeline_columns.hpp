@@ -13,8 +13,8 @@ struct PipelineWire {
   int item = -1;  ///< the column of its straight middle; -1: it passes no row
 };
 
-/// The horizontal places of a pipeline's units, and of the wires that pass rows between them. What
-/// stands in one row does not overlap, and what is connected is near.
+/// The horizontal places of a pipeline's units, and of the wires that pass rows between them. Items
+/// in one row do not overlap, and connected items are near each other.
 class PipelineColumns {
 public:
   PipelineColumns(const Pipeline& pipeline, const PipelineRows& rows);

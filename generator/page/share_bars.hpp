@@ -22,13 +22,13 @@ struct ShareBar {
 };
 
 struct ShareBars {
-  std::string title;        ///< what the picture shows, for those who cannot see it
-  std::string usable_name;  ///< what the mark means: "80 % (slack 0.2)"
+  std::string title;        ///< describes the picture to readers who cannot see it
+  std::string usable_name;  ///< the meaning of the mark: "80 % (slack 0.2)"
   std::vector<ShareSegment> segments;
   std::vector<ShareBar> bars;
 };
 
-/// Horizontal stacked bars, each as long as what the device has, with a legend.
+/// Horizontal stacked bars with a legend. A whole bar is the amount that the device has.
 Element draw(const ShareBars& bars);
 
 }  // namespace mixcmp::page

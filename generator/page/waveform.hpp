@@ -11,7 +11,7 @@
 
 namespace mixcmp::page {
 
-/// What a bus carries in one cycle.
+/// The value of a bus in one cycle.
 struct WaveBeat {
   std::string text;  ///< short: a few letters fit into a cycle
   int color = -1;    ///< of chart colours; -1: none
@@ -40,7 +40,7 @@ struct WaveWindow {
 };
 
 struct Waveform {
-  std::string title;                ///< what the picture shows, for those who cannot see it
+  std::string title;                ///< describes the picture to readers who cannot see it
   std::uint64_t cycle_zero = 0;     ///< the cycle that is numbered 0
   std::vector<WaveWindow> windows;  ///< in order; cycles between them are left out
   std::vector<WaveRow> rows;

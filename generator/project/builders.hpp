@@ -6,7 +6,7 @@
 #include "generator/project/project.hpp"
 #include "generator/project/text_template.hpp"
 
-/// One builder of files for each tool, and what they share.
+/// One builder of files for each tool, and the functions that they share.
 namespace mixcmp::project {
 
 using emit::GeneratedFile;
@@ -17,7 +17,7 @@ using emit::GeneratedFile;
 Values common_values(const ProjectSpec& spec, const std::string& comment);
 
 /// Says whether a module with these ports counts, with how many bits, and how a test bench reads
-/// what it counts.
+/// the counts.
 void add_counter_values(const emit::Signature& signature,
                         const std::vector<emit::SignaturePort>& ports, Values& values);
 

@@ -95,7 +95,7 @@ std::string in_capitals(std::string name) {
   return name;
 }
 
-/// What C and C++ need to read the counters of an AXI4-Lite port.
+/// The header with which C and C++ programs read the counters of an AXI4-Lite port.
 GeneratedFile counters_header(const ProjectSpec& spec) {
   Values values = common_values(spec, "//");
   const std::string name = in_capitals(spec.build_top());

@@ -28,7 +28,7 @@ std::string pins_name(const ProjectSpec& spec) {
   return spec.build_top() + "_pins";
 }
 
-/// A module of three pins around the top, which alone has more ports than a package has pins.
+/// A module of three pins around the top. The top itself has more ports than a package has pins.
 Result<GeneratedFile> pins_file(const ProjectSpec& spec) {
   std::vector<characterise::WrappedPort> ports;
   for (const emit::SignaturePort& port : spec.build_ports()) {

@@ -9,7 +9,8 @@
 #include "generator/project/test_vector.hpp"
 #include "model/devices/device.hpp"
 
-/// What a user of another tool expects beside the Verilog: scripts, constraints, a test bench.
+/// The files that a user of another tool expects beside the Verilog: scripts, constraints, a test
+/// bench.
 namespace mixcmp::project {
 
 /// The tools that a project can be written for.
@@ -25,12 +26,12 @@ bool runs_test_bench(Tool tool);
 /// The command that starts a tool on a system of this name in `directory`.
 std::string start_command(Tool tool, const std::string& top, const std::string& directory);
 
-/// What all files of a project are made from.
+/// The input of all files of a project.
 struct ProjectSpec {
   const emit::Signature& signature;
   const devices::Device& device;
-  /// Vector k is for lane k modulo the number of lanes; those of a group of lanes are whole words.
-  /// Empty: there is an engine, or no data.
+  /// Vector k is for lane k modulo the number of lanes. For a group of lanes, vectors fill whole
+  /// words. Empty: there is an engine, or no data.
   const std::vector<TestVector>& vectors;
   /// For the test bench of the engine, where there is one and there are vectors.
   const EngineVectors& engine_vectors;
@@ -41,7 +42,7 @@ struct ProjectSpec {
   const std::string& build_top() const;
   /// Whether there is a test bench of the engine.
   bool tests_engine() const { return !std::holds_alternative<std::monostate>(engine_vectors); }
-  /// The test bench, of the engine where there is one; empty without data.
+  /// The name of the test bench, that of the engine where there is one; empty without data.
   std::string bench() const;
   /// The ports of that module.
   const std::vector<emit::SignaturePort>& build_ports() const;

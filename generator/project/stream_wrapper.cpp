@@ -84,7 +84,7 @@ std::string wrapper_name(const ProjectSpec& spec) {
   return name.size() <= emit::longest_module_name ? name : top + "_io";
 }
 
-/// Says whose ports number k are, of those that are there.
+/// Lines that say to which lane, group, reference or stream the ports with number k belong.
 std::vector<std::string> description(const emit::Signature& signature) {
   const bool counters = has_counter_ports(signature);
   std::vector<std::string> lines;

@@ -8,16 +8,17 @@
 
 namespace mixcmp::project {
 
-/// A port of the top. Of a system it has one field for each lane or group of lanes or, of a refetch
-/// stream, for each reference; of a pairwise engine one for each stream of reports, or is no vector
-/// of streams.
+/// A port of the top, seen as fields. A port of a system has one field for each lane or group of
+/// lanes; one of a refetch stream has one for each reference, then one for each lane of the second
+/// tier. A port of a pairwise engine has one field for each stream of reports, or belongs to no
+/// vector of streams.
 struct FieldPort {
   const emit::SignaturePort* port;
   int count = 0;           ///< fields
-  bool is_single = false;  ///< of no stream beside which there are others: it keeps its name
+  bool is_single = false;  ///< in no vector of streams: the port keeps its name
 
   int field_width() const { return port->width / count; }
-  /// The port of field k alone: "s_axis_3_tdata", "comparisons_3".
+  /// The name of the port for field k: "s_axis_3_tdata", "comparisons_3".
   std::string field_name(int k) const;
 };
 

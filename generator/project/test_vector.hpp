@@ -17,7 +17,7 @@ struct TestVector {
 /// A set of items for a pairwise engine, and the word that the lane of each pair must find.
 struct PairwiseVectors {
   std::vector<std::vector<std::uint8_t>> items;  ///< s_axis_tdata of each, at least two
-  std::size_t targets = 0;           ///< the first items, which meet the others alone; 0: all meet
+  std::size_t targets = 0;           ///< the first items, which only meet the others; 0: all meet
   std::vector<ResultWord> expected;  ///< of the pairs, in the order of the first item, then of the
                                      ///< second: (0,1), (0,2), ..., (1,2), ...
 };
@@ -35,7 +35,7 @@ struct ArgMinVectors {
   std::vector<RowVector> rows;
 };
 
-/// What the test bench of an engine sends; nothing where there is no engine.
+/// The vectors of an engine's test bench; nothing where there is no engine.
 using EngineVectors = std::variant<std::monostate, PairwiseVectors, ArgMinVectors>;
 
 }  // namespace mixcmp::project

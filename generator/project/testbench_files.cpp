@@ -9,8 +9,8 @@ bool refetches(const emit::Signature& signature) {
   return emit::refetch_streams(signature) > 0;
 }
 
-/// What a test bench needs where lanes are in groups, and what leaves the text of one for single
-/// lanes as it is.
+/// Values for a test bench whose lanes are in groups. With single lanes they leave its text as it
+/// is.
 void add_group_values(const emit::Signature& s, Values& values) {
   const bool is_grouped = s.lanes_per_group > 1;
   values["GROUPED"] = is_grouped ? "yes" : "";

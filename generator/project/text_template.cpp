@@ -47,7 +47,7 @@ std::string filled_line(std::string_view line, const Values& values) {
   return filled;
 }
 
-/// What stands between `begin` and the @ that ends the line; empty for any other line.
+/// The text between `begin` and the @ that ends the line; empty for any other line.
 std::string_view argument(std::string_view line, std::string_view begin) {
   if (!line.starts_with(begin) || !line.ends_with('@')) return {};
   return line.substr(begin.size(), line.size() - begin.size() - 1);

@@ -44,7 +44,8 @@ std::vector<Stream> streams_of(const std::vector<std::string>& ports) {
   return streams;
 }
 
-/// What is packaged as IP: the wrapper with streams of their own, or an engine that needs none.
+/// The module that is packaged as IP: the wrapper with streams of their own, or an engine that
+/// needs none.
 struct Packaged {
   std::string top;
   std::vector<std::string> ports;

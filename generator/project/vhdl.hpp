@@ -5,7 +5,7 @@
 
 namespace mixcmp::project {
 
-/// A port of a VHDL component. A Verilog port with a range, [0:0] too, is a std_logic_vector.
+/// A port of a VHDL component. A Verilog port with a range, even [0:0], is a std_logic_vector.
 struct VhdlPort {
   std::string name;
   bool is_input = true;

@@ -13,7 +13,7 @@
 #include "generator/api/mixcmp.hpp"
 
 /// The extension module mixcmp._core: the public C++ library with NumPy arrays. The package in the
-/// folder mixcmp makes of it what Python's users see.
+/// folder mixcmp wraps it for users of Python.
 namespace mixcmp::python {
 namespace {
 
@@ -40,8 +40,8 @@ py::array_t<std::uint8_t> bits_of(const std::vector<api::Answer>& answers) {
   return bits;
 }
 
-/// A callback that may raise: what it raises is told as an exception that nobody could catch, since
-/// it is called from threads of the library.
+/// A callback that may raise. Its exceptions are reported as unraisable: it is called from threads
+/// of the library, where nobody could catch them.
 api::Progress guarded(const api::Progress& progress) {
   if (!progress) return {};
   return [progress](const std::string& step, double share) {

@@ -23,7 +23,7 @@ page::Mark mark_of(CurveKind kind) {
   MIXCMP_CHECK(false);
 }
 
-/// What stands before the colon of a label: "L" of "L: digits of the reduced precision".
+/// The part of a label before the colon: "L" of "L: digits of the reduced precision".
 std::string short_label(const std::string& label) {
   return label.substr(0, label.find(':'));
 }

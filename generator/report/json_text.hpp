@@ -11,8 +11,7 @@ namespace mixcmp::report {
 /// folders, are replaced by U+FFFD.
 std::string json_text(const nlohmann::ordered_json& json);
 
-/// An error as JSON: what it is made of, without what is empty, and under "text" the line that a
-/// user reads.
+/// An error as JSON: its parts that are not empty, and under "text" the line that a user reads.
 nlohmann::ordered_json to_json(const Error& error);
 
 }  // namespace mixcmp::report

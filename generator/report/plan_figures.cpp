@@ -99,8 +99,8 @@ public:
     }
   }
 
-  /// How many lanes fit beside so many references and can be connected by their crossbars. Each
-  /// lane has the average area of the plan's lanes, streams included.
+  /// The number of lanes that fit beside this many references and can be connected by their
+  /// crossbars. Each lane has the average area of the plan's lanes, streams included.
   int lanes_beside(int references) const {
     const Area room = performance::usable(optimisation_.device.available, optimisation_.slack);
     const std::size_t ports = plan_.problem.communication.crossbar.size();
@@ -116,7 +116,7 @@ public:
     return std::max(0, static_cast<int>(lanes));
   }
 
-  /// The equivalent throughput T(equ). In one clock domain references run at the plan's clock, too.
+  /// The equivalent throughput T(equ). In one clock domain references also run at the plan's clock.
   double throughput_per_s(int lanes, int references) const {
     const double lane = plan_.throughput_per_s() / chosen_.lane_count();
     const bool one_clock = plan_.problem.clocks == ClockDomains::single;

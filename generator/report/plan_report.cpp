@@ -55,7 +55,7 @@ std::string row(const PrecisionPlan& plan, bool best) {
                      s.throughput_per_s / giga, s.kinds);
 }
 
-/// What a plan of an engine counts, a line each.
+/// The areas that a plan of an engine counts, one line per part.
 std::string counted_text(const PrecisionPlan& plan) {
   std::string text = fmt::format("  {:<36}", "counts");
   for (const Resource& resource : bounded_resources) text += fmt::format(" {:>8}", resource.name);
@@ -113,7 +113,7 @@ Json json_of(const PrecisionPlan& plan) {
           {"kinds", std::move(kinds)}};
 }
 
-/// What the plan counts, by the names of its parts.
+/// The areas that the plan counts, by the names of its parts.
 Json counted_json(const PrecisionPlan& plan) {
   Json parts = Json::array();
   for (const PartShare& part : shares_of(plan)) {

@@ -121,7 +121,7 @@ page::ShareBars bars_of(const Optimisation& plans, const PrecisionPlan& best) {
   return bars;
 }
 
-/// The resource of which the plan uses the largest share of what it may use.
+/// The resource of which the plan uses the largest share of the usable amount.
 std::string limit_of(const Optimisation& plans, const PlanSummary& best) {
   const devices::Area usable = performance::usable(plans.device.available, plans.slack);
   std::string name = "none";
@@ -159,7 +159,7 @@ void add_best(page::Section& section, const Optimisation& plans, const Precision
                    "What each part takes of the device, by the measured areas of the table."));
 }
 
-/// Says so where the scene has a system of its own that is not the plan's.
+/// Adds a note if the scene has a system of its own that is not the plan's.
 void add_difference(page::Section& section, const scene::Scene& scene, const PlanSummary& best) {
   const auto lanes = scene.lane_count(), references = scene.reference_count();
   if (!lanes || !references) return;

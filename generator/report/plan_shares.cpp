@@ -20,8 +20,8 @@ Area difference(const Area& whole, const Area& part) {
   return left;
 }
 
-/// The lanes of each kind, the second tiers behind them, and what is around both. Where lanes were
-/// not measured alone, they count with all of it.
+/// The lanes of each kind, the second tiers behind them, and the parts around both. Lanes that were
+/// not measured by themselves count together with the parts around them.
 std::vector<PartShare> shares_of_lanes(const optimise::PrecisionPlan& plan,
                                        const optimise::Allocation& chosen, bool in_engine) {
   std::vector<PartShare> parts;

@@ -7,16 +7,16 @@
 
 namespace mixcmp::report {
 
-/// What one part of a system takes of a device.
+/// The area of one part of a system.
 struct PartShare {
   std::string name;
   devices::Area area;
 };
 
 /// The parts of a plan: each kind of lanes, the scoreboards around lanes, each kind of references,
-/// and the crossbar with what else connects them. Of an engine: lanes, second tiers, what else is
-/// theirs or their segments', references, the crossbar where there is one, and the rest. Together
-/// they take what the plan uses.
+/// and the crossbar with the other connections. In an engine: lanes, second tiers, the other parts
+/// of lanes and segments, references, the crossbar where there is one, and the rest. The areas add
+/// up to that of the plan.
 std::vector<PartShare> shares_of(const optimise::PrecisionPlan& plan);
 
 /// Whether the plan is one of an engine.

@@ -31,7 +31,7 @@ std::string text_of(const CurveStyle& style) {
   MIXCMP_CHECK(false);
 }
 
-/// The points of a curve that gnuplot can draw, a line each.
+/// The points of a curve that gnuplot can draw, one per line.
 std::string drawn_points(const Curve& curve, const Picture& picture) {
   std::string text;
   for (const auto& [x, y] : curve.points) {

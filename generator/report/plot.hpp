@@ -32,7 +32,7 @@ enum class Axis {
 
 struct Picture {
   std::string title, x_label, y_label;
-  std::string axes;  ///< further commands of gnuplot, a line each
+  std::string axes;  ///< further commands of gnuplot, one per line
   std::vector<Curve> curves;
   Axis y_axis = Axis::logarithmic;
   Axis x_axis = Axis::linear;

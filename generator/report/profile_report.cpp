@@ -88,7 +88,7 @@ std::size_t interesting_rows(const RateProfile& profile) {
   return rows;
 }
 
-/// Adds how many verdicts that lanes decided were wrong, whatever the reference says.
+/// Adds the number of wrong verdicts that lanes decided, for each scheme over all L.
 void add_wrong_lanes(FormattedText& page, const RateProfile& profile) {
   page.add("wrong verdicts that a lane decided, at all L together:");
   for (const SchemeProfile& scheme : profile.schemes) {

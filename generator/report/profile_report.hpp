@@ -25,8 +25,8 @@ nlohmann::ordered_json to_json(const ProfileReport& report);
 /// not exist is empty.
 std::string figure4_csv(const ProfileReport& report);
 /// CSV with the columns inputs, precision, system, comparisons, undecided, rate, wrong,
-/// wrong_by_lane. The reference alone has its own precision and nothing undecided. Systems that do
-/// not exist have no rows.
+/// wrong_by_lane. The reference without lanes has its own precision and nothing undecided. Systems
+/// that do not exist have no rows.
 std::string figure5_csv(const ProfileReport& report);
 
 /// The paper's figures: relative errors with their proven bounds, and recomputation rates.

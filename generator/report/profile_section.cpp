@@ -14,7 +14,7 @@ using profile::SchemeProfile;
 /// Section V of the paper: "undetectable when there are more than 31 mantissa bits".
 constexpr int published_last_recomputation = 31;
 
-/// The report with the errors of those inputs alone whose rates were counted.
+/// The report with only the errors of those inputs whose rates were counted.
 ProfileReport with_counted_inputs(const ProfileReport& report) {
   ProfileReport counted = report;
   std::erase_if(counted.errors, [&](const profile::ErrorProfile& errors) {

@@ -17,8 +17,8 @@
 #include "model/proof/lane_proof.hpp"
 #include "model/scene/summary.hpp"
 
-/// The sections of the page that `mixcmp report` writes. Each says what is missing, and which
-/// command makes it, where it has nothing to show.
+/// The sections of the page that `mixcmp report` writes. A section with nothing to show names the
+/// missing data and the command that makes them.
 namespace mixcmp::report {
 
 struct Missing {
@@ -28,8 +28,7 @@ struct Missing {
 template <class T>
 using IfThere = std::variant<T, Missing>;
 
-/// What was asked for: the lines of `check`. `made_by`: names and versions of programs, the
-/// command.
+/// The request: the lines of `check`. `made_by`: names and versions of programs, the command.
 page::Section request_section(const scene::Summary& summary,
                               const std::vector<std::pair<std::string, std::string>>& made_by);
 
@@ -43,8 +42,8 @@ struct ProvenLanes {
 };
 page::Section proof_section(const IfThere<std::vector<ProvenLanes>>& lanes);
 
-/// Errors and rates. `beside_paper`: the scene is the paper's benchmark, whose numbers are drawn,
-/// too.
+/// Errors and rates. `beside_paper`: the scene is the paper's benchmark, and the paper's numbers
+/// are also drawn.
 page::Section profile_section(const IfThere<ProfileReport>& profile, bool beside_paper);
 
 /// Area against recomputation rate. `plans` may be null; otherwise its lanes have measured areas.
@@ -64,7 +63,7 @@ struct BuiltSystem {
 };
 page::Section system_section(const IfThere<BuiltSystem>& system);
 
-/// What went through one lane of a simulated system: at least one comparison.
+/// The comparisons that went through one lane of a simulated system: at least one.
 struct LaneTraffic {
   struct Transfer {
     std::uint64_t index = 0;  ///< of the comparison, in the scene's data
@@ -79,8 +78,8 @@ struct LaneTraffic {
 };
 page::Section wave_section(const IfThere<LaneTraffic>& traffic);
 
-/// The paper's figures 3, 7, 8, 9 and tables III and IV, one device after the other; with what the
-/// paper prints in numbers if `beside_paper`.
+/// The paper's figures 3, 7, 8, 9 and tables III and IV, one device after the other; with the
+/// paper's printed numbers if `beside_paper`.
 page::Section exploration_section(const std::vector<optimise::Exploration>& explorations,
                                   const std::vector<SoftwareThroughput>& software,
                                   bool beside_paper);

@@ -10,7 +10,7 @@
 namespace mixcmp::report {
 namespace {
 
-/// The first lines of a summary: what a reader of the page wants to see at once.
+/// The first lines of a summary, which a reader of the page wants to see at once.
 constexpr std::array<std::string_view, 5> shown_titles = {"inputs", "formats", "system", "data",
                                                           "notes"};
 

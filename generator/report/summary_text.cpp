@@ -239,8 +239,8 @@ void print_savings(SectionList& page, const std::string& lane, const LaneSavings
   left_out("cancellation", savings.without_cancellation, savings.sums, "sums");
 }
 
-/// Tells whether the reference rounds, but only if the scene declares a grid: otherwise nobody
-/// expects it to be exact.
+/// Prints whether the reference rounds, but only for a scene that declares a grid. Otherwise a
+/// reader does not expect it to be exact.
 void print_exactness(SectionList& page, const Summary& summary) {
   const auto& grids = summary.scene->grids;
   const bool any = std::any_of(grids.begin(), grids.end(), [](const auto& grid) { return !!grid; });
@@ -255,7 +255,7 @@ void print_exactness(SectionList& page, const Summary& summary) {
   page.line("reference", text);
 }
 
-/// Tells whether no fused sum has a larger error bound than the composed sum.
+/// Prints whether no fused sum has a larger error bound than the composed sum.
 void print_fused_sums(SectionList& page, const Summary& summary) {
   if (summary.scene->reference.sums != Sums::fused) return;
   const std::string& loose = summary.reference.first_loose_sum;

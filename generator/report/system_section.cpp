@@ -30,8 +30,8 @@ design::Lane built_lane(const BuiltSystem& system, std::size_t k) {
   return words != nullptr ? with_named_inputs(words->lanes[k]) : system.design.lanes[k].lane;
 }
 
-/// What computes the words of `what`, a conversion that lanes in fixed point leave to the engine
-/// around them.
+/// Adds the conversion of one kind of item, which lanes in fixed point leave to the engine around
+/// them.
 void add_conversion(page::Section& section, const rtl::ItemWords& words, data::Item item,
                     const std::string& what) {
   const rtl::Word& word = words.of(item);

@@ -9,7 +9,7 @@
 namespace mixcmp::report {
 
 std::string to_text(const profile::Trade& trade);
-/// The advice for a user who accepts so many wrong verdicts per million comparisons.
+/// The advice for a user who accepts this many wrong verdicts per million comparisons.
 std::string advice(const profile::Trade& trade, double accepted_per_million);
 nlohmann::ordered_json to_json(const profile::Trade& trade);
 /// CSV with the columns inputs, system, precision, wrong_per_million, rate, lane_luts,

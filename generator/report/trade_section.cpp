@@ -40,7 +40,7 @@ std::vector<page::ChartPoint> front_of(const std::vector<Candidate>& candidates)
   return front;
 }
 
-/// Leaves of each series out what is larger than a lane that recomputes nothing either.
+/// Leaves out lanes that recompute nothing, except the smallest of each series.
 std::vector<Candidate> without_needless(std::vector<Candidate> candidates) {
   std::map<std::string, double> least;  // LUTs of a lane that recomputes nothing, by series
   for (const Candidate& candidate : candidates) {

@@ -2,7 +2,7 @@
 
 namespace mixcmp::report {
 
-/// Rates are told in G/s.
+/// Rates are printed in G/s.
 inline constexpr double giga = 1e9;
 
 }  // namespace mixcmp::report

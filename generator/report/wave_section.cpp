@@ -117,7 +117,7 @@ page::Waveform waveform_of(const LaneTraffic& traffic, const Followed& followed)
           .rows = rows_of(traffic, followed)};
 }
 
-/// Says what became of the comparison that the lane left undecided, if there is one.
+/// Tells the fate of the comparison that the lane left undecided, if there is one.
 std::string fate_of_left(const LaneTraffic& traffic, const Followed& followed) {
   const auto count =
       std::count_if(traffic.transfers.begin(), traffic.transfers.end(),

@@ -6,7 +6,7 @@
 
 namespace mixcmp::rtl {
 
-/// An arg-min engine: what its modules agree on.
+/// The shape of an arg-min engine, on which its modules agree.
 struct ArgMinShape {
   EngineShape engine;
   ItemWords words;
@@ -19,18 +19,18 @@ int place_bits(int lanes, int slot_bits, int word_latency_cycles);
 /// Bits of a tag by which a reference asks for a pair of candidates and a row.
 int asking_bits(const EngineShape& engine, int place_bits);
 
-/// Makes the system inside an engine one whose lanes read words, and whose references ask the
-/// engine for operands; returns the engine around it. The system's lanes are scheduled.
+/// Changes the system inside an engine: its lanes then read words, and its references ask the
+/// engine for operands. Returns the engine around it. The system's lanes are scheduled.
 ArgMinShape arg_min_shape(const EngineShape& engine, ItemWords words, SystemShape& system);
 
 /// The template arg_min_engine, which makes the comparisons, with its parameters; unconnected.
 TemplateInstance arg_min_template(const ArgMinShape& shape, const SystemShape& system);
 
-/// The template operand_memory of an engine with so many references; unconnected.
+/// The template operand_memory of an engine with this many references; unconnected.
 TemplateInstance operand_memory_template(const EngineShape& engine, int place_bits, int references);
 
-/// What converts candidates and rows, alone: a module with their columns as inputs and their words
-/// as outputs.
+/// The conversions of candidates and rows without the engine: a module with their columns as inputs
+/// and their words as outputs.
 Module arg_min_conversions_module(const ArgMinShape& shape);
 
 /// The counters of the engine's top: those of the system inside and its own.

@@ -20,7 +20,7 @@ void append_operands(std::vector<Connection>& connections, const DatapathGroup& 
   }
 }
 
-/// Consumes the bits of a lane's words that are of other kinds of lanes.
+/// Consumes the bits of a lane's words that belong to other kinds of lanes.
 void consume_unread_words(const SystemShape& shape, const DatapathGroup& group,
                           std::vector<ModuleItem>& items) {
   std::vector<BitRange> read;
@@ -28,7 +28,7 @@ void consume_unread_words(const SystemShape& shape, const DatapathGroup& group,
   consume_unread("lane_operands", shape.lane_operand_bits(), read, items);
 }
 
-/// A lane between `operands` and what it says of them.
+/// A lane with `operands` as its inputs, and `verdict` and `decided` as its outputs.
 Instance lane_instance(const DatapathGroup& group, const std::string& operands, Operand verdict,
                        Operand decided) {
   std::vector<Connection> connections = {by_name("aclk")};
@@ -60,7 +60,7 @@ void add_lanes(const SystemShape& shape, const DatapathGroup& group,
       std::make_shared<const ForGenerate>(ForGenerate{"k", 0, lanes, "lanes", std::move(body)}));
 }
 
-/// Ports of a channel; what it sends begins with "m_".
+/// Adds ports of a channel. The names of streams that it sends begin with "m_".
 void add_ports(std::vector<Port>& ports, const std::vector<Bundle>& bundles) {
   for (const Bundle& bundle : bundles) {
     const bool is_ready = bundle.port.ends_with("_tready");
@@ -284,7 +284,7 @@ Module lane_channel_module(const SystemShape& shape, const DatapathGroup& group)
 
 Module second_tier_channel_module(const SystemShape& shape) {
   SystemShape tier = second_tier_shape(shape);
-  tier.counter_bits = 0;  // who asks counts, and so do the references that are asked
+  tier.counter_bits = 0;  // counted by the lanes that ask and the references that answer
   const DatapathGroup& group = *shape.second_tier;
   Module module = {group.channel, asked_ports(shape), {}};
   add_ports(module.ports, asking_bundles(tier));

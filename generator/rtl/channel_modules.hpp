@@ -11,8 +11,8 @@ TemplateInstance tracker_template(const SystemShape& shape, int lane_latency_cyc
 TemplateInstance reference_port_template(const SystemShape& shape,
                                          const datapath::Schedule& reference);
 
-/// A wire between a crossbar and channels, with one field a channel. Its name is that of the
-/// channel's port, with the name of the side, as "lane" or "reference", in place of the first
+/// A wire between a crossbar and channels, with one field per channel. Its name is that of the
+/// channel's port, with the name of the side, such as "lane" or "reference", in place of the first
 /// letter.
 struct Bundle {
   std::string port;
@@ -22,11 +22,11 @@ struct Bundle {
 };
 /// The ports of a lane's channel, or of a group's, through which it asks.
 std::vector<Bundle> asking_bundles(const SystemShape& shape);
-/// The ports of a channel that is asked by the lanes of `shape`.
+/// The ports of a channel that the lanes of `shape` ask.
 std::vector<Bundle> asked_bundles(const SystemShape& shape);
 
-/// The streams by which each of `count` channels fetches operands again. `vector`: the ports have a
-/// field a channel, padded to bytes.
+/// The streams by which each of `count` channels fetches operands again. `vector`: the ports have
+/// one field per channel, padded to bytes.
 void add_refetch_ports(std::vector<Port>& ports, const SystemShape& shape, int count, bool vector);
 
 /// The counters of a channel around lanes.

@@ -13,7 +13,7 @@
 namespace mixcmp::rtl {
 namespace {
 
-/// A net, and what happens to each of its bits.
+/// A net with the drivers and readers of each of its bits.
 struct NetState {
   std::string name;
   bool is_indexed;  ///< it has a range, so that its bits can be selected

@@ -27,12 +27,13 @@ std::vector<CounterOffset> counter_offsets(const std::vector<Counters>& counters
 /// Bits of an address on the port.
 int counter_address_bits(const std::vector<Counters>& counters);
 
-/// The width of counters that the port widens, where each counts so many events in a cycle: they
-/// may wrap once, and not twice, before the port looks at them again.
+/// The width of counters that the port widens, where each counts `events_per_cycle` events in a
+/// cycle. A counter may wrap once, but not twice, before the port looks at it again.
 int narrow_counter_bits(const std::vector<Counters>& counters, int events_per_cycle);
 
-/// The counters of a system's top: of each lane comparisons, recomputations and stalls; where they
-/// are read on a port, also the answers of each reference. None if the system does not count.
+/// The counters of a system's top: comparisons, recomputations and stalls of each lane. Where they
+/// are read on a port, the answers of each reference are also counted. None if the system does not
+/// count.
 std::vector<Counters> system_counters(const SystemShape& shape);
 /// The answers of each reference, if they are counted; else none.
 std::vector<Counters> answer_counters(const SystemShape& shape);

@@ -85,15 +85,15 @@ Module datapath_module(std::string name, const std::vector<InputPort>& inputs,
 /// Bits of the port "phase" of a folded datapath.
 int phase_bits(int initiation_interval);
 
-/// The ports verdict[1:0] and decided, of every lane.
+/// The ports of every lane: verdict[1:0] and decided.
 std::vector<Port> lane_outputs();
 
 /// The port names that a datapath gives its inputs: an input with a reserved name, such as "aclk",
 /// gets "_2" appended.
 std::vector<std::string> input_ports(const std::vector<std::string>& inputs);
 
-/// Appends the parameters that say what a unit is made of (multipliers, selections in front of
-/// carry chains), each where it is not the template's default.
+/// Appends the parameters for the technology of a unit (multipliers, selections in front of carry
+/// chains), each where it is not the template's default.
 void append_technology_parameters(const datapath::Unit& unit, std::vector<Parameter>& parameters);
 
 /// The value of a unit's CUTS parameter.

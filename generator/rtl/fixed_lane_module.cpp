@@ -64,8 +64,8 @@ private:
                {{"radius", datapath_.at(radius, start)}, {"beyond_reach", beyond_reach}});
   }
 
-  /// The threshold is found first. Behind it the decision is that of a norm: a slope of 1, no
-  /// offset, and nothing that has a reach.
+  /// Builds the unit that finds the threshold, then a decision like that of a norm with a slope of
+  /// 1, no offset and no reaches.
   PartDecision build(std::size_t part, const fixed::RunningThresholds& thresholds) {
     const Signal threshold = build_threshold(part, thresholds);
     return add(part, "certain where the difference exceeds the threshold of its step.",

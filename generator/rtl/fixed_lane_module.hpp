@@ -11,9 +11,8 @@
 namespace mixcmp::rtl {
 
 /// A lane in fixed point. Ports and timing are those of a lane in floating point; `header` is left
-/// to the caller.
-/// `ports`: one per input; of operands that were loaded, one per loaded input and then one per flag
-/// that is read.
+/// to the caller. `ports`: one per input. For operands that were loaded: one per loaded input, then
+/// one per flag that is read.
 Module lane_module(std::string name, const std::vector<InputPort>& ports,
                    const fixed::FixedLane& lane, const datapath::Schedule& schedule);
 

@@ -69,7 +69,7 @@ Signal FixedNodes::beyond_reach(NodeId node) {
   return any_of("beyond_reach", flags);
 }
 
-/// One flag for several; the same one for the same flags.
+/// Returns one flag for several. Equal sets of flags share one.
 Signal FixedNodes::any_of(const char* name, const std::vector<Signal>& flags) {
   if (flags.size() < 2) return flags.empty() ? Signal{} : flags.front();
   std::vector<std::string> names;
@@ -116,8 +116,8 @@ void FixedNodes::build_largest_exponent() {
   not_finite_ = {net(not_finite), not_finite, 1, step.ready_cycle};
 }
 
-/// An operand without the low bits of its fraction that lie below the unit whatever the largest
-/// exponent is: they need not be delayed.
+/// An operand without the low bits of its fraction that lie below the unit for every largest
+/// exponent. They need no delay.
 Signal FixedNodes::leading_bits(int input) {
   const FloatFormat& format = lane_.input_format;
   const std::string& port = datapath_.port(input);
@@ -181,7 +181,7 @@ void FixedNodes::build_operand(NodeId id) {
   misfits_[id] = {net(misfit), misfit, 1, step.ready_cycle};
 }
 
-/// A field of an item's word is a port, and so are its flags, which stand behind all fields.
+/// Builds a field of an item's word, which is a port. Its flags are also ports, behind all fields.
 void FixedNodes::build_loaded(NodeId id) {
   const fixed::LoadedInput& loaded = lane_.loaded_inputs[lane_.nodes[id].input];
   const std::vector<fixed::LoadedFlag> ports = fixed::flags_read(lane_);
@@ -258,7 +258,7 @@ void FixedNodes::build_common_cut(NodeId id) {
                           {"y", net(names_[id])}}});
 }
 
-/// A conversion is wires; the check of a limit or a reach is a unit beside it.
+/// Builds a conversion, which is wires, and a unit beside it for the check of a limit or a reach.
 void FixedNodes::build_conversion(NodeId id) {
   const FixedNode& node = lane_.nodes[id];
   const Signal& whole = values_[node.operands[0]];
@@ -330,8 +330,8 @@ void FixedNodes::build_unit(NodeId id) {
                          parameters(id), std::move(connections)});
 }
 
-/// A square that is read from a memory. Of two that share one the second builds the unit, once the
-/// operands of both are declared; their cycles need not be the same.
+/// Builds a square that is read from a memory. If two squares share the memory, the second builds
+/// the unit, once the operands of both are declared. Their cycles may differ.
 void FixedNodes::build_memory_square(NodeId id, const fixed::SquareTable& table) {
   const NodeId last = table.squares.back();
   const std::string shared =

@@ -64,7 +64,7 @@ private:
   /// [input, limit or reach]: set where its number does not fit; none where all do.
   std::map<NodeId, Signal> misfits_;
   Signal largest_exponent_;  ///< of block floating point
-  Signal not_finite_;        ///< likewise: set where some operand is infinite or a NaN
+  Signal not_finite_;        ///< of block floating point: some operand is infinite or a NaN
   Signal common_drop_;       ///< of common cuts
   std::size_t checks_built_ = 0;
   std::map<std::vector<std::string>, Signal> gathered_;  ///< [names of flags]: any of them

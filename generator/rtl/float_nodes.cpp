@@ -9,7 +9,7 @@
 namespace mixcmp::rtl {
 namespace {
 
-/// What can happen to a unit that computes operations with either of these hazards.
+/// The hazards of a unit that computes operations with either of these hazards.
 error::Hazards either(const error::Hazards& a, const error::Hazards& b) {
   return {.special_operand = a.special_operand || b.special_operand,
           .overflow = a.overflow || b.overflow,
@@ -52,7 +52,8 @@ void FloatNodes::build() {
   build_selecting_units();
 }
 
-/// Their results, since a unit may read what another computed in an earlier interval.
+/// Declares the results of shared units ahead of the units: a unit may read a result that another
+/// computed in an earlier interval.
 void FloatNodes::declare_selecting_units() {
   if (selecting_.units().empty()) return;
   datapath_.add(Comment{"The results of the units that several operations share."});
@@ -65,7 +66,7 @@ void FloatNodes::build_selecting_units() {
   for (const auto& [index, unit] : selecting_.units()) build_selecting_unit(unit, index);
 }
 
-/// The input by which a unit that takes several cycles for an operation knows when its operand is
+/// The input `start` of a unit that takes several cycles for an operation: 1 when its operand is
 /// there.
 Operand FloatNodes::build_start(const std::string& unit, std::vector<Literal> phases) {
   const std::string name = datapath_.pool().unique(unit + "_start");
@@ -263,7 +264,7 @@ void FloatNodes::build_unit(NodeId id) {
   if (exceptional_ == ExceptionalFlags::gathered) gather_flags(id);
 }
 
-/// What the unit of a node reads in the node's start cycle.
+/// The operands that the unit of a node reads in the node's start cycle.
 std::vector<Operand> FloatNodes::unit_operands(NodeId id) {
   const TypedNode& node = graph_.nodes[id];
   const int cycle = schedule_.steps[id].start_cycle;
@@ -299,7 +300,7 @@ std::vector<Operand> FloatNodes::term_operands(const TypedNode& node, int cycle)
   return {concatenation(std::move(first)), any_second ? concatenation(std::move(second)) : unread};
 }
 
-/// A mask of zeros is the default.
+/// The parameters of the terms. A mask of zeros is the default and left out.
 std::vector<Parameter> FloatNodes::term_parameters(const TypedNode& node) const {
   const int count = static_cast<int>(node.terms.size());
   std::vector<Parameter> parameters = {{"TERMS", count}};
@@ -328,8 +329,8 @@ Operand FloatNodes::negated(NodeId id, const Operand& operand) {
   return concatenation({inverted(bit(factor, width - 1)), slice(factor, width - 2, 0)});
 }
 
-/// Tells whether the unit's `exceptional` output is read. That of a square root is, whatever the
-/// hazards say: they never rule out a negative operand.
+/// Tells whether the unit's `exceptional` output is read. That of a square root always is: hazards
+/// never rule out a negative operand.
 bool FloatNodes::gathers_flag(NodeId id) const {
   if (exceptional_ == ExceptionalFlags::unused) return false;
   if (hazards_.empty() || graph_.nodes[id].operation == Operation::square_root) return true;

@@ -40,7 +40,7 @@ public:
   /// The operands a and b of a unit that adds up the terms of a fused sum, as it reads them in
   /// `cycle`; the first term is in the lowest bits.
   std::vector<Operand> term_operands(const TypedNode& node, int cycle);
-  /// The parameters that tell what the terms are.
+  /// The parameters that describe the terms.
   std::vector<Parameter> term_parameters(const TypedNode& node) const;
 
 private:

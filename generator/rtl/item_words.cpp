@@ -39,7 +39,7 @@ data::Item item_of(fixed::ItemRole role) {
   MIXCMP_CHECK(false);
 }
 
-/// What tells the ports of one item from those of the other: "_i", "_j".
+/// The suffix of an item's ports: "_i" or "_j"; empty for a row.
 std::string port_suffix(data::Item item) {
   switch (item) {
     case data::Item::row: return "";
@@ -64,7 +64,7 @@ public:
       words_.lanes.push_back(word_lane(group.lane));
     }
     if (design_.second_tier) words_.second_tier = word_lane(design_.second_tier->lane);
-    // A word that no lane reads has a field all the same.
+    // A word that no lane reads still has one field.
     for (const data::Item item : {data::Item::first, data::Item::row}) {
       if (!engine_.columns_of(item).empty() && word_of(item).fields.empty()) column_field(item, 0);
     }
@@ -198,8 +198,8 @@ void build_word(DatapathBuilder& datapath, const ItemWords& words, data::Item it
   datapath.add(Assignment{net("word"), concatenation(std::move(fields))});
 }
 
-/// Schedules what computes the words, so that those of items and of rows are there after as many
-/// cycles, and names its modules.
+/// Schedules the conversions, so that the words of items and of rows take equally many cycles, and
+/// names their modules.
 void schedule_words(const design::Design& design, const EngineShape& engine,
                     const datapath::DelayTable& delays, ItemWords& words) {
   const bool has_rows = !engine.row_columns.empty();

@@ -11,8 +11,8 @@
 #include "model/design/design.hpp"
 #include "model/fixed/item_split.hpp"
 
-/// What the lanes of an engine know of its items, and of its rows where it has any: computed once,
-/// when they are loaded.
+/// Words of an engine's items, and of its rows where it has any. They hold everything that lanes
+/// read of an item, and are computed once, when it is loaded.
 namespace mixcmp::rtl {
 
 /// A port of a lane: bits of the word of one of its items, or of the row.
@@ -23,8 +23,8 @@ struct LanePort {
   int width;
 };
 
-/// A lane that reads words: one that computes in fixed point on what is converted already, or one
-/// that takes the columns as they arrive.
+/// A lane that reads words. It computes in fixed point on converted values, or it takes the columns
+/// as they arrive.
 struct WordLane {
   design::Lane lane;
   std::vector<LanePort> ports;  ///< in the order of the lane's inputs
@@ -32,8 +32,8 @@ struct WordLane {
 
 /// The word of an item, or of a row.
 struct Word {
-  /// Bits of the word, the first field lowest: what was computed, its flags, columns as they
-  /// arrive.
+  /// Bits of the word, the first field lowest: a computed value, one of its flags, or a column as
+  /// it arrives.
   struct Field {
     std::string name;
     int width;
@@ -56,7 +56,7 @@ struct ItemWords {
   std::optional<WordLane> second_tier;
 
   const Word& of(data::Item item) const { return item == data::Item::row ? rows : items; }
-  /// What computes the word of an item or a row; only for words that are converted.
+  /// The datapath that computes the word of an item or a row; only for words that are converted.
   const fixed::FixedLane& loader_of(data::Item item) const {
     return (item == data::Item::row ? split->rows : split->items).lane;
   }

@@ -37,7 +37,7 @@ struct Literal {
   int width;
   Bits value;
 };
-/// `width` zero bits; `width` may exceed what a Literal holds.
+/// `width` zero bits; `width` may exceed that of a Literal.
 struct Zeros {
   int width;
 };
@@ -124,13 +124,14 @@ struct HeldValue {
   Literal phase;
   Operand value;
 };
-/// What registers take at the end of a phase.
+/// The values that registers take at the end of a phase.
 struct PhaseCase {
   Literal phase;
   std::string comment;
   std::vector<Operand> values;  ///< one per register
 };
-/// Registers that take other values in each phase; in phases without a case, those of the last.
+/// Registers that take other values in each phase. Phases without a case take those of the last
+/// case.
 struct PhaseRegisters {
   int width;
   std::vector<std::string> names;

@@ -37,7 +37,7 @@ std::string part_suffix(std::size_t part, std::size_t parts);
 
 /// The operation as a formula over its operands' names: "cxi - cxj".
 std::string formula(const TypedGraph& graph, NodeId node, const std::vector<std::string>& names);
-/// The same of an operation whose operands read as given.
+/// The formula of an operation whose operands read as given.
 std::string formula(Operation operation, const std::string& a, const std::string& b);
 
 /// A name for every node of an error bound. The last is "error_bound" with its part's suffix; a

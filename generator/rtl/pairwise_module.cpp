@@ -42,7 +42,8 @@ Operand shifted_up(const std::string& vector, int count, int width, const std::s
   return concatenation({slice(vector, (count - 1) * width - 1, 0), net(lowest)});
 }
 
-/// The chain of segments: what leaves one arrives at the next; what leaves the last has met all.
+/// The chain of segments: a word that leaves one segment arrives at the next, and after the last it
+/// has met all others.
 void declare_chain(const PairwiseShape& shape, std::vector<ModuleItem>& items) {
   const int count = shape.segment_count();
   const int bits = chain_bits(shape.engine, shape.words);
@@ -164,9 +165,9 @@ std::string reset_phases_name(const DatapathGroup& group) {
 }
 
 /// Declares the phases in which the references of a folded group begin after reset, one field for
-/// each reference of the engine up to the last one of the group. Where operands are read late they
-/// are spread over the interval: requests come in turn, one in a cycle, and a reference that takes
-/// its operands late has few cycles until it wants the next.
+/// each reference of the engine up to the last one of the group. Where operands are read late the
+/// phases are spread over the interval: requests come one by one, one per cycle, and a reference
+/// that takes its operands late has few cycles until it wants the next.
 void declare_reset_phases(const DatapathGroup& group, std::vector<ModuleItem>& items) {
   const int interval = group.schedule.initiation_interval;
   const int bits = phase_bits(interval);
@@ -257,8 +258,8 @@ Instance engine_instance(const PairwiseShape& shape, const SystemShape& system,
   return {around.module, "engine", std::move(around.parameters), std::move(connections)};
 }
 
-/// Bits of the number of pairs that may be on their way to the references: as many as come while
-/// the slowest of these computes one, if one comes in each cycle.
+/// Bits of the number of pairs that may be on their way to the references. At most one pair comes
+/// in each cycle, for as long as the slowest reference takes.
 int outstanding_bits(const SystemShape& system) {
   constexpr int around = 12;  // cycles from memory to reference, and from there to the verdicts
   int slowest = 0;

@@ -7,7 +7,7 @@
 
 namespace mixcmp::rtl {
 
-/// A pairwise engine: what its modules agree on.
+/// The shape of a pairwise engine, on which its modules agree.
 struct PairwiseShape {
   EngineShape engine;
   ItemWords words;
@@ -22,8 +22,8 @@ struct PairwiseShape {
   int report_bytes() const;
 };
 
-/// What the references of an engine agree on with the modules around them: a request carries its
-/// operands, and its sender is the pair's tag.
+/// The shape on which an engine's references and the modules around them agree: a request carries
+/// its operands, and its sender is the pair's tag.
 SystemShape reference_shape(SystemShape system);
 
 /// The template pairwise_engine, everything but lanes and references, with its parameters;

@@ -18,7 +18,7 @@ struct PartDecision {
 
 enum class Decides { sometimes, always };
 
-/// Adds the comment and the nets of a part's decision. The comment says when, then `what`.
+/// Adds the nets of a part's decision under a comment: its cycles, then the given text.
 PartDecision begin_decision(DatapathBuilder& datapath, const datapath::Step& step, std::size_t part,
                             std::size_t parts, Decides decides, std::string_view what);
 

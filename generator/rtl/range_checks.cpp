@@ -39,7 +39,7 @@ Signal build_check(DatapathBuilder& builder, const RangeCheck& check, FloatForma
   return {net(name), name, 1, step.ready_cycle};
 }
 
-/// One flag per check; an empty Signal for a check of the sign alone.
+/// One flag per check; an empty Signal for a check of only the sign.
 std::vector<Signal> build_magnitude_checks(DatapathBuilder& builder, const error::Lane& lane,
                                            const datapath::Schedule& schedule) {
   std::vector<Signal> flags;
@@ -92,7 +92,7 @@ private:
     return {net(name), name, 1, cycle};
   }
 
-  /// Builds a flag that is set where an operand has a wrong sign, for checks of the sign alone.
+  /// Builds a flag that is set where an operand has a wrong sign, for checks of only the sign.
   Signal build_signs(const std::vector<std::size_t>& checks, const std::string& suffix) {
     std::vector<Operand> wrong;
     for (const std::size_t index : checks) {

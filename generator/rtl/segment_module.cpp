@@ -84,7 +84,8 @@ std::vector<Parameter> common_parameters(const EngineShape& engine, int lanes, i
           {"COUNT", engine.spec.report_as == scene::ReportForm::count ? 1 : 0}};
 }
 
-/// The lane of more precision behind the segment's own ones, with what remembers their words.
+/// Adds the lane of higher precision behind the segment's own lanes, with the template that keeps
+/// their words.
 void add_second_tier(const SystemShape& system, const EngineShape& engine, const ItemWords& words,
                      int lanes, std::vector<ModuleItem>& items) {
   const int bits = words.items.bits();

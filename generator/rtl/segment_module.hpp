@@ -11,7 +11,7 @@ namespace mixcmp::rtl {
 struct SegmentGroup {
   std::string module;
   std::string label;           ///< of the loop that instantiates them
-  std::size_t lane_group = 0;  ///< of the system: what their lanes are
+  std::size_t lane_group = 0;  ///< the group of the system's lanes that they hold
   int lanes = 0;               ///< of each
   int first = 0;               ///< the number of the first segment
   int count = 0;
@@ -22,9 +22,9 @@ std::vector<SegmentGroup> segment_groups(const SystemShape& system, int lanes_pe
 
 /// Bits of a word in the chain: its flags, its number, the word itself.
 int chain_bits(const EngineShape& engine, const ItemWords& words);
-/// Bits of the code by which a segment tells of one pair.
+/// Bits of the code with which a segment reports one pair.
 int code_bits(const scene::EngineSpec& engine);
-/// Bits of a beat of exceptions, of segments of `lanes`.
+/// Bits of a beat of exceptions from segments of `lanes`.
 int entry_bits(const EngineShape& engine, int lanes);
 
 /// A segment: the template pair_segment around its lanes.

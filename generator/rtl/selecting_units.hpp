@@ -10,13 +10,13 @@
 
 namespace mixcmp::rtl {
 
-/// The units of a folded datapath that several operations share: the name of each, and what it
-/// reads in each phase, through registers or straight from one other unit.
+/// The units of a folded datapath that several operations share. Each has a name and, for each
+/// phase, the operands that it reads, through registers or straight from one other unit.
 class SelectingUnits {
 public:
   struct Unit {
     std::string name;
-    TypedNode node;  ///< what the unit computes: an addition where it also subtracts
+    TypedNode node;  ///< the unit's operation: an addition where it also subtracts
     std::vector<PhaseCase> cases;
   };
 
@@ -27,9 +27,9 @@ public:
   /// By their indices in the schedule's shared_units.
   const std::map<std::size_t, Unit>& units() const { return units_; }
 
-  /// Adds what the unit of `node` reads when the node starts.
+  /// Adds the operands that the unit of `node` reads when the node starts.
   void read(NodeId node, Literal phase, std::string comment, std::vector<Operand> operands);
-  /// Puts what each unit reads into the order of the phases.
+  /// Sorts the operands of each unit by phase.
   void sort_by_phase();
 
 private:

@@ -139,7 +139,7 @@ ModuleItem second_tier_loop(const SystemShape& shape) {
   return channel_loop("lane", *shape.second_tier, 1, std::move(items), std::move(connections));
 }
 
-/// Connects a port of the crossbar, which mirrors the channel's: what a channel sends, it receives.
+/// Connects a port of the crossbar, which mirrors the channel's: the channel's output is its input.
 Connection crossbar_connection(const Bundle& bundle, const std::string& side) {
   const std::string mirrored = bundle.port[0] == 'm' ? "s" : "m";
   return {mirrored + bundle.port.substr(1), net(bundle.wire(side))};
@@ -160,7 +160,7 @@ Instance crossbar(const SystemShape& shape, const std::string& asking, const std
   return {crossbar.module, name, std::move(crossbar.parameters), std::move(connections)};
 }
 
-/// The second tier between the crossbar to it and the wires of what its lanes ask.
+/// The second tier, between the crossbar in front of it and the wires of its lanes' requests.
 void add_second_tier(const SystemShape& shape, std::vector<ModuleItem>& items) {
   items.push_back(
       Comment{"Requests at the second tier, with the number of the lane or group that asks."});

@@ -10,7 +10,7 @@
 
 namespace mixcmp::rtl {
 
-/// A port of a datapath: bits of what its channel holds of a comparison.
+/// A port of a datapath: the bits that it reads of a comparison's operands or words.
 struct OperandPort {
   std::string name;
   int low;
@@ -36,13 +36,14 @@ struct SystemShape {
   /// The lanes that are asked before the references are: one behind each segment of a pairwise
   /// engine, or in a system of streams `count` of them behind the crossbar.
   std::optional<DatapathGroup> second_tier;
-  int second_tier_slot_bits = 0;         ///< in a system of streams: as slot_bits, of these lanes
+  int second_tier_slot_bits = 0;         ///< in a system of streams: slot_bits of these lanes
   std::vector<std::string> input_ports;  ///< the datapaths' operand ports, in packing order
   int input_width = 0;                   ///< bits of one operand
   int lanes = 0;                         ///< p_L
   int lanes_per_group = 1;               ///< lanes in lock step, which share a channel
   int references = 0;                    ///< p_H
-  /// Bits that a lane gets of a comparison where it reads words of an engine's items; 0: operands.
+  /// Bits of a comparison's words where lanes read words of an engine's items; 0: lanes read
+  /// operands.
   int word_bits = 0;
   int tag_bits = 0;
   /// The low bits of a tag by which a reference asks for operands; 0: the whole tag.
@@ -72,8 +73,8 @@ struct SystemShape {
   bool recomputes() const { return references > 0; }
   /// The lanes of the second tier, or 0. Not for engines.
   int second_lanes() const { return second_tier ? second_tier->count : 0; }
-  /// Streams by which operands are fetched again: of the references, then of the second tier. Not
-  /// for engines.
+  /// The number of streams by which operands are fetched again: those of the references, then those
+  /// of the second tier. Not for engines.
   int refetch_streams() const { return refetches() ? references + second_lanes() : 0; }
   bool has_counter_port() const { return read_counter_bits > 0; }
   bool counts_answers() const { return has_counter_port() && recomputes(); }
@@ -82,9 +83,9 @@ struct SystemShape {
   bool refetches() const { return recomputes() && operands == scene::OperandStore::refetched; }
 };
 
-/// The second tier of a system of streams, seen as the lanes of a system of its own: each takes
-/// what the crossbar brings from the first tier, with the sender (and the tag by which operands are
-/// fetched again) as its tag, and asks the references through a crossbar of its own.
+/// The second tier of a system of streams, seen as the lanes of a system of its own. Each takes
+/// requests of the first tier from the crossbar. Its tag is the sender and the tag by which
+/// operands are fetched again. It asks the references through a crossbar of its own.
 SystemShape second_tier_shape(const SystemShape& shape);
 
 }  // namespace mixcmp::rtl

@@ -5,7 +5,7 @@
 
 #include "generator/page/element.hpp"
 
-/// What block diagrams are drawn with.
+/// Boxes and arrows of block diagrams.
 namespace mixcmp::schematic {
 
 inline constexpr double picture_width = 860;
@@ -31,7 +31,8 @@ class Canvas {
 public:
   explicit Canvas(page::Element& picture) : picture_(picture) {}
 
-  /// A box with up to three lines; behind it the edges of further ones where it stands for several.
+  /// A box with up to three lines. If it stands for several, the edges of further ones show behind
+  /// it.
   void box(const Box& box, const std::string& style, const std::vector<std::string>& lines,
            int count, const std::string& tip);
   void frame(const Box& box);
@@ -45,7 +46,7 @@ private:
   page::Element& picture_;
 };
 
-/// An empty picture of this height, with what it shows for those who cannot see it.
+/// An empty picture of this height. `title` describes it to readers who cannot see it.
 page::Element block_diagram(double height, const std::string& title);
 /// The picture in a frame that scrolls where it is wider than the page.
 page::Element framed(const page::Element& picture);

@@ -11,7 +11,7 @@ namespace mixcmp::schematic {
 /// works.
 page::Pipeline lane_pipeline(const design::Lane& lane, const datapath::Schedule& schedule);
 
-/// What computes the words of a pairwise engine's items, as it is scheduled.
+/// The conversion that computes the words of an engine's items or rows, as it is scheduled.
 page::Pipeline item_pipeline(const fixed::FixedLane& loader, const datapath::Schedule& schedule);
 
 /// A reference as it is scheduled.

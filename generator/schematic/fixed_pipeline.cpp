@@ -13,7 +13,7 @@ using fixed::FixedLane;
 using fixed::FixedNode;
 using page::UnitRole;
 
-/// The lane's nodes with what their texts need; formats are of no importance there.
+/// The lane's nodes, filled in as far as their texts need. Formats are of no importance there.
 std::vector<TypedNode> nodes_for_texts(const FixedLane& lane) {
   std::vector<TypedNode> nodes;
   for (const FixedNode& node : lane.nodes) {
@@ -64,7 +64,8 @@ public:
 private:
   int box(NodeId node) const { return boxes_[static_cast<std::size_t>(node)]; }
 
-  /// Adds the operands as they arrive and, in block floating point, what finds their exponent.
+  /// Adds the operands as they arrive and, in block floating point, the unit that finds their
+  /// largest exponent.
   void add_operands() {
     for (const FixedNode& node : lane_.nodes) {
       if (node.operation != Operation::input) continue;

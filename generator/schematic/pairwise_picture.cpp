@@ -18,8 +18,8 @@ using emit::SignatureReferences;
 using page::Element;
 
 constexpr double boxes_top = 34, box_height = 70;
-constexpr double group_pitch = 100;   // of groups of lanes, and of what is below them
-constexpr double request_pitch = 74;  // of what stands below the lanes
+constexpr double group_pitch = 100;   // of groups of lanes, and of the boxes below them
+constexpr double request_pitch = 74;  // of the boxes below the lanes
 constexpr double group_x = 398, group_width = 204;
 
 std::string form_of_reports(const SignatureEngine& engine) {
@@ -88,8 +88,8 @@ private:
     draw_arrow_to_reports(box);
   }
 
-  /// Draws the lanes of the second tier: one behind each group decides again what it leaves
-  /// undecided.
+  /// Draws the lanes of the second tier. One stands behind each group and decides its undecided
+  /// pairs again.
   void draw_second_tier() {
     const SignatureLanes& tier = *signature_.second_tier;
     const std::size_t row = rows_of_lanes(signature_) - 1;

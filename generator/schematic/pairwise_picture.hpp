@@ -5,8 +5,8 @@
 
 namespace mixcmp::schematic {
 
-/// The block diagram of a pairwise engine: items, the walk through its lanes, what they report, and
-/// the references that read items again.
+/// The block diagram of a pairwise engine: items, their way through its lanes, the reports, and the
+/// references that read items again.
 page::Element pairwise_picture(const emit::Signature& signature);
 
 }  // namespace mixcmp::schematic

@@ -9,8 +9,8 @@
 
 namespace mixcmp::schematic {
 
-/// Collects the boxes of a pipeline. A box that stands for nothing, such as that of a constant, has
-/// the number `none`; it is left out wherever it is an operand.
+/// Collects the boxes of a pipeline. A node without a box, such as a constant, has the number
+/// `none`; it is left out wherever it is an operand.
 class PipelineMaker {
 public:
   static constexpr int none = -1;

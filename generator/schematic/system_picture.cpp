@@ -18,9 +18,10 @@ using emit::SignatureReferences;
 using page::Element;
 
 constexpr double lane_pitch = 142, reference_pitch = 74, tier_pitch = 88;
-constexpr double asked_x = 560, asked_width = 226;  // of what decides undecided comparisons
-constexpr double lanes_top = 26;                    // of the first group of lanes
-constexpr double lane_x = 292, lane_width = 200;    // of lanes, and of the crossbar below them
+constexpr double asked_x = 560,
+                 asked_width = 226;               // of the boxes that decide undecided comparisons
+constexpr double lanes_top = 26;                  // of the first group of lanes
+constexpr double lane_x = 292, lane_width = 200;  // of lanes, and of the crossbar below them
 
 class SystemPicture {
 public:
@@ -142,7 +143,7 @@ private:
     }
   }
 
-  /// Arrows from whom the lanes ask, at height `y`, back to the results.
+  /// Arrows from the boxes that the lanes ask, at height `y`, back to the results.
   void draw_verdicts(double y) {
     const double right = asked_x + asked_width, x = right + 14;
     for (const Corner& results : results_bottoms_) {
@@ -154,7 +155,7 @@ private:
 
   bool is_grouped() const { return signature_.lanes_per_group > 1; }
 
-  /// What the frame around lanes of one kind says: "8 lanes, each with:".
+  /// The title of the frame around lanes of one kind: "8 lanes, each with:".
   std::string title_of(const SignatureLanes& lanes) const {
     const std::string all = counted(lanes.count, "lane");
     if (!is_grouped()) return all + ", each with:";

@@ -38,7 +38,7 @@ data::Table some_rows(const data::Table& table, std::uint64_t count) {
   return sample;
 }
 
-/// At most `most` comparisons, evenly spaced, each written out as a row of its operands.
+/// At most `most` comparisons, evenly spaced. Each is written out as a row of its operands.
 Result<data::Comparisons> written_out(const scene::Scene& scene, const data::Comparisons& data,
                                       std::uint64_t most) {
   const std::uint64_t taken = std::min(most, data.size());

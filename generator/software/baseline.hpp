@@ -15,7 +15,7 @@ namespace mixcmp::software {
 
 struct BaselineOptions {
   std::filesystem::path work;  ///< an existing folder for source, program, data and logs
-  unsigned threads = 0;        ///< of the measurement on all cores; 0: as many as there are cores
+  unsigned threads = 0;        ///< for the measurement on all cores; 0: one per core
   int rounds = 5;
   double seconds = 0.5;         ///< run time of one kernel in one round
   std::uint64_t sample = 4096;  ///< about how many comparisons the golden model checks
@@ -69,7 +69,7 @@ struct Baseline {
   /// Tells whether the golden model agrees and every kernel counts the same verdicts.
   bool passed() const;
   const BaselineKernel& exact() const { return kernels.front(); }
-  /// The kernel that is fastest on all cores: what hardware has to beat.
+  /// The kernel that is fastest on all cores. Hardware has to beat it.
   const BaselineKernel& fastest() const;
 };
 

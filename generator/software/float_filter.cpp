@@ -52,7 +52,7 @@ std::vector<int> bound_roundings(const error::BoundGraph& bound) {
 }
 
 /// gamma(steps) of docs/error_bounds.md, theorem 2: the least factor between two numbers whose
-/// encodings are `steps` apart. It is no less than the ratio that the steps were chosen for.
+/// encodings are `steps` apart. It is at least the ratio that the steps were chosen for.
 mpq_class ratio_of_steps(Bits steps) {
   const auto doublings = static_cast<unsigned long>(steps >> (float_digits - 1));
   const auto rest = static_cast<unsigned long>(steps & low_mask(float_digits - 1));
@@ -80,7 +80,7 @@ std::optional<ThresholdCriterion> threshold_of(const error::AbsoluteBoundCriteri
   const std::vector<int> roundings = bound_roundings(criterion.bound);
   ThresholdCriterion threshold{.difference = criterion.difference,
                                .bound = criterion.bound,
-                               // The product with the factor rounds, too.
+                               // The product with the factor also rounds.
                                .factor = float_at_least(ratio_of_steps(criterion.guard_ulp) *
                                                         inverse_of_roundings(roundings.back() + 1)),
                                .conditions = {}};

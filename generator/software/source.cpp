@@ -260,8 +260,8 @@ std::string indented(const std::string& text) {
   return result;
 }
 
-/// The kernel of a comparison of several parts, one block for each. The compiler merges what the
-/// blocks have in common.
+/// The kernel of a comparison of several parts, one block for each. The compiler merges equal
+/// operations of the blocks.
 std::string text_of_parts(const data::Comparisons& data, const FloatFilter& filter,
                           Combination combination) {
   std::string text =

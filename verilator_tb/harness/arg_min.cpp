@@ -1,6 +1,6 @@
 // Drives one verilated arg-min engine on candidates and rows that a host sends; see
-// arg_min_protocol.hpp. It computes nothing about them: which candidate is the least one is the
-// host's to judge. That rows leave in order, each with its tag and tlast, is judged here.
+// arg_min_protocol.hpp. It computes nothing about them: the host judges which candidate is the
+// least. The harness judges that rows leave in order, each with its tag and tlast.
 
 #include <cstdint>
 #include <cstring>
@@ -199,7 +199,7 @@ private:
   wire::LoadRequest request_ = {};
   std::vector<std::uint8_t> candidates_;
   std::vector<std::uint8_t> rows_;
-  std::uint64_t next_candidate_ = 0;  ///< the candidate to be offered next
+  std::uint64_t next_candidate_ = 0;  ///< the candidate that is offered next
   std::uint64_t next_row_ = 0;
   std::uint64_t reload_ = 0;  ///< the request's reload_after, until it is done
   bool loading_ = false;      ///< a candidate is on offer

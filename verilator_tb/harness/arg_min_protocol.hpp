@@ -4,8 +4,9 @@
 
 #include "protocol.hpp"
 
-/// What the host and the simulator of an arg-min engine exchange, by the rules of protocol.hpp: a
-/// request is one load of candidates and the rows after it; its response holds the rows that left.
+/// The messages between the host and the simulator of an arg-min engine, by the rules of
+/// protocol.hpp: a request is one load of candidates and the rows after it; its response holds the
+/// rows that left.
 namespace mixcmp::harness::wire {
 
 /// The head of a request, followed by the candidates, item_bytes for each, and the rows, row_bytes
@@ -13,9 +14,9 @@ namespace mixcmp::harness::wire {
 struct LoadRequest {
   std::uint64_t candidates;
   std::uint64_t rows;
-  /// Not 0: once so many rows were accepted, load the same candidates again, ahead of the others.
+  /// Not 0: once this many rows were accepted, load the same candidates again, ahead of the others.
   std::uint64_t reload_after;
-  /// Not 0: reset the engine so many cycles after the first candidate was offered.
+  /// Not 0: reset the engine this many cycles after the first candidate was offered.
   std::uint64_t reset_after;
   std::uint64_t last;  ///< not 0: the simulator ends after it
 };
@@ -26,16 +27,17 @@ enum class LoadState : std::uint64_t {
   stopped,      ///< the engine stands still, or max_violations were seen; the simulator ends
 };
 
-/// The head of a response, followed by the rows that left, in the order of leaving, by the
-/// violations, by one CounterValues for each lane, of which only `counted` is set, and, if they are
-/// counted, by the answers of each reference since reset (std::uint64_t).
+/// The head of a response. After it come the rows that left, in the order of leaving, the
+/// violations, one CounterValues for each lane with only `counted` set, and, if they are counted,
+/// the answers of each reference since reset (std::uint64_t).
 struct LoadResponse {
   std::uint64_t rows;
   std::uint64_t violations;
   std::uint64_t loading_cycles;  ///< from the first candidate's acceptance to the first row's
   std::uint64_t cycles;          ///< from the first row's acceptance to the last one's departure
   std::uint64_t overrun;         ///< value of the port when the last row had left
-  /// The engine's counters since reset: rows, stalled cycles; of the latter only `counted` is set.
+  /// The engine's counters since reset: rows, stalled cycles. For stalled cycles only `counted` is
+  /// set.
   CounterValues counters;
   LoadState state;
 };

@@ -11,7 +11,7 @@ namespace mixcmp::harness {
 class Channel {
 public:
   /// Takes over standard input, which is the socket, and sends standard output to standard error:
-  /// what the model prints must not mix with the answers.
+  /// texts of the model must not mix with the answers.
   Channel() : descriptor_(dup(STDIN_FILENO)) { dup2(STDERR_FILENO, STDOUT_FILENO); }
 
   template <class T>

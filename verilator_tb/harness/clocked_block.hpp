@@ -27,8 +27,8 @@ public:
   /// One cycle: `d` are the inputs before the edge, `q` becomes the outputs behind it.
   virtual void clock(const svBitVecVal* d, svBitVecVal* q) = 0;
 
-  /// Passes on the inputs with the clock low. clock() does so itself; a simulator with waves calls
-  /// this at falling edges, too, where its waves are taken.
+  /// Passes on the inputs with the clock low. clock() does so itself. A simulator with waves also
+  /// calls this at falling edges, where its waves are taken.
   virtual void settle(const svBitVecVal* d) = 0;
 
 #if VM_TRACE
@@ -90,8 +90,8 @@ inline std::vector<std::unique_ptr<ClockedBlock>>& clocked_blocks() {
 }
 
 #if VM_TRACE
-/// Whether waves have a scope for each word of a model's name, as with Verilator 5.006. Later ones
-/// (5.032) make a scope of the last word alone.
+/// Whether waves have a scope for each word of a model's name, as with Verilator 5.006. Later
+/// versions (5.032) make a scope of only the last word.
 template <class Waves>
 constexpr bool words_are_scopes = !requires {
   &Waves::pushPrefix;

@@ -12,10 +12,10 @@
 
 namespace mixcmp::harness {
 
-/// Software at the AXI4-Lite port of a system's counters. It writes what it reads into the memory
-/// to which `ports.comparisons` and the others are bound, so they are used as if they were ports of
-/// the model. A system with counters as ports, or with none, has an empty system::counter_map, and
-/// nothing is read.
+/// Software at the AXI4-Lite port of a system's counters. It stores the values that it reads in the
+/// memory to which `ports.comparisons` and the others are bound, so they are used as if they were
+/// ports of the model. A system with counters as ports, or with none, has an empty
+/// system::counter_map, and nothing is read.
 class CounterReader {
 public:
   explicit CounterReader(CounterBus& bus) : bus_(bus) {
@@ -28,15 +28,15 @@ public:
 
   static bool is_there() { return !system::counter_map.empty(); }
 
-  /// Forgets what was read, as a reset forgets what was counted.
+  /// Clears the values that were read, as a reset clears the counters.
   void clear() {
     for (const system::MappedCounters& counters : system::counter_map) {
       std::memset(counters.bytes, 0, counters.size);
     }
   }
 
-  /// Reads every counter while nothing is counted. `step` simulates a cycle. Returns what was wrong
-  /// on the bus, if anything.
+  /// Reads every counter while nothing is counted. `step` simulates a cycle. Returns the fault on
+  /// the bus, if there is one.
   template <class Step>
   std::optional<wire::Fault> read(Step step) {
     if (!is_there()) return {};
@@ -54,7 +54,7 @@ public:
 private:
   static constexpr int quiet_cycles = 32;  ///< more than a count takes through the port
   static constexpr int most_cycles = 64;   ///< that the port may take to accept or to answer
-  static constexpr int hold_cycles = 3;    ///< for which a word has to wait
+  static constexpr int hold_cycles = 3;    ///< for which a word must wait
 
   template <class Step>
   bool read_counter(const system::MappedCounters& counters, int k, Step& step) {
@@ -68,8 +68,8 @@ private:
     return system::counter_bits == 64 || count >> system::counter_bits % 64 == 0;
   }
 
-  /// Every output of the port is a register: what it says of a cycle is there when the cycle
-  /// begins.
+  /// Waits for an output of the port. Every output is a register, so its value of a cycle is there
+  /// when the cycle begins.
   template <class Step>
   bool wait_for(const Port& signal, Step& step) {
     for (int k = 0; k < most_cycles && !signal.bit(0); ++k) step();
@@ -97,7 +97,7 @@ private:
     return word;
   }
 
-  /// A write of ones to the first counter, which has to be refused.
+  /// Writes ones to the first counter, which the port must refuse.
   template <class Step>
   bool write(Step& step) {
     constexpr std::uint64_t slave_error = 2;

@@ -50,7 +50,7 @@ public:
     }
   }
 
-  /// Sorts the comparisons given back after a reset by position, whichever lanes they were in.
+  /// Sorts the comparisons given back after a reset by position, across all lanes.
   void sort_returned() {
     std::sort(returned_.begin(), returned_.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });

@@ -11,8 +11,8 @@ struct Entry {
 
   State state = State::unused;
   std::uint64_t number = 0;  ///< the running number that became the tag
-  /// Positions in the run, from lane 0 on. Lanes beyond got the operands of lane 0 once more, and
-  /// their results are of no comparison.
+  /// Positions in the run, from lane 0 on. Further lanes repeat the operands of lane 0; their
+  /// results belong to no comparison.
   std::vector<std::uint64_t> positions;
   std::uint64_t sequence = 0;          ///< order of acceptance in its lane
   std::uint64_t cycle = 0;             ///< of the offer; once accepted, of the acceptance
@@ -21,9 +21,9 @@ struct Entry {
   bool busy() const { return state == State::offered || state == State::inside; }
 };
 
-/// The tags of one lane, or of a group of lanes, and what they stand for. Tags come from a running
-/// number, multiplied by an odd constant so that every bit of a wide tag moves. A number is used
-/// again only when its comparison has left, so that at most `count` are inside.
+/// The tags of one lane, or of a group of lanes, and the comparisons that they name. Tags come from
+/// a running number, multiplied by an odd constant so that every bit of a wide tag moves. A number
+/// is used again only when its comparison has left, so that at most `count` are inside.
 class InFlight {
 public:
   /// Entries are numbered 0 .. count - 1. The tags of this lane are made of base + number, modulo
@@ -60,7 +60,7 @@ public:
   /// The entry that carries, or last carried, this tag; null if no remembered entry did.
   Entry* find(std::uint64_t tag) { return lane_of(tag) == 0 ? find_word(tag) : nullptr; }
 
-  /// The entry of which some lane has this tag; null as above.
+  /// The entry with this tag in one of its lanes; null if no remembered entry has it.
   Entry* find_word(std::uint64_t tag) {
     const std::uint64_t scrambled = ((tag - first_) & mask_) >> lane_bits_;
     const std::uint64_t number = (scrambled * unscramble() - base_) & number_mask_;

@@ -49,8 +49,8 @@ public:
     if (valid && ready_) deliver(tag, tdata, cycle);
   }
 
-  /// Gives the comparisons that were offered or inside back to `feed`, for the system is held in
-  /// reset and has lost them.
+  /// Gives the comparisons that were offered or inside back to `feed`: the system is held in reset
+  /// and has lost them.
   void discard(Feed& feed) {
     for (Entry& entry : in_flight_.entries()) {
       if (!entry.busy()) continue;
@@ -126,7 +126,8 @@ private:
   /// results are recognised.
   static constexpr std::size_t ring_size = 4 * system::slots;
 
-  /// A memory finds refetched operands by tag alone: with refetched operands, lanes share no tags.
+  /// A memory finds refetched operands only by their tag: with refetched operands, lanes share no
+  /// tags.
   static constexpr int lane_bits =
       system::refetched ? std::bit_width(static_cast<unsigned>(system::lanes_per_group - 1)) : 0;
   static constexpr std::uint64_t tag_space = std::uint64_t{1}

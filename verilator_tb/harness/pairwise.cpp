@@ -1,6 +1,6 @@
 // Drives one verilated pairwise engine on sets of items that a host sends; see
-// pairwise_protocol.hpp. It computes nothing about them: which pairs must be reported is the host's
-// to judge.
+// pairwise_protocol.hpp. It computes nothing about them: the host judges which pairs must be
+// reported.
 
 #include <algorithm>
 #include <array>
@@ -196,7 +196,7 @@ private:
   static constexpr std::uint64_t index_mask = (std::uint64_t{1} << index_field_bits) - 1;
 
   std::vector<std::uint8_t> items_;
-  std::uint64_t next_ = 0;     ///< the item to be offered next
+  std::uint64_t next_ = 0;     ///< the item that is offered next
   std::uint64_t targets_ = 0;  ///< the first items, with tuser
   bool offering_ = false;
   bool open_ = false;  ///< a closing beat is still to come

@@ -4,15 +4,15 @@
 
 #include "protocol.hpp"
 
-/// What the host and the simulator of a pairwise engine exchange, by the rules of protocol.hpp: a
-/// request is one set of items; its response holds the reports that left.
+/// The messages between the host and the simulator of a pairwise engine, by the rules of
+/// protocol.hpp: a request is one set of items; its response holds the reports that left.
 namespace mixcmp::harness::wire {
 
 /// The head of a request, followed by the items, item_bytes for each.
 struct SetRequest {
   std::uint64_t items;
-  std::uint64_t targets;  ///< the first items, which meet the others alone; 0: all meet
-  /// Not 0: reset the engine so many cycles after the first item was offered.
+  std::uint64_t targets;  ///< the first items, which only meet the others; 0: all meet
+  /// Not 0: reset the engine this many cycles after the first item was offered.
   std::uint64_t reset_after;
   std::uint64_t last;  ///< not 0: the simulator ends after it
 };
@@ -43,7 +43,7 @@ struct ReportedPair {
   std::uint64_t tuser;
 };
 
-/// What one stream of reports gave.
+/// The totals of one stream of reports, with its closing beat.
 struct StreamEnd {
   std::uint64_t closing_tdata;  ///< of the closing beat
   std::uint64_t closing_tuser;

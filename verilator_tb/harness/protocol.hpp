@@ -2,14 +2,14 @@
 
 #include <cstdint>
 
-/// What the host and a simulator exchange over the simulator's standard input, in the machine's
-/// byte order. This file is compiled into both. Positions number the comparisons of a run from 0,
-/// in the order the host sends them. Every request gets one response; a comparison's result is in
-/// the response to its own block or in a later one, in any order.
+/// The messages between the host and a simulator over the simulator's standard input, in the
+/// machine's byte order. This file is compiled into both. Positions number the comparisons of a run
+/// from 0, in the order the host sends them. Every request gets one response; a comparison's result
+/// is in the response to its own block or in a later one, in any order.
 namespace mixcmp::harness::wire {
 
-/// The head of a request, followed by `resets` positions (each std::uint64_t: reset the system as
-/// soon as so many comparisons were offered) and by the operands, tdata_bytes for each comparison.
+/// The head of a request. After it come `resets` positions (each std::uint64_t: reset the system
+/// once this many comparisons were offered), then the operands, tdata_bytes for each comparison.
 struct Request {
   std::uint64_t comparisons;
   std::uint64_t resets;
@@ -22,7 +22,7 @@ enum class State : std::uint64_t {
   stopped,  ///< a lane stands still, or max_violations were seen; the simulator ends
 };
 
-/// The head of a response, followed by the results, the violations and, when drained, one
+/// The head of a response. After it come the results, the violations and, when drained, one
 /// CounterValues for each lane, or group of lanes, and, if they are counted, the answers of each
 /// reference (std::uint64_t).
 struct Response {

@@ -22,7 +22,7 @@ public:
     ++violation_count_;
   }
 
-  /// Tells whether there were so many violations that more would say nothing new.
+  /// Tells whether max_violations were seen.
   bool full() const { return violation_count_ >= wire::max_violations; }
 
   std::uint64_t last_result_cycle() const { return last_result_cycle_; }

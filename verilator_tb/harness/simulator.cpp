@@ -1,5 +1,5 @@
 // Drives one verilated system on comparisons that a host sends; see protocol.hpp. It computes
-// nothing about them: verdicts are the host's to judge.
+// nothing about them: the host judges the verdicts.
 
 #include <algorithm>
 #include <cstdint>

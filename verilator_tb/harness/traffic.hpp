@@ -4,8 +4,8 @@
 
 namespace mixcmp::harness {
 
-/// Decides in which cycles the two sides of a stream are ready to transfer. A decision depends on
-/// the seed, the stream and the cycle alone.
+/// Decides in which cycles the two sides of a stream are ready to transfer. A decision depends only
+/// on the seed, the stream and the cycle.
 class Traffic {
 public:
   enum class Kind { full_rate, stressed };

@@ -163,7 +163,7 @@ private:
   std::mutex mutex_;
   std::condition_variable changed_;
   Turn turn_ = Turn::simulator;
-  std::optional<int> status_;  ///< what the harness returned, once it has
+  std::optional<int> status_;  ///< the harness's return value, once it has ended
   VpiModel* model_ = nullptr;
   std::vector<vpiHandle> handles_;
 };

@@ -5,10 +5,10 @@
 
 namespace mixcmp::harness {
 
-/// A model in an event-driven simulator, with what the harness needs of a verilated one: its ports
-/// as bytes in memory, and eval(). The harness runs in a thread of its own. The simulator calls the
-/// system task $mixcmp_exchange, a time unit after the one before: it hands the outputs to the
-/// harness, waits until that calls eval(), and takes the inputs. One of the two always waits.
+/// A model in an event-driven simulator, with the interface of a verilated one: its ports as bytes
+/// in memory, and eval(). The harness runs in a thread of its own. The simulator calls the system
+/// task $mixcmp_exchange in each time unit: it hands the outputs to the harness, waits until the
+/// harness calls eval(), and takes the inputs. One of the two always waits.
 class VpiModel {
 public:
   /// Bits from the lowest byte up, in whole words of 32 bits.
