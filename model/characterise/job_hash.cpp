@@ -7,7 +7,7 @@
 namespace mixcmp::characterise {
 namespace {
 
-/// The version of our method. Raise it when synthesise() derives other results from the same tools.
+/// The version of our method. Raise it when synthesise() gets other results from the same tools.
 constexpr std::string_view method = "2";
 
 void add_timing(ContentHash& hash, const devices::Device& device, int seeds) {
@@ -42,7 +42,7 @@ std::string imported_hash(const SynthesisJob& job, const std::string& tool) {
   ContentHash hash;
   hash.add("imported").add(tool).add(job.top).add(job.clock_port);
   for (const SourceText& source : job.sources) {
-    if (source.cells.empty()) hash.add(source.name).add(source.text);  // vendors take no such cell
+    if (source.cells.empty()) hash.add(source.name).add(source.text);  // vendors do not use cells
   }
   return hash.hex();
 }

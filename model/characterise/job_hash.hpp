@@ -6,8 +6,8 @@
 
 namespace mixcmp::characterise {
 
-/// The key of a job in a store: a hash of everything that its result depends on. `tools` is what
-/// tool_versions() returns.
+/// The key of a job in a store: a hash of everything that its result depends on. `tools` is the
+/// text of tool_versions().
 std::string job_hash(const SynthesisJob& job, const devices::Device& device,
                      const SynthesisOptions& options, const std::string& tools);
 

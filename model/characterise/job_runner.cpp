@@ -30,7 +30,7 @@ std::string replaced(std::string text, const std::string& old_part, const std::s
   return text;
 }
 
-/// Copies a folder to `kept`, in place of one that an earlier run of the same job has left there.
+/// Copies a folder to `kept`, replacing one that an earlier run of the same job left there.
 Result<Done> copy_in_place_of(const fs::path& folder, const fs::path& kept) {
   MIXCMP_TRY(staging, ScratchFolder::make_in(kept.parent_path(), "staging"));
   MIXCMP_DO(copy_folder(folder, staging.path()));
@@ -102,7 +102,7 @@ private:
     finish(job, error, kept);
   }
 
-  /// Makes a folder for one job. Tries again where another run, at its end, has removed the empty
+  /// Makes a folder for one job. Tries again if another run, at its end, has removed the empty
   /// STORE.work between two steps of this one.
   Result<ScratchFolder> job_folder() const {
     while (true) {
@@ -113,7 +113,7 @@ private:
   }
 
   /// Turns exceptions into errors, since none may leave a thread: unexpected JSON from a tool fails
-  /// only its own job.
+  /// only that job.
   Result<Done> guarded(const PendingJob& job, const fs::path& folder) {
     try {
       return synthesise_into_store(job, folder);
@@ -134,8 +134,8 @@ private:
       MIXCMP_DO(copy_in_place_of(folder, options_.keep));
     }
     if (!result.ok()) return result.error();
-    // The signal that interrupts this run may have ended a tool, too, and a tool's end may be taken
-    // for an answer.
+    // The signal that interrupts this run may also have ended a tool, and a tool's end may look
+    // like an answer.
     if (cancelled_) return Error{.message = "interrupted"};
     return store.add(job.hash, *result, tools_);
   }

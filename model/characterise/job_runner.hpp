@@ -12,7 +12,7 @@ namespace mixcmp::characterise {
 struct PendingJob {
   std::string hash;
   std::string label;                  ///< for messages: "lane s12e8 exact relative"
-  std::function<SynthesisJob()> job;  ///< called at its start: all jobs' sources are large
+  std::function<SynthesisJob()> job;  ///< called when the job starts: all jobs' sources are large
 };
 
 struct FailedJob {
@@ -37,8 +37,8 @@ struct JobRunOptions {
 };
 
 /// Synthesises the jobs, `workers` at a time, and puts the results into the store at `store`. An
-/// interrupt (SIGINT, SIGTERM, SIGHUP) ends those that run; what is in the store by then stays.
-/// Work is done in STORE.work; failed jobs are kept there.
+/// interrupt (SIGINT, SIGTERM, SIGHUP) ends the running jobs; results already in the store stay.
+/// Work is done in STORE.work, where failed jobs are kept.
 Result<JobRun> run_jobs(const std::vector<PendingJob>& jobs, const devices::Device& device,
                         const std::string& tools, const std::filesystem::path& store,
                         const JobRunOptions& options);

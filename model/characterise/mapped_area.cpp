@@ -29,7 +29,7 @@ constexpr std::array cells = std::to_array<CellArea>({
     {"LUT1", lut},
     {"LUT2", lut},
     {"LUT3", lut},
-    {"LUT4", lut},  // ECP5 has one of that name, too
+    {"LUT4", lut},  // ECP5 has a cell of that name as well
     {"LUT5", lut},
     {"LUT6", lut},
     {"LUT6_2", lut},
@@ -59,7 +59,7 @@ constexpr std::array cells = std::to_array<CellArea>({
     {"DSP48E1", {.dsps = 1}},
     {"DSP48E2", {.dsps = 1}},
     {"BUFG", free_of_charge},
-    // ECP5: the slices of a distributed RAM's write port serve nothing else.
+    // ECP5: the slices of a distributed RAM's write port have no other use.
     {"CCU2C", {.luts = 2, .carries = 1}},
     {"TRELLIS_DPR16X4", memory_luts(6)},
     {"PFUMX", free_of_charge},
@@ -73,7 +73,7 @@ constexpr std::array cells = std::to_array<CellArea>({
     {"SB_CARRY", {.carries = 1}},
     {"SB_MAC16", {.dsps = 1}},
     {"SB_GB", free_of_charge},
-    // Yosys' note of what was flattened
+    // Yosys' note of a flattened cell
     {"$scopeinfo", free_of_charge},
 });
 

@@ -10,7 +10,7 @@
 namespace mixcmp::characterise {
 
 /// The area of one cell of Yosys' technology libraries (docs/devices.md). An unknown cell is an
-/// error, since leaving it out would make a design look smaller.
+/// error, since without it a design would look smaller.
 Result<devices::Area> area_of_cell(std::string_view cell);
 
 /// The area of a design, summed over the cells that `stat -json` (Yosys 0.23 to 0.52) counts.

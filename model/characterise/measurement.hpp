@@ -29,9 +29,9 @@ struct Clock {
   ClockSource source = ClockSource::estimate_before_routing;
 };
 
-/// After which step of which flow an area was counted.
+/// The step and the flow after which an area was counted.
 enum class AreaStage {
-  mapped,       ///< by our run of Yosys and the device's packer, of the component alone
+  mapped,       ///< by our run of Yosys and the device's packer, of the component by itself
   synthesised,  ///< by a vendor's tool, of instances in a whole system, before placement
   placed,       ///< by a vendor's tool, as above, before routing
   routed,       ///< by a vendor's tool, as above, placed and routed
@@ -40,20 +40,20 @@ std::string_view to_string(AreaStage stage);
 
 enum class ComponentKind {
   unit,       ///< one floating-point or bound unit; for information only
-  lane,       ///< one reduced datapath alone; of an engine behind the conversion
-  reference,  ///< one reference datapath alone
+  lane,       ///< one reduced datapath by itself; in an engine without the conversion
+  reference,  ///< one reference datapath by itself
   fifo,       ///< the scoreboard or reorder buffer around one lane or group of lanes
-  /// The share of the crossbar that one reference has when it serves `ports` lanes or groups.
+  /// One reference's share of the crossbar when it serves `ports` lanes or groups.
   crossbar,
   reference_port,  ///< the streams around one reference
   second_lane,     ///< of a system of streams: a lane of its second tier with its `ports` slots
-  /// Of an engine: `ports` lanes with all that is theirs alone. Lanes of a pairwise engine work in
-  /// lock step and share it; a lane of an arg-min engine has its own.
+  /// In an engine: `ports` lanes with all logic that only they use. Lanes of a pairwise engine work
+  /// in lock step and share that logic; a lane of an arg-min engine has its own.
   segment,
-  conversion,  ///< of an engine: what computes the words of items and rows when they come in
-  /// Of an engine: all else that it has with `ports` segments, but crossbar and references.
+  conversion,  ///< in an engine: computes the words of items and rows when they come in
+  /// In an engine with `ports` segments: all other logic, except crossbar and references.
   engine,
-  operand_memory,  ///< of an arg-min engine: full rows and candidates for `ports` references
+  operand_memory,  ///< in an arg-min engine: full rows and candidates for `ports` references
 };
 std::string_view to_string(ComponentKind kind);
 
@@ -63,10 +63,10 @@ inline constexpr std::array component_kinds = {
     ComponentKind::second_lane, ComponentKind::segment,       ComponentKind::conversion,
     ComponentKind::engine,      ComponentKind::operand_memory};
 
-/// Whether components of this kind depend on what a lane is: on its format, inputs, bound and
+/// Whether components of this kind depend on the lane's properties: format, inputs, bound and
 /// multipliers.
 bool depends_on_lane(ComponentKind kind);
-/// Whether components of this kind depend on what a reference is.
+/// Whether components of this kind depend on the reference's properties.
 bool depends_on_reference(ComponentKind kind);
 
 /// Identifies a synthesised component in a table. A field that does not apply is empty or 0.
@@ -77,11 +77,11 @@ struct ComponentKey {
   std::optional<LaneInputs> inputs;  ///< of a lane in floating point
   std::optional<Bound> bound;        ///< of a lane
   std::string multipliers;           ///< of lanes, references and units with a product
-  Sums sums = Sums::composed;        ///< of a reference; composed of everything else
+  Sums sums = Sums::composed;        ///< of a reference; composed for everything else
   int initiation_interval = 0;       ///< of a reference, in cycles
   int target_mhz = 0;                ///< of a reference; 0: the table's
-  /// Of a crossbar and of a segment: lanes; of a fifo and of a second lane: slots; of an engine:
-  /// segments; of an operand memory: references.
+  /// A crossbar's and a segment's lanes; a fifo's and a second lane's slots; an engine's segments;
+  /// an operand memory's references.
   int ports = 0;
 
   friend auto operator<=>(const ComponentKey&, const ComponentKey&) = default;
@@ -98,7 +98,7 @@ struct Measurement {
   std::string tools;     ///< "Yosys 0.23 (git sha1 ...)"
   AreaStage stage = AreaStage::mapped;
 
-  /// Whether the row comes from a vendor's report, which no run of ours can make again.
+  /// Whether the row comes from a vendor's report, which we cannot make again.
   bool is_imported() const { return stage != AreaStage::mapped; }
 };
 
@@ -114,12 +114,12 @@ struct Characterisation {
   const Measurement* find(const ComponentKey& key) const;
 };
 
-/// What the parts of a scene's engine depend on, in words: the spec "engine" of a table. Empty
-/// where there is no engine.
+/// The properties on which the parts of a scene's engine depend, in words: the spec "engine" of a
+/// table. Empty if there is no engine.
 std::string engine_text(const scene::Scene& scene);
 
-/// Refuses a table whose scoreboards are around groups of other sizes than the scene's. `path` is
-/// for the error.
+/// Refuses a table whose scoreboards surround groups of other sizes than the scene's. `path` is for
+/// the error.
 Result<Done> check_groups(const Characterisation& table, const std::filesystem::path& path,
                           const scene::Scene& scene);
 

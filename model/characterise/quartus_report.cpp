@@ -9,7 +9,7 @@
 namespace mixcmp::characterise {
 namespace {
 
-/// "; Device ; 5CSEBA6U23I7 ;" of the summary that begins at a line with this title.
+/// A summary that begins at a line with this title, with lines such as "; Device ; 5CSEBA6U23I7 ;".
 class SummarySection {
 public:
   static Result<SummarySection> find(const ReportText& report, const std::string& title) {
@@ -48,8 +48,9 @@ std::string tool_of(const std::string& text) {
   return "Quartus " + version_of(text.starts_with(prefix) ? text.substr(prefix.size()) : text);
 }
 
-/// Quartus Standard writes "|top|lane_channel:g_lanes[0].channel|lane:lane", Quartus Pro the same
-/// path as "g_lanes[0].channel|lane", and "|" for the top.
+/// The path of an instance. Quartus Standard writes
+/// "|top|lane_channel:g_lanes[0].channel|lane:lane" for the path that Quartus Pro writes as
+/// "g_lanes[0].channel|lane", and "|" for the top.
 std::string path_of(const std::string& full_name, const std::string& top) {
   std::string path;
   std::size_t start = 0;
@@ -74,7 +75,7 @@ bool counts_memories(const std::string& name) {
          std::isdigit(static_cast<unsigned char>(name[1])) != 0;
 }
 
-/// The columns of "Fitter Resource Utilization by Entity" that make an area.
+/// The columns of "Fitter Resource Utilization by Entity" for an area.
 struct EntityColumns {
   std::size_t path = 0, luts = 0, registers = 0, dsps = 0;
   std::vector<std::size_t> memories;
@@ -188,7 +189,7 @@ void set_names(VendorReport& found, const ReportField& design, const ReportField
   found.device_line = device.line;
 }
 
-/// Refuses the timing of a netlist that is not the last: Quartus Pro names the snapshot.
+/// Refuses the timing of a netlist that is not final: Quartus Pro names the snapshot.
 Result<Done> check_final(const ReportText& report, const SummarySection& summary) {
   const auto snapshot =
       summary.field([](const std::string& name) { return is_named(name, "Snapshot"); }, "Snapshot");

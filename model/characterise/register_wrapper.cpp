@@ -9,7 +9,7 @@
 namespace mixcmp::characterise {
 namespace {
 
-/// The widths of a module's ports added up, and how an instance connects them.
+/// The total widths of a module's ports, and the connections of an instance.
 struct Boundary {
   int inputs = 0;   ///< bits, without the clock
   int outputs = 0;  ///< bits
@@ -59,7 +59,7 @@ std::string shift_register(int bits) {
                      shifted);
 }
 
-/// One level of the tree: registers that hold the XOR of four of the level before.
+/// One level of the tree: each register holds the XOR of four registers of the previous level.
 std::string fold_level(int level, int from_bits, int bits) {
   std::string text =
       fmt::format("  reg [{}:0] fold{};\n  always @(posedge clock) begin\n", bits - 1, level);

@@ -8,7 +8,7 @@
 
 #include "model/common/result.hpp"
 
-/// What the reports of vendors' tools have in common: lines, fields "name : value", and tables.
+/// Common parts of vendors' reports: lines, fields "name : value", and tables.
 namespace mixcmp::characterise {
 
 /// A value and its line, 1-based.
@@ -29,7 +29,7 @@ public:
     return lines_.at(static_cast<std::size_t>(number) - 1);
   }
 
-  /// The first line at or behind `from` that contains `words`; 0: there is none.
+  /// The first line from `from` on that contains `words`; 0 if there is none.
   int find(std::string_view words, int from = 1) const;
 
   Error error(int line, std::string message, std::string received, std::string accepted) const;
@@ -50,19 +50,19 @@ std::vector<std::string> cells_of(const std::string& line, char separator);
 /// A table of a report with the names of its columns.
 class ReportTable {
 public:
-  /// The table whose header is at this line, with a rule behind it and one at its end.
+  /// The table whose header is at this line. A rule follows the header, and a rule ends the table.
   ReportTable(const ReportText& report, int header_line, char separator);
 
   /// The lines of the table's records.
   const std::vector<int>& records() const { return records_; }
-  /// The column with this name; none where there is no such column.
+  /// The column with this name; none if there is no such column.
   std::optional<std::size_t> column(std::string_view name) const;
   std::vector<std::size_t> columns_that(bool (*wanted)(const std::string& name)) const;
 
-  /// The cell of a record, with its blanks. An error where the record has another number of cells
-  /// than the header.
+  /// The cell of a record, with its blanks. An error if the record and the header have different
+  /// numbers of cells.
   Result<std::string> cell(int line, std::size_t column) const;
-  /// The number at the start of a cell, rounded up to a whole one: "2825.0 (1208.7)" is 2825.
+  /// The number at the start of a cell, rounded up to an integer: "2825.0 (1208.7)" is 2825.
   Result<int> count(int line, std::size_t column) const;
 
 private:
@@ -72,7 +72,7 @@ private:
   std::vector<int> records_;
 };
 
-/// The number at the start of `text`; none where there is no number.
+/// The number at the start of `text`; none if there is no number.
 std::optional<double> leading_number(std::string_view text);
 
 }  // namespace mixcmp::characterise

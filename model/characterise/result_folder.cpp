@@ -70,7 +70,7 @@ Result<Done> ResultFolder::add(const std::string& hash, const SynthesisResult& r
                {"shift_luts", result.area.shift_luts}};
   if (result.clock) json["clock"] = to_json(*result.clock);
   json["no_clock"] = result.no_clock;
-  constexpr auto replace = Json::error_handler_t::replace;  // a tool's message may be no UTF-8
+  constexpr auto replace = Json::error_handler_t::replace;  // a tool's message may be invalid UTF-8
   return write_kept_file(file_of(hash), json.dump(2, ' ', false, replace) + "\n");
 }
 

@@ -14,7 +14,7 @@
 namespace mixcmp::characterise {
 namespace {
 
-/// What differs between nextpnr's two architectures.
+/// The differences between nextpnr's two architectures.
 struct Architecture {
   const char* allow_unconstrained;
   const char* lut;  ///< in nextpnr's report of utilisation
@@ -40,7 +40,7 @@ Command call(const devices::Device& device, const std::string& netlist,
   return command;
 }
 
-/// Whether nextpnr's message says that a design is too large, or too dense to be wired.
+/// Whether nextpnr's message says that a design is too large or too dense for wiring.
 bool is_refusal(const std::string& message) {
   static const std::regex refusal(
       "(unable|failed) to (place|find (a )?(legal )?placement|route|pack|expand)"
@@ -49,7 +49,7 @@ bool is_refusal(const std::string& message) {
   return std::regex_search(message, refusal);
 }
 
-/// The reason that nextpnr's log gives, if any: it is more useful than the end of the log.
+/// The reason in nextpnr's log, if there is one: it is more useful than the end of the log.
 Result<Refusal> reason_of(const Error& failure, const std::filesystem::path& log) {
   const Result<std::string> text = read_file(log);
   static const std::regex reason("ERROR: ([^\n]*)");
@@ -63,8 +63,7 @@ using Attempt = std::variant<double, Refusal>;
 
 Result<Attempt> route_once(const devices::Device& device, const std::filesystem::path& directory,
                            const std::string& netlist, int seed, const ToolLimits& limits) {
-  // The router serves the most critical path first, so a target that no design meets is as good as
-  // any other.
+  // The router serves the most critical path first, so any target that no design meets will do.
   constexpr const char* target_mhz = "400";
   const std::string report = fmt::format("route_{}.json", seed);
   const std::string log = fmt::format("route_{}.log", seed);

@@ -14,7 +14,7 @@
 namespace mixcmp::characterise {
 
 /// Why a design cannot be packed, placed or routed, in nextpnr's words. That is a property of the
-/// design; a tool that fails or runs out of time is an error instead.
+/// design. A tool that fails or runs out of time is an error instead.
 struct Refusal {
   std::string reason;
 };
@@ -31,8 +31,8 @@ Result<Packed> packed_luts(const devices::Device& device, const std::filesystem:
 Result<Routed> route(const devices::Device& device, const std::filesystem::path& directory,
                      const std::string& netlist, int seeds, const ToolLimits& limits);
 
-/// The slowest clock of a nextpnr report, in MHz; none where no path joins registers. An error
-/// where the report is not of nextpnr's form.
+/// The slowest clock of a nextpnr report, in MHz; none if no path joins registers. An error if the
+/// report does not have nextpnr's form.
 Result<std::optional<double>> routed_mhz(const nlohmann::json& report);
 
 /// The median and the extremes of these clocks. The median of an even number of clocks is the lower

@@ -6,9 +6,9 @@
 
 namespace mixcmp::characterise {
 
-/// Blocks SIGINT, SIGTERM and SIGHUP while it lives, so that the program takes them where it calls
+/// Blocks SIGINT, SIGTERM and SIGHUP while it lives, so the program receives them where it calls
 /// `wait`. Threads that start meanwhile inherit the block. A signal that the program was told to
-/// ignore, as nohup does, stays ignored.
+/// ignore, as by nohup, stays ignored.
 class SignalGate {
 public:
   SignalGate();

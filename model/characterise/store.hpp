@@ -12,21 +12,21 @@ struct sqlite3;
 
 namespace mixcmp::characterise {
 
-/// Results of synthesis, kept under their jobs' hashes in one SQLite file, or in a folder with a
+/// Results of synthesis, stored under their jobs' hashes in one SQLite file, or in a folder with a
 /// file for each (ResultFolder). A result is stored whole or not at all, even if the program is
-/// interrupted; several processes may share the store, and several machines a folder.
+/// interrupted. Several processes may share the store, and several machines a folder.
 class ResultStore {
 public:
-  /// Opens the folder where `path` is one. Else makes the file and its folders where there are
-  /// none; it is an error if the file is no store, is damaged, or has another version.
+  /// Opens `path` if it is a folder. Otherwise it is a file, which is made with its folders if it
+  /// does not exist. An error if the file is no store, is damaged, or has another version.
   static Result<ResultStore> open(const std::filesystem::path& path);
 
   Result<std::optional<SynthesisResult>> find(const std::string& hash) const;
-  /// Adds a result, or replaces the one with this hash. `tools` is kept for people who read the
+  /// Adds a result, or replaces the one with this hash. `tools` is stored for people who read the
   /// file.
   Result<Done> add(const std::string& hash, const SynthesisResult& result,
                    const std::string& tools);
-  /// How many results the SQLite file has.
+  /// The number of results in the SQLite file.
   Result<int> size() const;
 
   const std::filesystem::path& path() const { return path_; }
@@ -48,7 +48,7 @@ private:
   std::optional<ResultFolder> folder_;  ///< none: the store is a file
 };
 
-/// $XDG_CACHE_HOME/mixcmp/characterisation.sqlite, $HOME/.cache/... where that is not set.
+/// $XDG_CACHE_HOME/mixcmp/characterisation.sqlite, or $HOME/.cache/... if that is not set.
 Result<std::filesystem::path> default_store_path();
 
 }  // namespace mixcmp::characterise

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One job on one device in one folder: what each step needs to know.
+/// One job on one device in one folder: the inputs of each step.
 struct Run {
   const SynthesisJob& job;
   const devices::Device& device;
@@ -54,11 +54,11 @@ Result<Done> run_yosys(const Run& run, const std::string& name, const std::strin
   return run_in(run.directory, command, name + ".log", run.options.each_tool);
 }
 
-/// synth_xilinx of Yosys 0.23 gives each register with an inverted reset an inverter of its own and
-/// leaves them so. One inverter serves all registers of a reset.
+/// synth_xilinx of Yosys 0.23 gives each register with an inverted reset its own inverter. One
+/// inverter is enough for all registers of a reset.
 constexpr const char* share_inverters = "opt_merge -share_all t:INV\nopt_clean\n";
 
-/// Maps the module alone. Leaves map.json, the netlist, and map.il, the same for Yosys. A device's
+/// Maps the module by itself. Leaves map.json, the netlist, and map.il, the same for Yosys. A device's
 /// command need not flatten the design; the names in the netlist are those of a flat one.
 Result<devices::Area> map_alone(const Run& run) {
   const std::string& top = run.job.top;
@@ -87,9 +87,10 @@ Result<Done> check_parts(const Run& run, const devices::Area& area) {
 /// The last line of Yosys' report. Yosys reports no error when a full disk cuts the file short.
 constexpr const char* end_of_timing = "end of the timing report";
 
-/// After -abc9 the carry cells in memory have lost their delays (Yosys 0.23 and 0.52): the netlist
-/// is read again, beside the library of cells. One pass: what a shift register becomes has one,
-/// too. Newer versions leave cells that only name what was flattened, and `sta` knows none of them.
+/// After -abc9 the carry cells in memory have lost their delays (Yosys 0.23 and 0.52), so the
+/// netlist is read again, beside the library of cells. One techmap pass is enough: a mapped shift
+/// register contains another one, which must stay. Newer versions leave cells that only name
+/// flattened modules, which `sta` does not know.
 std::string timing_script(const Run& run) {
   const std::string& top = run.job.top;
   return fmt::format(
@@ -102,8 +103,8 @@ std::string timing_script(const Run& run) {
       end_of_timing);
 }
 
-/// A clock, or why there is none. A tool that fails is an error instead, since that is no property
-/// of the design.
+/// A clock, or the reason why there is none. A tool that fails is an error instead, since that is
+/// no property of the design.
 struct Timing {
   std::optional<Clock> clock;
   std::string no_clock;
@@ -150,7 +151,7 @@ std::optional<std::string> shortage(const devices::Area& area, const devices::Ar
   return std::nullopt;
 }
 
-/// Finds the clock by routing; also corrects the LUTs in `area` to the number that the router
+/// Finds the clock by routing. Also corrects the LUTs in `area` to the number that the router
 /// packs.
 Result<Timing> route_clock(const Run& run, devices::Area& area) {
   const ToolLimits& limits = run.options.each_tool;

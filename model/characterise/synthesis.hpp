@@ -14,27 +14,27 @@ namespace mixcmp::characterise {
 struct SourceText {
   std::string name;  ///< "fp_add.v", no folders
   std::string text;
-  /// A family of devices, such as "ecp5", that takes this text in place of the text of the same
-  /// module without one; empty: the text is for all devices.
+  /// A family of devices, such as "ecp5", for which this text replaces the text of the same module
+  /// without a family. Empty: the text is for all devices.
   std::string cells = {};
 };
 
 /// Whether `source` replaces a module on `device`.
 bool is_cell_of(const SourceText& source, const devices::Device& device);
 
-/// One module to be synthesised alone. Parameters are set by a wrapper among the sources.
+/// One module, synthesised by itself. A wrapper among the sources sets its parameters.
 struct SynthesisJob {
   std::vector<SourceText> sources;
   std::string top;
   std::string clock_port = "aclk";
-  /// The parts that synthesis cannot do without; empty: not known. They are no part of the hash,
+  /// The parts that synthesis must keep; empty: not known. They are no part of the hash,
   /// since they follow from the sources.
   NeededParts needed = {};
 };
 
 enum class TimingEffort {
   area_only,
-  timing,  ///< area and clock, where the device has a timing tool
+  timing,  ///< area and clock, if the device has a timing tool
 };
 
 struct SynthesisOptions {

@@ -16,7 +16,7 @@ std::string field(const std::string& text) {
   return quoted + "\"";
 }
 
-/// Replaces line ends by blanks, since a comment is one line.
+/// Replaces line ends by blanks, since a comment has one line.
 std::string one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');

@@ -24,11 +24,11 @@ KeyColumn text_column(std::string_view name) {
           }};
 }
 
-/// What a reference has that most have not, as words: "fused at_600_mhz".
+/// The unusual properties of a reference, as words: "fused at_600_mhz".
 std::string traits_of_reference(const ComponentKey& key);
 Result<Done> set_traits_of_reference(ComponentKey& key, const std::string& words);
 
-/// The name of a unit; of a reference its traits.
+/// The name of a unit, or the traits of a reference.
 inline KeyColumn name_column() {
   return {"name",
           [](const ComponentKey& key) {

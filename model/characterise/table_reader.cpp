@@ -115,7 +115,7 @@ private:
     return field;
   }
 
-  /// Reads the next field of the current record. A comma must follow each field but the last.
+  /// Reads the next field of the current record. A comma must follow each field except the last.
   Result<Field> next() {
     MIXCMP_TRY(field, read_field());
     if (++fields_read_ < field_count()) {
@@ -185,7 +185,7 @@ private:
     return read_provenance(std::move(row));
   }
 
-  /// A reference and its port have one; all else has 0.
+  /// A reference and its port have an interval; all other kinds have 0.
   Result<int> initiation_interval(ComponentKind kind) {
     Field field = start_field();
     const bool is_reference = depends_on_reference(kind);
@@ -196,8 +196,8 @@ private:
     return error(field, "not an initiation interval", is_reference ? to_string(limits) : "0");
   }
 
-  /// Checks the words of lanes and references, of which plans are made: only words that
-  /// `characterise` writes are accepted.
+  /// Checks the words of lanes and references, which plans use: only words that `characterise`
+  /// writes are accepted.
   Result<Done> check_word(const ComponentKey& key, const KeyColumn& column,
                           const Field& field) const {
     const bool is_lane = depends_on_lane(key.kind);
@@ -230,7 +230,7 @@ private:
     return names;
   }
 
-  /// A number of digits is above the lane's own; fixed point has no choice.
+  /// A number of digits must be above the lane's own; fixed point has no such choice.
   Result<Done> check_inputs(const std::optional<FloatFormat>& floating,
                             std::optional<LaneInputs> inputs, const Field& field) const {
     if (!floating) return check_one_of(field, {""});
@@ -259,7 +259,7 @@ private:
     return row;
   }
 
-  /// Reads a clock's five fields, which are all empty where there is no clock.
+  /// Reads a clock's five fields, which are all empty if there is no clock.
   Result<std::optional<Clock>> read_clock() {
     if (text_.substr(place_, 5) == ",,,,,") {
       place_ += 5;

@@ -9,20 +9,21 @@
 
 namespace mixcmp::characterise {
 
-/// Whether a router, and not Yosys, gives the device's clocks.
+/// Whether a router, and not Yosys, determines the device's clocks.
 bool is_routed(const devices::Device& device);
 
-/// The command for Yosys; for ECP5 it is $MIXCMP_YOSYS_ECP5 where that is set. Commands in the
-/// environment are split at blanks.
+/// The command for Yosys; for ECP5 $MIXCMP_YOSYS_ECP5 if that is set. Commands in the environment
+/// are split at blanks.
 Command yosys_command(const devices::Device& device);
 
-/// The command for nextpnr-ecp5: $MIXCMP_NEXTPNR_ECP5 where that is set.
+/// The command for nextpnr-ecp5: $MIXCMP_NEXTPNR_ECP5 if that is set.
 Command ecp5_router_command();
 
 /// The command for the device's router. The device must be one for which `is_routed` holds.
 Command router_command(const devices::Device& device);
 
-/// The line in which a tool prints its version. If it does not run, the error names its package.
+/// The line in which a tool prints its version. If the tool does not run, the error names its
+/// package.
 Result<std::string> yosys_version(const devices::Device& device);
 Result<std::string> router_version(const devices::Device& device);
 
@@ -33,7 +34,7 @@ Result<Done> run_in(const std::filesystem::path& directory, const Command& comma
 /// Reads a JSON file that a tool has written; an error names the file.
 Result<nlohmann::json> read_json(const std::filesystem::path& path);
 
-/// A member of a JSON object; null where there is none, or `object` is no object.
+/// A member of a JSON object; null if there is none, or if `object` is no object.
 nlohmann::json member_of(const nlohmann::json& object, const char* key);
 
 /// Returns `found`; its error names `file`.

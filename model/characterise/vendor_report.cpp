@@ -12,7 +12,7 @@
 namespace mixcmp::characterise {
 namespace {
 
-/// A part's name as reports have it: in lower case, without "xc", hyphens and blanks.
+/// A part's name as in reports: in lower case, without "xc", hyphens and blanks.
 std::string plain_part(std::string_view text) {
   std::string part;
   for (const char c : text) {
@@ -22,8 +22,8 @@ std::string plain_part(std::string_view text) {
   return part.starts_with("xc") ? part.substr(2) : part;
 }
 
-/// The error of a file that is none of the four reports. Summaries of the same tools are told what
-/// they lack.
+/// The error of a file that is none of the four reports. For summaries of the same tools it names
+/// the missing contents.
 Error not_a_report(const ReportText& report) {
   const std::string accepted =
       "utilisation_by_instance.rpt, timing.rpt (Vivado), TOP.fit.rpt, TOP.sta.rpt (Quartus)";

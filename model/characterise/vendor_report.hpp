@@ -12,7 +12,7 @@ namespace mixcmp::characterise {
 enum class Vendor { vivado, quartus };
 std::string_view to_string(Vendor vendor);
 
-/// The area of one instance in a design's hierarchy, with all that is inside it.
+/// The area of one instance in a design's hierarchy, with all its contents.
 struct InstanceArea {
   std::string path;  ///< below the top, "g_lanes[0].channel/lane"; empty: the whole design
   devices::Area area;
@@ -33,12 +33,12 @@ struct VendorReport {
   std::optional<double> mhz;            ///< the highest clock aclk, placed and routed
 };
 
-/// Reads a report of areas by instance or of timing: of Vivado (report_utilization -hierarchical,
-/// report_timing_summary) or of Quartus (TOP.fit.rpt, TOP.sta.rpt). Errors name file and line. It
-/// is an error if the timing is of a design that is not routed.
+/// Reads a report of areas by instance or of timing: from Vivado (report_utilization -hierarchical,
+/// report_timing_summary) or Quartus (TOP.fit.rpt, TOP.sta.rpt). Errors name file and line. The
+/// timing of a design that is not routed is an error.
 Result<VendorReport> read_vendor_report(const std::filesystem::path& path);
 
-/// Whether a report's device is this part as the device's file spells it. Reports leave out "xc",
+/// Whether a report's device is this part, spelled as in the device's file. Reports leave out "xc",
 /// hyphens, and the end of a part's name.
 bool is_part(const VendorReport& report, const std::string& part);
 

@@ -45,7 +45,7 @@ Result<AreaStage> stage_of(const ReportText& report, const ReportField& state) {
                       "Synthesized, Optimized, Fully Placed, Routed, Physopt postRoute");
 }
 
-/// The columns of report_utilization -hierarchical that make an area.
+/// The columns of report_utilization -hierarchical for an area.
 struct HierarchyColumns {
   std::size_t luts = 0, lut_memories = 0, shift_registers = 0, registers = 0;
   std::size_t blocks_36k = 0, blocks_18k = 0, dsps = 0;
@@ -100,7 +100,7 @@ Result<devices::Area> area_in_hierarchy(const ReportText& report, const ReportTa
                        .shift_luts = lut_memories + shift_registers};
 }
 
-/// Follows the indented names of instances, two blanks a level, and makes paths of them.
+/// Follows the indented names of instances, two blanks per level, and builds their paths.
 class PathOfIndents {
 public:
   /// The path of the instance in this cell, below the top.
@@ -159,8 +159,8 @@ Result<VendorReport> add_areas(const ReportText& report, VendorReport found) {
   return found;
 }
 
-/// Refuses a timing report in which wires are estimated: of a design that is not routed. The
-/// reports of older versions do not name the design's state, but each path names that of its wires.
+/// Refuses a timing report with estimated wires, of a design that is not routed. Reports of older
+/// versions do not name the design's state, but each path names that of its wires.
 Result<Done> check_routed(const ReportText& report) {
   const Result<ReportField> state = head_field(report, "Design State");
   if (state.ok()) {

@@ -27,7 +27,7 @@ void remove_if_abandoned(const fs::path& path) {
 }  // namespace
 
 bool try_lock_new(int descriptor) {
-  // Where a file system has no locks, nobody takes anything for abandoned.
+  // If a file system has no locks, no file on it counts as abandoned.
   const bool taken = flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   struct stat status = {};
   return !taken && fstat(descriptor, &status) == 0 && status.st_nlink > 0;

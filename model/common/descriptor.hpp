@@ -7,7 +7,7 @@
 
 namespace mixcmp::inline common {
 
-/// An open file descriptor, which closes with this object; -1: none.
+/// An open file descriptor, closed by the destructor; -1: none.
 class Descriptor {
 public:
   explicit Descriptor(int value = -1) : value_(value) {}
@@ -27,7 +27,7 @@ private:
   int value_;
 };
 
-/// A pipe whose ends do not leak into other programs.
+/// A pipe whose ends other programs do not inherit.
 struct Pipe {
   Descriptor read_end, write_end;
 

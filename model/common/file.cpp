@@ -24,7 +24,7 @@ std::vector<std::filesystem::directory_entry> entries_of(const std::filesystem::
 
 namespace {
 
-/// A file that is no regular one is not opened: a pipe would wait for a writer.
+/// Opens only regular files: a pipe would wait for a writer.
 Result<Descriptor> open_to_read(const std::filesystem::path& path) {
   std::error_code failed;
   const std::filesystem::file_status status = std::filesystem::status(path, failed);

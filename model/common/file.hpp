@@ -9,12 +9,12 @@
 
 namespace mixcmp::inline common {
 
-/// The entries of a folder, in no order; what cannot be read is left out, and told in `failed`.
+/// The entries of a folder, in no order. A failure sets `failed` and leaves out all later entries.
 std::vector<std::filesystem::directory_entry> entries_of(const std::filesystem::path& folder,
                                                          std::error_code& failed);
 
-/// Whether a file or a folder has this path; no if the path cannot be followed (a name too long, a
-/// folder that may not be searched).
+/// Whether a file or a folder has this path; false if the path cannot be followed (a name too long,
+/// a folder that may not be searched).
 bool path_exists(const std::filesystem::path& path);
 
 Result<Done> check_readable(const std::filesystem::path& path);

@@ -44,7 +44,7 @@ Result<FolderLock> FolderLock::take(const fs::path& folder, const Waiting& waiti
     if (const int failure = lock(opened.get(), folder, waiting); failure != 0) {
       return cannot_write(folder, failure);
     }
-    // The run that held the folder before may have removed or replaced it.
+    // The run that held the folder may have removed or replaced it.
     struct stat locked = {}, now = {};
     if (fstat(opened.get(), &locked) != 0) return cannot_write(folder, errno);
     const bool there = stat(folder.c_str(), &now) == 0;

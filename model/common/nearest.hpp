@@ -10,7 +10,7 @@ namespace mixcmp::inline common {
 /// `b`.
 int edit_distance(std::string_view a, std::string_view b);
 
-/// The name closest to `text`, or empty where none is close enough to be a slip of the fingers.
+/// The name closest to `text`, or empty if no name is close enough for a typing error.
 std::string nearest(std::string_view text, std::span<const std::string> names);
 
 /// "a, b, c", with `text`'s nearest name first: "format (the nearest), bound, inputs".

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t buffer_bytes = 1 << 16;
 constexpr std::string_view unfinished_prefix = ".mixcmp-unfinished-";
 
-/// The descriptor that a name such as /dev/stdout or /dev/fd/3 stands for; none: another name.
+/// The descriptor that a name such as /dev/stdout or /dev/fd/3 stands for; none for other names.
 std::optional<int> named_descriptor(const fs::path& path) {
   if (path == "/dev/stdout") return STDOUT_FILENO;
   if (path == "/dev/stderr") return STDERR_FILENO;
@@ -40,8 +40,8 @@ std::optional<int> named_descriptor(const fs::path& path) {
   return descriptor;
 }
 
-/// Standard output or standard error, if `path` leads to the file or pipe that it is: one that is
-/// replaced would take no more text.
+/// Standard output or standard error, if `path` leads to the same file or pipe. Replacing that file
+/// would lose all later text.
 std::optional<int> standard_stream(const fs::path& path) {
   struct stat file = {};
   if (stat(path.c_str(), &file) != 0) return std::nullopt;
@@ -57,11 +57,12 @@ fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-/// A new file that no other run has, locked as long as it is open: what is not locked was left by a
-/// run that was killed.
+/// A new file that no other run has, locked as long as it is open. An unlocked one was left by a
+/// killed run.
 Result<std::pair<fs::path, Descriptor>> create_unfinished(const fs::path& path) {
   const fs::path folder = folder_of(path);
-  // No name twice: where locks fail, the next file would take this one for abandoned and be it.
+  // Each name is used once. If locks fail, a second file of the same name would replace the first
+  // one as abandoned.
   static std::atomic<int> number = 0;
   for (;;) {
     const fs::path name = folder / fmt::format("{}{}-{}", unfinished_prefix, getpid(), number++);
@@ -75,14 +76,14 @@ bool rename_path(const fs::path& from, const fs::path& to, unsigned int flags) {
   return renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), flags) == 0;
 }
 
-/// Moves a file to a path where nothing is, also on file systems that know no RENAME_NOREPLACE.
+/// Moves a file to an unused path, also on file systems without RENAME_NOREPLACE.
 bool move_to_free_path(const fs::path& from, const fs::path& to) {
   if (rename_path(from, to, RENAME_NOREPLACE)) return true;
   if (errno != EINVAL) return false;
   return link(from.c_str(), to.c_str()) == 0 && unlink(from.c_str()) == 0;
 }
 
-/// A file that is replaced keeps its owner and its permissions.
+/// A replaced file keeps its owner and its permissions.
 void keep_attributes(int descriptor, const struct stat& before) {
   if (fchown(descriptor, before.st_uid, before.st_gid) != 0 && errno != EPERM) return;
   fchmod(descriptor, before.st_mode & 07777);
@@ -194,7 +195,7 @@ Result<Done> put_in_place(const fs::path& finished, const fs::path& requested) {
 }
 
 Result<Done> put_folder_in_place(const fs::path& finished, const fs::path& path) {
-  // Another run may make or remove the folder at the same time: then it is tried again.
+  // Another run may make or remove the folder at the same time. Then this is tried again.
   while (true) {
     if (rename_path(finished, path, RENAME_EXCHANGE)) return Done{};
     if (errno != ENOENT) return cannot_write(path, errno);

@@ -9,13 +9,14 @@
 
 namespace mixcmp::inline common {
 
-/// The one way in which this program writes a file: whole or not at all. The text goes into a file
-/// with a name of its own beside the final path, which `commit` moves there. So there is never half
-/// a file at the final path, not even after an interrupt, with a full disk, or when a second run
-/// writes the same path. A symbolic link is followed. A pipe or a device is written directly
-/// and never replaced, nor is what standard output or standard error leads to.
-/// Unfinished files that killed runs left in the folder are removed by the next run that writes
-/// there.
+/// Writes a file whole or not at all. This program writes files in no other way. The text goes into
+/// a file with its own name beside the final path, and `commit` moves it there. So half a file is
+/// never at the final path, not even after an interrupt, with a full disk, or when a second run
+/// writes the same path.
+///
+/// A symbolic link is followed. A pipe or a device is written directly and never replaced. The same
+/// holds for the file behind standard output or standard error. Unfinished files that killed runs
+/// left in the folder are removed by the next run that writes there.
 class OutputFile {
 public:
   static Result<OutputFile> open(const std::filesystem::path& path);
@@ -23,23 +24,23 @@ public:
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
   OutputFile& operator=(OutputFile&&) = delete;
-  /// Without `commit`, the final path is as it was before.
+  /// Without `commit`, the final path stays as it was before.
   ~OutputFile();
 
-  /// A failure is kept and returned by `write_out` or `commit`.
+  /// A failure is stored, and returned by `write_out` or `commit`.
   void write(std::string_view text);
-  /// Writes what is still in memory: then `commit` needs no more space on the disk. Files that
-  /// belong together are all written out before the first is committed.
+  /// Writes the text that is still in memory, so that `commit` needs no more space on the disk.
+  /// Files that belong together are all written out before the first is committed.
   Result<Done> write_out();
   Result<Done> commit();
-  /// As `commit`, but an error where a file of that name has appeared: nothing is replaced.
+  /// As `commit`, but an error if a file of that name has appeared: nothing is replaced.
   Result<Done> commit_new();
 
 private:
   OutputFile(std::filesystem::path path, std::filesystem::path unfinished, Descriptor file)
       : path_(std::move(path)), unfinished_(std::move(unfinished)), file_(std::move(file)) {}
   void flush();
-  /// Moves a file to its final path; false, with errno set, where that is not possible.
+  /// Moves a file to its final path; false, with errno set, if that is not possible.
   using Move = bool (*)(const std::filesystem::path& from, const std::filesystem::path& to);
   Result<Done> commit_with(Move move);
 
@@ -50,12 +51,12 @@ private:
   int failure_ = 0;  ///< errno of the first write that failed
 };
 
-/// Where a chain of symbolic links leads, whether or not anything is there yet.
+/// The target of a chain of symbolic links, whether or not it exists.
 Result<std::filesystem::path> follow_links(std::filesystem::path path);
 
-/// Moves a file that another program has written whole to its final path, on the same file system,
-/// under the rules of OutputFile: links are followed, owner and permissions of what is replaced
-/// stay, and what may not be written is not replaced.
+/// Moves a file that another program has completed to its final path, on the same file system. The
+/// rules of OutputFile hold: links are followed, a replaced file keeps its owner and permissions,
+/// and a file that may not be written is not replaced.
 Result<Done> put_in_place(const std::filesystem::path& finished, const std::filesystem::path& path);
 
 /// Moves a folder to its final path atomically: a reader finds either the old folder there or the
@@ -64,11 +65,11 @@ Result<Done> put_in_place(const std::filesystem::path& finished, const std::file
 Result<Done> put_folder_in_place(const std::filesystem::path& finished,
                                  const std::filesystem::path& path);
 
-/// Copies a folder with all that is in it, file by file through OutputFile.
+/// Copies a folder with all its contents, file by file through OutputFile.
 Result<Done> copy_folder(const std::filesystem::path& folder, const std::filesystem::path& copy);
 
 /// Writes a file that this program keeps for its own later runs, under a name of its choice. A link
-/// or a pipe of that name is replaced: what it leads to was not given as an output.
+/// or a pipe of that name is replaced: its target was not given as an output.
 Result<Done> write_kept_file(const std::filesystem::path& path, std::string_view text);
 
 /// Writes a whole text through OutputFile.

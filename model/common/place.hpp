@@ -4,7 +4,7 @@
 
 namespace mixcmp::inline common {
 
-/// The place that something was read from: the file of a scene or a plan and the line in it, or
+/// The place of something that was read: the file of a scene or a plan and the line in it, or
 /// "--set" without a line.
 struct Place {
   std::string file;

@@ -27,8 +27,8 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// Opens a log anew. What is not a file in its place (a link, a device) is replaced: a log is read
-/// again, and belongs to its folder.
+/// Opens a log anew. Anything in its place that is not a file (a link, a device) is replaced: a log
+/// is read again, and belongs to its folder.
 int open_log(const fs::path& log) {
   std::error_code failed;
   if (!fs::is_regular_file(fs::symlink_status(log, failed))) fs::remove(log, failed);
@@ -58,13 +58,13 @@ std::optional<std::string> wait_within(ProcessGroup& group, const ToolRun& run) 
   return std::nullopt;
 }
 
-/// The beginning of a text, as long as a line of a report may be.
+/// The first line of a text, cut to the length of a report's line.
 std::string first_line(const std::string& text) {
   constexpr std::size_t most = 200;
   return text.substr(0, std::min(text.find('\n'), most));
 }
 
-/// A file in memory with this content, to be read from its beginning.
+/// A file in memory with this content, for reading from its beginning.
 Descriptor memory_file(std::string_view content) {
   Descriptor file(memfd_create("mixcmp", MFD_CLOEXEC));
   while (file.get() >= 0 && !content.empty()) {
@@ -77,7 +77,7 @@ Descriptor memory_file(std::string_view content) {
   return file;
 }
 
-/// Appends what can be read to `text`; false at the end of the stream.
+/// Appends the available bytes to `text`; false at the end of the stream.
 bool take(int descriptor, std::string& text) {
   std::array<char, 65536> block;
   const ssize_t size = read(descriptor, block.data(), block.size());
@@ -88,14 +88,15 @@ bool take(int descriptor, std::string& text) {
 
 constexpr std::size_t most_captured_bytes = std::size_t{64} << 20;
 
-/// The time that is left until the deadline, 0 or more.
+/// The time until the deadline, 0 or more.
 std::chrono::milliseconds time_until(Clock::time_point deadline) {
   const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
   return std::max(left, std::chrono::milliseconds{0});
 }
 
-/// Reads both streams until they end, or until the program has ended and nothing more comes: what
-/// it left running may hold them open. False if time or room runs out first.
+/// Reads both streams until they end. If the program has ended, it reads until no more bytes come,
+/// since processes that the program left may hold the streams open. False if time or room runs out
+/// first.
 bool take_all(int output, int errors, Clock::time_point deadline, ProcessGroup& program,
               Captured& captured) {
   constexpr std::int64_t look_ms = 100;
@@ -177,7 +178,7 @@ Result<Captured> capture(const Command& command, const CaptureOptions& options) 
 
 namespace {
 
-/// Whether a point in the line stands between two digits.
+/// Whether any point in the line stands between two digits.
 bool names_a_version(std::string_view line) {
   const auto digit = [&](std::size_t k) {
     return k < line.size() && line[k] >= '0' && line[k] <= '9';
@@ -192,7 +193,7 @@ bool names_a_version(std::string_view line) {
 
 Result<std::string> tool_version(const Command& command, const std::string& package) {
   const Command tool(command.begin(), command.end() - 1);
-  // On a machine with much else to do even this takes longer than ten seconds.
+  // On a busy machine even this can take longer than ten seconds.
   const Result<Captured> run = capture(command, {.seconds = 60});
   if (!run.ok() && run.error().kind == ErrorKind::missing_tool) {
     return Error{.message = fmt::format("{} does not run", shell_line(tool)),

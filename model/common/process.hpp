@@ -12,10 +12,10 @@
 
 namespace mixcmp::inline common {
 
-/// Called with a description of what is being done, for a line on a terminal.
+/// Called with a description of the current work, for a line on a terminal.
 using Progress = std::function<void(const std::string&)>;
 
-/// What may end a tool before it ends by itself.
+/// Limits that may end a tool early.
 struct ToolLimits {
   int seconds = 0;                               ///< wall time; 0: no limit
   const std::atomic<bool>* cancelled = nullptr;  ///< becomes true to end the tool; null: never
@@ -53,16 +53,16 @@ struct CaptureOptions {
   std::uint64_t memory_bytes = 0;  ///< 0: no limit
 };
 
-/// Runs a program and keeps what it writes in memory; an error where that is more than 64 MiB.
+/// Runs a program and keeps its output in memory; an error if that is more than 64 MiB.
 Result<Captured> capture(const Command& command, const CaptureOptions& options = {});
 
-/// The first line that a tool prints about its version, on whichever stream. The command ends with
-/// the tool and its option for that. Where PATH has no such tool, an error of the kind
-/// `missing_tool` names the Debian package; a tool that is there and fails is an error, too.
+/// The first line that a tool prints about its version, on either stream. The command consists of
+/// the tool and its option for that. If PATH has no such tool, the error is of the kind
+/// `missing_tool` and names the Debian package. A tool that exists and fails is another error.
 Result<std::string> tool_version(const Command& command, const std::string& package);
 
-/// A child process whose standard input is a socket to us, for both directions. Standard output and
-/// error go to a log file. The child ends with this object.
+/// A child process whose standard input is a socket to us, for both directions. Its standard output
+/// and error go to a log file. The child ends with this object.
 class Child {
 public:
   static Result<Child> spawn(const Command& command, const std::filesystem::path& log);
@@ -71,7 +71,7 @@ public:
   bool send(std::span<const std::byte> bytes);
   bool receive(std::span<std::byte> bytes);
 
-  /// Waits until the child has ended by itself; it must know already that nothing more is to do.
+  /// Waits until the child has ended by itself; it must know already that no more work follows.
   /// False if it does not end in time or its exit status is not 0.
   bool finish();
 
@@ -86,7 +86,7 @@ private:
 /// The last lines of a file, for error messages.
 std::string last_lines(const std::filesystem::path& file, std::size_t count);
 
-/// A command as a shell would take it.
+/// A command as text for a shell.
 std::string shell_line(const Command& command);
 
 }  // namespace mixcmp::inline common

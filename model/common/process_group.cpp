@@ -20,7 +20,7 @@ namespace {
 
 constexpr int exec_failed = 127;
 
-/// Everything that the child needs, made before the fork: between fork and exec, the child of a
+/// Everything that the child needs, made before the fork. Between fork and exec, the child of a
 /// process with several threads may only call async-signal-safe functions.
 struct Preparation {
   std::vector<char*> arguments;
@@ -60,7 +60,7 @@ Preparation prepare(const Launch& launch, int null) {
   return made;
 }
 
-/// The largest file that a program may write: one that writes without end must not fill the disk.
+/// The largest file that a program may write, so that an endless one does not fill the disk.
 constexpr rlim_t most_file_bytes = rlim_t{16} << 30;
 
 enum class FailedStep { machine, directory, program };
@@ -71,7 +71,7 @@ struct StartFailure {
   FailedStep step = FailedStep::machine;
 };
 
-/// Becomes the program, or writes why not into the pipe.
+/// Becomes the program, or writes the reason why not into the pipe.
 [[noreturn]] void become(const Preparation& made, int report) {
   setpgid(0, 0);
   sigset_t none;
@@ -95,8 +95,8 @@ struct StartFailure {
   _exit(exec_failed);
 }
 
-/// Closes all descriptors but its end of the pipe, waits for the pipe to close, and then kills the
-/// group.
+/// Closes all descriptors except its end of the pipe, waits for the pipe to close, and then kills
+/// the group.
 [[noreturn]] void watch(pid_t group, int lifeline) {
   setpgid(0, group);
   dup2(lifeline, STDIN_FILENO);
@@ -175,7 +175,7 @@ bool ProcessGroup::wait_for(std::chrono::milliseconds patience) {
   const auto end = std::chrono::steady_clock::now() + patience;
   while (true) {
     siginfo_t ended = {};
-    // The program stays a zombie, so that its process id names the group until all of the group is
+    // The program stays a zombie, so its process id names the group until the whole group is
     // killed.
     waitid(P_PID, static_cast<id_t>(program_), &ended, WEXITED | WNOHANG | WNOWAIT);
     if (ended.si_pid != 0) return true;

@@ -16,7 +16,7 @@ namespace mixcmp::inline common {
 /// A program and its arguments; the program is looked up in PATH.
 using Command = std::vector<std::string>;
 
-/// What a program is started with.
+/// The command, the streams and the limits with which a program is started.
 struct Launch {
   Command command;
   std::filesystem::path directory = {};       ///< working directory; empty: ours
@@ -27,23 +27,24 @@ struct Launch {
   std::uint64_t memory_bytes = 0;  ///< limit of its address space; 0: none
 };
 
-/// The one way in which this program starts another. The program and all that it starts live in a
-/// process group of their own, which ends with this object; and with us, however we end: a watcher
-/// in the group reads from a pipe that only we hold open, and kills the group when the pipe closes.
+/// Starts another program. This program starts others in no other way. The other program and all
+/// its children form a process group, which ends with this object. It also ends with us, however we
+/// end: a watcher in the group reads from a pipe that only we hold open, and kills the group when
+/// the pipe closes.
 class ProcessGroup {
 public:
-  /// An error of the kind `missing_tool` where PATH has no such program.
+  /// An error of the kind `missing_tool` if PATH has no such program.
   static Result<ProcessGroup> start(const Launch& launch);
   ProcessGroup(ProcessGroup&& other) noexcept;
   ProcessGroup(const ProcessGroup&) = delete;
   ProcessGroup& operator=(const ProcessGroup&) = delete;
   ProcessGroup& operator=(ProcessGroup&&) = delete;
-  /// Kills what still runs.
+  /// Kills all processes that still run.
   ~ProcessGroup();
 
   /// Whether the program has ended within `patience`.
   bool wait_for(std::chrono::milliseconds patience);
-  /// Waits until the program has ended. What it left running is killed. Returns its status as
+  /// Waits until the program has ended, and kills the processes that it left. Returns its status as
   /// waitpid gives it.
   int wait();
 
@@ -53,7 +54,7 @@ private:
 
   pid_t program_;  ///< the leader of the group; -1: waited for, or moved from
   pid_t watcher_;
-  Descriptor lifeline_;  ///< the end of the watcher's pipe that we hold
+  Descriptor lifeline_;  ///< our end of the watcher's pipe
 };
 
 }  // namespace mixcmp::inline common

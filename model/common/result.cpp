@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t most_of_field = 200, most_of_message = 4000, most_of_received = 500,
                       most_of_accepted = 2000;
 
-/// `text`, cut between characters where it is too long.
+/// `text`, cut between characters if it is too long.
 std::string bounded(std::string_view text, std::size_t most) {
   const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
   std::size_t end = std::min(text.size(), most);

@@ -9,15 +9,15 @@
 namespace mixcmp::inline common {
 
 enum class ErrorKind {
-  mistake,          ///< a user's mistake, or a machine that does not allow what was asked
-  missing_tool,     ///< what was asked for needs a program that is not installed
+  mistake,          ///< a user's mistake, or a machine that does not allow the request
+  missing_tool,     ///< the request needs a program that is not installed
   refuted,          ///< a claim that was checked does not hold
   missing_column,   ///< a mistake: `field` is no column of a table
   unnamed_columns,  ///< a mistake: a table's columns have no names, and not all have numbers
 };
 
-/// A user's mistake, reported once: its place, what was received and what would be accepted.
-/// Empty fields (and line or column 0) are left out of the printed message.
+/// A user's mistake, reported once: its place, the received value and the accepted ones. Empty
+/// fields (and line or column 0) are left out of the printed message.
 struct Error {
   std::string file;
   int line = 0;    ///< 1-based

@@ -48,7 +48,7 @@ Result<ScratchFolder> ScratchFolder::make_in(const fs::path& parent, const std::
 ScratchFolder::~ScratchFolder() {
   std::error_code ignored;
   if (lock_.get() >= 0 && !kept_) fs::remove_all(path_, ignored);
-  // A kept folder stays locked to the process's end: this run, too, clears what is abandoned.
+  // A kept folder is locked until the process ends: this run, like others, removes unlocked ones.
   if (kept_) lock_.release();
 }
 

@@ -8,11 +8,11 @@
 
 namespace mixcmp::inline common {
 
-/// A new, empty folder for this process alone, which is removed with this object. Folders that
-/// killed runs left under the same stem are removed by the next run that makes one there.
+/// A new, empty folder for this process only, removed with this object. Folders that killed runs
+/// left under the same stem are removed by the next run that makes one there.
 class ScratchFolder {
 public:
-  /// Makes the folder in $TMPDIR, or in /tmp where that is not set.
+  /// Makes the folder in $TMPDIR, or in /tmp if that is not set.
   static Result<ScratchFolder> make();
   /// Makes the folder "PARENT/.mixcmp-STEM.XXXXXX".
   static Result<ScratchFolder> make_in(const std::filesystem::path& parent,
@@ -25,9 +25,9 @@ public:
 
   const std::filesystem::path& path() const { return path_; }
 
-  /// Leaves the folder for the user to look into, until the next run removes it.
+  /// Keeps the folder for the user, until the next run removes it.
   void keep() { kept_ = true; }
-  /// Does so if the error names a file in it, and there is one.
+  /// Keeps the folder if there is one and the error names a file in it.
   void keep_for(const Error& error);
 
 private:

@@ -8,8 +8,8 @@
 
 namespace mixcmp::inline common {
 
-/// Files of an earlier run that the new results make stale. They are moved out of the way, and come
-/// back with the object's end unless they are removed for good.
+/// Files of an earlier run that new results make stale. They are moved aside, and come back with
+/// the object's end unless they are removed for good.
 class StaleFiles {
 public:
   StaleFiles() = default;
@@ -19,7 +19,7 @@ public:
   StaleFiles& operator=(StaleFiles&&) = delete;
   ~StaleFiles();
 
-  /// Removes what killed runs have set aside in a folder that this run has locked.
+  /// Removes the files that killed runs set aside in a folder that this run has locked.
   static void clear_abandoned(const std::filesystem::path& folder);
 
   /// All files must be of one folder, which this run has locked.

@@ -60,7 +60,7 @@ Result<WantedColumn> file_column(std::span<const ColumnNames> all, const std::st
                     fmt::format("{} columns or more", subscript + 1));
 }
 
-/// Numbers for all of `wanted`: those that are given, and for the others the first ones left over.
+/// Numbers for all of `wanted`: the given ones and, for the others, the first unused ones.
 std::vector<std::string> suggested_numbers(std::span<const WantedColumn> wanted,
                                            std::uint64_t columns) {
   std::set<std::uint64_t> taken;

@@ -12,7 +12,7 @@
 
 namespace mixcmp::data {
 
-/// A column of a file: its name, or its number, counted from 0 as NumPy counts.
+/// A column of a file: its name, or its number, counted from 0 as in NumPy.
 using ColumnKey = std::variant<std::string, std::uint64_t>;
 
 /// The scene's name for one column of a file, or its name p for a list of columns, which are then
@@ -29,7 +29,7 @@ struct ColumnNames {
 struct WantedColumn {
   std::string name;        ///< the scene's name, which the column has in a Table
   ColumnKey column;        ///< the file's column
-  std::string field = {};  ///< the scene's key for it; empty: `name` is the file's name, too
+  std::string field = {};  ///< the scene's key for it; empty: the file's name is `name` as well
   Place place = {};        ///< place of that key
 };
 
@@ -39,7 +39,7 @@ struct WantedColumn {
 Result<std::vector<WantedColumn>> file_columns(std::span<const ColumnNames> names,
                                                std::span<const std::string> wanted);
 
-/// Wanted columns whose names in the scene are those in the file.
+/// Wanted columns whose names in the scene are the names in the file.
 std::vector<WantedColumn> columns_by_name(std::span<const std::string> names);
 
 /// The index of `wanted` among the columns of `source`, whose names are `known`.
@@ -50,16 +50,16 @@ Result<std::size_t> find_column(const WantedColumn& wanted, std::span<const std:
 Result<std::size_t> numbered_column(const WantedColumn& wanted, std::uint64_t number,
                                     std::uint64_t count, const std::string& source);
 
-/// An error in the scene's key that says which column `wanted` is.
+/// An error in the scene's key; it says which column `wanted` is.
 Error column_mistake(const WantedColumn& wanted, std::string message, std::string received,
                      std::string accepted);
 
-/// The error, of the kind missing_column, for a wanted column that a file lacks; `known` are the
-/// columns that it has.
+/// The error, of the kind missing_column, for a wanted column that a file lacks. `known` are the
+/// file's columns.
 Error missing_column(const std::string& column, std::span<const std::string> known);
 
-/// The error, of the kind unnamed_columns, for a file of `columns` columns without names where the
-/// scene gives no numbers; load_tables adds the key's file and line.
+/// The error, of the kind unnamed_columns, for a file of `columns` columns without names if the
+/// scene gives no numbers. load_tables adds the key's file and line.
 Error unnamed_columns(std::span<const WantedColumn> wanted, std::uint64_t columns);
 
 /// The wanted columns of `table`, in their order, under the scene's names.

@@ -18,7 +18,7 @@ std::uint64_t first_pair_of(std::uint64_t i, std::uint64_t count) {
   return i * (2 * count - i - 1) / 2;
 }
 
-/// The key that says where a table comes from.
+/// The key that names a table's source.
 std::string key_of(std::size_t table) {
   return table == 0 ? "data.file" : "data.with";
 }
@@ -69,7 +69,7 @@ Result<Done> check_counts(Pairing pairing, const std::vector<Table>& tables) {
 
 std::pair<std::uint64_t, std::uint64_t> pair_items(std::uint64_t index, std::uint64_t count) {
   MIXCMP_CHECK(count <= max_paired_items && index < pair_count(count));
-  // Item i comes first in the pairs from i (count - 1/2) - i^2 / 2 on. The root of that is off by
+  // Item i comes first in the pairs from i (count - 1/2) - i^2 / 2 on. The computed root is off by
   // its rounding.
   const double n = static_cast<double>(count) - 0.5;
   const double root = n - std::sqrt(std::max(0.0, n * n - 2 * static_cast<double>(index)));
@@ -133,8 +133,8 @@ Result<Comparisons> Comparisons::arg_min(Table rows, Table candidates,
   return data;
 }
 
-/// All rows of a block are compared with candidate j before any is with j + 1, so that `compare`
-/// decides many comparisons in one call.
+/// All rows of a block are compared with candidate j before any is compared with j + 1, so
+/// `compare` decides many comparisons in one call.
 void Comparisons::find_least_candidates(const CompareItems& compare) {
   constexpr std::size_t block = 4096;
   const std::uint64_t rows = tables_[0].rows(), candidates = tables_[1].rows();

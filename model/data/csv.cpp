@@ -93,8 +93,8 @@ private:
   int line_ = 1;
 };
 
-/// A guess at what a line is instead of fields between commas: "separated by ';'". Empty where
-/// nothing is suspicious.
+/// A guess at the form of a line that does not consist of fields between commas: "separated by
+/// ';'". Empty if nothing is suspicious.
 std::string likely_form(const Record& record) {
   const auto count = [&](char c) {
     std::size_t all = 0;
@@ -123,7 +123,7 @@ bool is_number(FloatFormat format, std::string_view text) {
   return from_text(format, trimmed(text)).ok();
 }
 
-/// The error for a missing column; it says so if the first line seems to be no header at all.
+/// The error for a missing column; it says so if the first line seems to be no header.
 Error without_column(Error missing, const Record& header, FloatFormat format) {
   std::string seems = likely_form(header);
   const auto number = [&](const std::string& field) { return is_number(format, field); };
@@ -146,8 +146,8 @@ Error two_columns(const std::string& name, std::span<const std::string> names) {
                                   first - names.begin(), second - names.begin())};
 }
 
-/// Finds the column of the file that is meant. The name of one that is chosen by number must not be
-/// a number: else the file has no header, and its first row would be lost.
+/// Finds a wanted column of the file. The name of one that is chosen by number must not be a
+/// number: such a file has no header, and its first row would be lost.
 Result<FileColumn> locate_column(const WantedColumn& wanted, std::span<const std::string> names,
                                  const Record& header, FloatFormat format,
                                  const std::string& source) {

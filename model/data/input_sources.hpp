@@ -7,18 +7,18 @@
 
 namespace mixcmp::data {
 
-/// The column that an input's operands are read from.
+/// The column of an input's operands.
 struct InputSource {
   std::string input;
   FileColumn column;
   std::string source;  ///< name of the file or of the generator
-  std::string item;    ///< item that the number belongs to: "item i", "row"; empty without pairs
+  std::string item;    ///< item of the number: "item i", "row"; empty without pairs
 
   /// `column 2 "cz" of 1A8O.pdb, item i`.
   std::string shown() const;
 };
 
-/// Returns one per input, in their order; empty where the data come from no file and no generator.
+/// Returns one per input, in their order; empty if the data come from no file and no generator.
 std::vector<InputSource> input_sources(const Comparisons& data,
                                        const std::vector<std::string>& inputs);
 

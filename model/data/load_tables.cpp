@@ -39,8 +39,8 @@ Result<Table> generated_table(const DataSpec& data, FloatFormat format) {
       format);
 }
 
-/// Selects the wanted columns of a table that was read or generated whole. If the scene names no
-/// columns, all of them stay.
+/// Selects the wanted columns of a table that was read or generated completely. If the scene names
+/// no columns, all of them stay.
 Result<Table> chosen_columns(Table table, std::span<const ColumnNames> names,
                              std::span<const WantedColumn> wanted) {
   MIXCMP_TRY(selected, select_columns(table, wanted));
@@ -90,7 +90,7 @@ std::string source_key(const DataSpec& data, std::size_t which) {
   return data.file.empty() ? "items" : "file";
 }
 
-/// Checks that the file can be read; the error is placed at the key that names the file.
+/// Checks that the file can be read. The error is placed at the key that names the file.
 Result<Done> check_source(const DataSpec& data, std::size_t which) {
   const std::filesystem::path& path = which == 0 ? data.file : data.with;
   if (path.empty()) return Done{};
@@ -105,8 +105,8 @@ Result<Done> check_source(const DataSpec& data, std::size_t which) {
   return error;
 }
 
-/// Places an error about missing column numbers at the key that gives such numbers or, where that
-/// is absent, at the key that names the file.
+/// Places an error about missing column numbers at the key that gives such numbers or, without
+/// that, at the key that names the file.
 Error at_columns_key(const DataSpec& data, std::size_t which, Error error) {
   const std::string key = which == 0 ? "columns" : "with_columns";
   const Place place = place_of(data, data.places.contains(key) ? key : source_key(data, which));
@@ -133,7 +133,7 @@ public:
   }
 
 private:
-  /// The columns that the inputs need of each table, in order of first need.
+  /// The columns that the inputs need from each table, in order of first need.
   Result<std::array<std::vector<std::string>, 2>> needed_columns() const {
     std::array<std::vector<std::string>, 2> columns;
     for (const std::string& input : inputs_) {
@@ -146,7 +146,7 @@ private:
     return columns;
   }
 
-  /// The first input that needs the column which the scene calls `column`.
+  /// The first input that needs the column with the scene's name `column`.
   std::string needing_input(std::size_t which, const std::string& column) const {
     for (const std::string& input : inputs_) {
       const Result<InputColumn> needed = input_column(data_.pairing, input);

@@ -107,8 +107,8 @@ public:
     if (random_.one_in(2)) std::swap(numbers[6], numbers[7]);
   }
 
-  /// How far, in units of 2^-L, the lane's order contradicts the order that the radii were made
-  /// for.
+  /// By how much, in units of 2^-L, the lane's order contradicts the order for which the radii were
+  /// made.
   double contradiction_ulp(const Numbers& numbers) const {
     const Sides lane = lane_sides(numbers, target_);
     const mpz_class difference = shifted_left(lane.f - lane.g, target_.precision);
@@ -125,12 +125,12 @@ private:
     return whole_power_of_two(digits_of(value) - 1 - digits + (to_nearest() ? 0 : 1));
   }
   mpz_class one() const { return whole_power_of_two(fraction_bits_); }
-  /// 1 and so many last places of a number of `digits`.
+  /// 1 plus this many last places of a number of `digits`.
   mpz_class one_and(const mpz_class& last_places, int digits) const {
     return one() + shifted_left(last_places, std::max(0, fraction_bits_ - digits + 1));
   }
 
-  /// A random power of two that is small beside reach(), or zero.
+  /// A random power of two that is small compared with reach(), or zero.
   mpz_class hair(int digits) {
     const int least = quantum_bits_ + (to_nearest() ? -1 : 2);
     const int end = fraction_bits_ - digits - 1;
@@ -139,10 +139,9 @@ private:
                                                        : whole_power_of_two(exponent);
   }
 
-  /// A number that is rounded to `value`, a number of so many digits, although it is larger (way 1)
-  /// or smaller (way -1) by nearly reach(). Rounding toward zero never rounds up: the
-  /// number is then a hair larger instead of smaller, so that later roundings do not fall below
-  /// `value`.
+  /// A number that is rounded to `value`, a number of `digits`, although it is larger (way 1) or
+  /// smaller (way -1) by nearly reach(). Rounding toward zero never rounds up. The number is then a
+  /// hair larger instead of smaller, so that later roundings do not fall below `value`.
   mpz_class misread(const mpz_class& value, int digits, int way) {
     if (!to_nearest() && way < 0) return value + hair(digits);
     const mpz_class error = std::max<mpz_class>(reach(value, digits) - hair(digits), 0);
@@ -150,8 +149,8 @@ private:
   }
 
   /// m such that the rounding error of (1 + 2um)^2 is near its maximum: 4u^2m^2 is just below (way
-  /// 1) or above (way -1) an odd multiple of u, with rounding toward zero an even one. One time in
-  /// five it is any m of that size.
+  /// 1) or above (way -1) an odd multiple of u; with rounding toward zero, an even one. In one case
+  /// out of five it is any m of that size.
   mpz_class misleading_places(int k, int way) {
     if (random_.one_in(5)) return random_.integer(target_.precision / 2 + 1);
     const int multiple = 2 * k + (to_nearest() ? 1 : 2);
@@ -160,7 +159,7 @@ private:
   }
 
   /// A number of the lane's format below `value`, by at most a quarter of it or, in longer lanes,
-  /// by 8 * 2^(-L/2) of it. Of several such numbers it is the one whose square has the largest
+  /// by 8 * 2^(-L/2) of it. It is the best of several such numbers: its square has the largest
   /// rounding error in the wanted direction.
   mpz_class near_misleading_square(const mpz_class& value, int way) {
     constexpr int tries = 8;
@@ -213,8 +212,8 @@ private:
                       misread(r, digits, wrong_way_));
   }
 
-  /// Sets the centres (x, y, z) apart, with the y that makes their distance r; false if there is
-  /// none. x and y may change places.
+  /// Sets the centres (x, y, z) apart, with the y that makes their distance r; false if there is no
+  /// such y. x and y may change places.
   bool place_with(Numbers& numbers, const mpz_class& x, const mpz_class& z, const mpz_class& r) {
     const mpz_class y_square = r * r - x * x - z * z;
     if (y_square <= 0) return false;
@@ -253,10 +252,10 @@ private:
 
   NearTieTarget target_;
   int digits_;
-  int read_digits_;      ///< of the operands, as the lane takes them
+  int read_digits_;      ///< of the operands as the lane reads them
   bool misread_inputs_;  ///< the lane rounds the operands themselves
   int fraction_bits_;
-  bool shared_;  ///< both items share a distance; else one has all but its last digits
+  bool shared_;  ///< both items share a distance; else one has all except its last digits
   int quantum_bits_;
   int wrong_way_;  ///< 1: the truth is less, the lane shall say greater; -1: the reverse
   RowRandom& random_;

@@ -41,7 +41,7 @@ Error shape_error(const NpyHeader& header, std::string accepted) {
           .accepted = std::move(accepted)};
 }
 
-/// a * b, or none where no file could be that large.
+/// a * b, or none if no file could be that large.
 std::optional<std::size_t> product(std::uint64_t a, std::uint64_t b) {
   std::size_t result = 0;
   if (__builtin_mul_overflow(a, b, &result) || result > (std::size_t{1} << 48)) return std::nullopt;
@@ -56,7 +56,7 @@ Result<NpyScalar> scalar_of(const NpyField& field) {
                .accepted = std::string(accepted_types)};
 }
 
-/// Finds the wanted columns of a plain array. They have no names and no implied order: the scene
+/// Finds the wanted columns of a plain array. They have no names and no implied order, so the scene
 /// must give a number for each.
 Result<std::vector<FileColumn>> plain_columns(std::span<const WantedColumn> wanted,
                                               std::uint64_t count, const std::string& source) {

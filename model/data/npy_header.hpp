@@ -19,10 +19,10 @@ struct NpyScalar {
 
 struct NpyField {
   std::string name;  ///< empty in plain arrays
-  /// None for a type that is not supported; `type` says which.
+  /// None for an unsupported type; `type` names it.
   std::optional<NpyScalar> scalar;
   std::string type;
-  std::size_t bytes;   ///< size of the field, also where `scalar` is none
+  std::size_t bytes;   ///< size of the field, even if `scalar` is none
   std::size_t offset;  ///< bytes before it in its row of a structured array
 };
 

@@ -7,8 +7,8 @@
 namespace mixcmp::data {
 
 /// Reads a data file's number from its decimal (or hex-float) text, rounded once; blanks around it
-/// are ignored. Infinities and NaNs are accepted only where they are written as such: a number
-/// beyond the format's largest is an error.
+/// are ignored. Infinities and NaNs must be written as such: a number beyond the format's largest
+/// is an error.
 Result<Bits> read_number(FloatFormat format, std::string_view text);
 
 /// `text` without blanks at its ends.

@@ -20,7 +20,7 @@ public:
   const double* column(std::size_t input) const { return values_.data() + input * capacity_; }
   /// The columns from row `first` on.
   std::vector<const double*> columns(std::size_t first = 0) const;
-  /// Appends row `row` of another block with as many inputs.
+  /// Appends row `row` of another block with the same number of inputs.
   void append(const OperandBlock& from, std::size_t row);
 
 private:
@@ -43,7 +43,7 @@ public:
   void fetch(std::span<const std::uint64_t> indices, OperandBlock& block) const;
 
 private:
-  /// Appends `length` comparisons to the block. The first has the items `at`; from one to the next
+  /// Appends `length` comparisons to the block. The first has the items `at`. From one to the next
   /// the moving item grows by 1.
   void fetch_run(const Items& at, std::size_t length, OperandBlock& block) const;
 

@@ -9,7 +9,7 @@
 
 namespace mixcmp::data {
 
-/// What is compared with what; the words of `data.pairs`.
+/// Which rows are compared; the words of `data.pairs`.
 enum class Pairing {
   rows,     ///< every row of one table is one comparison
   all,      ///< every two rows i < j of one table
@@ -21,7 +21,7 @@ std::string_view to_string(Pairing pairing);
 /// Whether there is a second table.
 bool has_second_table(Pairing pairing);
 
-/// The item of a comparison that an input's number belongs to.
+/// The item of a comparison to which an input's number belongs.
 enum class Item {
   row,     ///< the comparison's own row
   first,   ///< item i
@@ -32,11 +32,11 @@ struct ItemColumn {
   std::string name;
   bool second;
 };
-/// The column and the item that an input's name stands for: "cxi" is column "cx" of the first item,
-/// "cj_2" (in the scene cj[2]) is column "c_2" of the second. None for other names.
+/// The column and the item of an input's name: "cxi" is column "cx" of the first item, "cj_2" (in
+/// the scene cj[2]) is column "c_2" of the second. None for other names.
 std::optional<ItemColumn> item_column(std::string_view input);
 
-/// The table, the column and the item that an input's numbers come from.
+/// The table, the column and the item of an input's numbers.
 struct InputColumn {
   std::size_t table;  ///< 0 for the first, 1 for the second
   std::string name;

@@ -46,8 +46,8 @@ bool is_element_symbol(std::string_view text) {
   return true;
 }
 
-/// The symbol as the file gives it, else as the atom's name implies: columns 13-14 hold it right-
-/// justified, except for four-character names of hydrogens, which start in column 13.
+/// The element's symbol as given in the file, else from the atom's name. Columns 13-14 hold that
+/// right-justified, except for four-character names of hydrogens, which start in column 13.
 std::string_view element_of(std::string_view line) {
   const std::string_view given = trimmed(field(line, element_columns));
   if (is_element_symbol(given)) return given;
@@ -112,11 +112,12 @@ Result<Atom> read_atom(std::string_view line, FloatFormat format) {
               .occupancy = occupancy};
 }
 
-/// The atoms read so far; of alternate locations only the chosen one.
+/// The atoms read so far. For alternate locations only the chosen one.
 class Molecule {
 public:
   void add(std::string_view line, Atom atom) {
-    // Chain, sequence number, insertion code and atom name: residues that share a place compete.
+    // The chain, sequence number, insertion code and atom name: atoms with equal ones are
+    // alternatives.
     const auto place = fmt::format("{}{}{}", field(line, chain_columns),
                                    field(line, sequence_columns), field(line, name_columns));
     const auto [known, is_new] = places_.emplace(place, atoms_.size());

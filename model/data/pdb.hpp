@@ -7,9 +7,9 @@
 namespace mixcmp::data {
 
 /// Reads the atoms of a Protein Data Bank file as spheres: columns cx, cy, cz, r in angstrom, where
-/// r is the van der Waals radius; labels are like "A 151 MET CA". It reads the ATOM and HETATM
-/// records of the first MODEL, waters included. Of an atom's alternate locations the one with the
-/// highest occupancy counts, of equal ones the first.
+/// r is the van der Waals radius. Labels are like "A 151 MET CA". It reads the ATOM and HETATM
+/// records of the first MODEL, waters included. If an atom has alternate locations, the first one
+/// with the highest occupancy counts.
 Result<Table> read_pdb(const std::filesystem::path& path, FloatFormat format);
 
 }  // namespace mixcmp::data

@@ -6,7 +6,7 @@
 namespace mixcmp::data {
 
 /// Philox4x32-10 (Salmon, Moraes, Dror and Shaw: Parallel random numbers: as easy as 1, 2, 3,
-/// 2011): four random words as a pure function of key and counter, so that no result depends on the
+/// 2011): four random words as a pure function of key and counter, so no result depends on the
 /// order in which numbers are drawn.
 using PhiloxCounter = std::array<std::uint32_t, 4>;
 using PhiloxKey = std::array<std::uint32_t, 2>;

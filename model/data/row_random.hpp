@@ -8,9 +8,9 @@
 
 namespace mixcmp::data {
 
-/// The random numbers of one row: a pure function of seed, stream and row, so that no row depends
-/// on how many there are. Block b of row n is philox(counter = {n low, n high, b, stream}, key =
-/// {seed low, seed high}); two words make one number, high word first.
+/// The random numbers of one row: a pure function of seed, stream and row, so no row depends on the
+/// number of rows. Block b of row n is philox(counter = {n low, n high, b, stream}, key = {seed
+/// low, seed high}); two words make one number, high word first.
 class RowRandom {
 public:
   RowRandom(std::uint64_t seed, std::uint32_t stream, std::uint64_t row)
@@ -26,7 +26,7 @@ public:
     return std::uint64_t{block_[used_ - 2]} << 32 | block_[used_ - 1];
   }
 
-  /// Uniform in 0..end-1, up to a bias of at most end / 2^64, which no test here can see.
+  /// Uniform in 0..end-1, up to a bias of at most end / 2^64, which no test here can detect.
   int below(int end) { return static_cast<int>(bits() % static_cast<std::uint64_t>(end)); }
   /// low..high, both included.
   int between(int low, int high) { return low + below(high - low + 1); }

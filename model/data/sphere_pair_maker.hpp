@@ -11,12 +11,12 @@
 
 namespace mixcmp::data {
 
-/// Makes one row of one family of sphere pairs. Call one family's function, once.
+/// Makes one row of one family of sphere pairs. Call one family's function, and only once.
 class SpherePairMaker {
 public:
   /// cxi, cxj, cyi, cyj, czi, czj, ri, rj.
   using Row = std::array<Bits, 8>;
-  /// The precisions that counterexamples are aimed at.
+  /// The precisions for which counterexamples are made.
   static constexpr int first_counterexample = 11, last_counterexample = 32;
 
   SpherePairMaker(FloatFormat format, std::uint64_t row, RowRandom random)
@@ -24,9 +24,9 @@ public:
 
   /// Centres in [0, 100)^3, radii in [0, 25).
   Row uniform();
-  /// Touching spheres: x^2 + y^2 + z^2 = (ri + rj)^2, where all distances and radii are integers
-  /// times one power of two. That is exact if the format has 11 digits or more. In a third of the
-  /// rows one number is moved to the next encoding.
+  /// Touching spheres: x^2 + y^2 + z^2 = (ri + rj)^2. All distances and radii are integers times
+  /// one power of two, which is exact if the format has 11 digits or more. In a third of the rows
+  /// one number is moved to the next encoding.
   Row tangent();
   /// Equal centres: f = 0. A quarter of the rows have radii of zero (a tie), a quarter radii whose
   /// square underflows or nearly does, the others any radii.
@@ -47,8 +47,8 @@ public:
   Row largest();
   /// Nearly touching spheres, scaled by any power of two in the format.
   Row scales();
-  /// Half of the rows: every number has a random exponent of its own. The others: the radii sum to
-  /// exactly one huge difference, beside which the other two differences are so small that they
+  /// In half of the rows every number has its own random exponent. In the others the radii sum to
+  /// exactly one huge difference; compared with it the other two differences are so small that they
   /// vanish, although they decide.
   Row mixed_scales();
   /// Points: radii of zero, of either sign, so that g = 0. The centres coincide, differ in one last
@@ -61,13 +61,13 @@ public:
   /// One to three numbers are not finite or at the ends of the format; one at least is not finite.
   Row infinities_and_nans();
   /// Makes a near tie for a lane with exact inputs that rounds to nearest, of 11 + row mod 22
-  /// digits (mod fewer where the format has less than 32 digits). The lane's error on it is near
-  /// the proven bound, far beyond what random samples show.
+  /// digits (a smaller modulus if the format has less than 32 digits). The lane's error on it is
+  /// near the proven bound, far beyond the errors of random samples.
   Row counterexample();
-  /// Makes a row that misleads a lane of this precision. Odd rows take aim at a lane with rounded
-  /// inputs; rows 0 and 1 of four at one that rounds to nearest, rows 2 and 3 at one that rounds
-  /// toward zero. A random half of the rows are near ties (data::near_tie), the others lie around
-  /// the edge of what the lane can decide (near_edge).
+  /// Makes a row that misleads a lane of this precision. Odd rows are made for a lane with rounded
+  /// inputs. Rows 0 and 1 of four are made for a lane that rounds to nearest, rows 2 and 3 for one
+  /// that rounds toward zero. A random half of the rows are near ties (data::near_tie). The others
+  /// lie near the limit of the lane's decisions (near_edge).
   Row near_tie(int precision);
 
   /// A finite number did not fit the format.
@@ -84,7 +84,7 @@ private:
   Bits coordinate(int exponent);
   mpq_class any_exponent();
   /// The next encoding away from zero (steps = 1) or towards it (steps = -1). The largest finite
-  /// number and zero, which have none, stay as they are.
+  /// number and zero, which have none, are returned unchanged.
   Bits next(Bits value, int steps) const;
   Bits signed_randomly(Bits magnitude);
 
@@ -96,7 +96,7 @@ private:
   Row far_from_origin(int decimal_exponent);
   /// Every number lies at most `reach` encodings from `middle`. Coordinates have random signs.
   Row encodings_around(Bits middle, int reach);
-  /// The radii sum to exactly the distance along one axis; the other two vanish beside it.
+  /// The radii sum to exactly the distance along one axis; the other two vanish compared with it.
   Row vanishing();
 
   FloatFormat format_;

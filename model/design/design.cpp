@@ -21,15 +21,15 @@ namespace {
 /// The number of comparisons that are measured for the paper's constants, RE_f and RE_g.
 constexpr std::uint64_t profile_samples = 100'000;
 
-/// The command that makes a plan of the scene as the user gave it.
+/// The command that plans the scene with the user's options.
 std::string planning_command(const scene::Scene& scene) {
   std::string command = "mixcmp optimise " + quoted(scene.path.string());
   for (const std::string& setting : scene.settings) command += " --set " + quoted(setting);
   return command + " -o plan.toml";
 }
 
-/// The error for an "auto" that nothing has resolved. It suggests `mixcmp optimise`, but not for
-/// the lanes of an arg-min engine: that verb, too, has their number from the candidates.
+/// The error for an unresolved "auto". It suggests `mixcmp optimise`, except for the lanes of an
+/// arg-min engine: that verb also takes their number from the candidates.
 Error unresolved(const scene::Scene& scene, const std::string& field, const std::string& option,
                  const std::string& accepted) {
   std::string ways = fmt::format("{}, in the scene or by {}", accepted, option);
@@ -40,8 +40,8 @@ Error unresolved(const scene::Scene& scene, const std::string& field, const std:
   return {.field = field, .message = "is not chosen yet", .received = "\"auto\"", .accepted = ways};
 }
 
-/// The number of lanes in a group. Where it is "auto", an arg-min engine gets a lane for each of
-/// the data's candidates but the first.
+/// The number of lanes in a group. If it is "auto", an arg-min engine gets a lane for each of the
+/// data's candidates except the first.
 Result<int> lane_count(const scene::Scene& scene, const scene::LaneGroupSpec& group,
                        const data::Comparisons* data) {
   if (group.count) return *group.count;
@@ -69,8 +69,8 @@ std::vector<error::ProfiledError> profile_parts(const scene::Scene& scene, const
   return parts;
 }
 
-/// The key of a constant that the scene does not give and the data do not tell: no comparison has
-/// that relative error in some part.
+/// The key of a constant that the scene does not give and that the data do not determine: in some
+/// part no comparison has such a relative error.
 std::optional<std::string> unmeasured_constant(const scene::ReducedSpec& reduced,
                                                const std::vector<error::ProfiledError>& parts) {
   for (const error::ProfiledError& part : parts) {
@@ -125,7 +125,7 @@ bool can_decide(const error::UlpDistanceCriterion& criterion, const error::Lane&
   return criterion.guard_ulp <= (criterion.nonnegative ? largest : 2 * largest);
 }
 
-/// A constant bound can exceed every difference that the checked operands give.
+/// A constant bound can exceed every difference of checked operands.
 bool can_decide(const error::AbsoluteBoundCriterion& criterion, const error::Lane& lane) {
   const error::BoundNode& bound = criterion.bound.nodes.back();
   if (bound.operation != error::BoundOperation::constant) return true;
@@ -159,14 +159,14 @@ Result<error::Lane> design_certified_lane(const scene::Scene& scene,
   const error::CertifiedOptions options{
       .kind = reduced.error_bound, .bound_digits = reduced.bound_digits, .ranges = scene.ranges};
   MIXCMP_TRY(lane, certified_lane(graph, options));
-  // One part that decides may be enough for the verdict.
+  // One part that decides may suffice for the verdict.
   for (std::size_t k = 0; k < lane.parts.size(); ++k) {
     if (part_can_decide(part_of(lane, k))) return lane;
   }
   return undecidable(lane.graph.arithmetic.format.name());
 }
 
-/// Refuses a bound that lanes in fixed point do not have.
+/// Refuses a bound that fixed-point lanes do not have.
 Result<Done> check_fixed_bound(const scene::ReducedSpec& reduced) {
   if (reduced.is_profiled) {
     return Error{.field = "reduced.bound",
@@ -198,9 +198,9 @@ bool can_decide(const fixed::FixedLane&, const fixed::RunningThresholds& thresho
                      });
 }
 
-/// `greater` is decided most easily where the radius is zero, `less` where it is the largest: -D
-/// grows with its square, the threshold with the radius itself. A power of two above a root is less
-/// than twice the root.
+/// `greater` is decided most easily if the radius is zero, `less` if it is the largest: -D grows
+/// with its square, the threshold with the radius itself. A power of two above a root is less than
+/// twice the root.
 bool can_decide(const fixed::FixedLane& lane, const fixed::NormThresholds& thresholds,
                 const fixed::FixedNode& difference) {
   const mpq_class unit = difference.format.unit();
@@ -215,7 +215,7 @@ bool can_decide(const fixed::FixedLane& lane, const fixed::NormThresholds& thres
 
 /// Whether any two results can lie far enough apart for some part to be decided.
 bool can_decide(const fixed::FixedLane& lane) {
-  // A lane with reaches decides whatever is beyond one of them.
+  // A lane with reaches decides every number beyond one of them.
   if (std::any_of(lane.nodes.begin(), lane.nodes.end(), fixed::is_reach)) return true;
   return std::any_of(lane.parts.begin(), lane.parts.end(), [&](const fixed::FixedPart& part) {
     const fixed::FixedNode& difference = lane.nodes[static_cast<std::size_t>(part.difference)];
@@ -235,8 +235,8 @@ Result<fixed::FixedLane> design_fixed_lane(const scene::Scene& scene,
   return undecidable(reduced.format_name());
 }
 
-/// Gives an error without a file the place of the lane group that is at fault. For a group of
-/// [[lanes]] the error names that table's key instead of the one in [reduced].
+/// Gives an error without a file the place of the faulty lane group. For a group of [[lanes]] the
+/// error names that table's key instead of the one in [reduced].
 Error with_location(Error error, const scene::LaneGroupSpec& group) {
   constexpr std::string_view section = "reduced.";
   if (error.file.empty()) {
@@ -263,7 +263,8 @@ Result<LaneGroup> design_group(const scene::Scene& scene, const scene::LaneGroup
                    .count = count};
 }
 
-/// A second tier of a system of streams has a known number of lanes, and references behind it.
+/// In a system of streams a second tier must have a known number of lanes, and references behind
+/// it.
 Result<Done> check_second_tier(const scene::Scene& scene) {
   if (!scene.second_tier || scene.system.engine.kind != scene::EngineKind::none) return Done{};
   if (!scene.second_tier_count) {
@@ -277,8 +278,8 @@ Result<Done> check_second_tier(const scene::Scene& scene) {
                .accepted = "system.references of at least 1, or second_tier.format = \"none\""};
 }
 
-/// The clock that the scene's plan expects, for display; empty where there is none. The plan's
-/// values are as TOML writes them, so the words of its basis are in quotes.
+/// The clock that the scene's plan expects, for display; empty if there is none. The plan's values
+/// are as in TOML, so the words of its basis are in quotes.
 std::string planned_clock(const scene::Scene& scene) {
   if (!scene.plan) return "";
   std::string clock, basis;

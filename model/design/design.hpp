@@ -19,25 +19,25 @@ struct LaneGroup {
   int count = 1;
 };
 
-/// References of one kind: all compute the same, in the same format.
+/// References of one kind: all have the same operations in the same format.
 struct ReferenceGroup {
   ReferenceStructure structure;
   int count = 1;
 };
 
-/// A scene with every choice made: what is built, and what the golden model evaluates. Lanes and
-/// references are numbered consecutively across their groups.
+/// A scene with every choice made. The generator builds it, and the golden model evaluates it.
+/// Lanes and references are numbered consecutively across their groups.
 struct Design {
   std::string name;
   std::vector<std::string> inputs;  ///< names in the order in which operands are packed
   std::vector<LaneGroup> lanes;     ///< at least one
-  /// The lanes that are asked about what a lane leaves undecided; none: a reference is asked at
-  /// once. In a system of streams they are `count`, behind a crossbar; a pairwise engine has one
-  /// for each of its groups.
+  /// The lanes that decide comparisons which the first lanes leave undecided. None: a reference is
+  /// asked at once. In a system of streams there are `count` of them, behind a crossbar; a pairwise
+  /// engine has one for each of its groups.
   std::optional<LaneGroup> second_tier;
-  std::vector<scene::PartText> parts;  ///< f and g of each part as the scene has them, for display
-  std::vector<LetDefinition> lets;     ///< those that f and g need, likewise
-  std::string planned_clock;  ///< "312.5 MHz (placed and routed)", as a plan says; or empty
+  std::vector<scene::PartText> parts;  ///< f and g of each part, as in the scene, for display
+  std::vector<LetDefinition> lets;     ///< those that f and g need, as in the scene, for display
+  std::string planned_clock;           ///< "312.5 MHz (placed and routed)", from a plan; or empty
   TypedGraph reference;
   std::vector<ReferenceGroup> references;  ///< empty: p_H = 0
   scene::SystemSpec system;
@@ -47,20 +47,20 @@ struct Design {
   /// The group that lane number `lane` belongs to, as an index of `lanes`.
   std::size_t group_of_lane(int lane) const;
   bool certified() const;  ///< whether every lane's decision is certified
-  /// Whether the second tier stands behind a crossbar, in a system of streams. A result that comes
-  /// from it is then marked as recomputed, like one of a reference.
+  /// Whether the second tier is behind a crossbar, in a system of streams. Its results are then
+  /// marked as recomputed, like those of a reference.
   bool has_second_lanes() const;
 };
 
-/// Measures the relative errors of a lane on `sample_count` comparisons: profile_error
-/// (model/profile), which a design does not link.
+/// Measures the relative errors of a lane on `sample_count` comparisons. It is profile_error of
+/// model/profile, which a design does not link.
 using MeasureErrors = error::ProfiledError (*)(const Graph& graph, const TypedGraph& lane,
                                                const data::Comparisons& data,
                                                std::uint64_t sample_count, std::uint64_t seed);
 
-/// Resolves the scene's choices; an "auto" that nothing has resolved is an error that names the
-/// option to give. The constants of a profiled bound that the scene does not give are measured on
-/// `data`: without data, or without `measure`, their absence is an error.
+/// Resolves the scene's choices. An unresolved "auto" is an error that names the option to give.
+/// Constants of a profiled bound that the scene does not give are measured on `data`. Without data,
+/// or without `measure`, their absence is an error.
 Result<Design> make_design(const scene::Scene& scene, const data::Comparisons* data,
                            MeasureErrors measure = nullptr);
 
@@ -68,26 +68,26 @@ Result<Design> make_design(const scene::Scene& scene, const data::Comparisons* d
 Result<Lane> design_lane(const scene::Scene& scene, const scene::ReducedSpec& reduced,
                          const data::Comparisons* data, MeasureErrors measure = nullptr);
 
-/// The scene with the number of lanes that its arg-min engine has: where it is "auto", one for each
-/// of the data's candidates but the first. It is an error where nothing tells that number, or where
-/// it is too low for the data. Other scenes stay as they are. `data` may be null.
+/// The scene with the number of lanes of its arg-min engine. If that is "auto", it is one for each
+/// of the data's candidates except the first. It is an error if that number is unknown, or too low
+/// for the data. Other scenes are returned unchanged. `data` may be null.
 Result<scene::Scene> with_chain_lanes(scene::Scene scene, const data::Comparisons* data);
 
-/// Makes the lanes of a scene's [second_tier]; none where it has no such section. Their number,
-/// where it is "auto", is taken to be 1.
+/// Makes the lanes of a scene's [second_tier]; none if it has no such section. If their number is
+/// "auto", it counts as 1.
 Result<std::optional<LaneGroup>> design_second_tier(const scene::Scene& scene);
 
-/// Checks that a lane can have such multipliers: one that reads squares from memories is in fixed
-/// point, and its squares are narrow.
+/// Checks that a lane can have such multipliers. A lane that reads squares from memories must be in
+/// fixed point and have narrow squares.
 Result<Done> check_multipliers(const Lane& lane, scene::Multipliers multipliers);
 
 /// A short name for each group: its format, "s12e8". Groups that share a format also get the traits
-/// in which they differ, "s12e8_rounded_logic"; they have the same name only if they differ in
-/// none.
+/// in which they differ, "s12e8_rounded_logic". They have the same name only if they differ in no
+/// trait.
 std::vector<std::string> lane_group_names(const Design& design);
 std::vector<std::string> reference_group_names(const Design& design);
 
-/// A lane of a design by the name of its group; "second_tier_q13" is that of the second tier.
+/// A lane of a design by the name of its group; "second_tier_q13" is a lane of the second tier.
 struct NamedLane {
   std::string name;
   const Lane* lane;

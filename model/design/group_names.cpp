@@ -38,7 +38,7 @@ std::string inputs_name(LaneInputs inputs) {
   return (inputs.number() ? "inputs_" : "") + to_string(inputs);
 }
 
-/// The traits in which a group may differ from another of its format, in words.
+/// The traits in which a group may differ from another one of its format, in words.
 std::vector<std::string> traits_of(const LaneGroup& group) {
   const std::string multipliers(to_string(group.multipliers));
   if (const auto* fixed = std::get_if<fixed::FixedLane>(&group.lane)) {
@@ -62,7 +62,7 @@ RelativeErrors relative_errors_of(const LaneGroup& group) {
 }
 
 /// Numbers groups whose names are still equal by their relative errors, "_RE_1", "_RE_2": profiled
-/// lanes may differ in nothing else. A number, for names become those of modules.
+/// lanes may differ in nothing else. They are numbers, since names become those of modules.
 void tell_errors_apart(std::vector<std::string>& names, const Design& design) {
   const std::vector<std::string> before = names;
   for (std::size_t k = 0; k < names.size(); ++k) {

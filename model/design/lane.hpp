@@ -11,7 +11,7 @@ namespace mixcmp::design {
 /// A lane in either number system.
 using Lane = std::variant<error::Lane, fixed::FixedLane>;
 
-/// A lane made in one number system as a Lane; an error stays what it is.
+/// A lane made in one number system, as a Lane. An error is returned unchanged.
 template <class Made>
 Result<Lane> as_lane(Result<Made> made) {
   if (!made.ok()) return made.error();
@@ -25,7 +25,7 @@ std::string format_name(const Lane& lane);
 /// When the lane decides, for a report.
 std::string describe_criterion(const Lane& lane);
 
-/// The lane, which must be one in floating point.
+/// The lane, which must be a floating-point lane.
 inline const error::Lane& float_lane(const Lane& lane) {
   return std::get<error::Lane>(lane);
 }

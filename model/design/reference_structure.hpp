@@ -10,9 +10,9 @@ namespace mixcmp::design {
 struct ReferenceStructure {
   scene::Multipliers multipliers = scene::Multipliers::embedded;
   int initiation_interval = 1;    ///< cycles from one comparison to the next, 1..64
-  std::optional<int> target_mhz;  ///< that its registers are placed for; none: the system's
+  std::optional<int> target_mhz;  ///< for placing its registers; none: the system's
 
-  /// The target where it is not that of the system; else 0, as in the keys of tables.
+  /// The target if it differs from the system's; else 0, as in the keys of tables.
   int own_target_mhz(double system_mhz) const {
     return target_mhz && *target_mhz != system_mhz ? *target_mhz : 0;
   }

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int beat_interval_cycles = 2;
 constexpr int most_auto_beats = 8;
-/// Beside the operands a beat has the numbers of lane and slot, some 12 bits.
+/// A beat has the operands and some 12 bits more, the numbers of lane and slot.
 constexpr int fewest_auto_bits = 16;
 
 }  // namespace

@@ -5,17 +5,17 @@
 namespace mixcmp::design {
 namespace {
 
-/// Cycles a comparison spends in a channel beside the lane itself, at full rate
-/// (docs/rtl.md): with this many slots more than the lane's latency nothing waits.
+/// Cycles that a comparison spends in a channel outside the lane, at full rate (docs/rtl.md). If
+/// the slots exceed the lane's latency by that number, nothing waits.
 constexpr int channel_overhead_cycles = 6;
-/// Slots that recomputations may hold while the lane goes on at full rate.
+/// Slots that recomputations may hold while the lane continues at full rate.
 constexpr int recomputation_slots = 16;
-/// Slots in which rows of a chain wait behind one that is recomputed: most of them for as long as
-/// a reference takes (the paper's, about 30 cycles).
+/// Slots in which rows of a chain wait behind one that is recomputed. Most of them are needed for
+/// as long as a reference takes (the paper's, about 30 cycles).
 constexpr int chain_slots = 32;
 
 /// Cycles by which a recomputed comparison stays longer in a lane in order than the reference
-/// takes, where nothing waits and the crossbar has one level: D_u - D_d in docs/performance.md.
+/// takes, if nothing waits and the crossbar has one level: D_u - D_d in docs/performance.md.
 constexpr int way_to_reference_cycles = 6;
 
 int slots_beside(int lane_latency_cycles, int waiting) {
@@ -31,7 +31,7 @@ int slots_for(int lane_latency_cycles, bool recomputes) {
 
 int second_tier_slots_for(const scene::SystemSpec& system, int lane_latency_cycles,
                           int reference_latency_cycles) {
-  // Fetched operands come in at ports.
+  // Fetched operands pass the registers of the input ports.
   const bool refetches = system.operands == scene::OperandStore::refetched;
   return slots_beside(lane_latency_cycles + (refetches ? system.input_registers : 0),
                       way_to_reference_cycles + reference_latency_cycles);

@@ -9,7 +9,7 @@ struct Area {
   int dsps = 0;        ///< embedded multipliers
   int memories = 0;    ///< memory blocks
   int carries = 0;     ///< carry primitives (CARRY4, CCU2C, SB_CARRY); only reported
-  int shift_luts = 0;  ///< of `luts`, those that are shift registers or memory; only reported
+  int shift_luts = 0;  ///< the part of `luts` that are shift registers or memory; only reported
 
   Area& operator+=(const Area& other);
   friend Area operator+(Area a, const Area& b) { return a += b; }

@@ -21,14 +21,14 @@ struct MultiplierSize {
 /// One block of memory.
 struct MemoryBlock {
   int bits = 18432;
-  int read_ports = 2;  ///< ports that can read, each at an address of its own: 1 or 2
+  int read_ports = 2;  ///< ports that can read, each with its own address: 1 or 2
 
   friend bool operator==(const MemoryBlock&, const MemoryBlock&) = default;
 };
 
 /// Rough delays of one device family, in nanoseconds, routing included, and the sizes of its
-/// multipliers and memory blocks. They only steer where registers go; an estimate made from them is
-/// never called a clock.
+/// multipliers and memory blocks. They are used only to place registers. An estimate made from them
+/// is never called a clock.
 struct DelayTable {
   double lut_ns = 0.7;              ///< one LUT and the wire to it
   double carry_start_ns = 0.8;      ///< getting onto and off a carry chain
@@ -42,7 +42,7 @@ struct DelayTable {
   int lut_inputs = 6;
   /// Whether a look-up table has more than four inputs.
   bool has_wide_tables() const { return lut_inputs >= 5; }
-  /// How many bits may select an operand of a carry chain in the chain's own look-up tables.
+  /// How many bits may select an operand inside the look-up tables of a carry chain.
   int sum_selects = 2;
   MultiplierSize multiplier_size;
   MemoryBlock memory_block;
@@ -62,8 +62,8 @@ std::string_view to_string(TimingTool tool);
 struct Device {
   std::string name;          ///< "virtex6-lx760"
   std::string vendor_name;   ///< "XC6VLX760"
-  std::string vivado_part;   ///< as Vivado has it, "xc7a200tfbg676-2"; empty: Vivado has none
-  std::string quartus_part;  ///< as Quartus has it, "5CEBA4F23C7"; empty: Quartus has none
+  std::string vivado_part;   ///< Vivado's name, "xc7a200tfbg676-2"; empty: Vivado has none
+  std::string quartus_part;  ///< Quartus' name, "5CEBA4F23C7"; empty: Quartus has none
   int technology_nm = 0;
   Area available;         ///< luts, registers, dsps, memories
   std::string synthesis;  ///< Yosys command without -top: "synth_xilinx -family xc6v ..."
@@ -76,10 +76,10 @@ struct Device {
 };
 
 /// Finds a device by its name, or by the path of a .toml of the same form. Errors name field
-/// `system.device` and the devices known, or the file, line and field of a device file.
+/// `system.device` and the known devices, or the file, line and field of a device file.
 Result<Device> find_device(std::string_view name);
 
-/// The names of the devices that come with the program.
+/// The names of the built-in devices.
 std::vector<std::string> device_names();
 
 }  // namespace mixcmp::devices

@@ -76,8 +76,8 @@ Result<Done> read_figures(const settings::Settings& settings, Device& device) {
   return Done{};
 }
 
-/// Checks that the text is one synthesis command. Yosys reads it as part of a script, where the
-/// characters refused here end a command, begin a comment or start a shell.
+/// Checks that the text is one synthesis command. Yosys reads it as part of a script, in which the
+/// refused characters end a command, begin a comment or start a shell.
 void check_command(settings::Section& section, const std::string& key, const std::string& command) {
   if (section.find(key) == nullptr) return;
   const bool one_command = command.find_first_of(";\n\r!#") == std::string::npos;
@@ -117,8 +117,8 @@ void read_arguments(settings::Section& section, std::vector<std::string>& argume
   }
 }
 
-/// Checks that timing.synthesis goes with the tool. yosys_sta needs it, for Xilinx: Yosys' library
-/// has cell delays for no other vendor. A router takes the mapped netlist and needs none.
+/// Checks that timing.synthesis suits the tool. yosys_sta needs it, for Xilinx: Yosys' library has
+/// cell delays for no other vendor. A router takes the mapped netlist and does not need it.
 void check_timing_synthesis(settings::Section& section, const Device& device) {
   const bool given = !device.timing_synthesis.empty();
   if (device.timing == TimingTool::yosys_sta) {

@@ -12,7 +12,7 @@
 namespace mixcmp::devices {
 namespace {
 
-/// Letters and digits alone, in lower case: a part number is written with and without dashes.
+/// Only the letters and digits, in lower case: part numbers are written with and without dashes.
 std::string plain(std::string_view text) {
   std::string letters;
   for (const char c : text) {
@@ -27,9 +27,9 @@ std::size_t common_letters(std::string_view a, std::string_view b) {
                                   a.begin());
 }
 
-/// How many letters of a part number name the chip; what follows is package and speed.
+/// The number of letters of a part number that name the chip. Package and speed follow.
 constexpr std::size_t chip_letters = 8;
-/// How many of them name the family.
+/// The number of letters that name the family.
 constexpr std::size_t family_letters = 4;
 
 bool is_chip(std::string_view text, std::string_view part) {
@@ -42,7 +42,7 @@ bool is_family(std::string_view text, std::string_view part) {
   return common_letters(text, part) >= family_letters;
 }
 
-/// The list with one device in front, for a reason.
+/// The list with one device in front, and the reason for that.
 std::string with_first(const NamedPart& first, const std::string& reason,
                        std::span<const NamedPart> parts) {
   std::vector<std::string> listed = {fmt::format("{} ({})", first.name, reason)};

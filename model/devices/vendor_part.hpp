@@ -12,9 +12,9 @@ struct NamedPart {
   std::string vendor_name;  ///< "XC7A200T"
 };
 
-/// How the devices are listed to a user who has written the unknown name `received`: first the
-/// device that the vendor calls so ("xc7a200t-2fbg676"), the device of the same family if there is
-/// one, or the one with the nearest name, and why.
+/// The list of devices for a user who has written the unknown name `received`. First comes the
+/// device that the vendor calls so ("xc7a200t-2fbg676"), one of the same family, or the one with
+/// the nearest name, and the reason.
 std::string list_for(std::string_view received, std::span<const NamedPart> parts);
 
 }  // namespace mixcmp::devices

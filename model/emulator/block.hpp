@@ -4,7 +4,8 @@
 
 namespace mixcmp::emulator {
 
-/// The size of a block is a multiple of this: the comparisons in four of the widest vectors.
+/// The size of a block is a multiple of this: as many comparisons as four of the widest vectors
+/// hold.
 inline constexpr std::size_t block_granularity = 32;
 inline constexpr std::size_t max_block_size = 128;
 
@@ -12,7 +13,7 @@ inline constexpr std::size_t max_block_size = 128;
 /// columns.
 struct Block {
   const double* const* columns;  ///< `size` numbers each
-  double* const* results;        ///< the same columns, where instructions write
+  double* const* results;        ///< the same columns, for instructions to write
   std::size_t size;              ///< a multiple of block_granularity
 };
 

@@ -47,7 +47,7 @@ private:
     const Vec not_below = hn::IfThenZeroElse(hn::Eq(x, hn::Zero(Tag())), hn::Max(x, smallest_));
     return hn::IfThenElse(hn::Gt(not_below, largest_), infinity_, not_below);
   }
-  /// Corrects a product that underflows to 0 in double although no factor is 0, and 0 times
+  /// Corrects two products: one that underflows to 0 in double although no factor is 0, and 0 times
   /// infinity, which is NaN in double and infinite as a bound.
   HWY_INLINE Vec product(Vec a, Vec b, Vec raised) const {
     const Vec not_zero = in_range(hn::Max(raised, smallest_));

@@ -13,17 +13,17 @@
 namespace mixcmp::emulator {
 namespace {
 
-/// Formats with at most this many exponent bits lie within double's normal numbers, subnormal
-/// numbers of 53 digits included.
+/// Formats with at most this many exponent bits lie within double's normal numbers, including
+/// subnormal numbers of 53 digits.
 constexpr int widest_free_exponent_bits = 9;
 
 bool is_wide(FloatFormat format) {
   return format.exponent_bits() > widest_free_exponent_bits;
 }
 
-/// The results for which double computes what the format would. Between 2^-500 and 2^500 nothing
-/// that a single operation needs underflows or overflows in double. `trusted_operands` adds the
-/// subnormal operands where lanes read those as they are.
+/// The results that double computes as the format would. Between 2^-500 and 2^500 no value that a
+/// single operation needs underflows or overflows in double. `trusted_operands` adds the subnormal
+/// operands if lanes read those unchanged.
 TrustedRange trusted(FloatFormat format) {
   const auto [least, limit] = trusted_exponents(format);
   return {.columns = {}, .least = std::ldexp(1, least), .limit = std::ldexp(1, limit)};
@@ -88,8 +88,8 @@ Kernel kernel_of(Operation operation) {
 }
 
 /// With up to 25 digits in and out, double rounding through 53 digits is harmless (Figueroa).
-/// Watching for results half way pays where they are rare: not where few digits are dropped, as in
-/// sums of numbers with hardly more digits than the result.
+/// Watching for results half way is worth while if they are rare. They are not rare if few digits
+/// are dropped, as in sums of numbers with hardly more digits than the result.
 Finish nearest_finish(Operation operation, int operand_digits, int digits) {
   constexpr int twice_rounded_digits = 25, rare_digits = 8;
   if (digits == double_digits) return Finish::hardware;
@@ -122,8 +122,8 @@ void add_instruction(Code& code, const TypedNode& node, int column, Rounding rou
                          .dropped_digits = double_digits - node.format.precision()});
 }
 
-/// Adds a column to the range with these limits; there is only one such range, so that columns with
-/// the same limits are tested together.
+/// Adds a column to the range with these limits. There is only one such range, so columns with the
+/// same limits are tested together.
 void add_range(Code& code, const TrustedRange& range, int column) {
   const auto same = [&](const TrustedRange& other) {
     return other.least == range.least && other.limit == range.limit &&
@@ -136,7 +136,7 @@ void add_range(Code& code, const TrustedRange& range, int column) {
   }
 }
 
-/// False for a constant that double cannot be trusted with.
+/// False for a constant for which double cannot be trusted.
 bool add_node(Code& code, const TypedGraph& graph, int column) {
   const TypedNode& node = graph.nodes[column];
   const TrustedRange operands = trusted_operands(node.format, graph.arithmetic.subnormals);
@@ -155,7 +155,7 @@ bool add_node(Code& code, const TypedGraph& graph, int column) {
   return true;
 }
 
-/// A fused sum has more digits on the way than double holds.
+/// A fused sum has intermediate digits that double does not hold.
 bool fits_double(const TypedGraph& graph) {
   const auto fits = [](const TypedNode& node) {
     return node.operation != Operation::fused_sum && fits_double(node.format) &&

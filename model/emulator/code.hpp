@@ -22,12 +22,12 @@ struct Code {
   std::optional<OperandWindow> window;
   int f = -1, g = -1;
   FloatCriterion criterion;
-  /// A value outside `ranges` is exceptional, so that the lane is undecided and the golden model is
-  /// not needed.
+  /// A value outside `ranges` is exceptional, so the lane is undecided and the golden model is not
+  /// needed.
   bool doubtful_is_undecided = false;
 };
 
-/// Compiles a graph. `lane` is null for a reference; otherwise the graph is the lane's. None where
+/// Compiles a graph. `lane` is null for a reference; otherwise the graph is the lane's. None if
 /// double does not hold some format, or cannot reproduce a constant or the criterion.
 std::optional<Code> make_code(const TypedGraph& graph, const error::Lane* lane);
 

@@ -6,9 +6,9 @@
 namespace mixcmp::emulator {
 namespace {
 
-/// The length of a cache line in doubles. Columns are one line further apart than a block is long.
-/// That distance is no power of two, so that columns do not compete for the same cache sets, but a
-/// multiple of a line, so that no vector straddles two lines.
+/// The length of a cache line in doubles. The distance of columns is the length of a block and one
+/// line. That distance is no power of two, so columns do not compete for the same cache sets. It is
+/// a multiple of a line, so no vector straddles two lines.
 constexpr std::size_t cache_line = 8;
 
 std::size_t stride(std::size_t block_size) {
@@ -26,7 +26,7 @@ double* aligned(double* memory) {
       std::align(cache_line * sizeof(double), cache_line * sizeof(double), address, space));
 }
 
-/// A block size with which all columns fit 32 KiB, if they are not too many.
+/// A block size with which all columns fit into 32 KiB, unless there are too many columns.
 std::size_t fitting_block_size(int columns) {
   constexpr std::size_t cached_numbers = 4096, smallest_block = 2 * block_granularity;
   const std::size_t fitting = cached_numbers / static_cast<std::size_t>(std::max(columns, 1));

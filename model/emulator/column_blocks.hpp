@@ -9,7 +9,7 @@
 
 namespace mixcmp::emulator {
 
-/// Which columns of a block come from outside.
+/// The columns of a block that are filled from outside.
 struct ColumnLayout {
   int columns = 0;
   std::vector<std::pair<int, int>> inputs;        ///< column, operand
@@ -19,7 +19,7 @@ struct ColumnLayout {
 /// A pass over comparisons, a block at a time, with the scratch memory for the columns of one.
 class ColumnBlocks {
 public:
-  /// `operands` has one array of `count` doubles per operand; `layout` must stay.
+  /// `operands` has one array of `count` doubles per operand; `layout` must outlive this object.
   ColumnBlocks(const ColumnLayout& layout, std::span<const double* const> operands,
                std::size_t count);
 

@@ -23,8 +23,7 @@ HWY_INLINE IntVec greater_or_less(hn::Mask<Int> greater, hn::Mask<Int> less) {
   return hn::IfThenElse(greater, code(2), rest);
 }
 
-/// Decides by the order of f and g: the code is 1 (equal), one more where f > g, one less where f <
-/// g.
+/// Decides by the order of f and g. The code is 1 (equal), one more if f > g, one less if f < g.
 struct Order {
   const FloatCriterion& criterion;
   HWY_INLINE IntVec operator()(const Block& block, std::size_t i) const {
@@ -34,7 +33,7 @@ struct Order {
   }
 };
 
-/// Decides where two encodings are `guard` or more apart.
+/// Decides if two encodings are at least `guard` apart.
 class Guard {
 public:
   HWY_INLINE explicit Guard(std::int64_t guard)
@@ -72,9 +71,9 @@ private:
   Guard guard_;
 };
 
-/// Decides by the distance of integer keys that have the order of signed numbers. They are half of
-/// the encodings, so that their difference fits; nothing is lost, because the last bit of a double
-/// with at most 52 digits is 0.
+/// Decides by the distance of integer keys that have the order of signed numbers. Keys are half of
+/// the encodings, so their difference fits. No information is lost, because the last bit of a
+/// double with at most 52 digits is 0.
 class SignedKeys {
 public:
   HWY_INLINE explicit SignedKeys(const FloatCriterion& criterion)
@@ -102,7 +101,7 @@ private:
   Guard guard_;
 };
 
-/// Decides by the sign of the difference, where its encoding exceeds the bound's by more than the
+/// Decides by the sign of the difference, if its encoding exceeds the bound's by more than the
 /// guard and every condition holds. An infinite bound exceeds every difference.
 class AbsoluteBound {
 public:

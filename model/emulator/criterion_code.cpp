@@ -34,8 +34,8 @@ Kernel kernel_of(error::BoundOperation operation) {
   MIXCMP_CHECK(false);
 }
 
-/// The error of a product is lost below 2^-1074. Products of bounds with few digits have no error;
-/// for others the exponents must be small enough to keep it.
+/// The error of a product is lost below 2^-1074. Products of bounds with few digits have no error.
+/// For other bounds the exponents must be small enough to keep the error.
 bool is_safe(BoundFormat format) {
   constexpr int error_free_digits = 26, free_exponent_bits = 9;
   return format.precision <= error_free_digits || format.exponent_bits <= free_exponent_bits;
@@ -61,7 +61,7 @@ void add_bound_node(Code& code, const error::BoundNode& node, BoundFormat format
                          .largest = std::ldexp(above_one, format.bias())});
 }
 
-/// Sets the guard to `guard` ulps times 2^power. One that exceeds every difference becomes the
+/// Sets the guard to `guard` ulps times 2^power. A guard that exceeds every difference becomes the
 /// largest integer: the lane then never decides.
 void set_guard(FloatCriterion& criterion, FloatFormat format, Bits guard, int power) {
   constexpr Bits never = std::numeric_limits<std::int64_t>::max();
@@ -115,9 +115,9 @@ Sign sign_of(error::RequiredSign sign) {
   MIXCMP_CHECK(false);
 }
 
-/// The magnitude of an encoding; infinity for a NaN's. Encodings order magnitudes, so that limits
-/// on leading bits are limits on magnitudes: those of the encodings that continue with zeros and
-/// with ones.
+/// The magnitude of an encoding; infinity for a NaN's. Encodings order magnitudes, so limits on
+/// leading bits are limits on magnitudes: those of the encodings that continue with zeros and with
+/// ones.
 double magnitude_limit(FloatFormat format, Bits encoding) {
   const Bits magnitude = std::min(encoding, format.infinity(false));
   return to_double(format, magnitude);
@@ -132,7 +132,7 @@ OperandCheck operand_check(const error::RangeCheck& check, int column, FloatForm
   return result;
 }
 
-/// Adds the range checks; false where a check reads an operand that the graph does not.
+/// Adds the range checks; false if a check reads an operand that the graph does not.
 bool add_checks(Code& code, const error::Lane& lane) {
   for (const error::RangeCheck& check : lane.checks) {
     const auto reads = [&](const auto& input) { return input.second == check.input; };

@@ -1,4 +1,4 @@
-// Finds values that double cannot be trusted with. Only kernels.cpp includes this file, once per
+// Finds values for which double cannot be trusted. Only kernels.cpp includes this file, once per
 // instruction set.
 #if defined(MIXCMP_EMULATOR_DOUBTS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef MIXCMP_EMULATOR_DOUBTS_INL
@@ -74,7 +74,7 @@ HWY_INLINE WordVec upper_halves(hn::Vec<Long> first, hn::Vec<Long> second) {
   return interleave(hn::ShiftRight<31>(first), hn::Add(second, second));
 }
 
-/// 1 where the lower half is not 0, so that a number below 2^-1043 is not taken for 0.
+/// 1 if the lower half is not 0, so that a number below 2^-1043 does not count as 0.
 HWY_INLINE WordVec any_lower_digit(hn::Vec<Long> first, hn::Vec<Long> second) {
   return hn::Min(interleave(first, hn::ShiftLeft<32>(second)), hn::Set(Word(), 1));
 }
@@ -85,7 +85,7 @@ inline std::uint32_t upper_half(double power_of_two) {
   return static_cast<std::uint32_t>(bits >> 31);
 }
 
-/// All ones where a number of the two vectors at i has a digit that should be 0 and is not.
+/// All ones if a number of the two vectors at i has a digit that should be 0 and is not.
 HWY_INLINE WordVec surplus_digits(const TrustedRange& range, const Block& block, std::size_t i) {
   auto first = hn::Zero(Long()), second = hn::Zero(Long());
   for (const int column : range.columns) {
@@ -100,8 +100,8 @@ HWY_INLINE WordVec surplus_digits(const TrustedRange& range, const Block& block,
   return interleave(has(first), has(second));
 }
 
-/// All ones where a number of the two vectors at i is outside the range. `smallest` holds
-/// magnitudes less one: 0 wraps around to the largest word, so that zeros never count as too small.
+/// All ones if a number of the two vectors at i is outside the range. `smallest` holds magnitudes
+/// less one: 0 wraps around to the largest word, so zeros never count as too small.
 template <bool any_double>
 HWY_INLINE WordVec outside(const TrustedRange& range, const Block& block, std::size_t i) {
   const WordVec one = hn::Set(Word(), 1);

@@ -79,7 +79,7 @@ Emulator::Program::Values Emulator::Program::compute(OperandColumns operands,
 
 namespace {
 
-/// Runs the code and decides; `doubtful` decides where double cannot be trusted.
+/// Runs the code and decides; `doubtful` decides those for which double cannot be trusted.
 template <class Doubtful>
 void run(const Code& code, const FloatCriterion& criterion, Execution::Scope scope,
          OperandColumns operands, std::span<Decision> decisions, Doubtful doubtful) {

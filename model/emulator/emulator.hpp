@@ -12,17 +12,18 @@
 namespace mixcmp::emulator {
 
 /// Operands of a batch: one array of doubles per input, each a number of the reference format.
-/// Every NaN stands for the format's quiet NaN. Arrays aligned to 64 bytes are fastest, and batches
-/// of some hundred comparisons or more.
+/// Every NaN stands for the format's quiet NaN. Fastest are arrays aligned to 64 bytes, and batches
+/// of at least some hundred comparisons.
 using OperandColumns = std::span<const double* const>;
 
 /// Evaluates lanes and references on batches of comparisons with SIMD operations in double,
-/// bit-exact with the golden model: `decide` with evaluate_lane (with evaluate_reference where it
-/// is made from a reference), `compute` with evaluate; docs/emulator.md proves it. Wherever double
-/// cannot be trusted (a result that may be out of range, a NaN) the comparison falls back to the
-/// golden model by itself; formats that double cannot hold at all (precision above 53, more than 11
-/// exponent bits) fall back always. Results do not depend on how comparisons are split into
-/// batches. Thread-safe: all members are const, scratch memory belongs to the call.
+/// bit-exact with the golden model. `decide` equals evaluate_lane, or evaluate_reference if made
+/// from a reference; `compute` equals evaluate. docs/emulator.md proves it.
+///
+/// If double cannot be trusted (a result that may be out of range, a NaN), the comparison falls
+/// back to the golden model by itself. Formats that double cannot hold at all (precision above 53,
+/// more than 11 exponent bits) always fall back. Results do not depend on how comparisons are split
+/// into batches. Thread-safe: all members are const, scratch memory belongs to the call.
 class Emulator {
 public:
   explicit Emulator(const error::Lane& lane);
@@ -34,12 +35,12 @@ public:
 
   void decide(OperandColumns operands, std::size_t count, std::span<Decision> decisions) const;
 
-  /// Decides as the lane would without its error bound: by the order of f and g as computed
+  /// Decides as the lane would without its error bound: by the order of the computed f and g
   /// (unordered for a NaN).
   void compare(OperandColumns operands, std::size_t count, std::span<Decision> decisions) const;
 
-  /// Computes f and g as doubles (the nearest ones where the format has more digits or exponents),
-  /// and whether any operation was exceptional. The comparison must have one part only.
+  /// Computes f and g as doubles (the nearest ones if the format has more digits or exponents), and
+  /// whether any operation was exceptional. The comparison must have only one part.
   void compute(OperandColumns operands, std::size_t count, std::span<double> f, std::span<double> g,
                std::span<std::uint8_t> exceptional) const;
 

@@ -14,7 +14,7 @@ class Execution {
 public:
   enum class Scope {
     values,    ///< f and g
-    decision,  ///< bounds, too
+    decision,  ///< bounds as well
   };
   /// `operands` has one array of `count` doubles per input.
   Execution(const Code& code, std::span<const double* const> operands, std::size_t count,
@@ -26,7 +26,7 @@ public:
   std::size_t first() const { return blocks_.first(); }
   std::size_t size() const { return blocks_.size(); }
   const Block& block() const { return blocks_.block(); }
-  /// Whether double cannot be trusted with comparison k of this block.
+  /// Whether double cannot be trusted for comparison k of this block.
   bool doubtful(std::size_t k) const { return any_doubt_ && (doubts_[k] >> 63) != 0; }
   bool any_doubt() const { return any_doubt_; }
 

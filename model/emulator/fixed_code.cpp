@@ -22,9 +22,9 @@ double power(int exponent) {
   return std::ldexp(1, exponent);
 }
 
-/// The digits of a double with which an operation is exact. (Where a number is beyond its reach,
-/// sums may be rounded, but stay above the threshold.) A root is rounded to nearest before it is
-/// rounded down to its unit: with these digits never to the next unit. Proofs: docs/emulator.md.
+/// The digits of a double with which an operation is exact. (Sums of a number beyond its reach may
+/// be rounded, but stay above the threshold.) A root is rounded to nearest before it is rounded
+/// down to its unit; with these digits it never reaches the next unit. Proofs: docs/emulator.md.
 int needed_digits(const std::vector<FixedNode>& nodes, const FixedNode& node) {
   if (node.operation == Operation::square_root) {
     return std::max(2 * node.format.width + 1, nodes[node.operands[0]].format.width + 3);
@@ -38,7 +38,7 @@ bool fits_double(const std::vector<FixedNode>& nodes, const FixedNode& node) {
          std::abs(node.format.unit_exponent) + digits <= largest_exponent;
 }
 
-/// A slope below 1 would have to round; `norm_thresholds` gives none.
+/// A slope below 1 would require rounding; `norm_thresholds` returns none.
 bool fits_double(const FixedPart& part) {
   const auto* norm = std::get_if<fixed::NormThresholds>(&part.criterion);
   return norm == nullptr || (norm->shift_above >= 0 && norm->shift_below >= 0);
@@ -77,13 +77,13 @@ mpq_class largest_magnitude(const Range& range) {
 /// A number as a sum of terms.
 struct Expansion {
   FixedSum terms;
-  mpq_class largest;  ///< no sum of some of the terms is larger in magnitude
+  mpq_class largest;  ///< the largest magnitude of any sum of some of the terms
   int unit_exponent;  ///< all terms are multiples of this power of two
 
   bool is_exact_in_double() const {
     return largest <= FixedFormat{.unit_exponent = unit_exponent + double_digits}.unit();
   }
-  /// Whether reading the terms costs hardly more than reading a column with their sum.
+  /// Whether reading the terms costs hardly more than reading one column with their sum.
   bool is_cheap() const {
     return terms.size() <= 2 && std::all_of(terms.begin(), terms.end(), [](const FixedTerm& term) {
              return term.kind == FixedTerm::Kind::value;
@@ -104,8 +104,8 @@ Expansion sum(Expansion a, const Expansion& b, Sign sign) {
   return a;
 }
 
-/// Compiles a lane. What reads a node reads its terms instead, where the node drops no bits and
-/// either has no other reader or its terms are cheap. Nodes that are still read get columns.
+/// Compiles a lane. A reader of a node reads the node's terms instead if the node drops no bits and
+/// has no other reader or cheap terms. Nodes that are still read get columns.
 class FixedCodeMaker {
 public:
   explicit FixedCodeMaker(const FixedLane& lane)
@@ -145,7 +145,7 @@ private:
 
   Expansion of_column(NodeId id) const { return of_term(id, {.a = id, .b = id}); }
 
-  /// A node before bits are dropped, by the operands' terms; or as what it is, a column.
+  /// A node before bits are dropped: by its operands' terms, or by a column of its own.
   Expansion expansion_of(NodeId id) const {
     const FixedNode& expanded = node(id);
     const NodeId first = expanded.operands[0], second = expanded.operands[1];
@@ -170,14 +170,15 @@ private:
     MIXCMP_CHECK(false);
   }
 
-  /// The terms that take the place of a node where it is read, or the node's own column.
+  /// The terms that replace a node for its readers, or the node's own column.
   Expansion read(NodeId id) const {
     const Expansion& expansion = expansions_[id];
     const bool replaces = node(id).dropped_bits == 0 && (reads_[id] == 1 || expansion.is_cheap());
     return replaces ? expansion : of_column(id);
   }
 
-  /// The sum of two terms is the node's, which is a double; each sum of more has to be one.
+  /// The sum of two terms is the node's value, which is a double. With more terms, each
+  /// intermediate sum has to be a double.
   Expansion sum_of(NodeId first, NodeId second, Sign sign) const {
     Expansion terms = sum(read(first), read(second), sign);
     const bool exact = terms.terms.size() <= 2 || terms.is_exact_in_double();
@@ -195,7 +196,7 @@ private:
     return {.kind = kind, .a = first.a, .b = last.a};
   }
 
-  /// From the decisions back to the inputs.
+  /// Goes from the decisions back to the inputs.
   void choose_columns() {
     for (const FixedPart& part : lane_.parts) {
       choose_columns(read(part.difference).terms);
@@ -219,7 +220,7 @@ private:
     for (const FixedTerm& term : terms) has_column_[term.a] = has_column_[term.b] = true;
   }
 
-  /// All common cuts are made together, and so are their operands.
+  /// All common cuts are made together, so all their operands are.
   void choose_cut_columns() {
     for (NodeId id = 0; id < node_count(); ++id) {
       if (fixed::is_common_cut(node(id)))
@@ -248,7 +249,7 @@ private:
     }
   }
 
-  /// Operands as they arrive have columns behind all others.
+  /// Operands in floating point have columns behind all others.
   void add_arriving() {
     code_.arriving = code_.converted;
     for (std::size_t k = 0; k < code_.inputs.size(); ++k) {
@@ -275,7 +276,7 @@ private:
   /// A column with the sum of the node's terms.
   void add_sum(NodeId id) { add_unary(FixedKernel::sum, id, id).terms = expansions_[id].terms; }
 
-  /// The first common cut adds the instruction of all.
+  /// The first common cut adds the instruction for all.
   void add_common_cut(NodeId id) {
     const auto is_cut = [&](const FixedInstruction& added) {
       return added.kernel == FixedKernel::common_cut;
@@ -330,7 +331,7 @@ private:
     criterion.slope_below = power(thresholds.shift_below) * unit / radius_unit;
   }
 
-  /// The threshold is a column, which a slope of 1 reads.
+  /// The threshold is a column, read with a slope of 1.
   void set(FixedCriterion& criterion, const fixed::RunningThresholds& thresholds, double unit) {
     const int column = code_.converted.columns++;
     FixedInstruction& threshold = code_.instructions.emplace_back(

@@ -12,7 +12,7 @@
 namespace mixcmp::emulator {
 namespace {
 
-/// Converts any number of operands; whole vectors where they lie, the rest by way of a copy.
+/// Converts any number of operands: whole vectors in place, the rest through a copy.
 void convert_all(const FixedConversion& conversion, std::span<const double> operands,
                  double* converted) {
   const std::size_t whole = operands.size() / block_granularity * block_granularity;
@@ -25,7 +25,7 @@ void convert_all(const FixedConversion& conversion, std::span<const double> oper
   std::copy_n(last.data(), rest, converted + whole);
 }
 
-/// In block floating point the operands are first divided by a power of two, in their new columns.
+/// In block floating point, first divides the operands by a power of two, in their new columns.
 void convert_block(const FixedCode& code, const Block& block) {
   const bool in_common_unit = code.least_block_exponent.has_value();
   if (in_common_unit) divide_by_common_power(code.inputs, block, *code.least_block_exponent);
@@ -35,8 +35,7 @@ void convert_block(const FixedCode& code, const Block& block) {
   }
 }
 
-/// The decisions on one block, whose operands are converted and whose last vectors may be filled
-/// up.
+/// The decisions on one block. Its operands are converted, and its last vectors may be padded.
 void decide_block(const FixedCode& code, Combination combination, const Block& block,
                   std::span<Decision> decisions) {
   static_assert(sizeof(Decision) == sizeof(std::uint8_t));

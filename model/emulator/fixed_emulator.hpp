@@ -23,13 +23,13 @@ public:
 
   /// Whether double holds every integer.
   bool is_exact_in_double() const { return code_.has_value(); }
-  /// Whether each input can be converted by itself beforehand. Double must hold every integer; and
+  /// Whether each input can be converted by itself beforehand. Double must hold every integer, and
   /// in block floating point the unit depends on all operands.
   bool can_convert_beforehand() const { return code_ && !code_->least_block_exponent; }
-  /// Converts `count` operands of one input as the lane does at its border; a NaN stands for one
-  /// that it does not take. Operands that the lane does not read stay what they are.
+  /// Converts `count` operands of one input as the lane does; a NaN replaces one that it does not
+  /// take. Operands that the lane does not read stay unchanged.
   void convert(int input, std::span<const double> operands, std::span<double> converted) const;
-  /// Decides on operands that are converted already.
+  /// Decides on converted operands.
   void decide_converted(OperandColumns converted, std::size_t count,
                         std::span<Decision> decisions) const;
 

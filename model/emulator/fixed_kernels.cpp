@@ -23,9 +23,9 @@ using Vec = hn::Vec<Tag>;
 using IntVec = hn::Vec<Int>;
 using Words = hn::RebindToUnsigned<Int>;
 
-/// The bits of a negative operand are inverted: of its magnitude in units, cut to the integer k,
-/// that makes -k - 1. So does rounding down, if the magnitude is first raised to the next double:
-/// that takes an integer k beyond k, and others not beyond k + 1.
+/// The bits of a negative operand are inverted: if k is its magnitude in units, cut to an integer,
+/// the result is -k - 1. Rounding down gives the same if the magnitude is first raised to the next
+/// double: an integer k is then above k, and any other magnitude is at most k + 1.
 template <bool is_signed>
 HWY_INLINE void convert_all(const FixedConversion& conversion, const double* operands,
                             std::size_t count, double* converted) {
@@ -35,7 +35,7 @@ HWY_INLINE void convert_all(const FixedConversion& conversion, const double* ope
   const Words words;
   for (std::size_t i = 0; i < count; i += hn::Lanes(Tag())) {
     const Vec x = hn::LoadU(Tag(), operands + i);
-    // Bits of doubles without a sign are ordered like these; with one they are beyond.
+    // Bits of doubles without a sign are ordered like the doubles; those with a sign are beyond.
     auto taken = hn::RebindMask(Tag(), hn::Lt(hn::BitCast(words, x), hn::BitCast(words, limit)));
     Vec units = hn::Mul(x, per_unit);
     if constexpr (is_signed) {
@@ -85,7 +85,7 @@ void divide_all(const std::vector<FixedInput>& inputs, const Block& block, int l
 }
 
 /// The vectors that hold a sum of block_granularity comparisons stay in registers while its terms
-/// are added to them; so a jump to each term's code costs little.
+/// are added, so a jump to each term's code costs little.
 constexpr std::size_t group = block_granularity / hn::MaxLanes(Tag());
 
 /// Adds the term's values for the comparisons from number `first` on.
@@ -143,8 +143,8 @@ void execute_sum(const FixedInstruction& instruction, const Block& block) {
   }
 }
 
-/// The power of two that a common cut multiplies by: 1, or the largest that makes all integers less
-/// than `beyond` in magnitude, or -beyond. A NaN where one of them is a NaN.
+/// The power of two by which a common cut multiplies: 1, or the largest that makes all integers
+/// less than `beyond` in magnitude, or -beyond. A NaN if one of them is a NaN.
 HWY_INLINE Vec common_factor(const FixedInstruction& instruction, const Block& block,
                              std::size_t i) {
   const Vec one = hn::Set(Tag(), 1);
@@ -173,7 +173,7 @@ void execute_common_cut(const FixedInstruction& instruction, const Block& block)
   }
 }
 
-/// The threshold of each comparison's step, which rises by one for each power of two that the
+/// The threshold of each comparison's step. The step rises by one for each power of two that the
 /// largest magnitude reaches. A negative number counts as one unit less than its magnitude.
 void execute_running_threshold(const FixedInstruction& instruction, const Block& block) {
   double* const results = block.results[instruction.result];
@@ -195,7 +195,7 @@ void execute_running_threshold(const FixedInstruction& instruction, const Block&
   }
 }
 
-/// One loop over the columns of an instruction. One of a single operand has it twice.
+/// One loop over the columns of an instruction. An instruction with a single operand has it twice.
 template <class Function>
 HWY_INLINE void loop(const FixedInstruction& instruction, const Block& block, Function function) {
   const double* HWY_RESTRICT a_column = block.columns[instruction.a];
@@ -207,7 +207,7 @@ HWY_INLINE void loop(const FixedInstruction& instruction, const Block& block, Fu
   }
 }
 
-/// The exponent of the root's power is half of the square's, rounded down, and one.
+/// The exponent of the power above the root: half of the square's exponent, rounded down, plus one.
 HWY_INLINE Vec power_above_root(Vec square) {
   const Words words;
   const auto exponent = hn::ShiftRight<52>(hn::BitCast(words, square));
@@ -216,7 +216,7 @@ HWY_INLINE Vec power_above_root(Vec square) {
   return hn::Max(power, hn::Set(Tag(), 1));
 }
 
-/// Minimum and maximum keep a NaN wherever it stands; those of processors do not.
+/// Minimum and maximum keep a NaN in either operand; those of processors do not.
 HWY_INLINE Vec or_no_number(Vec a, Vec b, Vec chosen) {
   const auto numbers = hn::And(hn::Eq(a, a), hn::Eq(b, b));
   return hn::IfThenElse(numbers, chosen, hn::NaN(Tag()));
@@ -259,8 +259,8 @@ void execute_fixed(const std::vector<FixedInstruction>& instructions, const Bloc
   for (const FixedInstruction& instruction : instructions) execute_one(instruction, block);
 }
 
-/// Writes one byte per comparison, in order: the entry of `table` whose number is the last two bits
-/// of its state.
+/// Writes one byte per comparison, in order: the entry of `table` at the last two bits of its
+/// state.
 HWY_INLINE void store_codes(const IntVec (&states)[group], const std::uint8_t (&table)[16],
                             std::uint8_t* to) {
 #if HWY_TARGET == HWY_SCALAR
@@ -283,9 +283,8 @@ HWY_INLINE void store_codes(const IntVec (&states)[group], const std::uint8_t (&
 #endif
 }
 
-/// The state of a difference D is the sum of -1 where D < above and -2 where D >= below. Since
-/// below is not more than above, that is -1 for less, -2 for greater, -3 for a D between them, and
-/// 0 for a NaN.
+/// The state of a difference D is the sum of -1 if D < above and -2 if D >= below. Since below is
+/// at most above, that is -1 for less, -2 for greater, -3 for a D between them, and 0 for a NaN.
 HWY_INLINE IntVec state(Vec difference, Vec above, Vec below) {
   const auto less = hn::VecFromMask(Int(), hn::RebindMask(Int(), hn::Lt(difference, above)));
   const auto more = hn::VecFromMask(Int(), hn::RebindMask(Int(), hn::Ge(difference, below)));

@@ -6,18 +6,19 @@
 #include "model/emulator/block.hpp"
 
 /// Lanes in fixed point on columns of doubles; compiled once per instruction set. A column holds
-/// the number that an integer stands for, n u: exact up to 53 bits, with no need of alignment.
+/// the number n u of an integer n with unit u. It is exact up to 53 bits and needs no alignment.
 /// Numbers beyond a reach may be rounded; docs/emulator.md says why that changes no decision.
 namespace mixcmp::emulator {
 
-/// How a lane takes an operand. What it does not take becomes a NaN.
+/// How a lane converts an operand. One that it does not take becomes a NaN.
 struct FixedConversion {
   double unit = 1;   ///< u, a power of two
-  double limit = 0;  ///< the magnitudes taken are below this power of two
+  double limit = 0;  ///< magnitudes below this power of two are taken
   bool is_signed = false;
 };
 
-/// An operand that a lane reads: the column where it arrives, and that of the number it becomes.
+/// An operand that a lane reads: the column where it arrives, and the column of the converted
+/// number.
 struct FixedInput {
   int operand = -1;
   int arriving = -1;
@@ -30,11 +31,11 @@ struct FixedTerm {
   enum class Kind : std::uint8_t { value, product, square_of_sum, square_of_difference };
   Kind kind = Kind::value;
   int a = -1;
-  int b = -1;  ///< any column where the term does not read it
+  int b = -1;  ///< any column if the term does not read it
   bool is_negative = false;
 };
 
-/// The sum of its terms, added one by one to zero. Each sum on the way must be a double.
+/// The sum of its terms, added one by one to zero. Each intermediate sum must be a double.
 using FixedSum = std::vector<FixedTerm>;
 
 enum class FixedKernel : std::uint8_t {
@@ -45,7 +46,7 @@ enum class FixedKernel : std::uint8_t {
   square_root,  ///< of a, rounded to nearest
   truncate,     ///< a, rounded down to a multiple of `unit`
   limit,        ///< a if it is from `low` to `high`, a NaN otherwise
-  /// 2^k `unit` for the least k >= 0 with a < 4^k `square_unit`; of a NaN anything.
+  /// 2^k `unit` for the least k >= 0 with a < 4^k `square_unit`; arbitrary for a NaN.
   power_above_root,
   common_cut,  ///< of all `cuts` at once
   running_threshold,
@@ -77,7 +78,7 @@ struct FixedInstruction {
   std::vector<FixedCut> cuts = {};
   std::vector<FixedWatched> watched = {};  ///< of a running threshold
   std::vector<double> of_steps = {};       ///< [step]: its threshold, a number
-  double beyond = 0;  ///< of common cuts: 2^W, above all magnitudes that they leave, in units
+  double beyond = 0;  ///< of common cuts: 2^W, above all their results' magnitudes, in units
 };
 
 /// Greater iff D >= slope_above s + offset_above, less iff -D > slope_below s + offset_below, where
@@ -85,7 +86,7 @@ struct FixedInstruction {
 /// `less` and `otherwise` are codes of Decision.
 struct FixedCriterion {
   FixedSum difference;
-  FixedSum radius;  ///< s; no terms where no slope reads it
+  FixedSum radius;  ///< s; no terms if no slope reads it
   double slope_above = 0, offset_above = 0;
   double slope_below = 0, offset_below = 0;
   std::uint8_t greater = 2, less = 0, otherwise = 4;
@@ -95,8 +96,8 @@ struct FixedCriterion {
 void convert(const FixedConversion& conversion, const double* operands, std::size_t count,
              double* converted);
 /// Block floating point: divides the operands of each comparison by the least power of two above
-/// all their magnitudes, or by 2^`least_exponent` where that is more. Where one is no number, all
-/// become NaNs.
+/// all their magnitudes, or by 2^`least_exponent` if that is larger. If one operand is not a finite
+/// number, all become NaNs.
 void divide_by_common_power(const std::vector<FixedInput>& inputs, const Block& block,
                             int least_exponent);
 void execute(const std::vector<FixedInstruction>& instructions, const Block& block);

@@ -64,8 +64,8 @@ HWY_INLINE void loop(const Instruction& instruction, const Block& block, Finishe
   }
 }
 
-/// Watches a few vectors for results that may lie half way: all dropped digits of the raised number
-/// are 0.
+/// Watches a few vectors for results that may lie half way: then all dropped digits of the raised
+/// number are 0.
 class AnyDigit {
 public:
   HWY_INLINE AnyDigit() : half_way_(hn::MaskFromVec(hn::Zero(Int()))) {}
@@ -99,8 +99,8 @@ private:
 };
 #endif
 
-/// Rounds four vectors at a time without their errors, and once more with them where a result may
-/// lie half way.
+/// Rounds four vectors at a time without their errors, and once more with the errors if a result
+/// may lie half way.
 template <class Operation, class Watch>
 void loop_watched(const Instruction& instruction, const Block& block) {
   const Rounder rounder(instruction.dropped_digits);
@@ -140,7 +140,7 @@ void loop_fused(const Instruction& instruction, const Block& block) {
   const Rounder rounder(instruction.dropped_digits);
   loop<Operation>(instruction, block, [&](Vec a, Vec b, Vec r) HWY_ATTR {
     const Vec rounded = rounder.fused(a, b, r);
-    // M - M is +0 where a * b is -0; everywhere else the signs are those of r.
+    // M - M is +0 if a * b is -0; otherwise the signs are those of r.
     return Operation::unary ? rounded : hn::Or(rounded, sign_bits(r));
   });
 #else

@@ -30,12 +30,12 @@ enum class Kernel : std::uint8_t {
 };
 
 /// How an exact result x is rounded to the lane's P digits, P <= 53. Hardware gives r, which is x
-/// rounded to 53 digits, and at some cost the sign of the error e = x - r.
+/// rounded to 53 digits. The sign of the error e = x - r costs extra operations.
 enum class Finish : std::uint8_t {
   hardware,   ///< r itself: P = 53 to nearest, or nothing to round
-  nearest,    ///< r rounded, where x = r or double rounding is known to be harmless
-  watched,    ///< `nearest`, but `corrected` where r lies half way between numbers of P digits
-  corrected,  ///< r rounded; e decides where r lies half way
+  nearest,    ///< r rounded, if x = r or double rounding is known to be harmless
+  watched,    ///< `nearest`, or `corrected` if r lies half way between numbers of P digits
+  corrected,  ///< r rounded; e decides if r lies half way
   fused,      ///< products: rounded once, by a fused multiply-add
   truncated,  ///< toward zero, by r and e
 };
@@ -53,20 +53,20 @@ struct Instruction {
   double largest = 0;
 };
 
-/// The magnitudes with which double can be trusted in these columns: 0 and [least, limit). Both
-/// ends are powers of two.
+/// The magnitudes for which double can be trusted in these columns: 0 and [least, limit). Both ends
+/// are powers of two.
 struct TrustedRange {
   std::vector<int> columns;
   double least = 0;  ///< 0: no magnitude is too small
   double limit = 0;
-  /// The columns may hold doubles below 2^-1022, too.
+  /// The columns may also hold doubles below 2^-1022.
   bool any_double = false;
-  /// Lowest bits of a double that must be 0 in each column.
+  /// Mask of the lowest bits of a double, which must be 0 in each column.
   std::uint64_t zero_bits = 0;
 };
 
-/// A window of exponents, a power of two in number, that begins with the exponent of `least`. A
-/// double x is inside if (bits of x) - `least` and `outside` have no bit in common: larger
+/// A window of exponents that begins with the exponent of `least`. Their number is a power of two.
+/// A double x is inside if (bits of x) - `least` and `outside` have no bit in common: larger
 /// exponents set leading bits of the exponent field, and numbers below `least`, 0 included, set
 /// them by borrowing. `outside` also holds the digits that must be 0.
 struct OperandWindow {
@@ -101,12 +101,12 @@ struct FloatCriterion {
   CriterionKind kind = CriterionKind::order;
   int first = -1;
   int second = -1;
-  /// The lane's guard in steps of a double's last place: times 2^(53 - P); for signed_keys, whose
-  /// keys are halved, times 2^(52 - P). These two kinds decide where encodings differ by `guard`,
-  /// which is at least 1, or more; absolute_bound where |first| exceeds second by more than
-  /// `guard`.
+  /// The lane's guard in steps of a double's last place: times 2^(53 - P), or for signed_keys,
+  /// whose keys are halved, times 2^(52 - P). `magnitudes` and `signed_keys` decide if encodings
+  /// differ by `guard`, which is at least 1, or more. absolute_bound decides if |first| exceeds
+  /// second by more than `guard`.
   std::int64_t guard = 1;
-  /// One binade below the smallest normal number of the lane. It stands for 0 where encodings are
+  /// One binade below the smallest normal number of the lane. It stands for 0 when encodings are
   /// counted.
   double zero = 0;
   /// A condition of absolute_bound, by columns: bound <= |value|.
@@ -120,12 +120,12 @@ struct FloatCriterion {
 
 void execute(const std::vector<Instruction>& instructions, const Block& block);
 
-/// Whether any value of the columns is outside its range; the sign bit of doubts[k] tells whether
-/// one of comparison k is. `doubts` holds block.size words.
+/// Whether any value of the columns is outside its range. The sign bit of doubts[k] says whether a
+/// value of comparison k is. `doubts` holds block.size words.
 bool find_doubts(const std::vector<TrustedRange>& ranges, const Block& block,
                  std::uint64_t* doubts);
 
-/// Whether every value of the window's columns is inside.
+/// Whether every value of the window's columns is inside the window.
 bool all_inside(const OperandWindow& window, const Block& block);
 
 /// Writes one code of Decision per comparison.

@@ -35,14 +35,14 @@ HWY_INLINE Vec from_bits(IntVec x) {
 HWY_INLINE Vec sign_bits(Vec x) {
   return hn::And(x, hn::SignBit(Tag()));
 }
-/// All ones where x and y differ in sign.
+/// All ones if x and y differ in sign.
 HWY_INLINE IntVec opposite_signs(Vec x, Vec y) {
   return hn::BroadcastSignBit(bits_of(hn::Xor(x, y)));
 }
 
 /// The error functions return the exact error of r = RN(a op b) for op = +, -, *. For a quotient or
-/// root, `remainder` gives a number of the error's sign that is 0 where the error is. Nothing here
-/// may underflow: docs/emulator.md.
+/// root, `remainder` returns a number with the error's sign, which is 0 if the error is. Nothing
+/// here may underflow: docs/emulator.md.
 HWY_INLINE Vec sum_error(Vec a, Vec b, Vec r) {  // Knuth's TwoSum
   const Vec b_part = hn::Sub(r, a);
   return hn::Add(hn::Sub(a, hn::Sub(r, b_part)), hn::Sub(b, b_part));
@@ -52,7 +52,7 @@ HWY_INLINE Vec sum_error(Vec a, Vec b, Vec r) {  // Knuth's TwoSum
 HWY_INLINE Vec product_error(Vec a, Vec b, Vec r) {
   return hn::MulSub(a, b, r);
 }
-/// c - a * b, which for quotients and roots is a number of 53 digits.
+/// c - a * b, which for quotients and roots is exact in 53 digits.
 HWY_INLINE Vec remainder(Vec a, Vec b, Vec c) {
   return hn::NegMulAdd(a, b, c);
 }
@@ -75,9 +75,8 @@ HWY_INLINE Vec remainder(Vec a, Vec b, Vec c) {
 }
 #endif
 
-/// Rounds r, a number of 53 digits, to P = 53 - dropped digits. It works on the integer of r's
-/// bits, where a step of P digits is 2^dropped and a carry into the exponent gives the right
-/// number.
+/// Rounds r, a number of 53 digits, to P = 53 - dropped digits. It works on r's bits as an integer.
+/// In these a step of P digits is 2^dropped, and a carry into the exponent gives the right number.
 class Rounder {
 public:
   HWY_INLINE explicit Rounder(int dropped_digits)
@@ -86,8 +85,8 @@ public:
         kept_(hn::Set(Int(), -(std::int64_t{1} << dropped_digits))),
         scale_(hn::Set(Tag(), static_cast<double>(std::int64_t{1} << dropped_digits))) {}
 
-  /// r + half a step: the digits kept are those of r rounded to nearest, upward where r lies half
-  /// way; there the digits dropped are all 0.
+  /// r + half a step. The kept digits are those of r rounded to nearest, upward if r lies half way;
+  /// then the dropped digits are all 0.
   HWY_INLINE IntVec raised_half(Vec r) const { return hn::Add(bits_of(r), half_); }
   HWY_INLINE IntVec kept(IntVec raised) const { return hn::And(raised, kept_); }
 
@@ -97,8 +96,8 @@ public:
     return from_bits(hn::AndNot(last_digit, up));  // to even
   }
 
-  /// Numbers half way between neighbours of P digits have P + 1 <= 53 digits. As rounding to 53
-  /// digits is monotone, x lies on the same side of each as r does, unless r is one: then e
+  /// Numbers half way between neighbours of P digits have P + 1 <= 53 digits. Rounding to 53 digits
+  /// is monotone, so x lies on the same side of each of them as r does, unless r is one: then e
   /// decides.
   HWY_INLINE Vec corrected(Vec r, Vec e) const {
     const IntVec raised = raised_half(r), up = kept(raised);
@@ -108,17 +107,16 @@ public:
     return from_bits(hn::Sub(up, hn::And(step, down)));
   }
 
-  /// Truncates x to P digits: starts from r, or from the next double toward zero where e points
-  /// there.
+  /// Truncates x to P digits. Starts from r, or from the next double toward zero if e points there.
   HWY_INLINE Vec truncated(Vec r, Vec e) const {
     const hn::Mask<Int> inexact = hn::RebindMask(Int(), hn::Ne(e, hn::Zero(Tag())));
     const IntVec minus_one = hn::IfThenElseZero(inexact, opposite_signs(e, r));
     return from_bits(hn::And(hn::Add(bits_of(r), minus_one), kept_));
   }
 
-  /// Rounds a bound, which is never negative, up to P digits, P <= 52. Where e > 0 it starts from
-  /// the next double above r. Where e < 0, r is at most half a double's step too high, and no
-  /// number of P digits lies between.
+  /// Rounds a bound, which is never negative, up to P digits, P <= 52. If e > 0 it starts from the
+  /// next double above r. If e < 0, r is at most half a double's step too high, and no number of P
+  /// digits lies between.
   HWY_INLINE Vec raised(Vec r, Vec e) const {
     const IntVec above = hn::BitCast(Int(), hn::VecFromMask(Tag(), hn::Gt(e, hn::Zero(Tag()))));
     return raised(from_bits(hn::Sub(bits_of(r), above)));
@@ -128,9 +126,10 @@ public:
     return from_bits(hn::And(hn::Add(bits_of(r), rest), kept_));
   }
 
-  /// a * b rounded once: with M = 2^(dropped + floor(log2 |r|)) of r's sign, one step of a double
-  /// in M's binade is one of P digits in r's, and a * b + M stays within it (or is its upper end).
-  /// If r was rounded up to a power of two, both binades' steps round a * b to that power.
+  /// a * b rounded once. Let M = 2^(dropped + floor(log2 |r|)), with r's sign. One step of a double
+  /// in M's binade is one step of P digits in r's, and a * b + M stays within that binade (or is
+  /// its upper end). If r was rounded up to a power of two, both binades' steps round a * b to that
+  /// power.
   HWY_INLINE Vec fused(Vec a, Vec b, Vec r) const {
     const Vec power = hn::And(r, from_bits(hn::Set(Int(), ~((std::int64_t{1} << 52) - 1))));
     const Vec m = hn::Mul(power, scale_);

@@ -10,10 +10,10 @@
 namespace mixcmp::emulator {
 namespace {
 
-/// The grid of values that have none; far below every grid that matters.
+/// The grid of a value without one: far below every grid that matters.
 constexpr int no_grid = -1'000'000;
 
-/// Limits on a node's values x: where x is not 0, 2^low <= |x| <= 2^high; every x is a multiple of
+/// Limits on a node's values x. If x is not 0, 2^low <= |x| <= 2^high; every x is a multiple of
 /// 2^grid.
 struct Extent {
   int low = 0;
@@ -30,13 +30,13 @@ Extent of_constant(double value, int digits) {
 }
 
 /// The extent after rounding to `digits` digits. Rounding keeps the limits, which are powers of
-/// two, and makes multiples of the grid from such multiples.
+/// two, and turns multiples of the grid into such multiples.
 Extent rounded(Extent x, int digits) {
   x.grid = std::max(x.grid, x.low - digits + 1);
   return x;
 }
 
-/// The extent of a + b; `cancels` where their signs may differ.
+/// The extent of a + b; `cancels` if their signs may differ.
 Extent sum(const Extent& a, const Extent& b, bool cancels) {
   const int grid = std::min(a.grid, b.grid);
   return {.low = cancels ? grid : std::min(a.low, b.low),
@@ -67,8 +67,7 @@ Extent either(const Extent& a, const Extent& b, bool nonnegative) {
           a.nonzero && b.nonzero};
 }
 
-/// The extent of a node before its own rounding; none where a divisor may be 0 or a radicand
-/// negative.
+/// The extent of a node before its own rounding; none if a divisor may be 0 or a radicand negative.
 std::optional<Extent> result(const TypedNode& node, const SafeOperands& operands, const Extent& a,
                              const Extent& b) {
   const bool nonnegative = a.nonnegative && b.nonnegative;

@@ -19,10 +19,9 @@ struct TrustedExponents {
 };
 TrustedExponents trusted_exponents(FloatFormat format);
 
-/// A range such that, if all operands of a comparison lie within, every node is provably 0 or
-/// within the trusted exponents of its format, no divisor is 0 and no radicand is negative. None
-/// where that cannot be shown of any range around 1, as for small formats. The graph must have
-/// inputs.
+/// A range such that, if all operands of a comparison lie within it, every node is provably 0 or
+/// within the trusted exponents of its format, no divisor is 0 and no radicand is negative. None if
+/// no range around 1 can be proven so, as for small formats. The graph must have inputs.
 std::optional<SafeOperands> safe_operands(const TypedGraph& graph);
 
 }  // namespace mixcmp::emulator

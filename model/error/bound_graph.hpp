@@ -9,7 +9,7 @@ namespace mixcmp::error {
 
 /// Operations of a bound graph. Every result is rounded up: a non-zero result below the smallest
 /// number becomes that number, and one beyond the largest becomes infinite. An infinite operand
-/// makes the result infinite, also where it is multiplied by 0.
+/// makes the result infinite, even if it is multiplied by 0.
 enum class BoundOperation {
   constant,    ///< an exact rational >= 0
   magnitude,   ///< |x| of a lane's node x; infinite for a NaN or an infinity

@@ -6,7 +6,7 @@
 
 namespace mixcmp::error {
 
-/// Index of a bound node, or no_bound_node for a bound of zero, which needs none.
+/// Index of a bound node, or no_bound_node for a bound of zero, which needs no node.
 using BoundId = int;
 constexpr BoundId no_bound_node = -1;
 

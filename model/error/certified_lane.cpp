@@ -24,7 +24,7 @@ std::vector<bool> nonnegative(const Ranges& ranges, int input_count) {
   return result;
 }
 
-/// Digits of a constant bound, so many that rounding it up costs nothing measurable.
+/// Digits of a constant bound: with so many, rounding it up costs nothing measurable.
 constexpr int constant_bound_digits = 16;
 
 /// The first node that has no bound although its operands have.
@@ -60,8 +60,8 @@ bool would_be_exact(const TypedGraph& graph, NodeId id) {
   MIXCMP_CHECK(false);
 }
 
-/// For a constant that its format does not hold. That is the lane's or, with exact inputs, the
-/// reference's.
+/// The advice for a constant that its format does not hold. That format is the lane's or, with
+/// exact inputs, the reference's.
 std::string what_helps_a_constant(const TypedGraph& graph, const TypedNode& constant) {
   const bool is_references =
       constant.format == graph.input_format && !(constant.format == graph.arithmetic.format);
@@ -94,8 +94,8 @@ Error no_bound(BoundKind kind, const std::string& reason, std::string accepted) 
           .accepted = std::move(accepted)};
 }
 
-/// A distance that no two finite encodings reach. It is as wide as an encoding, so that the lane's
-/// hardware can hold it.
+/// A distance greater than that of any two finite encodings. It is as wide as an encoding, so the
+/// lane's hardware can hold it.
 Bits never(FloatFormat format) {
   return low_mask(format.width());
 }
@@ -188,8 +188,9 @@ Result<DifferenceBound> bound_difference(TypedGraph& graph, BoundKind kind,
                     constant ? what_helps_a_constant(graph, graph.nodes[failure])
                              : "a reduced.format with more precision, or another formulation");
   }
-  // Theorem 8 uses the factor and the absolute error of f - g before its own rounding: dividing by
-  // `own` takes that rounding out. The bound must then exceed the absolute error over `low`.
+  // Theorem 8 uses the factor and the absolute error of f - g before its own rounding, so the
+  // division by `own` removes that rounding. The bound must then exceed the absolute error over
+  // `low`.
   result.bound = bound.mixed->absolute;
   const RelativeBound own =
       rounding_bound(graph.arithmetic.format.precision(), graph.arithmetic.rounding);
@@ -246,8 +247,8 @@ Result<Lane> lane_of(BoundKind kind, TypedGraph graph, const CertifiedOptions& o
                .accepted = "auto, relative, running, constant, or reduced.format = \"q13\""};
 }
 
-/// The lane with a kind of bound that the scene asks for: an error names the key that does so,
-/// reduced.error_bound.
+/// The lane with the kind of bound that the scene asks for. An error names the key that asks for
+/// it, reduced.error_bound.
 Result<Lane> asked_lane(BoundKind kind, TypedGraph graph, const CertifiedOptions& options) {
   Result<Lane> lane = lane_of(kind, std::move(graph), options);
   if (lane.ok() || lane.error().field != "reduced.bound") return lane;

@@ -12,7 +12,7 @@
 namespace mixcmp::error {
 namespace {
 
-/// The largest power of two that is not above a positive number.
+/// The largest power of two that is at most a positive number.
 mpq_class binade(const mpq_class& value) {
   mpq_class power = 1;
   while (power > value) power /= 2;

@@ -28,8 +28,8 @@ BeforeRounding without_bound(std::string reason) {
   return {std::nullopt, std::move(reason)};
 }
 
-/// The reason of the first operand that has no bound at all, else of the first that has no relative
-/// bound; empty if both have one.
+/// The reason of the first operand that has no bound at all, or else of the first that has no
+/// relative bound; empty if both have one.
 std::string first_reason(const NodeBound* a, const NodeBound* b) {
   for (const NodeBound* operand : {a, b}) {
     if (operand != nullptr && !operand->mixed) return operand->reason;
@@ -49,7 +49,7 @@ mpq_class farthest(const RelativeBound& factor, const mpq_class& center) {
 }
 
 /// Splits `value` into a number of three or four binary digits, which a bound of few digits holds
-/// without rounding it up, and an inflation >= 1. Where that would exceed 33/32, returns
+/// without rounding it up, and an inflation >= 1. If the inflation would exceed 33/32, returns
 /// {value, 1}.
 std::pair<mpq_class, mpq_class> few_digits(const mpq_class& value) {
   constexpr long digits = 3;
@@ -313,7 +313,7 @@ bool ErrorAnalyser::rounds_once(NodeId id) const {
   return bound.relative && bound.unrounded && is_exact(*bound.unrounded);
 }
 
-/// Whether the node is an operand as it arrived, a constant, or a choice among these.
+/// Whether the node is an unchanged operand, a constant, or a choice among these.
 bool ErrorAnalyser::is_plain(NodeId id) const {
   const TypedNode& plain = node(id);
   if (arity(plain.operation) == 0) return true;
@@ -323,7 +323,7 @@ bool ErrorAnalyser::is_plain(NodeId id) const {
 }
 
 /// The factor m of cancelling_sum. Rounding toward zero errs to one side only: if both operands
-/// have such errors, m is the middle of the range of their factors. Else m = 1.
+/// have such errors, m is the middle of the range of their factors. Otherwise m = 1.
 mpq_class ErrorAnalyser::center_of(NodeId a, NodeId b) const {
   const auto is_fixed = [&](NodeId id) { return is_exact(mixed(id).factor) || is_plain(id); };
   if (graph_.arithmetic.rounding == Rounding::nearest_even || is_fixed(a) || is_fixed(b)) return 1;
@@ -331,7 +331,7 @@ mpq_class ErrorAnalyser::center_of(NodeId a, NodeId b) const {
   return std::max<mpq_class>(1, (all.low + all.high) / 2);
 }
 
-/// Bounds |a (s - m)| + |b (t - m)| of cancelling_sum. Where both terms need the magnitude of their
+/// Bounds |a (s - m)| + |b (t - m)| of cancelling_sum. If both terms need the magnitude of their
 /// operand, the larger magnitude stands for both. Both have one format.
 AbsoluteError ErrorAnalyser::deviations(NodeId a, NodeId b, const mpq_class& center) {
   BoundId constants = no_bound_node, binades = no_bound_node, larger = no_bound_node;
@@ -360,7 +360,7 @@ mpq_class ErrorAnalyser::rounding_error(FloatFormat format) const {
   return mpq_class(1, mpz_class(1) << (format.precision() - doubled));
 }
 
-/// The largest error of a plain node: that of the constants, as encoded, that it may select.
+/// The largest error of a plain node: the error of the encoded constants that it may select.
 BoundId ErrorAnalyser::selection_error(NodeId id) {
   const TypedNode& selected = node(id);
   if (selected.operation == Operation::input) return no_bound_node;
@@ -387,7 +387,7 @@ BoundId ErrorAnalyser::reciprocal(NodeId id) {
   return builder_.of_value(BoundOperation::reciprocal, id);
 }
 
-/// Bounds have the lane's exponents: they can be made of values with as many exponent bits alone.
+/// Checks that the node has the lane's exponent bits: bounds can only be built from such values.
 void ErrorAnalyser::check_exponents(NodeId id) const {
   MIXCMP_CHECK(node(id).format.exponent_bits() == graph_.arithmetic.format.exponent_bits());
 }
@@ -418,8 +418,8 @@ NodeBound ErrorAnalyser::rounded(NodeId id, BeforeRounding exact) const {
   return bound;
 }
 
-/// NodeBound::before_rounding. A node that rounds nothing holds numbers of the format, which are
-/// their own rounding; sign changes and selections commute with rounding.
+/// NodeBound::before_rounding. A node that rounds nothing holds numbers of the format, and rounding
+/// does not change these. Sign changes and selections commute with rounding.
 std::optional<RelativeBound> ErrorAnalyser::before_rounding(NodeId id,
                                                             const NodeBound& bound) const {
   if (!bound.relative || !(node(id).format == graph_.arithmetic.format)) return std::nullopt;

@@ -10,9 +10,9 @@
 
 namespace mixcmp::error {
 
-/// Bounds the absolute part a of a node's error (MixedBound): |a| <= inflation * B, where B is
-/// the value of bound node `bound`. The hardware computes B alone, in few digits; `inflation`,
-/// which is 1 or a little more, is covered by the criterion's guard.
+/// Bounds the absolute part a of a node's error (MixedBound): |a| <= inflation * B, where B is the
+/// value of bound node `bound`. The hardware computes only B, in few digits. The criterion's guard
+/// covers `inflation`, which is 1 or a little more.
 struct AbsoluteError {
   BoundId bound = no_bound_node;  ///< none: a = 0
   mpq_class inflation = 1;
@@ -27,17 +27,17 @@ struct MixedBound {
   bool is_relative() const { return absolute.bound == no_bound_node; }
 };
 
-/// What is known of one node of a lane's graph.
+/// The bounds and the sign of one node of a lane's graph.
 struct NodeBound {
   std::optional<MixedBound> mixed;
-  /// The mixed bound's factor where it has no absolute part.
+  /// The mixed bound's factor if the mixed bound has no absolute part.
   std::optional<RelativeBound> relative;
-  /// The relative bound before the node's own rounding, of a node that rounds: true value = x * t,
-  /// where x is the operation's exact result on the computed operands.
+  /// For a node that rounds: the relative bound before its own rounding. True value = x * t, where
+  /// x is the operation's exact result on the computed operands.
   std::optional<RelativeBound> unrounded;
-  /// The relative bound that theorem 4 uses, of a node in the lane's format. The node holds some
-  /// real number x, rounded: x is its exact result or, of a choice, that of the operand chosen. The
-  /// bound says: true value = x * t.
+  /// For a node in the lane's format: the relative bound that theorem 4 uses. The node holds a real
+  /// number x, rounded. x is its exact result or, for a choice, the exact result of the chosen
+  /// operand. The bound says: true value = x * t.
   std::optional<RelativeBound> before_rounding;
   bool nonnegative = false;
   bool nonpositive = false;

@@ -10,7 +10,7 @@
 namespace mixcmp::error {
 namespace {
 
-/// A power of two of which every value of a node is a multiple; none: no such power is known.
+/// A power of two that divides every value of a node; none: no such power is known.
 using Quantum = std::optional<mpq_class>;
 
 /// The largest power of two that divides a dyadic rational. None for other rationals, and for 0,

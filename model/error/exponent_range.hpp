@@ -14,7 +14,7 @@ namespace mixcmp::error {
 /// - 2^(-2P) times the largest number that any operation computes must be normal. Smaller results
 ///   underflow and are recomputed; they are about as rare as comparisons that P digits leave
 ///   undecided.
-/// The result is the reference's exponent bits if an input has no range, or if fewer do not
+/// The result is the reference's exponent bits if an input has no range, or if fewer bits do not
 /// suffice.
 int lane_exponent_bits(const Graph& graph, FloatFormat reference, const Arithmetic& arithmetic,
                        LaneInputs inputs, const std::vector<std::optional<Range>>& ranges);

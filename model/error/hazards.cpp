@@ -66,8 +66,8 @@ private:
   }
 
   Hazards hazards_of(NodeId id) const {
-    // With gradual underflow a sum below the smallest normal number is exact, so that it is no
-    // Event::underflow; it is subnormal all the same.
+    // With gradual underflow a sum below the smallest normal number is exact. So it is no
+    // Event::underflow, but it is still subnormal.
     const bool subnormal =
         may_be_subnormal(id) || any_operand(id, [&](NodeId k) { return may_be_subnormal(k); });
     return {.special_operand = any_operand(id, [&](NodeId k) { return special_[k]; }),
@@ -93,7 +93,7 @@ private:
   }
 
   /// Whether the value is always the result of an operation, never an input or a constant passed on
-  /// by a sign change or a selection. Where subnormals are flushed, no such result is subnormal.
+  /// by a sign change or a selection. If subnormals are flushed, such a result is never subnormal.
   bool is_computed(NodeId id) const {
     switch (node(id).operation) {
       case Operation::input:

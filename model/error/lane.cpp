@@ -12,8 +12,8 @@
 namespace mixcmp::error {
 namespace {
 
-/// The largest difference that a constant bound leaves undecided, as the hardware has it: rounded
-/// up to the bound's digits, plus the guard.
+/// The largest difference that a constant bound leaves undecided. As in the hardware, it is the
+/// bound rounded up to the bound's digits, plus the guard.
 std::string describe_constant(const AbsoluteBoundCriterion& criterion, FloatFormat format) {
   const BoundFormat bound_format = criterion.bound.format;
   const Bits bound = encode_bound(bound_format, criterion.bound.nodes.back().constant);
@@ -46,7 +46,7 @@ std::string describe(const Criterion& criterion, FloatFormat format) {
   return fmt::format("certified: where f and g are {} ulp apart or more", guard);
 }
 
-/// The numbers of nodes, of one graph in another.
+/// Node numbers of one graph, by their numbers in another.
 using Renumbering = std::vector<NodeId>;
 
 /// Renumbers the nodes that a criterion names.
@@ -184,7 +184,7 @@ Lane part_of(const Lane& lane, std::size_t part) {
   for (std::size_t id = 0; id < alone.ids.size(); ++id) {
     ids[alone.ids[id]] = static_cast<NodeId>(id);
   }
-  // The nodes of the criterion follow those of f and g, as where the lane was made.
+  // The criterion's nodes follow those of f and g, as in the original lane.
   const std::vector<bool> needed = nodes_of_part(lane, part);
   for (std::size_t id = 0; id < needed.size(); ++id) {
     if (!needed[id] || ids[id] >= 0) continue;

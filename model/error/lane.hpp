@@ -41,9 +41,9 @@ struct AbsoluteBoundCriterion {
   NodeId difference;  ///< f - g, rounded: a node of the lane's graph
   BoundGraph bound;
   std::vector<BoundCondition> conditions;
-  /// The error is at most inflation * bound (AbsoluteError), and the inflation 1 or a little more.
-  /// The hardware computes the bound alone: these ulps cover the inflation. A guard that fits into
-  /// the places below the bound's few digits costs no adder: {bound, guard}.
+  /// The error is at most inflation * bound (AbsoluteError), and the inflation is 1 or a little
+  /// more. The hardware computes only the bound; these ulps cover the inflation. A guard that fits
+  /// into the places below the bound's few digits needs no adder: {bound, guard}.
   Bits guard_ulp = 0;
 
   friend bool operator==(const AbsoluteBoundCriterion&, const AbsoluteBoundCriterion&) = default;
@@ -61,7 +61,7 @@ struct IntervalCriterion {
 };
 
 /// Special cases of one operation, each true unless the range checks or the expression itself rule
-/// it out. A case that is ruled out has no hardware (docs/rtl.md says what each promises).
+/// it out. A case that is ruled out has no hardware; docs/rtl.md lists the promise of each flag.
 struct Hazards {
   bool special_operand = true;  ///< a NaN or an infinity among the operands
   bool overflow = true;         ///< or a division by zero
@@ -73,11 +73,11 @@ struct Hazards {
 
 using Criterion = std::variant<UlpDistanceCriterion, AbsoluteBoundCriterion, IntervalCriterion>;
 
-/// When a lane decides one part of its comparison: by that part's operations and checks alone.
+/// When a lane decides one part of its comparison: only that part's operations and checks matter.
 /// Theorem 11 of docs/error_bounds.md says how the verdicts of the parts combine.
 struct LanePart {
   Criterion criterion;
-  /// Indices of Lane::checks. An operand that fails one leaves the part undecided.
+  /// Indices in Lane::checks. An operand that fails one of them leaves the part undecided.
   std::vector<std::size_t> checks = {};
 
   bool certified() const { return !std::holds_alternative<IntervalCriterion>(criterion); }
@@ -85,13 +85,13 @@ struct LanePart {
   friend bool operator==(const LanePart&, const LanePart&) = default;
 };
 
-/// A reduced-precision datapath: what it computes and when it may decide.
+/// A reduced-precision datapath: its operations, and when it may decide.
 struct Lane {
   TypedGraph graph;
   std::vector<LanePart> parts;          ///< one for each of graph.parts
   std::vector<RangeCheck> checks = {};  ///< without duplicates
-  /// One per node; empty: nothing is ruled out. Parts that share a node share its hazards: one is
-  /// ruled out only where every such part rules it out.
+  /// One per node; empty: nothing is ruled out. Parts that share a node share its hazards: a hazard
+  /// is ruled out only if every such part rules it out.
   std::vector<Hazards> hazards = {};
 
   /// The criterion of a comparison that has one part.
@@ -102,20 +102,20 @@ struct Lane {
   friend bool operator==(const Lane&, const Lane&) = default;
 };
 
-/// Makes a lane of one part, which makes all of `checks`.
+/// Makes a lane of one part, which applies all of `checks`.
 Lane one_part_lane(TypedGraph graph, Criterion criterion, std::vector<RangeCheck> checks = {});
 
 /// Makes a lane of one part, given the part as a graph of its own.
 using MakePart = std::function<Result<Lane>(const TypedGraph& part)>;
 
-/// Makes the lane of all parts of `graph`, each by `make_part`. An error names the part if there
-/// are several.
+/// Makes the lane of all parts of `graph`, each by `make_part`. If there are several, an error
+/// names the part.
 Result<Lane> lane_of_parts(const TypedGraph& graph, const MakePart& make_part);
 
-/// Names the part in an error if there are several.
+/// Adds the part's name to an error if there are several parts.
 Error of_part(Error error, std::size_t part, std::size_t parts);
 
-/// One part of a lane alone, with the nodes and the checks that it needs.
+/// One part of a lane as a lane of its own, with the nodes and the checks that it needs.
 Lane part_of(const Lane& lane, std::size_t part);
 
 /// Which nodes a part computes: those of its sides and of its criterion.

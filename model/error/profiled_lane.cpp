@@ -9,7 +9,7 @@
 namespace mixcmp::error {
 namespace {
 
-/// The smallest number of the arithmetic that is not below `value` >= 0.
+/// The smallest number of the arithmetic that is at least `value` >= 0.
 Bits round_up(const Arithmetic& arithmetic, const mpq_class& value) {
   const FloatFormat format = arithmetic.format;
   const Bits bits = from_rational_up(format, value);
@@ -61,7 +61,7 @@ private:
 
 Lane profiled_part(TypedGraph graph, const mpq_class& relative_error_f,
                    const mpq_class& relative_error_g) {
-  // The analysis is given no ranges, for a profiled lane checks no sign bits.
+  // The analysis gets no ranges, since a profiled lane checks no sign bits.
   const std::vector<bool> no_ranges(graph.input_count, false);
   const std::vector<NodeBound> known = analyse_errors(graph, no_ranges).nodes;
   Appender append(graph);

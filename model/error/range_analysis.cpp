@@ -8,8 +8,8 @@
 namespace mixcmp::error {
 namespace {
 
-/// The largest number of `format`, subnormals included and exponents unlimited above, that is not
-/// above `value`.
+/// The largest number of `format` that is at most `value`. Subnormals are included, and exponents
+/// are unlimited above.
 mpq_class round_down(FloatFormat format, const mpq_class& value) {
   if (value == 0) return value;
   const long exponent = std::max<long>(floor_log2(abs(value)), format.min_exponent());
@@ -21,7 +21,7 @@ mpq_class round_up(FloatFormat format, const mpq_class& value) {
   return -round_down(format, -value);
 }
 
-/// Square root rounded down, with more bits than any format has; 0 for a negative value.
+/// Square root rounded down, with more bits than any format; 0 for a negative value.
 mpq_class root_down(const mpq_class& value) {
   if (value <= 0) return 0;
   constexpr long spare_bits = 2L * FloatFormat::max_precision;
@@ -85,7 +85,7 @@ private:
     return nodes_[static_cast<std::size_t>(node.operands[k])];
   }
 
-  /// Whether -inf may come of an infinite operand, or of a division by a zero of either sign.
+  /// Whether -inf may result from an infinite operand, or from a division by a zero of either sign.
   bool passes_negative_infinity(const TypedNode& node) const {
     const auto infinite = [&](std::size_t k) { return below(node, k).may_be_infinite; };
     const auto negative = [&](std::size_t k) { return below(node, k).may_be_negative_infinite; };
@@ -125,8 +125,8 @@ private:
            (below_zero(a) || below_zero(b));
   }
 
-  /// Adds what the node computes from infinite operands: a / inf is zero, and the smaller of x and
-  /// inf is x.
+  /// Adds the node's results for infinite operands: a / inf is zero, and the smaller of x and inf
+  /// is x.
   void follow_infinities(const TypedNode& node, NodeRange& result) const {
     bool infinite_operand = false;
     for (const NodeId operand : operands_of(node)) {
@@ -197,8 +197,8 @@ private:
     return term.negated ? negated(range) : range;
   }
 
-  /// Encloses what a fused sum rounds: its terms are cut toward zero, each by less than a unit that
-  /// the largest term or the smallest normal number sets.
+  /// Encloses the sum that a fused sum rounds. Its terms are cut toward zero, each by less than a
+  /// unit that the largest term or the smallest normal number sets.
   Range cut_sum(const TypedNode& node) const {
     Range whole{0, 0}, with_zeros{0, 0};
     mpq_class largest = power_of_two(node.format.min_exponent());
@@ -261,7 +261,7 @@ private:
     return absolute(exact).high > largest_of(node.format);
   }
 
-  /// Whether a minimum or a maximum may take a subnormal operand for zero.
+  /// Whether a minimum or a maximum may treat a subnormal operand as zero.
   bool flushes_an_operand(const TypedNode& node) const {
     if (graph_.arithmetic.subnormals == Subnormals::gradual) return false;
     return std::any_of(node.operands.begin(), node.operands.end(), [&](NodeId id) {
@@ -269,7 +269,7 @@ private:
     });
   }
 
-  /// Whether the value is an input or a constant, up to its sign. Operations that flush give no
+  /// Whether the value is an input or a constant, up to its sign. Operations that flush have no
   /// subnormal results.
   bool is_given(NodeId id) const {
     const TypedNode& node = graph_.nodes[id];

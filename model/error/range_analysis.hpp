@@ -25,10 +25,10 @@ std::string_view to_string(Event event);
 /// lane never uses them: it is undecided after an overflow. A reference goes on with them.
 enum class Infinities { excluded, followed };
 
-/// What the declared ranges say of one node of a typed graph.
+/// The values and events that the declared ranges leave possible for one node of a typed graph.
 struct NodeRange {
-  /// Encloses every finite value that the node can compute, its own rounding included; with
-  /// Infinities::excluded, as long as no operand below it is infinite.
+  /// Encloses every finite value that the node can compute, its own rounding included. With
+  /// Infinities::excluded, this holds as long as no operand below it is infinite.
   Range value;
   /// Which of all_events are not ruled out.
   std::array<bool, all_events.size()> may_happen = {};
@@ -42,9 +42,9 @@ struct NodeRange {
 };
 
 /// Analyses every node by interval arithmetic in exact rationals. Every operation is correctly
-/// rounded and rounding is monotone, so that an exact enclosure rounded outward encloses the
-/// computed value. Operands are treated as independent, except those of x - x and x / x. `ranges`:
-/// one per input of the graph.
+/// rounded and rounding is monotone, so an exact enclosure rounded outward encloses the computed
+/// value. Operands are treated as independent, except those of x - x and x / x. `ranges`: one per
+/// input of the graph.
 std::vector<NodeRange> analyse_ranges(const TypedGraph& graph,
                                       const std::vector<std::optional<Range>>& ranges,
                                       Infinities infinities = Infinities::excluded);

@@ -8,7 +8,8 @@
 namespace mixcmp::error {
 namespace {
 
-/// The fraction bits of a limit: neighbouring limits are 12 % apart, and each costs three LUTs.
+/// Fraction bits of a limit: neighbouring limits are 12 % apart, and a limit costs three LUTs.
+/// LUTs.
 constexpr int checked_fraction_bits = 3;
 
 Bits finite_magnitude(FloatFormat format, const mpq_class& value) {

@@ -24,7 +24,7 @@ RelativeBound square_root(const RelativeBound& a);
 /// A rational just below the root, off by less than 2^-256 of it.
 mpq_class root_below(const mpq_class& value);
 
-/// `bound` rounded outward, and `value` rounded up, to some 512 binary digits where there are more
+/// `bound` rounded outward, and `value` rounded up, to some 512 binary digits if there are more
 /// than 1024, so that repeated products do not grow without limit.
 RelativeBound widened(const RelativeBound& bound);
 mpq_class widened_up(const mpq_class& value);
@@ -36,12 +36,12 @@ bool is_useless(const RelativeBound& bound);
 Bits guard_ulp(const RelativeBound& f, const RelativeBound& g, int precision);
 
 /// The smallest deciding distance in ulps, from the bounds of f and g before their last rounding.
-/// Rounding is monotone, so that the last roundings of f and g together cost a single step
-/// (theorem 4).
+/// Rounding is monotone, so the last roundings of f and g together cost a single step (theorem 4).
 Bits guard_ulp_before_rounding(const RelativeBound& f, const RelativeBound& g, int precision);
 
-/// The smallest n such that going n encodings up from any positive number of this precision
-/// multiplies it by more than `ratio` >= 1 (theorem 2); all ones where no format has so many.
+/// The smallest n such that a step of n encodings up from any positive number of this precision
+/// multiplies it by more than `ratio` >= 1 (theorem 2); all ones if no format has so many
+/// encodings.
 Bits steps_beyond(const mpq_class& ratio, int precision);
 
 }  // namespace mixcmp::error

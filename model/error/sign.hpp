@@ -7,11 +7,11 @@
 
 namespace mixcmp::error {
 
-/// The inputs whose ranges prove a sign; none where nothing proves it.
+/// The inputs whose ranges prove a sign; none if there is no proof.
 using SignProof = std::optional<std::set<int>>;
 
-/// `both` returns a proof that needs the inputs of both proofs, none where one of them is missing;
-/// `either` returns the one of the two proofs that needs fewer inputs.
+/// `both` returns a proof that needs the inputs of both proofs, none if one of them is missing.
+/// `either` returns the proof that needs fewer inputs.
 SignProof both(const SignProof& a, const SignProof& b);
 SignProof either(const SignProof& a, const SignProof& b);
 

@@ -6,10 +6,11 @@ namespace mixcmp::inline expression {
 
 /// How the verdicts of a comparison's parts combine into one.
 enum class Combination {
-  /// Less if every part is; one greater decides. The last of the parts' verdicts in the order less,
-  /// equal, unordered, greater.
+  /// Less if every part is less; one greater part decides. The result is the last of the parts'
+  /// verdicts in the order less, equal, unordered, greater.
   all,
-  /// Less if some part is. The first of them in the order less, unordered, equal, greater.
+  /// Less if any part is less. The result is the first of the parts' verdicts in the order less,
+  /// unordered, equal, greater.
   any,
 };
 /// "all", "any".

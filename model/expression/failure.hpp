@@ -7,7 +7,7 @@
 
 namespace mixcmp::inline expression {
 
-/// Carries an error out of a recursive descent; caught where the descent began.
+/// Carries an error out of a recursive descent. It is caught at the descent's start.
 struct Failure {
   Error error;
 };

@@ -27,13 +27,13 @@ enum class Operation {
   square_root,
   minimum,  ///< IEEE 754-2019 minimum: NaN wins, -0 < +0
   maximum,  ///< IEEE 754-2019 maximum
-  /// A sum of products that is rounded once, in graphs of references: its operands are
+  /// A sum of products that is rounded once, in graphs of references. Its operands are
   /// TypedNode::terms.
   fused_sum,
 };
 
-/// Number of operands: 0 for input and constant, 1 or 2 otherwise, and 0 for a fused sum, which
-/// has terms instead.
+/// Number of operands: 0 for input, constant and a fused sum (which has terms instead), 1 or 2
+/// otherwise.
 int arity(Operation operation);
 
 /// Whether the result is one of two operands, unrounded: a minimum or a maximum.
@@ -70,9 +70,9 @@ public:
   NodeId constant(const mpq_class& value);
   NodeId apply(Operation operation, NodeId first, NodeId second = -1);
 
-  /// Says that a node's value matters within `limits` alone: a lane may leave other comparisons
-  /// undecided. Limits of one node narrow each other; false, and nothing is said, where no number
-  /// is within all of them.
+  /// Declares that a node's value matters only within `limits`: a lane may leave other comparisons
+  /// undecided. Several limits of one node are intersected. If the intersection is empty, returns
+  /// false and declares nothing.
   bool limit(NodeId id, const Range& limits);
 
   void compare(NodeId f, NodeId g);
@@ -80,18 +80,17 @@ public:
   void compare(std::vector<Sides> parts, Combination combination);
 
   const std::vector<Node>& nodes() const { return nodes_; }
-  /// The names of the inputs in order of first appearance, which is the order of operands
-  /// everywhere.
+  /// The names of the inputs in order of first appearance. Operands have this order everywhere.
   const std::vector<std::string>& inputs() const { return inputs_; }
-  /// The limits of those nodes that have some.
+  /// The limits of all nodes that have any.
   const std::map<NodeId, Range>& limits() const { return limits_; }
   const std::vector<Sides>& parts() const { return parts_; }
-  /// Meaningful only where the comparison has several parts.
+  /// Valid only if the comparison has several parts.
   Combination combination() const { return combination_; }
   /// The sides of a comparison that has one part.
   NodeId f() const;
   NodeId g() const;
-  /// One part alone, over the same nodes and inputs.
+  /// One part as a graph of its own, over the same nodes and inputs.
   Graph part(std::size_t index) const;
 
 private:

@@ -8,7 +8,8 @@
 namespace mixcmp::inline expression {
 namespace {
 
-// IEEE 1800-2017 annex B, sorted; it contains IEEE 1364-2001's. Simulators read .v files as either.
+// Keywords of IEEE 1800-2017 annex B, sorted. They include those of IEEE 1364-2001: simulators may
+// read .v files as either.
 constexpr std::array<std::string_view, 248> keywords = {"accept_on",
                                                         "alias",
                                                         "always",
@@ -259,12 +260,13 @@ constexpr std::array<std::string_view, 248> keywords = {"accept_on",
                                                         "xor"};
 static_assert(std::is_sorted(keywords.begin(), keywords.end()));
 
-/// No keywords of a standard, but Icarus (bool, wreal) or Verilator (the types of package std)
-/// takes them for its own.
+/// Words that are no keywords of a standard, but that Icarus (bool, wreal) or Verilator (the types
+/// of package std) reserves.
 constexpr std::array<std::string_view, 5> words_of_tools = {"bool", "mailbox", "process",
                                                             "semaphore", "wreal"};
 
-/// Names stand at the beginning of comments, where Verilator obeys what follows this word.
+/// Names stand at the beginning of comments, and Verilator obeys comments that begin with this
+/// word.
 constexpr std::string_view comment_word = "verilator";
 
 static_assert(!keywords.back().empty());

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int max_power = 16;
 constexpr std::size_t max_nodes = 4096;
-// The most terms of all reductions in one text. More of them would need more than max_nodes
+// The most terms of all reductions in one text. With more terms, the graph would exceed max_nodes
 // operations, unless some have no effect.
 constexpr long max_terms = max_nodes;
 // The greatest value of an index or a subscript.
@@ -89,7 +89,7 @@ mpq_class fold(Operation operation, const mpq_class& a, const mpq_class& b) {
   MIXCMP_CHECK(false);
 }
 
-/// Builds the nodes that a text's syntax stands for.
+/// Builds the nodes for a text's syntax.
 class GraphBuilder {
 public:
   GraphBuilder(Graph& graph, std::span<const LetDefinition> lets,
@@ -101,8 +101,8 @@ public:
   NodeId node_of(const Value& value) {
     return value.constant ? graph_.constant(*value.constant) : value.node;
   }
-  /// Refuses an index that has the name of an input, which could be mistaken for it. To be called
-  /// when all is parsed.
+  /// Refuses an index with the name of an input, which could be mistaken for it. To be called after
+  /// all texts are parsed.
   void check_index_names() const;
   std::set<std::string> used_lets() const;
 
@@ -135,7 +135,7 @@ private:
   const LetDefinition* find_let(const std::string& name) const;
   const IndexValue* find_index(const std::string& name) const;
   [[noreturn]] void fail_unknown(const Syntax& syntax, const std::string& name) const;
-  /// ", with k = 0", or nothing where no index has a value.
+  /// ", with k = 0", or nothing if no index has a value.
   std::string index_values() const;
 
   Graph& graph_;
@@ -210,7 +210,7 @@ Value GraphBuilder::plain_name(const Syntax& syntax, const std::string& name) {
   return {.column = syntax.column, .node = graph_.input(name)};
 }
 
-/// The plain name that a name with subscripts stands for: p_2_3 for p[2][3].
+/// The plain name for a name with subscripts: p_2_3 for p[2][3].
 std::string GraphBuilder::subscripted_name(const Syntax& syntax) {
   std::string name = syntax.text;
   for (const Syntax& subscript : syntax.parts) {
@@ -394,8 +394,8 @@ void GraphBuilder::check_index_names() const {
   }
 }
 
-/// Joins neighbours, then neighbouring results, and so on; an odd one is left for the next round.
-/// This is a balanced tree, whose error and depth grow with the logarithm of the number of terms.
+/// Joins neighbours, then neighbouring results, and so on; an odd one waits for the next round.
+/// This is a balanced tree: its error and depth grow with the logarithm of the number of terms.
 Value GraphBuilder::joined_pairwise(Operation operation, std::vector<Value> values) {
   while (values.size() > 1) {
     const std::size_t pairs = values.size() / 2;

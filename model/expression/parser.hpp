@@ -22,8 +22,8 @@ struct IndexValue {
 };
 
 /// Parses `text` into `graph`; docs/scene_file.md has the grammar. Names that are neither an index
-/// nor a let are inputs; lets do not see `indices`. Operations on constants alone are done exactly
-/// and leave no node, except square roots.
+/// nor a let are inputs; lets do not see `indices`. Operations on constants are done exactly and
+/// add no node, except square roots.
 ///
 /// Columns in errors are 1-based positions in `text`, or in the text of a let: then the error's
 /// field is "let.NAME". The order of `lets` does not matter; a cycle is an error. The names of the
@@ -43,7 +43,7 @@ struct IndexRange {
 /// Parses "k in 0..D-1". Errors are as for parse_expression.
 Result<IndexRange> parse_index_range(const std::string& text, std::span<const LetDefinition> lets);
 
-/// Whether a name means a function in expressions.
+/// Whether a name is that of a function in expressions.
 bool is_function_name(const std::string& name);
 
 }  // namespace mixcmp::inline expression

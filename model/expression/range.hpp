@@ -14,7 +14,7 @@ struct Range {
   friend bool operator==(const Range&, const Range&) = default;
 };
 
-/// Interval arithmetic without rounding: each encloses tightly what its operands may give.
+/// Interval arithmetic without rounding: each result tightly encloses the possible values.
 bool contains_zero(const Range& range);
 Range hull(const std::vector<mpq_class>& values);
 Range negated(const Range& a);

@@ -27,7 +27,7 @@ struct OpenBracket {
   std::size_t column;
 };
 
-/// The state of the descent: complete parts wait on a stack until an operation or a call joins
+/// The state of the descent. Complete parts wait on a stack until an operation or a call joins
 /// them.
 class Gathering {
 public:
@@ -47,7 +47,7 @@ public:
   void end_signs(std::size_t column);
 
   const OpenBracket& open_bracket() const { return open_brackets_.back(); }
-  /// Whether the open call has read nothing but a name, which may be meant as an index.
+  /// Whether the open call has only read a name, which may be meant as an index.
   bool may_have_read_index() const;
   Syntax finish();
 
@@ -78,9 +78,9 @@ Syntax Gathering::pop() {
   return last;
 }
 
-/// Joins the last two parts. A chain whose operations have the same precedence is extended, so that
-/// a long sum is not a deep tree. Parentheses around the first operands change nothing: (a + b) + c
-/// is a + b + c.
+/// Joins the last two parts. A chain of operations with the same precedence is extended, so a long
+/// sum is not a deep tree. Parentheses around the first operands change nothing: (a + b) + c is a +
+/// b + c.
 void Gathering::join(Operation operation) {
   const auto is_sum = [](Operation o) { return o == Operation::add || o == Operation::subtract; };
   Syntax last = pop();
@@ -170,7 +170,7 @@ struct gap : star<space> {};
 struct identifier_letter : ranges<'a', 'z', 'A', 'Z', '0', '9', '_'> {};
 struct identifier : seq<ranges<'a', 'z', 'A', 'Z', '_'>, star<identifier_letter>> {};
 
-// The points of "0..3" belong to no number.
+// The points of "0..3" do not belong to a number.
 struct point : seq<one<'.'>, not_at<one<'.'>>> {};
 template <class Digit>
 struct mantissa : sor<seq<plus<Digit>, opt<point, star<Digit>>>, seq<one<'.'>, plus<Digit>>> {};

@@ -9,8 +9,8 @@
 
 namespace mixcmp::inline expression {
 
-/// The most levels of parentheses, brackets, calls and lets inside one another. Each level takes a
-/// dozen stack frames of recursive descent.
+/// The deepest nesting of parentheses, brackets, calls and lets. Each level takes a dozen stack
+/// frames of recursive descent.
 constexpr std::size_t max_nesting = 100;
 
 /// The syntax tree of a text. Names and functions are not looked up yet, and a reduction's term
@@ -31,7 +31,7 @@ struct Syntax {
   Kind kind;
   std::size_t column;   ///< 1-based
   std::string text;     ///< a number's digits, a name, a function's name
-  std::size_t nesting;  ///< levels around it, including those outside of the text
+  std::size_t nesting;  ///< levels around it, including those outside the text
   std::vector<Syntax> parts;
   std::vector<Operation> operations;  ///< operations of a chain: operations[k] joins parts[k + 1]
   std::string index;                  ///< index of a reduction or a range

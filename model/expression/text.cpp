@@ -39,7 +39,7 @@ Binding binding_of(const AnyNode& node) {
   MIXCMP_CHECK(false);
 }
 
-/// Prints nodes of a graph with formats or without.
+/// Prints nodes of a graph, with or without formats.
 template <class AnyNode>
 class Printer {
 public:
@@ -126,7 +126,7 @@ private:
   std::string text_;
 };
 
-/// The number of digits after the point that write `value` exactly; -1 if more than `most`.
+/// The number of decimals that write `value` exactly; -1 if more than `most`.
 int exact_decimals(const mpq_class& value, int most) {
   mpz_class power = 1;
   for (int decimals = 0; decimals <= most; ++decimals, power *= 10) {

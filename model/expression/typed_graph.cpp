@@ -22,7 +22,7 @@ std::vector<bool> exact_nodes(const Graph& graph) {
   return exact;
 }
 
-/// Whether a term's product is exact in any case: by a power of two.
+/// Whether a term's product is always exact, since one factor is a power of two.
 bool is_scaling(const Graph& graph, const FusedTerm& term) {
   const auto scales = [&](NodeId id) {
     const Node& factor = graph.nodes()[id];
@@ -32,7 +32,7 @@ bool is_scaling(const Graph& graph, const FusedTerm& term) {
   return term.is_product() && (scales(term.a) || scales(term.b));
 }
 
-/// Collects the terms of a sum, those of sums that it consists of included.
+/// Collects the terms of a sum, including those of the sums in it.
 class TermCollector {
 public:
   explicit TermCollector(const Graph& graph) : graph_(graph) {}
@@ -72,9 +72,9 @@ private:
   std::vector<FusedTerm> terms_;
 };
 
-/// The terms of a node that is to be fused, in nodes of `graph`. None where the node is no sum, or
-/// one that is rounded once in composed arithmetic, too: of two operands or multiples of them by
-/// powers of two.
+/// The terms for fusing a node, in nodes of `graph`. None if the node is no sum, or if composed
+/// arithmetic also rounds it only once: a sum of two operands, or of multiples of them by powers of
+/// two.
 std::vector<FusedTerm> fused_terms(const Graph& graph, NodeId id) {
   const Operation operation = graph.nodes()[id].operation;
   if (operation != Operation::add && operation != Operation::subtract) return {};
@@ -100,9 +100,9 @@ void change_signs(std::vector<FusedTerm>& terms) {
   for (FusedTerm& term : terms) term.negated = !term.negated;
 }
 
-/// The terms that one side of a comparison gives to the difference: those of a fused sum, or a
-/// product. A minus before either changes their signs. None where the side has no rounding that can
-/// be saved, or has other readers.
+/// The terms that one side of a comparison adds to the difference: those of a fused sum, or a
+/// product. A minus in front of either changes their signs. None if fusing would save no rounding
+/// at the side, or if the side has other readers.
 std::vector<FusedTerm> terms_of_side(const Graph& graph, NodeId side) {
   if (readers_of(graph, side) > 1) return {};
   if (graph.nodes()[side].operation == Operation::negate) {
@@ -118,8 +118,7 @@ std::vector<FusedTerm> terms_of_side(const Graph& graph, NodeId side) {
   return is_product ? terms : std::vector<FusedTerm>();
 }
 
-/// The terms of f - g, if a comparison of that with zero saves a rounding and they are not too
-/// many.
+/// The terms of f - g, if comparing that with zero saves a rounding and there are not too many.
 std::vector<FusedTerm> terms_of_difference(const Graph& graph, const Sides& part) {
   std::vector<FusedTerm> terms = terms_of_side(graph, part.f);
   std::vector<FusedTerm> subtracted = terms_of_side(graph, part.g);
@@ -142,25 +141,25 @@ public:
   /// The node in the lane's format.
   NodeId in_lane(NodeId id);
 
-  /// Emits what a reference compares: the two sides in the reference format, or the sign of their
-  /// fused difference and the constant 0.
+  /// Emits the values that a reference compares: the two sides in the reference format, or the sign
+  /// of their fused difference and the constant 0.
   Sides compared_in_reference(const Sides& part);
 
-  /// Makes the graph of all parts; `emit_part` emits what is compared in one.
+  /// Makes the graph of all parts; `emit_part` emits the compared values of one part.
   template <class EmitPart>
   TypedGraph finish(EmitPart emit_part);
 
 private:
   /// How an operation of the lane takes its operands.
   enum class Taken {
-    from_reference,  ///< as they arrive
+    from_reference,  ///< unchanged
     entering,        ///< rounded to `entering_`
     in_lane,
   };
   Taken operands_of(const Node& node) const;
   NodeId operand(Taken taken, NodeId id);
   FloatFormat format_of(Taken taken) const;
-  /// The node and all below it in the format that operands are rounded to.
+  /// The node and all below it in the format to which operands are rounded.
   NodeId entering(NodeId id);
 
   NodeId emit_constant(const mpq_class& value, FloatFormat format);
@@ -174,7 +173,7 @@ private:
   const Graph& graph_;
   FloatFormat reference_;
   LaneInputs inputs_;
-  FloatFormat entering_;  ///< what inputs are rounded to for the lane's first operators
+  FloatFormat entering_;  ///< the format of inputs for the lane's first operators
   std::vector<bool> exact_;
   std::vector<NodeId> reference_ids_;
   std::vector<NodeId> entering_ids_;
@@ -257,7 +256,7 @@ NodeId TypedGraphBuilder::emit_constant(const mpq_class& value, FloatFormat form
                .value = value});
 }
 
-/// The terms are in nodes of the graph without formats.
+/// The terms refer to nodes of the graph without formats.
 NodeId TypedGraphBuilder::emit_fused(std::vector<FusedTerm> terms, SumResult result) {
   MIXCMP_CHECK(terms.size() <= max_fused_terms);
   for (FusedTerm& term : terms) {

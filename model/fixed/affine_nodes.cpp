@@ -12,12 +12,12 @@
 namespace mixcmp::fixed {
 namespace {
 
-/// Whether multiplication and division by the node leave magnitudes their digits.
+/// Whether multiplication and division by the node keep the digits of a magnitude.
 bool is_shift(const Node& node) {
   return node.operation == Operation::constant && is_power_of_two(mpq_class(abs(node.value)));
 }
 
-/// `affine`: whether the operands are.
+/// `affine`: [node] whether it is affine; the operands' entries are set.
 bool is_affine(const Graph& graph, const Node& node, const std::vector<bool>& affine) {
   const auto operand = [&](int k) -> const Node& { return graph.nodes()[node.operands[k]]; };
   for (int k = 0; k < arity(node.operation); ++k) {
@@ -42,7 +42,7 @@ bool is_affine(const Graph& graph, const Node& node, const std::vector<bool>& af
   MIXCMP_CHECK(false);
 }
 
-/// Collects what the nodes behind the cut read, from the sides of the parts down.
+/// Collects the nodes that operations behind the cut read, from the sides of the parts down.
 class CutFinder {
 public:
   explicit CutFinder(const Graph& graph) : graph_(graph), affine_(affine_nodes(graph)) {}

@@ -13,7 +13,7 @@
 namespace mixcmp::fixed {
 namespace {
 
-/// The thresholds behind which the difference, less its error, has a certain sign. Proof:
+/// The thresholds beyond which the difference, less its error, has a certain sign. Proof:
 /// docs/fixed_point.md, theorem 3.
 ConstantThresholds constant_thresholds(const FixedNode& difference) {
   const mpq_class unit = difference.format.unit();
@@ -40,7 +40,7 @@ Result<FixedPart> make_part(FixedGraphBuilder& builder, const Sides& sides,
                    .criterion = constant_thresholds(builder.nodes()[difference])};
 }
 
-/// The nodes on which some criterion depends.
+/// The nodes on which any criterion depends.
 std::set<NodeId> nodes_read(const FixedLane& lane) {
   std::set<NodeId> read;
   for (const FixedPart& part : lane.parts) {
@@ -50,7 +50,7 @@ std::set<NodeId> nodes_read(const FixedLane& lane) {
   return read;
 }
 
-/// Removes what attempts at a norm leave behind.
+/// Removes the nodes that attempts at a norm left behind.
 void remove_unread(FixedLane& lane) {
   const std::set<NodeId> read = nodes_read(lane);
   std::vector<NodeId> new_id(lane.nodes.size(), -1);
@@ -141,7 +141,7 @@ bool has_criterion(const FixedLane& lane) {
   });
 }
 
-/// One per part; 0 where operands are neither divided by their unit nor cut in common.
+/// One per part; 0 if operands are neither divided by their unit nor cut in common.
 Result<std::vector<mpq_class>> degrees_of(const Graph& graph, const FixedPoint& format) {
   std::vector<mpq_class> degrees(graph.parts().size());
   if (format.guard_digits > 0) {

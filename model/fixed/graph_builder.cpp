@@ -14,16 +14,16 @@
 namespace mixcmp::fixed {
 namespace {
 
-/// Results have at most 2 W + 16 bits, or those of an operand with its guard digits and 16: sums of
-/// some products of two operands stay exact, also where their units differ by some places. What is
-/// wider loses its low bits.
+/// Results have at most 2 W + 16 bits, or 16 bits more than an operand with its guard digits. With
+/// these, sums of a few products of two operands stay exact, even if their units differ by some
+/// places. A wider result loses its low bits.
 constexpr int spare_bits = 16;
 
 /// A root has at most W + 8 bits.
 constexpr int spare_root_bits = 8;
 
-/// The last bit of a factor is worth a 16th of its error or less: cutting off what is finer adds
-/// no more than that to it.
+/// The last bit of a factor is worth at most a 16th of its error, so cutting off finer bits adds no
+/// more than that to the error.
 constexpr int factor_guard_bits = 4;
 
 int unit_exponent_of(Operation operation, const FixedFormat& a, const FixedFormat& b) {
@@ -32,15 +32,15 @@ int unit_exponent_of(Operation operation, const FixedFormat& a, const FixedForma
   return std::min(a.unit_exponent, b.unit_exponent);
 }
 
-/// The least k with magnitude < 2^k, but from a binade above the format's least normal number to
-/// one above its largest.
+/// The least k with magnitude < 2^k, limited to a range: from a binade above the format's smallest
+/// normal number to one above its largest.
 int exponent_above(const mpq_class& magnitude, FloatFormat format) {
   const int least = format.min_exponent() + 1, most = format.max_exponent() + 1;
   if (magnitude == 0) return least;
   return static_cast<int>(std::clamp<long>(floor_log2(magnitude) + 1, least, most));
 }
 
-/// The root of the square of a rational number; none of others.
+/// The square root of a rational number; none if that is irrational.
 std::optional<mpq_class> exact_root(const mpq_class& value) {
   const bool is_square = value > 0 && mpz_perfect_square_p(value.get_num_mpz_t()) != 0 &&
                          mpz_perfect_square_p(value.get_den_mpz_t()) != 0;
@@ -55,7 +55,7 @@ FixedFormat format_of(const Range& value, int unit_exponent) {
                               unit_exponent);
 }
 
-/// Drops `count` low bits of a result that has dropped none, if that is more than 0.
+/// Drops `count` low bits of a result that has dropped none so far; nothing if `count` <= 0.
 void drop_bits(FixedNode& node, int count) {
   if (count <= 0) return;
   node.dropped_bits = count;
@@ -96,8 +96,8 @@ Result<Done> FixedGraphBuilder::cut_in_common() {
   return Done{};
 }
 
-/// Gives the elements of each norm the coarsest of their units. Finer digits of one would only take
-/// digits from the others, as the common cut drops equally many of all.
+/// Gives the elements of each norm the coarsest of their units. Finer digits of one element would
+/// only take digits from the others, since the common cut drops the same number of all.
 void FixedGraphBuilder::align_norms() {
   for (const std::vector<NodeId>& squared : nodes_in_norms(graph_)) {
     const auto unit_exponent = [&](NodeId id) { return nodes_[cut_[id]].format.unit_exponent; };
@@ -113,7 +113,7 @@ void FixedGraphBuilder::align_norms() {
   }
 }
 
-/// A conversion that leaves its operand what it is.
+/// A conversion that does not change its operand yet.
 FixedNode FixedGraphBuilder::conversion(Conversion conversion, NodeId id) const {
   FixedNode node{.operation = Operation::convert, .operands = {id, -1}, .constant = {}};
   node.conversion = conversion;
@@ -159,7 +159,7 @@ NodeId FixedGraphBuilder::operand(NodeId reader, int k) {
   return read(graph_.nodes()[reader].operands[k], affine_[reader]);
 }
 
-/// A constant that meets whole operands has as many digits as they have.
+/// A constant used with uncut operands has as many digits as they have.
 NodeId FixedGraphBuilder::read(NodeId id, bool by_affine) {
   const Node& node = graph_.nodes()[id];
   const FixedPoint& format = options_.format;
@@ -259,7 +259,7 @@ FixedNode FixedGraphBuilder::product(NodeId a, NodeId b) {
   return operation(Operation::multiply, first, second);
 }
 
-/// c^2 x^2 as (c x)^2, of which a norm bound can be made; none if the bound or the product is of
+/// c^2 x^2 as (c x)^2, for which there may be a norm bound; none if the bound or the product is of
 /// another kind.
 std::optional<FixedNode> FixedGraphBuilder::multiple_of_square(const mpq_class& coefficient,
                                                                NodeId square) {
@@ -274,7 +274,7 @@ std::optional<FixedNode> FixedGraphBuilder::multiple_of_square(const mpq_class& 
   return operation(Operation::square, factor(multiple));
 }
 
-/// Division by a constant is multiplication by its reciprocal.
+/// Division by a constant is made a multiplication by its reciprocal.
 Result<FixedNode> FixedGraphBuilder::quotient(NodeId id) {
   const auto [dividend, divisor] = graph_.nodes()[id].operands;
   const Node& constant_node = graph_.nodes()[divisor];
@@ -287,7 +287,7 @@ Result<FixedNode> FixedGraphBuilder::quotient(NodeId id) {
   return product(operand(id, 0), add(constant(reciprocal, options_.format.bits)));
 }
 
-/// A lane checks limits on the number that it computes, errors included.
+/// A lane checks limits on the computed number, errors included.
 Result<NodeId> FixedGraphBuilder::limited(NodeId id, const Range& limits) {
   const NodeId unlimited = known_[id];
   const FixedNode& whole = nodes_[unlimited];
@@ -306,8 +306,8 @@ Result<NodeId> FixedGraphBuilder::limited(NodeId id, const Range& limits) {
   return add(std::move(node));
 }
 
-/// A node as a factor: without the low bits that its error makes meaningless, since a multiplier's
-/// area grows with the bits of both factors.
+/// A node as a factor, without the low bits that its error makes meaningless: a multiplier's area
+/// grows with the bits of both factors.
 NodeId FixedGraphBuilder::factor(NodeId id) {
   const FixedNode& whole = nodes_[id];
   const mpq_class error = whole.error.high - whole.error.low;
@@ -336,7 +336,7 @@ Result<FixedNode> FixedGraphBuilder::input(const Node& node) const {
   return input_below(top, range->low >= 0, node.input);
 }
 
-/// An operand below 2^top in magnitude.
+/// An operand whose magnitude is below 2^top.
 FixedNode FixedGraphBuilder::input_below(int top, bool nonnegative, int index) const {
   const int bits = options_.format.operand_bits();
   FixedNode input{.operation = Operation::input, .input = index, .constant = {}};
@@ -350,7 +350,7 @@ FixedNode FixedGraphBuilder::input_below(int top, bool nonnegative, int index) c
   return input;
 }
 
-/// A constant is rounded to `bits` digits; one that has no more of them stays exact.
+/// A constant is rounded to `bits` digits; with no more digits than that it stays exact.
 FixedNode FixedGraphBuilder::constant(const mpq_class& value, int bits) const {
   FixedNode constant{.operation = Operation::constant, .constant = {}};
   int unit_exponent = 0;
@@ -369,8 +369,8 @@ FixedNode FixedGraphBuilder::constant(const mpq_class& value, int bits) const {
   return constant;
 }
 
-/// The unit is the power of two at or below half of the error that the radicand's error gives the
-/// root, so that rounding adds little to it; but no coarser than the largest root.
+/// The unit is the power of two at or below half of the root's error that results from the
+/// radicand's error, so rounding adds little to it. It is no coarser than the largest root.
 Result<FixedNode> FixedGraphBuilder::square_root(NodeId id) {
   const NodeId radicand = operand(id, 0);
   if (!is_nonnegative(nodes_, radicand)) {
@@ -382,7 +382,7 @@ Result<FixedNode> FixedGraphBuilder::square_root(NodeId id) {
   const Range exact = {root_of(squares.low, root_digits), root_above(squares.high, root_digits)};
   root.error = root_error(nodes_, radicand);
   const mpq_class effect = std::max<mpq_class>(-root.error.low, root.error.high);
-  const int half_unit = nodes_[radicand].format.unit_exponent / 2 - 1;  // where all roots are zero
+  const int half_unit = nodes_[radicand].format.unit_exponent / 2 - 1;  // if all roots are zero
   const int largest = exact.high == 0
                           ? half_unit
                           : static_cast<int>(floor_log2(root_of(squares.high, root_digits)));

@@ -12,7 +12,8 @@
 namespace mixcmp::fixed {
 namespace {
 
-/// What a node is computed from: constants alone, operands of one role, or of several.
+/// The operands from which a node is computed: none (only constants), those of one role, or of
+/// several.
 struct Reads {
   std::optional<ItemRole> role = {};
   bool several = false;
@@ -25,13 +26,14 @@ Reads joined(const Reads& a, const Reads& b) {
   return {a.role ? a.role : b.role, a.several || b.several || differ};
 }
 
-/// The parts of all lanes that an operand matters to, by its role.
+/// [role]: the parts of all lanes for which an operand matters.
 using Affected = std::array<std::set<std::pair<std::size_t, std::size_t>>, 3>;
 
-/// A loader in the making.
+/// A loader under construction.
 struct Loading {
-  /// What the formats of one column's operand have in common if a coarser one is the upper bits of
-  /// a finer one: the power of two that bounds it, and whether it is signed. Units differ.
+  /// The properties that all formats of one column's operand share, so that a coarser one is the
+  /// upper bits of a finer one: the power of two that bounds the operand, and whether it is signed.
+  /// Units differ.
   struct Operand {
     int column;
     int top;
@@ -45,7 +47,7 @@ struct Loading {
   std::map<NodeId, Affected> affected = {};  ///< [input of the loader]
 };
 
-/// The nodes that a criterion reads, to be renumbered.
+/// The nodes that a criterion reads, for renumbering.
 std::vector<NodeId*> nodes_of(FixedPart& part) {
   std::vector<NodeId*> nodes = {&part.difference};
   if (auto* norm = std::get_if<NormThresholds>(&part.criterion)) nodes.push_back(&norm->radius);
@@ -101,7 +103,7 @@ private:
     }
   }
 
-  /// The rest of a lane, whose loaded inputs have no flags yet.
+  /// The rest of a lane. Its loaded inputs have no flags yet.
   FixedLane split_lane(const FixedLane& lane) {
     MIXCMP_CHECK(!lane.format.is_block);
     const std::vector<Reads> reads = reads_of(lane);
@@ -126,8 +128,8 @@ private:
     return rest;
   }
 
-  /// A node that is checked is left to the pair, as one of several roles: its check belongs to a
-  /// part, not to an item.
+  /// A checked node counts as one of several roles, so it is left to the pair: its check belongs to
+  /// a part, not to an item.
   std::vector<Reads> reads_of(const FixedLane& lane) const {
     std::vector<Reads> reads;
     for (const FixedNode& node : lane.nodes) {
@@ -140,8 +142,8 @@ private:
     return reads;
   }
 
-  /// What the rest of the lane consists of, in order: the nodes of no item alone that its parts
-  /// need, and what these read.
+  /// The nodes of the rest of the lane, in order: those that its parts need and that do not belong
+  /// to one item, and the nodes that these read.
   std::vector<NodeId> nodes_left(const FixedLane& lane, const std::vector<Reads>& reads) const {
     std::vector<bool> needed(lane.nodes.size(), false);
     for (FixedPart part : lane.parts) {
@@ -185,8 +187,8 @@ private:
     return lane.nodes[id].operation == Operation::input;
   }
 
-  /// The node of the loader that computes of its columns what `id` computes; one for all that
-  /// compute the same.
+  /// The node of the loader that computes the same from its columns as `id` does. Equal
+  /// computations share one node.
   NodeId loader_node(Loading& loading, const FixedLane& lane, NodeId id) {
     FixedNode node = lane.nodes[id];
     if (node.operation == Operation::input) return upper_bits(loading, finest_input(node), node);
@@ -201,7 +203,8 @@ private:
     return add_once(loading, loading.finest.at(operand_of(input)));
   }
 
-  /// The loader's node for `input`'s operand in `input`'s format: `finest`, or its upper bits.
+  /// The loader's node for the operand of `input` in the format of `input`: `finest`, or its upper
+  /// bits.
   static NodeId upper_bits(Loading& loading, NodeId finest, const FixedNode& input) {
     const int dropped = loading.made.lane.nodes[finest].format.width - input.format.width;
     if (dropped == 0) return finest;
@@ -222,7 +225,7 @@ private:
     return static_cast<NodeId>(nodes.size()) - 1;
   }
 
-  /// Notes for each operand that is loaded which parts of this lane it matters to.
+  /// Notes for each loaded operand for which parts of this lane it matters.
   void note_affected(const FixedLane& lane) {
     const std::size_t number = split_.lanes.size();
     for (std::size_t part = 0; part < lane.parts.size(); ++part) {
@@ -239,7 +242,7 @@ private:
     for (Loading* loading : {&items_, &rows_}) make_flags(*loading);
   }
 
-  /// One flag for all operands that matter to the same parts.
+  /// One flag for all operands that matter for the same parts.
   void make_flags(Loading& loading) {
     std::vector<std::vector<NodeId>>& flags = loading.made.flags;
     std::map<Affected, std::size_t> known;

@@ -6,12 +6,12 @@
 
 #include "model/fixed/fixed_lane.hpp"
 
-/// Comparisons of two items of one set, for a row or for themselves, where each item and each row
-/// meets many others: what depends on one item alone, or on the row alone, is computed once, when
-/// it is loaded, and kept as its word.
+/// Comparisons of two items of one set, by a row or by each other, where each item and each row
+/// meets many others. Values that depend only on one item, or only on the row, are computed once,
+/// when it is loaded, and stored as its word.
 namespace mixcmp::fixed {
 
-/// Where the operand of an input comes from.
+/// The source of an input's operand.
 struct ItemInput {
   int column;  ///< of the item or of the row
   ItemRole role;
@@ -19,30 +19,31 @@ struct ItemInput {
   friend bool operator==(const ItemInput&, const ItemInput&) = default;
 };
 
-/// What computes the word of an item, or of a row.
+/// The computation of an item's word, or of a row's.
 struct ItemLoader {
-  /// Its inputs are the columns, its `outputs` the word's fields, each once, though pairs may read
-  /// it of both items. It has no parts.
+  /// Its inputs are the columns and its `outputs` the word's fields. Each field occurs once,
+  /// although pairs may read it of both items. The lane has no parts.
   FixedLane lane;
-  /// The word's flags, behind its fields: each the inputs of the lane whose operands do not fit.
+  /// The word's flags, after its fields. Each lists the inputs of the lane whose misfits it
+  /// reports.
   std::vector<std::vector<NodeId>> flags;
 };
 
 struct ItemSplit {
   ItemLoader items;
-  ItemLoader rows;  ///< without nodes where no input is of a row
-  /// One for each of the lanes that were split: the rest of it, with `loaded_inputs`.
+  ItemLoader rows;  ///< without nodes if no input belongs to a row
+  /// One for each split lane: the rest of it, with `loaded_inputs`.
   std::vector<FixedLane> lanes;
 
   const ItemLoader& of(ItemRole role) const { return role == ItemRole::row ? rows : items; }
 };
 
 /// Splits one or more lanes of the same comparison, none in block floating point, so that all of
-/// them read the same words. An operand that several of them read is one field, in the finest of
-/// their formats: since operands are rounded down, its upper bits are what a coarser format would
-/// hold. `inputs`: one for each input of the comparison. `columns`, `row_columns`: the names of an
-/// item's and of a row's. A lane decides as before: for the same operands it gives the same
-/// verdict, and is undecided where it was.
+/// them read the same words. An operand that several lanes read is one field, in the finest of
+/// their formats. Operands are rounded down, so its upper bits are the operand in a coarser format.
+/// `inputs`: one for each input of the comparison. `columns`, `row_columns`: the names of an item's
+/// and of a row's columns. A lane's decisions do not change: for the same operands it gives the
+/// same verdict or stays undecided.
 ItemSplit split_by_item(const std::vector<const FixedLane*>& lanes,
                         const std::vector<ItemInput>& inputs,
                         const std::vector<std::string>& columns,
@@ -55,7 +56,7 @@ struct LoadedFlag {
 
   friend auto operator<=>(const LoadedFlag&, const LoadedFlag&) = default;
 };
-/// The flags that a lane reads, each once: those of item i first, then those of item j.
+/// The flags that a lane reads, each once: first those of item i, then those of item j.
 std::vector<LoadedFlag> flags_read(const FixedLane& lane);
 
 }  // namespace mixcmp::fixed

@@ -9,7 +9,8 @@
 namespace mixcmp::fixed {
 namespace {
 
-/// The error of an absolute value: that of the operand, of either sign where its sign is open.
+/// The error of an absolute value: the operand's error, with either sign if the operand's sign is
+/// open.
 Range absolute_error(const FixedNode& a) {
   const Range truth = difference(a.value, a.error);
   if (a.value.low >= 0 && truth.low >= 0) return a.error;
@@ -80,8 +81,9 @@ Range rounded_down(const Range& value, const mpq_class& unit) {
   return {floor_of(value.low / unit) * unit, floor_of(value.high / unit) * unit};
 }
 
-/// Dropping bits moves a positive end towards 0 and a negative one towards -1 unit. The most bits
-/// dropped give the innermost ends; none, where the operand fits `bits` bits, the outermost.
+/// Dropping bits moves a positive end towards 0 and a negative one towards -1 unit. Dropping the
+/// most bits gives the innermost ends. Dropping none, if the operand fits `bits` bits, gives the
+/// outermost.
 Range cut_value(const FixedNode& node, int bits, int most) {
   const mpq_class unit = node.format.unit();
   const mpz_class low = ceiling_of(node.value.low / unit), high = floor_of(node.value.high / unit);
@@ -92,7 +94,7 @@ Range cut_value(const FixedNode& node, int bits, int most) {
   return {cut_low * unit, cut_high * unit};
 }
 
-/// With t = 2^-k, k = 0..most, the error is e t - r with 0 <= r <= (1 - t) unit: its ends are
+/// With t = 2^-k, k = 0..most, the error is e t - r with 0 <= r <= (1 - t) unit. Its ends are
 /// linear in t, so they are extreme at the least and at the greatest t.
 Range cut_error(const FixedNode& node, int most) {
   const mpq_class t = power_of_two(-most);

@@ -2,17 +2,17 @@
 
 #include "model/fixed/fixed_lane.hpp"
 
-/// What an operation makes of its operands, before bits are dropped. `b` is not read where there is
+/// Value and error of an operation's result before bits are dropped. `b` is not read if there is
 /// one operand. Proofs: docs/fixed_point.md, theorem 2.
 namespace mixcmp::fixed {
 
-/// Encloses the number computed.
+/// Encloses the computed number.
 Range exact_value(Operation operation, const Range& a, const Range& b);
 /// Encloses its error.
 Range exact_error(Operation operation, const FixedNode& a, const FixedNode& b);
 
-/// Intersects a range with another. Where they have nothing in common, so that no comparison is
-/// there, the range stays.
+/// Intersects a range with another. If they are disjoint, no comparison reaches the node, and the
+/// range stays.
 void narrow(Range& range, const Range& other);
 
 /// The ends of a range rounded down to multiples of a unit.

@@ -8,7 +8,7 @@
 namespace mixcmp::fixed {
 namespace {
 
-/// The digits of norms, which are rounded up.
+/// Digits of norms, which are rounded up.
 constexpr int norm_digits = 64;
 
 /// The greatest value of the low bits that the node drops.
@@ -31,14 +31,14 @@ mpq_class norm_of_all(const std::vector<FixedNode>& nodes, const std::vector<Nod
   return root_above(sum, norm_digits);
 }
 
-/// How far the magnitude of the real radius may exceed the radius as computed, which is not
-/// negative: the magnitude of a negative real radius is no larger than the error.
+/// By how much the magnitude of the real radius may exceed the computed radius, which is not
+/// negative. The magnitude of a negative real radius is at most the error.
 mpq_class radius_above(const FixedNode& radius) {
   const bool is_nonnegative = radius.value.low - radius.error.high >= 0;
   return is_nonnegative ? mpq_class(-radius.error.low) : absolute(radius.error).high;
 }
 
-/// The exponent of the least power of two, from 2^0 on, that is not below a slope.
+/// The exponent of the least power of two, from 2^0 on, that is at least a slope.
 int shift_for(const mpq_class& slope) {
   if (slope <= 1) return 0;
   const auto below = static_cast<int>(floor_log2(slope));

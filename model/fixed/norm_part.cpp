@@ -13,7 +13,7 @@
 namespace mixcmp::fixed {
 namespace {
 
-/// f - g, or g - f where `swapped`, as |x|^2 less s^2 or |y|^2.
+/// f - g, or g - f if `swapped`, as |x|^2 less s^2 or |y|^2.
 struct NormForm {
   NodeId sum;    ///< |x|^2
   NodeId other;  ///< s^2 or |y|^2
@@ -22,7 +22,7 @@ struct NormForm {
 
 using Replaced = std::map<NodeId, NodeId>;
 
-/// The forms that f and g have: those with a radius, if there are any.
+/// The forms of f and g: only those with a radius, if there are any.
 std::vector<NormForm> forms_of(const std::vector<FixedNode>& nodes, NodeId f, NodeId g) {
   const NormForm forms[] = {{f, g, false}, {g, f, true}};
   std::vector<NormForm> with_radius;
@@ -33,7 +33,7 @@ std::vector<NormForm> forms_of(const std::vector<FixedNode>& nodes, NodeId f, No
   return have_norms ? std::vector(std::begin(forms), std::end(forms)) : with_radius;
 }
 
-/// The slopes of a norm's thresholds, as numbers: above and below.
+/// The slopes of a norm's thresholds as numbers: above, and below.
 std::pair<mpq_class, mpq_class> slopes_of(const std::vector<FixedNode>& nodes,
                                           const FixedPart& part) {
   const auto& thresholds = std::get<NormThresholds>(part.criterion);
@@ -83,7 +83,7 @@ private:
     return sum_of_squares(builder_.nodes(), sum)->elements;
   }
 
-  /// All that is squared has the coarsest unit that leaves the slopes what they are.
+  /// All squared nodes get the coarsest unit that does not change the slopes.
   NormForm with_fewest_low_bits() {
     std::vector<NodeId> all = squared_in(form_.sum);
     for (const NodeId id : squared_in(form_.other)) all.push_back(id);
@@ -112,8 +112,8 @@ private:
             form.swapped};
   }
 
-  /// Elements of x have no more bits than they need where none of their squares decides the part.
-  /// The thresholds stay what they are, since the narrower sums are exact, too.
+  /// Elements of x get no more bits than they need when none of their squares decides the part. The
+  /// thresholds do not change, since the narrower sums are exact as well.
   NormForm within_reach(const NormForm& form) {
     const FixedPart whole = part_of(form);
     const mpq_class square = far_square(builder_.nodes(), whole);

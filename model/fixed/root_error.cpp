@@ -8,15 +8,15 @@
 namespace mixcmp::fixed {
 namespace {
 
-/// A root that is computed from `least` or more exceeds the real one by at most this if its
-/// radicand exceeds the real one by `error` >= 0.
+/// A root is computed from `least` or more, and its radicand exceeds the real one by `error` >= 0.
+/// The root then exceeds the real one by at most the result.
 mpq_class raised_by(const mpq_class& error, const mpq_class& least) {
   if (least < error) return root_above(error, root_digits);
   return root_above(least, root_digits) - root_of(mpq_class(least - error), root_digits);
 }
 
-/// A root that is computed from `least` or more falls short of the real one by at most this if its
-/// radicand falls short of the real one by `error` >= 0.
+/// A root is computed from `least` or more, and its radicand falls short of the real one by `error`
+/// >= 0. The root then falls short of the real one by at most the result.
 mpq_class lowered_by(const mpq_class& error, const mpq_class& least) {
   return root_above(least + error, root_digits) - root_of(least, root_digits);
 }

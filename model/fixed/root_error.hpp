@@ -7,13 +7,13 @@
 /// Square roots in fixed point. Proof: docs/fixed_point.md, theorem 5.
 namespace mixcmp::fixed {
 
-/// The digits of roots of bounds, which are rounded outward.
+/// Digits of roots of bounds, which are rounded outward.
 inline constexpr int root_digits = 64;
 
-/// Whether neither the number computed nor the real one that it stands for can be negative.
+/// Whether both the computed number and the real one that it stands for are nonnegative.
 bool is_nonnegative(const std::vector<FixedNode>& nodes, NodeId id);
 
-/// Encloses the root of what was computed less the root of the real number, before bits are
+/// Encloses the root of the computed radicand less the root of the real one, before bits are
 /// dropped. The radicand is nonnegative.
 Range root_error(const std::vector<FixedNode>& nodes, NodeId radicand);
 

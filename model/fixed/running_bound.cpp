@@ -10,7 +10,7 @@
 namespace mixcmp::fixed {
 namespace {
 
-/// Encloses all nodes again, for comparisons of one step.
+/// Encloses all nodes again, for the comparisons of one step.
 class StepEnclosure {
 public:
   StepEnclosure(std::vector<FixedNode> nodes, int bits, const std::vector<NodeId>& watched,
@@ -27,7 +27,7 @@ public:
   const FixedNode& node(NodeId id) const { return nodes_[id]; }
 
 private:
-  /// Narrows value and error to what follows from those of the operands.
+  /// Narrows value and error by those of the operands.
   void enclose(FixedNode& node) const {
     if (arity(node.operation) == 0) return;
     const FixedNode& a = nodes_[node.operands[0]];
@@ -55,8 +55,8 @@ private:
   std::vector<FixedNode> nodes_;
 };
 
-/// From which distance on the sign is that of the real difference; at most the first that no
-/// difference has. Proof: docs/fixed_point.md, theorem 3.
+/// The least distance whose sign is certainly that of the real difference; at most the first
+/// distance that no difference has. Proof: docs/fixed_point.md, theorem 3.
 mpz_class threshold_of(const FixedNode& difference) {
   const mpq_class unit = difference.format.unit();
   const mpz_class threshold = std::max<mpz_class>(floor_of(difference.error.high / unit) + 1,
@@ -64,7 +64,7 @@ mpz_class threshold_of(const FixedNode& difference) {
   return std::min(threshold, shifted_left(1, difference.format.magnitude_bits()));
 }
 
-/// The last step that leaves each watched magnitude a bit.
+/// The last step, such that each watched magnitude keeps at least one bit.
 int last_step_of(const std::vector<FixedNode>& nodes, const std::vector<NodeId>& watched) {
   int last = most_last_step;
   for (const NodeId id : watched) last = std::min(last, nodes[id].format.magnitude_bits() - 1);

@@ -7,17 +7,17 @@
 
 namespace mixcmp::fixed {
 
-/// Eight steps are three bits in hardware: with a bit of a threshold they fit one table of a LUT.
+/// Eight steps are three bits in hardware. With one bit of a threshold they fit one table of a LUT.
 inline constexpr int most_last_step = 7;
 
-/// The thresholds of `difference` by steps of the magnitudes of `watched`, which it is computed
-/// from; none if no step would have a smaller one. `bits`: those of the lane's format. Proof:
-/// docs/fixed_point.md, theorem 9.
+/// The thresholds of `difference` by steps of the magnitudes of `watched`, from which it is
+/// computed; none if no step would have a smaller threshold. `bits`: those of the lane's format.
+/// Proof: docs/fixed_point.md, theorem 9.
 std::optional<RunningThresholds> running_thresholds(const std::vector<FixedNode>& nodes, int bits,
                                                     NodeId difference, std::vector<NodeId> watched);
 
-/// The magnitude below which a watched number is in this step; it may also be just the negative of
-/// that.
+/// The limit of a watched number's magnitude in this step: it is below the limit, or exactly the
+/// negative of it.
 mpq_class magnitude_in_step(const FixedNode& watched, int step, int last_step);
 
 }  // namespace mixcmp::fixed

@@ -5,7 +5,7 @@
 namespace mixcmp::fixed {
 namespace {
 
-/// Bits 0 and 1 of a square are in no memory.
+/// Bits 0 and 1 of a square need no memory.
 constexpr int free_bits = 2;
 
 SquareTable table_for(const FixedLane& lane, std::vector<NodeId> squares) {

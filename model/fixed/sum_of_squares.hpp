@@ -8,12 +8,12 @@
 namespace mixcmp::fixed {
 
 struct SumOfSquares {
-  std::vector<NodeId> elements;  ///< what is squared
+  std::vector<NodeId> elements;  ///< the numbers that are squared
   std::vector<NodeId> results;   ///< the squares and the additions, the whole sum last
 };
 
-/// A node of an expression or of a lane as a sum of squares, which may be a single one; none if it
-/// is something else.
+/// A node of an expression or of a lane as a sum of squares, which may be a single square; none if
+/// it is not such a sum.
 template <class Node>
 std::optional<SumOfSquares> sum_of_squares(const std::vector<Node>& nodes, NodeId sum) {
   const auto& [first, second] = nodes[sum].operands;

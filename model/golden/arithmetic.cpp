@@ -113,13 +113,13 @@ Rounded choose(const Arithmetic& result, Bits a, Bits b, Operate operate) {
                       });
 }
 
-/// A precision that holds a product of two significands, and a sum of cut terms.
+/// A precision that holds a product of two significands, or a sum of cut terms.
 constexpr mpfr_prec_t product_precision = 2 * encoding_precision;
 
 /// A term of a fused sum as a number.
 struct Term {
   BigFloat value{product_precision};
-  mpfr_exp_t exponent = 0;  ///< the sum of its factors'; meaningful where it is finite, not zero
+  mpfr_exp_t exponent = 0;  ///< the sum of its factors'; valid if it is finite and not zero
   bool exceptional = false;
 
   bool is_zero() const { return mpfr_zero_p(value.get()) != 0; }

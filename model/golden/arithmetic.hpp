@@ -8,7 +8,7 @@
 #include "model/number/verdict.hpp"
 
 /// The golden model's arithmetic: packed operands in, correctly rounded packed results out, by
-/// MPFR. Rules shared with rtl_templates/fp (and nothing else shared with it):
+/// MPFR. It shares these rules, and nothing else, with rtl_templates/fp:
 /// - NaN results are FloatFormat::quiet_nan(); x - x is +0; zero signs as IEEE 754.
 /// - Subnormals::flush reads a subnormal operand as a zero of its sign and replaces a non-zero
 ///   result by a zero of its sign when, rounded to P digits with unbounded exponent, it is below
@@ -27,7 +27,7 @@ struct Rounded {
   friend bool operator==(const Rounded&, const Rounded&) = default;
 };
 
-/// Two-operand functions take both operands in `operands` and round once to `result`.
+/// Functions of two operands take both in format `operands` and round once to `result`.
 Rounded add(const Arithmetic& result, FloatFormat operands, Bits a, Bits b);
 Rounded subtract(const Arithmetic& result, FloatFormat operands, Bits a, Bits b);
 Rounded multiply(const Arithmetic& result, FloatFormat operands, Bits a, Bits b);
@@ -36,23 +36,23 @@ Rounded divide(const Arithmetic& result, FloatFormat operands, Bits a, Bits b);
 Rounded square_root(const Arithmetic& result, FloatFormat operands, Bits a);
 Rounded convert(const Arithmetic& result, FloatFormat operands, Bits a);
 
-/// One term of a fused sum: a * b, or -(a * b). A term that is no product has b = 1.
+/// One term of a fused sum: a * b, or -(a * b). A term without a factor b has b = 1.
 struct FusedOperands {
   Bits a;
   Bits b;
   bool negated = false;
 };
 
-/// A sum of two terms or more, rounded once. E is the largest exponent of a term that is not zero,
-/// the exponent of a term being the sum of its factors'; with gradual underflow it is at least
-/// min_exponent. Each term is cut toward zero to a multiple of 2^(E - P - fused_guard_digits); the
-/// sum of what is left is exact and is rounded, and `exceptional` speaks of it.
-/// A zero is negative if all terms are, zeros among them.
+/// A sum of two or more terms, rounded once. A term's exponent is the sum of its factors'
+/// exponents. E is the largest exponent of a term that is not zero; with gradual underflow it is at
+/// least min_exponent. Each term is cut toward zero to a multiple of 2^(E - P -
+/// fused_guard_digits). The cut terms are added exactly, and that sum is rounded; `exceptional`
+/// refers to it. A zero is negative if all terms are negative, zeros included.
 Rounded fused_sum(const Arithmetic& result, FloatFormat operands,
                   std::span<const FusedOperands> terms);
 
-/// The order of a sum of such terms, cut as fused_sum cuts them, and zero; the sum is not rounded.
-/// Unordered if a term is a NaN or if infinities have unlike signs.
+/// The order of zero and a sum of terms cut as in fused_sum; the sum is not rounded. Unordered if a
+/// term is a NaN or if infinities have unlike signs.
 Verdict fused_comparison(const Arithmetic& arithmetic, FloatFormat operands,
                          std::span<const FusedOperands> terms);
 

@@ -36,7 +36,7 @@ bool is_below(const BigFloat& x, std::int64_t exponent) {
   return mpfr_zero_p(x.get()) != 0 || mpfr_get_exp(x.get()) <= exponent;
 }
 
-/// Whether the interval is so narrow around zero that a number of this separation must be zero.
+/// Whether the interval is so narrow around zero that a number with this separation must be zero.
 bool is_proven_zero(const Interval& x, const Separation& separation) {
   const auto least = separation.least_exponent();
   return least && is_below(x.low, *least) && is_below(x.high, *least);
@@ -62,7 +62,7 @@ void absolute(Interval& y, const Interval& x) {
   }
 }
 
-/// The hull of the operation on all four pairs of ends: valid for products, and for quotients whose
+/// The hull of the operation on all four pairs of ends. It encloses products, and quotients whose
 /// divisor keeps its sign.
 void hull(Interval& y, const Interval& a, const Interval& b, Operate operate, BigFloat& scratch) {
   operate(y.low.get(), a.low.get(), b.low.get(), MPFR_RNDD);
@@ -93,7 +93,7 @@ Knowledge enclose_root(Interval& y, const Interval& x) {
   return Knowledge::enclosed;
 }
 
-/// Computes both ends by one operation, which grows with both operands.
+/// Computes both ends by one operation that is monotone in both operands.
 void monotone(Interval& y, const Interval& a, const Interval& b, Operate operate) {
   operate(y.low.get(), a.low.get(), b.low.get(), MPFR_RNDD);
   operate(y.high.get(), a.high.get(), b.high.get(), MPFR_RNDU);
@@ -130,7 +130,7 @@ Knowledge Enclosure::compute(FloatFormat format, std::span<const Bits> inputs) {
     if (!operands_are_known(id)) continue;
     const Knowledge one = compute_node(id, format, inputs);
     if (one == Knowledge::undefined) return one;
-    // An interval beyond MPFR's exponents is not finite, with any number of digits.
+    // An interval beyond MPFR's exponents is never finite, whatever the number of digits.
     known_[id] = one == Knowledge::enclosed && is_finite(values_[id]);
     if (!known_[id]) knowledge = Knowledge::uncertain;
     if (known_[id]) decide_zero(id);
@@ -169,7 +169,7 @@ const Separation& Enclosure::separation(NodeId id) {
   return *separations_[id];
 }
 
-/// The separation of a point is that of the number, whatever it was computed from.
+/// If the interval is a point, the separation is that of the number, whatever it was computed from.
 Separation Enclosure::find_separation(NodeId id) {
   if (is_point(values_[id])) return separation_of(values_[id].low);
   const Node& node = graph_.nodes()[id];

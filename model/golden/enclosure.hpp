@@ -17,7 +17,7 @@ struct Interval {
   BigFloat high;
 };
 
-/// What is known of the real values of a graph on one comparison.
+/// Whether a graph's real values are known on one comparison.
 enum class Knowledge {
   enclosed,   ///< every node has a real value, within its interval
   uncertain,  ///< a divisor may be zero or a radicand negative: more digits may decide
@@ -28,13 +28,13 @@ enum class Knowledge {
 /// the number of exponents of the format, for products of sums, and at least 2^14.
 mpfr_prec_t last_precision(FloatFormat format);
 
-/// Interval arithmetic over the nodes that f and g need, every end rounded outward. A value whose
-/// interval contains zero is proven to be zero if the interval is narrower than the value's
-/// separation from zero.
+/// Interval arithmetic over the nodes that f and g need, every end rounded outward. If an interval
+/// contains zero and is narrower than the value's separation from zero, the value is proven to be
+/// zero.
 class Enclosure {
 public:
   /// Encloses the sides of `graph`'s only part, or of `part`, in intervals of `precision` digits,
-  /// at least encoding_precision. Refers to `graph` as long as it lives.
+  /// at least encoding_precision. `graph` must outlive this object.
   Enclosure(const Graph& graph, mpfr_prec_t precision);
   Enclosure(const Graph& graph, Sides part, mpfr_prec_t precision);
 

@@ -112,7 +112,7 @@ Distance distance(FloatFormat format, Bits f, Bits g) {
   return {f_larger != format.sign(f) ? Verdict::greater : Verdict::less, ulp};
 }
 
-/// The result of one criterion, before exceptional values are considered.
+/// The decision of one criterion, before exceptional values are considered.
 struct Decision {
   bool decided;
   Verdict verdict;
@@ -161,7 +161,7 @@ Decision decide(const error::IntervalCriterion& criterion, const TypedGraph& gra
 
 constexpr mpfr_prec_t first_precision = 128;
 
-/// The order of f and g of one part; none where intervals of up to `most` bits do not determine it.
+/// The order of f and g of one part; none if intervals of up to `most` bits do not determine it.
 std::optional<Verdict> order_of(const Graph& graph, Sides part, FloatFormat format,
                                 std::span<const Bits> inputs, mpfr_prec_t most) {
   for (mpfr_prec_t precision = std::min(first_precision, most); precision <= most; precision *= 2) {
@@ -179,8 +179,8 @@ std::optional<Verdict> order_of(const Graph& graph, Sides part, FloatFormat form
   return std::nullopt;
 }
 
-/// The opposite of less or greater. Combining starts from the opposite of the dominating verdict,
-/// which is neutral.
+/// The opposite of less or greater. The combination of verdicts starts from the opposite of the
+/// dominating verdict, which is neutral.
 Verdict opposite(Verdict verdict) {
   return verdict == Verdict::greater ? Verdict::less : Verdict::greater;
 }
@@ -190,7 +190,7 @@ LaneResult evaluate_part(const error::Lane& lane, std::size_t part, std::span<co
   const Decision decision = std::visit(
       [&](const auto& kind) { return decide(kind, lane.graph, lane.graph.parts[part], values); },
       lane.parts[part].criterion);
-  // The paper's decision ignores exceptions; that flaw is modelled as it is.
+  // The paper's decision ignores exceptions; this flaw is modelled as it is.
   const bool usable = !lane.parts[part].certified() || !is_exceptional(lane, part, values);
   return {decision.decided && usable && !breaks_a_range(lane, part, inputs), decision.verdict};
 }

@@ -11,9 +11,9 @@
 namespace mixcmp::golden {
 
 /// Evaluates every node of `graph` on one comparison; `inputs` are in graph.input_format, one per
-/// input. Constants are rounded here, from their exact values: the encodings in the graph, of which
-/// the Verilog's literals are made, are not read. Negate and absolute change the sign bit only (of
-/// a NaN too) and are exceptional for NaN and infinite operands.
+/// input. Constants are rounded here, from their exact values: the graph's encodings, from which
+/// the Verilog's literals are made, are not read. Negate and absolute change only the sign bit,
+/// also of a NaN, and are exceptional for NaN and infinite operands.
 std::vector<Rounded> evaluate(const TypedGraph& graph, std::span<const Bits> inputs);
 
 /// Evaluates every node of `bound` on the values that `evaluate` returned for the lane's graph.
@@ -25,10 +25,10 @@ bool passes(const error::RangeCheck& check, FloatFormat format, Bits operand);
 
 struct LaneResult {
   bool decided;
-  Verdict verdict;  ///< meaningful where decided; never unordered there
+  Verdict verdict;  ///< valid if decided; then never unordered
 };
 
-/// The decision of a lane whose parts decide so: theorem 11 of docs/error_bounds.md.
+/// The decision of a lane from those of its parts: theorem 11 of docs/error_bounds.md.
 LaneResult combine_parts(Combination combination, std::span<const LaneResult> parts);
 
 /// The decision of a lane in hardware, bit for bit.
@@ -43,20 +43,20 @@ Verdict dominating_verdict(Combination combination);
 /// Combines two parts' verdicts into one; associative and commutative.
 Verdict combine(Combination combination, Verdict a, Verdict b);
 
-/// The order of the real numbers f and g of these inputs, which are exact values in `format`; of
-/// several parts, their combined verdict. It is `unordered` where f or g has no value: for a NaN,
-/// an infinite input, a division by zero and the root of a negative number.
+/// The order of the real numbers f and g of these inputs, which are exact values in `format`. With
+/// several parts it is their combined verdict. It is `unordered` if f or g has no value: for a NaN,
+/// an infinite input, a division by zero or the root of a negative number.
 ///
-/// Interval arithmetic of growing precision decides. Where an interval contains zero, the value's
-/// separation from zero (separation.hpp) decides, so that ties and zeros hidden behind roots and
-/// roundoff are proven and never guessed. There is no verdict, "undetermined", where 2^14 bits do
-/// not suffice (2^15 to 2^17 bits for 13 to 15 exponent bits): ties of sums of about eight roots
-/// and more, and of rational numbers of that many bits.
+/// Interval arithmetic of growing precision decides. If an interval contains zero, the value's
+/// separation from zero (separation.hpp) decides. So ties, and zeros hidden behind roots and
+/// roundoff, are proven and never guessed. There is no verdict ("undetermined") if 2^14 bits do not
+/// suffice (2^15 to 2^17 bits for 13 to 15 exponent bits). That happens for ties of sums of about
+/// eight roots or more, and of rational numbers of that many bits.
 std::optional<Verdict> true_verdict(const Graph& graph, FloatFormat format,
                                     std::span<const Bits> inputs);
 
-/// The verdict that true_verdict finds with intervals of at most `bits` bits, at least 128; none
-/// where that is not enough.
+/// The verdict that true_verdict finds with intervals of at most `bits` bits, at least 128; none if
+/// these do not suffice.
 std::optional<Verdict> verdict_within(const Graph& graph, FloatFormat format,
                                       std::span<const Bits> inputs, long bits);
 

@@ -25,8 +25,8 @@ mpz_class shifted(const mpz_class& value, int shift) {
   return result;
 }
 
-/// In block floating point, e of theorem 6 (docs/fixed_point.md); 0 elsewhere. None where an
-/// operand is infinite or a NaN.
+/// In block floating point, e of theorem 6 (docs/fixed_point.md); 0 elsewhere. None if an operand
+/// is infinite or a NaN.
 std::optional<int> block_exponent(const FixedLane& lane, std::span<const Bits> inputs) {
   if (!lane.format.is_block) return 0;
   const FloatFormat format = lane.input_format;
@@ -40,8 +40,8 @@ std::optional<int> block_exponent(const FixedLane& lane, std::span<const Bits> i
   return exponent;
 }
 
-/// An operand that arrives, its magnitude truncated, all bits inverted if its sign bit is set; none
-/// if the magnitude or the sign is not of the format.
+/// An operand as an integer: its magnitude is truncated, and all bits are inverted if its sign bit
+/// is set. None if the format does not hold the magnitude or the sign.
 Integer converted(FloatFormat from, Bits bits, const FixedFormat& to) {
   if (from.is_nan(bits) || from.is_infinite(bits)) return std::nullopt;
   if (from.sign(bits) && !to.is_signed) return std::nullopt;
@@ -52,7 +52,7 @@ Integer converted(FloatFormat from, Bits bits, const FixedFormat& to) {
   return from.sign(bits) ? mpz_class(-magnitude - 1) : magnitude;
 }
 
-/// The format of numbers that are 2^exponent times as large.
+/// The format whose numbers are 2^exponent times as large.
 FixedFormat scaled(FixedFormat format, int exponent) {
   format.unit_exponent += exponent;
   return format;
@@ -78,7 +78,7 @@ mpz_class operate(Operation operation, const mpz_class& a, const mpz_class& b) {
   MIXCMP_CHECK(false);
 }
 
-/// The root in units of 2^to of a number in units of 2^from, rounded down.
+/// The square root, in units of 2^to, of a number in units of 2^from, rounded down.
 mpz_class root(const mpz_class& value, int from, int to) {
   return sqrt(shifted(value, from - 2 * to));
 }
@@ -87,7 +87,7 @@ bool aligns_operands(Operation operation) {
   return operation == Operation::add || operation == Operation::subtract || is_choice(operation);
 }
 
-/// A number in the node's units, if it is one that the node takes.
+/// A number in the node's units; none if it is outside the node's limits.
 Integer within(const FixedNode& node, const mpz_class& value) {
   const mpq_class number = value * node.format.unit();
   return number < node.value.low || number > node.value.high ? Integer() : value;
@@ -119,8 +119,8 @@ bool fits(const mpz_class& value, const FixedFormat& format) {
   return value >= format.smallest() && value <= format.largest();
 }
 
-/// How many low bits the common cuts drop: the fewest with which each fits a magnitude of W bits.
-/// None where an operand of one has no value.
+/// How many low bits the common cuts drop: the fewest with which each of them fits a magnitude of W
+/// bits. None if an operand of one of them has no value.
 std::optional<int> common_drop(const FixedLane& lane, const std::vector<Integer>& values) {
   int dropped = 0;
   for (const NodeId id : fixed::cut_in_common(lane)) {
@@ -155,7 +155,8 @@ LaneResult decide(const fixed::NormThresholds& thresholds, const mpz_class& diff
   return {difference < -shifted(radius, thresholds.shift_below), Verdict::less};
 }
 
-/// The least step in which an integer of `bits` bits of magnitude is below 2^(bits - last + step).
+/// The smallest step in which an integer of `bits` bits of magnitude is below 2^(bits - last +
+/// step).
 int step_of(const mpz_class& value, int bits, int last) {
   int step = 0;
   while (step < last &&
@@ -165,7 +166,7 @@ int step_of(const mpz_class& value, int bits, int last) {
   return step;
 }
 
-/// The verdict of the opposite difference.
+/// The verdict of the negated difference.
 Verdict negated(Verdict verdict) {
   if (verdict == Verdict::less) return Verdict::greater;
   return verdict == Verdict::greater ? Verdict::less : verdict;
@@ -220,7 +221,7 @@ std::vector<Integer> evaluate(const FixedLane& lane, std::span<const Bits> input
 }
 
 bool takes(const FixedLane& lane, int input, Bits operand) {
-  // In block floating point every finite number fits in the largest unit that there is.
+  // In block floating point every finite number fits in the largest possible unit.
   const int scale = lane.format.is_block ? lane.input_format.max_exponent() + 1 : 0;
   return std::all_of(lane.nodes.begin(), lane.nodes.end(), [&](const FixedNode& node) {
     return node.operation != Operation::input || node.input != input ||

@@ -12,13 +12,13 @@
 /// The golden model of lanes in fixed point, in GMP integers.
 namespace mixcmp::golden {
 
-/// The integer of every node, in its units; none where it depends on an operand that does not fit
-/// its format, or on a value outside its limits. `inputs` are in lane.input_format, one per input.
+/// The integer of every node, in its units. None if it depends on an operand that does not fit its
+/// format, or on a value outside its limits. `inputs` are in lane.input_format, one per input.
 std::vector<std::optional<mpz_class>> evaluate(const fixed::FixedLane& lane,
                                                std::span<const Bits> inputs);
 
 /// Whether the lane takes this encoding for one of its inputs: a number of the format's sign and
-/// magnitude; in block floating point any finite one of its sign.
+/// magnitude or, in block floating point, any finite number of its sign.
 bool takes(const fixed::FixedLane& lane, int input, Bits operand);
 
 /// The decision of a lane in hardware, bit for bit.

@@ -21,14 +21,14 @@ namespace mixcmp::golden {
 /// expressions", ESA 2001, with powers of two kept apart as in Pion, Yap, "Constructive root bound
 /// for k-ary rational input numbers", SoCG 2003.
 struct Separation {
-  /// False once a member would reach 2^40: then nothing is known of the value.
+  /// False once a member would reach 2^40: then there is no bound on the value.
   bool bounded = true;
   std::int64_t numerator_bits = 0;  ///< 0 only for an exact zero
   std::int64_t denominator_bits = 0;
   std::int64_t exponent = 0;
-  std::set<NodeId> roots;  ///< square roots in the expression; those of known value are left out
+  std::set<NodeId> roots;  ///< square roots in the expression, except those of known value
 
-  /// e such that the value is zero or at least 2^e in magnitude; none where nothing is known.
+  /// e such that the value is zero or at least 2^e in magnitude; none if no such bound is known.
   std::optional<std::int64_t> least_exponent() const;
 };
 
@@ -42,7 +42,7 @@ Separation separation_of_product(const Separation& a, const Separation& b);
 Separation separation_of_quotient(const Separation& a, const Separation& b);
 /// The separation of a square root; `id`, its node in the graph, tells equal roots from others.
 Separation separation_of_root(const Separation& radicand, NodeId id);
-/// The separation of a minimum or a maximum: one that holds for either value.
+/// The separation of a minimum or a maximum: it holds for either value.
 Separation separation_of_either(const Separation& a, const Separation& b);
 
 }  // namespace mixcmp::golden

@@ -6,8 +6,8 @@ namespace {
 constexpr mpfr_prec_t first_precision = 500;
 constexpr mpfr_exp_t right_digits = 128;
 
-/// Whether every number of the interval has the same first right_digits digits, but for one unit of
-/// the last.
+/// Whether all numbers of the interval agree in the first right_digits digits, up to one unit in
+/// the last of them.
 bool tells_value(const Interval& x) {
   if (mpfr_equal_p(x.low.get(), x.high.get()) != 0) return true;
   if (mpfr_sgn(x.low.get()) * mpfr_sgn(x.high.get()) <= 0) return false;

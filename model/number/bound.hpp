@@ -17,7 +17,7 @@ enum class NumberSystem {
   block,  ///< block floating point
 };
 
-/// How a lane knows by how much f - g may be wrong.
+/// The source of a lane's knowledge about the error of f - g.
 enum class BoundKind {
   relative,  ///< by the relative errors of f and g: a distance in ulps, one integer subtraction
   running,   ///< by an absolute bound that follows magnitudes, computed beside the values
@@ -27,8 +27,8 @@ enum class BoundKind {
 };
 std::string_view to_string(BoundKind kind);
 
-/// A way to bound the errors of a lane, whatever its precision. Profiles, tables and options name
-/// it "relative", "running_4" (digits), "constant" or "profiled"; of lanes in fixed point
+/// A way to bound the errors of a lane, whatever its precision. In profiles, tables and options it
+/// is named "relative", "running_4" (digits), "constant" or "profiled". Fixed-point lanes have
 /// "fixed_constant", "fixed_norm" or "fixed_running", in block floating point "block_constant" and
 /// so on; with guard digits "fixed_norm_g3".
 struct Bound {
@@ -37,22 +37,22 @@ struct Bound {
   int digits = 0;  ///< of a running bound in floating point; guard digits in the other systems
 
   bool is_profiled() const { return kind == BoundKind::profiled; }
-  /// Block floating point included.
+  /// Whether the system is fixed point; that includes block floating point.
   bool is_fixed_point() const { return system != NumberSystem::floating; }
 
-  /// The lanes in fixed point of W = `bits` that have this bound.
+  /// The fixed-point format with W = `bits` for lanes that have this bound.
   FixedPoint fixed_point(int bits) const;
 
   /// Whether lanes of this format have such bounds.
   bool is_for(const LaneFormat& format) const;
 
-  /// In the order of the names without digits, in which tables are sorted; then by digits.
+  /// The order of the names without digits, in which tables are sorted; then the order of digits.
   friend std::strong_ordering operator<=>(const Bound& a, const Bound& b);
   friend bool operator==(const Bound&, const Bound&) = default;
 };
 
 std::string to_string(const Bound& bound);
-/// Returns an empty string where there is no bound.
+/// Returns an empty string if there is no bound.
 std::string to_string(const std::optional<Bound>& bound);
 
 /// The bounds of lanes in this format, norms first.

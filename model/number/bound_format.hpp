@@ -6,12 +6,12 @@
 
 namespace mixcmp::inline number {
 
-/// The format of upper bounds in hardware: non-negative numbers of `precision` digits; with one
+/// The format of upper bounds in hardware: non-negative numbers of `precision` digits. With one
 /// digit they are powers of two. They are packed without a sign: biased exponent, then precision -
-/// 1 fraction bits. Exponent field 0 with fraction 0 is zero; an exponent field of all ones with
+/// 1 fraction bits. Exponent field 0 with fraction 0 is zero. An exponent field of all ones with
 /// fraction 0 is infinity, which bounds nothing. There are no subnormals. The bias is that of a
-/// FloatFormat of as many exponent bits, so a bound followed by zeros compares as an integer with a
-/// magnitude of that format.
+/// FloatFormat with the same exponent bits, so a bound followed by zeros compares as an integer
+/// with a magnitude of that format.
 struct BoundFormat {
   int precision;      ///< 1..52, at most the lane's
   int exponent_bits;  ///< the lane's
@@ -24,8 +24,8 @@ struct BoundFormat {
   friend bool operator==(const BoundFormat&, const BoundFormat&) = default;
 };
 
-/// The encoding of the smallest bound that is not below `value` >= 0: the smallest number for a
-/// value below it, infinity above the largest.
+/// The encoding of the smallest bound that is at least `value` >= 0: the smallest number for a
+/// positive value below it, infinity above the largest.
 Bits encode_bound(BoundFormat format, const mpq_class& value);
 
 /// The exact value of a finite bound.

@@ -69,9 +69,9 @@ Bits round_decimal(FloatFormat format, const Decimal& decimal) {
   return round_literal(format, {.digits = decimal.digits, .exponent = exponent});
 }
 
-/// Below a power of two the encodings lie twice as dense, so that the decimal nearest to it may
-/// read back as its lower neighbour although the next decimal above it reads back as the power of
-/// two: both are tried.
+/// Below a power of two the encodings are twice as dense. So the decimal nearest to it may read
+/// back as its lower neighbour although the next decimal above reads back as the power of two. Both
+/// are tried.
 Decimal shortest_decimal(FloatFormat format, Bits magnitude) {
   const mpq_class value = to_rational(format, magnitude);
   const long exponent = decimal_exponent(value);

@@ -17,7 +17,7 @@ FloatFormat binary64() {
   return format;
 }
 
-/// The value of a finite encoding whose digits double holds.
+/// The value of a finite encoding whose digits double can hold.
 double exact_double(FloatFormat format, Bits bits) {
   const int field = format.biased_exponent(bits);
   const Bits leading = field == 0 ? 0 : Bits{1} << format.fraction_bits();

@@ -18,7 +18,7 @@ constexpr bool fits_double(FloatFormat format) {
 /// NaN becomes the format's quiet NaN.
 Bits from_double(FloatFormat format, double value);
 
-/// The double nearest to an encoding: its very value if fits_double(format). Every NaN becomes a
+/// The double nearest to an encoding: its exact value if fits_double(format). Every NaN becomes a
 /// quiet NaN.
 double to_double(FloatFormat format, Bits bits);
 

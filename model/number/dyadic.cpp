@@ -20,7 +20,7 @@ mpq_class scaled(mpq_class value, long exponent) {
   return value;
 }
 
-/// The lengths of the operands give the logarithm or one more.
+/// The difference of the operands' lengths is the logarithm or one more.
 long floor_log2(const mpz_class& numerator, const mpz_class& denominator) {
   const long estimate = digits_of(numerator) - digits_of(denominator);
   const int order = estimate >= 0 ? cmp(numerator, shifted_left(denominator, estimate))

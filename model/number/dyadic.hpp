@@ -17,7 +17,7 @@ mpq_class scaled(mpq_class value, long exponent);
 /// floor(log2 value), value > 0.
 long floor_log2(const mpq_class& value);
 /// The place of the last binary digit of a dyadic number other than 0: the value is an odd multiple
-/// of 2 to the power of it.
+/// of 2^place.
 long lowest_digit(const mpq_class& value);
 /// floor(log2 (numerator / denominator)) for positive operands with any common factors.
 long floor_log2(const mpz_class& numerator, const mpz_class& denominator);
@@ -27,18 +27,18 @@ mpz_class ceiling_of(const mpq_class& value);
 
 /// value * 2^count, count >= 0.
 mpz_class shifted_left(const mpz_class& value, long count);
-/// The largest multiple of 2^quantum_bits that is not above `value` >= 0.
+/// The largest multiple of 2^quantum_bits that is at most `value` >= 0.
 mpz_class quantized(const mpz_class& value, int quantum_bits);
 /// The number of binary digits of |value|; 1 for zero.
 int digits_of(const mpz_class& value);
 /// The square root rounded down; value >= 0.
 mpz_class root_of(const mpz_class& value);
-/// `value` rounded to `precision` digits, ties to even, exponents unbounded.
+/// `value` rounded to `precision` digits (to nearest: ties to even), exponents unbounded.
 mpz_class rounded(const mpz_class& value, int precision, Rounding rounding);
 
-/// The square root of value >= 0, to `digits` digits or more, rounded down.
+/// The square root of value >= 0, rounded down to at least `digits` digits.
 mpq_class root_of(const mpq_class& value, int digits);
-/// The square root of value >= 0, to `digits` digits or more, rounded up.
+/// The square root of value >= 0, rounded up to at least `digits` digits.
 mpq_class root_above(const mpq_class& value, int digits);
 
 }  // namespace mixcmp::inline number

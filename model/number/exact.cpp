@@ -11,7 +11,7 @@
 namespace mixcmp::inline number {
 namespace {
 
-/// The result of an integer division, with what rounding to nearest needs of the remainder.
+/// The result of an integer division, with the remainder's part that rounding to nearest needs.
 struct Division {
   mpz_class quotient;
   int half;  ///< sign of remainder / divisor - 1/2: below, at or above the midpoint
@@ -30,14 +30,14 @@ Division divide(mpz_class numerator, mpz_class denominator, long shift) {
   return result;
 }
 
-/// The exponent of the number's last place: that of its own binade, or of the subnormal numbers.
+/// The exponent of the number's last place: in its own binade, or that of subnormal numbers.
 long last_place(FloatFormat format, long floor_log2) {
   return std::max<long>(floor_log2, format.min_exponent()) - format.fraction_bits();
 }
 
-/// The encoding of quotient * 2^place, place = last_place of the value that was rounded to it. A
-/// quotient that rounding carried to the next power of two carries into the exponent field, at last
-/// to infinity.
+/// The encoding of quotient * 2^place, where place = last_place of the value before rounding. If
+/// rounding carried the quotient to the next power of two, it carries into the exponent field, at
+/// last to infinity.
 Bits assemble(FloatFormat format, long place, const mpz_class& quotient) {
   const long binade = place + format.fraction_bits() - format.min_exponent();
   return (Bits(binade) << format.fraction_bits()) + to_bits(quotient);

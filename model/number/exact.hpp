@@ -5,20 +5,20 @@
 #include "model/number/float_format.hpp"
 
 /// Exact conversions between encodings and numbers, in GMP integers. The golden model has its own,
-/// in MPFR, so that either can judge the other.
+/// in MPFR, so that each can judge the other.
 namespace mixcmp::inline number {
 
 /// The value of a finite encoding.
 mpq_class to_rational(FloatFormat format, Bits bits);
 
 /// The encoding nearest to `value`: ties to even, gradual subnormals, infinity from the midpoint
-/// beyond the largest number on. Zero becomes +0.
+/// above the largest number on. Zero becomes +0.
 Bits from_rational(FloatFormat format, const mpq_class& value);
 
 /// The encoding nearest to numerator / denominator, for denominator > 0 and any common factors.
 Bits from_ratio(FloatFormat format, const mpz_class& numerator, const mpz_class& denominator);
 
-/// The encoding of the smallest number of the format that is not below `value` >= 0, subnormals
+/// The encoding of the smallest number of the format that is at least `value` >= 0, subnormals
 /// included; infinity above the largest.
 Bits from_rational_up(FloatFormat format, const mpq_class& value);
 

@@ -6,8 +6,8 @@
 
 namespace mixcmp::inline number {
 
-/// A fixed-point format: integers of `width` bits, two's complement where signed, that count units
-/// of 2^unit_exponent.
+/// A fixed-point format: integers of `width` bits, in two's complement if signed, in units of
+/// 2^unit_exponent.
 struct FixedFormat {
   int width = 1;
   int unit_exponent = 0;

@@ -29,7 +29,7 @@ Error format_error(std::string received) {
           .accepted = FloatFormat::accepted()};
 }
 
-/// Reads a decimal integer that fills `text`; -1 where it does not.
+/// Reads a decimal integer that fills `text`; -1 if `text` is none.
 int parse_whole(std::string_view text) {
   int value = -1;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);

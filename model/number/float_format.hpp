@@ -8,9 +8,9 @@
 
 namespace mixcmp::inline number {
 
-/// One binary floating-point layout, packed as IEEE 754 packs its interchange formats: sign, biased
-/// exponent, trailing fraction. Written sPeE with P digits of significand, the leading one
-/// included, and E exponent bits (the paper's notation).
+/// One binary floating-point layout, packed like the interchange formats of IEEE 754: sign, biased
+/// exponent, trailing fraction. Written sPeE with P digits of significand, including the leading
+/// one, and E exponent bits (the paper's notation).
 class FloatFormat {
 public:
   static constexpr int min_precision = 2, max_precision = 113;
@@ -18,7 +18,8 @@ public:
 
   static Result<FloatFormat> make(int precision, int exponent_bits);
 
-  /// The formats that `parse` takes, with precisions from `least` to `most`, in a message's words.
+  /// The formats that `parse` accepts, with precisions from `least` to `most`, in a message's
+  /// words.
   static std::string accepted(int least = min_precision, int most = max_precision);
 
   /// Reads "s17e8", or one of binary16, bfloat16, binary32, binary64, binary128.
@@ -98,7 +99,7 @@ enum class Sums {
   fused,     ///< the sum of all products is rounded once
 };
 
-/// A format together with how results are rounded into it.
+/// A format, and how results are rounded into it.
 struct Arithmetic {
   FloatFormat format;
   Rounding rounding = Rounding::nearest_even;

@@ -12,7 +12,7 @@ namespace {
 constexpr std::string_view fixed_prefix = "q", block_prefix = "block";
 constexpr char guard_letter = 'g';
 
-/// The number that a word consists of.
+/// The value of a word that is a number.
 std::optional<int> number_of(std::string_view word) {
   unsigned short number = 0;  // unsigned: takes no sign
   const char* const end = word.data() + word.size();

@@ -9,7 +9,7 @@
 namespace mixcmp::inline number {
 
 /// An unsigned decimal ("12", "0.1", ".5e-3") or C hex-float ("0x1.8p-3", also without exponent) as
-/// it is written: the number digits * radix^exponent.
+/// written: the number digits * radix^exponent.
 struct Literal {
   std::string digits;  ///< without the point; at least one
   int base = 10;       ///< base of the digits: 10 or 16
@@ -33,7 +33,7 @@ bool is_too_long(const mpq_class& value);
 std::optional<mpq_class> parse_literal(std::string_view text);
 /// Reads a literal with an optional leading sign.
 std::optional<mpq_class> parse_signed_literal(std::string_view text);
-/// Tells whether `text` is a literal with an optional leading sign, however long its value is.
+/// Whether `text` is a literal with an optional leading sign, however long its value is.
 bool is_signed_literal(std::string_view text);
 
 }  // namespace mixcmp::inline number

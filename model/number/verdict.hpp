@@ -6,8 +6,8 @@
 #include <optional>
 #include <string_view>
 
-/// The answer to one comparison, and how hardware, emulator and reports encode it. The simulation
-/// harness is compiled with this header, too: it includes the standard library alone.
+/// The answer to one comparison, and its encoding in hardware, emulator and reports. The simulation
+/// harness also includes this header, so it includes only the standard library.
 namespace mixcmp::inline number {
 
 /// The order of f and g. The values are those of the two verdict bits in hardware.
@@ -20,11 +20,10 @@ enum class Verdict {
 inline constexpr std::array all_verdicts = {Verdict::less, Verdict::equal, Verdict::greater,
                                             Verdict::unordered};
 std::string_view to_string(Verdict verdict);
-/// "less", or "undetermined" where there is none.
+/// "less", or "undetermined" if there is no verdict.
 std::string_view to_string(const std::optional<Verdict>& truth);
 
-/// The answer of a lane or a reference: a verdict, or that the comparison stays undecided. One byte
-/// each, for batches.
+/// The answer of a lane or a reference: a verdict, or "undecided". One byte each, for batches.
 enum class Decision : std::uint8_t {
   less = 0,
   equal = 1,
@@ -61,9 +60,9 @@ private:
 };
 
 /// The answer to one comparison as hardware gives it, in m_axis_tdata of a stream and in
-/// m_axis_tuser of an engine's report (docs/ports.md): the verdict in bits 1 and 0; bit 2 if a
-/// reference has recomputed it; bit 3 if it stays undecided, and then the verdict bits have no
-/// meaning.
+/// m_axis_tuser of an engine's report (docs/ports.md). Bits 1 and 0 are the verdict. Bit 2 is set
+/// if a reference has recomputed it. Bit 3 is set if it stays undecided, and then the verdict bits
+/// have no meaning.
 class ResultWord {
 public:
   explicit constexpr ResultWord(std::uint32_t bits) : bits_(bits) {}

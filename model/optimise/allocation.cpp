@@ -38,7 +38,7 @@ void check(const AllocationProblem& problem) {
   }
 }
 
-/// Clocks that the system may run at, the highest first; 0 alone where each kind has its own clock.
+/// Clocks that the system may run at, the highest first; only 0 if each kind has its own clock.
 std::set<double, std::greater<>> candidate_clocks(const AllocationProblem& problem) {
   if (problem.clocks == ClockDomains::separate) return {0.0};
   std::set<double, std::greater<>> clocks;
@@ -47,8 +47,8 @@ std::set<double, std::greater<>> candidate_clocks(const AllocationProblem& probl
   return clocks;
 }
 
-/// The clock of a plan: the lowest of the kinds it uses, bit for bit one of `candidate_clocks`. 0
-/// where each kind has its own clock.
+/// The clock of a plan: the lowest of the kinds it uses, bit for bit one of `candidate_clocks`; 0
+/// if each kind has its own clock.
 double clock_of(const AllocationProblem& problem, const Allocation& plan) {
   if (problem.clocks == ClockDomains::separate) return 0;
   double clock = std::numeric_limits<double>::infinity();
@@ -68,9 +68,9 @@ void ask_for(AllocationProgram& wanted, double throughput_per_s) {
                          throughput_per_s / wanted.objective_per_s);
 }
 
-/// Splits a program into parts that together have all of its points but one. For each of the first
-/// columns there is a part with smaller and a part with larger values than the point's; in both,
-/// the columns before it have the point's values.
+/// Splits a program into parts that together have all of its points except `point`. Each of the
+/// first columns gives a part with smaller and a part with larger values than the point's. In both,
+/// the previous columns have the point's values.
 std::vector<IntegerProgram> around(const IntegerProgram& program, const std::vector<int>& point,
                                    std::size_t columns) {
   std::vector<IntegerProgram> parts;
@@ -144,8 +144,8 @@ private:
   }
 
   /// Solves the relaxation for plans no worse than the best so far. If its optimum is a feasible
-  /// plan, notes that and returns none; if not, returns the optimum. Returns none, too, if the
-  /// relaxation is infeasible.
+  /// plan, notes that plan and returns none; otherwise returns the optimum. Also returns none if
+  /// the relaxation is infeasible.
   std::optional<Counts> try_relaxed(const FixedCounts& fixed) {
     AllocationProgram relaxed = relaxed_program(problem_, fixed);
     ask_for(relaxed, best_per_s_);
@@ -158,8 +158,8 @@ private:
     return std::nullopt;
   }
 
-  /// Finds the best plan for a fixed p_H. Where all lanes are equally fast, throughput depends on
-  /// their number alone: it is tried from the relaxation's downwards to the first with a plan.
+  /// Finds the best plan for a fixed p_H. If all lanes are equally fast, throughput depends only on
+  /// their number: it is tried from the relaxation's number downwards to the first with a plan.
   void try_below(FixedCounts fixed, const Counts& relaxed) {
     const auto alike = KindsAtClock(problem_, fixed.clock_per_s).common_throughput_per_s();
     if (!alike) {
@@ -191,7 +191,7 @@ private:
   }
 
   /// The best point that is a feasible plan without CBC's tolerances and has at least this
-  /// throughput. Where CBC's optimum is not, the program is split around it.
+  /// throughput. If CBC's optimum is no such point, the program is split around it.
   std::optional<Found> best_of(const AllocationProgram& wanted, double least_per_s) const {
     const std::size_t kinds = problem_.lanes.size() + problem_.references.size();
     std::vector<IntegerProgram> parts{wanted.program};
@@ -213,9 +213,9 @@ private:
     return best;
   }
 
-  /// The best plan, by `is_better`, of those with the best throughput at this clock. Where lanes
-  /// are not equally fast, two mixes hardly ever have the same throughput: the lanes of `found` are
-  /// kept, and only its references are chosen anew.
+  /// The best plan, by `is_better`, of those with the best throughput at this clock. If lanes are
+  /// not equally fast, two mixes hardly ever have the same throughput. The lanes of `found` are
+  /// then kept, and only its references are chosen anew.
   Allocation cheapest(double clock, const Allocation& found) const {
     const auto alike = KindsAtClock(problem_, clock).common_throughput_per_s();
     const int lanes =

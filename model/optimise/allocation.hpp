@@ -17,7 +17,7 @@
 namespace mixcmp::optimise {
 
 /// One way to build a lane. Its area includes the scoreboard around the lane. Lanes in lock step
-/// come in whole groups, which share what is around them.
+/// come in whole groups, which share the streams around them.
 struct LaneKind {
   std::string name;                ///< "s12e8 exact relative embedded"
   double clock_hz = 0;             ///< the highest that it runs at
@@ -48,13 +48,12 @@ double throughput_per_s(const Kind& kind, double system_hz = any_clock) {
   return std::min(kind.clock_hz, system_hz) / kind.initiation_interval;
 }
 
-/// The part of C(com), the area of communication, that the areas of lanes and references do not
-/// include.
+/// The part of C(com), the area of communication, that is not in the areas of lanes and references.
 struct Communication {
   devices::Area fixed;  ///< independent of the counts, as the paper's C(com)
   /// Element k is the area of the crossbar's share at a reference that serves k groups of lanes;
-  /// group i is served by reference i mod p_H. If empty, the crossbar costs nothing and has any
-  /// number of ports; otherwise a reference serves fewer groups than there are elements.
+  /// reference i mod p_H serves group i. If empty, the crossbar costs nothing and has any number of
+  /// ports. Otherwise a reference serves fewer groups than there are elements.
   std::vector<devices::Area> crossbar;
 };
 
@@ -66,8 +65,8 @@ enum class ClockDomains {
 /// Which references may serve a lane, and whether equation 10 holds at each reference or in total.
 enum class ReferenceSharing {
   /// Only reference i mod p_H serves lane i, as in our crossbar, so equation 10 holds at each
-  /// reference. Lanes are numbered by falling T(L) R_R, references by falling T(H). Where lanes
-  /// come in groups, all of one size, it serves group i.
+  /// reference. Lanes are numbered by falling T(L) R_R, references by falling T(H). If lanes come
+  /// in groups, all of one size, it serves group i.
   round_robin,
   pooled,  ///< any reference, as the paper assumes: equation 10 holds in total
 };
@@ -80,15 +79,15 @@ struct AllocationProblem {
   double slack = 0.2;       ///< R_S
   ClockDomains clocks = ClockDomains::single;
   ReferenceSharing sharing = ReferenceSharing::round_robin;
-  /// Recomputations per cycle of the lanes' clock that the whole system can start, however many
-  /// references it has.
+  /// Recomputations per cycle of the lanes' clock that the whole system can start, whatever the
+  /// number of references.
   double recomputations_per_cycle = std::numeric_limits<double>::infinity();
   int min_lanes = 1;  ///< a multiple of the groups' lanes
   int max_lanes = settings::limits::lanes.most;
   int max_references = settings::limits::references.most;
 };
 
-/// Lanes that have one port of the crossbar together: those of a group, if lanes have ports.
+/// Lanes that share one port of the crossbar: those of a group, if lanes have ports.
 int lanes_per_port(const AllocationProblem& problem);
 
 struct Allocation {
@@ -121,16 +120,16 @@ std::vector<int> reference_order(const AllocationProblem& problem);
 
 /// Finds the best plan by integer linear programming (CBC): maximises equation 12 of the paper
 /// under its equations 10 and 11. Every solution of CBC is checked again without CBC's tolerances.
-/// Among plans of the same throughput, the one with the fewest references is best, then with the
-/// fewest lanes, LUTs, registers, DSPs and memories, then with more of the kinds listed first.
+/// Among plans of the same throughput, the best one has the fewest references, then the fewest
+/// lanes, LUTs, registers, DSPs and memories, then more of the kinds listed first.
 AllocationResult allocate(const AllocationProblem& problem);
 
-/// Finds the best plan by trying every one, for small problems: the oracle of the tests.
+/// Finds the best plan by trying all of them, for small problems: the oracle of the tests.
 AllocationResult allocate_exhaustively(const AllocationProblem& problem);
 
 /// The program that `allocate` solves, in the LP format that CBC, GLPK and SCIP read. It is the
-/// exact program for the best plan's p_H and, in a single clock domain, its clock. Where no plan is
-/// feasible, it is the relaxation at the lowest clock, which may be feasible none the less.
+/// exact program for the best plan's p_H and, in a single clock domain, its clock. If no plan is
+/// feasible, it is the relaxation at the lowest clock, which may still be feasible.
 std::string to_lp(const AllocationProblem& problem);
 
 }  // namespace mixcmp::optimise

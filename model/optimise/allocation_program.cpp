@@ -17,7 +17,7 @@ namespace {
 using Sum = IntegerProgram::Sum;
 using Relation = IntegerProgram::Relation;
 
-/// The fastest lane's coefficient in the objective: a relative difference of 1e-8 is then still
+/// The fastest lane's coefficient in the objective. With it a relative difference of 1e-8 is still
 /// above CBC's tolerance.
 constexpr double objective_scale = 1000;
 
@@ -68,7 +68,7 @@ private:
     for (int k = 0; k < lane_kinds(); ++k) sum.push_back(of_group(k, 1));
     return sum;
   }
-  /// The crossbar's ports for lanes.
+  /// The number of crossbar ports for lanes.
   Sum all_ports() const {
     Sum sum;
     for (int k = 0; k < lane_kinds(); ++k) sum.push_back({lane_column(k), ports_of_group(k)});
@@ -78,7 +78,7 @@ private:
     return problem_.lanes[kind].group / lanes_per_port(problem_);
   }
   int max_ports() const { return problem_.max_lanes / lanes_per_port(problem_); }
-  /// The term of a kind whose lanes count `one` each. A column of lanes counts whole groups.
+  /// The term of a kind if each of its lanes counts `one`. A column of lanes counts whole groups.
   IntegerProgram::Term of_group(int kind, double one) const {
     return {lane_column(kind), problem_.lanes[kind].group * one};
   }
@@ -228,8 +228,8 @@ private:
     }
   }
 
-  /// Adds columns for the groups of lanes that a reference serves. Where base_k is 1, every
-  /// reference serves k groups, and more_k of them serve one more.
+  /// Adds columns for the groups of lanes that a reference serves. If base_k is 1, every reference
+  /// serves k groups, and more_k of the references serve one more.
   void add_crossbar() {
     const std::vector<devices::Area>& shares = problem_.communication.crossbar;
     const int references = *fixed_.references;
@@ -267,7 +267,7 @@ private:
   FixedCounts fixed_;
   KindsAtClock kinds_;
   std::vector<Sum> used_;  ///< left side of equation 11 for each bounded resource
-  Amounts room_{};         ///< its right side: what is usable less what is fixed
+  Amounts room_{};         ///< its right side: usable amounts less fixed ones
   AllocationProgram result_;
 };
 

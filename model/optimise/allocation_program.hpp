@@ -7,8 +7,8 @@
 #include "model/optimise/feasibility.hpp"
 #include "model/optimise/integer_program.hpp"
 
-/// Equations 10 to 12 as integer programs. The clock of the system is fixed in each: kinds that do
-/// not reach it are excluded, all others run at it, so that every throughput is a constant.
+/// Equations 10 to 12 as integer programs. Each program has a fixed clock of the system: kinds that
+/// do not reach it are excluded, all others run at it. So every throughput is a constant.
 namespace mixcmp::optimise {
 
 /// Quantities that a program takes as constants. A count that is not set stays a variable.
@@ -21,7 +21,7 @@ struct FixedCounts {
 /// A program whose first columns are p_L of each kind of lane, then p_H of each kind of reference.
 struct AllocationProgram {
   IntegerProgram program;
-  /// Sums to minimise, one after the other, among plans with the same throughput, references and
+  /// Sums for minimising, one after the other, among plans with the same throughput, references and
   /// lanes. Their order is that of `is_better`: each bounded resource, then a sum that prefers
   /// kinds listed first.
   std::vector<IntegerProgram::Sum> costs;
@@ -30,14 +30,13 @@ struct AllocationProgram {
   Counts counts(const AllocationProblem& problem, const std::vector<int>& columns) const;
 };
 
-/// A relaxation: linear lower bounds stand for the crossbar's cost and, unless p_H is fixed,
-/// equation 10 holds in total only. It contains every plan that has a reference, with the plan's
-/// throughput.
+/// A relaxation. Linear lower bounds replace the crossbar's cost and, unless p_H is fixed, equation
+/// 10 holds only in total. It contains every plan that has a reference, with the plan's throughput.
 AllocationProgram relaxed_program(const AllocationProblem& problem, const FixedCounts& fixed);
 
-/// The exact program; `fixed` must set p_H. The crossbar's cost is that of n references that serve
-/// k + 1 lanes each and p_H - n that serve k. Where references are dealt, equation 10 holds at
-/// each.
+/// The exact program; `fixed` must set p_H. In the crossbar's cost, n references serve k + 1 groups
+/// of lanes each, and p_H - n references serve k. With ReferenceSharing::round_robin, equation 10
+/// holds at each reference.
 AllocationProgram exact_program(const AllocationProblem& problem, const FixedCounts& fixed);
 
 }  // namespace mixcmp::optimise

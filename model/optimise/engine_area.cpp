@@ -13,7 +13,7 @@ using characterise::ComponentKey;
 using characterise::ComponentKind;
 using characterise::Measurement;
 
-/// Each resource of `area` as `change` makes it.
+/// `area` with each resource replaced by the result of `change`.
 template <class Change>
 devices::Area changed(const devices::Area& area, Change change) {
   devices::Area result;
@@ -23,8 +23,8 @@ devices::Area changed(const devices::Area& area, Change change) {
   return result;
 }
 
-/// The smallest and the largest component that was measured of those that differ in their number
-/// of ports alone.
+/// The smallest and the largest measured component among those that differ only in their number of
+/// ports.
 struct MeasuredSizes {
   const Measurement* smallest = nullptr;
   const Measurement* largest = nullptr;
@@ -51,7 +51,7 @@ struct Line {
   devices::Area each;
 };
 
-/// The line through two sizes, whole numbers that are no less than either.
+/// The line through two sizes, rounded up to whole numbers.
 Line line_through(const MeasuredSizes& sizes) {
   const int fewest = sizes.smallest->key.ports;
   const int more = sizes.largest->key.ports - fewest;
@@ -66,7 +66,7 @@ Line line_through(const MeasuredSizes& sizes) {
           .each = each};
 }
 
-/// A line that has the larger size exactly, and begins no lower than at zero.
+/// A line through the larger size that is nowhere below zero.
 Line line_to_the_larger(const MeasuredSizes& sizes) {
   const int most = sizes.largest->key.ports;
   const int more = most - sizes.smallest->key.ports;
@@ -89,7 +89,7 @@ bool is_converted(const ComponentKey& key) {
   return format.fixed_point && !format.fixed_point->is_block;
 }
 
-/// The area of a whole without a part of it, which is no more.
+/// The area of a whole without a part of it, at least zero.
 devices::Area without(const devices::Area& whole, const devices::Area& part) {
   return changed(whole,
                  [&](int amount, auto resource) { return std::max(0, amount - part.*resource); });
@@ -107,7 +107,7 @@ std::optional<EngineArea> engine_area(const characterise::Characterisation& tabl
     missing.insert(fmt::format("engines of two sizes around segments in {}", segment.key.format));
     return std::nullopt;
   }
-  // A chain is planned with as many lanes as the larger engine has.
+  // A chain's line is exact at the lanes of the larger engine, with which chains are planned.
   const Line line =
       kind == scene::EngineKind::arg_min ? line_to_the_larger(engines) : line_through(engines);
   EngineArea area{.own = without(line.own, memory_share(table, kind, missing)),

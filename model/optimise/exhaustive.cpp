@@ -5,8 +5,8 @@
 namespace mixcmp::optimise {
 namespace {
 
-/// The next vector of counts, each a multiple of its step, whose sum is at most `most`, in the
-/// order of an odometer; false after the last.
+/// The next vector of counts in the order of an odometer, each a multiple of its step, with a sum
+/// of at most `most`; false after the last.
 bool advance(std::vector<int>& counts, const std::vector<int>& steps, int& sum, int most) {
   for (std::size_t k = 0; k < counts.size(); ++k) {
     if (sum + steps[k] <= most) {

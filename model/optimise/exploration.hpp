@@ -23,7 +23,7 @@ struct ResultsAtClocks {
   Optimisation example;                 ///< for the first data set; drawn as figures 3 and 9
   std::vector<PlanSummary> scenario_1;  ///< one per data set, whose rates are known beforehand
   Optimisation worst;                   ///< scenario II: one plan for the highest rate of each kind
-  double baseline_per_s = 0;            ///< comparisons per second with references alone
+  double baseline_per_s = 0;            ///< comparisons per second with only references
   int baseline_references = 0;
 };
 
@@ -32,7 +32,7 @@ struct Exploration {
   devices::Device device;
   std::vector<std::string> data_sets;
   std::vector<ResultsAtClocks> columns;
-  std::vector<std::string> notes = {};  ///< for the user: of its table, then of its plans
+  std::vector<std::string> notes = {};  ///< for the user: about its table, then about its plans
 };
 
 /// Optimises for every data set under every choice of clocks. `sets` must not be empty; the figures

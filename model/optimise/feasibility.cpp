@@ -14,7 +14,7 @@ int total(const std::vector<int>& counts) {
   return std::accumulate(counts.begin(), counts.end(), 0);
 }
 
-/// The lowest clock of the kinds that are used; any where each has a clock of its own.
+/// The lowest clock of the kinds that are used; any_clock if each kind has its own clock.
 double clock_limit(const AllocationProblem& problem, const Counts& counts) {
   double limit = any_clock;
   if (problem.clocks == ClockDomains::separate) return limit;
@@ -27,7 +27,7 @@ double clock_limit(const AllocationProblem& problem, const Counts& counts) {
   return limit;
 }
 
-/// A clock that every kind reaches, for a system with one clock: the order of throughputs is the
+/// A clock that every kind reaches, for a system with one clock. The order of throughputs is the
 /// same at each such clock.
 double common_clock(const AllocationProblem& problem) {
   double clock = any_clock;
@@ -58,13 +58,13 @@ std::vector<performance::Datapaths> references_of(const AllocationProblem& probl
   return references;
 }
 
-/// Equation 12. Where all lanes have one clock and one interval, two mixes of as many lanes have
-/// the same throughput to the last bit.
+/// Equation 12. If all lanes have one clock and one interval, two mixes of the same number of lanes
+/// have the same throughput to the last bit.
 double total_throughput(const AllocationProblem& problem, const Counts& counts, double limit) {
   if (problem.clocks == ClockDomains::separate) {
     return performance::aggregated_throughput(lanes_of(problem, counts, limit));
   }
-  std::map<double, int> lanes_of_interval;  // as many lanes are as fast, whatever their kinds
+  std::map<double, int> lanes_of_interval;  // all of an interval are equally fast
   for (std::size_t k = 0; k < counts.lanes.size(); ++k) {
     lanes_of_interval[problem.lanes[k].initiation_interval] += counts.lanes[k];
   }
@@ -92,7 +92,7 @@ bool starts_all_recomputations(const AllocationProblem& problem, const Counts& c
   return performance::is_within(asked, problem.recomputations_per_cycle);
 }
 
-/// The ports of the crossbar for lanes.
+/// The number of crossbar ports for lanes.
 int port_count(const AllocationProblem& problem, const Counts& counts) {
   return total(counts.lanes) / lanes_per_port(problem);
 }

@@ -23,11 +23,11 @@ Amounts amounts_of(const devices::Area& area);
 /// Adds `count` times an area.
 void add(Amounts& sum, int count, const devices::Area& area);
 
-/// Left side of equation 11: lanes, references, the crossbar's shares and what is fixed. None where
-/// a reference serves more lanes than `Communication::crossbar` has shares for.
+/// Left side of equation 11: lanes, references, the crossbar's shares and the fixed part. None if a
+/// reference serves more lanes than `Communication::crossbar` has shares for.
 std::optional<Amounts> demand_of(const AllocationProblem& problem, const Counts& counts);
 
-/// Indices of the values, the largest first, equal ones in the order given.
+/// Indices of the values, the largest first; equal values keep their order.
 std::vector<int> falling_order(const std::vector<double>& values);
 
 /// The plan with these counts, if it is feasible: it has a lane, exceeds no maximum count, and

@@ -16,11 +16,11 @@
 namespace mixcmp::optimise {
 namespace {
 
-/// A rough estimate up to this multiple of the device counts as one that may fit.
+/// A design may fit if its rough estimate is at most this multiple of the device.
 constexpr double rough_margin = 1.5;
 
 /// Finds the row of a datapath with these multipliers. The row of a datapath without products names
-/// none.
+/// no multipliers.
 const characterise::Measurement* find(const characterise::Characterisation& table,
                                       characterise::ComponentKey key,
                                       scene::Multipliers multipliers) {
@@ -45,7 +45,7 @@ bool has_engine(const design::Design& design) {
   return design.system.engine.kind != scene::EngineKind::none;
 }
 
-/// The row of a lane, or of the segment that an engine has it in.
+/// The row of a lane, or in an engine of the segment that contains it.
 const characterise::Measurement* row_of(const characterise::Characterisation& table,
                                         const design::Design& design,
                                         const design::LaneGroup& group) {
@@ -91,8 +91,8 @@ const characterise::Measurement* largest(const characterise::Characterisation& t
   return found;
 }
 
-/// Adds the references, and the streams around them where the table has them; false where it lacks
-/// a reference.
+/// Adds the references, and the streams around them if the table has these; false if it lacks a
+/// reference.
 bool add_references(Amounts& sum, const design::Design& design,
                     const characterise::Characterisation& table) {
   for (const design::ReferenceGroup& group : design.references) {
@@ -106,8 +106,7 @@ bool add_references(Amounts& sum, const design::Design& design,
   return true;
 }
 
-/// Adds the crossbar between so many that ask and those that they ask; nothing where the table has
-/// none.
+/// Adds the crossbar between `asking` and `asked` ports; nothing if the table has none.
 void add_crossbar(Amounts& sum, int asking, int asked,
                   const characterise::Characterisation& table) {
   for (const int served : performance::lanes_of_references(asking, asked)) {
@@ -117,8 +116,8 @@ void add_crossbar(Amounts& sum, int asking, int asked,
   }
 }
 
-/// Adds the lanes of a second tier, with as many slots as any in the table; false where it has none
-/// of this format.
+/// Adds the lanes of a second tier, with the most slots of any such lane in the table; false if it
+/// has none of this format.
 bool add_second_lanes(Amounts& sum, const design::LaneGroup& tier,
                       const characterise::Characterisation& table) {
   const characterise::Measurement* found = nullptr;
@@ -131,7 +130,7 @@ bool add_second_lanes(Amounts& sum, const design::LaneGroup& tier,
   return found != nullptr;
 }
 
-/// Adds all crossbars of a system, and what stands between them; false where a second lane has no
+/// Adds all crossbars of a system, and the second lanes between them; false if a second lane has no
 /// row.
 bool add_recomputation(Amounts& sum, const design::Design& design,
                        const characterise::Characterisation& table) {
@@ -195,7 +194,7 @@ std::optional<Amounts> measured_amounts(const design::Design& design,
   return has_engine(design) ? measured_engine(design, table) : measured_system(design, table);
 }
 
-/// Products cost no LUTs where embedded multipliers may take them.
+/// Products cost no LUTs if embedded multipliers may compute them.
 profile::Products products_of(scene::Multipliers multipliers, const devices::Device& device) {
   switch (multipliers) {
     case scene::Multipliers::embedded:
@@ -214,7 +213,7 @@ double rough_luts(const design::Design& design, const devices::Device& device) {
             std::visit([&](const auto& lane) { return profile::lane_luts(lane, products); },
                        group.lane);
   }
-  // A folded reference costs less: no more than this.
+  // An upper bound: a folded reference costs less.
   for (const design::ReferenceGroup& group : design.references) {
     luts += group.count * profile::reference_luts(design.reference,
                                                   products_of(group.structure.multipliers, device));

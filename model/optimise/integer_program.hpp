@@ -32,13 +32,13 @@ struct IntegerProgram {
   Sum objective;  ///< to be maximised
 
   int add_column(const std::string& name, int lower, int upper);
-  /// Drops terms with coefficient 0. A row without any other term is not added; the caller makes
-  /// sure that it holds.
+  /// Drops terms with coefficient 0. A row without any other term is not added; the caller ensures
+  /// that it holds.
   void add_row(const std::string& name, Sum sum, Relation relation, double bound);
 };
 
 /// Runs CBC: returns the value of each column at the largest objective, or none if the program is
-/// infeasible. Rows hold within CBC's tolerances: a caller that needs them exactly checks the
+/// infeasible. Rows hold within CBC's tolerances. A caller that needs them exactly checks the
 /// point.
 std::optional<std::vector<int>> solve(const IntegerProgram& program);
 

@@ -8,8 +8,8 @@
 namespace mixcmp::optimise {
 namespace {
 
-/// A smaller load counts as 0: CBC's tolerances are not far below. Plans are checked with the true
-/// load.
+/// A smaller load counts as 0, since CBC's tolerances are not far below. Plans are checked with the
+/// true load.
 constexpr double least_load = 1e-9;
 
 bool takes_no_more(const devices::Area& a, const devices::Area& b) {
@@ -18,8 +18,8 @@ bool takes_no_more(const devices::Area& a, const devices::Area& b) {
   return std::equal(of_a.begin(), of_a.end(), of_b.begin(), std::less_equal<>());
 }
 
-/// Marks dominated kinds as not useful; `replaces(a, b)` says that a can take the place of b in any
-/// plan. Of kinds that replace each other the first stays useful.
+/// Marks dominated kinds as not useful. `replaces(a, b)` says that a can replace b in any plan. If
+/// kinds replace each other, the first one stays useful.
 template <class Kind, class Replaces>
 void drop_replaceable(std::vector<Kind>& kinds, Replaces replaces) {
   for (std::size_t b = 0; b < kinds.size(); ++b) {

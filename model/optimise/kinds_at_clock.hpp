@@ -7,8 +7,9 @@
 
 namespace mixcmp::optimise {
 
-/// The kinds of a problem once the clock of the system is fixed; a clock of 0 leaves each at its
-/// own. Loads and capacities are in units of T(H) of the fastest reference in reach.
+/// The kinds of a problem once the clock of the system is fixed; with a clock of 0 each kind keeps
+/// its own. Loads and capacities are in units of T(H) of the fastest reference that reaches the
+/// clock.
 class KindsAtClock {
 public:
   KindsAtClock(const AllocationProblem& problem, double clock_per_s);
@@ -18,22 +19,22 @@ public:
   bool has_lane(int kind) const { return lanes_[kind].useful; }
   bool has_reference(int kind) const { return references_[kind].useful; }
 
-  /// The throughput of a lane, where it is the same for all useful kinds of lanes.
+  /// The throughput of a lane; none unless all useful kinds of lanes have the same.
   std::optional<double> common_throughput_per_s() const;
   double lane_throughput_per_s(int kind) const { return lanes_[kind].throughput_per_s; }
-  /// T(L) R_R / T(H), or 0 where that is too small for the solver's tolerances.
+  /// T(L) R_R / T(H), or 0 if that is too small for the solver's tolerances.
   double load(int kind) const;
   /// T(H) of this kind relative to the fastest reference, at most 1.
   double capacity(int kind) const;
-  /// How many groups of lanes of this kind the fastest reference can serve if it serves no other
-  /// kind; at most those of `max_lanes`.
+  /// The number of groups of lanes of this kind that the fastest reference can serve if it serves
+  /// no other kind; at most those of `max_lanes`.
   int groups_served(int kind) const;
 
   /// The useful kinds, lanes by falling T(L) R_R, references by falling T(H): the order of dealing.
   const std::vector<int>& lane_order() const { return lane_order_; }
   const std::vector<int>& reference_order() const { return reference_order_; }
 
-  /// Whether some reference reaches the clock.
+  /// Whether any reference reaches the clock.
   bool some_reference() const { return fastest_per_s_ > 0; }
   bool references_alike() const;
 

@@ -21,8 +21,8 @@ bool is_chain(const scene::Scene& scene) {
   return scene.system.engine.kind == scene::EngineKind::arg_min;
 }
 
-/// Solves the baseline: the references take the place of lanes, have no streams around them and
-/// need no recomputation. In the place of a chain there are no more of them than it has lanes.
+/// Solves the baseline: references replace the lanes, have no streams around them and need no
+/// recomputation. If they replace a chain, there are at most as many of them as it has lanes.
 AllocationResult fill_with_references(const scene::Scene& scene, const devices::Device& device,
                                       const std::vector<ReferenceImplementation>& references,
                                       ClockDomains domains) {
@@ -56,8 +56,8 @@ std::optional<int> crossover_of(const Optimisation& found) {
                              performance::usable(found.device.available, found.slack));
 }
 
-/// Tells how many chains such as the best plan's the device has room for: a chain has the lanes
-/// that its candidates need, however large the device is.
+/// Notes for how many chains like the best plan's the device has room. A chain has the lanes that
+/// its candidates need, however large the device is.
 void note_room(Optimisation& found) {
   const PrecisionPlan* best = found.best();
   if (best == nullptr) return;
@@ -72,7 +72,7 @@ void note_room(Optimisation& found) {
                   chains, chains == 1 ? "" : "s"));
 }
 
-/// The lowest clock of the kinds that a plan has any of, in MHz.
+/// The lowest clock, in MHz, of the kinds of which a plan has any.
 template <class Kinds>
 double lowest_mhz(const Kinds& kinds, const std::vector<int>& counts) {
   double lowest = std::numeric_limits<double>::infinity();
@@ -82,7 +82,7 @@ double lowest_mhz(const Kinds& kinds, const std::vector<int>& counts) {
   return lowest;
 }
 
-/// Tells where a measured reference sets the clock of the best plan.
+/// Notes it if a measured reference sets the clock of the best plan.
 void note_slow_reference(Optimisation& found) {
   const PrecisionPlan* best = found.best();
   const bool measured = !found.clocks.reference_mhz && found.basis != ClockBasis::target;
@@ -96,7 +96,7 @@ void note_slow_reference(Optimisation& found) {
                   references, lanes));
 }
 
-/// Tells where the scene leaves the interval of references open and the table has one alone.
+/// Notes it if the scene leaves the interval of references open and the table has only one.
 void note_one_interval(const scene::Scene& scene, const characterise::Characterisation& table,
                        Optimisation& found) {
   const std::vector<scene::ReferenceGroupSpec> groups = scene.reference_groups();
@@ -126,7 +126,7 @@ Error nothing_to_choose_from(const scene::Scene& scene, const std::string& what)
           .accepted = "a table made by mixcmp characterise"};
 }
 
-/// With reduced.bound = "profiled" certified lanes are left out, and the other way round.
+/// With reduced.bound = "profiled" certified lanes are left out, and vice versa.
 Error no_lane(const scene::Scene& scene) {
   Error error = nothing_to_choose_from(scene, "lane");
   error.accepted =
@@ -151,7 +151,7 @@ Result<Done> check_precision(int precision, const std::string& name) {
                .accepted = settings::to_string(settings::limits::lane_precision)};
 }
 
-/// Accepts a clock that is not given, and refuses NaN.
+/// Accepts an absent clock, and refuses NaN.
 Result<Done> check_clock(std::optional<double> mhz, const std::string& name) {
   if (!mhz || (*mhz >= least_mhz && *mhz <= most_mhz)) return Done{};
   return Error{.field = name,

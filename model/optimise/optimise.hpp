@@ -10,13 +10,13 @@
 #include "model/optimise/second_tier.hpp"
 #include "model/scene/scene.hpp"
 
-/// Algorithm 1 of the paper: for each L the best p_L and p_H, and among all L the best.
+/// Algorithm 1 of the paper: finds the best p_L and p_H for each L, and the best L.
 namespace mixcmp::optimise {
 
 inline constexpr double hertz_per_mhz = 1e6;
 
 /// The clocks behind T(L) and T(H), at an initiation interval of one cycle. A clock that is not set
-/// is the table's, or the scene's target where the table has none.
+/// is the table's, or the scene's target if the table has none.
 struct ClockChoice {
   std::optional<double> lane_mhz;       ///< of all lanes
   std::optional<double> reference_mhz;  ///< of all references
@@ -26,12 +26,12 @@ struct ClockChoice {
 struct OptimiseOptions {
   int first_precision = settings::limits::lane_precision.least;
   int last_precision = settings::limits::lane_precision.most;
-  /// Values that a row of the table may have to be used; an empty list admits all.
+  /// A row of the table is used only if its value is listed here; an empty list admits all.
   std::vector<LaneInputs> inputs;
   std::vector<Bound> bounds;
   std::vector<std::string> multipliers;
   ClockChoice clocks;
-  /// A fixed C(com), as the paper's, in place of our measured scoreboards and crossbar.
+  /// A fixed C(com), as the paper's, instead of our measured scoreboards and crossbar.
   std::optional<devices::Area> fixed_communication;
 };
 
@@ -39,7 +39,7 @@ struct OptimiseOptions {
 inline constexpr double least_mhz = 0.001;
 inline constexpr double most_mhz = 1e6;
 
-/// What an error calls the options, as the caller's user knows them.
+/// The names of the options in errors, as the caller's user knows them.
 struct OptionNames {
   std::string first_precision = "first_precision";
   std::string last_precision = "last_precision";
@@ -54,20 +54,20 @@ enum class ClockBasis {
   given,                    ///< by the user, such as the paper's clocks
   routed,                   ///< after place and route
   estimate_before_routing,  ///< Yosys' sta
-  target,                   ///< nothing measured: the scene's target_mhz is taken as met
+  target,                   ///< nothing measured: the scene's target_mhz counts as met
 };
 std::string_view to_string(ClockBasis basis);
 
-/// A lane of the table, its recomputation rate, and the kind that stands for it in the integer
+/// A lane of the table, its recomputation rate, and the kind that represents it in the integer
 /// program.
 struct LaneImplementation {
   characterise::Measurement measured;
   devices::Area with_streams;  ///< C(L): the lane and the scoreboard, or its share of a segment
   Rate rate;
   LaneKind kind;
-  /// The lane alone; none where only the segment that it is in was measured.
+  /// The area of the lane itself; none if only its segment was measured.
   std::optional<devices::Area> datapath;
-  /// The lane of the second tier behind a segment, alone, where it was measured.
+  /// The area of the second tier's lane itself, behind a segment, if it was measured.
   std::optional<devices::Area> second_tier;
 };
 struct ReferenceImplementation {
@@ -90,7 +90,8 @@ struct PrecisionPlan {
   double clock_mhz() const;           ///< of the lanes used; with separate clocks their mean
 };
 
-/// Whether plan `a` compares more a second than plan `b`, or as much with less of the device.
+/// Whether plan `a` has more comparisons per second than plan `b`, or as many with less of the
+/// device.
 bool is_better(const PrecisionPlan& a, const PrecisionPlan& b, const devices::Device& device);
 
 struct Optimisation {
@@ -99,15 +100,15 @@ struct Optimisation {
   double slack = 0;
   double target_mhz = 0;  ///< the clock for which registers were placed
   ClockChoice clocks;
-  ClockBasis basis = ClockBasis::target;  ///< the least reliable of what is not given
+  ClockBasis basis = ClockBasis::target;  ///< the least reliable source of any clock not given
   std::vector<ReferenceImplementation> references;
   std::vector<PrecisionPlan> plans;  ///< by precision; without usable lanes: left out
   AllocationResult reference_only;   ///< as many references as fit: the paper's baseline
   std::optional<int> crossover;      ///< from this L on a lane is dearer than a reference
-  std::vector<std::string> notes;    ///< for the user: what was left out or limited
+  std::vector<std::string> notes;    ///< for the user: omissions and limits
 
   /// The plan with the highest T(equ) below L_max, the crossover precision; null if none is
-  /// feasible. Of equally fast ones it is that which takes the smallest part of the device.
+  /// feasible. Among equally fast plans it is the one that takes the smallest part of the device.
   const PrecisionPlan* best() const;
 };
 
@@ -117,7 +118,7 @@ std::string describe_clocks(const Optimisation& optimisation);
 
 /// Runs Algorithm 1. The number of an arg-min engine's lanes is the scene's. It is an error if
 /// check_options refuses the options, if the table has no lane or no reference for these options,
-/// or no lane of it has a known rate.
+/// or if none of its lanes has a known rate.
 Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& device,
                               const characterise::Characterisation& table, const Rates& rates,
                               const OptimiseOptions& options);

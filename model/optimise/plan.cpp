@@ -25,7 +25,7 @@ std::string multipliers_key(const characterise::ComponentKey& key) {
   return key.multipliers.empty() ? "" : fmt::format("multipliers = \"{}\"\n", key.multipliers);
 }
 
-/// Always written: the scene may leave the interval to the plan.
+/// Always written, since the scene may leave the interval to the plan.
 std::string references_table(const characterise::ComponentKey& key, int count) {
   const std::string target =
       key.target_mhz == 0 ? "" : fmt::format("target_mhz = {}\n", key.target_mhz);
@@ -33,7 +33,7 @@ std::string references_table(const characterise::ComponentKey& key, int count) {
                      multipliers_key(key), key.initiation_interval, target);
 }
 
-/// The scene's key for how operands enter a lane; empty in fixed point, where there is no choice.
+/// The scene's key for how operands enter a lane; empty in fixed point, which has no such choice.
 std::string inputs_key(const characterise::ComponentKey& key) {
   if (!key.inputs) return "";
   const std::string value = to_string(*key.inputs);

@@ -15,7 +15,7 @@ struct PlanSource {
   std::string command;                 ///< the command that makes the plan again
 };
 
-/// A plan file (docs/scene_file.md) that `generate` and `verify` take in place of the scene.
+/// A plan file (docs/scene_file.md), which `generate` and `verify` take instead of the scene.
 std::string plan_toml(const Optimisation& optimisation, const PrecisionPlan& plan,
                       const PlanSource& source);
 

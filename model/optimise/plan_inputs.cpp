@@ -55,7 +55,8 @@ Error of_another(const fs::path& path, const char* field, const std::string& rec
 
 fs::path default_table(const fs::path& file, const scene::Scene& scene, const std::string& device) {
   const std::string variant = scene.variant.empty() ? "" : "-" + scene.variant;
-  // Segments differ without the tier. A table of streams has rows for both.
+  // A segment's area depends on the tier, so it needs its own table. A table of streams has rows
+  // for both.
   const bool has_own_table =
       scene.leaves_out_second_tier && scene.system.engine.kind == scene::EngineKind::pairwise;
   const std::string tiers = has_own_table ? "-one-tier" : "";
@@ -109,7 +110,8 @@ Result<std::vector<profile::RateProfile>> measure_rates(
     const std::function<void(const std::string&, double)>& progress) {
   profile::ProfileOptions options{.first_precision = choice.first_precision,
                                   .last_precision = choice.last_precision};
-  // Precisions that the reference has no lanes for are left out; check_profile refuses a first one.
+  // Lane precisions that the reference does not allow are left out; check_profile refuses a first
+  // one that is.
   const int most = settings::lane_precisions(scene.reference.format).most;
   if (options.first_precision <= most) {
     options.last_precision = std::min(options.last_precision, most);
@@ -128,9 +130,10 @@ Result<std::vector<profile::RateProfile>> measure_rates(
 Result<PlanSource> make_plan_source(const fs::path& scene, std::span<const std::string> overrides,
                                     const std::string& device, const fs::path& plan,
                                     std::string command) {
-  // Symbolic links of folders and of the plan are followed, since it is read again from the folder
-  // that it lies in; not one of the scene, which finds its data beside the link.
-  // In a plan that goes to a pipe, names are relative to the working directory.
+  // Symbolic links of folders and of the plan are followed, since names in the plan are relative to
+  // the folder that contains it. A link that is the scene itself is not followed: the scene finds
+  // its data beside the link. In a plan that goes to a pipe, names are relative to the working
+  // directory.
   MIXCMP_TRY(target, follow_links(plan));
   std::error_code failed;
   const fs::path place = fs::weakly_canonical(fs::absolute(target), failed);

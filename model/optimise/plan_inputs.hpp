@@ -13,22 +13,22 @@
 #include "model/optimise/plan.hpp"
 #include "model/scene/scene_source.hpp"
 
-/// From files and data to what `optimise` takes, and the origin that a plan states.
+/// Reads the inputs of `optimise` from files and data, and makes the origin that a plan states.
 namespace mixcmp::optimise {
 
-/// The default path of a table, to which `characterise` writes, too: beside the scene's `file`,
-/// characterisation/SCENE-DEVICE.csv, or SCENE-VARIANT-DEVICE.csv for a variant. The table of a
-/// scene whose second_tier.format is "none" has "-one-tier" in front of the device.
+/// The default path of a table, also the one that `characterise` writes: beside the scene's `file`,
+/// characterisation/SCENE-DEVICE.csv, or SCENE-VARIANT-DEVICE.csv for a variant. If a scene's
+/// second_tier.format is "none", its table has "-one-tier" in front of the device.
 std::filesystem::path default_table(const std::filesystem::path& file, const scene::Scene& scene,
                                     const std::string& device);
 
-/// Reads a table. It is an error if it is of another device or scene, or of another engine.
+/// Reads a table. A table of another device, scene or engine is an error.
 Result<characterise::Characterisation> read_table(const std::filesystem::path& path,
                                                   const scene::Scene& scene,
                                                   const devices::Device& device);
 
-/// The scene with the table's target_mhz. It decides where registers go: what is generated later
-/// must have them where they were when the areas were measured. `path` is for an error.
+/// The scene with the table's target_mhz, which decides where registers go: generated systems must
+/// have them where the measured ones had them. `path` is for an error.
 Result<scene::Scene> with_target_of(const characterise::Characterisation& table,
                                     const std::filesystem::path& path, scene::Scene scene);
 

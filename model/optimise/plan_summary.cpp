@@ -5,7 +5,7 @@
 namespace mixcmp::optimise {
 namespace {
 
-/// Whether the plan has references that are folded, or placed for a target of their own.
+/// Whether the plan has references that are folded, or placed for their own target.
 bool any_unusual(const PrecisionPlan& plan, const Allocation& chosen) {
   const std::vector<ReferenceKind>& references = plan.problem.references;
   for (std::size_t k = 0; k < references.size(); ++k) {

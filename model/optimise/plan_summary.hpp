@@ -15,15 +15,15 @@ struct PlanSummary {
   double recomputation_rate = 0;
   double throughput_per_s = 0;
   devices::Area used;
-  /// "95 x s12e8 exact relative embedded, 12 x s12e8 exact relative logic", and the references
-  /// where any is folded or has a target of its own: "2 x s53e8 embedded ii16".
+  /// "95 x s12e8 exact relative embedded, 12 x s12e8 exact relative logic". If any reference is
+  /// folded or has its own target, the references follow: "2 x s53e8 embedded ii16".
   std::string kinds;
 };
 PlanSummary summary_of(const PrecisionPlan& plan);
 /// Summarises the best plan.
 PlanSummary summary_of(const Optimisation& optimisation);
 
-/// Comparisons per second of a device filled with references alone; 0 where none fits.
+/// Comparisons per second of a device filled only with references; 0 if none fits.
 double baseline_per_s(const Optimisation& optimisation);
 
 }  // namespace mixcmp::optimise

@@ -23,7 +23,7 @@ bool allows(const std::vector<Choice>& allowed, const Choice& word) {
   return allowed.empty() || std::find(allowed.begin(), allowed.end(), word) != allowed.end();
 }
 
-/// The format of a row; it is valid, as the table's reader has parsed it before.
+/// The format of a row. It is valid, since the table's reader has parsed it.
 LaneFormat format_of(const characterise::Measurement& row) {
   return LaneFormat::parse(row.key.format).value();
 }
@@ -36,7 +36,7 @@ std::string lane_name(const characterise::ComponentKey& key) {
   return name;
 }
 
-/// Lanes in fixed point have one rate for all kinds of inputs, so theirs are not named.
+/// Lanes in fixed point have one rate for all kinds of inputs, so the name leaves these out.
 std::string name_of(const RateKey& key) {
   const std::string bound = to_string(key.bound);
   return key.bound.is_fixed_point() ? bound : fmt::format("{} {}", to_string(key.inputs), bound);
@@ -58,12 +58,12 @@ ClockBasis basis_of(const characterise::Clock& clock) {
   MIXCMP_CHECK(false);
 }
 
-/// Keeps the program from choosing a reference whose latency needs more slots than the second lane
-/// has: plans are not as slow.
+/// The clock of a reference whose latency needs more slots than the second lane has. No plan is so
+/// slow, so the program never chooses that reference.
 constexpr double out_of_reach_hz = 1;
 
 /// The program charged each group a part of a second lane and each reference a whole one, which is
-/// an upper bound. Charges as many as there are instead.
+/// an upper bound. This charges the actual number instead.
 void count_second_lanes(PrecisionPlan& plan) {
   auto* const chosen = std::get_if<Allocation>(&plan.result);
   if (chosen == nullptr) return;
@@ -178,8 +178,8 @@ PrecisionPlan ProblemMaker::plan_of(int precision, const Rows& rows, const devic
   return plan;
 }
 
-/// Each reference is charged a second lane: rounding their number up to a multiple of p_H adds
-/// fewer than p_H + 1 to groups / groups_served.
+/// Each reference is charged a second lane: rounding the number of second lanes up to a multiple of
+/// p_H adds fewer than p_H + 1 to groups / groups_served.
 void ProblemMaker::add_references(PrecisionPlan& plan,
                                   const std::vector<ReferenceImplementation>& references) {
   for (const ReferenceImplementation& reference : references) {
@@ -196,7 +196,7 @@ void ProblemMaker::add_references(PrecisionPlan& plan,
   }
 }
 
-/// The groups that a second lane serves, of this lane's rate and the crossbars that were measured.
+/// The groups that a second lane serves, by this lane's rate and the measured crossbars.
 int ProblemMaker::served_by_second_lane(const characterise::Measurement& lane) const {
   const std::optional<Rate> rate = rates_.find(rate_key(lane.key));
   if (!rate) return 0;
@@ -205,7 +205,7 @@ int ProblemMaker::served_by_second_lane(const characterise::Measurement& lane) c
   return options_.fixed_communication ? served : std::min(served, std::max(measured, 0));
 }
 
-/// The most that a port takes of any crossbar.
+/// The largest area of a port of any crossbar.
 devices::Area ProblemMaker::crossbar_port() const {
   devices::Area most;
   for (std::size_t ports = 1; ports < communication_.crossbar.size(); ++ports) {
@@ -243,7 +243,7 @@ std::vector<std::optional<SecondLanes>> ProblemMaker::second_lanes_of(const Rows
   return all;
 }
 
-/// What the kind of engine says of a plan's numbers.
+/// Limits a plan's numbers by the kind of engine.
 void ProblemMaker::limit_engine(AllocationProblem& problem) const {
   switch (engine()) {
     case scene::EngineKind::none:
@@ -257,7 +257,7 @@ void ProblemMaker::limit_engine(AllocationProblem& problem) const {
           scene_.system.engine.report_streams * scene_.system.engine.lanes_per_segment();
       break;
     case scene::EngineKind::arg_min:
-      // Fewer lanes leave candidates out, and more have none to hold.
+      // With fewer lanes candidates would be missing; more lanes would have no candidate.
       problem.min_lanes = problem.max_lanes = *scene_.lane_count();
       break;
   }
@@ -277,15 +277,16 @@ void ProblemMaker::sort_rows() {
   }
 }
 
-/// Whether this is a row of lanes as the scene's systems have them: in segments, or one by one.
+/// Whether this is a row of lanes as the scene's systems contain them: in segments, or one by one.
 bool ProblemMaker::is_lane(const characterise::ComponentKey& key) const {
   if (!has_engine()) return key.kind == characterise::ComponentKind::lane;
   return key.kind == characterise::ComponentKind::segment &&
          key.ports == scene_.system.engine.lanes_per_segment();
 }
 
-/// A reference of the scene's format and sums, of its initiation interval unless that is "auto" and
-/// of its target if it has one; and not faster than the scene's requests, if it is folded.
+/// Whether this is a row of a reference that the scene asks for: of its format and sums, of its
+/// initiation interval unless that is "auto", and of its target if it has one. A folded reference
+/// must not be faster than the scene's requests.
 bool ProblemMaker::is_wanted_reference(const characterise::Measurement& row) const {
   const auto& [multipliers, interval, target] = scene_.reference_structure;
   const int placed_for = row.key.target_mhz;
@@ -305,19 +306,19 @@ bool ProblemMaker::is_wanted(const characterise::Measurement& lane) const {
          allows(options_.bounds, *lane.key.bound) && is_trusted(lane);
 }
 
-/// Lanes of a system of streams are before its second tier if they have fewer digits. A table may
-/// have others: the second tier's lane alone, at least.
+/// In a system of streams, lanes may precede the second tier if they have fewer digits. A table may
+/// have other lanes: at least that of the second tier.
 bool ProblemMaker::is_before_second_tier(int precision) const {
   return !has_second_lanes() || precision < rate_key(*second_tier_).precision;
 }
 
-/// Lanes with a measured, unproven bound serve scenes that ask for them, and only those.
+/// Lanes with a measured, unproven bound are used for scenes that ask for them, and only for those.
 bool ProblemMaker::is_trusted(const characterise::Measurement& lane) const {
   return lane.key.bound->is_profiled() == scene_.reduced.is_profiled;
 }
 
-/// Whether the rates hold for this lane. With fewer exponent bits than they were counted with, more
-/// comparisons may be undecided, unless the inputs' ranges say that fewer bits do.
+/// Whether the rates hold for this lane. If it has fewer exponent bits than the counted lanes had,
+/// more comparisons may be undecided, unless the inputs' ranges say that fewer bits suffice.
 bool ProblemMaker::has_enough_exponents(const characterise::Measurement& lane) {
   const std::optional<FloatFormat> format = format_of(lane).floating;
   if (!format) return true;
@@ -330,7 +331,7 @@ bool ProblemMaker::has_enough_exponents(const characterise::Measurement& lane) {
 }
 
 /// If any lane has a measured clock, lanes without one are left out: their clock would be the
-/// target, which would win against every measurement. The same holds for references.
+/// target, which would beat every measurement. The same holds for references.
 void ProblemMaker::leave_out_untimed() {
   Rows all;
   for (const auto& [precision, rows] : lanes_) all.insert(all.end(), rows.begin(), rows.end());
@@ -349,8 +350,8 @@ void ProblemMaker::erase_untimed(Rows& rows, const std::string& what) {
       "{0}s without a clock are left out, since others have one; --{0}-mhz counts all", what));
 }
 
-/// Shares between two measured port counts are interpolated; below the smallest measured count they
-/// are as large as there.
+/// Shares between two measured port counts are interpolated. Below the smallest measured count its
+/// area is used. Larger counts are not planned.
 void ProblemMaker::add_crossbar() {
   std::map<int, const characterise::Measurement*> measured;
   for (const characterise::Measurement& row : table_.rows) {
@@ -380,13 +381,13 @@ void ProblemMaker::note_largest_crossbar(const PrecisionPlan& plan) {
   const Allocation* chosen = plan.allocation();
   const std::size_t known = communication_.crossbar.size();
   if (chosen == nullptr || known == 0 || chosen->reference_count() == 0) return;
-  if (plan.second_lanes) return;  // which have as many ports as they need
+  if (plan.second_lanes) return;  // these have as many ports as they need
   const int group = lanes_per_port(plan.problem);
   const int served =
       performance::lanes_of_references(chosen->lane_count() / group, chosen->reference_count())
           .front();
   if (static_cast<std::size_t>(served) + 1 < known) return;
-  if (served == plan.problem.max_lanes / group) return;  // it serves all lanes that there may be
+  if (served == plan.problem.max_lanes / group) return;  // it serves all possible lanes
   notes_.insert(
       fmt::format("L = {}: a reference serves {} {}, since no larger crossbar was measured",
                   plan.precision, served, group == 1 ? "lanes" : "groups"));
@@ -406,7 +407,7 @@ std::vector<ProblemMaker::Rows> ProblemMaker::plannable_together(const Rows& lan
   return all;
 }
 
-/// All lanes of a system have the slots that the lane of the longest latency needs.
+/// All lanes of a system have the slots that the lane with the longest latency needs.
 int ProblemMaker::slots_for(const Rows& lanes) const {
   int slowest = 0;
   for (const characterise::Measurement* lane : lanes) {
@@ -416,7 +417,7 @@ int ProblemMaker::slots_for(const Rows& lanes) const {
                            scene_.system.references.value_or(1) > 0);
 }
 
-/// The scoreboard's row; none where the table has none, or where streams have a given area.
+/// The scoreboard's row; none if the table has none, or if the area of streams is given.
 const characterise::Measurement* ProblemMaker::fifo_of(int slots) const {
   if (options_.fixed_communication) return nullptr;
   for (const characterise::Measurement& row : table_.rows) {
@@ -449,8 +450,8 @@ std::optional<Rate> ProblemMaker::known_rate(const RateKey& key) {
   return rate;
 }
 
-/// How often a lane asks a reference, itself or by the second tier behind it; none where that is
-/// not known, or where the second tier would not keep up.
+/// How often a lane asks a reference, directly or through the second tier; none if that is unknown,
+/// or if the second tier would not keep up.
 std::optional<Rate> ProblemMaker::rate_of(const RateKey& lane) {
   const std::optional<Rate> rate = known_rate(lane);
   if (!rate || !second_tier_) return rate;
@@ -468,7 +469,7 @@ void ProblemMaker::add_lane(PrecisionPlan& plan, const characterise::Measurement
   const std::optional<Rate> rate = rate_of(rate_key(row.key));
   if (!first || !rate) return;
   const int beats = scene_.system.request_beats.value_or(1);
-  const Rate& requests = has_engine() ? *rate : *first;  // on a stream of the lane's own
+  const Rate& requests = has_engine() ? *rate : *first;  // on the lane's own stream
   const double asked = scene_.system.lanes_per_group * requests.value();
   if (performance::highest_lane_throughput(asked, beats) < 1) {
     left_out_ = scene_.system.lanes_per_group == 1
@@ -501,9 +502,9 @@ void ProblemMaker::add_lane(PrecisionPlan& plan, const characterise::Measurement
   if (second_tier_ && has_engine()) added.second_tier = area_alone(*second_tier_);
 }
 
-/// Cycles from one comparison to the next, or of groups from one word to the next. With refetched
-/// operands the tags of a lane's stream are read for each result and once more for each request
-/// (docs/rtl.md).
+/// Cycles from one comparison to the next, or in groups from one word to the next. With refetched
+/// operands the tags of a lane's stream are read once for each result and once more for each
+/// request (docs/rtl.md).
 double ProblemMaker::cycles_per_word(double recomputation_rate) const {
   const scene::SystemSpec& system = scene_.system;
   const bool refetches = system.operands == scene::OperandStore::refetched &&
@@ -512,7 +513,7 @@ double ProblemMaker::cycles_per_word(double recomputation_rate) const {
   return 1 + performance::undecided_words(recomputation_rate, system.lanes_per_group);
 }
 
-/// The area of a lane of this key alone; none where it was not measured. A lane without products
+/// The area of a lane of this key by itself; none if it was not measured. A lane without products
 /// has no kind of multipliers in the table.
 std::optional<devices::Area> ProblemMaker::area_alone(characterise::ComponentKey key) const {
   key.kind = characterise::ComponentKind::lane;
@@ -534,8 +535,8 @@ std::optional<ProblemMaker::Surrounded> ProblemMaker::with_fifo(
                     mhz};
 }
 
-/// What an engine takes by itself goes into the plan's communication: the most that any of the
-/// plan's lanes needs.
+/// The engine's own area goes into the plan's communication: the largest that any of the plan's
+/// lanes needs.
 std::optional<ProblemMaker::Surrounded> ProblemMaker::in_segment(
     PrecisionPlan& plan, const characterise::Measurement& segment) {
   const std::optional<EngineArea> engine = engine_area(table_, segment, this->engine(), missing_);
@@ -548,8 +549,8 @@ std::optional<ProblemMaker::Surrounded> ProblemMaker::in_segment(
   return Surrounded{engine->lane, engine->group, segment.key.ports, engine->mhz};
 }
 
-/// A reference with the streams around it, and its share of an engine's memory. Tables of systems
-/// whose lanes take streams may lack both.
+/// A reference with the streams around it, and its share of an engine's memory. A table of a system
+/// of streams may lack both.
 devices::Area ProblemMaker::area_with_port(const characterise::Measurement& reference) {
   characterise::ComponentKey key = reference.key;
   key.kind = characterise::ComponentKind::reference_port;

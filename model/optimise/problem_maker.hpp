@@ -16,16 +16,16 @@ public:
                const Rates& rates, const OptimiseOptions& options,
                std::optional<characterise::ComponentKey> second_tier);
 
-  /// The precisions for which the table has lanes, with the options at hand.
+  /// The precisions for which the table has lanes with these options.
   std::vector<int> precisions() const;
   bool has_references() const { return !references_.empty(); }
-  /// The parts of every system that have no row in the table, such as "a crossbar".
+  /// The parts of every system for which the table has no row, such as "a crossbar".
   const std::set<std::string>& missing() const { return missing_; }
 
   std::vector<ReferenceImplementation> references();
 
-  /// The problem for one precision and its best plan; none where no lane has a known rate that
-  /// holds for its exponent bits.
+  /// The problem for one precision and its best plan; none if no lane has a known rate that holds
+  /// for its exponent bits.
   std::optional<PrecisionPlan> plan(int precision, const devices::Device& device,
                                     const std::vector<ReferenceImplementation>& references);
 
@@ -48,14 +48,15 @@ private:
   void add_crossbar();
   void note_largest_crossbar(const PrecisionPlan& plan);
   int slots_for(const Rows& lanes) const;
-  /// Lanes that may be in one plan: of a chain those with equally many slots, which were measured
-  /// with their own; of streams with a second tier those of which a second lane serves as many.
+  /// Groups of lanes that may be in one plan. In a chain these have the same number of slots, with
+  /// which they were measured. In streams with a second tier, a second lane serves the same number
+  /// of them.
   std::vector<Rows> plannable_together(const Rows& lanes) const;
   PrecisionPlan plan_of(int precision, const Rows& rows, const devices::Device& device,
                         const std::vector<ReferenceImplementation>& references,
                         const std::optional<SecondLanes>& tier);
-  /// The kinds of second lanes that may stand behind `rows`, one for each number of slots; an empty
-  /// one alone without a second tier of streams.
+  /// The kinds of second lanes that may stand behind `rows`, one for each number of slots. Without
+  /// a second tier of streams, only one empty element.
   std::vector<std::optional<SecondLanes>> second_lanes_of(const Rows& rows);
   int served_by_second_lane(const characterise::Measurement& lane) const;
   devices::Area crossbar_port() const;
@@ -74,7 +75,7 @@ private:
     devices::Area area;                 ///< of a lane, rounded up
     devices::Area group;                ///< of the lanes that share it
     int lanes;                          ///< of a group
-    std::optional<double> streams_mhz;  ///< the clock of what is around it, where that is measured
+    std::optional<double> streams_mhz;  ///< the clock of the streams around it, if measured
   };
   std::optional<Surrounded> in_segment(PrecisionPlan& plan,
                                        const characterise::Measurement& segment);
@@ -100,7 +101,7 @@ private:
   ClockBasis basis_ = ClockBasis::given;
   std::set<std::string> notes_;
   std::set<std::string> missing_;
-  std::string left_out_;  ///< why the current precision has no lane worth using, for the user
+  std::string left_out_;  ///< why the current precision has no usable lane, for the user
 };
 
 }  // namespace mixcmp::optimise

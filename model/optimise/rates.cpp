@@ -75,7 +75,7 @@ Rates Rates::of(const std::vector<profile::RateProfile>& profiles) {
   Rates rates;
   for (const profile::RateProfile& profile : profiles) {
     for (const profile::SchemeProfile& scheme : profile.schemes) {
-      if (!scheme.bound) continue;  // lanes alone recompute nothing
+      if (!scheme.bound) continue;  // lanes without a bound recompute nothing
       for (std::size_t k = 0; k < scheme.counts.size(); ++k) {
         if (!scheme.counts[k].exists) continue;
         const int precision = profile.first_precision + static_cast<int>(k);

@@ -26,9 +26,9 @@ struct Rate {
   std::uint64_t undecided = 0;
   std::uint64_t comparisons = 0;
 
-  /// undecided / comparisons. If none of n comparisons was undecided, it is 3 / n, at most 1: the
-  /// true rate is below 3 / n with 95 % confidence (rule of three), and no plan should rely on
-  /// less.
+  /// undecided / comparisons. If none of n comparisons was undecided, it is 3 / n, at most 1. The
+  /// true rate is below 3 / n with 95 % confidence (rule of three), and no plan should rely on a
+  /// lower one.
   double value() const;
 };
 
@@ -46,7 +46,7 @@ public:
   static Result<Rates> read(const std::filesystem::path& path);
 
   /// Raises each rate to the larger of the two, for scenario II. A rate that only one of the two
-  /// has is taken as it is.
+  /// has is used unchanged.
   void raise_to(const Rates& other);
 
   /// Lanes in fixed point have one rate for all kinds of inputs.

@@ -8,7 +8,7 @@ namespace {
 using Sum = IntegerProgram::Sum;
 using Relation = IntegerProgram::Relation;
 
-/// Adds to loads[r] the load that the lanes put on reference r.
+/// Adds to loads[r] the load that the lanes cause at reference r.
 void add_loads(IntegerProgram& program, const KindsAtClock& kinds, int references, int max_groups,
                int lanes_per_group, std::vector<Sum>& loads) {
   Sum first_lanes;
@@ -30,7 +30,7 @@ void add_loads(IntegerProgram& program, const KindsAtClock& kinds, int reference
 }
 
 /// Subtracts from loads[r] the capacity T(H) of reference r. References are numbered by falling
-/// T(H). Column first_k_r is 1 where reference r is of one of the kinds 0 to k in that order.
+/// T(H). Column first_k_r is 1 if reference r has one of the kinds 0 to k in that order.
 void subtract_capacities(IntegerProgram& program, const KindsAtClock& kinds, int first_reference,
                          std::vector<Sum>& loads) {
   Sum first_references;
@@ -58,7 +58,7 @@ void subtract_capacities(IntegerProgram& program, const KindsAtClock& kinds, int
 
 void add_round_robin_rows(IntegerProgram& program, const KindsAtClock& kinds, int references,
                           int first_reference, int max_groups, int lanes_per_group) {
-  // Where references are alike, the first has the greatest load, and its row implies the others.
+  // If references are alike, the first has the greatest load, and its row implies the others.
   const bool alike = kinds.references_alike();
   std::vector<Sum> loads(alike ? 1 : static_cast<std::size_t>(references));
   add_loads(program, kinds, references, max_groups, lanes_per_group, loads);

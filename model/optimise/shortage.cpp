@@ -17,7 +17,7 @@ int fewest(const LaneKind& lane, const AllocationProblem& problem) {
   return std::max(lane.group, problem.min_lanes);
 }
 
-/// Whether `count` references of a capacity serve `lanes` lanes, each of which asks so often.
+/// Whether `count` references of a capacity serve `lanes` lanes that ask `asked` times each.
 bool serve(int count, double capacity, int lanes, double asked, const AllocationProblem& problem) {
   const int group = lanes_per_port(problem);
   const int most = performance::lanes_of_references(lanes / group, count).front();
@@ -28,8 +28,8 @@ bool serve(int count, double capacity, int lanes, double asked, const Allocation
              : performance::is_within(most * group * asked, capacity);
 }
 
-/// How many references the fewest lanes need: 0, without a kind of reference, if they recompute
-/// nothing; none if no number suffices.
+/// The number of references that the fewest lanes need. If they recompute nothing, it is 0, without
+/// a kind of reference. None if no number suffices.
 std::optional<int> references_needed(const LaneKind& lane, const ReferenceKind* reference,
                                      const AllocationProblem& problem) {
   if (lane.recomputation_rate == 0) return reference == nullptr ? std::optional(0) : std::nullopt;
@@ -41,7 +41,7 @@ std::optional<int> references_needed(const LaneKind& lane, const ReferenceKind* 
   const double clock = one_clock ? std::min(lane.clock_hz, reference->clock_hz) : any_clock;
   const double asked = throughput_per_s(lane, clock) * lane.recomputation_rate;
   const double capacity = throughput_per_s(*reference, clock);
-  // More references than lanes help only where they are pooled.
+  // More references than lanes help only if they are pooled.
   const int most = problem.sharing == ReferenceSharing::pooled
                        ? problem.max_references
                        : std::min(lanes / lanes_per_port(problem), problem.max_references);
@@ -87,7 +87,7 @@ std::vector<Infeasible::Shortage> shortages_of(const Amounts& demand, const Amou
   return shortages;
 }
 
-/// The least demand for each resource, whichever system has it.
+/// The least demand for each resource over all these systems.
 Amounts least_of_each(const std::vector<Amounts>& demands) {
   Amounts least = demands.front();
   for (const Amounts& demand : demands) {

@@ -9,8 +9,8 @@ namespace {
 
 constexpr int stage_cycles = 1;  ///< of arg_min_stage, in front of each lane
 constexpr int queue_cycles = 2;  ///< in front of the chain
-/// Cycles by which a request comes later, and its operands, than where lanes carry these: one in
-/// the lane's buffer, two of the engine's memory.
+/// Extra cycles of a request and its operands compared with lanes that carry these: one in the
+/// lane's buffer, two in the engine's memory.
 constexpr int refetch_cycles = 3;
 
 int lane_cycles(const Chain& chain) {
@@ -18,21 +18,21 @@ int lane_cycles(const Chain& chain) {
 }
 
 /// Cycles that the busiest reference needs if recomputations are spread evenly over the lanes. The
-/// engine's memory starts one in a cycle, for all references together.
+/// engine's memory starts one per cycle, for all references together.
 double recomputing_cycles(const Chain& chain, double recomputations) {
   const int busiest = (chain.lanes + chain.references - 1) / chain.references;
   const double each = double(busiest) / chain.lanes * service_cycles(chain.streams);
   return recomputations * std::max(1.0, each);
 }
 
-/// The cycles in which a row enters each lane and, last, leaves the chain, for as many rows as a
-/// lane has slots.
+/// The cycles in which a row enters each lane and finally leaves the chain. The latest rows are
+/// stored, as many as a lane has slots.
 class Entries {
 public:
   explicit Entries(const Chain& chain)
       : chain_(chain), slots_(static_cast<std::uint64_t>(chain.streams.slots)), rows_(slots_) {}
 
-  /// The next row's.
+  /// Adds the next row and returns its cycles.
   const std::vector<double>& add(const Undecided& undecided) {
     std::vector<double> entries(static_cast<std::size_t>(chain_.lanes) + 1);
     for (int lane = 0; lane <= chain_.lanes; ++lane) {
@@ -50,8 +50,8 @@ public:
   }
 
 private:
-  /// The cycle behind that of the row before, in which a row of as many before as there are slots
-  /// has left the lane, too.
+  /// The earliest cycle for a row at a lane: after the previous row, and with a free slot. A slot
+  /// is free when the row that many slots earlier has left the lane.
   double first_free(int lane) const {
     if (row_ == 0) return 0;
     const double behind = rows_[(row_ - 1) % slots_][lane] + 1;

@@ -5,8 +5,8 @@
 
 #include "model/performance/streams.hpp"
 
-/// How long the chain of an arg-min engine takes for a stream of rows: a row is offered in every
-/// cycle, a result is always taken. docs/performance.md derives each.
+/// The time that the chain of an arg-min engine takes for a stream of rows. A row is offered in
+/// every cycle, and a result is always taken. docs/performance.md derives each formula.
 namespace mixcmp::performance {
 
 /// The lanes of an arg-min engine, one behind the other, all alike.
@@ -17,27 +17,27 @@ struct Chain {
   int word_latency_cycles = 0;  ///< of the conversion
 };
 
-/// Cycles from a row's entry to its exit where no lane leaves it undecided.
+/// Cycles from a row's entry to its exit if every lane decides it.
 int way_cycles(const Chain& chain);
-/// Cycles by which a recomputation holds up its row, and the rows behind it in the same lane, where
-/// the reference is free.
+/// Cycles by which a recomputation delays its row, and later rows in the same lane, if the
+/// reference is free.
 int recomputation_delay_cycles(const Chain& chain);
 
 /// Whether lane `lane` (0 .. p_L - 1) leaves row `row` undecided.
 using Undecided = std::function<bool(std::uint64_t row, int lane)>;
 
-/// Cycles from the first row's entry to the last one's exit. A row enters a lane one cycle after
-/// the row before it at the earliest, and when that lane has a free slot. Rows do not overtake.
+/// Cycles from the first row's entry to the last one's exit. A row enters a lane when that has a
+/// free slot, at least one cycle after the previous row. Rows do not overtake.
 double chain_cycles(const Chain& chain, std::uint64_t rows, const Undecided& undecided);
 
-/// The cycles to expect where each comparison is undecided by itself with this probability.
+/// The expected cycles if each comparison is undecided independently with probability `rate`.
 double random_chain_cycles(const Chain& chain, std::uint64_t rows, double rate);
 
-/// Recomputations that no row can be spared: the most that lie on a path through lanes and rows on
-/// which each lane has one at most and no row comes before an earlier one. Expected for many rows
-/// and lanes where each comparison is undecided by itself: oriented digital boiling (J. Gravner,
-/// C. Tracy, H. Widom, "Limit theorems for height fluctuations in a class of discrete space and
-/// time growth models", J. Stat. Phys. 102, 2001).
+/// Recomputations that must follow one another: the most on any path through lanes and rows on
+/// which each lane has at most one and no row comes before an earlier one. This is the expected
+/// number for many rows and lanes if comparisons are undecided independently: oriented digital
+/// boiling (J. Gravner, C. Tracy, H. Widom, "Limit theorems for height fluctuations in a class of
+/// discrete space and time growth models", J. Stat. Phys. 102, 2001).
 double recomputations_in_turn(int lanes, std::uint64_t rows, double rate);
 
 }  // namespace mixcmp::performance

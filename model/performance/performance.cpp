@@ -21,7 +21,7 @@ double rate_of(const Datapaths& lane) {
   return lane.throughput_per_s * lane.recomputation_rate;
 }
 
-/// The throughput of each datapath, one by one, in the order of the kinds.
+/// The throughput of each datapath, one entry per datapath, in the order of the kinds.
 std::vector<double> capacities_of(const std::vector<Datapaths>& references) {
   std::vector<double> capacities;
   for (const Datapaths& kind : references) {

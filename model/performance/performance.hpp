@@ -40,8 +40,8 @@ bool is_within(double demand, double capacity);
 /// The right side of equation 11: A (1 - R_S), rounded down, for each resource.
 devices::Area usable(const devices::Area& available, double slack);
 
-/// How many of `lanes` lanes the crossbar connects to each of `references` references: lane i is
-/// served by reference i mod p_H.
+/// The number of lanes, out of `lanes`, that the crossbar connects to each of `references`
+/// references: reference i mod p_H serves lane i.
 std::vector<int> lanes_of_references(int lanes, int references);
 
 /// Equation 7 for each reference by itself: recomputations per second that its lanes ask for if
@@ -49,14 +49,14 @@ std::vector<int> lanes_of_references(int lanes, int references);
 std::vector<double> recomputations_of_references(const std::vector<Datapaths>& lanes,
                                                  int references);
 
-/// Equation 10 for each reference by itself. This is stricter than `references_suffice` where lanes
-/// do not divide evenly.
+/// Equation 10 for each reference by itself. This is stricter than `references_suffice` if lanes do
+/// not divide evenly.
 bool each_reference_suffices(const std::vector<Datapaths>& lanes,
                              const std::vector<Datapaths>& references);
 
 /// Equation 8 for each reference by itself, summed. An overloaded reference serves its lanes in
-/// turn: those that ask for less than their turn get all that they ask for, and the others share
-/// the rest equally.
+/// turn. Lanes that ask for less than their turn get all that they ask for; the others share the
+/// rest equally.
 double round_robin_throughput(const std::vector<Datapaths>& lanes,
                               const std::vector<Datapaths>& references);
 

@@ -16,11 +16,11 @@ constexpr int crossbar_radix = 4;
 constexpr int beat_interval_cycles = 2;
 constexpr int answer_cycles = 2;  ///< through the crossbar
 
-/// Cycles from accepted operands to an offered request, beside the lane's latency.
+/// Cycles from accepted operands to an offered request, without the lane's latency.
 constexpr int request_cycles = 4;
-/// Cycles for which a request passes the crossbar, from its first beat at the lane to the
-/// reference. Requests of several beats are granted in one cycle and begin to move in the next, at
-/// each level, and are joined in front of the reference.
+/// Cycles in which a request passes the crossbar, from its first beat at the lane to the reference.
+/// At each level, requests of several beats are granted in one cycle and begin to move in the next.
+/// They are joined in front of the reference.
 int crossbar_cycles(const LaneStreams& streams) {
   const int levels = crossbar_levels(streams.lanes_served);
   if (streams.request_beats == 1) return levels;
@@ -37,7 +37,7 @@ int retire_cycles(scene::ResultOrder order) {
   MIXCMP_CHECK(false);
 }
 
-/// Simulates in which cycles a lane accepts comparisons: one per cycle at most, each into a free
+/// Simulates in which cycles a lane accepts comparisons: at most one per cycle, each into a free
 /// slot.
 class Channel {
 public:
@@ -49,13 +49,13 @@ public:
   std::int64_t accept(bool undecided) {
     std::int64_t entry = last_entry_ + 1;
     if (static_cast<int>(inside_.size()) == streams_.slots) {
-      // At most one leaves per cycle, but at most one enters, too, and later: exits need no limit.
+      // At most one enters per cycle and later than an exit, so one exit per cycle is no limit.
       entry = std::max(entry, inside_.top());
       inside_.pop();
     }
     std::int64_t ready = entry + decided_slot_cycles(streams_);
     if (undecided) {
-      // A folded reference may have started just before.
+      // A folded reference may have started just before the request.
       const int start = streams_.lanes_served > 0 ? streams_.initiation_interval_cycles - 1 : 0;
       ready = std::max(entry + undecided_slot_cycles(streams_) + start,
                        last_answer_ + answer_interval_cycles(streams_));
@@ -90,7 +90,7 @@ bool absorbs(const LaneStreams& streams, int burst) {
   return true;
 }
 
-/// The largest x in 0..limit for which `holds`, where it holds up to some x and not beyond.
+/// The largest x in 0..limit for which `holds`; `holds` is true up to some x and false beyond.
 double largest(double limit, const std::function<bool(double)>& holds) {
   if (holds(limit)) return limit;
   double low = 0;
@@ -114,8 +114,8 @@ double unbuffered_throughput(const LaneStreams& streams, double recomputation_ra
   return std::min(1.0, 1 / (answer_interval_cycles(streams) * asked));
 }
 
-/// Cycles from the first request of an undecided word to its last, on average, and those that
-/// naming its undecided lanes and completing it take. None for a lane by itself.
+/// Mean cycles from the first request of an undecided word to its last, plus the cycles for naming
+/// its undecided lanes and completing it. 0 for a single lane.
 double mean_naming_cycles(const LaneStreams& streams, double recomputation_rate) {
   const bool asks = streams.lanes_served > 0 && recomputation_rate > 0;
   if (streams.lanes_per_group == 1 || !asks) return 0;
@@ -127,14 +127,14 @@ double mean_naming_cycles(const LaneStreams& streams, double recomputation_rate)
          (of_a_word - 1) * std::max<double>(interval, service_cycles(streams));
 }
 
-/// Cycles until a reference that is free starts a comparison, on average: a folded one does in one
-/// cycle of N, whenever the request comes.
+/// Mean cycles until a free reference starts a comparison. A folded one starts in one cycle of N,
+/// whenever the request comes.
 double mean_start_cycles(const LaneStreams& streams) {
   return streams.lanes_served > 0 ? (streams.initiation_interval_cycles - 1) / 2.0 : 0;
 }
 
-/// Cycles that a request waits behind others: in its lane's request register, then at the
-/// reference, which serves in intervals of N cycles what k N cycles of requests bring it.
+/// Cycles that a request waits behind others: first in its lane's request register, then at the
+/// reference. That serves one request per N cycles, in which the k lanes have k N chances to ask.
 double mean_queue_cycles(const LaneStreams& streams, double rate) {
   const double interval = service_cycles(streams);
   const double chances = streams.lanes_served * interval;
@@ -146,7 +146,7 @@ double mean_queue_cycles(const LaneStreams& streams, double rate) {
          interval * (chances - 1) / chances * reference_load / (2 * (1 - reference_load));
 }
 
-/// The throughput that slots allow where a request waits for `wait` cycles on average.
+/// The throughput that slots allow if a request waits for `wait` cycles on average.
 double slot_throughput(const LaneStreams& streams, double recomputation_rate, double wait) {
   const double slots = streams.slots;
   const double rate = undecided_words(recomputation_rate, streams.lanes_per_group);
@@ -191,7 +191,7 @@ int undecided_slot_cycles(const LaneStreams& streams) {
 
 int service_cycles(const LaneStreams& streams) {
   if (streams.request_beats == 1) return streams.initiation_interval_cycles;
-  // The crossbar's last node begins the request of another lane one cycle after the last beat.
+  // The crossbar's last node begins another lane's request one cycle after the last beat.
   const int saved = streams.lanes_served > 1 ? beat_interval_cycles - 1 : 0;
   return std::max(streams.initiation_interval_cycles,
                   beat_interval_cycles * streams.request_beats - saved);
@@ -224,8 +224,8 @@ double random_throughput(const LaneStreams& streams, double recomputation_rate) 
   }
   return largest(unbuffered_throughput(streams, recomputation_rate), [&](double x) {
     const double asked = x * requests(streams, recomputation_rate);
-    // A lane that stalls takes comparisons at intervals rather than at random: the variance of its
-    // requests is then in proportion to 1 - R instead of 1 - x R, and so is the wait (Kingman).
+    // A stalled lane takes comparisons at regular intervals instead of at random. The variance of
+    // its requests is then proportional to 1 - R instead of 1 - x R, and so is the wait (Kingman).
     const double undecided = undecided_words(recomputation_rate, streams.lanes_per_group);
     const double regular = (1 - undecided) / (1 - x * undecided);
     const double queue = regular > 0 ? regular * mean_queue_cycles(streams, asked) : 0;

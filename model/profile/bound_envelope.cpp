@@ -25,7 +25,7 @@ bool is_constant(const error::AbsoluteBoundCriterion& criterion) {
          criterion.bound.nodes.front().operation == error::BoundOperation::constant;
 }
 
-/// The constant as the hardware encodes it; infinite where it exceeds the format.
+/// The constant as the hardware encodes it; infinite if it exceeds the format.
 double encoded(BoundFormat format, const mpq_class& value) {
   const Bits bound = encode_bound(format, value);
   if (bound == format.infinity()) return infinity;
@@ -62,7 +62,7 @@ bool BoundEnvelope::same_structure(const error::AbsoluteBoundCriterion& a,
   const auto same_condition = [](const error::BoundCondition& x, const error::BoundCondition& y) {
     return x.bound == y.bound && x.value == y.value;
   };
-  // Formats may differ only where nothing is rounded: between bounds that are a single constant.
+  // Formats may differ only if nothing is rounded: between bounds that are a single constant.
   const bool alike = a.bound.format == b.bound.format || (is_constant(a) && is_constant(b));
   return alike &&
          std::equal(a.bound.nodes.begin(), a.bound.nodes.end(), b.bound.nodes.begin(),
@@ -99,7 +99,7 @@ BoundEnvelope::BoundEnvelope(std::span<const error::Lane* const> lanes, int firs
   }
 }
 
-/// Chooses degree 1 where the constants shrink about as fast as 2^-L. Either degree is sound.
+/// Chooses degree 1 if the constants shrink about as fast as 2^-L. Either degree is sound.
 void BoundEnvelope::add_constant(Step& step, std::span<const error::Lane* const> lanes, int first,
                                  int id) {
   double plain = 0, scaled = 0;
@@ -117,7 +117,7 @@ void BoundEnvelope::add_constant(Step& step, std::span<const error::Lane* const>
 }
 
 /// Rounds a row up to the digits of the bound's format. Scaling by a power of two commutes with
-/// that, so one rounding serves every precision.
+/// that, so one rounding is valid for every precision.
 void BoundEnvelope::round_up(EnvelopeRow& row, double least, EnvelopeRow& wild) const {
   const std::uint64_t below = (std::uint64_t{1} << (53 - digits_)) - 1;
   for_each_lane([&](std::size_t k) {

@@ -32,22 +32,22 @@ constexpr Fit division = {20, 9, 1};
 constexpr Fit square_root = {5, 4, 0.45};
 constexpr Fit conversion = {37, 0.85, 0};
 constexpr Fit selection = {10, 3.5, 0};
-constexpr Fit aligned_term = {40, 6, 0};  ///< of a fused sum, its product aside
-constexpr Fit rounded_sum = {60, 4, 0};   ///< of a fused sum, its terms aside
+constexpr Fit aligned_term = {40, 6, 0};  ///< of a fused sum, without its product
+constexpr Fit rounded_sum = {60, 4, 0};   ///< of a fused sum, without its terms
 constexpr Fit comparison = {18, 1.1, 0};
 constexpr Fit ulp_distance = {8, 1.8, 0};
 constexpr Fit bound_decision = {11, 0.37, 0};
 constexpr Fit interval_decision = {6.5, 0.56, 0};
 /// LUTs of an addition for each digit by which its operands exceed its result.
 constexpr double dropped_digit = 13;
-/// The fraction of a multiplier that remains where one factor is a constant.
+/// The fraction of a multiplier that remains if one factor is a constant.
 constexpr double constant_share = 0.5;
 
 bool is_constant(const TypedGraph& graph, NodeId id) {
   return graph.nodes[id].operation == Operation::constant;
 }
 
-/// Whether the node is a power of two of either sign, which as a factor only adds to the exponent.
+/// Whether the node is a power of two of either sign: as a factor it only adds to the exponent.
 bool is_scale(const TypedGraph& graph, NodeId id) {
   return is_constant(graph, id) && is_power_of_two(mpq_class(abs(graph.nodes[id].value)));
 }
@@ -96,13 +96,13 @@ bool is_product(const TypedNode& node) {
   return node.operation == Operation::multiply || node.operation == Operation::square;
 }
 
-/// Whether the node multiplies by anything but a power of two.
+/// Whether the node is a product without a power of two as a factor.
 bool multiplies(const TypedGraph& graph, const TypedNode& node) {
   return is_product(node) && !is_scale(graph, node.operands[0]) &&
          (node.operation == Operation::square || !is_scale(graph, node.operands[1]));
 }
 
-/// How many multipliers cover a product of factors of these bits.
+/// The number of multipliers that cover a product of factors of these bits.
 int covering(int a, int b, const devices::MultiplierSize& size) {
   const auto tiles = [](int bits, int width) { return (bits + width - 1) / width; };
   return std::min(tiles(a, size.a_bits) * tiles(b, size.b_bits),
@@ -187,16 +187,16 @@ double lane_luts(const error::Lane& lane, Products products) {
   return luts;
 }
 
-/// LUTs for each bit of a shifter of 0 to `most` places: two places a LUT.
+/// LUTs for each bit of a shifter by 0 to `most` places: two places per LUT.
 double shift_luts(int most) {
   return most == 0 ? 0 : 0.5 * std::bit_width(static_cast<unsigned>(most));
 }
 
-/// - A sum takes a LUT a bit.
+/// - A sum takes a LUT per bit.
 /// - A root takes a sum for each bit of its result.
-/// - An operand takes a shifter, two places a LUT, and a compare of its exponent; in block floating
-///   point also its share of the search for the largest exponent.
-/// - A common cut takes a shifter, likewise.
+/// - An operand takes a shifter, two places per LUT, and a compare of its exponent; in block
+///   floating point also its share of the search for the largest exponent.
+/// - A common cut takes a shifter, two places per LUT.
 /// - A square that is read from a memory takes the sum that makes its operand's magnitude.
 /// - Products of logic and limits have factors that are fitted to mapped lanes.
 double lane_luts(const fixed::FixedLane& lane, Products products) {
@@ -278,7 +278,7 @@ double reference_luts(const TypedGraph& reference, Products products) {
 
 namespace {
 
-/// The schemes that a file of areas may name, beside every bound in fixed point.
+/// The schemes that a file of areas may name, besides every bound in fixed point.
 std::vector<std::string> usual_schemes() {
   std::vector<std::string> names = {"reference", "lanes_alone"};
   for (const Bound& bound : counted_bounds()) names.push_back(to_string(bound));

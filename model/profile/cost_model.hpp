@@ -15,24 +15,24 @@ namespace mixcmp::profile {
 /// Whether an estimate includes products.
 enum class Products {
   in_luts,
-  left_out,           ///< embedded multipliers take them
-  squares_in_memory,  ///< memories take the squares of lanes in fixed point
+  left_out,           ///< embedded multipliers compute them
+  squares_in_memory,  ///< memories contain the squares of fixed-point lanes
 };
 
 /// A rough area of datapaths, in LUTs of six inputs and no DSPs: one term per operation, fitted to
-/// Yosys' results for our units (docs/profile.md has the measurements). It serves to compare
-/// precisions of one expression; registers, scoreboards and the crossbar are not included.
+/// Yosys' results for our units (docs/profile.md has the measurements). Its purpose is to compare
+/// precisions of one expression. Registers, scoreboards and the crossbar are not included.
 double lane_luts(const error::Lane& lane, Products products = Products::in_luts);
 double lane_luts(const fixed::FixedLane& lane, Products products = Products::in_luts);
 double reference_luts(const TypedGraph& reference, Products products = Products::in_luts);
 
-/// How many embedded multipliers of this size cover every product of a datapath.
+/// The number of embedded multipliers of this size that cover every product of a datapath.
 int embedded_multipliers(const error::Lane& lane, const devices::MultiplierSize& size);
 int embedded_multipliers(const fixed::FixedLane& lane, const devices::MultiplierSize& size);
 int embedded_multipliers(const TypedGraph& reference, const devices::MultiplierSize& size);
 
-/// How many blocks hold the squares of a lane that reads them from memories, if a block takes any
-/// part of a memory.
+/// The number of blocks that hold the squares of a lane that reads them from memories, if a block
+/// can hold any part of a memory.
 int memory_blocks(const fixed::FixedLane& lane, const devices::MemoryBlock& block);
 
 /// Areas measured by the user; each replaces the estimate for its scheme and precision.

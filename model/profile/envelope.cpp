@@ -14,7 +14,7 @@ namespace {
 
 namespace kernels = envelope_kernels;
 
-/// The exponents of double, less room for the errors of the smallest values.
+/// The exponents of double, with a margin for the errors of the smallest values.
 constexpr int lowest_in_double = -900, highest_in_double = 900;
 
 /// Whether the node's values are 0 or at least 2^lowest in magnitude, in every comparison.

@@ -23,8 +23,8 @@ struct NodeEnvelope {
 /// The envelopes of all nodes on one block; each thread has its own.
 struct EnvelopeBlock {
   std::vector<NodeEnvelope> nodes;
-  /// 1 for a wild comparison: some lane may meet an exceptional operation, so that no envelope
-  /// holds. 0 for a tame one.
+  /// 1 for a wild comparison: some lane may meet an exceptional operation, so no envelope holds. 0
+  /// for a tame one.
   alignas(64) EnvelopeRow wild;
 };
 
@@ -39,8 +39,8 @@ public:
     std::vector<NodeMagnitude> inputs;
   };
 
-  /// `lane` is the graph that all the lanes share, built at precision A. The envelope appends f - g
-  /// to it.
+  /// `lane` is the graph that all lanes share, built at precision A. The envelope appends f - g to
+  /// it.
   Envelope(const TypedGraph& lane, const Options& options);
 
   int anchor() const { return options_.anchor; }
@@ -56,11 +56,11 @@ public:
   double unit() const { return unit_; }
 
   /// Evaluates envelope_width comparisons: columns[i] points to the values of input i. Values
-  /// beyond the end of the data may be anything.
+  /// beyond the end of the data are arbitrary.
   void evaluate(std::span<const double* const> columns, EnvelopeBlock& block) const;
 
 private:
-  /// How a node is evaluated, and which checks it needs.
+  /// How a node is evaluated, and the checks that it needs.
   struct Step {
     Operation operation;
     std::array<NodeId, 2> operands;

@@ -5,10 +5,10 @@
 
 #include "model/profile/envelope.hpp"
 
-/// Each kernel evaluates one operation of an envelope on a block. `value` is x, `error` is E, and q
-/// is Q, the bound on the error that the operands bring in, in theorem 1 of docs/profile.md. Loops
-/// are plain for the vectoriser, and conditions use | and &, since || and && would branch.
-/// Functions are inlined, into functions that are compiled for several instruction sets.
+/// Each kernel evaluates one operation of an envelope on a block. In theorem 1 of docs/profile.md,
+/// `value` is x, `error` is E, and q is Q, the bound on the error that comes from the operands.
+/// Loops are plain for the vectoriser, and conditions use | and &, since || and && would branch.
+/// Functions are inlined into functions that are compiled for several instruction sets.
 namespace mixcmp::profile::envelope_kernels {
 
 /// Covers the roundings of an error's own computation in double: a few steps of 2^-53.
@@ -22,8 +22,8 @@ template <class Function>
   for (std::size_t k = 0; k < envelope_width; ++k) function(k);
 }
 
-/// The error after a rounding of relative error `unit`. It takes 2Q instead of Q, since `value` is
-/// itself rounded and may lie on the other side of x.
+/// The error after a rounding with relative error `unit`. It takes 2Q instead of Q, since `value`
+/// is itself rounded and may lie on the other side of x.
 [[gnu::always_inline]] inline double after_rounding(double value, double q, double unit) {
   return (q + unit * (std::fabs(value) + 2 * q)) * outward;
 }
@@ -93,7 +93,7 @@ template <class Function>
     const double av = a.value[k], bv = b.value[k];
     const double ae = a.error[k], be = b.error[k];
     y.value[k] = (av < bv) != larger ? av : bv;
-    // The last term is 0, or NaN where one of them is not finite: a comparison would lose that.
+    // The last term is 0, or NaN if one of them is not finite: a comparison would lose that.
     y.error[k] = (ae < be ? be : ae) + 0 * (ae + be);
   });
 }

@@ -158,7 +158,7 @@ void ErrorWorker::measure(const Truth& truth, const std::vector<double>& compute
     // The first difference is exact where it is small.
     const double difference = (computed[k] - truth.high[k]) - truth.low[k];
     const double error = difference == 0 ? 0 : std::fabs(difference) * truth.scale[k];
-    // An error is infinite, or NaN, where the computed value is, or where it misses a true zero.
+    // An error is infinite or NaN if the computed value is, or if that misses a true zero.
     const bool is_bounded = error < std::numeric_limits<double>::infinity();
     unbounded[k] |= static_cast<std::uint8_t>(truth.scale[k] != 0 && !is_bounded);
     if (error > largest.error && is_bounded) largest.raise_to(error, first + k);

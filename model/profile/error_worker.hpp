@@ -12,8 +12,8 @@
 
 namespace mixcmp::profile {
 
-/// The largest error so far, in double, the first sample that has it, and the number of samples
-/// without a relative error.
+/// The largest error so far, in double, the first sample with it, and the number of samples without
+/// a relative error.
 struct LargestError {
   double error = 0;
   std::uint64_t sample = 0;
@@ -46,16 +46,15 @@ struct ErrorTally {
   void add(const ErrorTally& other);
 };
 
-/// The relative errors of f and g on one sample, the largest over all parts, computed by MPFR
-/// alone.
+/// The relative errors of f and g on one sample, the largest over all parts, computed only by MPFR.
 struct JudgedError {
   mpq_class f = 0, g = 0;
-  bool f_unbounded = false, g_unbounded = false;  ///< in some part, there is no relative error
+  bool f_unbounded = false, g_unbounded = false;  ///< some part has no relative error
 };
 JudgedError judge_error(const ErrorJob& job, const ErrorLane& lane, std::uint64_t sample);
 
-/// One thread's share of figure 4. Errors are measured in double, from true values kept as sums of
-/// two doubles. Their own relative error is 2^-48, small enough to find the largest.
+/// One thread's share of figure 4. Errors are measured in double, from true values stored as sums
+/// of two doubles. The relative error of these is 2^-48, small enough to find the largest error.
 class ErrorWorker {
 public:
   static constexpr std::size_t block = 2048;
@@ -65,8 +64,8 @@ public:
   const ErrorTally& tally() const { return tally_; }
 
 private:
-  /// True values of one function, high + low; scale is 1 / |high|, or 0 where nothing is measured.
-  /// A true zero has an infinite scale.
+  /// True values of one function, high + low. `scale` is 1 / |high|, or 0 if nothing is measured. A
+  /// true zero has an infinite scale.
   struct Truth {
     std::vector<double> high, low, scale;
   };
@@ -78,15 +77,15 @@ private:
   };
 
   void find_truth(std::uint64_t first, std::size_t count);
-  /// Finds the truth of one sample; false where f or g is no real number.
+  /// Finds the truth of one sample; false if f or g is no real number.
   bool find_truth(PartTruth& part, std::span<const Bits> operands, std::uint64_t first,
                   std::size_t k);
-  /// Stores a true value as row k of `truth`; false where its exponent is too small or large for
+  /// Stores a true value as row k of `truth`; false if its exponent is too small or too large for
   /// double.
   static bool keep(Truth& truth, golden::BigFloat& scratch, const golden::BigFloat& value,
                    std::size_t k);
   void measure_lane(std::size_t lane, std::uint64_t first, std::size_t count);
-  /// Raises `largest` to the errors of a block, and sets `unbounded` where there is none.
+  /// Raises `largest` to the errors of a block, and sets `unbounded` where there is no error.
   static void measure(const Truth& truth, const std::vector<double>& computed, std::uint64_t first,
                       std::size_t count, LargestError& largest,
                       std::vector<std::uint8_t>& unbounded);

@@ -14,7 +14,7 @@ namespace mixcmp::profile {
 inline constexpr mpfr_prec_t error_truth_precision = 500;
 
 /// The maximum of |computed - truth| / |truth| over the values of one function, rounded up to 64
-/// bits. Values that are not finite, or not zero where the truth is zero, are only counted.
+/// bits. Values that are not finite, or not zero although the truth is zero, are only counted.
 class LargestRelativeError {
 public:
   explicit LargestRelativeError(FloatFormat format) : format_(format) {

@@ -14,7 +14,7 @@ constexpr int unknown = NodeMagnitude::unknown;
 /// Covers the roundings of the limits' own computation in double.
 constexpr double outward = 1 + 0x1p-40;
 
-/// Exponents are kept within this, far outside any format, so that sums of them do not overflow.
+/// Exponents are clamped to this, far outside any format, so sums of them do not overflow.
 constexpr int furthest = 1 << 20;
 
 int sum_or_unknown(int a, int b) {
@@ -33,7 +33,7 @@ NodeMagnitude constant_magnitude(const TypedNode& node, int precision) {
   const double value = std::fabs(node.value.get_d());
   if (node.value == 0) return {.largest = 0, .grid = 0, .least = 0};
   if (value == 0 || !std::isfinite(value)) return {.largest = infinity};
-  // The constant is encoded in its own format or in `precision` digits; the factor 2 covers the
+  // The constant is encoded in its own format or in `precision` digits. The factor 2 covers the
   // rounding.
   const int least = std::ilogb(value) - 1;
   const int digits = std::max(precision, node.format.precision());
@@ -76,7 +76,7 @@ NodeMagnitude exact_magnitude(const TypedNode& node, const NodeMagnitude& a,
   MIXCMP_CHECK(false);
 }
 
-/// The magnitude after rounding: a number of `precision` digits that is 2^least or more is a
+/// The magnitude after rounding: a number of `precision` digits that is at least 2^least is a
 /// multiple of 2^(least - precision + 1).
 NodeMagnitude rounded(NodeMagnitude exact, int precision) {
   if (exact.least != unknown) exact.grid = std::max(exact.grid, exact.least - precision + 1);

@@ -17,8 +17,7 @@ struct NodeMagnitude {
   int least = unknown;  ///< computed values are 0 or at least 2^least in magnitude
 };
 
-/// The magnitudes of the values that an input takes. A value that is not finite makes `largest`
-/// infinite.
+/// The magnitudes of an input's values. A value that is not finite makes `largest` infinite.
 NodeMagnitude magnitude_of(const std::vector<double>& values);
 
 /// The magnitudes of every node of `lane`, if its operations round to `precision` digits with

@@ -52,7 +52,7 @@ Threshold threshold_in_fixed_point(Lanes lanes, std::size_t part, const Envelope
   return Threshold::of_fixed_lanes(pointers, part, envelope);
 }
 
-/// The threshold of one part, at the precisions from number `index` on.
+/// The threshold of one part, from precision number `index` on.
 Threshold threshold_of(const SchemeLanes& scheme, std::size_t part, int index,
                        const Envelope& envelope) {
   if (scheme.kind == SchemeKind::lanes_alone) return Threshold::of_order(envelope);
@@ -62,9 +62,9 @@ Threshold threshold_of(const SchemeLanes& scheme, std::size_t part, int index,
                      : threshold_of_floats(lanes, part, envelope);
 }
 
-/// Merges the findings on the parts into those on the whole comparison. A scheme is settled on the
-/// whole once it is settled on every part, or on one part that dominates: its true verdict decides
-/// the combination whatever the others are.
+/// Merges the findings on the parts into findings on the whole comparison. A scheme is settled on
+/// the whole once it is settled on every part, or on one part that dominates: that part's true
+/// verdict decides the combination, whatever the others are.
 class PartsMerger {
 public:
   PartsMerger(Combination combination, std::size_t schemes, LastOpen never)
@@ -76,7 +76,7 @@ public:
     any_dominating_.fill(0);
   }
 
-  /// The arrays that take the findings of the next part.
+  /// The arrays for the findings of the next part.
   BlockFindings part() { return {last_.data(), envelope_width, doubtful_.data(), truth_.data()}; }
 
   void add_part() {
@@ -91,8 +91,8 @@ public:
     }
   }
 
-  /// A doubtful part matters only where no part dominates. Verdicts without doubt are less or
-  /// greater, so where no part dominates they are all the other one.
+  /// A doubtful part matters only if no part dominates. Verdicts without doubt are less or greater,
+  /// so if no part dominates they are all the other one.
   void finish(const BlockFindings& findings) const {
     const Decision other = dominating_ == Decision::greater ? Decision::less : Decision::greater;
     for (std::size_t k = 0; k < envelope_width; ++k) {
@@ -156,8 +156,8 @@ MIXCMP_VECTOR_CLONES void PrecisionBand::last_open(const Part& part, const Envel
                                                    const BlockFindings& findings) const {
   alignas(64) EnvelopeRow scaled, fixed, wild;
   const Gap gap = gap_of(part.envelope, block);
-  // The exponent of the ratio is the number of precisions after anchor - 1 that are open: none
-  // below a ratio of 1, all of them from `enough` on.
+  // The exponent of the ratio is the number of precisions after anchor - 1 that are open: none if
+  // the ratio is below 1, all of them from `enough` on.
   const double enough = std::ldexp(1.0, next_ - anchor());
   const auto bias = static_cast<std::uint64_t>(1022 - (anchor() - 1));
   for (std::size_t scheme = 0; scheme < part.thresholds.size(); ++scheme) {

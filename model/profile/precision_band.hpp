@@ -12,8 +12,8 @@
 
 namespace mixcmp::profile {
 
-/// The last precision at which a comparison may be open, in one byte. It is open for a scheme at a
-/// precision where the scheme may be undecided or wrong.
+/// The last precision at which a comparison may be open, in one byte. A comparison is open for a
+/// scheme at a precision if the scheme may be undecided or wrong there.
 using LastOpen = std::uint8_t;
 
 /// The findings of one band on envelope_width comparisons.
@@ -22,12 +22,12 @@ struct BlockFindings {
   /// comparison k; anchor() - 1 if at none, next() if at next() or later.
   LastOpen* last;
   std::size_t stride;
-  /// 1 where `likely_verdict` may differ from the true verdict or from the reference's.
+  /// 1 if `likely_verdict` may differ from the true verdict or from the reference's.
   std::uint8_t* doubtful;
   Decision* likely_verdict;
 };
 
-/// The lanes of all schemes at precisions anchor .. next - 1, with an envelope at anchor that tells
+/// The lanes of all schemes at precisions anchor .. next - 1, with an envelope at anchor that says
 /// for which comparisons they need not be run.
 class PrecisionBand {
 public:

@@ -8,12 +8,12 @@ namespace mixcmp::profile {
 
 namespace {
 
-/// No verdict is wrong where the truth is undetermined. With &, since && would branch.
+/// No verdict is wrong if the truth is undetermined. With &, since && would branch.
 bool is_wrong(Decision verdict, Decision truth) {
   return (verdict != truth) & (truth != Decision::undecided);
 }
 
-/// So many are counted in bytes, of which a vector holds the most.
+/// Batch size: byte counters overflow at 255 and fill a vector best.
 constexpr std::size_t countable = 255;
 
 }  // namespace
@@ -75,7 +75,8 @@ void RateWorker::start(std::uint64_t first, std::size_t count) {
   process(0);
 }
 
-/// Evaluates the band's envelopes on all unsettled; for new ones it finds the verdicts, too.
+/// Evaluates the band's envelopes on all unsettled comparisons; for new ones it also finds the
+/// verdicts.
 void RateWorker::classify(const PrecisionBand& band, UnsettledComparisons& unsettled,
                           bool is_first) {
   for (std::size_t at = 0; at < unsettled.size(); at += envelope_width) {
@@ -125,16 +126,16 @@ void RateWorker::process(std::size_t index) {
   if (index + 1 < pending_.size() && pending_[index + 1].size() >= block) process(index + 1);
 }
 
-/// Empties a band's queue where it has no room for `count` more. The bands share their working
-/// memory, so this comes before another band begins. The first band never needs it: its queue holds
-/// one block, and that of the second band less than one.
+/// Empties a band's queue if it has no room for `count` more. The bands share their working memory,
+/// so this happens before another band begins. The first band never needs it: its queue holds one
+/// block, and that of the second band less than one.
 void RateWorker::make_room(std::size_t index, std::size_t count) {
   if (index < pending_.size() && pending_[index].size() + count > capacity) process(index);
 }
 
-/// Corrects the findings on comparisons that this band's envelope cannot judge: a failing range
-/// check leaves a lane undecided at every precision, and what an earlier band settled stays
-/// settled.
+/// Corrects the findings on comparisons that this band's envelope cannot judge. A failing range
+/// check leaves a lane undecided at every precision, and a scheme that an earlier band settled
+/// stays settled.
 void RateWorker::settle_finished(const PrecisionBand& band, const UnsettledComparisons& unsettled) {
   const auto next = static_cast<LastOpen>(band.next());
   const auto before = static_cast<LastOpen>(band.anchor() - 1);
@@ -152,7 +153,7 @@ void RateWorker::settle_finished(const PrecisionBand& band, const UnsettledCompa
 }
 
 /// Runs the lanes of one scheme. A comparison that is not open is decided rightly, so counting it
-/// changes nothing: where more than a quarter are open, all are run, which is cheaper than picking.
+/// changes nothing. If more than a quarter are open, all are run, which is cheaper than picking.
 void RateWorker::run_scheme(const PrecisionBand& band, std::size_t scheme,
                             const UnsettledComparisons& unsettled) {
   count_open(band, scheme, unsettled.size());
@@ -180,7 +181,7 @@ void RateWorker::count_open(const PrecisionBand& band, std::size_t scheme, std::
 }
 
 /// Picks the comparisons that are open at this precision or a later one of the band, longest open
-/// first, so that the comparisons which are open at L stand at the beginning of the list.
+/// first. So the comparisons that are open at L stand at the beginning of the list.
 void RateWorker::pick(const PrecisionBand& band, std::size_t scheme, int precision,
                       const UnsettledComparisons& unsettled) {
   const LastOpen* const last = last_.data() + scheme * capacity;

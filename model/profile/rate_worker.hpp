@@ -15,11 +15,11 @@ struct RateJob {
   const data::OperandSource& source;
   ProfileMethod method;
   std::vector<SchemeLanes> schemes;
-  std::vector<PrecisionBand> bands;  ///< the next() of each is the anchor() of the one after it
+  std::vector<PrecisionBand> bands;  ///< the next() of each is the anchor() of the next one
   emulator::Emulator reference;
-  /// The operands of one input that lanes do not take. Bit k of of_row[row] is set where the value
-  /// in that row of the input's table fails a range check of scheme k, or lies outside of its
-  /// fixed-point format. Inputs that never fail are left out.
+  /// The operands of one input that lanes do not take. Bit k of of_row[row] is set if the value in
+  /// that row of the input's table fails a range check of scheme k, or lies outside its fixed-point
+  /// format. Inputs that never fail are left out.
   struct Failing {
     data::Item item;
     std::vector<std::uint32_t> of_row;
@@ -41,7 +41,7 @@ struct RateTally {
 /// every scheme is settled on them.
 class RateWorker {
 public:
-  /// Some operands of so many comparisons fit the second-level cache.
+  /// With this size, some operands of a block fit the second-level cache.
   static constexpr std::size_t block = 4096;
 
   explicit RateWorker(const RateJob& job);
@@ -49,8 +49,8 @@ public:
   const RateTally& tally() const { return tally_; }
 
 private:
-  /// A band is processed once its queue holds `block` comparisons, or earlier where the band before
-  /// it could fill the queue beyond this.
+  /// A band is processed once its queue holds `block` comparisons, or earlier if the previous band
+  /// could fill the queue beyond this capacity.
   static constexpr std::size_t capacity = 2 * block;
 
   void start(std::uint64_t first, std::size_t count);

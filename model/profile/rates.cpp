@@ -9,8 +9,8 @@
 namespace mixcmp::profile {
 namespace {
 
-/// The precisions at which envelopes are computed anew. They are closer together where precisions
-/// are low, for the errors of a few digits are coarse.
+/// The precisions at which envelopes are computed anew. They are closer together at low precisions,
+/// since the errors of a few digits are coarse.
 constexpr std::array<int, 8> usual_anchors = {7, 11, 16, 22, 29, 36, 42, 48};
 
 std::vector<int> anchors_of(const ErrorProfile& errors) {
@@ -45,8 +45,8 @@ struct TakenOperands {
   }
 };
 
-/// The checks of lanes repeat from precision to precision; one of each is enough. All lanes in
-/// fixed point with one kind of bound take the same operands.
+/// The checks of lanes repeat from precision to precision; one of each is enough. All fixed-point
+/// lanes with one kind of bound take the same operands.
 TakenOperands taken_operands(const SchemeLanes& scheme) {
   TakenOperands taken;
   for (const std::optional<design::Lane>& lane : scheme.lanes) {
@@ -64,7 +64,7 @@ TakenOperands taken_operands(const SchemeLanes& scheme) {
   return taken;
 }
 
-/// Bit k is set where scheme k does not take the operand for this input.
+/// Bit k is set if scheme k does not take the operand for this input.
 std::uint32_t failing_schemes(const std::vector<TakenOperands>& schemes, int input,
                               FloatFormat format, Bits operand) {
   std::uint32_t failing = 0;

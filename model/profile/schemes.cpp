@@ -22,7 +22,7 @@ SchemeLanes& scheme_with(std::vector<SchemeLanes>& schemes, const std::optional<
   return schemes.emplace_back(SchemeLanes{name, bound, kind, {}, ""});
 }
 
-/// `bound`: none for lanes alone.
+/// `bound`: none for lanes without a bound.
 void add(std::vector<SchemeLanes>& schemes, const std::optional<Bound>& bound, SchemeKind kind,
          Result<design::Lane> lane) {
   SchemeLanes& scheme = scheme_with(schemes, bound, kind);
@@ -58,7 +58,7 @@ TypedGraph graph_at(const scene::Scene& scene, int precision, LaneInputs inputs)
 
 namespace {
 
-/// `measured`: how many comparisons the error was measured on.
+/// `measured`: the number of comparisons on which the error was measured.
 Result<design::Lane> profiled_at(const TypedGraph& graph, const ErrorAtPrecision& error,
                                  std::uint64_t measured) {
   if (error.f && error.g) return design::Lane(error::profiled_lane(graph, *error.f, *error.g));
@@ -66,8 +66,9 @@ Result<design::Lane> profiled_at(const TypedGraph& graph, const ErrorAtPrecision
                                         : "no comparison has a relative error of f and of g"};
 }
 
-/// The counted bounds, those of the scene's own formats, and those asked for. Running ones are
-/// counted where a scene or a caller asks for them: many comparisons have to be looked at for them.
+/// The bounds that are always counted, those of the scene's own formats, and those asked for.
+/// Running ones are counted only if a scene or a caller asks for them: they require a look at many
+/// comparisons.
 std::vector<Bound> bounds_in_fixed_point(const scene::Scene& scene, std::span<const Bound> asked) {
   std::vector<Bound> bounds;
   const auto add_new = [&](const Bound& bound) {

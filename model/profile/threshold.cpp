@@ -50,7 +50,7 @@ bool same_node(const TypedNode& a, const TypedNode& b) {
          a.value == b.value;
 }
 
-/// Whether a lane's graph begins with `count` nodes of the first lane's.
+/// Whether two graphs begin with the same `count` nodes.
 bool begins_alike(const TypedGraph& a, const TypedGraph& b, std::size_t count) {
   return a.f() == b.f() && a.g() == b.g() && a.nodes.size() >= count && b.nodes.size() >= count &&
          std::equal(a.nodes.begin(), a.nodes.begin() + static_cast<std::ptrdiff_t>(count),
@@ -141,7 +141,7 @@ Threshold::Kind Threshold::absolute(std::span<const error::Lane* const> lanes,
   Absolute absolute{.bounds = {}, .factor = guard * outward / (1 - envelope.unit())};
   const int last = envelope.anchor() + static_cast<int>(lanes.size()) - 1;
   for (std::size_t first = 0, next = 0; first < lanes.size(); first = next) {
-    // The bound may refer to the shared nodes and the difference only, as the envelope has no
+    // The bound may refer only to the shared nodes and the difference, as the envelope has no
     // others.
     if (!looks_at_shared_nodes(criterion(first), envelope)) return Unknown{};
     while (next < lanes.size() &&
@@ -158,7 +158,7 @@ namespace {
 
 using fixed::FixedNode;
 
-/// A distance of f and g from which one lane in fixed point surely decides.
+/// A distance of f and g from which one fixed-point lane certainly decides.
 struct Margin {
   double constant = 0;
   double per_root = 0;  ///< per sqrt(|f|) + sqrt(|g|)
@@ -176,8 +176,8 @@ Margin margin_of(const fixed::ConstantThresholds& thresholds, const FixedNode& d
   return {.constant = limit * unit * outward + magnitude(difference.error)};
 }
 
-/// The roots of f and g have errors of slope / 2 at most, together, and the lane decides where they
-/// are `apart` as computed. Proof: docs/profile.md, behind theorem 2.
+/// The roots of f and g together have errors of at most slope / 2, and the lane decides if the
+/// computed roots are `apart`. Proof: docs/profile.md, after theorem 2.
 Margin margin_of(const fixed::NormThresholds& thresholds, const FixedNode& difference,
                  const std::vector<FixedNode>& nodes) {
   const double unit = difference.format.unit().get_d();
@@ -192,7 +192,7 @@ Margin margin_of(const fixed::NormThresholds& thresholds, const FixedNode& diffe
   return {.constant = 0, .per_root = (slope / 2 + apart) * outward};
 }
 
-/// The largest threshold of all steps serves for every comparison.
+/// The largest threshold of all steps is valid for every comparison.
 Margin margin_of(const fixed::RunningThresholds& thresholds, const FixedNode& difference,
                  const std::vector<FixedNode>&) {
   const auto largest = std::max_element(thresholds.of_steps.begin(), thresholds.of_steps.end());
@@ -200,9 +200,8 @@ Margin margin_of(const fixed::RunningThresholds& thresholds, const FixedNode& di
   return {.constant = largest->get_d() * unit * outward + magnitude(difference.error)};
 }
 
-/// A lane decides on what is cut in common, multiplied by at least t = 2^-`most dropped`: so it
-/// decides where f and g are 1 / t^degree times as far apart. Proof: docs/profile.md, behind
-/// theorem 2.
+/// Common cuts multiply the cut values by at least t = 2^-`most dropped`. So the lane decides if f
+/// and g are 1 / t^degree times as far apart. Proof: docs/profile.md, after theorem 2.
 Margin before_cuts(Margin margin, const fixed::FixedLane& lane, const mpq_class& degree) {
   const int most = fixed::most_dropped_in_common(lane);
   const double grown = std::exp2(most * degree.get_d()) * outward;
@@ -244,8 +243,8 @@ Threshold Threshold::of_fixed_lanes(std::span<const fixed::FixedLane* const> lan
   return {roots, 0, envelope.graph().f(), envelope.graph().g()};
 }
 
-/// The unit depends on all operands that the lane reads: where the part does not have them all, its
-/// envelope does not tell the unit.
+/// The unit depends on all operands that the lane reads. If the part does not have them all, its
+/// envelope does not determine the unit.
 Threshold::Kind Threshold::block(const Roots& of_scaled, const fixed::FixedLane& lane,
                                  std::size_t part, const Envelope& envelope) {
   Block block{.of_scaled = of_scaled,
@@ -294,7 +293,7 @@ MIXCMP_VECTOR_CLONES void Threshold::evaluate(const EnvelopeBlock& block, Envelo
   }
 }
 
-/// The difference of f and g as computed is off by their errors.
+/// The difference of the computed f and g is off by their errors.
 MIXCMP_VECTOR_CLONES void Threshold::evaluate_of_floats(const EnvelopeBlock& block,
                                                         EnvelopeRow& scaled, EnvelopeRow& fixed,
                                                         EnvelopeRow& wild) const {

@@ -11,24 +11,23 @@
 
 namespace mixcmp::profile {
 
-/// How far apart the true f and g must be for a kind of lane to decide surely and rightly, at every
+/// The distance of the true f and g at which a kind of lane certainly decides rightly, for every
 /// precision L >= A at once: |f - g| > scaled 2^(A-L) + fixed suffices, unless the comparison is
-/// wild (docs/profile.md, which says what A is, too). Proof: docs/profile.md, theorems 2 and 3.
+/// wild (docs/profile.md, which also defines A). Proof: docs/profile.md, theorems 2 and 3.
 class Threshold {
 public:
-  /// The threshold of a lane without an error bound, which decides by the order of computed f and
-  /// g.
+  /// The threshold of a lane without an error bound, which decides by the order of the computed f
+  /// and g.
   static Threshold of_order(const Envelope& envelope);
   /// `lanes` have the precisions A, A+1, ..., last. If a lane is missing, their kinds differ, or
   /// their graphs do not begin with the envelope's nodes, every comparison is wild.
   static Threshold of_lanes(std::span<const error::Lane* const> lanes, const Envelope& envelope);
-  /// The threshold of one part of lanes in fixed point with W = A, A+1, ... bits; lanes may be
-  /// missing. Where some lane has limits, every comparison is wild.
+  /// The threshold of one part of fixed-point lanes with W = A, A+1, ... bits; lanes may be
+  /// missing. If any lane has limits, every comparison is wild.
   static Threshold of_fixed_lanes(std::span<const fixed::FixedLane* const> lanes, std::size_t part,
                                   const Envelope& envelope);
 
-  /// Computes `scaled` and `fixed` for each comparison; sets `wild` to 1 where no threshold is
-  /// known.
+  /// Computes `scaled` and `fixed` for each comparison; sets `wild` to 1 if no threshold is known.
   void evaluate(const EnvelopeBlock& block, EnvelopeRow& scaled, EnvelopeRow& fixed,
                 EnvelopeRow& wild) const;
 
@@ -44,13 +43,13 @@ private:
     std::vector<BoundEnvelope> bounds;  ///< one per structure of bound graphs
     double factor;
   };
-  /// The threshold of a lane in fixed point: a constant and a multiple of the roots of f and g.
+  /// The threshold of a fixed-point lane: a constant and a multiple of the roots of f and g.
   struct Roots {
     double constant, per_root;  ///< the latter per sqrt(|f|) + sqrt(|g|)
     double error_of_double;     ///< double's error as a multiple of the error at precision A
   };
-  /// A lane in block floating point compares operands divided by 2^e: `of_scaled` is the threshold
-  /// of these, and 2^(e degree) times as much that of the operands themselves.
+  /// A lane in block floating point compares operands divided by 2^e. `of_scaled` is the threshold
+  /// for these; for the operands themselves it is 2^(e degree) times as large.
   struct Block {
     Roots of_scaled;
     double degree;               ///< of f and g, in the operands

@@ -17,7 +17,7 @@ TradePoint make_point(const RateProfile& rates, const SchemeProfile& scheme,
   return point;
 }
 
-/// The counts of these lanes; null where the profile left them out.
+/// The counts of these lanes; null if the profile left them out.
 const SchemeProfile* find(const RateProfile& rates, const SchemeLanes& lanes) {
   for (const SchemeProfile& scheme : rates.schemes) {
     if (scheme.name == lanes.name) return &scheme;

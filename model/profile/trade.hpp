@@ -28,8 +28,8 @@ struct Trade {
   double reference_luts = 0;
   bool reference_measured = false;
   double reference_wrong_per_million = 0;
-  /// Comparisons whose truth is undetermined, in a million. No point's wrong_per_million has them;
-  /// `cheapest` adds them.
+  /// Comparisons per million whose truth is undetermined. No point's wrong_per_million includes
+  /// them; `cheapest` adds them.
   double undetermined_per_million = 0;
   std::vector<TradePoint> points;  ///< ordered by scheme, then by precision
 };
@@ -39,9 +39,9 @@ struct Trade {
 Trade make_trade(const scene::Scene& scene, const RateProfile& rates, const ErrorProfile& errors,
                  const MeasuredAreas& areas);
 
-/// The point with the most comparisons per LUT among those with at most so many wrong verdicts per
-/// million, where each undetermined truth counts as one; for 0 only certified schemes qualify. Null
-/// where no point does.
+/// The point with the most comparisons per LUT among those with at most `accepted_per_million`
+/// wrong verdicts per million, where each undetermined truth counts as one. For 0 only certified
+/// schemes qualify. Null if no point qualifies.
 const TradePoint* cheapest(const Trade& trade, double accepted_per_million);
 
 }  // namespace mixcmp::profile

@@ -8,8 +8,8 @@
 
 namespace mixcmp::profile {
 
-/// Comparisons on which some scheme is not settled, with the data that counting needs. A scheme is
-/// settled on a comparison once it is known to decide it rightly at every further precision.
+/// Comparisons on which some scheme is not settled, with the data for counting. A scheme is settled
+/// on a comparison once it is known to decide it rightly at every further precision.
 class UnsettledComparisons {
 public:
   UnsettledComparisons(std::size_t inputs, std::size_t capacity);
@@ -19,13 +19,13 @@ public:
   const data::OperandBlock& operands() const { return operands_; }
   data::OperandBlock& operands() { return operands_; }
 
-  /// The order of the real numbers f and g; `undecided` where it is undetermined.
+  /// The order of the real numbers f and g; `undecided` if it is undetermined.
   std::vector<Decision> truth;
   std::vector<Decision> reference;  ///< verdicts of the reference datapath
   /// Bit k is set while scheme k is not settled.
   std::vector<std::uint32_t> schemes;
 
-  /// Bit k is set where an operand fails a range check that scheme k makes at some precision.
+  /// Bit k is set if an operand fails a range check that scheme k makes at some precision.
   std::vector<std::uint32_t> failing;
 
   void append(const UnsettledComparisons& from, std::size_t row, std::uint32_t schemes_left);

@@ -11,9 +11,9 @@
 
 namespace mixcmp::profile {
 
-/// The result of a check on data that a variant decides as [comparison] does.
+/// The result of checking on data that a variant has the same verdicts as [comparison].
 struct VariantCheck {
-  /// A comparison that the two decide differently.
+  /// A comparison with different verdicts.
   struct Difference {
     std::uint64_t index;
     Verdict given;  ///< [comparison]'s
@@ -22,14 +22,14 @@ struct VariantCheck {
 
   std::string variant;
   std::uint64_t comparisons = 0;
-  /// The first comparison on which the variant decides otherwise, by the real numbers f and g;
-  /// none: they decide alike.
+  /// The first comparison on which the variant's verdict differs, by the real numbers f and g;
+  /// none: all verdicts agree.
   std::optional<Difference> first_difference;
   std::uint64_t differences = 0;
   /// Comparisons whose order `checked_bits` bits cannot determine in [comparison], in the variant
-  /// or in both: mostly ties of sums of several roots. They do not count as differences.
+  /// or in both. Most are ties of sums of several roots. They do not count as differences.
   std::uint64_t undetermined = 0;
-  /// Comparisons that the two references decide differently. They may, since they round.
+  /// Comparisons on which the two references differ. They may differ, since they round.
   std::uint64_t reference_differences = 0;
 };
 
@@ -37,7 +37,7 @@ constexpr int checked_bits = 512;
 constexpr std::uint64_t checked_comparisons = 250'000;
 
 /// Checks all comparisons, or `most` of them at even distances. Both scenes have the same inputs in
-/// the same order. `progress` is called with the fraction that is done.
+/// the same order. `progress` is called with the completed fraction.
 VariantCheck check_variant(const scene::Scene& given, const scene::Scene& variant,
                            const data::Comparisons& data, std::uint64_t most = checked_comparisons,
                            const std::function<void(double)>& progress = {});

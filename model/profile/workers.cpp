@@ -71,7 +71,7 @@ void run_workers(const WorkSplit& split, const std::function<void(const BlockSou
   try {
     for (std::uint64_t k = 1; k < count; ++k) others.emplace_back(run);
   } catch (const std::system_error&) {
-    // The system gives no more threads. Those that run take all blocks; results do not depend on
+    // The system gives no more threads. The running ones take all blocks; results do not depend on
     // it.
   }
   run();

@@ -8,7 +8,7 @@ namespace mixcmp::profile {
 /// How a job is split; results must not depend on it.
 struct WorkSplit {
   std::uint64_t size = 0;   ///< items 0 .. size - 1
-  std::uint64_t block = 1;  ///< items handed out at once
+  std::uint64_t block = 1;  ///< items per block
   unsigned threads = 0;     ///< 0: as many as the machine has
   std::function<void(double)> progress = {};
 };

@@ -9,8 +9,7 @@
 
 namespace mixcmp::proof {
 
-/// The statement of the error analysis about one node, which Gappa is to prove
-/// (docs/error_bounds.md).
+/// The statement of the error analysis about one node, for Gappa to prove (docs/error_bounds.md).
 /// `relative` says that true value = computed value * t, low <= t <= high; `unrounded` says that
 /// true value = x * t, where x is the operation's exact result, before its own rounding.
 struct NodeClaim {

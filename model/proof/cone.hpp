@@ -8,8 +8,8 @@
 
 namespace mixcmp::proof {
 
-/// A subgraph whose root's claim is to be proven from the claims of its leaves. Every operation
-/// between them becomes an expression of the script, with and without its rounding.
+/// A subgraph for proving its root's claim from the claims of its leaves. Every operation between
+/// them becomes an expression of the script, with and without its rounding.
 struct Cone {
   const TypedGraph* graph;
   const std::vector<NodeClaim>* claims;
@@ -26,7 +26,7 @@ bool is_inexpressible(const TypedGraph& graph, const std::vector<NodeClaim>& cla
 /// The cone of the root's whole expression, down to inputs, constants and inexpressible nodes.
 Cone whole_cone(const TypedGraph& graph, const std::vector<NodeClaim>& claims,
                 const std::vector<error::RangeCheck>& checks, NodeId root);
-/// The cone of the root's operation alone.
+/// The cone of only the root's operation.
 Cone node_cone(const TypedGraph& graph, const std::vector<NodeClaim>& claims,
                const std::vector<error::RangeCheck>& checks, NodeId root);
 

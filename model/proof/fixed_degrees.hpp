@@ -10,10 +10,10 @@ namespace mixcmp::proof {
 /// floating point, affine nodes with guard digits.
 enum class Scaled { operands, cuts };
 
-/// Whether what a lane adds, subtracts or compares grows alike with what is scaled, so that every
-/// part's difference has a degree (theorems 6 and 7 of docs/fixed_point.md). Nodes before all cuts
-/// are left out where cuts are scaled; what reads one of them beside a node behind a cut has no
-/// degree.
+/// Whether all numbers that a lane adds, subtracts or compares grow alike with the scaled numbers,
+/// so that every part's difference has a degree (theorems 6 and 7 of docs/fixed_point.md). Nodes
+/// before all cuts are left out if cuts are scaled. A node that reads one of them beside a node
+/// behind a cut has no degree.
 bool is_homogeneous(const std::vector<fixed::FixedNode>& nodes, Scaled scaled);
 
 }  // namespace mixcmp::proof

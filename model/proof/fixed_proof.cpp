@@ -113,7 +113,7 @@ private:
     }
   }
 
-  /// The error of an operation as a polynomial in what is computed and its errors.
+  /// The error of an operation as a polynomial in the computed operands and their errors.
   static std::string identity(const FixedNode& node) {
     const NodeId a = node.operands[0], b = node.operands[1];
     switch (node.operation) {
@@ -166,7 +166,7 @@ private:
     return in_format(node.value, node.format) == node.value;
   }
 
-  /// Sets value and error to what follows from those of the operands.
+  /// Derives value and error from those of the operands.
   void prove_enclosure(NodeId id) {
     FixedNode& node = nodes_[id];
     if (node.operation == Operation::input) return assume_operand(node);
@@ -208,8 +208,8 @@ private:
     node.value = fixed::rounded_down(node.value, node.format.unit());
   }
 
-  /// The ends of a limit that hardware checks, which are those inside of what the lane says of the
-  /// operand; else the operand's.
+  /// The ends of a limit that hardware checks: those inside the range that the lane states for the
+  /// operand. The other ends are the operand's.
   Range within_limits(const FixedNode& limit, const Range& operand) const {
     const Range& said = lane_.nodes[limit.operands[0]].value;
     return {limit.value.low > said.low ? limit.value.low : operand.low,
@@ -380,7 +380,7 @@ private:
            });
   }
 
-  /// Narrows the enclosures of `whole` to what they are in a step.
+  /// Narrows the enclosures of `whole` to those in a step.
   void enclose_in_step(NodeId id, const std::vector<FixedNode>& whole,
                        const fixed::RunningThresholds& thresholds, int step) {
     FixedNode& node = nodes_[id];

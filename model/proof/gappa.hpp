@@ -22,7 +22,7 @@ enum class Certificate {
 
 struct GappaRun {
   GappaVerdict verdict;
-  std::string message;      ///< what Gappa printed
+  std::string message;      ///< Gappa's output
   std::string certificate;  ///< empty unless proven and asked for
 };
 

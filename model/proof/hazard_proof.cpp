@@ -173,7 +173,7 @@ bool HazardProof::adds_one_sign(NodeId id) {
 }
 
 /// Whether a node's range lies on this side of zero; zero lies on both. A quotient's range is
-/// unbounded where its divisor may be zero, so the ranges of its operands are tried, too.
+/// unbounded if its divisor may be zero, so the ranges of its operands are tried as well.
 bool HazardProof::lies(NodeId id, Side side) {
   const Range& range = ranges_.prove_range(id);
   if (side == Side::above ? range.low >= 0 : range.high <= 0) return true;

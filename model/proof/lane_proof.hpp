@@ -44,8 +44,8 @@ enum class Effort {
                ///< fails
 };
 
-/// A step of the proof that no machine has checked; `statement` says what it is, and in fixed point
-/// the page that proves it. In floating point that is docs/error_bounds.md.
+/// A step of the proof that no machine has checked. `statement` describes it and, in fixed point,
+/// names the page that proves it. In floating point that is docs/error_bounds.md.
 struct ByHand {
   std::string theorem;    ///< in the verdict: "8", "2 to 4"
   std::string statement;  ///< for the report

@@ -10,7 +10,7 @@
 namespace mixcmp::proof {
 
 /// The range of the operands that pass the check, from the bits that the hardware compares and not
-/// from the scene's range. None where a NaN or an infinity would pass, too.
+/// from the scene's range. None if a NaN or an infinity would pass as well.
 std::optional<Range> enforced_range(const error::RangeCheck& check, FloatFormat format);
 /// One range per input of the lane's graph; none for an input whose magnitude is not checked.
 std::vector<std::optional<Range>> enforced_ranges(const error::Lane& lane);

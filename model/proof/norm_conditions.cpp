@@ -58,7 +58,8 @@ mpq_class NormConditions::squared_errors(const std::vector<NodeId>& elements) co
   return sum;
 }
 
-/// Whether the node is |y|^2, or the square of the radius or of what that is the magnitude of.
+/// Whether the node is |y|^2, or the square of the radius or of the radius' operand if it is a
+/// magnitude.
 bool NormConditions::is_other_side(NodeId other) const {
   if (thresholds_.radius_is_squared) return other == thresholds_.radius;
   const FixedNode &square = nodes_[other], &radius = nodes_[thresholds_.radius];

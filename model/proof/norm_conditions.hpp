@@ -7,7 +7,7 @@
 
 namespace mixcmp::proof {
 
-/// What theorems 4 and 8 of docs/fixed_point.md ask of the thresholds of a norm, by exact
+/// The conditions of theorems 4 and 8 of docs/fixed_point.md for the thresholds of a norm, by exact
 /// arithmetic and without the functions that made these.
 class NormConditions {
 public:

@@ -28,7 +28,7 @@ private:
 };
 
 /// Keeps scripts, Coq certificates and verdicts in a directory, each under the hash of its script:
-///   HASH.g        what Gappa reads
+///   HASH.g        the input of Gappa
 ///   HASH.v        the proof, for coqc with the library of Gappa
 ///   HASH.verdict  Gappa's version, verdict and output
 /// A verdict is written last, and each file whole or not at all, so that an interrupted run can be

@@ -239,8 +239,8 @@ void RuleWriter::add_largest(const Weight& largest, const std::string& deviation
                                           share.get_den().get_str()));
 }
 
-/// Whether nothing at or below the node rounds: an operand as it arrived, a constant, or what only
-/// moves the bits of these.
+/// Whether nothing at or below the node rounds: an unchanged operand, a constant, or a node that
+/// only moves the bits of these.
 bool RuleWriter::is_unrounded(NodeId id) const {
   const TypedNode& node = graph_.nodes[id];
   if (arity(node.operation) > 0 && !only_moves_bits(node.operation)) return false;

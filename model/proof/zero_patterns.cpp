@@ -62,7 +62,7 @@ bool is_always_zero(const Cone& cone, NodeId id) {
   return claim.nonnegative && claim.nonpositive;
 }
 
-/// Whether a node is zero because its operands are; what `pattern` says of an atom is not
+/// Whether a node is zero because its operands are. Values of atoms in `pattern` are not
 /// considered.
 bool zero_by_operands(const TypedNode& node, const Zeros& zeros) {
   const bool a = zeros[node.operands[0]];

@@ -11,9 +11,9 @@
 namespace mixcmp::scene {
 namespace {
 
-/// Turns an error's column within an expression into a line and a column of the file. Where the
-/// file does not contain the text literally (escapes, --set), the message gives the position in the
-/// text instead.
+/// Turns an error's column within an expression into a line and a column of the file. If the file
+/// does not contain the text literally (escapes, --set), the message gives the position in the text
+/// instead.
 Error with_location(const settings::Setting& setting, Error error) {
   const auto column = static_cast<std::size_t>(error.column);
   static const std::string nothing;
@@ -28,7 +28,7 @@ Error with_location(const settings::Setting& setting, Error error) {
   const std::size_t value = setting.key.empty() ? line_start : source.find('=', line_start);
   const std::size_t quote = source.find_first_of("\"'", value);
   std::size_t begin = quote == std::string::npos ? quote : source.find(text, quote + 1);
-  // The text of a list's element may also occur inside another element: the right occurrence
+  // The text of a list's element may also occur inside another element. The right occurrence
   // follows a quote.
   while (setting.key.empty() && begin != std::string::npos && source[begin - 1] != '"' &&
          source[begin - 1] != '\'') {
@@ -80,8 +80,8 @@ struct Reading {
   }
 };
 
-/// Refuses an index of `for` that has the name of an input. Lets do not see the index, so that one
-/// of them may use the same name for an input.
+/// Refuses an index of `for` that has the name of an input. Lets do not see the index, so one of
+/// them may use the same name for an input.
 Result<Done> check_index_name(const ComparisonSpec& comparison, const Graph& graph) {
   if (comparison.index == nullptr) return Done{};
   const std::string& name = comparison.parts.front().indices.front().name;

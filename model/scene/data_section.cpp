@@ -129,7 +129,7 @@ void check_family(settings::Section& section, const data::DataSpec& spec) {
   }
 }
 
-/// The key to blame where both sources are given: the one that a plan or --set adds to the scene.
+/// The key for an error if both sources are given: the one that a plan or --set adds to the scene.
 std::string later_source(settings::Section& section, const settings::Settings& settings) {
   return settings::file_of(*section.find("file")) == settings.path.string() ? "items" : "file";
 }

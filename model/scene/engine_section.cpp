@@ -12,7 +12,7 @@
 namespace mixcmp::scene {
 namespace {
 
-/// Checks the keys of [system] that the pairwise engine sets: a scene may repeat the engine's value
+/// Checks the keys of [system] that the pairwise engine sets. A scene may repeat the engine's value
 /// but not give another.
 Result<Done> check_pairwise_system(const settings::Settings& settings, const EngineSpec& engine) {
   settings::Section section(settings, "system");
@@ -37,7 +37,7 @@ Result<Done> check_pairwise_system(const settings::Settings& settings, const Eng
 }
 
 /// Checks the keys of [system] with an arg-min engine. It needs at least one reference: its chain
-/// of comparisons cannot go on from one that stays undecided.
+/// of comparisons cannot continue after one that stays undecided.
 Result<Done> check_arg_min_system(const settings::Settings& settings, const EngineSpec& engine) {
   settings::Section section(settings, "system");
   const auto refuse = [&](const char* key, const std::string& message, const std::string& received,
@@ -142,8 +142,7 @@ Result<Done> check_arg_min(const settings::Settings& settings, const settings::S
                     "the arg-min engine compares candidates for each row");
 }
 
-/// Refuses a form of reports in the place of the verdicts that are reported: two keys that are
-/// easily confused.
+/// Refuses a form of reports where the reported verdicts belong: the two keys are easily confused.
 void refuse_form_as_report(settings::Section& section) {
   const settings::Setting* setting = section.find("report");
   if (setting == nullptr) return;

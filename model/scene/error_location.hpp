@@ -9,9 +9,9 @@
 namespace mixcmp::scene {
 
 /// Adds a place to an error that was found after the scene had been read: the file and line of the
-/// key that `error.field` names or, where the scene does not have the key, of its section. An error
-/// that names a line or "--set" already, or a section that the scene does not have, is returned as
-/// it is.
+/// key that `error.field` names, or of its section if the scene does not have the key. An error is
+/// returned unchanged if it already names a line or "--set", or names a section that the scene does
+/// not have.
 Error with_location(Error error, const SceneSource& scene, std::span<const std::string> overrides);
 
 }  // namespace mixcmp::scene

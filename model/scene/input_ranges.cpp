@@ -63,7 +63,7 @@ Result<InputDeclaration> read_input(const settings::Setting& entry) {
 }
 
 /// Checks that keys have well-formed subscripts and that no two keys spell the same name. TOML
-/// accepts any text as a key and takes "p[2]" and p_2 for different keys.
+/// accepts any text as a key and treats "p[2]" and p_2 as different keys.
 Result<Done> check_spellings(std::span<const settings::Setting> entries) {
   std::map<std::string, const settings::Setting*> known;
   for (const settings::Setting& entry : entries) {

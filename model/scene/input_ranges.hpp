@@ -8,14 +8,14 @@ namespace mixcmp::scene {
 /// The declarations of [inputs], one entry per input in the order of `inputs`.
 struct InputDeclarations {
   std::vector<std::optional<Range>> ranges;
-  std::vector<std::optional<mpq_class>> grids;  ///< powers of two; an input with one has a range
+  std::vector<std::optional<mpq_class>> grids;  ///< powers of two; an input with a grid has a range
   /// The entries with range = "data", whose inputs have no range yet; null for other inputs. They
   /// live as long as the settings.
   std::vector<const settings::Setting*> from_data;
 };
 
-/// Reads [inputs]. In a pattern, '*' stands for any characters; an exact key beats patterns. A key
-/// that matches nothing, and two patterns that match the same input, are errors.
+/// Reads [inputs]. In a pattern, '*' stands for any characters; an exact key has priority over
+/// patterns. A key that matches nothing, and two patterns that match the same input, are errors.
 Result<InputDeclarations> read_inputs(const settings::Settings& settings,
                                       const std::vector<std::string>& inputs);
 

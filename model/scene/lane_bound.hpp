@@ -11,11 +11,11 @@ namespace mixcmp::scene {
 
 /// How one part of a lane bounds its errors.
 Bound bound_of(const error::LanePart& part);
-/// How a lane bounds its errors; none if its parts do so in different ways.
+/// How a lane bounds its errors; none if its parts use different ways.
 std::optional<Bound> bound_of(const error::Lane& lane);
 Bound bound_of(const fixed::FixedLane& lane);
 
-/// Returns a copy of `reduced` with this bound, in its number system: W of fixed point is that of
+/// Returns a copy of `reduced` with this bound, in its number system. W of fixed point is that of
 /// `reduced`, or the digits of its format.
 ReducedSpec with_bound(const ReducedSpec& reduced, const Bound& bound);
 

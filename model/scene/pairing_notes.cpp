@@ -7,7 +7,7 @@
 namespace mixcmp::scene {
 namespace {
 
-/// The input that is the same column of the other item: "ci_2" for "cj_2".
+/// The same column's input for the other item: "ci_2" for "cj_2".
 std::string fellow_of(const std::string& input, const data::ItemColumn& column) {
   const std::size_t letter = input.find_last_not_of("0123456789_");
   std::string fellow = input;
@@ -42,8 +42,8 @@ std::vector<bool> cone_of(const Graph& graph, NodeId root) {
   return needed;
 }
 
-/// Whether f uses no candidate but i, and g is f with j in the place of i. A graph merges equal
-/// nodes, so that f rebuilt with j yields the node of g if and only if the two are equal.
+/// Whether f uses no candidate except i, and g is f with j instead of i. A graph merges equal
+/// nodes, so f rebuilt with j yields the node of g if and only if the two are equal.
 bool is_one_cost(const Graph& graph, const Sides& part) {
   const std::vector<bool> of_f = cone_of(graph, part.f);
   Graph renamed = graph;

@@ -8,9 +8,9 @@
 
 namespace mixcmp::scene {
 
-/// Notes for the user about what looks like a slip in how f and g name items i and j. Where both
-/// items are rows of one table, a note names each input of one item whose column is no input of the
-/// other ("cxi" without "cxj"). With arg_min, a note says if g is not f with j in the place of i.
+/// Notes for the user about probable mistakes in how f and g name items i and j. If both items are
+/// rows of one table, a note names each input of one item whose column is no input of the other
+/// ("cxi" without "cxj"). With arg_min, a note says if g is not f with j instead of i.
 std::vector<std::string> pairing_notes(const Graph& graph, data::Pairing pairing);
 
 }  // namespace mixcmp::scene

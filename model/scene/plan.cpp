@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view a_scene = "the path of a scene file, as seen from the plan";
 
-/// A path without its "..", unless these lead elsewhere where a folder is a link.
+/// A path without its "..", unless removing these would change its target because a folder is a
+/// link.
 fs::path shortened(const fs::path& path) {
   const fs::path normal = path.lexically_normal();
   std::error_code absent;
@@ -31,7 +32,7 @@ Result<fs::path> scene_of(const settings::Setting& key, const std::vector<fs::pa
   };
   const auto* name = std::get_if<std::string>(&key.value);
   if (name == nullptr || name->empty()) return wrong("not a path");
-  // Seen from where the plan is, if what was named is a link to it.
+  // Names are relative to the plan itself, even if the given path is a link to it.
   MIXCMP_TRY(plan_file, follow_links(from.back()));
   const fs::path scene = shortened(plan_file.parent_path() / *name);
   std::error_code absent;
@@ -87,7 +88,7 @@ settings::Setting::Table* section_of(settings::Setting::Table& root, const std::
 }
 
 /// If the plan gives the number of lanes (or references, by `name`), as [[name]] or system.name,
-/// erases both of these from the scene.
+/// erases both of these keys from the scene.
 void forget_counts(settings::Setting::Table& root, settings::Setting::Table& plan,
                    const std::string& name) {
   const settings::Setting::Table* system = section_of(plan, "system");
@@ -115,8 +116,8 @@ void lay_over(settings::Setting::Table& root, settings::Setting::Table& plan) {
 
 Result<SceneSettings> read_layers(std::vector<fs::path> from);
 
-/// Reads the files below `file`, which is that of `from.back()`. `from` begins with the plans that
-/// led to that file.
+/// Reads the files below `file`, which is the content of `from.back()`. `from` begins with the
+/// plans that led to that file.
 Result<SceneSettings> read_below(settings::Settings file, std::vector<fs::path> from) {
   const settings::Setting* named = file.root.find("scene");
   if (named == nullptr) {

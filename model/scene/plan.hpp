@@ -18,13 +18,13 @@ struct SceneSettings {
 };
 
 /// Reads a scene, or a plan and the scene below it. A plan is a file with the top-level key
-/// `scene`, which names a scene or another plan; the plan's keys replace that file's, section by
-/// section. A plan that says how many lanes there are, by [[lanes]] or by system.lanes, replaces
-/// both of these; so does one that says how many references there are. Overrides are applied last.
+/// `scene`, which names a scene or another plan. The plan's keys replace that file's, section by
+/// section. If a plan gives the number of lanes, by [[lanes]] or by system.lanes, it replaces both
+/// keys; the same holds for the number of references. Overrides are applied last.
 Result<SceneSettings> read_scene_settings(const SceneSource& source,
                                           std::span<const std::string> overrides);
 
-/// The scene that settings describe. Its data files are looked for in the folder of
+/// The scene that settings describe. Its data files are searched in the folder of
 /// `read.settings.path`, a file that need not exist.
 Result<Scene> interpret(SceneSettings read);
 

@@ -10,7 +10,7 @@
 namespace mixcmp::scene {
 namespace {
 
-/// The number in a word of a letter and a number: 17 for "s17".
+/// The number in a word that consists of a letter and a number: 17 for "s17".
 std::optional<int> number_after(char letter, const std::string& word) {
   const bool shaped = word.size() >= 2 && word.size() <= 4 && word[0] == letter &&
                       word.find_first_not_of("0123456789", 1) == std::string::npos;
@@ -60,7 +60,8 @@ void read_relative_error(settings::Section& section, const std::string& key,
   }
 }
 
-/// A significand's square is rounded, and most significands are too wide for a table.
+/// Refuses a memory for squares of significands: these are rounded, and most are too wide for a
+/// table.
 void check_multipliers(settings::Section& section, const ReducedSpec& spec) {
   if (spec.multipliers != Multipliers::memory || !spec.format) return;
   section.fail("multipliers", "squares are read from memories by lanes in fixed point alone",
@@ -68,15 +69,15 @@ void check_multipliers(settings::Section& section, const ReducedSpec& spec) {
                "embedded or logic, or a format such as q11 or block11");
 }
 
-/// A lane has no fewer digits than it has itself; where the format is "auto", than any lane may
-/// have.
+/// The limits for the digits of a lane's inputs: at least those of the lane or, if the format is
+/// "auto", of any possible lane.
 settings::Limits input_digits(FloatFormat reference, const ReducedSpec& spec) {
   const int least = spec.format ? spec.format->precision() : settings::limits::lane_precision.least;
   return {least, reference.precision()};
 }
 
-/// Reads how operands enter, a word or a number of digits. A number that [reduced] gives must serve
-/// each of [[lanes]] that has none of its own. Fixed point takes no notice of it.
+/// Reads how operands enter: a word or a number of digits. A number in [reduced] must be valid for
+/// each of [[lanes]] that has none of its own. Fixed point ignores it.
 void read_lane_inputs(settings::Section& section, FloatFormat reference, ReducedSpec& spec) {
   const settings::Setting* setting = section.find("inputs");
   const settings::Limits digits = input_digits(reference, spec);
@@ -103,8 +104,8 @@ void read_lane_inputs(settings::Section& section, FloatFormat reference, Reduced
   section.fail("inputs", "not a choice", setting->shown(), accepted);
 }
 
-/// Reads the keys of [reduced] but `format`, which `spec` has already; an absent key leaves it as
-/// it is.
+/// Reads the keys of [reduced] except `format`, which `spec` already has. An absent key leaves its
+/// value unchanged.
 void read_keys_but_format(settings::Section& section, FloatFormat reference, ReducedSpec& spec) {
   section.choice("bound", spec.is_profiled, {{"certified", false}, {"profiled", true}});
   section.choice("error_bound", spec.error_bound,
@@ -124,7 +125,7 @@ void read_keys_but_format(settings::Section& section, FloatFormat reference, Red
   read_relative_error(section, "relative_error_g", spec.relative_error_g);
 }
 
-/// Reads every key of [reduced]; an absent key leaves `spec` as it is.
+/// Reads every key of [reduced]. An absent key leaves its value unchanged.
 void read_lane_keys(settings::Section& section, FloatFormat reference, ReducedSpec& spec) {
   read_reduced_format(section, reference, spec);
   read_keys_but_format(section, reference, spec);
@@ -144,7 +145,7 @@ void read_second_tier_format(settings::Section& section, FloatFormat reference, 
                fmt::format("\"none\", or qW with W {}, likewise W + G of qWgG", to_string(bits)));
 }
 
-/// Reads the number of a second tier's lanes. Each group of an engine's lanes has one of its own.
+/// Reads the number of a second tier's lanes. In an engine, each group of lanes has its own.
 void read_second_tier_count(settings::Section& section, EngineKind engine,
                             std::optional<int>& count) {
   const settings::Setting* setting = section.find("count");
@@ -159,7 +160,7 @@ void read_second_tier_count(settings::Section& section, EngineKind engine,
                "no such key, or engine.kind = \"none\"");
 }
 
-/// The tables of [[name]]; an error if system.name gives their number, too.
+/// The tables of [[name]]; an error if system.name also gives their number.
 Result<std::span<const settings::Setting>> read_groups(const settings::Settings& settings,
                                                        const std::string& name) {
   MIXCMP_TRY(groups, tables_of(settings, name, "one table for each kind"));

@@ -56,8 +56,7 @@ Result<std::vector<LetDefinition>> read_lets(const settings::Settings& settings)
   return lets;
 }
 
-/// Renames the field of an error in a variant: the key stands in a [[variant]], not in
-/// [comparison].
+/// Renames the field of an error in a variant: the key is in a [[variant]], not in [comparison].
 Error in_variant(const std::string& variant, Error error) {
   constexpr std::string_view section = "comparison.";
   if (error.field.starts_with(section)) {
@@ -72,7 +71,7 @@ std::string place_of_f(const settings::Settings& settings) {
   return f.line == 0 ? settings::file_of(f) : fmt::format("{}:{}", settings::file_of(f), f.line);
 }
 
-/// Tells how two sets of inputs differ: "z is none of them, y is missing".
+/// Describes how two sets of inputs differ: "z is none of them, y is missing".
 std::string differences(const std::set<std::string>& named, const std::set<std::string>& wanted) {
   std::vector<std::string> told;
   for (const std::string& name : named) {
@@ -84,8 +83,8 @@ std::string differences(const std::set<std::string>& named, const std::set<std::
   return fmt::format("{}", fmt::join(told, ", "));
 }
 
-/// Reads a variant in the place of [comparison]. It must have the same inputs and gets them in the
-/// same order, so that data and ports fit all variants.
+/// Reads a variant instead of [comparison]. It must have the same inputs and gets them in the same
+/// order, so that data and ports fit all variants.
 Result<ComparisonSpec> read_variant(const Formulation& formulation,
                                     std::span<const LetDefinition> lets,
                                     const settings::Settings& given, const ComparisonSpec& base,
@@ -112,8 +111,8 @@ Result<ComparisonSpec> read_variant(const Formulation& formulation,
   return formulation.name_mistake(problem + " behind the scene's name", variant.name);
 }
 
-/// Leaves out parts whose f and g are those of an earlier part: either combination of a verdict
-/// with itself is that verdict.
+/// Leaves out parts that repeat f and g of an earlier part: either combination of a verdict with
+/// itself is that verdict.
 void drop_repeated_parts(ComparisonSpec& comparison, std::vector<std::string>& notes) {
   std::vector<Sides> parts;
   std::vector<PartSettings> kept;
@@ -191,8 +190,8 @@ std::vector<LetDefinition> texts_of_lets(const ComparisonSpec& comparison,
   return texts;
 }
 
-/// Chooses the exponent bits of a format written as "s17". A profiled lane checks no range, so its
-/// exponents must reach as far as the reference's.
+/// Chooses the exponent bits of a format written as "s17". A profiled lane checks no range, so it
+/// needs the reference's exponent bits.
 void choose_exponent_bits(ReducedSpec& reduced, const Graph& graph, FloatFormat reference,
                           const std::vector<std::optional<Range>>& ranges) {
   if (!reduced.exponent_bits_from_ranges || reduced.is_profiled) return;
@@ -220,7 +219,7 @@ Result<LaneSpecs> read_lanes(const settings::Settings& settings, const Graph& gr
   return LaneSpecs{std::move(reduced), std::move(groups)};
 }
 
-/// Notes keys that no lane looks at.
+/// Notes keys that no lane reads.
 void note_unused_keys(const Scene& scene, const settings::Settings& settings,
                       std::vector<std::string>& notes) {
   for (const std::string& key : overridden_keys(settings)) {
@@ -238,8 +237,8 @@ void note_unused_keys(const Scene& scene, const settings::Settings& settings,
   }
 }
 
-/// Notes constants that the reference format only approximates; one that it cannot hold at all is a
-/// mistake in the choice of format.
+/// Notes constants that the reference format only approximates. A constant that it cannot hold at
+/// all is an error in the choice of format.
 Result<Done> check_constants(const settings::Settings& settings, const Graph& graph,
                              const Arithmetic& reference, std::vector<std::string>& notes) {
   const FloatFormat format = reference.format;
@@ -262,7 +261,7 @@ Result<Done> check_constants(const settings::Settings& settings, const Graph& gr
   return Done{};
 }
 
-/// Refuses fused sums of more terms than a unit takes.
+/// Refuses fused sums with more terms than a unit has.
 Result<Done> check_sums(const settings::Settings& settings, const Graph& graph, Sums sums) {
   if (sums == Sums::composed || longest_fused_sum(graph) <= max_fused_terms) return Done{};
   const settings::Section section(settings, "reference");
@@ -300,8 +299,8 @@ Result<Done> check_groups(const settings::Settings& settings,
                          fmt::format("{}", *system.lanes), accepted);
 }
 
-/// Refuses more streams of reports than a pairwise engine has groups of lanes, each of which fills
-/// one at most. Where the number of lanes is still open, so is that of the groups.
+/// Refuses more streams of reports than a pairwise engine has groups of lanes: each group fills at
+/// most one. Not checked if the number of lanes is still open.
 Result<Done> check_report_streams(const settings::Settings& settings,
                                   const std::vector<LaneGroupSpec>& lanes, const SystemSpec& system,
                                   const EngineSpec& engine) {
@@ -320,7 +319,7 @@ Result<Done> check_report_streams(const settings::Settings& settings,
                                      groups, engine.lanes_per_group));
 }
 
-/// Notes keys of a system of streams that an engine does not look at.
+/// Notes keys of a system of streams that an engine does not read.
 void note_stream_keys(const SystemSpec& system, const EngineSpec& engine,
                       std::vector<std::string>& notes) {
   if (system.input_registers > 0) {
@@ -335,8 +334,8 @@ void note_stream_keys(const SystemSpec& system, const EngineSpec& engine,
   }
 }
 
-/// Notes the ends of ranges that the reference format rounds out of the range: data with just that
-/// decimal are then out of range.
+/// Notes the ends of ranges that the reference format rounds out of the range: data with exactly
+/// that decimal are then out of range.
 void note_missed_ends(const std::vector<std::optional<Range>>& ranges, FloatFormat format,
                       std::vector<std::string>& notes) {
   for (const std::optional<Range>& range : ranges) {

@@ -26,7 +26,7 @@ enum class ResultOrder {
   in_order,  ///< a reorder buffer per lane
 };
 
-/// The place that a recomputation takes its operands from.
+/// The source of a recomputation's operands.
 enum class OperandStore {
   carried,    ///< kept in a memory of the system
   refetched,  ///< fetched from the user's memory by tag
@@ -34,7 +34,7 @@ enum class OperandStore {
 
 /// The kind of memory in which carried operands wait.
 enum class OperandMemory {
-  logic,  ///< what synthesis chooses; on most devices look-up tables
+  logic,  ///< chosen by synthesis; on most devices look-up tables
   block,  ///< block memories
 };
 
@@ -45,11 +45,11 @@ enum class CounterAccess {
   axi_lite,  ///< software reads them all on an AXI4-Lite port
 };
 
-/// What the multipliers of a datapath are made of.
+/// How the multipliers of a datapath are built.
 enum class Multipliers {
-  embedded,  ///< the device's multiplier blocks, as far as synthesis finds some
+  embedded,  ///< the device's multiplier blocks, if synthesis finds any
   logic,     ///< rows of carry chains, on any device
-  memory,    ///< of a lane in fixed point: squares are read from block memories, products are logic
+  memory,    ///< in fixed-point lanes: squares are read from block memories, products are logic
 };
 
 /// The words of scene files, options and reports.
@@ -62,11 +62,11 @@ std::string_view to_string(Multipliers multipliers);
 struct ReducedSpec {
   std::optional<FloatFormat> format;      ///< none: "auto", or fixed point
   std::optional<FixedPoint> fixed_point;  ///< written as "q13", "block13", "q13g3"
-  /// Written as "s17": the format's exponent bits are the fewest that the ranges allow.
+  /// Written as "s17": the format has the fewest exponent bits that the ranges allow.
   bool exponent_bits_from_ranges = false;
   bool is_profiled = false;              ///< `bound`: by errors measured on data, without a proof
   std::optional<BoundKind> error_bound;  ///< kind of a certified bound; none: "auto"
-  int bound_digits = 4;                  ///< digits of a running bound, 1..8; 1: exponents alone
+  int bound_digits = 4;                  ///< digits of a running bound, 1..8; 1: only exponents
   LaneInputs inputs = LaneInputs::exact;
   Rounding rounding = Rounding::nearest_even;
   Subnormals subnormals = Subnormals::flush;
@@ -78,8 +78,8 @@ struct ReducedSpec {
   std::string format_name() const;            ///< "s17e8", "q13", "block13" or "auto"
   std::string_view bound_word() const;        ///< "certified" or "profiled"
   std::string_view error_bound_word() const;  ///< such as "running", or "auto"
-  /// `inputs` beside this reference, by the only name that they have in this lane. Fixed point has
-  /// no choice of inputs: its operands are taken as they arrive.
+  /// `inputs` with this reference, by the only name that they have in this lane. Fixed point has no
+  /// choice of inputs: its operands are taken unchanged.
   LaneInputs inputs_beside(FloatFormat reference) const;
 };
 
@@ -93,12 +93,12 @@ struct LaneGroupSpec {
   Place place;
 };
 
-/// What a scene says of how a reference is built. Its results do not depend on it.
+/// How a scene asks for references to be built. Their results do not depend on it.
 struct ReferenceStructureSpec {
   Multipliers multipliers = Multipliers::embedded;
   /// Cycles from one comparison to the next, 1..64; none: "auto"
   std::optional<int> initiation_interval = 1;
-  std::optional<int> target_mhz;  ///< that its registers are placed for; none: the system's
+  std::optional<int> target_mhz;  ///< for placing its registers; none: the system's
 };
 
 /// References of one kind; all have the scene's reference format.
@@ -123,18 +123,18 @@ struct SystemSpec {
   std::optional<int> request_beats;
   int tag_bits = 32;                              ///< 1..64
   int counter_bits = 32;                          ///< 0 (no counters) or 8..64; 16..64 for axi_lite
-  CounterAccess counters = CounterAccess::ports;  ///< `none` where counter_bits is 0
+  CounterAccess counters = CounterAccess::ports;  ///< `none` if counter_bits is 0
   std::string prefix = "mixcmp_";  ///< begins the name of every generated module but the top
-  /// The engine around the system. An engine sets `operands` and `tag_bits`, and an arg_min engine
-  /// sets `order`, too: see with_engine.
+  /// The engine around the system. An engine sets `operands` and `tag_bits`; an arg_min engine also
+  /// sets `order`: see with_engine.
   EngineSpec engine;
 };
 
 /// The system with an engine around it. A pairwise engine's memory holds the operands of a
-/// recomputation, and a tag names two items in it; an arg_min engine wants verdicts in order.
+/// recomputation, and a tag names two items in it. An arg_min engine needs verdicts in order.
 SystemSpec with_engine(SystemSpec system, const EngineSpec& engine);
 
-/// The keys and values of a plan's [plan] section, as text for display. They change nothing.
+/// The keys and values of a plan's [plan] section, as text for display. They have no other effect.
 struct PlanNotes {
   std::filesystem::path path;
   std::vector<std::pair<std::string, std::string>> values;
@@ -148,12 +148,12 @@ struct PartText {
   std::string g;
 };
 
-/// One validated scene file, or a plan laid over one. docs/scene_file.md is the user's view of it.
+/// One validated scene file, or a plan with its scene. docs/scene_file.md is the user's view of it.
 struct Scene {
   std::filesystem::path path;
-  std::vector<std::string> settings;  ///< "section.key=value", with which the file was read
+  std::vector<std::string> settings;  ///< "section.key=value": the overrides applied
   std::string name;                   ///< comparison.name and the variant's; names the modules
-  std::string variant;                ///< the [[variant]] that is chosen; empty: [comparison] alone
+  std::string variant;                ///< the chosen [[variant]]; empty: only [comparison]
   std::vector<std::string> variants;  ///< names of all variants
   std::vector<PartText> parts;        ///< one per part of the graph
   std::vector<LetDefinition> lets;    ///< those that f and g need, as written, each on one line
@@ -165,8 +165,8 @@ struct Scene {
   ReferenceStructureSpec reference_structure;  ///< of the references without [[references]]
   ReducedSpec reduced;
   std::vector<LaneGroupSpec> lanes;  ///< [[lanes]]; empty: system.lanes times `reduced`
-  /// [second_tier]: the lanes that are asked before a reference is; none: what a lane leaves
-  /// undecided goes to a reference at once.
+  /// [second_tier]: the lanes that are asked before a reference is. None: undecided comparisons go
+  /// to a reference at once.
   std::optional<ReducedSpec> second_tier;
   /// Their number in a system of streams; none: "auto". An engine has one for each group.
   std::optional<int> second_tier_count;
@@ -174,7 +174,7 @@ struct Scene {
   std::vector<ReferenceGroupSpec> references;  ///< [[references]]; empty: system.references
   SystemSpec system;
   std::optional<data::DataSpec> data;
-  std::optional<PlanNotes> plan;  ///< none where the scene was read without one
+  std::optional<PlanNotes> plan;  ///< none if the scene was read without one
   /// Remarks for the user: inexact constants, unused ranges, ...
   std::vector<std::string> notes;
 
@@ -185,21 +185,21 @@ struct Scene {
   /// Tells for each input whether its declared range excludes negative values.
   std::vector<bool> nonnegative_inputs() const;
 
-  /// Groups as [[lanes]] has them, or the one that [reduced] and system.lanes stand for.
+  /// Groups as in [[lanes]], or the one group of [reduced] and system.lanes.
   std::vector<LaneGroupSpec> lane_groups() const;
-  /// Groups as [[references]] has them, or the one that [reference] and system.references stand
-  /// for; where p_H = 0 that is one group of 0 references.
+  /// Groups as in [[references]], or the one group of [reference] and system.references; with p_H =
+  /// 0 that is one group of 0 references.
   std::vector<ReferenceGroupSpec> reference_groups() const;
   std::optional<int> lane_count() const;       ///< p_L; none: "auto"
   std::optional<int> reference_count() const;  ///< p_H; none: "auto"
-  /// The scene with one group of lanes, as [reduced] has them, and one group of references.
-  /// Measurements of a single datapath start from it.
+  /// The scene with one group of lanes, as in [reduced], and one group of references. Measurements
+  /// of a single datapath start from it.
   Scene with_one_kind() const;
 };
 
 /// Reads a scene, or a plan with its scene. `overrides` are "section.key=value" settings with TOML
-/// values (a bare word counts as a string), applied before validation; errors in them name "--set"
-/// instead of a line.
+/// values (a bare word counts as a string). They are applied before validation, and errors in them
+/// name "--set" instead of a line.
 Result<Scene> load_scene(const SceneSource& source, std::span<const std::string> overrides);
 
 }  // namespace mixcmp::scene

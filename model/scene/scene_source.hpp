@@ -8,11 +8,11 @@
 
 namespace mixcmp::scene {
 
-/// The file that a scene or a plan is read from, or a text that stands for its content.
+/// The file of a scene or a plan, or a text that replaces its content.
 struct SceneSource {
   template <std::convertible_to<std::filesystem::path> Path>
   SceneSource(Path file) : path(std::move(file)) {}
-  /// `path` need not exist: errors name it, and paths in the text are seen from its folder.
+  /// `path` need not exist: errors name it, and paths in the text are relative to its folder.
   SceneSource(std::filesystem::path name, std::string content)
       : path(std::move(name)), text(std::move(content)) {}
 

@@ -13,7 +13,7 @@
 /// Errors name file, line and key.
 namespace mixcmp::scene {
 
-/// The settings of one part's two expressions; they live as long as the settings they are from.
+/// The settings of one part's two expressions. They live as long as their settings::Settings.
 struct PartSettings {
   const settings::Setting* f;
   const settings::Setting* g;
@@ -27,15 +27,15 @@ struct ComparisonSpec {
   const settings::Setting* index =
       nullptr;                           ///< `for`, whose values are the parts; null: there is none
   Graph graph = {};                      ///< once the expressions have been parsed
-  std::set<std::string> used_lets = {};  ///< names of those that f and g need
+  std::set<std::string> used_lets = {};  ///< names of the lets that f and g need
 };
 
 /// Reads [comparison] without parsing its expressions.
 Result<ComparisonSpec> read_comparison(const settings::Settings& settings,
                                        std::span<const LetDefinition> lets);
 
-/// Replaces comparison.parts by a copy of them for each value of the index of `for`; does nothing
-/// where the comparison has no `for`.
+/// Replaces comparison.parts by one copy for each value of the index of `for`; does nothing if the
+/// comparison has no `for`.
 Result<Done> expand_parts(const settings::Settings& settings, std::span<const LetDefinition> lets,
                           ComparisonSpec& comparison);
 
@@ -45,7 +45,7 @@ Result<Graph> read_graph(const settings::Settings& settings, const ComparisonSpe
                          std::span<const LetDefinition> lets,
                          const std::vector<std::string>& inputs, std::set<std::string>& used_lets);
 
-/// Parses the lets that are not in `used`, so that their mistakes are found, too.
+/// Parses the lets that are not in `used`, so that errors in them are found as well.
 Result<Done> check_unused_lets(const settings::Settings& settings,
                                std::span<const LetDefinition> lets,
                                const std::set<std::string>& used);
@@ -57,12 +57,12 @@ struct ReferenceSpec {
 
 Result<ReferenceSpec> read_reference(const settings::Settings& settings);
 
-/// Reads [reduced]. Neither this function nor read_lane_groups chooses the exponent bits that
-/// depend on ranges.
+/// Reads [reduced]. Exponent bits that depend on ranges are chosen neither here nor in
+/// read_lane_groups.
 Result<ReducedSpec> read_reduced(const settings::Settings& settings, FloatFormat reference);
 
-/// Reads [[lanes]]; a key that a table leaves out has its value in `defaults`. Empty where there is
-/// no [[lanes]].
+/// Reads [[lanes]]; a key that a table leaves out has its value in `defaults`. Empty if there is no
+/// [[lanes]].
 Result<std::vector<LaneGroupSpec>> read_lane_groups(const settings::Settings& settings,
                                                     FloatFormat reference,
                                                     const ReducedSpec& defaults);
@@ -79,7 +79,7 @@ Result<SecondTier> read_second_tier(const settings::Settings& settings, FloatFor
 /// Reads the keys that [reference] and [[references]] share.
 void read_structure(settings::Section& section, ReferenceStructureSpec& structure);
 
-/// Reads [[references]]; empty where there is none.
+/// Reads [[references]]; empty if there is none.
 Result<std::vector<ReferenceGroupSpec>> read_reference_groups(
     const settings::Settings& settings, const ReferenceStructureSpec& defaults);
 
@@ -87,11 +87,11 @@ Result<std::vector<ReferenceGroupSpec>> read_reference_groups(
 std::vector<std::string> overridden_keys(const settings::Settings& settings);
 
 Result<SystemSpec> read_system(const settings::Settings& settings);
-/// The numbers of lanes that a scene may have: more with a pairwise engine, where lanes are cheap.
+/// The possible numbers of lanes: more with a pairwise engine, where lanes are cheap.
 settings::Limits lane_limits(const settings::Settings& settings);
 
-/// Reads [engine] and checks that it fits the inputs, [data] and [system]. Where the section is
-/// absent, the kind is EngineKind::none.
+/// Reads [engine] and checks that it fits the inputs, [data] and [system]. Without the section, the
+/// kind is EngineKind::none.
 Result<EngineSpec> read_engine(const settings::Settings& settings,
                                const std::vector<std::string>& inputs,
                                const std::optional<data::DataSpec>& data);

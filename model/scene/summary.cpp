@@ -49,11 +49,12 @@ bool knows(const TypedGraph& graph, error::Event event) {
   MIXCMP_CHECK(false);
 }
 
-/// Adds an operation in which the event in question may happen. The answer becomes `possible` if
-/// all ranges under the operation are declared, else `unknown` unless it is `possible` already.
+/// Adds an operation in which the event may happen. The answer becomes `possible` if all ranges
+/// under the operation are declared. Otherwise it becomes `unknown`, unless it is already
+/// `possible`.
 void add_way(RangeQuestion& finding, const TypedGraph& graph, NodeId node,
              const error::NodeRange& range) {
-  // Two nodes may read alike: a minimum in two formats, or two long ones that are cut short.
+  // Two nodes may have the same text: a minimum in two formats, or two long texts that are cut.
   const std::string text = to_text(graph.nodes, graph.input_names, node, max_expression_length);
   auto& operations = finding.operations;
   if (std::find(operations.begin(), operations.end(), text) == operations.end()) {
@@ -182,7 +183,7 @@ private:
                        to_text(table.format, table.at(row, column)));
   }
 
-  /// "points.csv:7" where rows have lines, else the row's label or its number, counted from 0.
+  /// "points.csv:7" if rows have lines, else the row's label or its number, counted from 0.
   std::string place(const data::Table& table, std::size_t row) const {
     if (!table.lines.empty()) return fmt::format("{}:{}", table.source, table.lines[row]);
     const std::string label = table.labels.empty() ? fmt::format("row {}", row) : table.labels[row];
@@ -217,8 +218,8 @@ mpq_class least_magnitude(const Range& range) {
   return std::min<mpq_class>(abs(range.low), abs(range.high));
 }
 
-/// Tells whether a sum has exactly one product and the magnitudes of its terms may add up to less
-/// than the smallest normal number.
+/// Whether a sum has exactly one product and the magnitudes of its terms may add up to less than
+/// the smallest normal number.
 bool may_be_loose(const TypedNode& sum, const std::vector<error::NodeRange>& ranges) {
   const mpq_class smallest_normal = power_of_two(sum.format.min_exponent());
   mpq_class least = 0;
@@ -245,7 +246,7 @@ std::string first_loose_sum(const Scene& scene, const TypedGraph& reference) {
   return {};
 }
 
-/// `composed`: the reference with composed sums. Where none of its operations rounds, no digit of a
+/// `composed`: the reference with composed sums. If none of its operations rounds, no digit of a
 /// fused sum is cut off or rounded.
 Exactness summarise_exactness(const Scene& scene, const TypedGraph& composed,
                               const TypedGraph& reference) {
@@ -299,7 +300,8 @@ DatapathSummary summarise_lane(const std::string& name, const Scene& scene,
   return summary;
 }
 
-/// The sides of the comparison: f and g of a single part, f[0], g[0], f[1], ... of several.
+/// The sides of the comparison: f and g of a single part, or f[0], g[0], f[1], ... of several
+/// parts.
 std::vector<SideSummary> summarise_sides(const Scene& scene) {
   const TypedGraph reference = sides_graph(scene.graph, scene.reference);
   const std::vector<error::NodeRange> ranges =

@@ -27,8 +27,8 @@ std::string_view to_string(Possibility possibility);
 struct RangeQuestion {
   std::string question;
   Possibility answer = Possibility::ruled_out;
-  std::vector<std::string> operations;  ///< where it may happen, as expressions
-  std::vector<std::string> rangeless;   ///< the inputs whose missing range leaves it open
+  std::vector<std::string> operations;  ///< where the event may happen, as expressions
+  std::vector<std::string> rangeless;   ///< the inputs whose missing range leaves the answer open
 };
 
 /// f or g in the reference format.
@@ -40,7 +40,7 @@ struct SideSummary {
   RangeQuestion zero;
 };
 
-/// What a certified lane does not build because its range checks, or signs, rule it out.
+/// The hardware that a certified lane saves, by its range checks or known signs.
 struct LaneSavings {
   std::vector<std::string> checked_inputs;
   int operations = 0;  ///< operations that have a hardware unit
@@ -58,12 +58,12 @@ struct DatapathSummary {
   std::optional<LaneSavings> savings;    ///< for certified lanes; none for others
 };
 
-/// Whether the reference rounds at all on this scene.
+/// Whether the reference rounds at all in this scene.
 struct Exactness {
   bool exact = false;          ///< every verdict of a reference is the order of the real numbers
   std::string first_rounding;  ///< the first operation that may round, as an expression
-  /// The first fused sum that the declared ranges let err by more than the composed one, as an
-  /// expression; empty if there is none (docs/error_bounds.md, theorem 12).
+  /// The first fused sum that, within the declared ranges, may err by more than the composed one,
+  /// as an expression; empty if there is none (docs/error_bounds.md, theorem 12).
   std::string first_loose_sum;
 };
 
@@ -71,7 +71,7 @@ struct DataSummary {
   std::string source;
   data::Pairing pairing = data::Pairing::rows;
   std::uint64_t rows = 0;
-  std::string with;             ///< the second table, where there is one
+  std::string with;             ///< the second table, if there is one
   std::uint64_t with_rows = 0;  ///< rows of the second table; with arg_min, the candidates
   std::uint64_t comparisons = 0;
   std::uint64_t out_of_range = 0;  ///< numbers of the table that break a declared range
@@ -81,11 +81,11 @@ struct DataSummary {
   std::vector<data::InputSource> inputs;  ///< which column feeds which input
 };
 
-/// What `mixcmp check` prints.
+/// The content of `mixcmp check`'s report.
 struct Summary {
   const Scene* scene;
   std::vector<SideSummary> sides;          ///< f, g; for several parts f[0], g[0], f[1], ...
-  std::vector<DatapathSummary> datapaths;  ///< reference; lanes, but for those in format "auto"
+  std::vector<DatapathSummary> datapaths;  ///< reference; lanes, except those in format "auto"
   Exactness reference;
   std::optional<DataSummary> data;
 };

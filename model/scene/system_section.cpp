@@ -20,7 +20,7 @@ void check_prefix(settings::Section& section, const std::string& prefix) {
       fmt::format("letters, digits and '_', no digit nor verilator first, at most {}", longest));
 }
 
-/// Reads what carried operands wait in, and in how many beats they leave.
+/// Reads the memory of carried operands, and the number of beats in which they leave.
 void read_requests(settings::Section& section, SystemSpec& spec) {
   section.choice("operand_memory", spec.operand_memory,
                  {OperandMemory::logic, OperandMemory::block});
@@ -32,7 +32,7 @@ void read_requests(settings::Section& section, SystemSpec& spec) {
   }
 }
 
-/// Reads the counters' width and the way to them, which must not contradict each other.
+/// Reads the counters' width and the access to them, which must not contradict each other.
 void read_counters(settings::Section& section, SystemSpec& spec) {
   const auto is_given = [&](const char* key) { return section.find(key) != nullptr; };
   section.integer_or_zero("counter_bits", spec.counter_bits, settings::limits::counter_bits,
@@ -86,10 +86,10 @@ Result<ReferenceSpec> read_reference(const settings::Settings& settings) {
 
 settings::Limits lane_limits(const settings::Settings& settings) {
   EngineKind kind = EngineKind::none;
-  settings::Section section(settings, "engine");  // whose mistakes read_engine tells
+  settings::Section section(settings, "engine");  // read_engine reports mistakes in it
   section.choice("kind", kind, {EngineKind::none, EngineKind::pairwise, EngineKind::arg_min});
   int lanes_per_group = 1;
-  settings::Section system(settings, "system");  // whose mistakes read_system tells
+  settings::Section system(settings, "system");  // read_system reports mistakes in it
   system.integer("lanes_per_group", lanes_per_group, settings::limits::lanes_per_group);
   switch (kind) {
     case EngineKind::none: return settings::limits::lanes_in_groups(lanes_per_group);

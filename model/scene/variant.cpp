@@ -24,7 +24,7 @@ void erase(settings::Setting::Table& table, const std::string& key) {
   std::erase_if(table.entries, [&](const settings::Setting& entry) { return entry.key == key; });
 }
 
-/// The settings without anything that speaks of variants.
+/// The settings without any key about variants.
 settings::Settings without_variants(settings::Settings settings) {
   erase(settings.root, "variant");
   if (settings::Setting::Table* comparison = table_of(settings.root, "comparison")) {
@@ -33,7 +33,7 @@ settings::Settings without_variants(settings::Settings settings) {
   return settings;
 }
 
-/// The name of a [[variant]]: unique, and fit to be a part of a module's name.
+/// The name of a [[variant]]: it must be unique, and valid as a part of a module's name.
 Result<std::string> read_name(const settings::Setting& table,
                               const std::vector<Formulation>& known) {
   settings::Section section("variant", table);
@@ -53,7 +53,7 @@ Result<std::string> read_name(const settings::Setting& table,
   return name;
 }
 
-/// Lays a variant's keys over [comparison], which keeps its name and all other keys.
+/// Replaces keys of [comparison] by a variant's. [comparison]'s name and all its other keys stay.
 Result<Formulation> formulation_of(const settings::Setting& table, std::string name,
                                    const settings::Settings& base) {
   Formulation formulation{.variant = std::move(name),

@@ -8,7 +8,7 @@
 
 namespace mixcmp::settings {
 
-/// The whole numbers `least`..`most`, both included, that a user may give for something.
+/// The whole numbers `least`..`most`, both included, that a user may give for a quantity.
 struct Limits {
   int least;
   int most;
@@ -16,22 +16,22 @@ struct Limits {
   constexpr bool allow(int value) const { return least <= value && value <= most; }
 };
 
-/// "4..52", as messages, helps and documentation write limits.
+/// "4..52", the form of limits in messages, helps and documentation.
 std::string to_string(Limits limits);
 
-/// Limits of a scene's numbers. All checks and messages take them from here, and a test compares
+/// Limits of a scene's numbers. All checks and messages use these, and a test compares
 /// docs/scene_file.md with them.
 namespace limits {
 
 inline constexpr Limits lane_precision{4, 52};  ///< L; and at most the reference's precision
-inline constexpr Limits fixed_bits{2, 48};      ///< W of fixed point; likewise, with guard digits
+inline constexpr Limits fixed_bits{2, 48};      ///< W, at most the reference's with guard digits
 inline constexpr Limits reference_precision{11, FloatFormat::max_precision};
 inline constexpr Limits exponent_bits{FloatFormat::min_exponent_bits,
                                       FloatFormat::max_exponent_bits};
-inline constexpr Limits bound_digits{1, 8};     ///< digits of a running bound; 1: exponents alone
+inline constexpr Limits bound_digits{1, 8};     ///< of a running bound; 1: only exponents
 inline constexpr Limits lanes{1, 512};          ///< p_L, in all groups together
-inline constexpr Limits engine_lanes{1, 4096};  ///< p_L of a pairwise engine, likewise
-inline constexpr Limits references{0, 16};      ///< p_H, likewise; a group has at least 1
+inline constexpr Limits engine_lanes{1, 4096};  ///< p_L of a pairwise engine, in all groups
+inline constexpr Limits references{0, 16};      ///< p_H, in all groups; a group has at least 1
 inline constexpr Limits initiation_interval{1, 64};
 inline constexpr Limits target_mhz{1, 2000};
 inline constexpr Limits input_registers{0, 2};
@@ -46,19 +46,19 @@ inline constexpr Limits items{1, 1 << 24};  ///< rows of generated data
 inline constexpr Limits threads{1, 1024};   ///< threads, and tools that run at a time
 inline constexpr Limits seeds{1, 1000};     ///< router seeds
 
-/// p_L of a system whose lanes take streams in groups of this size: as many groups as lanes by
-/// themselves, but no more lanes than a pairwise engine has.
+/// p_L of a system whose lanes take streams in groups of this size: as many groups as there may be
+/// single lanes, but no more lanes than a pairwise engine has.
 constexpr Limits lanes_in_groups(int group) {
   return {lanes.least, std::min(lanes.most * group, engine_lanes.most)};
 }
 
 }  // namespace limits
 
-/// The precisions that a lane beside a reference of this format can have.
+/// The precisions of a lane with a reference of this format.
 Limits lane_precisions(FloatFormat reference);
-/// The bits W that a lane in fixed point beside a reference of this format can have.
+/// The bits W of a fixed-point lane with a reference of this format.
 Limits lane_fixed_bits(FloatFormat reference);
-/// Whether they allow W, and W with the guard digits.
+/// Whether the limits allow W, and W with the guard digits.
 bool allow(Limits lane_fixed_bits, const FixedPoint& format);
 
 }  // namespace mixcmp::settings

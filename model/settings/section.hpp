@@ -15,8 +15,8 @@
 
 namespace mixcmp::settings {
 
-/// Reads one table of a scene, key by key, into variables that keep their defaults where a key is
-/// absent. The first mistake is kept until `finish`, which also finds keys that nobody asked for.
+/// Reads one table of a scene, key by key, into variables that keep their defaults if a key is
+/// absent. The first mistake is stored until `finish`, which also finds unknown keys.
 class Section {
 public:
   /// The section [name] of the file; an absent one reads as empty.
@@ -40,7 +40,7 @@ public:
   void integer(const std::string& key, Integer& target, std::int64_t low, std::int64_t high);
   template <std::integral Integer>
   void integer(const std::string& key, Integer& target, Limits limits);
-  /// An integer, or 0; `zero` says in an error what 0 means.
+  /// An integer, or 0; `zero` describes the meaning of 0 in an error.
   void integer_or_zero(const std::string& key, int& target, Limits limits, const std::string& zero);
   /// An integer, or "auto" for none.
   void integer_or_auto(const std::string& key, std::optional<int>& target, Limits limits);
@@ -53,20 +53,21 @@ public:
   void choice(const std::string& key, T& target,
               std::initializer_list<std::pair<std::string_view, T>> accepted);
 
-  /// A list of one or more of `accepted`, each once.
+  /// A list of at least one of `accepted`, each once.
   template <class Enum>
   void choices(const std::string& key, std::vector<Enum>& target,
                std::initializer_list<Enum> accepted);
 
-  /// Keeps a mistake found by the caller, unless there is one already.
+  /// Stores a mistake found by the caller, unless there is one already.
   void fail(const std::string& key, std::string message, std::string received,
             std::string accepted);
   void fail(Error error);
-  /// Makes the error of a key without keeping it.
+  /// Makes the error of a key without storing it.
   Error mistake(const std::string& key, std::string message, std::string received,
                 std::string accepted) const;
 
-  /// The first mistake, if any. An unknown key goes first: it may be why another is missing.
+  /// The first mistake, if any. An unknown key goes first: it may be the reason why another is
+  /// missing.
   std::optional<Error> finish() const;
 
 private:
@@ -86,20 +87,20 @@ private:
   std::optional<Error> error_;
 };
 
-/// The file that a setting comes from, or "--set".
+/// The file of a setting, or "--set".
 std::string file_of(const Setting& setting);
 
 /// An error about the setting `field`: it names the setting's file and line, or "--set".
 Error mistake_at(const Setting& setting, std::string field, std::string message,
                  std::string received, std::string accepted);
 
-/// The tables of the list [[name]]; none where it is absent. `purpose` says in an error what they
-/// are: "one table for each kind".
+/// The tables of the list [[name]]; none if it is absent. `purpose` describes them in an error:
+/// "one table for each kind".
 Result<std::span<const Setting>> tables_of(const Settings& settings, const std::string& name,
                                            const std::string& purpose);
 
 /// The exact value of an integer, of a number (the shortest decimal that names it), or of a string
-/// that holds a decimal or hex-float literal.
+/// with a decimal or hex-float literal.
 std::optional<mpq_class> exact_value(const Setting& setting);
 
 /// The reason why a setting has no exact value, for an error: "is not a finite number".

@@ -58,7 +58,7 @@ Setting to_setting(std::string key, const toml::node& node, const File& file) {
 }
 
 /// An error if a key has too many parts, counted as dots outside of quotes. The TOML parser calls
-/// itself for each part of a dotted key, and a million parts are more than its stack holds.
+/// itself for each part of a dotted key, and a million parts are too many for its stack.
 std::optional<Error> too_many_dots(const std::string& text, const std::string& file) {
   constexpr int most = 1000;
   int line = 1, dots = 0;
@@ -102,7 +102,7 @@ Result<toml::table> parse_toml(const std::string& text, const std::string& file)
   }
 }
 
-/// The most keys in a table of a scene and the deepest nesting. Looking up a key takes time in
+/// The most keys in a table of a scene, and the deepest nesting. Looking up a key takes time in
 /// proportion to the size of its table.
 constexpr std::size_t max_keys = 4096, max_depth = 16;
 
@@ -139,7 +139,7 @@ Result<Done> check_sizes(const std::string& name, const toml::node& node, const 
   return Done{};
 }
 
-/// Removes the lines of a setting, as if it was set on the command line.
+/// Removes the lines of a setting, as if it were set on the command line.
 void forget_lines(Setting& setting) {
   setting.line = setting.end_line = 0;
   if (auto* table = std::get_if<Setting::Table>(&setting.value)) {
@@ -183,8 +183,8 @@ Result<Done> apply_override(Setting::Table& root, const std::string& text) {
                    .accepted = "the key of a section; lists are changed in the file or by a plan"};
     }
     table = std::get_if<Setting::Table>(&section.value);
-    // A section of the file that is not a table is the file's own mistake, which is reported when
-    // the section is read.
+    // A section of the file that is not a table is a mistake in the file, reported when the section
+    // is read.
     if (table == nullptr && begin == 0 && section.file != nullptr) return Done{};
     if (table == nullptr) {
       const std::string name = text.substr(0, end);

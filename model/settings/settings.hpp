@@ -38,18 +38,18 @@ struct Setting {
 
   /// "a number", "a string", ...
   std::string kind() const;
-  /// The value as an error message shows it.
+  /// The value as shown in an error message.
   std::string shown() const;
 };
 
-/// The settings of a scene file, or of a plan laid over its scene (plan.hpp), with --set overrides
+/// The settings of a scene file, or of a plan with its scene (plan.hpp), with --set overrides
 /// applied, not yet interpreted.
 struct Settings {
   std::filesystem::path path;  ///< the file, or a plan's scene; for errors about missing keys
   Setting::Table root;
 };
 
-/// Parses the text of a file already read; `path` is for the errors.
+/// Parses the text of a file; `path` is for the errors.
 Result<Settings> parse_settings(std::string text, const std::filesystem::path& path);
 
 /// Reads a file and applies the overrides. Each is "section.key=value"; a value that is not TOML
@@ -59,19 +59,19 @@ Result<Settings> read_settings(const std::filesystem::path& path,
 
 /// A basic string of TOML; `text` is UTF-8.
 std::string toml_string(const std::string& text);
-/// A key of TOML, in quotes where it needs them.
+/// A key of TOML, in quotes if necessary.
 std::string toml_key(const std::string& key);
-/// A whole value of TOML on one line; `value` contains nothing Foreign.
+/// A complete value of TOML on one line; `value` contains nothing Foreign.
 std::string toml_value(const Setting& value);
 
 Result<Done> apply_overrides(Settings& settings, std::span<const std::string> overrides);
 
-/// The entries of `root`'s sections that the overrides, already applied, have changed. An entry of
-/// which an override changed only a part is returned whole.
+/// The entries of `root`'s sections that the overrides, already applied, have changed. An entry is
+/// returned whole even if an override changed only a part of it.
 Setting::Table overridden_entries(const Setting::Table& root,
                                   std::span<const std::string> overrides);
 
-/// The entry with that key; where there is none, an empty table is added.
+/// The entry with that key. If there is none, an empty table is added.
 Setting& find_or_add(Setting::Table& table, const std::string& key);
 
 }  // namespace mixcmp::settings

@@ -11,8 +11,8 @@ namespace mixcmp::workload {
 /// Called with the number of comparisons of an arg_min that are decided so far, and of all.
 using ComparisonProgress = std::function<void(std::uint64_t done, std::uint64_t all)>;
 
-/// Reads or generates what [data] names and arranges it into comparisons. Those of arg_min depend
-/// on the verdicts of the scene's reference. A scene without [data] is an error.
+/// Reads or generates the data of [data] and arranges them into comparisons. Those of arg_min
+/// depend on the verdicts of the scene's reference. A scene without [data] is an error.
 Result<data::Comparisons> load_comparisons(const scene::Scene& scene,
                                            const ComparisonProgress& progress = {});
 

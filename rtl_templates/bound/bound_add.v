@@ -1,6 +1,6 @@
 // bound_add: a + b, rounded up.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
-// Infinite where an operand is, or where the sum leaves the format.
+// Infinite if an operand is infinite or the sum leaves the format.
 `default_nettype none
 
 module bound_add #(
@@ -21,7 +21,7 @@ module bound_add #(
   localparam [BOUND_PRECISION-1:0] LEADING_ONE = ~(~NO_DIGITS >> 1);
   localparam [BOUND_PRECISION-1:0] ONE         = 1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
     if (BOUND_PRECISION < 1)
@@ -29,7 +29,7 @@ module bound_add #(
   endgenerate
 
   // Stage align: for n > 0, n / 2^k rounded up is (n - 1) / 2^k rounded down, plus one. The
-  // complement of a negative difference of the exponents is one less than their distance.
+  // complement of a negative difference of the exponents is their distance less one.
   wire [EXPONENT_BITS-1:0] s0_a_exponent = a[BOUND-1:EXPONENT];
   wire [EXPONENT_BITS-1:0] s0_b_exponent = b[BOUND-1:EXPONENT];
   wire [EXPONENT_BITS-1:0] s0_difference;
@@ -61,8 +61,8 @@ module bound_add #(
     .q   ({s1_exponent, s1_larger, s1_shifted, s1_adds})
   );
 
-  // Stage sum: a carry is the next power of two, at last infinity. The one to be added comes out of
-  // an extra last place.
+  // Stage sum: a carry gives the next power of two, at last infinity. The 1 that rounding up adds
+  // is a carry out of an extra last place.
   wire [BOUND_PRECISION-1:0] s1_sum;
   wire                       s1_carry;
   wire                       s1_unused_place;

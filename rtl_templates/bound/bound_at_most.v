@@ -1,6 +1,6 @@
-// bound_at_most: holds where bound <= |x|.
+// bound_at_most: 1 if bound <= |x|.
 // Latency: CUTS; initiation interval 1; no reset.
-// Means nothing for NaNs, which must come with `exceptional`.
+// Undefined for NaNs, which must come with `exceptional`.
 `default_nettype none
 
 module bound_at_most #(
@@ -19,7 +19,7 @@ module bound_at_most #(
   localparam BOUND = EXPONENT_BITS + BOUND_PRECISION - 1;
   localparam REST  = PRECISION - BOUND_PRECISION + 1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
     if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
@@ -29,7 +29,8 @@ module bound_at_most #(
       begin : g_refused_more_digits BOUND_PRECISION_is_above_PRECISION refused (); end
   endgenerate
 
-  // Stage compare: a bound has zeros where x goes on: the leading digits of x tell.
+  // Stage compare: where x has digits below the bound's, the bound has zeros, so only the leading
+  // digits of x count.
   wire             unused_sign = x[SIGN];
   wire [BOUND-1:0] s0_leading;
   wire [REST-1:0]  s0_unused_rest;

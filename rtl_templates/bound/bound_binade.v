@@ -1,7 +1,7 @@
-// bound_binade: the power of two at or below |x|: its exponent. Zero for zeros.
+// bound_binade: the largest power of two that is at most |x|, by its exponent. Zero for zeros.
 // Latency: CUTS; initiation interval 1; no reset.
-// The smallest bound for subnormal x, infinite for infinities and NaNs. With GRADUAL = 0 y means
-// nothing for subnormal x, which must come with `exceptional`.
+// For subnormal x it is the smallest bound, for infinities and NaNs infinite. With GRADUAL = 0 y is
+// undefined for subnormal x, which must come with `exceptional`.
 `default_nettype none
 
 module bound_binade #(
@@ -23,7 +23,7 @@ module bound_binade #(
   localparam [BOUND-1:0] FRACTION = {BOUND{1'b1}} >> EXPONENT_BITS;
   localparam [BOUND-1:0] SMALLEST = FRACTION + 1'b1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
     if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
@@ -33,7 +33,7 @@ module bound_binade #(
       begin : g_refused_more_digits BOUND_PRECISION_is_above_PRECISION refused (); end
   endgenerate
 
-  // Stage binade: the exponent field alone.
+  // Stage binade: only the exponent field counts.
   wire             unused_sign  = x[SIGN];
   wire [BOUND-1:0] s0_leading   = x[SIGN-1:SIGN-BOUND];
   wire             s0_subnormal = (GRADUAL != 0) && !(|x[SIGN-1:EXPONENT]) && (|x[EXPONENT-1:0]);

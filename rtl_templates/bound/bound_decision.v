@@ -1,9 +1,9 @@
-// bound_decision: decides the sign of a difference iff its magnitude is more than GUARD_ULP steps
-// of its encoding above the bound of its error, and nothing that led to either was exceptional:
-// less (0) or greater (2).
+// bound_decision: decides the sign of a difference: less (0) or greater (2). It decides iff the
+// difference's magnitude is more than GUARD_ULP steps of its encoding above the bound of its error,
+// and nothing that led to either was exceptional.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
-// A verdict means something where `decided` is 1. NaNs must come with `exceptional`. No finite
-// difference exceeds an infinite bound.
+// A verdict is valid where `decided` is 1. NaNs must come with `exceptional`. No finite difference
+// exceeds an infinite bound.
 `default_nettype none
 
 module bound_decision #(
@@ -24,12 +24,12 @@ module bound_decision #(
   localparam SIGN  = EXPONENT_BITS + PRECISION - 1;
   localparam BOUND = EXPONENT_BITS + BOUND_PRECISION - 1;
 
-  // The guard's places below the bound's digits, and those beside them.
+  // REST masks the places below the bound's digits. GUARD_LOW is the guard's part in these places.
   localparam [SIGN:0] REST       = ~({(SIGN + 1) {1'b1}} << (PRECISION - BOUND_PRECISION));
   localparam [SIGN:0] GUARD_LOW  = GUARD_ULP & REST;
   localparam [SIGN:0] GUARD_HIGH = GUARD_ULP >> (PRECISION - BOUND_PRECISION);
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
     if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
@@ -39,8 +39,8 @@ module bound_decision #(
       begin : g_refused_more_digits BOUND_PRECISION_is_above_PRECISION refused (); end
   endgenerate
 
-  // Stage limit: the places that the bound lacks are zeros; a guard that fits into them costs no
-  // adder.
+  // Stage limit: the bound has zeros in the places that it lacks, so a guard that fits into them
+  // needs no adder.
   wire [BOUND-1:0] s0_leading = difference[SIGN-1:SIGN-BOUND];
   wire             s0_beyond  = (difference & REST) > GUARD_LOW;
   wire [BOUND+1:0] s0_limit   = {2'b00, bound} + {1'b0, GUARD_HIGH[BOUND:0]};
@@ -60,8 +60,8 @@ module bound_decision #(
     .q   ({s1_leading, s1_limit, s1_beyond, s1_less, s1_exceptional})
   );
 
-  // Stage compare: leading + ~limit carries where leading > limit. The rest, s1_beyond, is a carry
-  // from an extra last place, by which equal ones carry, too.
+  // Stage compare: leading + ~limit carries if leading > limit. s1_beyond is a carry out of an
+  // extra last place, with which leading = limit carries as well.
   wire             s1_exceeds;
   wire [BOUND+2:0] s1_unused_places;
 

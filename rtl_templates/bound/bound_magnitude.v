@@ -1,6 +1,6 @@
 // bound_magnitude: an upper bound of |x|: its leading digits, rounded up.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
-// Infinite where rounding leaves the format. y means nothing for NaNs and, with GRADUAL = 0,
+// Infinite if rounding leaves the format. y is undefined for NaNs and, with GRADUAL = 0, for
 // subnormal numbers, which must come with `exceptional`.
 `default_nettype none
 
@@ -23,7 +23,7 @@ module bound_magnitude #(
 
   localparam [BOUND-1:0] FRACTION = {BOUND{1'b1}} >> EXPONENT_BITS;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
     if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
@@ -33,8 +33,8 @@ module bound_magnitude #(
       begin : g_refused_more_digits BOUND_PRECISION_is_above_PRECISION refused (); end
   endgenerate
 
-  // Stage reduce: a place below the last, so that even BOUND_PRECISION = PRECISION leaves a rest. A
-  // subnormal number rounds up to the smallest bound, as if its leading digits were ones.
+  // Stage reduce: an extra place below the last leaves a rest even if BOUND_PRECISION = PRECISION.
+  // A subnormal number rounds up to the smallest bound, as if its leading digits were ones.
   wire             unused_sign  = x[SIGN];
   wire [BOUND-1:0] s0_leading;
   wire [REST-1:0]  s0_rest;
@@ -54,7 +54,7 @@ module bound_magnitude #(
     .q   ({s1_leading, s1_round_up})
   );
 
-  // Stage round: a carry out of the fraction is the next power of two, at last infinity.
+  // Stage round: a carry out of the fraction gives the next power of two, at last infinity.
   fp_rank #(
     .WIDTH     (BOUND),
     .REGISTERED(CUTS[1])

@@ -15,7 +15,7 @@ module bound_maximum #(
 
   localparam BOUND = EXPONENT_BITS + BOUND_PRECISION - 1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
     if (BOUND_PRECISION < 1)

@@ -1,6 +1,6 @@
 // bound_multiply: a * b, rounded up.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
-// Infinite where an operand is (even times zero), or where the product leaves the format; never
+// Infinite if an operand is infinite (even times zero) or the product leaves the format. Never
 // below the smallest bound unless an operand is zero.
 `default_nettype none
 
@@ -26,7 +26,7 @@ module bound_multiply #(
   localparam [BOUND-1:0]           SMALLEST    = FRACTION + 1'b1;
   localparam [BOUND_PRECISION-1:0] ONE         = 1;
 
-  // Rows of additions: `*` would take an embedded multiplier for a few bits.
+  // Rows of additions: `*` would use an embedded multiplier for a few bits.
   function [PRODUCT-1:0] multiplied(input [BOUND_PRECISION-1:0] first,
                                     input [BOUND_PRECISION-1:0] second);
     reg [PRODUCT-1:0] row;
@@ -40,15 +40,16 @@ module bound_multiply #(
     end
   endfunction
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
     if (BOUND_PRECISION < 1)
       begin : g_refused_bound_precision BOUND_PRECISION_is_below_1 refused (); end
   endgenerate
 
-  // Stage multiply: the product of two significands in [1, 2) lies in [1, 4). The bias is 2^(E-1)
-  // less one: a sign for the first exponent, and a carry in, out of an extra last place.
+  // Stage multiply: the product of two significands in [1, 2) lies in [1, 4). The bias is 2^(E-1) -
+  // 1. Inverting the first exponent's leading bit, as a sign, subtracts 2^(E-1); the 1 is a carry
+  // out of an extra last place.
   wire [EXPONENT_BITS-1:0] s0_a_exponent = a[BOUND-1:EXPONENT];
   wire [EXPONENT_BITS-1:0] s0_b_exponent = b[BOUND-1:EXPONENT];
   wire [PRODUCT-1:0]       s0_product    = multiplied(a[BOUND_PRECISION-1:0] | LEADING_ONE,
@@ -76,8 +77,8 @@ module bound_multiply #(
     .q   ({s1_product, s1_exponent, s1_infinite, s1_zero})
   );
 
-  // Stage round: from 2 on the exponent takes a step, in the leading one's place. The rounding
-  // comes out of an extra last place; its carry is the next power of two.
+  // Stage round: a product of 2 or more increments the exponent, in the leading one's place. The 1
+  // of rounding up comes out of an extra last place, and its carry gives the next power of two.
   wire                       s1_high = s1_product[PRODUCT-1];
   wire [BOUND_PRECISION-1:0] s1_kept;
   wire [BOUND_PRECISION-1:0] s1_rest;

@@ -21,7 +21,7 @@ module bound_reciprocal #(
   localparam [BOUND-1:0] FRACTION = {BOUND{1'b1}} >> EXPONENT_BITS;
   localparam [BOUND-1:0] SMALLEST = FRACTION + 1'b1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
     if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
@@ -31,9 +31,9 @@ module bound_reciprocal #(
       begin : g_refused_more_digits BOUND_PRECISION_is_above_PRECISION refused (); end
   endgenerate
 
-  // Stage negate: with all ones for zero, twice the bias less the exponent is its complement less
-  // one. The complement itself serves at both ends: infinite for zero, the smallest bound where the
-  // exponent is the largest.
+  // Stage negate: the result's exponent is 2 BIAS less the exponent. As 2 BIAS is all ones less
+  // one, that is the complement less one. At both ends it is the complement itself: infinite for
+  // exponent 0, and the smallest bound for the largest exponent.
   wire                     unused_sign     = x[SIGN];
   wire [EXPONENT-1:0]      unused_fraction = x[EXPONENT-1:0];
   wire [EXPONENT_BITS-1:0] s0_exponent     = x[SIGN-1:EXPONENT];

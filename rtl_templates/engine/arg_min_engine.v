@@ -1,19 +1,27 @@
-// arg_min_engine: for each row of a stream the candidate that costs it least, by a chain of lanes.
-// Candidates are loaded once, a beat each, tlast with the last: CANDIDATES of them, from number 0.
-// Fewer are as good as the last one repeated; those beyond are accepted and left out, and `overrun`
-// says so until the next load. Then rows come in, each with a tag and tlast, and leave in their
-// order as {index of the candidate, tag, tlast}. Lane k - 1 compares candidate k with the best of
-// candidates 0 to k - 1: it must return one result {6'b0, verdict} for each pair, in order, with the
-// pair's tag, and decide all.
-// Lanes see words: `candidate_word` and `row_word` come WORD_LATENCY cycles behind `candidate` and
-// s_axis_tdata. Full candidates and rows stay in memories, of which the references ask for a pair by
-// the low bits of its tag, {index of its own candidate, of the best, place of the row}.
-// 2^PLACE_BITS rows may be inside.
-// A load that follows is taken when no row is inside; while it is offered no row comes in.
-// Interval 1; latency CANDIDATES - 1 times that of a lane plus one, and WORD_LATENCY + 2. Rows come
-// in 2 cycles after the last candidate at the earliest. Counters wrap: rows that have left, cycles
-// in which a row was offered to complete candidates, none on offer, and not taken. Reset forgets
-// all; lanes and references have to be reset, too.
+// arg_min_engine: finds the candidate that costs least, for each row of a stream, by a chain of
+// lanes.
+//
+// Candidates are loaded once, one per beat, with tlast on the last: CANDIDATES of them, from number
+// 0. If fewer arrive, the last one is repeated. Surplus ones are accepted but not used, and
+// `overrun` is 1 until the next load. Then rows enter, each with a tag and tlast, and leave in
+// their order as {index of the candidate, tag, tlast}.
+//
+// Lane k - 1 compares candidate k with the best of candidates 0 to k - 1. It must return one result
+// {6'b0, verdict} for each pair, in order and with the pair's tag, and must decide all pairs. Lanes
+// see words: `candidate_word` and `row_word` come WORD_LATENCY cycles behind `candidate` and
+// s_axis_tdata.
+//
+// Full candidates and rows stay in memories. References ask these for a pair by the low bits of its
+// tag, {index of its own candidate, index of the best, place of the row}. 2^PLACE_BITS rows may be
+// inside.
+//
+// The next load is taken when no row is inside; while it is offered, no row enters. Interval 1;
+// latency WORD_LATENCY + 2, and for each of the CANDIDATES - 1 lanes its latency plus one. Rows
+// enter 2 cycles after the last candidate or later.
+//
+// Two counters, which wrap: `rows` that have left, and `stalled_cycles`, in which a row was offered
+// and not taken although the candidates were complete and no load was on offer. Reset forgets all;
+// lanes and references have to be reset with it.
 `default_nettype none
 
 module arg_min_engine #(
@@ -75,11 +83,11 @@ module arg_min_engine #(
   localparam [PLACE_BITS:0]   ONE_ROW   = 1;
   localparam [PLACE_BITS-1:0] ONE_PLACE = 1;
 
-  // Rows that may be inside the conversion when their queue says stop, and room for some more.
+  // Rows that may be inside the conversion when their queue has no more room, and some to spare.
   localparam MAY_COME   = WORD_LATENCY + 2;
   localparam QUEUE_BITS = bits_for(MAY_COME + 4);
 
-  function integer bits_for;  // to name one of `count`
+  function integer bits_for;  // bits that name one of `count`
     input integer count;
     begin
       bits_for = 1;
@@ -89,7 +97,7 @@ module arg_min_engine #(
     end
   endfunction
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (CANDIDATES < 2) begin : g_refused_candidates CANDIDATES_is_below_2 refused (); end
     if (CANDIDATE_BITS < 1)
@@ -108,8 +116,8 @@ module arg_min_engine #(
     if (COUNTER_BITS < 0) begin : g_refused_counter_bits COUNTER_BITS_is_below_0 refused (); end
   endgenerate
 
-  // Words go from the last stage to the first, rows from the first to the last: link k of either
-  // is before stage k + 1.
+  // Words go from the last stage to the first, rows from the first to the last. For both, link k is
+  // in front of stage k + 1.
   wire [STAGES:0]                     word_valid;
   wire [CANDIDATES*INDEX_BITS-1:0]    word_index;
   wire [CANDIDATES*WORD_BITS-1:0]     word_data;
@@ -118,7 +126,7 @@ module arg_min_engine #(
   wire [CANDIDATES*ROW_LINK_BITS-1:0] row_data;
   wire [CANDIDATES*INDEX_BITS-1:0]    row_best;
 
-  // Candidates: into the memory as they are, into the chain as words.
+  // Candidates enter the memory as they are and the chain as words.
   wire                  loaded_valid;
   wire [INDEX_BITS-1:0] loaded_index;
   wire                  complete;
@@ -166,8 +174,8 @@ module arg_min_engine #(
 
   assign word_data[STAGES*WORD_BITS +: WORD_BITS] = candidate_word;
 
-  // Rows inside, each in a place of its own: they leave in their order, so places are taken and
-  // come free in turn.
+  // Each row inside has a place of its own. Rows leave in their order, so places are taken and
+  // freed in turn.
   wire                  enters = s_axis_tvalid && s_axis_tready;
   wire                  leaves = m_axis_tvalid && m_axis_tready;
   reg  [PLACE_BITS:0]   inside_q;
@@ -194,7 +202,8 @@ module arg_min_engine #(
     end
   end
 
-  // A free place is written in every cycle, whatever is on offer: the row that takes it comes last.
+  // A free place is written in every cycle, whatever is offered: the last write is the row that
+  // takes it.
   operand_memory #(
     .REFERENCES    (REFERENCES),
     .CANDIDATE_BITS(CANDIDATE_BITS),
@@ -218,7 +227,7 @@ module arg_min_engine #(
     .m_answer_tdata (refetched_tdata)
   );
 
-  // The conversion of rows cannot wait; the queue behind it does.
+  // The conversion of rows cannot wait, so a queue follows it.
   wire                     converted;
   reg  [PLACE_BITS-1:0]    next_place_q;  // of the row that the chain takes next
   wire [ROW_WORD_BITS-1:0] next_word;
@@ -301,11 +310,11 @@ module arg_min_engine #(
     end
   endgenerate
 
-  // The word of candidate 0 stays in the memories, that of a row behind the last stage.
+  // The word of candidate 0, and that of a row behind the last stage, are not used.
   wire unused_word = &{word_valid[0], word_index[INDEX_BITS-1:0], word_data[WORD_BITS-1:0]};
   wire unused_row  = &row_data[STAGES*ROW_LINK_BITS +: ROW_LINK_BITS];
 
-  // Out. A row's tag waits for it here.
+  // Output. A row's tag waits here for the row.
   wire                  unused_tag_ready;
   wire                  unused_tag_valid;
   reg  [FIELD_BITS-1:0] tdata;

@@ -1,22 +1,24 @@
-// arg_min_stage: link STAGE of the chain that finds the candidate of least cost: candidate STAGE
-// against the best of those before, in one lane that returns its verdicts in order.
-// Only the best one's index travels with a row: its word is read from a memory, as are those of
-// every candidate before STAGE. The lane keeps the row for as long as it takes: it returns the tag
+// arg_min_stage: link STAGE of the chain that finds the candidate of least cost. One lane, which
+// returns its verdicts in order, compares candidate STAGE with the best candidate before it.
+//
+// A row carries only the best candidate's index. That candidate's word is read from a memory, which
+// holds the words of all candidates before STAGE. The lane carries the row: it returns the tag
 // {word of the row, STAGE, index of the best, place of the row} with the verdict. On `greater`
-// candidate STAGE becomes the best; any other verdict keeps it. Candidates enter at the last stage,
-// in the order of their indices, and move towards stage 1; each stage hands them on until candidate
-// STAGE arrives, which it keeps. So all stages are complete in the same cycle, 1 after the last
-// word entered the last one. Interval 1; latency 1 and the lane's. Reset empties it, but for the
-// candidates.
+// candidate STAGE becomes the best; any other verdict keeps the best.
+//
+// Candidates enter at the last stage, in the order of their indices, and move towards stage 1. Each
+// stage passes them on until candidate STAGE arrives, which it keeps. So all stages are complete in
+// the same cycle, 1 after the last word entered the last stage. Interval 1; latency 1 and the
+// lane's. Reset empties the stage but keeps the candidates.
 `default_nettype none
 
 module arg_min_stage #(
-  parameter STAGE = 2,            // 1 and up
+  parameter STAGE = 2,            // 1 or more
   parameter WORD_BITS = 32,       // of a candidate
   parameter ROW_WORD_BITS = 32,
   parameter PLACE_BITS = 6,
   parameter INDEX_BITS = 2,
-  parameter BEST_BITS = 1         // to name a candidate before STAGE
+  parameter BEST_BITS = 1         // bits that name a candidate before STAGE
 ) (
   input  wire                                             aclk,
   input  wire                                             aresetn,
@@ -46,11 +48,11 @@ module arg_min_stage #(
 );
 
   localparam ROW_BITS = ROW_WORD_BITS + PLACE_BITS;
-  localparam ASK_BITS = 2 * INDEX_BITS + PLACE_BITS;  // what names a pair
+  localparam ASK_BITS = 2 * INDEX_BITS + PLACE_BITS;  // bits that name a pair
   localparam [INDEX_BITS-1:0] OWN     = STAGE[INDEX_BITS-1:0];
   localparam [1:0]            GREATER = 2'b10;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (STAGE < 1) begin : g_refused_stage STAGE_is_below_1 refused (); end
     if (WORD_BITS < 1) begin : g_refused_word_bits WORD_BITS_is_below_1 refused (); end
@@ -67,7 +69,7 @@ module arg_min_stage #(
   endgenerate
 
   // Candidates.
-  reg                   moving_q;  // a word came in the cycle before
+  reg                   moving_q;  // a word came in the previous cycle
   reg  [INDEX_BITS-1:0] index_q;
   reg  [WORD_BITS-1:0]  word_q;
   wire                  passes = moving_q && (index_q != OWN);
@@ -91,7 +93,7 @@ module arg_min_stage #(
   assign m_word_index = index_q;
   assign m_word_data  = word_q;
 
-  // The row at hand, and the word of its best candidate.
+  // The current row, and the word of its best candidate.
   reg                  row_valid_q;
   reg  [ROW_BITS-1:0]  row_q;
   reg  [BEST_BITS-1:0] best_q;
@@ -157,7 +159,7 @@ module arg_min_stage #(
   assign pair_own    = word_q;
   assign pair_tag    = {row_q[PLACE_BITS +: ROW_WORD_BITS], OWN, best, row_q[PLACE_BITS-1:0]};
 
-  // On with the result.
+  // The result goes on to the next stage.
   wire unused_own    = &result_tag[PLACE_BITS+INDEX_BITS +: INDEX_BITS];
   wire own_is_better = (result_verdict == GREATER);
 

@@ -1,7 +1,7 @@
 // candidate_loader: numbers the candidates of one load and sends them on, one a cycle.
-// Exactly CANDIDATES words leave for a load: of fewer the last is repeated, which as a tie wins
-// nothing; those beyond are accepted, not sent, and raise `overrun`, which the next load clears.
-// `complete`: all have left. The next load comes in once nothing is inside; while it waits,
+// Exactly CANDIDATES words leave for a load. If fewer come, the last is repeated, which as a tie
+// never wins. Surplus ones are accepted but not sent, and raise `overrun`, which the next load
+// clears. `complete`: all have left. The next load enters once nothing is inside; while it waits,
 // `waiting` keeps rows out. Latency 1. Reset forgets the load.
 `default_nettype none
 
@@ -28,7 +28,7 @@ module candidate_loader #(
   localparam [INDEX_BITS:0] ONE = 1;
   localparam [INDEX_BITS:0] ALL = CANDIDATES[INDEX_BITS:0];
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (CANDIDATES < 2) begin : g_refused_candidates CANDIDATES_is_below_2 refused (); end
     if (CANDIDATE_BITS < 1)
@@ -50,7 +50,7 @@ module candidate_loader #(
   wire                repeated = ended_q && !all_sent;
   wire                send     = keep || repeated;
 
-  // Rows are kept out in the cycle that finds the chain idle, so that it stays idle.
+  // In the cycle that finds the chain idle no row may enter, so the chain stays idle.
   wire                restart  = !aresetn || (complete_q && waiting_q && idle);
 
   always @(posedge aclk) begin
@@ -73,7 +73,7 @@ module candidate_loader #(
 
   reg                      word_valid_q;
   reg [INDEX_BITS-1:0]     word_index_q;
-  reg [CANDIDATE_BITS-1:0] word_data_q;  // stays for as long as it is repeated
+  reg [CANDIDATE_BITS-1:0] word_data_q;  // stays while it is repeated
 
   always @(posedge aclk) begin
     if (!aresetn) begin

@@ -1,7 +1,7 @@
-// closing_tree: merges INPUTS streams into one, of which each ends with a beat with tlast; one beat
-// with tlast leaves, behind all words, once the last of them has come.
-// COUNT_BITS > 0: the low COUNT_BITS of these beats are numbers, and of the one that leaves their
-// sum. Fairness and latency are those of stream_tree. Reset empties it.
+// closing_tree: merges INPUTS streams into one. Each input ends with a beat with tlast. Once all
+// inputs have ended, one beat with tlast leaves behind all words. COUNT_BITS > 0: the low
+// COUNT_BITS of the inputs' last beats are numbers, and the beat that leaves has their sum.
+// Fairness and latency are those of stream_tree. Reset empties the tree.
 `default_nettype none
 
 module closing_tree #(
@@ -21,7 +21,7 @@ module closing_tree #(
   output wire                    m_axis_tlast
 );
 
-  function integer bits_below;  // to count up to values - 1
+  function integer bits_below;  // bits that count up to values - 1
     input integer values;
     begin
       bits_below = 1;
@@ -35,7 +35,7 @@ module closing_tree #(
   localparam OTHERS      = INPUTS - 1;
   localparam [CLOSED_BITS-1:0] ONE = 1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (INPUTS < 1) begin : g_refused_inputs INPUTS_is_below_1 refused (); end
     if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end

@@ -1,9 +1,8 @@
 // exception_queue: a FIFO behind a pipeline that cannot wait. `room` says that a word may enter the
-// pipeline. MAY_COME is the most words, this one included, whose beats may not be counted yet when
-// `room` is decided: the FIFO has a place for the beat of each.
-// While `on_offer` is 1, a `room` of 1 stays 1: a word that is on offer elsewhere has had its place
-// set aside, and no word enters meanwhile.
-// Holds 2^DEPTH_BITS beats, more than MAY_COME. Latency 2, one beat per cycle. Reset empties it.
+// pipeline. MAY_COME is the largest number of words, this one included, whose beats may not have
+// been counted when `room` is decided: the FIFO has a place for the beat of each. While `on_offer`
+// is 1, a `room` of 1 stays 1: a place is reserved for the word on offer elsewhere, and no other
+// word enters meanwhile.
 `default_nettype none
 
 module exception_queue #(
@@ -27,7 +26,7 @@ module exception_queue #(
   localparam [DEPTH_BITS+1:0] NONE = 0;
   localparam [DEPTH_BITS+1:0] ONE  = 1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (MAY_COME < 1) begin : g_refused_may_come MAY_COME_is_below_1 refused (); end
     if ((DEPTH_BITS < 1) || (DEPTH_BITS > 30)) begin : g_refused_depth_bits
@@ -54,8 +53,8 @@ module exception_queue #(
     .m_axis_tdata (m_axis_tdata)
   );
 
-  // A beat that leaves is counted one cycle later: whether it leaves is known late in a cycle, and a
-  // place that is counted as taken for too long does no harm.
+  // A beat that leaves is counted one cycle later: whether it leaves is known late in a cycle. It
+  // does no harm to count a place as taken for too long.
   reg [DEPTH_BITS+1:0] queued_q;
   reg                  popped_q;
   reg                  room_q;

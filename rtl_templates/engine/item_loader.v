@@ -1,6 +1,6 @@
 // item_loader: takes the items of one set and numbers them from 0 in the order of their arrival.
-// Items beyond CAPACITY are accepted, not kept, and raise `overrun`. Behind the item with tlast
-// nothing is accepted until `set_closed`, which forgets the set. Reset forgets it, too.
+// Items beyond CAPACITY are accepted but not kept, and raise `overrun`. After the item with tlast
+// nothing is accepted until `set_closed`. `set_closed` and reset forget the set.
 `default_nettype none
 
 module item_loader #(
@@ -25,7 +25,7 @@ module item_loader #(
   localparam [INDEX_BITS:0] ONE  = 1;
   localparam [INDEX_BITS:0] FULL = CAPACITY[INDEX_BITS:0];
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (CAPACITY < 2) begin : g_refused_capacity CAPACITY_is_below_2 refused (); end
     if (INDEX_BITS < 1) begin : g_refused_index_bits INDEX_BITS_is_below_1 refused (); end

@@ -1,9 +1,9 @@
-// item_memory: the items of one set. Port i writes or reads, port j reads, so that both items of a
-// pair are read at once.
-// Latency 1; an output holds its word until its port's next read. No reset, so that it becomes block
-// RAM. A read on port j of the address that is written in the same cycle returns no word: nobody
-// reads so, simulation answers with unknown bits, and the attributes keep synthesis from building
-// logic that would answer (Yosys: no_rw_check, Quartus: ramstyle, Vivado: rw_addr_collision).
+// item_memory: the items of one set. Port i writes or reads, port j reads, so both items of a pair
+// are read at once. Latency 1; an output holds its word until its port's next read. No reset, so
+// that it becomes block RAM. A read on port j of the address that is written in the same cycle
+// returns no word. No user reads so, and simulation answers with unknown bits. Attributes stop
+// the synthesis tool from building logic that would answer (Yosys: no_rw_check, Quartus: ramstyle,
+// Vivado: rw_addr_collision).
 `default_nettype none
 
 module item_memory #(
@@ -21,7 +21,7 @@ module item_memory #(
   output wire [WIDTH-1:0]        j_read_data
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
     if (ADDRESS_BITS < 1) begin : g_refused_address_bits ADDRESS_BITS_is_below_1 refused (); end

@@ -1,11 +1,10 @@
-// operand_memory: full rows and candidates, of which the references of an arg-min engine ask for the
-// operands of undecided pairs again.
-// A request is the pair's tag {index of its own candidate, index of the best, place of the row}; the
-// answer is the three of them, in the order of a reference's requests. One answer a cycle, for all
-// references together; each has a register in which it finds its answer, 2 cycles after the request
-// at the earliest, and one more for each level of the tree of arbiters where there are several.
-// Rows may be written at any time, in places that no request names; candidates while no request is
-// there. Reset forgets the requests.
+// operand_memory: full rows and candidates. The references of an arg-min engine ask it for the
+// operands of undecided pairs. A request is the pair's tag {index of its own candidate, index of
+// the best, place of the row}. The answer is the three of them, in the order of a reference's
+// requests. All references together get one answer per cycle. Each has a register for its answer,
+// which comes 2 cycles after the request at the earliest, and one more for each level of the tree
+// of arbiters if there are several references. Rows may be written at any time, in places that no
+// request names; candidates only while there is no request. Reset forgets the requests.
 `default_nettype none
 
 module operand_memory #(
@@ -34,12 +33,12 @@ module operand_memory #(
   localparam ASK_BITS    = 2 * INDEX_BITS + PLACE_BITS;
   localparam ANSWER_BITS = 2 * CANDIDATE_BITS + ROW_BITS;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (REFERENCES < 1) begin : g_refused_references REFERENCES_is_below_1 refused (); end
   endgenerate
 
-  // One after the other, each with a bit for the reference that asks.
+  // The requests one after the other, each with one bit per reference that says which one asks.
   wire [REFERENCES*(REFERENCES+ASK_BITS)-1:0] asks;
   wire                                        ask_valid;
   wire [REFERENCES-1:0]                       asker;
@@ -80,7 +79,7 @@ module operand_memory #(
     end
   endgenerate
 
-  // What was read waits in the memories' outputs until the register of its asker has room.
+  // The words that were read wait in the memories' outputs until the asker's register has room.
   reg                    waits_q;
   reg  [REFERENCES-1:0]  asker_q;
   wire [REFERENCES-1:0]  room;

@@ -1,7 +1,7 @@
-// pair_code: what a beat says of one pair. The top bit of the code says that the pair is reported.
-// The bits below then give its verdict if CODE_BITS = 3, and are 0 if CODE_BITS = 2, where only one
-// verdict is reported. Without the top bit, 1 says undecided; 0 says that the pair has not met or
-// that its verdict is not reported.
+// pair_code: the code of one pair in a beat. Its top bit says that the pair is reported. The bits
+// below are then the verdict if CODE_BITS = 3, and 0 if CODE_BITS = 2, where only one verdict is
+// reported. Without the top bit, 1 means undecided; 0 means that the pair has not met or that its
+// verdict is not reported.
 // REPORT: bit v is 1 where verdict v is reported. COUNT = 1: reported pairs are counted outside,
 // and their code is 0.
 // Combinational.
@@ -19,7 +19,7 @@ module pair_code #(
   output wire [CODE_BITS-1:0] code
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((REPORT >> 4) != 0) begin : g_refused_report REPORT_is_not_0_to_15 refused (); end
     if ((CODE_BITS != 3) && ((CODE_BITS != 2) || ((REPORT & (REPORT - 1)) != 0)))

@@ -1,11 +1,13 @@
-// pair_expander: turns the beats of segments into pairs, one a cycle: first those of a beat that are
-// reported, to m_report, then the undecided ones, to m_pair.
-// A beat is {codes, index j, index base}, as pair_segment makes it; lane k's code is about the pair
-// (base + k, j). A pair leaves as the tag {j, base} and the lane k: the adder that makes i of them
-// stands behind the next register, since choosing the lane takes most of a cycle. BITMAP = 1: all
-// reported pairs of a beat leave together, as {flags, j, base} of lane 0, one flag a lane.
-// RECOMPUTE = 0: undecided pairs leave as reports, too, one by one, with the flag `undecided`.
-// REPORT = 0: no code may say that a pair is reported.
+// pair_expander: turns the beats of segments into pairs, one a cycle: first the reported pairs of a
+// beat, to m_report, then the undecided ones, to m_pair. A beat is {codes, index j, index base}, as
+// pair_segment makes it; lane k's code belongs to the pair (base + k, j). A pair leaves as the tag
+// {j, base} and the lane k. The adder that computes i is behind the next register, since the choice
+// of the lane takes most of a cycle.
+//
+// BITMAP = 1: all reported pairs of a beat leave together, as {flags, j, base} of lane 0, with one
+// flag per lane. RECOMPUTE = 0: undecided pairs also leave as reports, one by one, with the flag
+// `undecided`. REPORT = 0 promises that no code says that a pair is reported.
+//
 // The beat with tlast leaves on both streams, for lane 0. Interval 1 for each pair, latency 1.
 // Reset empties it.
 `default_nettype none
@@ -42,7 +44,7 @@ module pair_expander #(
   localparam FLAG_BITS  = (BITMAP != 0) ? LANES : 1;
   localparam [FLAG_BITS-1:0] ONE_FLAG = 1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (LANES < 1) begin : g_refused_lanes LANES_is_below_1 refused (); end
     if (INDEX_BITS < 1) begin : g_refused_index_bits INDEX_BITS_is_below_1 refused (); end
@@ -55,11 +57,11 @@ module pair_expander #(
       begin : g_refused_bitmap BITMAP_is_for_one_verdict refused (); end
   endgenerate
 
-  // The beat at hand, with the codes of the lanes that have not left.
+  // The current beat, with the codes of the lanes that have not left.
   reg                        valid_q;
   reg                        last_q;
-  reg                        report_sent_q;  // of the last beat
-  reg                        pair_sent_q;    // likewise
+  reg                        report_sent_q;  // of the beat with tlast
+  reg                        pair_sent_q;    // of the beat with tlast
   reg  [LANES*CODE_BITS-1:0] codes_q;
   reg  [INDEX_BITS-1:0]      base_q;
   reg  [INDEX_BITS-1:0]      index_j_q;
@@ -68,7 +70,7 @@ module pair_expander #(
   wire [LANES-1:0]           undecided;
   wire                       reports = (reported != {LANES{1'b0}});
 
-  // The lowest lane of either kind; which kind leaves is known by the time that both are.
+  // The lowest lane of either kind. Which kind leaves is known when both lanes are.
   reg  [INDEX_BITS-1:0] lane_reported;
   reg  [INDEX_BITS-1:0] lane_undecided;
   integer               l;

@@ -1,12 +1,15 @@
-// pair_recomputation: reads the items of undecided pairs from the memory again, hands each to the
-// next of REFERENCES references that is ready, and gives out the verdicts that are in REPORT (bit v:
-// verdict v).
-// A request is the pair's tag {j, i} and its items {item j, item i}, the same for all references,
-// one of which it is valid for; the answer is {tag, verdict} and is always taken. Bit r of
-// EVERY_CYCLE says that reference r takes a request in every cycle. 2^OUTSTANDING_BITS
-// pairs may be on their way. Interval 1. `memory_items` are the words {item j, item i} that were read
-// in the cycle before. The beat with tlast leaves when all verdicts before it have.
-// Verdicts may leave in any order. Reset forgets all: the references have to be reset, too.
+// pair_recomputation: reads the items of undecided pairs from the memory again, passes each pair to
+// the next of REFERENCES references that is ready, and gives out the verdicts that are in REPORT
+// (bit v: verdict v).
+//
+// A request is the pair's tag {j, i} and its items {item j, item i}. All references see the same
+// request, and it is valid for one of them. The answer is {tag, verdict} and is always taken. Bit r
+// of EVERY_CYCLE says that reference r takes a request in every cycle.
+//
+// 2^OUTSTANDING_BITS pairs may be in progress. Interval 1. `memory_items` are the words {item j,
+// item i} that were read in the previous cycle. The beat with tlast leaves when all verdicts before
+// it have left. Verdicts may leave in any order. Reset forgets all: the references have to be reset
+// with it.
 `default_nettype none
 
 module pair_recomputation #(
@@ -37,7 +40,7 @@ module pair_recomputation #(
   input  wire                                   m_axis_tready,
   output wire [2*INDEX_BITS+1:0]                m_axis_tdata,
   output wire                                   m_axis_tlast,
-  output wire                                   answered  // a verdict is there, reported or not
+  output wire                                   answered  // a verdict has come, reported or not
 );
 
   localparam TAG_BITS    = 2 * INDEX_BITS;
@@ -46,7 +49,7 @@ module pair_recomputation #(
   localparam [OUTSTANDING_BITS:0] NONE  = 0;
   localparam [OUTSTANDING_BITS:0] ONE   = 1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (REFERENCES < 1) begin : g_refused_references
       REFERENCES_is_below_1 refused ();
@@ -81,13 +84,13 @@ module pair_recomputation #(
     .m_axis_tdata ({pair_last, pair_tag})
   );
 
-  // Cycle 0 reads the items, which come in cycle 1 and are offered from cycle 2 on. All of it waits
-  // for as long as the reference that was chosen does not take what it is offered.
+  // Cycle 0 reads the items, which arrive in cycle 1 and are offered from cycle 2 on. All of it
+  // stalls while the chosen reference does not take the request.
   reg  [OUTSTANDING_BITS:0] outstanding_q;
   reg                       comes_q;
   reg                       offered_q;
-  reg                       closes_q;      // nothing is left but the closing beat
-  reg  [REFERENCES-1:0]     turn_q;        // one bit: the reference that was chosen last
+  reg                       closes_q;      // only the closing beat is left
+  reg  [REFERENCES-1:0]     turn_q;        // one bit: the reference chosen last
   reg  [TAG_BITS-1:0]       coming_tag_q;
   reg  [TAG_BITS-1:0]       tag_q;
   reg  [2*ITEM_BITS-1:0]    items_q;
@@ -95,11 +98,11 @@ module pair_recomputation #(
   wire taken   = offered_q && ((turn_q & m_request_tready) != {REFERENCES{1'b0}});
   wire advance = !offered_q || taken;
   wire fetches = pair_valid && !pair_last && !outstanding_q[OUTSTANDING_BITS];
-  wire starts  = advance && fetches;  // the pair is on its way
+  wire starts  = advance && fetches;  // the pair is in progress
   wire ends    = pair_valid && pair_last && (outstanding_q == NONE);
   wire closed;
 
-  // The next reference behind the last one that is ready and stays so; if there is none, the next.
+  // The next reference, after the last one, that is ready and stays so; if none is, the next one.
   wire [REFERENCES-1:0] busy   =
       turn_q & ~EVERY_CYCLE[REFERENCES-1:0] & {REFERENCES{offered_q}};
   wire [REFERENCES-1:0] free   = m_request_tready & ~busy;
@@ -145,7 +148,7 @@ module pair_recomputation #(
   assign m_request_tag    = tag_q;
   assign m_request_items  = items_q;
 
-  // Verdicts. The queue of each reference has room for all pairs that are on their way.
+  // Verdicts. The queue of each reference has room for all pairs in progress.
   wire [REFERENCES-1:0]             answer_valid;
   wire [REFERENCES-1:0]             answer_ready;
   wire [REFERENCES-1:0]             unused_room;

@@ -1,25 +1,30 @@
 // pair_segment: a link of the chain that carries words past the lanes, with LANES lanes in lock
-// step. A word is what the lanes need to know of an item.
-// The first words of a block that may stay do so, one in each lane, on held_words; a word behind
-// that meets them is on passing_word one cycle after it was taken, and LANE_LATENCY cycles later
-// the lanes answer for all of its pairs at once. What has not stayed goes on to the next segment,
-// where the same happens. So the lanes of the whole chain hold the words base, base + 1, ..., and
-// each later word meets each of them once.
-// Only exceptions leave, by a queue: a beat for a word with at least one pair that is undecided or
-// whose verdict is in REPORT (bit v: verdict v). It has a code for each lane (pair_code).
-// The word that closes a set goes through the lanes as all others do, and leaves as the beat with
-// tlast. COUNT = 1: reported pairs do not leave; that beat carries their number in place of a tag.
-// TIERED = 1: a beat carries its word, too, and each word that is the first of its block or that
-// stays sends a beat, so that a pair_tier knows what the lanes hold. A beat also carries the number
-// of its undecided pairs, since the tier has to know early in a cycle which of them is the last.
-// Lanes never wait: no word is taken unless the queue has room for all that may still come. A word
-// that is on offer to the next segment has had its room set aside, and stays on offer.
-// Interval 1, latency 3 to the next segment. Reset forgets all.
+// step. A word is the part of an item that the lanes need.
+//
+// The first words of a block that may stay do so, one in each lane, on held_words. A later word
+// that meets them is on passing_word one cycle after it was taken. LANE_LATENCY cycles later the
+// lanes answer for all of its pairs at once. Words that did not stay go on to the next segment,
+// which does the same. So the lanes of the whole chain hold the words base, base + 1, ..., and each
+// later word meets each of them once.
+//
+// Only exceptions leave, by a queue: a beat for each word with at least one pair that is undecided
+// or whose verdict is in REPORT (bit v: verdict v). The beat has a code for each lane (pair_code).
+// The word that closes a set passes the lanes like any other and leaves as the beat with tlast.
+//
+// COUNT = 1: reported pairs do not leave; the beat with tlast carries their number instead of a
+// tag. TIERED = 1: a beat also carries its word. Each word that is the first of its block, or that
+// stays, also sends a beat, so that a pair_tier knows the words in the lanes. A beat also carries
+// the number of its undecided pairs, since the tier has to know early in a cycle which of them is
+// the last.
+//
+// Lanes never wait: no word is taken unless the queue has room for all beats that may still come.
+// For a word on offer to the next segment room is reserved, and the word stays on offer. Interval
+// 1, latency 3 to the next segment. Reset forgets all.
 `default_nettype none
 
 module pair_segment #(
   parameter LANES = 8,
-  parameter LANE_BITS = 3,     // of the number of one of them
+  parameter LANE_BITS = 3,     // of a lane's number
   parameter WORD_BITS = 32,
   parameter INDEX_BITS = 10,
   parameter LANE_LATENCY = 8,
@@ -50,10 +55,10 @@ module pair_segment #(
 
   localparam TAG_BITS    = 2 * INDEX_BITS;
   localparam CODES_BITS  = LANES * CODE_BITS;
-  localparam NUMBER_BITS = LANE_BITS + 1;  // of a number of lanes
+  localparam NUMBER_BITS = LANE_BITS + 1;  // of a count of lanes
   localparam WORD_PART   = (TIERED != 0) ? NUMBER_BITS + WORD_BITS + 2 : 0;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (LANES < 1) begin : g_refused_lanes LANES_is_below_1 refused (); end
     if ((LANE_BITS < 1) || (LANE_BITS > 30)) begin : g_refused_lane_bits
@@ -68,7 +73,7 @@ module pair_segment #(
       begin : g_refused_tiered TIERED_is_not_0_or_1 refused (); end
   endgenerate
 
-  // The word at hand.
+  // The current word.
   wire                  word_valid;
   wire                  word_close;
   wire                  word_first;  // of its block, in this segment
@@ -94,7 +99,7 @@ module pair_segment #(
 
   // Lanes are filled from the lowest up.
   reg  [LANES-1:0] holds_q;
-  reg              passed_q;  // the word before went on to the next segment
+  reg              passed_q;  // the previous word went on to the next segment
   wire             room;      // in the queue
   wire [LANES-1:0] holds  = holds_q & {LANES{!word_first}};
   wire [LANES:0]   filled = {holds, 1'b1};  // bit k: all lanes below k hold a word
@@ -116,9 +121,9 @@ module pair_segment #(
     end
   end
 
-  // The word at the lanes, and beside them what is to be known of it when they answer. Only
-  // `taken_q` says whether a word was taken. The other registers load the word at hand in every
-  // cycle, since `step` is known late and would have to reach all of their enables.
+  // The word at the lanes, and beside it the data that their answer needs. Only `taken_q` says
+  // whether a word was taken. The other registers load the current word in every cycle, since
+  // `step` is known late and would have to reach all of their enables.
   reg                   taken_q;
   reg                   close_q;
   reg                   first_q;
@@ -151,7 +156,7 @@ module pair_segment #(
     passing_q <= word;
   end
 
-  // A lane holds its word when the next one is at the lanes.
+  // A lane holds its word when the next word is at the lanes.
   genvar k;
   generate
     for (k = 0; k < LANES; k = k + 1) begin : g_held
@@ -185,7 +190,7 @@ module pair_segment #(
     .q   ({closes, starts, met, index})
   );
 
-  // The first word of a block is the one that the lowest lane holds from then on.
+  // The first word of a block stays in the lowest lane.
   reg [INDEX_BITS-1:0] base_q;
 
   always @(posedge aclk) begin
@@ -214,7 +219,7 @@ module pair_segment #(
     end
   endgenerate
 
-  // The closing beat has no pair: a number may stand in the place of its tag.
+  // The closing beat has no pair: its tag may be a number.
   wire [TAG_BITS-1:0] tag;
 
   generate
@@ -223,7 +228,7 @@ module pair_segment #(
 
       assign tag = {index, base_q};
     end else begin : g_count
-      // The pairs of one word are counted in one cycle, and added to those before in the next.
+      // The pairs of one word are counted in one cycle, and added to the sum in the next.
       localparam MORE_BITS = (NUMBER_BITS < TAG_BITS) ? NUMBER_BITS : TAG_BITS;
 
       reg  [TAG_BITS-1:0]  count_q;
@@ -259,8 +264,8 @@ module pair_segment #(
     end
   endgenerate
 
-  // With TIERED a beat carries its word, and says whether it begins a block, whether it stays, and
-  // how many of its pairs are undecided.
+  // With TIERED a beat carries its word and says whether the word begins a block, whether it stays,
+  // and how many of its pairs are undecided.
   wire                               informs;
   wire [CODES_BITS+TAG_BITS+WORD_PART-1:0] beat;
 
@@ -301,8 +306,8 @@ module pair_segment #(
     end
   endgenerate
 
-  // Beats may not be counted yet of LANE_LATENCY words in the lanes, of the word before them, of
-  // the one that is taken, and of the one whose beat was pushed in the cycle before.
+  // Words whose beats may not be counted yet: LANE_LATENCY words in the lanes, the word before
+  // them, the one that is taken, and the one whose beat was pushed in the previous cycle.
   exception_queue #(
     .WIDTH     (1 + CODES_BITS + TAG_BITS + WORD_PART),
     .DEPTH_BITS(QUEUE_BITS),

@@ -1,18 +1,20 @@
-// pair_tier: decides again what the lanes of a segment left undecided, by one lane of more
-// precision, a pair a cycle. It takes the beats of a pair_segment with TIERED = 1, and gives out
-// beats of the kind that a segment with TIERED = 0 gives.
-// Beats stay in order, so that only the words that the lanes hold have to be remembered. The beat
-// of a word that stays has the flag `stays`, that of the first word of a block the flag `first`.
-// A beat goes through once for each of its undecided pairs, and once if it has none; each time a
-// beat may leave. The first one has the reported pairs, and each the pair that went through: as
-// reported if it is, as undecided if it is undecided again.
-// COUNT = 1: the number in the closing beat grows by the pairs that are reported here.
-// Latency LANE_LATENCY + 4, interval 1 for each pair. Reset forgets all.
+// pair_tier: decides the pairs that the lanes of a segment left undecided, by one lane of higher
+// precision, one pair a cycle. It takes the beats of a pair_segment with TIERED = 1, and gives out
+// beats like those of a segment with TIERED = 0.
+//
+// Beats stay in order, so only the words in the lanes have to be stored. The beat of a word that
+// stays has the flag `stays`, that of the first word of a block the flag `first`. A beat passes the
+// lane once for each of its undecided pairs, or once if it has none. After each pass a beat may
+// leave. The first of these beats has the reported pairs. Each has the pair that passed: as
+// reported if it is, as undecided if it is still undecided.
+//
+// COUNT = 1: the number in the closing beat grows by the pairs that are reported here. Latency
+// LANE_LATENCY + 4, interval 1 for each pair. Reset forgets all.
 `default_nettype none
 
 module pair_tier #(
   parameter LANES = 8,         // of the segment
-  parameter LANE_BITS = 3,     // of the number of one of them
+  parameter LANE_BITS = 3,     // of a lane's number
   parameter WORD_BITS = 32,
   parameter INDEX_BITS = 10,
   parameter LANE_LATENCY = 8,
@@ -46,7 +48,7 @@ module pair_tier #(
   localparam [LANE_BITS:0]   ONE_LEFT = 1;
   localparam [LANE_BITS:0]   TWO_LEFT = 2;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (LANES < 1) begin : g_refused_lanes LANES_is_below_1 refused (); end
     if ((LANE_BITS < 1) || (LANE_BITS > 30)) begin : g_refused_lane_bits
@@ -59,9 +61,9 @@ module pair_tier #(
     if (LANE_LATENCY < 0) begin : g_refused_lane_latency LANE_LATENCY_is_below_0 refused (); end
   endgenerate
 
-  // The beat at hand, and those of its pairs that have not gone through. Flags say which of them is
-  // the next to go through. Whether it is the last is told by their number, since the next beat is
-  // read when it is, and the choice among the flags takes most of a cycle.
+  // The current beat, and those of its pairs that have not passed the lane. Flags say which pair is
+  // next. The number of pairs says whether it is the last, since the last one reads the next beat
+  // and the choice among the flags takes most of a cycle.
   wire [LANE_BITS:0]    pairs;
   wire                  first;
   wire                  stays;
@@ -70,7 +72,7 @@ module pair_tier #(
   wire [TAG_BITS-1:0]   tag;
   wire [LANES-1:0]      undecided;
   wire [CODES_BITS-1:0] reports;
-  reg                   again_q;  // the beat at hand has gone through at least once
+  reg                   again_q;  // the current beat has passed the lane before
   reg                   last_q;   // if again_q: one pair is left
   reg  [LANE_BITS:0]    left_q;   // if again_q: the number of pairs that are left
   reg  [LANES-1:0]      rest_q;   // if again_q: the lanes of these pairs
@@ -131,7 +133,7 @@ module pair_tier #(
   reg  [LANES-1:0]      s1_pair_q;
   reg  [LANE_BITS-1:0]  s1_picked_q;
   reg  [LANE_BITS-1:0]  s1_place_q;
-  reg  [LANE_BITS-1:0]  places_q;     // taken in the block at hand
+  reg  [LANE_BITS-1:0]  places_q;     // taken in the current block
   reg  [WORD_BITS-1:0]  s1_word_q;
   reg  [CODES_BITS-1:0] s1_reports_q;
   reg  [TAG_BITS-1:0]   s1_tag_q;
@@ -175,7 +177,7 @@ module pair_tier #(
     .read_data    (item_i)
   );
 
-  // Stage 2: both words at the lane, and beside it what is to be known when it answers.
+  // Stage 2: both words at the lane, and beside them the data that its answer needs.
   reg                   s2_valid_q;
   reg                   s2_close_q;
   reg  [LANES-1:0]      s2_pair_q;
@@ -225,7 +227,7 @@ module pair_tier #(
     .q   ({closes, pair, first_codes, answered_tag})
   );
 
-  // The code that was found for the pair goes into the place of the pair's lane.
+  // The code that was found for the pair replaces that of the pair's lane.
   wire                  reported;
   wire [CODE_BITS-1:0]  found;
   wire [CODES_BITS-1:0] leaving_codes;

@@ -1,14 +1,16 @@
 // pair_walker: reads the words of a set, block by block, in the order in which the chain of
 // segments makes pairs of them.
-// A set whose first item is not a `target` makes all pairs i < j: block b is the words from
-// b * LANES to the last; all of them `stay` and `meet`, so that each of the first LANES stays in a
-// lane and meets all that follow. A block of one word has no pair and is left out.
-// A set that begins with targets makes pairs of targets with others alone: block b is LANES
-// targets, which stay and meet nothing, and then all others, which meet and do not stay. Its blocks
-// begin once the first of the others has come; a target behind it counts as one of them.
-// Words are read as soon as they are stored, one a cycle, without a gap between blocks. Behind the
-// last word follows one that says `close`. Words: latency 1 from the address. Reset and
-// `set_closed` forget the set.
+// A set whose first item is not a `target` makes all pairs i < j. Block b is the words from b *
+// LANES to the last. All of them `stay` and `meet`, so each of the first LANES stays in a lane and
+// meets all words that follow. A block of one word has no pair and is left out.
+//
+// A set that begins with targets makes only pairs of a target with another item. Block b is LANES
+// targets, which stay and meet nothing, and then all other items, which meet and do not stay. Its
+// blocks begin once the first of the other items has come; a later target counts as one of these.
+//
+// Words are read as soon as they are stored, one a cycle, without a gap between blocks. After the
+// last word comes one with `close`. Words: latency 1 from the address. Reset and `set_closed`
+// forget the set.
 `default_nettype none
 
 module pair_walker #(
@@ -20,7 +22,7 @@ module pair_walker #(
   input  wire                  aresetn,
   input  wire                  stored,         // the set's next word is written in this cycle
   input  wire                  stored_target,
-  input  wire                  ended,          // and none comes behind it
+  input  wire                  ended,          // and it is the last one
   input  wire                  set_closed,
   output wire                  read_enable,
   output wire [INDEX_BITS-1:0] read_address,
@@ -33,13 +35,13 @@ module pair_walker #(
   output wire [INDEX_BITS-1:0] m_word_index
 );
 
-  localparam BLOCK = (LANES < CAPACITY) ? LANES : CAPACITY;  // words that stay of a block
+  localparam BLOCK = (LANES < CAPACITY) ? LANES : CAPACITY;  // words of a block that stay
   localparam [INDEX_BITS:0] ZERO = 0;
   localparam [INDEX_BITS:0] ONE  = 1;
   localparam [INDEX_BITS:0] STEP = BLOCK[INDEX_BITS:0];
   localparam [INDEX_BITS:0] FULL = CAPACITY[INDEX_BITS:0];
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (LANES < 1) begin : g_refused_lanes LANES_is_below_1 refused (); end
     if (CAPACITY < 2) begin : g_refused_capacity CAPACITY_is_below_2 refused (); end
@@ -51,7 +53,7 @@ module pair_walker #(
 
   wire restart = !aresetn || set_closed;
 
-  // What is stored: targets first, if there are any.
+  // The stored words: targets first, if there are any.
   reg  [INDEX_BITS:0] stored_q;
   reg  [INDEX_BITS:0] targets_q;
   reg                 has_targets_q;  // targets_q is not zero
@@ -81,15 +83,15 @@ module pair_walker #(
     end
   end
 
-  // The walk. While more words may come, the last that fits could be the set's last or not: it
-  // waits, and so does a set that has only targets so far.
+  // The walk. As long as more words may come, the last stored word may or may not be the set's last
+  // one, so it waits. A set that has only targets so far waits as well.
   reg  [INDEX_BITS:0] next_q;       // the word to be read
   reg  [INDEX_BITS:0] following_q;  // next_q + 1: no adder in front of the comparisons
   reg                 first_q;      // it starts a block
   reg                 targets_done_q;  // of this block
   reg  [INDEX_BITS:0] next_base_q;  // the word that starts the next block
-  reg                 walked_q;     // every block was read
-  reg                 closed_q;     // and the word behind them was sent
+  reg                 walked_q;     // every block has been read
+  reg                 closed_q;     // and the word with `close` has been sent
 
   wire                in_targets   = has_targets_q && !targets_done_q;
   wire                last_target  =

@@ -1,18 +1,22 @@
-// pairwise_engine: everything of an engine but its arithmetic. It loads a set of items once, sends
+// pairwise_engine: a pairwise engine without its arithmetic. It loads a set of items once and sends
 // their words past the lanes of SEGMENTS segments in lock step, so that every pair i < j of items
-// meets in a lane once, and gives out the pairs of interest; see docs/ports.md.
-// Items come on s_axis, tlast with the set's last, tuser set for targets: a set that begins with
-// targets makes pairs of these with the others alone. `item_word`, what the lanes need to know of
-// an item, comes WORD_LATENCY cycles behind s_axis_tdata; full items stay in a memory of their own,
+// meets in a lane once. It gives out the pairs of interest; see docs/ports.md.
+//
+// Items come on s_axis, with tlast on the set's last and tuser on targets. A set that begins with
+// targets makes only pairs of a target with another item. `item_word`, the part of an item that the
+// lanes need, comes WORD_LATENCY cycles behind s_axis_tdata. Full items stay in their own memory,
 // from which recomputations read them by number.
-// Words leave to the first segment on m_word, their exceptions come back from each segment on
-// s_entry (pair_segment tells what both carry). The pairs of interest leave on STREAMS streams
-// m_axis, of which each serves its own segments and the first the references, too; each ends a set
-// with a closing beat, and the next set is taken when all have. REFERENCES = 0: undecided pairs
-// leave. BITMAP, COUNT: see pair_expander, report_output.
-// Counters wrap: of each stream the beats that have left; recomputations; cycles between a set's
-// first item and its last closing beat, and those of them in which the chain took no word.
-// Reset forgets the set; segments and references have to be reset, too.
+//
+// Words leave to the first segment on m_word, and each segment's exceptions come back on s_entry;
+// pair_segment describes both. The pairs of interest leave on STREAMS streams m_axis. Each stream
+// serves its own segments, and the first also the references. Each ends a set with a closing beat,
+// and the next set is taken when all have. REFERENCES = 0: undecided pairs leave. BITMAP, COUNT:
+// see pair_expander, report_output.
+//
+// Counters wrap. They count the beats that have left each stream, without closing beats;
+// recomputations; the cycles from a set's first item to its last closing beat; and the cycles in
+// which a word was offered to the chain and not taken. Reset forgets the set; segments and
+// references have to be reset with it.
 `default_nettype none
 
 module pairwise_engine #(
@@ -31,7 +35,7 @@ module pairwise_engine #(
   parameter BITMAP = 0,
   parameter COUNT = 0,
   parameter EVERY_CYCLE = -1,         // bit r: reference r takes a request in every cycle
-  parameter OUTSTANDING_BITS = 5,     // 2^OUTSTANDING_BITS recomputations may be on their way
+  parameter OUTSTANDING_BITS = 5,     // 2^OUTSTANDING_BITS recomputations may be in progress
   parameter COUNTER_BITS = 32
 ) (
   input  wire                                                       aclk,
@@ -70,7 +74,7 @@ module pairwise_engine #(
   localparam ENTRY_BITS   = TAG_BITS + LANES_PER_SEGMENT * CODE_BITS;
   localparam PAIR_BITS    = TAG_BITS + INDEX_BITS;  // {lane, index j, index base}
   localparam RECOMPUTE    = (REFERENCES > 0) ? 1 : 0;
-  localparam IN_CODES     = (COUNT != 0) ? 0 : REPORT;  // verdicts that the segments' codes tell
+  localparam IN_CODES     = (COUNT != 0) ? 0 : REPORT;  // verdicts that the segments' codes carry
   localparam FLAG_BITS    = (BITMAP != 0) ? LANES_PER_SEGMENT : 1;
   localparam REPORT_BITS  = FLAG_BITS + 4 + TAG_BITS;
   localparam OUTPUT_FLAGS = (BITMAP != 0) ? LANES_PER_SEGMENT : 0;
@@ -78,7 +82,7 @@ module pairwise_engine #(
   localparam COUNT_BITS   = (COUNT != 0) ? TAG_BITS : 0;
   localparam COUNTER_PORT = (COUNTER_BITS > 0) ? COUNTER_BITS : 1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (SEGMENTS < 1) begin : g_refused_segments
       SEGMENTS_is_below_1 refused ();
@@ -93,7 +97,7 @@ module pairwise_engine #(
     if (COUNTER_BITS < 0) begin : g_refused_counter_bits COUNTER_BITS_is_below_0 refused (); end
   endgenerate
 
-  // The set: counted as it comes, words written WORD_LATENCY cycles later.
+  // The set: items are counted as they come, and words are written WORD_LATENCY cycles later.
   wire                  kept;
   wire [INDEX_BITS-1:0] kept_index;
   wire                  place_free;
@@ -154,7 +158,7 @@ module pairwise_engine #(
     .q   ({stored_target, stored_index})
   );
 
-  // Words into the chain.
+  // Words enter the chain.
   wire                  read_enable;
   wire [INDEX_BITS-1:0] read_address;
   wire [WORD_BITS-1:0]  read_word;
@@ -253,7 +257,7 @@ module pairwise_engine #(
         .m_axis_tlast (merged_last)
       );
 
-      // Cuts the way of tready from the report port to the segments.
+      // Registers cut the path of tready from the report port to the segments.
       stream_fifo #(
         .WIDTH     (ENTRY_BITS + 1),
         .DEPTH_BITS(1)
@@ -299,8 +303,8 @@ module pairwise_engine #(
 
       assign undecided_pair[s*PAIR_BITS +: PAIR_BITS] = {undecided_lane, undecided_tag};
 
-      // Whether a verdict is there decides nothing at the expander in the same cycle, and index i is
-      // added up behind the queue, since the expander takes most of a cycle.
+      // A verdict's arrival has no effect on the expander in the same cycle. Index i is added up
+      // behind the queue. Both are because the expander takes most of a cycle.
       wire [FLAG_BITS+3:0]  report_kind;
       wire [INDEX_BITS-1:0] report_lane;
       wire [INDEX_BITS-1:0] report_j;
@@ -325,7 +329,7 @@ module pairwise_engine #(
     end
   endgenerate
 
-  // Undecided pairs to the references; what they find leaves with the reports of stream 0.
+  // Undecided pairs go to the references; their verdicts leave with the reports of stream 0.
   wire                   first_valid;
   wire                   first_ready;
   wire [REPORT_BITS-1:0] first_data;
@@ -366,8 +370,9 @@ module pairwise_engine #(
       wire [REPORT_BITS-1:0] verdict_data =
           {ONE_FLAG, 2'b01, verdict[1:0], verdict[2 +: TAG_BITS]};
 
-      // A place that no item has taken is written in every cycle that reads none, whatever is
-      // offered: the item that takes it comes last. So the memory does not wait for s_axis_tready.
+      // A place that no item has taken is written in every cycle that does not read, whatever is
+      // offered: the last write is the item that takes it. So the memory does not depend on
+      // s_axis_tready.
       item_memory #(
         .WIDTH       (ITEM_BITS),
         .ADDRESS_BITS(INDEX_BITS)
@@ -383,7 +388,7 @@ module pairwise_engine #(
         .j_read_data (fetched_items[ITEM_BITS +: ITEM_BITS])
       );
 
-      // Which stream's pair goes next decides nothing at the expanders in the same cycle.
+      // The choice among the streams' pairs has no effect on the expanders in the same cycle.
       wire [STREAMS-1:0]           queued_valid;
       wire [STREAMS-1:0]           queued_ready;
       wire [STREAMS*PAIR_BITS-1:0] queued_pair;
@@ -470,7 +475,7 @@ module pairwise_engine #(
     end
   endgenerate
 
-  // Out. The set is over when every stream has given its closing beat.
+  // Output. The set is over when every stream has given its closing beat.
   reg  [STREAMS-1:0] closed_q;
   wire [STREAMS-1:0] closes = m_axis_tvalid & m_axis_tready & m_axis_tlast;
 

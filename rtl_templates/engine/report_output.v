@@ -1,8 +1,8 @@
-// report_output: gives the reports of a set to a port, and behind them a closing beat with their
-// number; see docs/ports.md for the fields.
-// A report is {flags, undecided, recomputed, verdict, j, i}. COUNT = 1: no report leaves, all are
-// counted, and the tag of the beat with tlast is the number of those that did not come as reports.
-// FLAG_BITS = 0: tdata has no flags. Latency 1. Reset forgets the set.
+// report_output: sends the reports of a set to a port, and then a closing beat with their number;
+// see docs/ports.md for the fields. A report is {flags, undecided, recomputed, verdict, j, i}.
+// COUNT = 1: no report leaves, all are counted, and the tag of the beat with tlast is the number of
+// pairs that did not come as reports. FLAG_BITS = 0: tdata has no flags. Latency 1. Reset forgets
+// the set.
 `default_nettype none
 
 module report_output #(
@@ -31,7 +31,7 @@ module report_output #(
   localparam [TAG_BITS-1:0] NONE = 0;
   localparam [TAG_BITS-1:0] ONE  = 1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (INDEX_BITS < 1) begin : g_refused_index_bits INDEX_BITS_is_below_1 refused (); end
     if (FLAG_BITS < 0) begin : g_refused_flag_bits FLAG_BITS_is_below_0 refused (); end

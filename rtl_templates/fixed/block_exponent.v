@@ -1,5 +1,5 @@
-// block_exponent: the largest of COUNT biased exponents, by a tree of LEVELS comparisons; 1 where
-// all are 0, since subnormal numbers have the exponent of the least normal ones.
+// block_exponent: the largest of COUNT biased exponents, by a tree of LEVELS comparisons. If all
+// are 0 it is 1, since subnormal numbers have the exponent of the smallest normal ones.
 // not_finite: the largest is the exponent of infinities and NaNs.
 // Latency: the population count of CUTS (LEVELS bits); initiation interval 1; no reset.
 `default_nettype none
@@ -16,9 +16,9 @@ module block_exponent #(
   output wire                           not_finite
 );
 
-  localparam DEPTH = (LEVELS < 1) ? 1 : LEVELS;  // what is refused elaborates, too
+  localparam DEPTH = (LEVELS < 1) ? 1 : LEVELS;  // keeps a refused value legal
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (COUNT < 1) begin : g_refused_count COUNT_is_below_1 refused (); end
     if ((LEVELS < 1) || ((1 << LEVELS) < COUNT))
@@ -26,7 +26,7 @@ module block_exponent #(
     if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
   endgenerate
 
-  // Stages level 0 to DEPTH - 1: of each two exponents the larger one goes on.
+  // Stages level 0 to DEPTH - 1: the larger exponent of each two goes on.
   genvar level, k;
   generate
     for (level = 0; level < DEPTH; level = level + 1) begin : g_level

@@ -1,6 +1,6 @@
 // fixed_absolute: the absolute value of a, less its DROPPED low bits.
 // Latency: the population count of CUTS (one bit); initiation interval 1; no reset.
-// The operand is in two's complement. The result is as many low bits as its range needs, WIDTH.
+// The operand is in two's complement. The result has WIDTH bits, as many as its range needs.
 `default_nettype none
 
 module fixed_absolute #(
@@ -14,7 +14,7 @@ module fixed_absolute #(
   output wire [WIDTH-1:0]   y
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (A_WIDTH < 1) begin : g_refused_a A_WIDTH_is_below_1 refused (); end
     if (DROPPED < 0) begin : g_refused_dropped
@@ -24,7 +24,7 @@ module fixed_absolute #(
     end
   endgenerate
 
-  // Stage negate: the complement and one.
+  // Stage negate: -a is ~a + 1.
   wire               s0_negative  = a[A_WIDTH-1];
   wire [A_WIDTH-1:0] s0_one       = {{(A_WIDTH - 1) {1'b0}}, s0_negative};
   wire [A_WIDTH-1:0] s0_magnitude = (a ^ {A_WIDTH{s0_negative}}) + s0_one;

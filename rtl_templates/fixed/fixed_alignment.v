@@ -1,8 +1,8 @@
-// fixed_alignment: an operand as an integer that counts units of 2^(E+1-WIDTH), where E is the
-// exponent whose biased code is `largest`, rounded down: its magnitude truncated and, if its sign
-// bit is set, all bits inverted. The integer has WIDTH bits, or WIDTH + 1 in two's complement if
-// SIGNED. It means nothing where the operand's exponent is above E; `largest` is at least 1.
-// SUBNORMALS = 0: subnormal operands are less than a unit, whatever `largest` is.
+// fixed_alignment: an operand as an integer in units of 2^(E+1-WIDTH), rounded down. E is the
+// exponent whose biased code is `largest`. The magnitude is truncated and, if the sign bit is set,
+// all bits are inverted. The integer has WIDTH bits, or WIDTH + 1 in two's complement if SIGNED. It
+// is undefined if the operand's exponent is above E; `largest` is at least 1. SUBNORMALS = 0:
+// subnormal operands are less than a unit, whatever `largest` is.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
 `default_nettype none
 
@@ -28,7 +28,7 @@ module fixed_alignment #(
     end
   endfunction
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
     if (PRECISION < 1) begin : g_refused_precision PRECISION_is_below_1 refused (); end
@@ -39,11 +39,11 @@ module fixed_alignment #(
 
   localparam FRACTION = PRECISION - 1;
   localparam SIGN     = EXPONENT_BITS + FRACTION;
-  // The bits of a distance that leaves something of the significand.
+  // A distance of more bits than SHIFT leaves no bit of the significand.
   localparam PLACES   = (WIDTH < 3) ? 1 : bits_for(WIDTH - 1);
   localparam SHIFT    = (PLACES < EXPONENT_BITS) ? PLACES : EXPONENT_BITS;
 
-  // Stage distance: how far the leading digit is below the leading bit of the integer.
+  // Stage distance: the integer's leading bit less the place of the operand's leading digit.
   wire [EXPONENT_BITS-1:0] s0_exponent = x[SIGN-1:FRACTION];
   wire                     s0_normal   = (s0_exponent != 0) || (SUBNORMALS == 0);
   wire [EXPONENT_BITS-1:0] s0_distance =

@@ -1,4 +1,4 @@
-// fixed_common_cut: a without its `drop` low bits, 0 to MOST of them: the WIDTH bits above these.
+// fixed_common_cut: the WIDTH bits of a above its `drop` low bits; `drop` is 0 to MOST.
 // Latency: the population count of CUTS (one bit); initiation interval 1; no reset.
 // a is in two's complement.
 `default_nettype none
@@ -16,7 +16,7 @@ module fixed_common_cut #(
   output wire [WIDTH-1:0]     y
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (A_WIDTH < 1) begin : g_refused_a
       A_WIDTH_is_below_1 refused ();

@@ -1,6 +1,6 @@
-// fixed_common_drop: how many low bits COUNT integers drop in common, so that each of them fits its
-// narrower format: the least number from 0 to MOST. `excess` has the bits that the integers have
-// beyond these formats: MOST of each and its sign, in two's complement.
+// fixed_common_drop: how many low bits COUNT integers drop in common: the least number from 0 to
+// MOST with which each of them fits its narrower format. `excess` has the bits of each integer
+// beyond its format, which are MOST bits and the sign, in two's complement.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
 `default_nettype none
 
@@ -15,9 +15,9 @@ module fixed_common_drop #(
   output wire [DROP_BITS-1:0]      drop
 );
 
-  localparam INTEGERS = (COUNT < 1) ? 1 : COUNT;  // what is refused elaborates, too
+  localparam INTEGERS = (COUNT < 1) ? 1 : COUNT;  // keeps a refused value legal
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (COUNT < 1) begin : g_refused_count COUNT_is_below_1 refused (); end
     if (MOST < 1) begin : g_refused_most

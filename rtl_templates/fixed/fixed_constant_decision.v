@@ -1,9 +1,9 @@
-// fixed_constant_decision: decides the sign of a difference by constants, greater (2) from
-// GREATER_FROM on, less (0) up to LESS_TO.
+// fixed_constant_decision: decides the sign of a difference by constants: greater (2) if it is at
+// least GREATER_FROM, less (0) if it is at most LESS_TO.
 // Latency: the population count of CUTS (one bit); initiation interval 1; no reset.
-// With EXACT, what lies between is equal (1); else it stays undecided, as what is out of range
-// does. The difference and the constants are in two's complement. A verdict means something where
-// `decided` is 1.
+// A difference between these is equal (1) with EXACT, otherwise undecided. A difference out of
+// range is undecided. The difference and the constants are in two's complement. A verdict is valid
+// where `decided` is 1.
 `default_nettype none
 
 module fixed_constant_decision #(
@@ -20,7 +20,7 @@ module fixed_constant_decision #(
   output wire             decided
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
     if ($signed(LESS_TO) >= $signed(GREATER_FROM))

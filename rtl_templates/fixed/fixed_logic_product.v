@@ -1,7 +1,7 @@
 // fixed_logic_product: fixed_product without `*`: a * b, or the square of a with SQUARE, less its
 // DROPPED low bits.
 // Latency: the population count of CUTS (seven bits); initiation interval 1; no reset.
-// Operands are in two's complement. The result is as many low bits as its range needs, WIDTH.
+// Operands are in two's complement. The result has WIDTH bits, as many as its range needs.
 `default_nettype none
 
 module fixed_logic_product #(
@@ -22,7 +22,7 @@ module fixed_logic_product #(
   localparam PRECISION = (WIDER < 4) ? 4 : WIDER;
   localparam SECOND    = (SQUARE != 0) ? A_WIDTH : B_WIDTH;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (A_WIDTH < 1) begin : g_refused_a A_WIDTH_is_below_1 refused (); end
     if (B_WIDTH < 1) begin : g_refused_b B_WIDTH_is_below_1 refused (); end
@@ -33,7 +33,7 @@ module fixed_logic_product #(
     end
   endgenerate
 
-  // With one bit more than a factor has, so that there is always a bit to repeat.
+  // One bit wider than a factor, so that there is always a bit to repeat.
   wire [PRECISION:0]     a_extended = {{(PRECISION + 1 - A_WIDTH) {a[A_WIDTH-1]}}, a};
   wire [PRECISION:0]     b_extended;
   wire [2*PRECISION-1:0] product;

@@ -1,7 +1,7 @@
 // fixed_memory_square: the square of a, less its DROPPED low bits, read from a memory.
 // Latency: the population count of CUTS (three bits, the middle one set); initiation interval 1; no
 // reset.
-// The operand is in two's complement. The result is as many low bits as its range needs, WIDTH.
+// The operand is in two's complement. The result has WIDTH bits, as many as its range needs.
 `default_nettype none
 
 module fixed_memory_square #(
@@ -15,7 +15,7 @@ module fixed_memory_square #(
   output wire [WIDTH-1:0]   y
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((A_WIDTH < 1) || (A_WIDTH > 15)) begin : g_refused_a
       A_WIDTH_is_not_1_to_15 refused ();
@@ -27,7 +27,7 @@ module fixed_memory_square #(
     if (!CUTS[1]) begin : g_refused_cuts CUTS_has_no_register_behind_the_memory refused (); end
   endgenerate
 
-  // The second port has nothing to read: synthesis takes it away.
+  // The second port reads nothing; synthesis removes it.
   wire [WIDTH-1:0] unread;
   wire             unused_bits = ^unread;
 

@@ -2,11 +2,13 @@
 // ports of one memory.
 // Latency: the population count of CUTS (three bits, the middle one set: a block memory is read
 // into a register); initiation interval 1; no reset.
-// Operands are in two's complement. A result is as many low bits as its range needs, WIDTH.
+// Operands are in two's complement. A result has as many bits as its range needs: WIDTH_A or
+// WIDTH_B.
 //
-// The memory has a word for each magnitude below 2^ADDRESS_BITS. Two low bits of a square take no
-// memory: bit 0 is that of the operand, bit 1 is 0. The magnitude 2^ADDRESS_BITS, that of the most
-// negative operand alone, has word 0 (as its low bits say) and a single one above all words.
+// The memory has a word for each magnitude below 2^ADDRESS_BITS. The two lowest bits of a square
+// take no memory: bit 0 is that of the operand, bit 1 is 0. Only the most negative operand has the
+// magnitude 2^ADDRESS_BITS. It reads word 0, as its low bits say, and sets a single one above all
+// words.
 `default_nettype none
 
 module fixed_memory_squares #(
@@ -31,7 +33,7 @@ module fixed_memory_squares #(
   localparam ADDRESS_BITS = OPERAND - 1;
   localparam SQUARE       = 2 * OPERAND;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((A_WIDTH < 1) || (A_WIDTH > 15)) begin : g_refused_a
       A_WIDTH_is_not_1_to_15 refused ();
@@ -50,7 +52,7 @@ module fixed_memory_squares #(
     if (!CUTS[1]) begin : g_refused_cuts CUTS_has_no_register_behind_the_memory refused (); end
   endgenerate
 
-  // The bits HIGH-1 to LOW of a square are in the memory: those that either result reads.
+  // The memory stores bits HIGH-1 to LOW of a square: those that one of the results needs.
   localparam END_A   = WIDTH_A + DROPPED_A;
   localparam END_B   = WIDTH_B + DROPPED_B;
   localparam END     = (END_A > END_B) ? END_A : END_B;
@@ -62,8 +64,8 @@ module fixed_memory_squares #(
   (* ram_style = "block", rom_style = "block" *)
   reg [HIGH-1:LOW] words [0:(1<<ADDRESS_BITS)-1];
 
-  // An initial statement a word, in two loops: in one statement of 2^13 turns Yosys 0.23 spends 27 s,
-  // here 3 s, and Verilator repeats a loop of generate at most 1024 times.
+  // Each word has its own initial statement, in two loops. Yosys 0.23 spends 27 s on one statement
+  // with 2^13 turns, 3 s on these. Verilator repeats a generate loop at most 1024 times.
   localparam COLUMN_BITS = ADDRESS_BITS / 2;
   localparam COLUMNS     = 1 << COLUMN_BITS;
   localparam ROWS        = 1 << (ADDRESS_BITS - COLUMN_BITS);
@@ -92,7 +94,7 @@ module fixed_memory_squares #(
       localparam OWN   = (port == 0) ? A_WIDTH : B_WIDTH;
       localparam FIRST = (port == 0) ? 0 : A_WIDTH;
 
-      // Stage magnitude: the complement and one.
+      // Stage magnitude: -x is ~x + 1.
       wire [OWN-1:0]     s0_x         = operands[FIRST+:OWN];
       wire               s0_negative  = s0_x[OWN-1];
       wire [OWN-1:0]     s0_one       = {{(OWN - 1) {1'b0}}, s0_negative};

@@ -1,18 +1,19 @@
-// fixed_norm_decision: decides the sign of a difference by the norm of the errors: greater (2) from
-// s * 2^SHIFT_ABOVE + OFFSET_ABOVE on, less (0) below -s * 2^SHIFT_BELOW. SWAPPED exchanges the two
-// verdicts. ROOT = 0: the difference is |x|^2 - s^2 and `radius` is s. ROOT = 1: the difference is
-// |x|^2 - |y|^2, `radius` is |y|^2, and s is 2^k for the least k with |y|^2 < 4^k.
+// fixed_norm_decision: decides the sign of a difference by the norm of the errors: greater (2) if
+// it is at least s * 2^SHIFT_ABOVE + OFFSET_ABOVE, less (0) if it is below -s * 2^SHIFT_BELOW.
+// SWAPPED exchanges the two verdicts. ROOT = 0: the difference is |x|^2 - s^2 and `radius` is s.
+// ROOT = 1: the difference is |x|^2 - |y|^2, `radius` is |y|^2, and s is 2^k for the least k with
+// |y|^2 < 4^k.
 // Latency: the population count of CUTS (three bits); initiation interval 1; no reset.
-// What lies between stays undecided, as what is out of range does. Where beyond_reach is 1, |x|^2
-// is the greater one, and the difference means nothing. The difference is in two's complement, the
-// radius s has no sign. A verdict means something where `decided` is 1.
+// A difference between the two limits, or out of range, is undecided. If beyond_reach is 1, |x|^2
+// is greater and the difference is undefined. The difference is in two's complement, the radius s
+// is unsigned. A verdict is valid where `decided` is 1.
 `default_nettype none
 
 module fixed_norm_decision #(
   parameter                       WIDTH           = 30,
   parameter                       RADIUS_WIDTH    = 14,
   parameter                       ROOT            = 0,
-  parameter                       THRESHOLD_WIDTH = 18,  // of the largest one, without a sign
+  parameter                       THRESHOLD_WIDTH = 18,  // of the largest threshold, unsigned
   parameter                       SHIFT_ABOVE     = 3,
   parameter [THRESHOLD_WIDTH-1:0] OFFSET_ABOVE    = 14,
   parameter                       SHIFT_BELOW     = 2,
@@ -28,13 +29,13 @@ module fixed_norm_decision #(
   output wire                    decided
 );
 
-  // Of s, or with ROOT of s - 1: k ones.
+  // The width of s, or with ROOT of s - 1, which is k ones.
   localparam S_WIDTH = (ROOT != 0) ? (RADIUS_WIDTH + 1) / 2 : RADIUS_WIDTH;
 
   // A threshold gets a sign; the sum needs one bit more than the wider of threshold and difference.
   localparam COMMON = ((WIDTH > THRESHOLD_WIDTH) ? WIDTH : THRESHOLD_WIDTH + 1) + 1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
     if (RADIUS_WIDTH < 1) begin : g_refused_radius RADIUS_WIDTH_is_below_1 refused (); end
@@ -94,8 +95,8 @@ module fixed_norm_decision #(
     .q   ({s2_difference, s2_wide_s, s2_above, s2_beyond_reach, s2_out_of_range})
   );
 
-  // Stage compare. With ROOT, s2_wide_s is s - 1: s 2^SHIFT_BELOW is that, shifted, with ones in
-  // the places below, plus 1, which is a carry from an extra last place.
+  // Stage compare. With ROOT, s2_wide_s is s - 1. So s 2^SHIFT_BELOW is (s - 1) 2^SHIFT_BELOW, with
+  // ones in the places below, plus 1, which is a carry out of an extra last place.
   localparam [THRESHOLD_WIDTH-1:0] ONES = (ONE << SHIFT_BELOW) - ONE;
 
   wire [THRESHOLD_WIDTH-1:0] s2_below  = (s2_wide_s << SHIFT_BELOW) | ONES;

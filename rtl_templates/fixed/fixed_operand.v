@@ -1,9 +1,9 @@
-// fixed_operand: an operand below 2^TOP in magnitude as an integer that counts units of
-// 2^(TOP-WIDTH), rounded down: its magnitude truncated and, if its sign bit is set, all bits
-// inverted. The integer has WIDTH bits, or WIDTH + 1 in two's complement if SIGNED.
+// fixed_operand: an operand below 2^TOP in magnitude as an integer in units of 2^(TOP-WIDTH),
+// rounded down. The magnitude is truncated and, if the sign bit is set, all bits are inverted. The
+// integer has WIDTH bits, or WIDTH + 1 in two's complement if SIGNED.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
-// out_of_range: a magnitude from 2^TOP on, an infinity, a NaN; a set sign bit where not SIGNED. The
-// integer then means nothing.
+// out_of_range: the operand is 2^TOP or more in magnitude, an infinity, a NaN, or has its sign bit
+// set without SIGNED. The integer is then undefined.
 `default_nettype none
 
 module fixed_operand #(
@@ -25,7 +25,7 @@ module fixed_operand #(
   localparam integer LIMIT    = (1 << (EXPONENT_BITS - 1)) - 1 + EXPONENT;
   localparam integer LARGEST  = LIMIT - 1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 29)) begin : g_refused_exponent
       EXPONENT_BITS_is_not_2_to_29 refused ();

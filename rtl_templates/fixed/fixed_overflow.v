@@ -12,13 +12,13 @@ module fixed_overflow #(
   output wire               overflow
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((WIDTH < 1) || (WIDTH >= A_WIDTH))
       begin : g_refused_width WIDTH_is_not_1_to_below_A_WIDTH refused (); end
   endgenerate
 
-  // Stage compare: the bits from the narrower sign on, which are alike in what fits.
+  // Stage compare: if a fits, its bits from the narrower sign on are all alike.
   wire [A_WIDTH-WIDTH:0] s0_signs = a[A_WIDTH-1:WIDTH-1];
 
   fp_rank #(

@@ -1,11 +1,11 @@
 // fixed_product: a * b, or the square of a with SQUARE, less its DROPPED low bits.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
-// Operands are in two's complement; where POSITIVE_A (POSITIVE_B) is 1, the sign bit of one is 0.
-// The result is as many low bits as its range needs, WIDTH.
+// Operands are in two's complement. POSITIVE_A (POSITIVE_B) promises that the operand's sign bit is
+// 0. The result has WIDTH bits, as many as its range needs.
 //
-// An embedded multiplier takes factors of FACTOR_A and FACTOR_B bits and, on most devices, their
-// signs, and has registers for the cuts. A bit or two of b beyond FACTOR_B are rows of gates, which the adder
-// behind the multiplier takes; what is wider is left to synthesis.
+// An embedded multiplier has factors of FACTOR_A and FACTOR_B bits, on most devices with signs, and
+// registers for the cuts. If b is one or two bits wider than FACTOR_B, these bits are rows of
+// gates, added by the adder behind the multiplier. Wider products are left to synthesis.
 `default_nettype none
 
 module fixed_product #(
@@ -29,7 +29,7 @@ module fixed_product #(
   localparam SECOND  = (SQUARE != 0) ? A_WIDTH : B_WIDTH;
   localparam PRODUCT = A_WIDTH + SECOND;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (A_WIDTH < 1) begin : g_refused_a A_WIDTH_is_below_1 refused (); end
     if (B_WIDTH < 1) begin : g_refused_b B_WIDTH_is_below_1 refused (); end
@@ -42,7 +42,7 @@ module fixed_product #(
     if (FACTOR_B < 1) begin : g_refused_factor_b FACTOR_B_is_below_1 refused (); end
   endgenerate
 
-  // Bits of the second factor for which the multiplier has no room.
+  // Bits of the second factor that do not fit into the multiplier.
   localparam EXCESS = SECOND - 1 - FACTOR_B;
   localparam ROWS   = ((EXCESS == 1) || (EXCESS == 2)) && (A_WIDTH - 1 <= FACTOR_A);
 
@@ -107,7 +107,7 @@ module fixed_product #(
         .q   (y)
       );
     end else begin : g_whole
-      // The multiplier is not given a sign bit that is always 0: it may have no room for it.
+      // The multiplier gets no sign bit that is always 0: it may have no room for it.
       localparam SIGNED_A = (POSITIVE_A == 0) || (A_WIDTH == 1);
       localparam SIGNED_B = (SQUARE != 0) ? SIGNED_A : (POSITIVE_B == 0) || (B_WIDTH == 1);
       localparam A        = SIGNED_A ? A_WIDTH : A_WIDTH - 1;

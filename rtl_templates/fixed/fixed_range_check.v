@@ -13,7 +13,7 @@ module fixed_range_check #(
   output wire               out_of_range
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (A_WIDTH < 2) begin : g_refused_a A_WIDTH_is_below_2 refused (); end
     if ($signed(LEAST) > $signed(GREATEST))

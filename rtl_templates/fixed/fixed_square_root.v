@@ -1,6 +1,6 @@
-// fixed_square_root: the root of a * 2^SHIFT, rounded down to an integer; one bit a stage.
+// fixed_square_root: the square root of a * 2^SHIFT, rounded down to an integer; one bit a stage.
 // Latency: the population count of CUTS (WIDTH bits); initiation interval 1; no reset.
-// a has no sign. A SHIFT below 0 drops low bits of a. The root must be below 2^WIDTH.
+// a is unsigned. A SHIFT below 0 drops low bits of a. The root must be below 2^WIDTH.
 `default_nettype none
 
 module fixed_square_root #(
@@ -16,30 +16,31 @@ module fixed_square_root #(
 
   localparam UP       = (SHIFT > 0) ? SHIFT : 0;
   localparam DOWN     = (SHIFT < 0) ? -SHIFT : 0;
-  localparam ROOT     = (WIDTH < 1) ? 1 : WIDTH;  // what is refused elaborates, too
+  localparam ROOT     = (WIDTH < 1) ? 1 : WIDTH;  // keeps a refused value legal
   localparam RADICAND = 2 * ROOT;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
     if (A_WIDTH <= DOWN) begin : g_refused_a A_WIDTH_is_not_above_what_SHIFT_drops refused (); end
   endgenerate
 
-  // The bits that the root depends on; those above are zero.
+  // The bits that the root depends on; higher bits are zero.
   wire [RADICAND+UP+A_WIDTH-1:0] s0_shifted  = {{(RADICAND + UP) {1'b0}}, a} << UP;
   wire [RADICAND-1:0]            s0_radicand = s0_shifted[DOWN+:RADICAND];
   wire                           unused_bits = ^s0_shifted;
 
-  // Stages digit 0 to ROOT - 1, non-restoring: with the root's bits Q so far, subtract 4Q + 1 from
-  // the remainder after a 1, and so at first, add 4Q + 3 after a 0; its sign is the next bit.
+  // Stages digit 0 to ROOT - 1, non-restoring. Let Q be the root's bits so far. At first and after
+  // a 1, subtract 4Q + 1 from the remainder; after a 0, add 4Q + 3. The sign of the new remainder
+  // is the next bit.
   genvar k;
   generate
     for (k = 0; k < ROOT; k = k + 1) begin : g_digit
-      // Up to twice the root of k + 1 bits, with a sign.
+      // The remainder is at most twice the root of k + 1 bits, with a sign.
       localparam REMAINDER = k + 3;
 
       wire [REMAINDER-3:0]      above;     // the remainder so far
-      wire [RADICAND-2*k-1:0]   radicand;  // what is left of it; two bits come down
+      wire [RADICAND-2*k-1:0]   radicand;  // bits not yet used; each stage takes two
       wire [REMAINDER-1:0]      change;
       wire [REMAINDER-1:0]      remainder =
           {above, radicand[RADICAND-2*k-1:RADICAND-2*k-2]} + change;
@@ -71,7 +72,7 @@ module fixed_square_root #(
       );
 
       if (k + 1 < ROOT) begin : g_more
-        wire [REMAINDER-2:0]    next_remainder;  // its sign is in the root
+        wire [REMAINDER-2:0]    next_remainder;  // its sign is the root's next bit
         wire [RADICAND-2*k-3:0] next_radicand;
 
         fp_rank #(

@@ -1,6 +1,6 @@
-// fixed_step_threshold: the threshold of a running bound, THRESHOLD_k in step k. The step is the number
-// of leading bits that the largest of COUNT magnitudes uses, 0 to LAST. `leading` has the LAST leading
-// bits of each magnitude and its sign, in two's complement.
+// fixed_step_threshold: the threshold of a running bound, THRESHOLD_k in step k. The step is the
+// number of leading bits that the largest of COUNT magnitudes uses, 0 to LAST. `leading` has the
+// LAST leading bits of each magnitude and its sign, in two's complement.
 // Latency: the population count of CUTS (three bits); initiation interval 1; no reset.
 `default_nettype none
 
@@ -23,9 +23,9 @@ module fixed_step_threshold #(
   output wire [WIDTH-1:0]          threshold
 );
 
-  localparam MOST = ((LAST < 1) || (LAST > 7)) ? 1 : LAST;  // what is refused elaborates, too
+  localparam MOST = ((LAST < 1) || (LAST > 7)) ? 1 : LAST;  // keeps a refused value legal
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((LAST < 1) || (LAST > 7)) begin : g_refused_last LAST_is_not_1_to_7 refused (); end
   endgenerate

@@ -1,6 +1,6 @@
 // fixed_sum: a + b, or a - b with SUBTRACT, less its DROPPED low bits.
 // Latency: the population count of CUTS (one bit); initiation interval 1; no reset.
-// Operands are in two's complement. The result is as many low bits as its range needs, WIDTH.
+// Operands are in two's complement. The result has WIDTH bits, as many as its range needs.
 `default_nettype none
 
 module fixed_sum #(
@@ -19,7 +19,7 @@ module fixed_sum #(
 
   localparam SUM = ((A_WIDTH > B_WIDTH) ? A_WIDTH : B_WIDTH) + 1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (A_WIDTH < 1) begin : g_refused_a A_WIDTH_is_below_1 refused (); end
     if (B_WIDTH < 1) begin : g_refused_b B_WIDTH_is_below_1 refused (); end

@@ -1,7 +1,7 @@
-// embedded_multiplier: a * b, and the registers that an embedded multiplier has: one in front for
-// the factors, two behind for the product.
+// embedded_multiplier: a * b, with the registers of an embedded multiplier: one in front for the
+// factors, two behind for the product.
 // Latency: the population count of CUTS (three bits); initiation interval 1; no reset.
-// A factor is in two's complement where SIGNED_A (SIGNED_B) is 1, without a sign where it is 0.
+// A factor is in two's complement if SIGNED_A (SIGNED_B) is 1, and unsigned if it is 0.
 `default_nettype none
 
 module embedded_multiplier #(
@@ -17,7 +17,7 @@ module embedded_multiplier #(
   output wire [A_WIDTH+B_WIDTH-1:0] product
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (A_WIDTH < 1) begin : g_refused_a A_WIDTH_is_below_1 refused (); end
     if (B_WIDTH < 1) begin : g_refused_b B_WIDTH_is_below_1 refused (); end
@@ -37,7 +37,8 @@ module embedded_multiplier #(
   );
 
   generate
-    // Not as numbers with signs: of as many bits, these would overflow.
+    // Two unsigned factors are multiplied as such: as signed numbers of the same width they would
+    // overflow.
     if ((SIGNED_A == 0) && (SIGNED_B == 0)) begin : g_unsigned
       assign whole = factor_a * factor_b;
     end else begin : g_signed

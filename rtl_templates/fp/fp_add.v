@@ -2,9 +2,10 @@
 // Latency: the population count of CUTS (fourteen bits); initiation interval 1; no reset.
 // Special values as IEEE 754: infinity - infinity is NaN, x - x is +0.
 // SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md.
-// CANCELLATION = 0 promises that what is added never has unlike signs, zeros aside.
-// SUM_SELECTS: how many bits may select an operand of a carry chain in its own look-up tables: 2
-// where these have six inputs, 1 in carry cells of four inputs that select (ECP5), otherwise 0.
+// CANCELLATION = 0 promises that the addends never have unlike signs unless one of them is zero.
+// SUM_SELECTS: how many bits may select an operand inside the look-up tables of a carry chain. It
+// is 2 for tables of six inputs, 1 for carry cells of four inputs that can select (ECP5), otherwise
+// 0.
 `default_nettype none
 
 module fp_add #(
@@ -41,24 +42,25 @@ module fp_add #(
     larger = (first > second) ? first : second;
   endfunction
 
-  // Without underflow there are no subnormals to be gradual about.
+  // Without underflow there are no subnormals, so GRADUAL has no effect.
   localparam SUBNORMALS = (GRADUAL != 0) && (UNDERFLOW != 0);
 
-  // Of like signs, a sum has its leading one where the larger operand has, or one place above. If
-  // the result's exponent is as wide as the operands', a subnormal sum is represented as such, so
-  // no leading one has to be found.
+  // If the signs are alike, the sum has its leading one in the larger operand's leading place or
+  // one place above. If the result's exponent is also as wide as the operands', a subnormal sum
+  // needs no other form, so no leading one has to be found.
   localparam GROWING =
       (CANCELLATION == 0) && (!SUBNORMALS || (RESULT_EXPONENT_BITS == EXPONENT_BITS));
 
   // The smaller operand is aligned on the larger one's leading bit and as many fraction bits as
   // make both a cancellation and the bit beyond the result's guard bit exact.
   localparam ALIGNED = larger(PRECISION, RESULT_PRECISION + 1) + 1;
-  // Only one bit can cancel unless the exponents differ by less than two, and then nothing is
-  // below the larger operand's last bit but one bit: zeros are counted over carry, P and that one.
+  // More than one bit can cancel only if the exponents differ by less than two. The sum then has at
+  // most one bit below the larger operand's last one. So zeros are counted in the carry, the
+  // PRECISION bits and that bit.
   localparam CANCELLING = PRECISION + 2;
   localparam SUM        = ALIGNED + 2;
   localparam KEPT       = RESULT_PRECISION + 2;
-  // MOVED has room for the last three places, by which stage normalise or fp_round moves it up.
+  // MOVED has room for a shift of up to three places, which stage normalise or fp_round makes.
   localparam MOVED      = (SUM < KEPT + 3) ? SUM : KEPT + 3;
 
   localparam COUNT_BITS     = GROWING ? 3 : bits_for(CANCELLING);
@@ -66,15 +68,16 @@ module fp_add #(
       larger(larger(EXPONENT_BITS, RESULT_EXPONENT_BITS), bits_for(SUM)) + 2;
 
   localparam integer REBIAS = (1 << (RESULT_EXPONENT_BITS - 1)) - (1 << (EXPONENT_BITS - 1));
-  // With a result exponent no narrower than the operands', not normalising below exponent 1 is
-  // all that a subnormal sum asks for.
+  // If the result's exponent is no narrower than the operands', a subnormal sum is right as soon as
+  // it is not normalised below exponent 1.
   localparam DENORMALISE = (SUBNORMALS != 0) && (RESULT_EXPONENT_BITS < EXPONENT_BITS);
 
-  // What was not flushed does not add up to less unless it cancels.
+  // Operands that were not flushed have a tiny sum only if they cancel or the result's range is
+  // less.
   localparam TINY_RESULTS =
       (UNDERFLOW != 0) && (SUBNORMALS || !(GROWING && (RESULT_EXPONENT_BITS >= EXPONENT_BITS)));
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 30))
       begin : g_refused_exponent EXPONENT_BITS_is_not_2_to_30 refused (); end
@@ -85,7 +88,7 @@ module fp_add #(
       begin : g_refused_result_precision RESULT_PRECISION_is_below_2 refused (); end
   endgenerate
 
-  // Stages compare, swap, align by fours, align. Where nothing is subtracted, exponents alone tell
+  // Stages compare, swap, align by fours, align. If nothing is subtracted, the exponents decide
   // which significand is aligned on the other.
   wire [EXPONENT_BITS-1:0] s4_exponent;
   wire [PRECISION-1:0]     s4_large;
@@ -126,7 +129,7 @@ module fp_add #(
     .suspect (s4_suspect)
   );
 
-  // Stages sum, sum upper half: minus x is not x plus one.
+  // Stages sum, sum upper half: -x is ~x + 1.
   wire                     s4_subtract = (CANCELLATION != 0) && s4_cancel;
   wire [EXPONENT_BITS-1:0] s5_exponent;
   wire [SUM-1:0]           s5_sum;
@@ -171,7 +174,7 @@ module fp_add #(
            s6_nan, s6_infinite, s6_operands_zero, s6_suspect})
   );
 
-  // Stage count: leading zeros of the sum, and the room above exponent 1 to move it up in.
+  // Stage count: the sum's leading zeros, and by how many places it may move up until exponent 1.
   wire [COUNT_BITS-1:0] s6_count;
   wire                  s6_empty;
 
@@ -199,7 +202,7 @@ module fp_add #(
 
   wire [EXPONENT_WIDTH-1:0] s6_room =
       {{(EXPONENT_WIDTH - EXPONENT_BITS) {1'b0}}, s6_exponent} + REBIAS[EXPONENT_WIDTH-1:0];
-  // A gradual sum that may cancel is counted empty where both operands are zero.
+  // If a gradual sum may cancel, its count already finds the sum of two zeros empty.
   wire                      s6_zero =
       s6_empty || (s6_operands_zero && (GROWING || !SUBNORMALS));
 
@@ -218,8 +221,9 @@ module fp_add #(
     .q   ({s7_room, s7_count, s7_sum, s7_flags})
   );
 
-  // Stage limit: a subnormal sum moves up no further than there is room. A sum that only grows moves
-  // up by one place at most, for which there always is room: exponents of operands are 1 or more.
+  // Stage limit: a subnormal sum moves up until its exponent is 1 and no further. A sum that cannot
+  // cancel moves up by at most one place, which is always allowed: operands' exponents are 1 or
+  // more.
   wire [COUNT_BITS-1:0] s7_amount;
 
   generate
@@ -250,8 +254,8 @@ module fp_add #(
     .q   ({s8_room, s8_amount, s8_sum, s8_flags})
   );
 
-  // Stage normalise by fours: the sum's first bit is the carry, one above the larger operand's
-  // exponent.
+  // Stage normalise by fours: the sum's first bit is the carry, one place above the larger
+  // operand's leading one.
   wire [EXPONENT_WIDTH-1:0] s8_exponent;
   wire [MOVED-1:0]          s8_moved;
   wire                      s8_sticky;
@@ -293,7 +297,7 @@ module fp_add #(
     .q   ({s9_exponent, s9_moved, s9_sticky, s9_rest, s9_flags})
   );
 
-  // Stage normalise: by the places left, unless the rounding does that.
+  // Stage normalise: moves by the remaining places, unless fp_round does that.
   localparam TO_ROUND = (DENORMALISE != 0) ? KEPT : KEPT + 3;
 
   wire [TO_ROUND-1:0] s9_value;

@@ -1,5 +1,5 @@
-// fp_aligned_operands: the operands of a + b, or of a - b with SUBTRACT, by size and aligned: the
-// smaller one is moved down by the difference of their exponents.
+// fp_aligned_operands: orders the operands of a + b, or of a - b with SUBTRACT, by size and aligns
+// them. The smaller one is moved down by the difference of their exponents.
 // Four cuts, initiation interval 1, no reset. SPECIAL_OPERANDS, UNDERFLOW: fp_unpack.
 `default_nettype none
 
@@ -10,15 +10,17 @@ module fp_aligned_operands #(
   parameter       SUBTRACT         = 0,
   parameter       SPECIAL_OPERANDS = 1,
   parameter       UNDERFLOW        = 1,
-  parameter       GRADUAL          = 0,     // 1: with UNDERFLOW alone
-  // 1: `larger` has the larger magnitude, and `sign` is its sign. 0: it has the larger exponent,
-  // and `sign` is the sign of an operand that is not zero: the sum's if signs are alike.
+  parameter       GRADUAL          = 0,     // 1: only with UNDERFLOW
+  // 1: `larger` has the larger magnitude, and `sign` is its sign. 0: `larger` has the larger
+  // exponent, and `sign` is the sign of an operand that is not zero, which is the sum's if signs
+  // are alike.
   parameter       ORDERED          = 1,
   parameter       COMPLEMENTED     = 0,     // 1: `larger` is complemented if the signs are unlike
-  // 1: `larger` is selected behind the last cut instead of in stage swap. That takes no gates of
-  // its own where it is added at once and look-up tables have six inputs, but more registers.
+  // 1: `larger` is selected behind the last cut instead of in stage swap. That needs more
+  // registers. It needs no gates if the sum follows at once and look-up tables have six inputs.
   parameter       SELECTED_LAST    = 0,
-  // 1: the smaller operand is left to move by its last place where it is added (fp_selected_sum).
+  // 1: the smaller operand's step by one place is left to the sum behind this unit
+  // (fp_selected_sum).
   parameter       MOVED_LAST       = 0,
   parameter [3:0] CUTS             = 4'b0000
 ) (
@@ -28,17 +30,17 @@ module fp_aligned_operands #(
   output wire [EXPONENT_BITS-1:0]           exponent,  // of `larger`, biased
   output wire [PRECISION-1:0]               larger,    // arbitrary if both are zero
   output wire                               moves,     // the smaller operand is `moved`
-  output wire [ALIGNED:0]                   smaller,   // otherwise; the last bit is sticky in both
+  output wire [ALIGNED:0]                   smaller,   // otherwise; the last bit of both is sticky
   output wire [ALIGNED:0]                   moved,
   output wire                               sign,
   output wire                               cancel,    // the signs are unlike
   output wire                               nan,
   output wire                               infinite,
-  output wire                               zero,      // both are
+  output wire                               zero,      // both operands are zero
   output wire                               suspect    // exceptional already
 );
 
-  // Not the name of the units' own: Verilator 5.006 takes one inside the other for hiding.
+  // Named unlike the units' own function: Verilator 5.006 warns if one of them hides the other.
   function integer width_of(input integer value);
     integer rest;
     begin
@@ -51,7 +53,7 @@ module fp_aligned_operands #(
   localparam DISTANCE_WIDTH = (EXPONENT_BITS > AMOUNT_BITS) ? EXPONENT_BITS + 1 : AMOUNT_BITS + 1;
   localparam FLAGS          = 4;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
     if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
@@ -60,8 +62,8 @@ module fp_aligned_operands #(
       begin : g_refused_gradual GRADUAL_without_UNDERFLOW refused (); end
   endgenerate
 
-  // Stage compare: packed magnitudes order as integers; both exponent differences are at hand when
-  // the order is known.
+  // Stage compare: packed magnitudes order as integers. Both exponent differences are computed
+  // while the order is found.
   wire                     s0_a_sign;
   wire [EXPONENT_BITS-1:0] s0_a_exponent;
   wire [PRECISION-1:0]     s0_a_significand;
@@ -117,9 +119,9 @@ module fp_aligned_operands #(
   wire [EXPONENT_BITS-1:0] s0_a_above_b;
   wire [EXPONENT_BITS-1:0] s0_b_above_a;
 
-  // A subnormal number's exponent is 1 and not its field, 0, so a normal number is above it by one
-  // less than the fields say. Which numbers are subnormal is known late: only the borrow of a
-  // difference's extra last place depends on it.
+  // A subnormal number has exponent 1 although its field is 0. So the distance of a normal number
+  // from it is one less than the difference of the fields. Which numbers are subnormal is known
+  // late, so it only feeds the borrow of an extra last place.
   wire [EXPONENT_BITS-1:0] s0_a_field  = a[EXPONENT_BITS+PRECISION-2:PRECISION-1];
   wire [EXPONENT_BITS-1:0] s0_b_field  = b[EXPONENT_BITS+PRECISION-2:PRECISION-1];
   wire                     s0_a_normal = s0_a_significand[PRECISION-1];
@@ -133,7 +135,7 @@ module fp_aligned_operands #(
   assign {s0_b_above_a, s0_unused_b_place} =
       {s0_b_field, 1'b0} - {s0_a_field, s0_b_normal && !s0_a_normal};
 
-  // The order is a borrow out, so that no gate stands between the carry chain and the register.
+  // The order is the borrow out, so there is no gate between carry chain and register.
   generate
     if (ORDERED != 0) begin : g_by_magnitude
       wire unused_below = s0_a_below;
@@ -181,8 +183,8 @@ module fp_aligned_operands #(
            s1_a_infinite, s1_b_infinite, s1_a_nan, s1_b_nan, s1_flushed})
   );
 
-  // Stage swap: a zero as the smaller operand adds nothing. Beyond its width the smaller operand is
-  // no more than a sticky bit.
+  // Stage swap: a zero as the smaller operand adds nothing. If the distance exceeds its width, the
+  // smaller operand is no more than a sticky bit.
   wire [EXPONENT_BITS-1:0] s1_exponent   = s1_swap ? s1_b_exponent : s1_a_exponent;
   wire [PRECISION-1:0]     s1_other      = s1_swap ? s1_a_significand : s1_b_significand;
   wire                     s1_other_zero = s1_swap ? s1_a_zero : s1_b_zero;
@@ -244,8 +246,8 @@ module fp_aligned_operands #(
     .lost   (s2_lost)
   );
 
-  // The step by four is the last of this stage. What it loses has a register of its own, so that no
-  // gate stands behind that step.
+  // The step by four is the last of this stage. The bits that it loses have a register of their
+  // own, so there is no gate behind the step.
   wire [AMOUNT_BITS+2:0] s2_all_lost     = {3'b000, s2_lost};
   wire                   s2_lost_before  = |s2_all_lost[AMOUNT_BITS+2:3];
   wire                   s2_lost_by_four = |s2_all_lost[2:0];
@@ -268,7 +270,8 @@ module fp_aligned_operands #(
     .q   ({s3_exponent, s3_moved, s3_lost_before, s3_rest, s3_sign, s3_cancel, s3_flags})
   );
 
-  // Stage align: by the places left. What the last place will move out is lost already.
+  // Stage align: moves by the remaining places. Bits that the last place moves out are already
+  // lost.
   wire               s3_moves  = (MOVED_LAST != 0) && s3_rest[0];
   wire [ALIGNED-1:0] s3_aligned;
   wire [1:0]         s3_lost;

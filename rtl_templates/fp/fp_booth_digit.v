@@ -1,6 +1,6 @@
-// fp_booth_digit: what a digit of a factor makes of the other factor.
-// Combinational. A digit of Booth's, -2 to 2, is three bits {h, m, l} of the factor, m + l - 2h. One
-// of the digits -1 to 2 is that number plus one.
+// fp_booth_digit: decodes one digit of a factor, which selects a multiple of the other factor.
+// Combinational. A Booth digit, -2 to 2, is three bits {h, m, l} of the factor: m + l - 2h. A digit
+// of -1 to 2 is coded as the digit plus one.
 `default_nettype none
 
 module fp_booth_digit #(
@@ -12,7 +12,7 @@ module fp_booth_digit #(
   output wire       negative  // -1 or -2
 );
 
-  // A parameter that does not fit: an instance of a module that does not exist.
+  // An invalid parameter instantiates a module that does not exist: elaboration fails.
   generate
     if (CODE == 0) begin : g_booth
       assign single   = digit[1] ^ digit[0];

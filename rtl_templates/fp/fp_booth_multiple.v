@@ -1,6 +1,6 @@
 // fp_booth_multiple: a value times a digit of -2 to 2.
-// Combinational. A negative multiple is a complement: it lacks one in the last place and has ones
-// for all that is above it.
+// Combinational. A negative multiple is a ones' complement: it is one too small in the last place,
+// and has ones in all places above it.
 `default_nettype none
 
 module fp_booth_multiple #(
@@ -14,7 +14,7 @@ module fp_booth_multiple #(
   output wire [WIDTH:0]   multiple
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
   endgenerate

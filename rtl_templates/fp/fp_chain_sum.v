@@ -1,7 +1,7 @@
 // fp_chain_sum: a + b + carry, modulo 2^WIDTH, in one carry chain. Combinational.
-// GATED = 1: gates that compute `b` should share the look-up tables of the chain. A carry cell also
-// reads one operand directly, which then has to be `a`. Yosys takes the minuend of a subtraction
-// for it, but either operand of an addition. So the sum is written as a - ~b - 1.
+// GATED = 1: gates that compute `b` should share the look-up tables of the chain. A carry cell
+// reads one operand directly as well, and that has to be `a`. Yosys uses the minuend of a
+// subtraction there, but either operand of an addition. So the sum is written as a - ~b - 1.
 `default_nettype none
 
 module fp_chain_sum #(
@@ -14,12 +14,12 @@ module fp_chain_sum #(
   output wire [WIDTH-1:0] sum
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
   endgenerate
 
-  // The carry enters through an extra last place: as its carry out, or as no borrow out.
+  // The carry enters through an extra last place, as its carry out or, inverted, as its borrow out.
   wire unused_place;
 
   generate

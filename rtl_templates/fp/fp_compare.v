@@ -19,14 +19,14 @@ module fp_compare #(
   localparam EXPONENT = PRECISION - 1;
   localparam HALF     = SIGN / 2;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
     if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
   endgenerate
 
-  // Stage compare: packed magnitudes order as integers. What many bits say is put together in stage
-  // decide.
+  // Stage compare: packed magnitudes order as integers, and fields of many bits are reduced to one.
+  // Stage "decide" combines these reductions.
   wire s0_a_fraction  = |a[EXPONENT-1:0];
   wire s0_b_fraction  = |b[EXPONENT-1:0];
   wire s0_a_field     = |a[SIGN-1:EXPONENT];
@@ -60,7 +60,7 @@ module fp_compare #(
            s1_a_all_ones, s1_b_all_ones, s1_not_below, s1_same_upper, s1_same_lower})
   );
 
-  // Stage decide: unlike signs decide alone, negative numbers order against their magnitudes.
+  // Stage decide: unlike signs give the order; two negative numbers order against their magnitudes.
   wire s1_fraction  = (GRADUAL != 0) && (s1_a_fraction || s1_b_fraction);
   wire s1_both_zero = !s1_a_field && !s1_b_field && !s1_fraction;
   wire s1_unordered = (s1_a_all_ones && s1_a_fraction) || (s1_b_all_ones && s1_b_fraction);

@@ -1,6 +1,6 @@
 // fp_convert: a * 2^SCALE in another format or the same, rounded once.
 // Latency: the population count of CUTS (six bits); initiation interval 1; no reset.
-// Special values as IEEE 754, but for NaNs, which all become the one positive quiet NaN.
+// Special values as IEEE 754, except that every NaN becomes the one positive quiet NaN.
 // SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md.
 `default_nettype none
 
@@ -35,11 +35,11 @@ module fp_convert #(
     larger = (first > second) ? first : second;
   endfunction
 
-  // Without underflow there are no subnormals to be gradual about.
+  // Without underflow there are no subnormals, so GRADUAL has no effect.
   localparam SUBNORMALS = (GRADUAL != 0) && (UNDERFLOW != 0);
 
   localparam KEPT = RESULT_PRECISION + 2;
-  // One bit for the sign and one for the sum with the bias; a third where the scale adds as much.
+  // One bit for the sign, one for the sum with the bias, and a third if the scale adds as much.
   localparam EXPONENT_WIDTH =
       larger(larger(EXPONENT_BITS, RESULT_EXPONENT_BITS), bits_for(larger(PRECISION, KEPT))) +
       ((SCALE == 0) ? 2 : 3);
@@ -48,13 +48,13 @@ module fp_convert #(
   localparam integer SCALE_LIMIT  = 1 << EXPONENT_BITS;
   localparam integer REBIAS       =
       (1 << (RESULT_EXPONENT_BITS - 1)) - (1 << (EXPONENT_BITS - 1)) + SCALE;
-  // Otherwise even the smallest subnormal operand becomes a normal number of the result format.
+  // If this is 0, even the smallest subnormal operand is a normal number of the result format.
   localparam DENORMALISE = (SUBNORMALS != 0) && (REBIAS < PRECISION - 1);
 
-  // What was not flushed becomes no smaller than the result format's smallest normal number.
+  // Without subnormals and with REBIAS >= 0, operands that were not flushed become normal numbers.
   localparam TINY_RESULTS = (UNDERFLOW != 0) && (SUBNORMALS || (REBIAS < 0));
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 29))
       begin : g_refused_exponent EXPONENT_BITS_is_not_2_to_29 refused (); end

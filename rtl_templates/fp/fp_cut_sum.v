@@ -1,13 +1,14 @@
 // fp_cut_sum: the sum of TERMS products, each cut below a common place; no rounding.
 // Latency: the population count of CUTS (24 bits); initiation interval 1; no reset.
-// Term k is a_k * b_k; a_k * a_k where SQUARES[k] is 1, a_k where PLAIN[k] is 1. Where SUMS[k] is 1
-// it is (a_k + b_k)^2, where DIFFERENCES[k] is 1 it is (a_k - b_k)^2; what is squared is rounded to
-// nearest, ties to even. A term is subtracted where NEGATED[k] is 1.
-// Each term is cut toward zero WINDOW - 2 bits below the largest exponent, that of a term being the
-// sum of its factors'. With GRADUAL it is the smallest normal number's if that is larger.
-// CANCELLATION = 0 promises that terms do not have unlike signs, zeros aside. Otherwise term 0 is
-// added, and of the other terms those that have its sign: `sum` is in two's complement, and
-// negative if it has the sign that term 0 does not have.
+// Term k is a_k * b_k; a_k * a_k if SQUARES[k] is 1; a_k if PLAIN[k] is 1; (a_k + b_k)^2 if SUMS[k]
+// is 1; (a_k - b_k)^2 if DIFFERENCES[k] is 1. The inner sum or difference is rounded to nearest,
+// ties to even. A term is subtracted if NEGATED[k] is 1.
+// Each term is cut toward zero, WINDOW - 2 bits below the largest exponent. A term's exponent is
+// the sum of its factors' exponents. With GRADUAL the largest is at least that of the smallest
+// normal number.
+// CANCELLATION = 0 promises that terms never have unlike signs, zeros aside. Otherwise terms with
+// the sign of term 0 are added and the others subtracted: `sum` is in two's complement, and it is
+// negative if its sign is opposite to that of term 0.
 `default_nettype none
 
 module fp_cut_sum #(
@@ -38,7 +39,7 @@ module fp_cut_sum #(
   output wire [EXPONENT_WIDTH-1:0]                  largest,     // exponent, plus OFFSET + 2 BIAS
   output wire                                       nan,
   output wire                                       infinite,
-  output wire                                       zero,        // all terms are
+  output wire                                       zero,        // all terms are zero
   output wire                                       suspect,     // exceptional already
   output wire                                       zero_sign,   // of a sum that is zero
   output wire                                       known_sign,  // if infinite or CANCELLATION = 0
@@ -60,13 +61,13 @@ module fp_cut_sum #(
   localparam integer BIAS     = (1 << (EXPONENT_BITS - 1)) - 1;
   localparam integer SMALLEST = OFFSET + BIAS + 1;  // the exponent of 1 * 2^(1 - BIAS)
 
-  // The cut by which a subnormal number's square is zero: it is below 2^(2 - 2 BIAS), and no cut is
-  // lower than 2^(3 - BIAS - WINDOW).
+  // With this cut, a subnormal number's square counts as zero: it is below 2^(2 - 2 BIAS), and no
+  // cut is lower than 2^(3 - BIAS - WINDOW).
   localparam VANISHING = (GRADUAL != 0) && (BIAS > WINDOW - 2);
 
-  // A product moves up from below the window, whose size is not above MARGIN: by as much as it has
-  // leading zeros, less the distance of its exponent from the largest. First come the steps of
-  // 2^LOW_BITS places and more. Distances between exponents of squares are even.
+  // A product moves up from below the window, whose size WINDOW is at most MARGIN. It moves by the
+  // number of its leading zeros, less the distance of its exponent from the largest. Steps of
+  // 2^LOW_BITS places and more come first. Distances between exponents of squares are even.
   localparam MARGIN_BITS  = width_of(WINDOW - 1);
   localparam MARGIN       = 1 << MARGIN_BITS;
   localparam PLACES       = MARGIN + PRODUCT;
@@ -76,7 +77,7 @@ module fp_cut_sum #(
   localparam MOVED        = (HIGH_KEPT < PLACES) ? HIGH_KEPT : PLACES;
   localparam EVEN         = &(SQUARES | SUMS | DIFFERENCES);
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 28))
       begin : g_refused_exponent EXPONENT_BITS_is_not_2_to_28 refused (); end
@@ -183,8 +184,8 @@ module fp_cut_sum #(
     end
   endgenerate
 
-  // Beside the product: what is special; the sign of a zero; and that of an infinity or of a sum
-  // without cancellation.
+  // Beside the product: special values, the sign of a zero, and the sign of an infinity or of a sum
+  // that cannot cancel.
   wire s9_infinite   = |s9_infinities;
   wire s9_unlike     = (|(s9_infinities & s9_signs)) && (|(s9_infinities & ~s9_signs));
   wire s9_nan        = (|s9_nans) || s9_unlike;
@@ -209,8 +210,8 @@ module fp_cut_sum #(
     .q   ({s18_flags, s18_negatives})
   );
 
-  // Beside the product: the largest exponent, by a tree with one level a cut, and how far each
-  // product's place is above it in front of the last cut.
+  // Beside the product: a tree with one level per cut finds the largest exponent. The distance of
+  // each product's place from it is known in front of the last cut.
   localparam CANDIDATES = (GRADUAL != 0) ? TERMS + 1 : TERMS;
 
   wire [CANDIDATES*EXPONENT_WIDTH-1:0] s9_candidates;
@@ -259,7 +260,7 @@ module fp_cut_sum #(
     .q   (s18_largest)
   );
 
-  // Stages distances, align by steps of 2^LOW_BITS, align: what stays below the window is cut off.
+  // Stages distances, align by steps of 2^LOW_BITS, align: bits below the window are cut off.
   wire [TERMS*ADDEND-1:0] s18_addends;
 
   generate
@@ -337,8 +338,8 @@ module fp_cut_sum #(
     end
   endgenerate
 
-  // Stages level 0 to 5: sums of two. Minus x is not x plus one; of each two, the one that the
-  // first term of the second owes enters as a carry out of an extra last place.
+  // Stages level 0 to 5: sums of two. -x is ~x + 1, and a complemented term lacks the 1. The 1 that
+  // the first term of the second addend lacks enters as a carry out of an extra last place.
   genvar level;
   generate
     for (level = 0; level < LEVELS; level = level + 1) begin : g_level

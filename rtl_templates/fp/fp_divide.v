@@ -38,10 +38,11 @@ module fp_divide #(
     larger = (first > second) ? first : second;
   endfunction
 
-  // Without underflow there are no subnormals to be gradual about.
+  // Without underflow there are no subnormals, so GRADUAL has no effect.
   localparam SUBNORMALS = (GRADUAL != 0) && (UNDERFLOW != 0);
 
-  // The quotient lies in (1/2, 2): its bits up to the guard bit, and one more where it is below 1.
+  // The quotient lies in (1/2, 2). DIGITS: its bits up to the guard bit, and one more if it is
+  // below 1.
   localparam DIGITS    = RESULT_PRECISION + 2;
   localparam REMAINDER = PRECISION + 1;
   localparam FLAGS     = 5;
@@ -50,10 +51,10 @@ module fp_divide #(
              bits_for(larger(2 * PRECISION, RESULT_PRECISION + 2))) + 2;
   localparam AMOUNT_BITS = bits_for(RESULT_PRECISION + 3);
 
-  // Of a quotient below 1.
+  // For a quotient below 1.
   localparam integer REBIAS = (1 << (RESULT_EXPONENT_BITS - 1)) - 2;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 30))
       begin : g_refused_exponent EXPONENT_BITS_is_not_2_to_30 refused (); end
@@ -121,9 +122,9 @@ module fp_divide #(
     .flushed    (s2_b_flushed)
   );
 
-  // Stages digit 0 to DIGITS - 1: one bit each by non-restoring division. Where the last bit was 0
-  // the remainder went below zero and the divisor is added instead of subtracted; its sign is the
-  // next bit either way, and is kept there alone, since the remainder stays within +-divisor.
+  // Stages digit 0 to DIGITS - 1: one bit each, by non-restoring division. If the last bit was 0
+  // the remainder is negative, and the divisor is added instead of subtracted. The sign of the new
+  // remainder is the next bit. It is stored only there, since the remainder stays within +-divisor.
   wire [EXPONENT_WIDTH-1:0] s2_exponent = s2_a_exponent - s2_b_exponent;
   wire                      s2_b_zero   = (OVERFLOW != 0) && s2_b_is_zero;
   wire                      s2_sign     = s2_a_sign ^ s2_b_sign;
@@ -137,7 +138,8 @@ module fp_divide #(
   genvar k;
   generate
     for (k = 0; k < DIGITS; k = k + 1) begin : g_digit
-      // What is known of the place of the result: its exponent, then fp_subnormal_shift's outputs.
+      // The known part of the result's place: its exponent, in the last stage fp_subnormal_shift's
+      // outputs.
       localparam LAST  = k == DIGITS - 1;
       localparam PLACE = LAST ? EXPONENT_WIDTH + 1 + AMOUNT_BITS : EXPONENT_WIDTH;
 
@@ -203,9 +205,9 @@ module fp_divide #(
     end
   endgenerate
 
-  // Stage denormalise: the quotient is exact iff nothing remains, which after a 0 is to say that the
-  // remainder is minus the divisor. Two numbers add up to zero iff there is a carry into each place
-  // where their digits differ and none where they agree.
+  // Stage denormalise: the quotient is exact iff the remainder is zero or, after a 0, minus the
+  // divisor. Two numbers add up to zero iff there is a carry into each place where their digits
+  // differ and none where they agree.
   wire [PRECISION-1:0]      last_remainder = g_digit[DIGITS-1].next_remainder;
   wire [DIGITS-1:0]         last_quotient  = g_digit[DIGITS-1].next_quotient;
   wire [PRECISION-1:0]      last_restore   =

@@ -1,11 +1,11 @@
 // fp_embedded_product: the product of two significands, by multipliers FACTOR_A by FACTOR_B wide.
 // Latency: the population count of CUTS (eight bits); initiation interval 1; no reset.
 //
-// Of each part of a one column of multipliers, a row for each part of b. A product is added to the
-// row below, shifted by FACTOR_B bits: the adder and the registers behind a multiplier, where the
-// device has them. A cut between two rows delays the operands of the rows above it; so no
-// synthesis has to move registers into a wide product.
-// Then columns are added one by one.
+// Each part of a has a column of multipliers, with one row for each part of b. A product is added
+// to the sum of the row below, shifted down by FACTOR_B bits. A device that has an adder and
+// registers behind its multipliers uses them. A cut between two rows delays the operands of all
+// rows above it, so synthesis need not move registers into a wide product. Columns are then added
+// one by one.
 `default_nettype none
 
 module fp_embedded_product #(
@@ -23,15 +23,15 @@ module fp_embedded_product #(
   localparam COLUMNS = (FACTOR_A > 0) ? (PRECISION + FACTOR_A - 1) / FACTOR_A : 1;
   localparam ROWS    = (FACTOR_B > 0) ? (PRECISION + FACTOR_B - 1) / FACTOR_B : 1;
 
-  // Cut 0 is in front of the multipliers and cut 1 behind them, cuts 2 to 5 are behind the first
-  // rows, 6 and 7 behind the sums.
+  // Cut 0 is in front of the multipliers, cut 1 behind them. Cuts 2 to 5 are behind the first rows,
+  // 6 and 7 behind the sums.
   localparam CUT_ROWS = 4;
 
   function integer smaller(input integer first, input integer second);
     smaller = (first < second) ? first : second;
   endfunction
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
     if (FACTOR_A < 1) begin : g_refused_factor_a FACTOR_A_is_below_1 refused (); end
@@ -104,7 +104,7 @@ module fp_embedded_product #(
           assign sum = joined;
         end
 
-        // What no row above changes any more waits for the last row.
+        // Bits that later rows cannot change are delayed until the last row.
         localparam DONE = (row == ROWS - 1) ? A_WIDTH + B_WIDTH : FACTOR_B;
 
         if (row + 1 < CUT_ROWS) begin : g_early
@@ -151,7 +151,7 @@ module fp_embedded_product #(
         assign joined = {term + upper, g_sums[column-1].sum[PLACE-1:0]};
       end
 
-      // The first sum is of two columns where there are two.
+      // The first sum has two columns if there are two.
       if (column == smaller(1, COLUMNS - 1)) begin : g_cut
         fp_rank #(
           .WIDTH     (PLACE + TERM),

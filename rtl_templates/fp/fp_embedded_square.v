@@ -9,10 +9,10 @@
 //             + 2 * (p0 p1 << 17 + p0 p2 << 34 + p1 p2 << 51)
 //                    place 1       place 2       place 3
 //
-// The products of two different parts form one chain, by rising place. The sum of the links before,
-// shifted down by FACTOR_B bits at each new place, is added to the next product, in the adder
-// behind the multiplier where the device has one. A cut between two links delays the operands of
-// all links behind it.
+// The products of two different parts form one chain, by rising place. The sum of the previous
+// links is added to the next product, at each new place after a shift down by FACTOR_B bits. The
+// device's adder behind the multiplier does that if there is one. A cut between two links delays
+// the operands of all later links.
 `default_nettype none
 
 module fp_embedded_square #(
@@ -42,7 +42,7 @@ module fp_embedded_square #(
 
   localparam SQUARE = 2 * PRECISION;
 
-  // The bits of the last part, and how many of them are too many for a multiplier's narrow side.
+  // The bits of the last part, and by how many they exceed the narrow side of a multiplier.
   localparam LAST   = PRECISION - (PARTS - 1) * FACTOR_B;
   localparam EXCESS = (LAST > FACTOR_B) ? LAST - FACTOR_B : 0;
   localparam WIDEST = FACTOR_B + EXCESS;
@@ -53,7 +53,8 @@ module fp_embedded_square #(
   localparam CUT_LINKS  = 4;
   localparam LAST_PLACE = 2 * PARTS - 3;
 
-  // A sum of products: at most PARTS / 2 of one place, and less than one more from below.
+  // A sum of products: at most PARTS / 2 products of one place, and less than one from the places
+  // below.
   localparam WIDTH = FACTOR_B + WIDEST + bits_of(PARTS / 2);
 
   // The pairs of parts i < j whose places i + j are `place`: the first i, and how many.
@@ -77,7 +78,7 @@ module fp_embedded_square #(
     part_bits = (part == PARTS - 1) ? LAST : FACTOR_B;
   endfunction
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
     if (FACTOR_B < 1) begin : g_refused_factor_b FACTOR_B_is_below_1 refused (); end

@@ -1,5 +1,5 @@
 // fp_fit: brings a fraction to another width by its leading bits; `sticky` is the OR of the rest.
-// Combinational wiring, but for the OR.
+// Combinational: wires, and the OR.
 `default_nettype none
 
 module fp_fit #(
@@ -11,7 +11,7 @@ module fp_fit #(
   output wire            sticky
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (FROM < 1) begin : g_refused_from FROM_is_below_1 refused (); end
     if (TO < 1) begin : g_refused_to TO_is_below_1 refused (); end

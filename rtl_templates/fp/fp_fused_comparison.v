@@ -1,10 +1,10 @@
 // fp_fused_comparison: the order of a sum of TERMS products and zero: 0 less, 1 equal, 2 greater,
 // 3 unordered. The sum is not rounded.
 // Latency: the population count of CUTS (25 bits); initiation interval 1; no reset.
-// SQUARES, PLAIN, SUMS, DIFFERENCES and NEGATED say what the terms are, as in fp_cut_sum.
-// Each term is cut toward zero at PRECISION + GUARD bits below the largest exponent. What the cuts
-// leave is added exactly; docs/error_bounds.md says when its sign is that of the uncut sum.
-// NaNs are unordered, and so are infinities of unlike signs and infinity * 0.
+// SQUARES, PLAIN, SUMS, DIFFERENCES and NEGATED describe the terms, as in fp_cut_sum.
+// Each term is cut toward zero at PRECISION + GUARD bits below the largest exponent. The cut terms
+// are added exactly; docs/error_bounds.md says when their sum has the sign of the uncut sum.
+// A NaN, infinities of unlike signs and infinity * 0 are unordered.
 `default_nettype none
 
 module fp_fused_comparison #(
@@ -37,7 +37,7 @@ module fp_fused_comparison #(
     end
   endfunction
 
-  localparam GROWTH = bits_for(TERMS - 1);  // bits that a sum of so many has in front of a term's
+  localparam GROWTH = bits_for(TERMS - 1);  // bits of a sum of TERMS above those of one term
 
   // Sizes as in fp_fused_sum.
   localparam         GUARD          = GROWTH + 5;
@@ -47,7 +47,7 @@ module fp_fused_comparison #(
   localparam integer OFFSET         = 2 * (PRECISION + (WINDOW + 1) / 2);
   localparam         EXPONENT_WIDTH = bits_for(4 * BIAS + 2 + OFFSET);
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 28))
       begin : g_refused_exponent EXPONENT_BITS_is_not_2_to_28 refused (); end
@@ -101,8 +101,8 @@ module fp_fused_comparison #(
     .first_sign(s24_first_sign)
   );
 
-  // Stage decide: a negative sum has the sign that term 0 does not have. If all terms are zero,
-  // what is in the window is arbitrary.
+  // Stage decide: a negative sum has the sign opposite to that of term 0. If all terms are zero,
+  // the window is arbitrary.
   wire s24_equal = !s24_infinite && (s24_all_zero || !(|s24_sum));
   wire s24_sign  = s24_infinite ? s24_infinite_sign : (s24_sum[ADDEND-1] ^ s24_first_sign);
 

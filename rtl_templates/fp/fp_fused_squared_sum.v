@@ -1,12 +1,12 @@
-// fp_fused_squared_sum: a term of a fused sum that is the square of a + b, or of a - b with
-// SUBTRACT. What is squared is rounded to nearest, ties to even.
+// fp_fused_squared_sum: a term of a fused sum that is (a + b)^2, or (a - b)^2 with SUBTRACT. The
+// sum is rounded to nearest, ties to even, before it is squared.
 // Sixteen cuts, initiation interval 1, no reset. The exponents and the flags leave behind the first
-// nine cuts, `product` behind all sixteen. The term's magnitude is
-// product * 2^(place - OFFSET - 2 BIAS): the product has two bits in front of its point, and BIAS
-// is the format's. The sum is squared with the leading zeros that it has where its operands cancel;
-// `exponent` is what `place` would be without them.
-// A zero has exponent and place 0 and an arbitrary product; other finite terms' exponents are
-// higher than OFFSET - 2 * PRECISION.
+// nine cuts, `product` behind all sixteen. The term's magnitude is product * 2^(place - OFFSET - 2
+// BIAS): the product has two bits in front of its point, and BIAS is the format's. If the operands
+// cancel, the sum is squared with its leading zeros. `exponent` is the exponent without them,
+// `place` the one with them.
+// A zero has exponent and place 0 and an arbitrary product. The exponents of other finite terms are
+// above OFFSET - 2 * PRECISION.
 `default_nettype none
 
 module fp_fused_squared_sum #(
@@ -33,7 +33,7 @@ module fp_fused_squared_sum #(
   output wire [2*PRECISION-1:0]             product
 );
 
-  // Not the name of the units' own: Verilator 5.006 takes one inside the other for hiding.
+  // Named unlike the units' own function: Verilator 5.006 warns if one of them hides the other.
   function integer length_of(input integer value);
     integer rest;
     begin
@@ -45,13 +45,13 @@ module fp_fused_squared_sum #(
   localparam COUNT_BITS = length_of(PRECISION);
   localparam COUNTED    = 1 << COUNT_BITS;
 
-  // Exponents are doubled last, so half of OFFSET is added to that of the sum.
+  // Exponents are doubled last, so half of OFFSET is added to the sum's exponent.
   localparam integer BIAS        = (1 << (EXPONENT_BITS - 1)) - 1;
   localparam integer HALF_OFFSET = OFFSET / 2;
   localparam integer SMALLEST    = HALF_OFFSET + 1;
   localparam integer TOO_LARGE   = HALF_OFFSET + 2 * BIAS + 1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 28))
       begin : g_refused_exponent EXPONENT_BITS_is_not_2_to_28 refused (); end
@@ -122,8 +122,8 @@ module fp_fused_squared_sum #(
     .q   ({s8_lifted, s8_count, s8_empty, s8_nan, s8_infinite})
   );
 
-  // Stage normalise: the exponent. Without gradual underflow a sum below the smallest normal number
-  // is 0.
+  // Stage normalise: the exponent. Without gradual underflow, a sum below the smallest normal
+  // number is 0.
   wire [EXPONENT_WIDTH-1:0] s8_normalised =
       s8_lifted - {{(EXPONENT_WIDTH - COUNT_BITS) {1'b0}}, s8_count};
   wire                      s8_too_large  = s8_lifted == TOO_LARGE[EXPONENT_WIDTH-1:0];
@@ -145,7 +145,7 @@ module fp_fused_squared_sum #(
   assign exponent = (s9_normalised << 1) & {EXPONENT_WIDTH{!zero}};
   assign place    = (s9_lifted << 1) & {EXPONENT_WIDTH{!zero}};
 
-  // Stages of the product, whose factor's cut is beside stage normalise.
+  // Stages of the product. Its cut for the factor is beside stage normalise.
   wire [PRECISION-1:0] s8_significand;
 
   fp_rank #(

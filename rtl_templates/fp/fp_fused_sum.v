@@ -1,10 +1,10 @@
 // fp_fused_sum: a sum of TERMS products, aligned, added up and rounded once.
 // Latency: the population count of CUTS (30 bits); initiation interval 1; no reset.
 // SQUARES, PLAIN, SUMS, DIFFERENCES, NEGATED and CANCELLATION describe the terms, as in fp_cut_sum.
-// Each term is cut toward zero at PRECISION + GUARD bits below the largest exponent. What the cuts
-// leave is added exactly and rounded; docs/error_bounds.md says how near that is.
-// Special values as IEEE 754: a NaN comes from infinities of unlike signs and from infinity * 0; a
-// zero is negative if all terms are, zeros among them.
+// Each term is cut toward zero at PRECISION + GUARD bits below the largest exponent. The cut terms
+// are added exactly, and their sum is rounded; docs/error_bounds.md bounds its error.
+// Special values as IEEE 754: infinities of unlike signs and infinity * 0 give a NaN. A zero sum is
+// negative if all terms are negative, zeros included.
 `default_nettype none
 
 module fp_fused_sum #(
@@ -44,7 +44,7 @@ module fp_fused_sum #(
     larger = (first > second) ? first : second;
   endfunction
 
-  localparam GROWTH = bits_for(TERMS - 1);  // bits that a sum of so many has in front of a term's
+  localparam GROWTH = bits_for(TERMS - 1);  // bits of a sum of TERMS above those of one term
 
   // A term has two bits in front of its point. C++'s golden model and schedule repeat GUARD.
   localparam GUARD  = GROWTH + 5;
@@ -52,14 +52,14 @@ module fp_fused_sum #(
   localparam SUM    = WINDOW + GROWTH;
   localparam KEPT   = PRECISION + 2;
 
-  // Without cancellation the leading one is in one of the first places, or, in a subnormal sum,
-  // nothing has to be found.
+  // Without cancellation the leading one is in one of the first places. A subnormal sum needs no
+  // search for it.
   localparam GROWING = (CANCELLATION == 0);
   localparam HEAD    = GROWTH + 1;
   localparam ADDEND  = GROWING ? SUM : SUM + 1;
 
-  // A zero's exponent is 0, and that of any other term WINDOW above it or more: far enough for a
-  // zero to be left out of the window.
+  // A zero's exponent is 0, and any other term's is at least WINDOW higher, so a zero lies below
+  // the window.
   localparam integer BIAS           = (1 << (EXPONENT_BITS - 1)) - 1;
   localparam integer OFFSET         = 2 * (PRECISION + (WINDOW + 1) / 2);
   localparam         EXPONENT_WIDTH = bits_for(4 * BIAS + 2 + OFFSET);
@@ -69,7 +69,7 @@ module fp_fused_sum #(
   localparam COUNT_BITS  = GROWING ? bits_for(HEAD) : bits_for(SUM);
   localparam ROUND_WIDTH = larger(EXPONENT_WIDTH, COUNT_BITS) + 2;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 28))
       begin : g_refused_exponent EXPONENT_BITS_is_not_2_to_28 refused (); end
@@ -117,7 +117,7 @@ module fp_fused_sum #(
     .first_sign(s24_flags[0])
   );
 
-  // Stage magnitude: a negative sum has the sign that term 0 does not have.
+  // Stage magnitude: a negative sum has the sign opposite to that of term 0.
   wire [SUM-1:0]            s24_magnitude;
   wire                      s24_turned;
   wire [SUM-1:0]            s25_sum;
@@ -153,7 +153,7 @@ module fp_fused_sum #(
            s25_first_sign})
   );
 
-  // Stage count: leading zeros. Without cancellation there are at most HEAD that matter.
+  // Stage count: leading zeros. Without cancellation at most HEAD of them matter.
   wire [COUNT_BITS-1:0] s25_count;
   wire                  s25_empty;
 
@@ -211,7 +211,7 @@ module fp_fused_sum #(
     .q   ({s26_sum, s26_count, s26_largest, s26_flags})
   );
 
-  // Stage normalise: the largest exponent is that of the place HEAD.
+  // Stage normalise: the largest exponent belongs to place HEAD.
   wire [ROUND_WIDTH-1:0] s26_wide_largest = {
     {(ROUND_WIDTH - EXPONENT_WIDTH) {1'b0}}, s26_largest
   };

@@ -1,8 +1,8 @@
 // fp_fused_term: one term of a fused sum, exactly: a * b; a * a with SQUARE; a with PLAIN.
 // Nine cuts, initiation interval 1, no reset. The exponent and the flags leave behind the first two
-// cuts, `product` behind all nine. The term's magnitude is product * 2^(exponent - OFFSET - 2 BIAS):
-// the product has two bits in front of its point, and BIAS is the format's.
-// A zero has exponent 0 and an arbitrary product; other finite terms' exponents are higher than
+// cuts, `product` behind all nine. The term's magnitude is product * 2^(exponent - OFFSET - 2
+// BIAS): the product has two bits in front of its point, and BIAS is the format's.
+// A zero has exponent 0 and an arbitrary product. The exponents of other finite terms are above
 // OFFSET - 2 * PRECISION.
 `default_nettype none
 
@@ -33,7 +33,7 @@ module fp_fused_term #(
   output wire [2*PRECISION-1:0]             product
 );
 
-  // Not the name of the units' own: Verilator 5.006 takes one inside the other for hiding.
+  // Named unlike the units' own function: Verilator 5.006 warns if one of them hides the other.
   function integer length_of(input integer value);
     integer rest;
     begin
@@ -45,7 +45,7 @@ module fp_fused_term #(
   localparam integer BIAS   = (1 << (EXPONENT_BITS - 1)) - 1;
   localparam integer LIFTED = OFFSET + BIAS;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 28))
       begin : g_refused_exponent EXPONENT_BITS_is_not_2_to_28 refused (); end

@@ -1,5 +1,5 @@
-// fp_halved_sum: a + b + carry, modulo 2^WIDTH; with its cut the lower half of the bits is added in
-// front of it and the upper half behind it, so that each carry chain has half the length.
+// fp_halved_sum: a + b + carry, modulo 2^WIDTH. With the cut, the lower half of the bits is added
+// in front of it and the upper half behind it, so each carry chain has half the length.
 // Latency: CUTS; initiation interval 1; no reset. GATED: as in fp_chain_sum.
 `default_nettype none
 
@@ -18,7 +18,7 @@ module fp_halved_sum #(
   localparam LOWER = WIDTH / 2;
   localparam UPPER = WIDTH - LOWER;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (WIDTH < 2) begin : g_refused_width WIDTH_is_below_2 refused (); end
   endgenerate
@@ -50,7 +50,7 @@ module fp_halved_sum #(
         .q   ({s1_a, s1_b, s1_carry, s1_lower})
       );
 
-      // Behind the cut both operands come from registers, and GATED would gain nothing.
+      // Behind the cut both operands are registers, so GATED would gain nothing.
       fp_chain_sum #(
         .WIDTH(UPPER)
       ) s1_sum (

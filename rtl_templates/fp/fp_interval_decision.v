@@ -1,7 +1,7 @@
 // fp_interval_decision: decides the sign of a difference that lies between minimum and maximum:
 // greater (2) iff the minimum is above zero, less (0) iff the maximum is below it.
 // Latency: CUTS; initiation interval 1; no reset.
-// A verdict means something where `decided` is 1; a NaN in either bound never decides.
+// A verdict is valid where `decided` is 1. A NaN in either bound never decides.
 `default_nettype none
 
 module fp_interval_decision #(
@@ -19,13 +19,13 @@ module fp_interval_decision #(
   localparam SIGN     = EXPONENT_BITS + PRECISION - 1;
   localparam EXPONENT = PRECISION - 1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
     if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
   endgenerate
 
-  // Stage decide: a number is beyond zero if its sign says so and it is not a zero.
+  // Stage decide: a bound is beyond zero if its sign says so and it is not a zero.
   wire s0_minimum_nan = (&minimum[SIGN-1:EXPONENT]) && (|minimum[EXPONENT-1:0]);
   wire s0_maximum_nan = (&maximum[SIGN-1:EXPONENT]) && (|maximum[EXPONENT-1:0]);
   wire s0_unordered   = s0_minimum_nan || s0_maximum_nan;

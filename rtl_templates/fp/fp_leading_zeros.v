@@ -1,6 +1,6 @@
-// fp_leading_zeros: how many zeros precede the first one, as a tree of halves.
+// fp_leading_zeros: counts the zeros in front of the first one, by a tree of halves.
 // Latency: REGISTERED (0 or 1), by registers behind the counts of each eight bits; initiation
-// interval 1; no reset. For an empty value `count` is all ones.
+// interval 1; no reset. If no bit is one, `count` is all ones.
 `default_nettype none
 
 module fp_leading_zeros #(
@@ -13,13 +13,13 @@ module fp_leading_zeros #(
   output wire                         empty
 );
 
-  // The bits of the counts that are registered, unless the whole count has fewer.
+  // Bits of a count in front of the registers, unless the whole count has fewer.
   localparam GROUP_BITS = 3;
 
   wire [COUNT_BITS-1:0] s0_count;
   wire                  s0_empty;
 
-  // A parameter that does not fit: an instance of a module that does not exist.
+  // An invalid parameter instantiates a module that does not exist: elaboration fails.
   generate
     if (COUNT_BITS < 1) begin : g_refused_count_bits
       COUNT_BITS_is_below_1 refused ();

@@ -1,18 +1,19 @@
 // fp_logic_product: the product of two integers, or the square of one, without `*`.
 // Latency: the population count of CUTS (seven bits); initiation interval 1; no reset.
 //
-// Booth's digits make half as many rows as there are bits, a square's on average half as long as a
-// product's. A row is gates of five inputs. With the sum's bit they fill a look-up table of six
-// inputs in front of a carry chain, so the second to fourth row of each four cost their sum alone.
-// Then sums are added two by two.
+// Booth's digits make half as many rows as there are bits, and a square's rows are on average half
+// as long as a product's. A row is gates of five inputs. Together with a bit of the sum they fill a
+// look-up table of six inputs in front of a carry chain. So the second to the fourth row of each
+// four need no area beyond their sums. Sums are then added two by two.
 //
-// Look-up tables of four inputs would stand two or three deep in front of each chain. For them
-// DIGIT_STAGE = 1 finds the digits in a stage of its own, behind which their register stands. A
-// square decodes Booth's digits there. A product has digits of -1 to 2 instead: a + 0101...01 has
-// these digits, each plus one, so that an addition finds them and a row is gates of four inputs.
+// Look-up tables of four inputs would stand two or three deep in front of each chain. For such
+// devices DIGIT_STAGE = 1 finds the digits in a stage of its own, in front of a register. That
+// stage decodes a square's digits as Booth's. A product gets digits of -1 to 2 instead: the digits
+// of a + 0101...01 are these, each plus one. So an addition finds them, and a row is gates of four
+// inputs.
 //
-// SPLIT = 1, of a square: the highest quarter of the bits is late: it is added one cycle behind the
-// others, with the carries into it in registers. That shortens the longest carry chain: of 53 bits
+// SPLIT = 1, for a square: the highest quarter of the bits is late. It is added one cycle after the
+// others, with the carries into it in registers. That shortens the longest carry chain, for 53 bits
 // from 73 places to 49. At the last cut the other bits wait for the late ones.
 `default_nettype none
 
@@ -21,7 +22,7 @@ module fp_logic_product #(
   parameter       SQUARE      = 0,   // 1: of a; b is not read
   parameter       SIGNED      = 0,   // 1: a and b are in two's complement, of 4 bits or more
   parameter       DIGIT_STAGE = 0,   // 1: the first stage finds the digits; not with SIGNED
-  parameter       SPLIT       = 0,   // 1: of a SQUARE to 65, with CUTS[6]; no SIGNED, DIGIT_STAGE
+  parameter       SPLIT       = 0,   // 1: a SQUARE to 65, with CUTS[6]; no SIGNED, DIGIT_STAGE
   parameter [6:0] CUTS        = 7'b0
 ) (
   input  wire                   aclk,
@@ -31,16 +32,16 @@ module fp_logic_product #(
 );
 
   localparam ROWS = (SQUARE != 0) ? PRECISION / 2 : PRECISION / 2 + 1;
-  // 1: the last digit is a sign and the bit below it.
+  // 1: the last digit consists of a sign and the bit below it.
   localparam CARRIES = (SIGNED != 0) && ((SQUARE != 0) || (PRECISION % 2 != 0));
   // The place of the first digit's middle bit. Each later digit is two places higher.
   localparam PLACE = (SQUARE != 0) ? 1 + PRECISION % 2 : 0;
 
-  // How fp_booth_digit reads the digits.
+  // CODE: the code of the digits, as in fp_booth_digit.
   localparam FOUND = (SQUARE != 0) ? 1 : 2;
   localparam CODE  = (DIGIT_STAGE != 0) ? FOUND : 0;
-  // The cut behind each level of sums. A stage for the digits takes the place of the last level,
-  // which adds nothing then.
+  // LEVEL_CUTS[l] is the cut behind level l of the sums. With a stage for the digits, the last
+  // level adds nothing and its cut belongs to that stage.
   localparam [6:0] LEVEL_CUTS = (DIGIT_STAGE != 0) ? CUTS >> 1 : CUTS;
 
   // Bits of the sum of rows `first` to `last`, from the lowest bit of row `first`.
@@ -57,7 +58,7 @@ module fp_logic_product #(
     smaller = (first < second) ? first : second;
   endfunction
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((PRECISION < 2) || (PRECISION > 127))
       begin : g_refused_precision PRECISION_is_not_2_to_127 refused (); end
@@ -80,7 +81,7 @@ module fp_logic_product #(
   genvar level;
   genvar index;
 
-  // Booth's digits of a factor: three bits each, of which two digits share one.
+  // Booth's digits of a factor: three bits each, one of them shared with the next digit.
   function [3*ROWS-1:0] booth_digits(input [PRECISION-1:0] factor);
     integer                 row;
     reg     [PRECISION+3:0] extended;
@@ -137,8 +138,8 @@ module fp_logic_product #(
     end
   endgenerate
 
-  // The operands of levels 0 to 2, where rows join. Booth's digits are bits of `a`, and are not
-  // kept beside it.
+  // The operands of levels 0 to 2, where rows join. Booth's digits are bits of `a` and need no
+  // registers beside it.
   generate
     for (level = 0; level < 3; level = level + 1) begin : g_operands
       wire [PRECISION-1:0] a_factor;
@@ -184,8 +185,8 @@ module fp_logic_product #(
     end
   endgenerate
 
-  // The row of the last Booth digit, where that is -1, is a ones' complement: the 1 that it lacks
-  // waits for the last stage, which adds it.
+  // If the last Booth digit is -1, its row is a ones' complement. The 1 that it lacks is delayed
+  // until the last stage, which adds it.
   generate
     for (level = 0; level < 7; level = level + 1) begin : g_owed
       wire carry;
@@ -208,8 +209,8 @@ module fp_logic_product #(
     end
   endgenerate
 
-  // The rows. The first two of each four join at level 0, the third at level 1, the fourth at level
-  // 2.
+  // The rows. In each group of four the first two join at level 0, the third at level 1, the fourth
+  // at level 2.
   generate
     for (index = 0; index < ROWS; index = index + 1) begin : g_rows
       localparam LEVEL = (index % 4 < 2) ? 0 : index % 4 - 1;
@@ -294,10 +295,10 @@ module fp_logic_product #(
         end
 
         // The ones above a product's rows leave 01 or 10 in the two highest bits of a sum. So the
-        // highest one needs no register, which would stand behind the end of a carry chain.
+        // highest bit needs no register, which would stand at the end of a carry chain.
         localparam KEPT = ((SQUARE == 0) && (UPPER < ROWS)) ? SUM - 1 : SUM;
 
-        // The last cut holds back the other bits alone: behind it the late ones are in time.
+        // The last cut delays only the other bits: behind it the late ones are in time.
         localparam HELD = ((SPLIT != 0) && (level == 6)) ? LATE : KEPT;
 
         wire [KEPT-1:0] kept;
@@ -328,7 +329,7 @@ module fp_logic_product #(
 
   wire [TOTAL-1:0] total = g_sums[6].g_part[0].value;
 
-  // A product's rows begin two places below it, those of an odd square one place above.
+  // A product's rows begin two places below the product, those of an odd square one place above.
   generate
     if (SQUARE == 0) begin : g_product_of_two
       wire unused_places = ^{total[TOTAL-1:2*PRECISION+2], total[1:0]};

@@ -9,7 +9,7 @@ module fp_minimum_maximum #(
   parameter       PRECISION        = 24,
   parameter       MAXIMUM          = 0,
   parameter       SPECIAL_OPERANDS = 1,
-  parameter       OVERFLOW         = 1,     // nothing to leave out: for uniformity
+  parameter       OVERFLOW         = 1,     // no effect: for uniformity
   parameter       UNDERFLOW        = 1,
   parameter       GRADUAL          = 0,
   parameter [1:0] CUTS             = 2'b00
@@ -31,13 +31,14 @@ module fp_minimum_maximum #(
   localparam [EXPONENT-1:0] NO_FRACTION = 0;
   localparam [PACKED-1:0]   QUIET_NAN   = {1'b0, {EXPONENT_BITS{1'b1}}, ~(~NO_FRACTION >> 1)};
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
     if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
   endgenerate
 
-  // Stage compare: packed magnitudes order as integers, against them where both are negative.
+  // Stage compare: packed magnitudes order as integers; if both are negative, the order is
+  // reversed.
   wire s0_a_fraction = |a[EXPONENT-1:0];
   wire s0_b_fraction = |b[EXPONENT-1:0];
   wire s0_a_special  = (SPECIAL_OPERANDS != 0) && (&a[SIGN-1:EXPONENT]);
@@ -67,7 +68,8 @@ module fp_minimum_maximum #(
     .q   ({s1_a, s1_b, s1_a_flush, s1_b_flush, s1_nan, s1_suspect, s1_take_a})
   );
 
-  // Stage select: of equal operands either will do; a flushed one keeps its sign alone.
+  // Stage select: if the operands are equal, either will do. A flushed operand becomes a zero of
+  // its sign.
   wire [PACKED-1:0] s1_taken   = s1_take_a ? s1_a : s1_b;
   wire              s1_flush   = s1_take_a ? s1_a_flush : s1_b_flush;
   wire [PACKED-1:0] s1_flushed = s1_taken & {1'b1, {(PACKED - 1) {!s1_flush}}};

@@ -1,7 +1,7 @@
 // fp_multiply: a * b, rounded once to the result format.
 // Latency: the population count of CUTS (fifteen bits); initiation interval 1; no reset.
-// EMBEDDED = 0: the product is logic on any device; else it is of `*`, each of FACTOR_A by FACTOR_B
-// bits, for the device's multipliers. DIGIT_STAGE: fp_logic_product.
+// EMBEDDED = 0: the product is logic on any device. Otherwise it consists of `*` of FACTOR_A by
+// FACTOR_B bits, for the device's multipliers. DIGIT_STAGE: fp_logic_product.
 // Special values as IEEE 754: infinity * 0 is NaN.
 // SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md. SUM_SELECTS:
 // as in fp_add.
@@ -43,10 +43,10 @@ module fp_multiply #(
     larger = (first > second) ? first : second;
   endfunction
 
-  // Without underflow there are no subnormals to be gradual about.
+  // Without underflow there are no subnormals, so GRADUAL has no effect.
   localparam SUBNORMALS = (GRADUAL != 0) && (UNDERFLOW != 0);
 
-  // Cuts 2 to ROUND - 1 are the product's.
+  // Cuts 2 to ROUND - 1 belong to the product.
   localparam ROUND   = 10;
   localparam PRODUCT = 2 * PRECISION;
   localparam EXPONENT_WIDTH =
@@ -56,10 +56,11 @@ module fp_multiply #(
 
   localparam integer BIAS        = (1 << (EXPONENT_BITS - 1)) - 1;
   localparam integer RESULT_BIAS = (1 << (RESULT_EXPONENT_BITS - 1)) - 1;
-  // One less, which leaves zeros at its end: the one is the carry into the sum of the exponents.
+  // The value is one too small and therefore ends in zeros. The carry into the sum of the exponents
+  // adds the one.
   localparam integer REBIAS      = RESULT_BIAS - 2 * BIAS - 1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 30))
       begin : g_refused_exponent EXPONENT_BITS_is_not_2_to_30 refused (); end
@@ -170,7 +171,7 @@ module fp_multiply #(
     .q   ({s4_sum, s4_flags})
   );
 
-  // The product's other stages.
+  // The other stages of the product.
   wire [EXPONENT_WIDTH-1:0] s4_exponent = s4_sum + REBIAS[EXPONENT_WIDTH-1:0];
   wire [EXPONENT_WIDTH-1:0] s5_exponent;
   wire [4:0]                s5_flags;

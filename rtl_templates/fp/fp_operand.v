@@ -1,15 +1,15 @@
-// fp_operand: one packed operand with its significand normalised, for units that need it so.
-// Two cuts, initiation interval 1, no reset. `exponent` is biased and signed; that and the
+// fp_operand: one packed operand with a normalised significand.
+// Two cuts, initiation interval 1, no reset. `exponent` is biased and signed. Exponent and
 // significand are arbitrary for zeros, infinities and NaNs. SPECIAL_OPERANDS, UNDERFLOW: fp_unpack.
 `default_nettype none
 
 module fp_operand #(
   parameter       EXPONENT_BITS    = 8,
   parameter       PRECISION        = 24,
-  parameter       EXPONENT_WIDTH   = 10,    // above EXPONENT_BITS and the width of PRECISION
+  parameter       EXPONENT_WIDTH   = 10,    // more than EXPONENT_BITS, and than PRECISION's width
   parameter       SPECIAL_OPERANDS = 1,
   parameter       UNDERFLOW        = 1,
-  parameter       GRADUAL          = 0,     // 1: with UNDERFLOW alone
+  parameter       GRADUAL          = 0,     // 1: only with UNDERFLOW
   parameter [1:0] CUTS             = 2'b00
 ) (
   input  wire                               aclk,
@@ -23,7 +23,7 @@ module fp_operand #(
   output wire                               flushed
 );
 
-  // Not the name of the units' own: Verilator 5.006 takes one inside the other for hiding.
+  // Named unlike the units' own function: Verilator 5.006 warns if one of them hides the other.
   function integer width_of(input integer value);
     integer rest;
     begin
@@ -36,7 +36,7 @@ module fp_operand #(
   localparam COUNTED    = 1 << COUNT_BITS;
   localparam FLAGS      = 5;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
     if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end

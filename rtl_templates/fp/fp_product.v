@@ -1,7 +1,7 @@
 // fp_product: the product of two significands, or the square of one.
 // Latency: the population count of CUTS (eight bits); initiation interval 1; no reset.
-// Cut 0 is in front of the multipliers, in registers of theirs where they have such.
-// LEADING_ONE promises that significands begin with a one; `product` is undefined if one does not.
+// Cut 0 is in front of the multipliers, in their own registers if they have any.
+// LEADING_ONE promises that significands begin with a one; otherwise `product` is undefined.
 `default_nettype none
 
 module fp_product #(
@@ -21,14 +21,14 @@ module fp_product #(
   output wire [2*PRECISION-1:0] product
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
     if (FACTOR_A < 1) begin : g_refused_factor_a FACTOR_A_is_below_1 refused (); end
     if (FACTOR_B < 1) begin : g_refused_factor_b FACTOR_B_is_below_1 refused (); end
   endgenerate
 
-  // What fp_embedded_square needs. C++'s EmbeddedSquare repeats this.
+  // The requirements of fp_embedded_square. C++'s EmbeddedSquare repeats them.
   localparam SPARE    = (FACTOR_A > FACTOR_B + 2) ? 2 : FACTOR_A - FACTOR_B;
   localparam PARTS    = ((FACTOR_B > 0) && (PRECISION > SPARE))
                         ? (PRECISION - SPARE + FACTOR_B - 1) / FACTOR_B : 1;

@@ -6,14 +6,14 @@ module fp_product_row #(
   parameter PRECISION = 24,
   parameter SQUARE    = 0,
   parameter SIGNED    = 0,
-  parameter CODE      = 0,              // of the digits: fp_booth_digit
+  parameter CODE      = 0,              // of the digits, as in fp_booth_digit
   parameter ROW       = 0,
   parameter WIDTH     = PRECISION + 6
 ) (
   input  wire [PRECISION-1:0] a,
   input  wire [PRECISION-1:0] b,
   input  wire [2:0]           digit,
-  input  wire [2:0]           previous,  // the digit of the row before, if there is one
+  input  wire [2:0]           previous,  // the previous row's digit; unused in row 0
   output wire [WIDTH-1:0]     row
 );
 
@@ -21,7 +21,7 @@ module fp_product_row #(
   localparam LAST      = (SIGNED != 0) && (ROW == ROWS - 1);
   localparam ROW_WIDTH = (SQUARE != 0) ? 2 * ROW + PRECISION % 2 + 4 : PRECISION + 6;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
     if ((ROW < 0) || (ROW >= ROWS))

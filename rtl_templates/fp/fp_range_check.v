@@ -1,7 +1,7 @@
-// fp_range_check: fails where an operand breaks the promise made of it: its sign, and its leading
+// fp_range_check: fails if an operand breaks the promise made for it: its sign, and its leading
 // magnitude bits (exponent first) from LEAST to GREATEST.
 // Latency: CUTS; initiation interval 1; no reset.
-// A zero has a sign, too. NaNs and infinities fail where GREATEST is finite.
+// A zero's sign counts. NaNs and infinities fail if GREATEST is finite.
 `default_nettype none
 
 module fp_range_check #(
@@ -23,7 +23,7 @@ module fp_range_check #(
 
   localparam [MAGNITUDE-1:0] LARGEST = {MAGNITUDE{1'b1}} >> REST;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
     if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
@@ -36,7 +36,7 @@ module fp_range_check #(
     if (LEAST > GREATEST) begin : g_refused_least LEAST_is_above_GREATEST refused (); end
   endgenerate
 
-  // Stage check: magnitudes order as integers; limits that nothing breaks are not compared with.
+  // Stage check: magnitudes order as integers. Limits that no magnitude breaks have no comparison.
   wire [MAGNITUDE-1:0] s0_leading    = x[MAGNITUDE-1:0] >> REST;
   wire                 s0_wrong_sign = (SIGN == 1) ? x[MAGNITUDE] : (SIGN == 2) && !x[MAGNITUDE];
   wire                 s0_below      = (LEAST != 0) && (s0_leading < LEAST);

@@ -12,7 +12,7 @@ module fp_ranks #(
   output wire [WIDTH-1:0] q
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
     if (COUNT < 1) begin : g_refused_count COUNT_is_below_1 refused (); end

@@ -1,9 +1,9 @@
 // fp_round: rounds an exact result, given by its leading bits and a sticky bit, and packs it.
-// Four cuts, initiation interval 1, no reset. Special values: `nan`, `infinite` and `zero` say
-// that the result is one (the first of them wins) whatever exponent and significand are.
+// Four cuts, initiation interval 1, no reset. Special values: `nan`, `infinite` and `zero` say that
+// the result is one, whatever exponent and significand are. The first of them that is 1 wins.
 // OVERFLOW = 0 or UNDERFLOW = 0 promises that no other result is too large or too small.
-// The bits that are rounded are the low ones of `value` moved down by `amount`. Up to SUM_SELECTS
-// bits of `amount` take effect in the look-up tables of the rounding's carry chain.
+// The value moves down by `amount`, and its low bits are rounded. Up to SUM_SELECTS bits of
+// `amount` take effect in the look-up tables of the rounding's carry chain.
 `default_nettype none
 
 module fp_round #(
@@ -12,9 +12,9 @@ module fp_round #(
   parameter       RESULT_PRECISION     = 24,
   parameter       OVERFLOW             = 1,
   parameter       UNDERFLOW            = 1,
-  parameter       GRADUAL              = 0,      // 1: with UNDERFLOW alone
-  // 1: exponents below 1 occur with GRADUAL, and then the significand is normalised.
-  // 0: they do not, but a significand of exponent 1 may have leading zeros.
+  parameter       GRADUAL              = 0,      // 1: only with UNDERFLOW
+  // 1: with GRADUAL, exponents below 1 occur, and then the significand is normalised. 0: such
+  // exponents do not occur, but a significand of exponent 1 may have leading zeros.
   parameter       DENORMALISE          = GRADUAL,
   parameter       TOWARD_ZERO          = 0,
   parameter       AMOUNT_BITS          = 0,      // 0 to 2; not with DENORMALISE
@@ -24,7 +24,7 @@ module fp_round #(
   input  wire                                             aclk,
   input  wire                                             sign,
   input  wire [EXPONENT_WIDTH-1:0]                        exponent,  // biased and signed
-  // Its low RESULT_PRECISION + 2 bits are rounded once it has moved.
+  // Once it has moved, its low RESULT_PRECISION + 2 bits are rounded.
   input  wire [RESULT_PRECISION+(1<<AMOUNT_BITS):0]       value,
   input  wire [1:0]                                       amount,    // the low AMOUNT_BITS are read
   input  wire                                             sticky,
@@ -36,7 +36,7 @@ module fp_round #(
   output wire                                             exceptional
 );
 
-  // Not the name of the units' own: Verilator 5.006 takes one inside the other for hiding.
+  // Named unlike the units' own function: Verilator 5.006 warns if one of them hides the other.
   function integer width_of(input integer number);
     integer rest;
     begin
@@ -51,12 +51,12 @@ module fp_round #(
   localparam ROUNDED_WIDTH = EXPONENT_WIDTH + FRACTION_BITS;
 
   localparam VANISHING     = (UNDERFLOW != 0) && (GRADUAL == 0);
-  // A special result is put in front of the rounding, where it shares the adder's gates, if
-  // nothing behind the rounding has to replace its result anyway.
+  // If nothing behind the rounding has to replace its result, a special result is inserted in front
+  // of the rounding, where it shares the adder's gates.
   localparam SPECIAL_FIRST = (OVERFLOW == 0) && !VANISHING;
 
-  // The bits of `amount` that wait for the sum: none where special results take the tables' inputs.
-  // HELD is how many bits of the value the sum then selects from.
+  // LATE_BITS: the bits of `amount` that take effect in the sum. There are none if special results
+  // use the tables' inputs. HELD: how many bits of the value the sum then selects from.
   localparam LATE_LIMIT = (SUM_SELECTS < AMOUNT_BITS) ? SUM_SELECTS : AMOUNT_BITS;
   localparam LATE_BITS = SPECIAL_FIRST ? 0 : LATE_LIMIT;
   localparam PLACES    = RESULT_PRECISION + 1 + (1 << AMOUNT_BITS);
@@ -68,7 +68,7 @@ module fp_round #(
   localparam [FRACTION_BITS-1:0] NO_FRACTION = 0;
   localparam [FRACTION_BITS-1:0] QUIET       = ~(~NO_FRACTION >> 1);
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (RESULT_EXPONENT_BITS < 2)
       begin : g_refused_result_exponent RESULT_EXPONENT_BITS_is_below_2 refused (); end
@@ -93,8 +93,8 @@ module fp_round #(
   endgenerate
 
   // Stage denormalise: below exponent 1 the significand moves down instead of the exponent.
-  // Otherwise the value moves by the part of `amount` that does not wait for the sum. A copy moves by
-  // all of it: its bits tell whether to round up and whether the result is subnormal.
+  // Otherwise the value moves by those bits of `amount` that do not take effect in the sum. A copy
+  // moves by all bits: it tells whether to round up and whether the result is subnormal.
   wire [WIDTH-1:0] s0_significand;
   wire [HELD-1:0]  s0_held;
   wire [1:0]       s0_amount = amount & LATE_MASK;
@@ -164,8 +164,8 @@ module fp_round #(
     end
   endgenerate
 
-  // Whether to round up is decided here, so that a carry chain is all there is to rounding. A
-  // significand without a leading one is subnormal: its exponent field is 0.
+  // Stage denormalise also decides whether to round up, so the rounding is no more than a carry
+  // chain. A significand without a leading one is subnormal: its exponent field is 0.
   wire                      s0_leading = s0_significand[WIDTH-1];
   wire                      s0_odd     = s0_significand[2];
   wire                      s0_guard   = s0_significand[1];
@@ -211,8 +211,8 @@ module fp_round #(
     .q   ({s1_field, s1_held, s1_amount, s1_up, s1_inexact_subnormal, s1_beyond, s1_flags})
   );
 
-  // Stages round, round upper half: exponent and fraction are one number, so that a carry out of
-  // the fraction doubles it.
+  // Stages round, round upper half: exponent and fraction are one number, so a carry out of the
+  // fraction increments the exponent.
   wire [ROUNDED_WIDTH-1:0] s2_rounded;
   wire                     s2_inexact_subnormal;
   wire                     s2_beyond;
@@ -282,9 +282,10 @@ module fp_round #(
            s3_sign, s3_nan, s3_infinite, s3_zero, s3_suspect})
   );
 
-  // Stage pack: the field is too large from all ones on; with GRADUAL it is never too small.
-  // A subnormal that was rounded up to the smallest normal number would have been rounded up to it
-  // with an unbounded exponent too iff the bit beyond the guard bit was set.
+  // Stage pack: an all-ones field is too large, and so is a larger one. With GRADUAL no field is
+  // too small. Suppose a subnormal was rounded up to the smallest normal number. With an unbounded
+  // exponent it would also have been rounded up to that number iff the bit beyond the guard bit was
+  // 1.
   wire s3_finite    = !(s3_nan || s3_infinite || s3_zero);
   wire s3_negative  = s3_field[EXPONENT_WIDTH-1];
   wire s3_too_large = (OVERFLOW != 0) && !(VANISHING && s3_negative)
@@ -299,15 +300,16 @@ module fp_round #(
   wire s3_overflow_to_largest = s3_overflow && (TOWARD_ZERO != 0);
   wire s3_all_ones            = (!SPECIAL_FIRST && (s3_nan || s3_infinite)) || s3_overflow;
   wire s3_all_zeros           = (!SPECIAL_FIRST && s3_zero) || s3_vanished;
-  // Few gates deep, since it may become the reset of the result's register.
+  // Few gates deep: this may become the reset of the result's register.
   wire s3_replaces            = !SPECIAL_FIRST && (!s3_finite || s3_too_large || s3_too_small);
 
   wire [RESULT_EXPONENT_BITS-1:0] s3_y_field =
       ((s3_field[RESULT_EXPONENT_BITS-1:0] & {RESULT_EXPONENT_BITS{!s3_all_zeros}})
        | {RESULT_EXPONENT_BITS{s3_all_ones}})
       & {{(RESULT_EXPONENT_BITS - 1) {1'b1}}, !s3_overflow_to_largest};
-  // A choice with a constant: where a register follows, its reset makes it. A NaN's first bit has a
-  // choice of its own, since synthesis finds a reset where all bits have the same constant.
+  // A choice between this bit and a constant becomes a reset of the register that follows. The
+  // first fraction bit, which a NaN sets, has its own choice: synthesis finds a reset only if all
+  // bits have the same constant.
   wire                     s3_y_quiet    =
       s3_replaces ? (s3_overflow_to_largest || s3_nan) : s3_fraction[FRACTION_BITS-1];
   wire [FRACTION_BITS-1:0] s3_y_fraction;

@@ -1,7 +1,8 @@
 // fp_select_round: rounds and packs a result whose leading one is in the first or second place.
 // Five cuts, initiation interval 1, no reset. Special values and promises as in fp_round.
-// `exponent`, `tiny` and `amount` are what fp_subnormal_shift says of the second place's exponent:
-// a subnormal result moves down on the same way on which another's leading one is selected.
+// `exponent`, `tiny` and `amount` are outputs of fp_subnormal_shift for the exponent of the second
+// place. The shift of a subnormal result and the selection of another's leading one share their
+// gates.
 `default_nettype none
 
 module fp_select_round #(
@@ -12,7 +13,7 @@ module fp_select_round #(
   parameter       RESULT_PRECISION     = 24,
   parameter       OVERFLOW             = 1,
   parameter       UNDERFLOW            = 1,
-  parameter       GRADUAL              = 0,   // 1: with UNDERFLOW alone
+  parameter       GRADUAL              = 0,   // 1: only with UNDERFLOW
   parameter       TOWARD_ZERO          = 0,
   parameter       SUM_SELECTS          = 2,   // as in fp_add
   parameter [4:0] CUTS                 = 5'b0
@@ -32,11 +33,11 @@ module fp_select_round #(
   output wire                                             exceptional
 );
 
-  // The first place and what is kept if the leading one is in the second.
+  // MOVED: the first place, and the bits that are kept if the leading one is in the second place.
   localparam MOVED = RESULT_PRECISION + 3;
   localparam FLAGS = 5;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (WIDTH < 2) begin : g_refused_width WIDTH_is_below_2 refused (); end
     if (RESULT_EXPONENT_BITS < 2)
@@ -52,7 +53,7 @@ module fp_select_round #(
       begin : g_refused_gradual GRADUAL_without_UNDERFLOW refused (); end
   endgenerate
 
-  // Stage denormalise: by as many places as four divides.
+  // Stage denormalise: moves by the part of `amount` that is a multiple of four.
   wire [MOVED-1:0] s0_value;
   wire             s0_below;
 
@@ -100,9 +101,9 @@ module fp_select_round #(
            s1_sign, s1_nan, s1_infinite, s1_zero, s1_suspect})
   );
 
-  // Stage select: how far the value still has to move down. With a one in the first place that is
-  // one place more and one exponent up, unless the result is tiny and has moved already. Without a
-  // leading one a tiny result is subnormal, whatever its exponent is.
+  // Stage select: how far the value still has to move down. If the first place has a one, that is
+  // one place more, and the exponent is one higher, unless the result is tiny and has moved
+  // already. A tiny result without a leading one is subnormal, whatever its exponent is.
   wire                      s1_high     = s1_value[MOVED-1];
   wire [1:0]                s1_amount   = {s1_rest[1], s1_rest[0] || (s1_high && !s1_tiny)};
   wire [EXPONENT_WIDTH-1:0] s1_selected =

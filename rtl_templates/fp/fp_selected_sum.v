@@ -15,7 +15,7 @@ module fp_selected_sum #(
   output wire [WIDTH-1:0] sum
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (WIDTH < 2) begin : g_refused_width WIDTH_is_below_2 refused (); end
   endgenerate

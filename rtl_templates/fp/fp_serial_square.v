@@ -1,8 +1,8 @@
-// fp_serial_square: a * a, rounded once to the result format; six bits of the operand a cycle are
-// multiplied, in logic on any device.
-// Latency: the population count of CUTS, of which bits 2 to CYCLES + 4 are read as ones. Initiation
-// interval CYCLES: `start` says that an operand is there, and comes again after CYCLES cycles at
-// the earliest. No reset: `start` ends what is left of an earlier square.
+// fp_serial_square: a * a, rounded once to the result format. Each cycle multiplies by six bits of
+// the operand, in logic on any device.
+// Latency: the population count of CUTS, of which bits 2 to CYCLES + 4 count as ones. Initiation
+// interval CYCLES: `start` says that an operand is there, and comes again after CYCLES cycles or
+// later. No reset: `start` ends an unfinished square.
 // Special values as IEEE 754.
 // SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md. SUM_SELECTS:
 // as in fp_add.
@@ -41,12 +41,12 @@ module fp_serial_square #(
     larger = (first > second) ? first : second;
   endfunction
 
-  // Without underflow there are no subnormals to be gradual about.
+  // Without underflow there are no subnormals, so GRADUAL has no effect.
   localparam SUBNORMALS = (GRADUAL != 0) && (UNDERFLOW != 0);
 
-  // Cuts 2 to ROUND - 1 are the registers of the steps.
+  // Cuts 2 to ROUND - 1 are registers of the steps.
   localparam ROUND   = CYCLES + 5;
-  localparam PRODUCT = PRECISION + 6;  // its places that are kept
+  localparam PRODUCT = PRECISION + 6;  // the number of its places that are kept
   localparam EXPONENT_WIDTH =
       larger(larger(EXPONENT_BITS, RESULT_EXPONENT_BITS),
              bits_for(larger(PRODUCT, RESULT_PRECISION + 2))) + 2;
@@ -55,10 +55,10 @@ module fp_serial_square #(
   localparam integer BIAS        = (1 << (EXPONENT_BITS - 1)) - 1;
   localparam integer RESULT_BIAS = (1 << (RESULT_EXPONENT_BITS - 1)) - 1;
   localparam integer REBIAS      = RESULT_BIAS - 2 * BIAS;
-  // A subnormal's square below half the smallest result is zero and inexact: as if it was flushed.
+  // 1: a subnormal's square is below half the smallest result: zero and inexact, as if flushed.
   localparam VANISHING = 2 * BIAS > RESULT_BIAS + RESULT_PRECISION;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 30))
       begin : g_refused_exponent EXPONENT_BITS_is_not_2_to_30 refused (); end
@@ -102,7 +102,7 @@ module fp_serial_square #(
     .flushed    (s2_flushed)
   );
 
-  // The steps: the square of a significand in [1, 2) lies in [1, 4).
+  // Steps: the square of a significand in [1, 2) lies in [1, 4).
   wire [EXPONENT_WIDTH-1:0] s2_exponent = (s2_a_exponent << 1) + REBIAS[EXPONENT_WIDTH-1:0];
   wire                      unused_cuts = ^CUTS[ROUND-1:2];
   wire                      s2_suspect  = s2_nan || s2_infinite || s2_flushed;
@@ -133,7 +133,7 @@ module fp_serial_square #(
     .sticky(last_sticky)
   );
 
-  // Beside the steps the exponent waits in two registers, until the next square needs them.
+  // Beside the steps, two registers hold the exponent until the next square needs them.
   reg  [EXPONENT_WIDTH-1:0] s3_exponent_q;
   reg  [3:0]                s3_flags_q;
   wire [EXPONENT_WIDTH-1:0] s3_limited;

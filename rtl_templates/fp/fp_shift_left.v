@@ -15,11 +15,11 @@ module fp_shift_left #(
   output wire                   sticky
 );
 
-  // Places below the kept ones, in groups of a step from the top; the last group may be shorter.
+  // The places below the kept ones form groups of STEP from the top; the last group may be shorter.
   localparam BELOW  = WIDTH - KEPT;
   localparam GROUPS = (BELOW + STEP - 1) / STEP;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (KEPT < 1) begin : g_refused_kept KEPT_is_below_1 refused (); end
     if (KEPT > WIDTH) begin : g_refused_more_kept KEPT_is_above_WIDTH refused (); end
@@ -41,7 +41,7 @@ module fp_shift_left #(
 
   assign shifted = moving[WIDTH-1:BELOW];
 
-  // Group g stays below unless there are more than g steps. That is known without moving anything.
+  // Group g stays below unless there are more than g steps, which is known without a shift.
   generate
     if (BELOW > 0) begin : g_below
       wire [GROUPS-1:0] lost;

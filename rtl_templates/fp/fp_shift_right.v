@@ -1,5 +1,5 @@
-// fp_shift_right: moves a value down by steps of powers of two; bit k of `lost` tells whether a one
-// fell off its end in the step of 2^k, so that the OR of `lost` is the sticky bit.
+// fp_shift_right: moves a value down by steps of powers of two. Bit k of `lost` is 1 if the step of
+// 2^k moved a one out, so the OR of `lost` is the sticky bit.
 // Combinational. An amount of WIDTH or more leaves nothing of the value.
 `default_nettype none
 
@@ -13,7 +13,7 @@ module fp_shift_right #(
   output reg  [AMOUNT_BITS-1:0] lost
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
     if ((AMOUNT_BITS < 1) || (AMOUNT_BITS > 30))
@@ -22,7 +22,7 @@ module fp_shift_right #(
 
   integer k;
 
-  // A loop over constant distances says in one place what a chain of generated steps would spread.
+  // One loop over constant distances is shorter than a chain of generated steps.
   always @* begin
     shifted = value;
     for (k = AMOUNT_BITS - 1; k >= 0; k = k - 1) begin

@@ -1,5 +1,5 @@
-// fp_shifted_sum: low + high * 2^SHIFT, and with CARRY + carry * 2^SHIFT; one carry chain as long
-// as `high`.
+// fp_shifted_sum: low + high * 2^SHIFT, and with CARRY + carry * 2^SHIFT. Its one carry chain is as
+// long as `high`.
 // Combinational. SHIFT < LOW < HIGH + SHIFT; the sum must fit.
 `default_nettype none
 
@@ -15,7 +15,7 @@ module fp_shifted_sum #(
   output wire [HIGH+SHIFT-1:0] sum
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (SHIFT < 1) begin : g_refused_shift SHIFT_is_below_1 refused (); end
     if (SHIFT >= LOW) begin : g_refused_low_end SHIFT_is_not_below_LOW refused (); end
@@ -27,7 +27,7 @@ module fp_shifted_sum #(
 
   wire [HIGH-1:0] above;
 
-  // A carry enters below the chain, where one and the carry make two.
+  // A carry enters below the chain: there a constant one and the carry add up to two.
   generate
     if (CARRY != 0) begin : g_carry
       wire [HIGH:0] one_below = {low_above, 1'b1} + {high, carry};

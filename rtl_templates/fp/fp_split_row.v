@@ -1,7 +1,8 @@
 // fp_split_row: a row of fp_logic_product, by fp_product_row. Its bits from LATE_FROM up are late:
-// those of the row of late_a and late_digit, the factor and the digit of one cycle before.
-// Combinational. LATE_FROM is 2 or more, and below WIDTH only with SQUARE; at WIDTH or above no bit
-// is late.
+// they are taken from the row of late_a and late_digit, the factor and the digit of the previous
+// cycle.
+// Combinational. LATE_FROM is at least 2, and below WIDTH only with SQUARE. If it is WIDTH or more,
+// no bit is late.
 `default_nettype none
 
 module fp_split_row #(
@@ -22,7 +23,7 @@ module fp_split_row #(
   output wire [WIDTH-1:0]     row
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (LATE_FROM < 2) begin : g_refused_late_from LATE_FROM_is_below_2 refused (); end
     if ((LATE_FROM < WIDTH) && (SQUARE == 0))
@@ -66,7 +67,7 @@ module fp_split_row #(
         .a       (late_a),
         .b       (b),
         .digit   (late_digit),
-        .previous(3'b000),  // what it is owed is in the two lowest bits
+        .previous(3'b000),  // affects the two lowest bits only
         .row     (late)
       );
 

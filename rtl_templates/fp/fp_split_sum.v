@@ -1,15 +1,15 @@
-// fp_split_sum: low + high * 2^SHIFT. The bits of the sum from LATE_FROM up are late: they and the
-// bits of `low` and `high` in their places are one cycle behind the others. The carry into them
-// waits in a register, so that no carry chain leads from below LATE_FROM to above.
-// Latency 0 of either part; initiation interval 1; no reset. LATE_FROM at HIGH + SHIFT or above: no
-// bit is late, and this is fp_shifted_sum.
+// fp_split_sum: low + high * 2^SHIFT. The bits of the sum from LATE_FROM up are late: they, and the
+// bits of `low` and `high` in the same places, come one cycle after the others. A register holds
+// the carry into them, so no carry chain crosses LATE_FROM.
+// Latency 0 of either part; initiation interval 1; no reset. If LATE_FROM is HIGH + SHIFT or more,
+// no bit is late and this is fp_shifted_sum.
 `default_nettype none
 
 module fp_split_sum #(
   parameter LOW       = 26,
   parameter HIGH      = 26,
   parameter SHIFT     = 2,
-  parameter CARRY     = 0,   // of fp_shifted_sum; 0 where bits are late
+  parameter CARRY     = 0,   // as in fp_shifted_sum; 0 where bits are late
   parameter LATE_FROM = 28
 ) (
   input  wire                  aclk,
@@ -21,7 +21,7 @@ module fp_split_sum #(
 
   localparam SUM = HIGH + SHIFT;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (LATE_FROM <= SHIFT) begin : g_refused_late_from LATE_FROM_is_not_above_SHIFT refused (); end
     if ((LATE_FROM < SUM) && (LOW >= SUM))
@@ -54,7 +54,7 @@ module fp_split_sum #(
       wire            late_carry;
       wire [LATE-1:0] late_low;
 
-      // One bit more than it keeps, which is the carry.
+      // One bit more than it keeps: that bit is the carry.
       fp_shifted_sum #(
         .LOW  (EARLY_LOW),
         .HIGH (LATE_FROM - SHIFT + 1),

@@ -1,8 +1,8 @@
 // fp_square: a * a, rounded once to the result format.
 // Latency: the population count of CUTS (fifteen bits); initiation interval 1; no reset.
-// EMBEDDED = 0: the product is logic on any device; else it is of `*`, each of FACTOR_A by FACTOR_B
-// bits, for the device's multipliers. DIGIT_STAGE, SPLIT: of fp_logic_product, where EMBEDDED is 0;
-// SPLIT needs CUTS[9].
+// EMBEDDED = 0: the product is logic on any device. Otherwise it consists of `*` of FACTOR_A by
+// FACTOR_B bits, for the device's multipliers. DIGIT_STAGE, SPLIT: as in fp_logic_product, if
+// EMBEDDED is 0; SPLIT needs CUTS[9].
 // Special values as IEEE 754.
 // SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md. SUM_SELECTS:
 // as in fp_add.
@@ -44,10 +44,10 @@ module fp_square #(
     larger = (first > second) ? first : second;
   endfunction
 
-  // Without underflow there are no subnormals to be gradual about.
+  // Without underflow there are no subnormals, so GRADUAL has no effect.
   localparam SUBNORMALS = (GRADUAL != 0) && (UNDERFLOW != 0);
 
-  // Cuts 2 to ROUND - 1 are the product's.
+  // Cuts 2 to ROUND - 1 belong to the product.
   localparam ROUND   = 10;
   localparam PRODUCT = 2 * PRECISION;
   localparam EXPONENT_WIDTH =
@@ -58,10 +58,10 @@ module fp_square #(
   localparam integer BIAS        = (1 << (EXPONENT_BITS - 1)) - 1;
   localparam integer RESULT_BIAS = (1 << (RESULT_EXPONENT_BITS - 1)) - 1;
   localparam integer REBIAS      = RESULT_BIAS - 2 * BIAS;
-  // A subnormal's square below half the smallest result is zero and inexact: as if it was flushed.
+  // 1: a subnormal's square is below half the smallest result: zero and inexact, as if flushed.
   localparam VANISHING = 2 * BIAS > RESULT_BIAS + RESULT_PRECISION;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 30))
       begin : g_refused_exponent EXPONENT_BITS_is_not_2_to_30 refused (); end
@@ -138,7 +138,7 @@ module fp_square #(
     .q   ({s4_exponent, s4_flags})
   );
 
-  // The product's other stages.
+  // The other stages of the product.
   wire [EXPONENT_WIDTH-1:0] s4_limited;
   wire                      s4_tiny;
   wire [AMOUNT_BITS-1:0]    s4_amount;

@@ -1,7 +1,7 @@
-// fp_square_root: the root of a, rounded once to the result format; one bit a stage.
+// fp_square_root: the square root of a, rounded once to the result format; one bit a stage.
 // Latency: the population count of CUTS (RESULT_PRECISION + 7 bits); initiation interval 1; no
 // reset.
-// Special values as IEEE 754: the root of -0 is -0, of other negative numbers NaN.
+// Special values as IEEE 754: the root of -0 is -0, that of any other negative number is NaN.
 // SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md.
 `default_nettype none
 
@@ -35,10 +35,10 @@ module fp_square_root #(
     larger = (first > second) ? first : second;
   endfunction
 
-  // Without underflow there are no subnormals to be gradual about.
+  // Without underflow there are no subnormals, so GRADUAL has no effect.
   localparam SUBNORMALS = (GRADUAL != 0) && (UNDERFLOW != 0);
 
-  // The root's bits up to the guard bit, and two bits of the radicand for each.
+  // The root has its bits up to the guard bit, the radicand two bits for each.
   localparam ROOT     = RESULT_PRECISION + 1;
   localparam RADICAND = 2 * ROOT;
   localparam FLAGS    = 5;
@@ -48,14 +48,15 @@ module fp_square_root #(
 
   localparam integer BIAS        = (1 << (EXPONENT_BITS - 1)) - 1;
   localparam integer RESULT_BIAS = (1 << (RESULT_EXPONENT_BITS - 1)) - 1;
-  // Half the exponent of even the smallest subnormal is a normal one unless the result's is short.
+  // Half the exponent of the smallest subnormal is a normal one, unless the result's range is
+  // short.
   localparam DENORMALISE = (SUBNORMALS != 0) && (BIAS + PRECISION > 2 * RESULT_BIAS);
 
-  // Nor is the root of a normal number below that.
+  // Without subnormals, a root is tiny only if the result's exponent is shorter than the operand's.
   localparam TINY_RESULTS =
       (UNDERFLOW != 0) && (SUBNORMALS || (RESULT_EXPONENT_BITS < EXPONENT_BITS));
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 30))
       begin : g_refused_exponent EXPONENT_BITS_is_not_2_to_30 refused (); end
@@ -95,10 +96,11 @@ module fp_square_root #(
     .flushed    (s2_flushed)
   );
 
-  // Stages digit 1 to ROOT - 1: an odd exponent gives its last bit to the significand, so that the
-  // radicand lies in [1, 4) and digit 0 of the root is 1. Then one bit each, non-restoring: with
-  // the root's bits Q so far, subtract 4Q + 1 from the remainder after a 1, add 4Q + 3 after a 0;
-  // its sign is the next bit. The bias is odd: an even biased exponent is an odd exponent.
+  // Stages digit 1 to ROOT - 1: an odd exponent gives its last bit to the significand, so the
+  // radicand lies in [1, 4) and digit 0 of the root is 1. The bias is odd, so an even biased
+  // exponent is an odd exponent. The other bits are found one by one, without restoring: let Q be
+  // the root's bits so far. After a 1, subtract 4Q + 1 from the remainder; after a 0, add 4Q + 3.
+  // The sign of the new remainder is the next bit.
   wire                      s2_odd      = !s2_a_exponent[0];
   wire [EXPONENT_WIDTH-1:0] s2_doubled  = s2_a_exponent - BIAS[EXPONENT_WIDTH-1:0];
   wire [EXPONENT_WIDTH-1:0] s2_exponent =
@@ -123,12 +125,12 @@ module fp_square_root #(
   genvar k;
   generate
     for (k = 1; k < ROOT; k = k + 1) begin : g_digit
-      // Up to twice the root of k + 1 bits, with a sign.
+      // The remainder is at most twice the root of k + 1 bits, with a sign.
       localparam REMAINDER = k + 3;
 
       wire [REMAINDER-3:0]      above;     // the remainder so far
       wire [k-1:0]              root;
-      wire [RADICAND-2*k-1:0]   radicand;  // what is left of it; two bits come down
+      wire [RADICAND-2*k-1:0]   radicand;  // bits not yet used; each stage takes two
       wire                      sticky;
       wire [EXPONENT_WIDTH-1:0] exponent;
       wire [FLAGS-1:0]          flags;
@@ -153,7 +155,7 @@ module fp_square_root #(
           {above, radicand[RADICAND-2*k-1:RADICAND-2*k-2]}
           + {root[0], root ^ {k{root[0]}}, 2'b11};
 
-      wire [REMAINDER-2:0]      next_remainder;  // its sign is in the root
+      wire [REMAINDER-2:0]      next_remainder;  // its sign is the root's next bit
       wire [k:0]                next_root;
       wire                      next_sticky;
       wire [EXPONENT_WIDTH-1:0] next_exponent;
@@ -184,9 +186,9 @@ module fp_square_root #(
     end
   endgenerate
 
-  // Stage select: the root is exact iff nothing remains; after a 0 the remainder lacks 2Q + 1. Two
-  // numbers add up to zero iff there is a carry into each place where their digits differ and none
-  // where they agree.
+  // Stage select: the root is exact iff the remainder is zero or, after a 0, -(2Q + 1). Two numbers
+  // add up to zero iff there is a carry into each place where their digits differ and none where
+  // they agree.
   localparam LAST = ROOT + 1;
 
   wire [LAST-1:0] last_remainder = g_digit[ROOT-1].next_remainder;

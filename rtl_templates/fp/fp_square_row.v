@@ -1,27 +1,29 @@
-// fp_square_row: one row of a square, a digit (fp_booth_multiple) times itself and all below it.
-// Combinational. The digits below place p are x = a[p-1:0] in two's complement; with them a digit d
-// adds d (2 x + d 2^p) 2^p to the square, which is never negative: d 2^p takes the sign out of 2 x.
-// The row's first place is p - 1, where the digit before is owed one if it was negative. The last
-// digit of a signed number has no row after it: it is owed four of the row's first places, three of
-// which the row has and one the caller adds. It is -1 only where the digit before is not negative.
+// fp_square_row: one row of a square: a digit (fp_booth_multiple) times itself and all lower
+// digits.
+// Combinational. The digits below place p are x = a[p-1:0] in two's complement. A digit d adds d (2
+// x + d 2^p) 2^p to the square. That is never negative, and its term d 2^p cancels the sign of 2 x.
+// The row's first place is p - 1, and the row adds a 1 there if the previous digit was negative
+// (`owed`). After the last digit of a signed number no row follows that could add its 1, which is
+// four of the row's first places: the row itself adds three of them, the caller one. That digit is
+// -1 only if the previous digit is not negative.
 `default_nettype none
 
 module fp_square_row #(
-  parameter PLACE = 3,  // of the digit's middle bit; of the first row 1 or 2
-  parameter LAST  = 0   // 1: of a signed number's last digit, which is not its first
+  parameter PLACE = 3,  // of the digit's middle bit; 1 or 2 in the first row
+  parameter LAST  = 0   // 1: the last digit of a signed number, if it is not the first
 ) (
   input  wire             single,    // the digit is 1 or -1
   input  wire             doubled,   // 2 or -2
   input  wire             negative,  // -1 or -2
-  input  wire             owed,      // the digit before is negative
-  input  wire [PLACE-1:0] a,         // below the digit's middle bit
+  input  wire             owed,      // the previous digit is negative
+  input  wire [PLACE-1:0] a,         // bits below the digit's middle bit
   output wire [PLACE+2:0] row
 );
 
   localparam [PLACE-1:0] NO_DIGITS = 0;
   localparam [PLACE-1:0] SIGN      = ~(~NO_DIGITS >> 1);
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (PLACE < 1) begin : g_refused_place PLACE_is_below_1 refused (); end
     if ((LAST != 0) && (PLACE < 3)) begin : g_refused_last LAST_is_also_the_first refused (); end
@@ -42,7 +44,7 @@ module fp_square_row #(
 
   wire own = (LAST != 0) && negative;
 
-  // Below the first row's digit there are one or two bits, and their square has room here.
+  // Below the first row's digit are one or two bits. The row has room for their square.
   wire [1:0] below;
 
   generate

@@ -1,15 +1,15 @@
-// fp_square_steps: the upper digits of the square of a significand in [1, 2), six bits of it in
-// each cycle.
-// Latency: CYCLES + 3. Initiation interval CYCLES, from one `start` to the next, or more. No reset:
-// `start` ends what is left of an earlier square.
+// fp_square_steps: the upper digits of the square of a significand in [1, 2). Each cycle multiplies
+// by six bits of the significand.
+// Latency: CYCLES + 3. Initiation interval, from one `start` to the next: CYCLES or more. No reset:
+// `start` ends an unfinished square.
 //
-// With P = PRECISION the significand is 2^(P-1) + r, and its square is 2^(2P-2) + r m for
-// m = 2^P + r. Each step adds m times three digits of r, which are -1 to 2, to the sum, and the sum
-// moves down by three digits before the next step. What falls out below it matters to `sticky`
-// alone. r + 0101...01 has these digits, each plus one, so that an addition finds them and a row, m
+// With P = PRECISION the significand is 2^(P-1) + r, and its square is 2^(2P-2) + r m for m = 2^P +
+// r. Each step adds m times three digits of r, which are -1 to 2, to the sum, and the sum moves
+// down by three digits before the next step. Bits that it moves out only affect `sticky`. The
+// digits of r + 0101...01 are those of r, each plus one. So an addition finds them, and a row, m
 // times a digit, is gates of four inputs.
 //
-// The register that a step fills in each cycle after `start`:
+// This table shows the register that a step fills in each cycle after `start`:
 //
 //   cycle   0         1         2         3         4
 //   step 0  digits_q  two_q     three_q   sum_q
@@ -21,7 +21,7 @@ module fp_square_steps #(
   parameter CYCLES    = (PRECISION + 5) / 6
 ) (
   input  wire                 aclk,
-  input  wire                 start,   // `a` is there
+  input  wire                 start,   // `a` is valid
   input  wire [PRECISION-1:0] a,       // with its leading one
   output wire                 third,   // the third cycle after that of `start`
   output wire [PRECISION+5:0] square,  // the first place is worth 2
@@ -30,7 +30,7 @@ module fp_square_steps #(
 
   localparam PADDED   = 6 * CYCLES;
   localparam MULTIPLE = PRECISION + 2;
-  localparam ROW      = PRECISION + 4;  // two more are enough for sums of three rows
+  localparam ROW      = PRECISION + 4;  // sums of three rows need two more
   localparam TWO      = ROW + 2;
   localparam SUM      = ROW + 4;
   localparam STEPS    = (CYCLES > 4) ? CYCLES - 1 : 3;
@@ -38,15 +38,14 @@ module fp_square_steps #(
   localparam [6:0] ONES = 7'b0010101;
   localparam [1:0] ONE  = 1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (PRECISION < 13) begin : g_refused_precision PRECISION_is_below_13 refused (); end
     if (CYCLES != (PRECISION + 5) / 6)
       begin : g_refused_cycles CYCLES_is_not_that_of_PRECISION refused (); end
   endgenerate
 
-  // Bit k of `steps` says that this is the k-th cycle after `start`, in which the digits of step k
-  // are found.
+  // Bit k of `steps` marks the k-th cycle after `start`, in which the digits of step k are found.
   reg  [STEPS-1:0]     steps_q;
   wire [STEPS:0]       steps              = {steps_q, start};
   reg  [PRECISION-2:0] rest_q;
@@ -62,7 +61,7 @@ module fp_square_steps #(
     end
   end
 
-  // Zeros below r make its digits fill the steps, so that the same places of any square are kept.
+  // Zeros below r pad its digits to whole steps, so any square keeps the same places.
   wire [PADDED-1:0] first;
   wire [PADDED-1:0] later;
   wire              unused_bits = ^{first[PADDED-1:6], later[5:0]};
@@ -96,7 +95,7 @@ module fp_square_steps #(
     carry_q  <= plus_one[6];
   end
 
-  // The rows of a step. A negative one is a ones' complement: it lacks one in its last place.
+  // The rows of a step. A negative row is a ones' complement: it lacks 1 in its last place.
   wire [3*ROW-1:0] rows;
   wire [2:0]       negative;
 
@@ -130,8 +129,9 @@ module fp_square_steps #(
     end
   endgenerate
 
-  // The second row is added to the first one, the third row a cycle later. What a row lacks enters
-  // as a carry out of an extra last place; what the first row lacks waits for the last sum.
+  // The second row is added to the first one, the third row a cycle later. The 1 that such a row
+  // lacks enters as a carry out of an extra last place. The 1 that the first row lacks is added in
+  // the last sum.
   reg  [TWO-1:0] two_q;
   reg  [ROW-1:0] row_2_q;
   reg            two_lacks_q;
@@ -159,7 +159,7 @@ module fp_square_steps #(
     three_lacks_q <= two_lacks_q;
   end
 
-  // The sum of the steps so far, which begins in the third cycle.
+  // The sum of the steps so far, from the third cycle on.
   reg  [SUM-1:0] sum_q;
   reg            sticky_q;
   wire [SUM-1:0] moved = {{6{sum_q[SUM-1]}}, sum_q[SUM-1:6]} & {SUM{!third}};
@@ -175,7 +175,7 @@ module fp_square_steps #(
 
   wire unused_sign = ^sum_q[SUM-1:SUM-2];
 
-  // 2^(2P-2) is one in the second place.
+  // 2^(2P-2) is a one in the second place.
   assign square = {sum_q[SUM-3:SUM-4] + ONE, sum_q[SUM-5:0]};
   assign sticky = sticky_q;
 

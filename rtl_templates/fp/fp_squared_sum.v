@@ -1,9 +1,9 @@
-// fp_squared_sum: (a + b)^2, or (a - b)^2 with SUBTRACT. The sum is rounded, then its square: the
-// same bits as those of an fp_add and an fp_square behind it, in fewer gates.
+// fp_squared_sum: (a + b)^2, or (a - b)^2 with SUBTRACT. The sum is rounded, then its square. The
+// result is bit for bit that of an fp_add followed by an fp_square, in fewer gates.
 // Latency: the population count of CUTS (23 bits); initiation interval 1; no reset.
-// The rounded sum is squared as it leaves the adder, with leading zeros where its operands cancel,
-// and without its sign. So only the square is normalised, and in the same step it moves down if it
-// is subnormal.
+// The rounded sum is squared as it leaves the adder: without its sign, and with leading zeros if
+// its operands cancel. So only the square is normalised. The same step moves it down if it is
+// subnormal.
 // EMBEDDED, DIGIT_STAGE, SPLIT (with CUTS[16]), FACTOR_A, FACTOR_B: as in fp_square.
 // SUM_SELECTS: as in fp_add.
 // Special values as IEEE 754.
@@ -40,18 +40,18 @@ module fp_squared_sum #(
     larger = (first > second) ? first : second;
   endfunction
 
-  // Cuts SQUARE to NORMALISE - 1 are the product's.
+  // Cuts SQUARE to NORMALISE - 1 belong to the product.
   localparam SQUARE    = 9;
   localparam NORMALISE = 17;
 
-  // The square's leading one is in the first or the second place; two places and a sticky bit
-  // beyond PRECISION decide how it is rounded.
+  // The square's leading one is in the first or the second place. Two places and a sticky bit
+  // beyond PRECISION decide its rounding.
   localparam PRODUCT = 2 * PRECISION;
   localparam KEPT    = PRECISION + 3;
 
-  // Shifts are counted in steps of two places: a leading zero of the sum makes two of its square,
-  // and a subnormal square is an even number of places from where its exponent is 1. MARGIN steps
-  // in front of the product let it move down until nothing of it is kept.
+  // Shifts are counted in steps of two places: each leading zero of the sum gives two of its
+  // square, and a subnormal square moves by an even number of places until its exponent is 1.
+  // MARGIN steps in front of the product let it move down until no bit of it is kept.
   localparam MARGIN     = (GRADUAL != 0) ? (KEPT + 1) / 2 : 0;
   localparam PLACES     = 2 * MARGIN + PRODUCT;
   localparam COUNT_BITS = bits_for(PRECISION);
@@ -64,7 +64,7 @@ module fp_squared_sum #(
   localparam         SUM_EXPONENT = larger(EXPONENT_BITS, bits_for(KEPT)) + 2;
   localparam integer HALF_BIAS    = 1 << (EXPONENT_BITS - 2);
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((EXPONENT_BITS < 2) || (EXPONENT_BITS > 30))
       begin : g_refused_exponent EXPONENT_BITS_is_not_2_to_30 refused (); end
@@ -119,9 +119,10 @@ module fp_squared_sum #(
     .product(s17_product)
   );
 
-  // Beside the product's first two stages: leading zeros of what is squared, and the room to move
-  // its square up in. The square's second place has exponent 2 e - BIAS, where e is the sum's: it
-  // is 2 HALF_BIAS - 1 lower than twice that, and the square has e - HALF_BIAS steps to exponent 1.
+  // Beside the product's first two stages: the leading zeros of the sum, and the room in which its
+  // square may move up, in steps until its exponent is 1. The square's second place has exponent 2
+  // e - BIAS, where e is the sum's exponent. That is 2 HALF_BIAS - 1 below 2 e, so the room is e -
+  // HALF_BIAS steps.
   wire [COUNTED-1:0]      s9_counted = {s9_significand, {(COUNTED - PRECISION) {1'b0}}};
   wire [COUNT_BITS-1:0]   s10_count;
   wire                    s10_empty;
@@ -162,8 +163,9 @@ module fp_squared_sum #(
     .q   ({s11_room, s11_count, s11_flags})
   );
 
-  // Beside its third stage: a square with less room than it has zeros in front is subnormal. It
-  // moves up by the room, which may be negative, and whatever its exponent is, its field is 0.
+  // Beside the product's third stage: a square with fewer steps of room than leading zeros is
+  // subnormal. It moves up by the room, which may be negative. Its exponent field is 0 whatever its
+  // exponent is.
   wire [SUM_EXPONENT-1:0] s11_zeros       = {{(SUM_EXPONENT - COUNT_BITS) {1'b0}}, s11_count};
   wire [SUM_EXPONENT-1:0] s11_spare       = s11_room - s11_zeros;
   wire                    s11_tiny        = (GRADUAL != 0) && s11_spare[SUM_EXPONENT-1];
@@ -188,7 +190,7 @@ module fp_squared_sum #(
     .q   ({s17_exponent, s17_steps, s17_flags})
   );
 
-  // Stage normalise by eights, of steps.
+  // Stage normalise by eights: eight steps at a time.
   wire [PLACES-1:0] s17_places;
   wire [EIGHTS-1:0] s17_moved;
   wire              s17_sticky;
@@ -228,7 +230,7 @@ module fp_squared_sum #(
     .q   ({s18_exponent, s18_steps, s18_value, s18_sticky, s18_flags})
   );
 
-  // Stage normalise by twos.
+  // Stage normalise by twos: two steps at a time.
   wire [TWOS-1:0] s18_moved;
   wire            s18_lost;
 
@@ -262,8 +264,8 @@ module fp_squared_sum #(
   );
 
   // Stages select, round, pack. The square begins in the first or the second of KEPT places, behind
-  // the two that the last step skips. fp_round moves down: by two unless that step is taken, and by
-  // one if the first place has a one.
+  // the two that the last step skips. fp_round moves it down: by two places unless that step is
+  // taken, and by one if the first place has a one.
   wire [KEPT+1:0]       s19_places;
   wire                  s19_high     = s19_step ? s19_places[KEPT-1] : s19_places[KEPT+1];
   wire [SUM_EXPONENT:0] s19_selected = s19_exponent + {{SUM_EXPONENT{1'b0}}, s19_high};

@@ -1,6 +1,6 @@
-// fp_subnormal_shift: by how many places the significand of a result with an exponent below 1 moves
-// down, so that the exponent becomes 1.
-// Combinational. GRADUAL = 0: by none, and `limited` is `exponent`.
+// fp_subnormal_shift: if a result's exponent is below 1, by how many places its significand moves
+// down to make it 1.
+// Combinational. With GRADUAL = 0 `amount` is 0 and `limited` is `exponent`.
 `default_nettype none
 
 module fp_subnormal_shift #(
@@ -9,12 +9,12 @@ module fp_subnormal_shift #(
   parameter GRADUAL        = 1
 ) (
   input  wire [EXPONENT_WIDTH-1:0] exponent,  // biased and signed
-  output wire [EXPONENT_WIDTH-1:0] limited,   // 0 where it is below 1
-  output wire                      tiny,      // it is
-  output wire [AMOUNT_BITS-1:0]    amount     // all ones for any distance that has more bits
+  output wire [EXPONENT_WIDTH-1:0] limited,   // `exponent`, or 0 if that is below 1
+  output wire                      tiny,      // `exponent` is below 1
+  output wire [AMOUNT_BITS-1:0]    amount     // all ones if the distance has more bits
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (AMOUNT_BITS < 1) begin : g_refused_amount_bits AMOUNT_BITS_is_below_1 refused (); end
     if (EXPONENT_WIDTH <= AMOUNT_BITS)

@@ -1,8 +1,8 @@
-// fp_ulp_distance: decides the order of f and g iff they are GUARD_ULP or more steps of their
-// packed encoding apart and nothing that led to them was exceptional: 0 less, 1 equal, 2 greater.
+// fp_ulp_distance: decides the order of f and g iff their packed encodings are at least GUARD_ULP
+// steps apart and nothing that led to them was exceptional: 0 less, 1 equal, 2 greater.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
-// A verdict means something where `decided` is 1. NaNs must come with `exceptional`. A guard of 0
-// decides equality too. NONNEGATIVE promises that f and g are never below zero.
+// A verdict is valid where `decided` is 1. NaNs must come with `exceptional`. With a guard of 0,
+// equality is decided as well. NONNEGATIVE promises that f and g are never below zero.
 `default_nettype none
 
 module fp_ulp_distance #(
@@ -23,7 +23,7 @@ module fp_ulp_distance #(
   localparam SIGN       = EXPONENT_BITS + PRECISION - 1;
   localparam DIFFERENCE = SIGN + 2;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
     if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
@@ -52,7 +52,8 @@ module fp_ulp_distance #(
     .q   ({s1_difference, s1_f_negative, s1_exceptional})
   );
 
-  // Stage decide: the guard is a constant of a few bits; above them a near difference is all sign.
+  // Stage decide: the guard has few bits. If the difference is near, all bits above them are its
+  // sign.
   wire s1_less = s1_difference[DIFFERENCE-1] ^ s1_f_negative;
   wire s1_near;
   wire s1_equal;

@@ -3,8 +3,8 @@
 // Nine cuts, initiation interval 1, no reset. The magnitude is significand * 2^(exponent + carry),
 // where `exponent` is that of the leading place, biased and signed. A significand with leading
 // zeros was not rounded: it is exact.
-// A sum that is too large is not looked for. GRADUAL = 0 flushes operands and not the sum; if both
-// are zero the significand is arbitrary and the exponent is 0.
+// Overflow of the sum is not detected. GRADUAL = 0 flushes the operands but not the sum. If both
+// operands are zero, the significand is arbitrary and the exponent is 0.
 `default_nettype none
 
 module fp_unnormalised_sum #(
@@ -26,16 +26,16 @@ module fp_unnormalised_sum #(
   output wire                               infinite
 );
 
-  // The smaller operand has two places more than the larger one, and a sticky bit; the sum has one
-  // in front, for its carry.
+  // The smaller operand has two places more than the larger one, and a sticky bit. The sum has one
+  // place in front, for its carry.
   localparam ALIGNED = PRECISION + 2;
   localparam SUM     = ALIGNED + 2;
 
-  // Two bits may select: the larger operand, and where the significand begins, wait for the sums.
-  // Otherwise the smaller operand moves by its last place where it is added.
+  // 1: two bits may select, so the choice of the larger operand and the place where the significand
+  // begins take effect in the sums. 0: the smaller operand's step by one place takes effect there.
   localparam SELECTS_LATE = (SUM_SELECTS == 2);
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
     if (PRECISION < 3) begin : g_refused_precision PRECISION_is_below_3 refused (); end
@@ -45,7 +45,7 @@ module fp_unnormalised_sum #(
       begin : g_refused_exponent_width EXPONENT_WIDTH_is_too_small_for_EXPONENT_BITS refused (); end
   endgenerate
 
-  // Stages compare, swap, align by fours, align: the larger operand is that of the larger exponent.
+  // Stages compare, swap, align by fours, align: `large` is the operand with the larger exponent.
   wire [EXPONENT_BITS-1:0] s4_exponent;
   wire [PRECISION-1:0]     s4_large;
   wire                     s4_moves;
@@ -86,8 +86,7 @@ module fp_unnormalised_sum #(
     .suspect (s4_unused_suspect)
   );
 
-  // Stages sum, sum upper half: with unlike signs, small + (-1 - large) is -1 less their
-  // difference, large - small.
+  // Stages sum, sum upper half: with unlike signs, small + (-1 - large) is -1 - (large - small).
   wire [SUM-1:0]           s4_large_places = {s4_cancel, s4_large, {3{s4_cancel}}};
   wire [EXPONENT_BITS-1:0] s5_exponent;
   wire [SUM-1:0]           s5_sum;
@@ -149,9 +148,9 @@ module fp_unnormalised_sum #(
   );
 
   // Stage select: the significand begins with a carry, with the larger operand's leading one, or
-  // one place below. If it begins further below, nothing is beyond it and it is taken from there.
-  // If the smaller operand was the larger one after all, the exponents are equal, and the sum lacks
-  // the one that rounding up adds.
+  // one place below. If the leading one is still lower, the sum has no further bits and the
+  // significand begins one place below as well. If `small` was in fact larger, the exponents are
+  // equal, and the sum lacks the 1 that rounding up adds.
   wire [SUM-1:0] s6_bits     = s6_sum ^ {SUM{s6_cancel}};
   wire           s6_swapped  = s6_cancel && !s6_sum[SUM-1];
   wire           s6_inverted = s6_cancel && s6_sum[SUM-1];
@@ -181,7 +180,7 @@ module fp_unnormalised_sum #(
     .q   ({s7_exponent, s7_up, s7_flags})
   );
 
-  // A bit of the significand is one of three neighbouring bits of the sum, or its complement.
+  // A bit of the significand is one of two neighbouring bits of the sum, or its complement.
   function [PRECISION-1:0] selected(input [PRECISION+1:0] sum, input shifts, input inverted);
     reg [PRECISION-1:0] shifted;
     begin
@@ -218,7 +217,8 @@ module fp_unnormalised_sum #(
     end
   endgenerate
 
-  // Stages round sum, round upper half: a carry out leaves zeros, of which the first becomes a one.
+  // Stages round sum, round upper half: a carry out leaves zeros, and the first of them becomes a
+  // one.
   wire [EXPONENT_WIDTH-1:0] s8_exponent;
   wire                      s8_carry;
   wire [PRECISION-1:0]      s8_rounded;

@@ -1,7 +1,7 @@
-// fp_unpack: one packed operand as sign, biased exponent and significand, and what kind it is.
-// Combinational. GRADUAL: a subnormal has exponent 1 and a leading zero. Otherwise it is a zero,
-// and `flushed` says so; a zero's significand is then arbitrary, to spare the gates. What
-// SPECIAL_OPERANDS = 0 or UNDERFLOW = 0 excludes is not looked for: docs/rtl.md.
+// fp_unpack: the sign, biased exponent and significand of one packed operand, and its class.
+// Combinational. With GRADUAL, a subnormal has exponent 1 and a leading zero. Otherwise it counts
+// as a zero, `flushed` says so, and a zero's significand is arbitrary, which spares gates. Operands
+// that SPECIAL_OPERANDS = 0 or UNDERFLOW = 0 excludes are not detected: docs/rtl.md.
 `default_nettype none
 
 module fp_unpack #(
@@ -9,7 +9,7 @@ module fp_unpack #(
   parameter       PRECISION        = 24,
   parameter       SPECIAL_OPERANDS = 1,
   parameter       UNDERFLOW        = 1,
-  parameter       GRADUAL          = 0   // 1: with UNDERFLOW alone
+  parameter       GRADUAL          = 0   // 1: only with UNDERFLOW
 ) (
   input  wire [EXPONENT_BITS+PRECISION-1:0] a,
   output wire                               sign,
@@ -21,7 +21,7 @@ module fp_unpack #(
   output wire                               flushed
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
     if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end

@@ -1,9 +1,10 @@
-// axi_lite_reads: an AXI4-Lite slave that can be read and not written. One read is under way at a
-// time. Writes are taken and answered with SLVERR; they change nothing.
-// `read_start` is high in one cycle with the address of a read, which stays on `read_address` until
-// `read_done` is high in one later cycle, with the word on `read_word`. No read is taken from the
-// bus in the cycle after one in which `readable` is low.
-// Every output of the bus is a register or a constant. Reset forgets what is under way.
+// axi_lite_reads: an AXI4-Lite slave that can only be read. One read is in progress at a time.
+// Writes are taken and answered with SLVERR; they change nothing.
+//
+// `read_start` is high in one cycle with the address of a read. The address stays on `read_address`
+// until `read_done` is high in one later cycle, with the word on `read_word`. No read is taken from
+// the bus in the cycle after one in which `readable` is low. Every output of the bus is a register
+// or a constant. Reset forgets a read in progress.
 `default_nettype none
 
 module axi_lite_reads #(
@@ -40,15 +41,14 @@ module axi_lite_reads #(
   localparam [1:0] OKAY   = 2'd0;
   localparam [1:0] SLVERR = 2'd2;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (ADDRESS_BITS < 1) begin : g_refused_address_bits ADDRESS_BITS_is_below_1 refused (); end
   endgenerate
 
   wire unused_inputs = &{s_axi_awaddr, s_axi_awprot, s_axi_wdata, s_axi_wstrb, s_axi_arprot};
 
-  // A write is taken when its address and its data are both there and the answer to the one before
-  // has left.
+  // A write is taken when its address and data are both there and the previous answer has left.
   reg  write_ready_q;
   reg  answer_valid_q;
   wire answer_stays = answer_valid_q && !s_axi_bready;
@@ -68,7 +68,7 @@ module axi_lite_reads #(
   assign s_axi_bvalid  = answer_valid_q;
   assign s_axi_bresp   = SLVERR;
 
-  // A read is taken when none is under way.
+  // A read is taken when no other is in progress.
   reg                     read_ready_q;
   reg                     busy_q;
   reg                     start_q;

@@ -1,9 +1,10 @@
 // beat_memory: words of 2^BEAT_BITS beats, written whole and read beat by beat, the lowest bits
-// first. A beat's address is {the word's, its number}. Latency 1. No reset. A read of the word that
-// is written in the same cycle returns nothing, as in dual_port_memory. BLOCK = 1: block memory
-// whose write port is wider than its read port, so that no multiplexer is needed; synthesis must
-// know memories with ports of two widths. BLOCK = 0: a word is read whole, in whatever memory
-// synthesis chooses, and a multiplexer picks the beat.
+// first. A beat's address is {the word's address, the beat's number}. Latency 1. No reset. A read
+// of the word that is written in the same cycle returns nothing, as in dual_port_memory.
+//
+// BLOCK = 1: block memory whose write port is wider than its read port, so no multiplexer is
+// needed; synthesis must support memories with ports of two widths. BLOCK = 0: a word is read
+// whole, from any memory that synthesis chooses, and a multiplexer selects the beat.
 `default_nettype none
 
 module beat_memory #(
@@ -23,7 +24,7 @@ module beat_memory #(
 
   localparam BEATS = 1 << BEAT_BITS;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
     if ((BEAT_BITS < 0) || (BEAT_BITS > 8))

@@ -1,10 +1,12 @@
-// carried_operands: the operands of every comparison inside a lane or a group of lanes; those of
-// undecided ones leave as requests. For each lane that `undecided` marks in a slot a packet of
-// 2^BEAT_BITS beats {slot, part of the operands} leaves on m_request, the lowest lane and the
-// lowest part first, zeros above the operands. First come first served, latency 3 (with LANES > 1:
-// 4), a beat in every second cycle at most: the request register loads only when empty, so that no
-// path leads on from m_request_tready in the same cycle. All slots may wait: `undecided` is never
-// refused. BLOCK as in beat_memory. Reset forgets what waits.
+// carried_operands: stores the operands of every comparison inside a lane or a group of lanes, and
+// sends those of undecided comparisons as requests.
+//
+// For each lane that `undecided` marks in a slot, a packet of 2^BEAT_BITS beats {slot, part of the
+// operands} leaves on m_request. The lowest lane and the lowest part come first, and zeros are
+// above the operands. First come, first served. Latency 3 (with LANES > 1: 4). At most one beat
+// leaves in two cycles: the request register loads only when empty, so no path leads on from
+// m_request_tready in the same cycle. All slots may wait: `undecided` is never refused. BLOCK as in
+// beat_memory. Reset forgets waiting requests.
 `default_nettype none
 
 module carried_operands #(
@@ -34,7 +36,7 @@ module carried_operands #(
   localparam PLACE_BITS = LANE_BITS + BEAT_BITS;     // of a beat in a slot: {its lane, its number}
   localparam MARKS      = (LANES == 1) ? 0 : LANES;  // a slot of one lane needs no mark
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((LANES < 1) || (LANES > 64)) begin : g_refused_lanes LANES_is_not_1_to_64 refused (); end
     if (OPERAND_BITS < 1) begin : g_refused_operand_bits OPERAND_BITS_is_below_1 refused (); end
@@ -124,7 +126,8 @@ module carried_operands #(
       assign last_beat                   = &beat_q;
     end
 
-    // A lane's operands fill whole beats, and a slot's lanes a power of two.
+    // A lane's operands fill whole beats. The number of lanes in a slot is rounded up to a power of
+    // two.
     for (k = 0; k < (1 << LANE_BITS); k = k + 1) begin : g_lane
       localparam LANE_SPAN = PART_BITS << BEAT_BITS;
       localparam USED      = (k < LANES) ? OPERAND_BITS : 0;

@@ -1,14 +1,15 @@
 // counter_memory: COUNTERS counts of WIDTH bits each in one memory, kept up to date by narrow
-// counters that wrap. A narrow counter steps by at most one in a cycle and is looked at once in a
-// round of 2 COUNTERS cycles. So it wraps at most once in between, and it has wrapped if it is
-// smaller than before: then the digits above it go up by one. That takes NARROW_BITS with
-// 2^NARROW_BITS > 2 COUNTERS + 1.
-// A count lags behind its narrow counter by a round and a few cycles at most.
-// Reset clears the counts: the first round after it ignores what is stored. `ready` is low until
-// that round's end.
+// counters that wrap.
+//
+// A narrow counter steps by at most one per cycle, and is sampled once in a round of 2 COUNTERS
+// cycles. If 2^NARROW_BITS > 2 COUNTERS + 1, it wraps at most once in between. It has wrapped if it
+// is smaller than before, and then the digits above it go up by one. A count lags behind its narrow
+// counter by a round and a few cycles at most. Reset clears the counts: the first round after it
+// ignores the stored ones. `ready` is low until that round ends.
+//
 // Reading: `read_start` is high for a cycle, while `ready` is high. `read_done` is high for a
 // cycle, 1 or 2 cycles later, with the count on `read_count`. Hold `read_index` from the former
-// cycle until the latter. What is read of an index of COUNTERS or more means nothing.
+// cycle until the latter. The count of an index of COUNTERS or more is undefined.
 `default_nettype none
 
 module counter_memory #(
@@ -32,7 +33,7 @@ module counter_memory #(
 
   localparam [HIGH_BITS-1:0] ONE = 1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (COUNTERS < 2) begin : g_refused_counters COUNTERS_is_below_2 refused (); end
     if ((NARROW_BITS < 1) || (NARROW_BITS > 30)) begin : g_refused_narrow_bits
@@ -43,8 +44,8 @@ module counter_memory #(
     if (WIDTH <= NARROW_BITS) begin : g_refused_width WIDTH_is_not_above_NARROW_BITS refused (); end
   endgenerate
 
-  // Stage 0: a narrow count arrives, and the memory reads what is stored for it. In the next cycle
-  // it reads for `read_index`.
+  // Stage 0: a narrow count arrives, and the memory reads the stored count. In the next cycle the
+  // memory reads for `read_index`.
   wire                   s0_valid;
   wire [INDEX_BITS-1:0]  s0_index;
   wire [NARROW_BITS-1:0] s0_narrow;
@@ -128,8 +129,8 @@ module counter_memory #(
     .read_data    (s1_count)
   );
 
-  // Reading waits for a cycle in which stage 1 is valid, every second one: stage 0, which reads the
-  // memory for the scan, is not valid then.
+  // A read waits for a cycle in which stage 1 is valid, which is every second one. Stage 0 is not
+  // valid then, and the scan does not read the memory.
   reg  waiting_q;
   reg  done_q;
   wire reads = (read_start || waiting_q) && s1_valid_q;

@@ -1,10 +1,11 @@
 // counter_port: counters that software reads on an AXI4-Lite port of 32 bits, which refuses writes.
-// `counts` are narrow counters that wrap, the first lowest; each is stored with WIDTH bits as
-// counter_memory tells. A count lags behind by 2 COUNTERS cycles and a few more at most.
-// Counter k is at 8 k, its low word first; the word above holds the bits from 32 on. The high word
-// is that of the counter whose low word was read last, as it was then: both make one count. Other
-// addresses read zero.
-// Reset clears the counters. No read is taken for 2 COUNTERS cycles and a few more after it.
+// `counts` are narrow counters that wrap, the first one lowest. Each is stored with WIDTH bits, as
+// in counter_memory. A count lags behind by 2 COUNTERS cycles and a few more at most.
+//
+// Counter k is at address 8 k: its low word there, bits 32 and up in the word above. The high word
+// belongs to the counter whose low word was read last, and was stored at that time, so both make
+// one count. Other addresses read zero. Reset clears the counters. No read is taken for 2 COUNTERS
+// cycles and a few more after it.
 `default_nettype none
 
 module counter_port #(
@@ -40,7 +41,7 @@ module counter_port #(
   localparam ADDRESS_BITS = INDEX_BITS + 3;
   localparam LAST         = COUNTERS - 1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((WIDTH < 1) || (WIDTH > 64)) begin : g_refused_width WIDTH_is_not_1_to_64 refused (); end
   endgenerate
@@ -102,7 +103,7 @@ module counter_port #(
     .read_count(read_count)
   );
 
-  // The word that is asked for. Reading a low word keeps the bits above it.
+  // The word that is read. Reading a low word stores the bits above it.
   wire        is_counter = ({1'b0, index} <= LAST[INDEX_BITS:0]);
   wire [31:0] low_word;
   wire [31:0] high_word;

@@ -1,5 +1,5 @@
 // counter_scan: shows COUNTERS free-running counters one after the other, one in every second
-// cycle, in rounds without end. The count that is shown was that of LEVELS cycles ago.
+// cycle, in endless rounds. A count is shown LEVELS cycles after it was sampled.
 // A token goes from counter to counter, and a tree of registered ORs collects the one count that
 // has it. So no net but the reset reaches all counters, however many there are.
 // Reset begins a round with counter 0; `valid` is low until its count arrives.
@@ -18,11 +18,11 @@ module counter_scan #(
   output wire [WIDTH-1:0]          count
 );
 
-  // A LUT of six inputs takes a bit of three counts with their tokens, or of six gated counts.
+  // A LUT of six inputs holds a bit of three counts with their tokens, or of six gated counts.
   localparam LEAF_RADIX  = 3;
   localparam INNER_RADIX = 6;
 
-  function integer words_after;  // words that are left behind `levels` levels of ORs
+  function integer words_after;  // words that are left after `levels` levels of ORs
     input integer levels;
     integer k;
     begin
@@ -57,7 +57,7 @@ module counter_scan #(
   localparam [INDEX_BITS-1:0] ZERO = 0;
   localparam [INDEX_BITS-1:0] ONE  = 1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (COUNTERS < 1) begin : g_refused_counters COUNTERS_is_below_1 refused (); end
     if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
@@ -68,7 +68,7 @@ module counter_scan #(
     end
   endgenerate
 
-  // The token passes one place in each cycle; every second place is that of a counter.
+  // The token moves on by one place in each cycle; every second place belongs to a counter.
   reg  [PLACES-1:0]     token_q;
   reg  [INDEX_BITS-1:0] index_q;
   reg                   at_counter_q;
@@ -109,7 +109,7 @@ module counter_scan #(
     .q   (index)
   );
 
-  // Each level has its words side by side; at most one of them is not zero.
+  // The words of a level stand side by side. At most one of them is not zero.
   genvar level;
   genvar node;
   generate

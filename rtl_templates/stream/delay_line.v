@@ -1,4 +1,4 @@
-// delay_line: q is d of LENGTH cycles ago; LENGTH may be 0.
+// delay_line: q is d delayed by LENGTH cycles; LENGTH may be 0.
 // Latency LENGTH. No reset, so that it becomes shift registers: for data, never for valid bits.
 `default_nettype none
 
@@ -11,7 +11,7 @@ module delay_line #(
   output wire [WIDTH-1:0] q
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
     if (LENGTH < 0) begin : g_refused_length LENGTH_is_below_0 refused (); end
@@ -24,7 +24,7 @@ module delay_line #(
     end
     if ((LENGTH > 0) && (WIDTH > 0)) begin : g_shift
       reg  [LENGTH*WIDTH-1:0]     rank_q;
-      wire [(LENGTH+1)*WIDTH-1:0] taps = {rank_q, d};  // word k came in k cycles ago
+      wire [(LENGTH+1)*WIDTH-1:0] taps = {rank_q, d};  // word k came k cycles ago
 
       always @(posedge aclk) begin
         rank_q <= taps[LENGTH*WIDTH-1:0];

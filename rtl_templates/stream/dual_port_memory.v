@@ -1,7 +1,7 @@
 // dual_port_memory: one write port, one synchronous read port with an enable.
 // Latency 1. No reset, so that it becomes LUT or block RAM. A read of the address that is written
-// in the same cycle returns no word: nobody reads so, simulation answers with unknown bits, and the
-// attributes keep synthesis from building logic that would answer (Yosys: no_rw_check, Quartus:
+// in the same cycle returns no word. No user reads so, and simulation answers with unknown bits.
+// Attributes keep synthesis from building logic that would answer (Yosys: no_rw_check, Quartus:
 // ramstyle, Vivado: rw_addr_collision).
 `default_nettype none
 
@@ -18,7 +18,7 @@ module dual_port_memory #(
   output wire [WIDTH-1:0]        read_data
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
     if (ADDRESS_BITS < 1) begin : g_refused_address_bits ADDRESS_BITS_is_below_1 refused (); end

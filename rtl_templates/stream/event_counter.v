@@ -1,6 +1,6 @@
-// event_counter: counts events modulo 2^COUNTER_BITS; each bit of `step` is one that may happen in
-// a cycle. EVENTS > 1: the count lags by a cycle more. COUNTER_BITS = 0 builds nothing and ties the
-// one bit of `count` to 0. Reset clears it.
+// event_counter: counts events modulo 2^COUNTER_BITS. Each bit of `step` is one event that may
+// happen in a cycle. With EVENTS > 1 the count lags by one more cycle. COUNTER_BITS = 0 builds
+// nothing and ties the one bit of `count` to 0. Reset clears the count.
 `default_nettype none
 
 module event_counter #(
@@ -13,7 +13,7 @@ module event_counter #(
   output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0] count
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (COUNTER_BITS < 0) begin : g_refused_counter_bits COUNTER_BITS_is_below_0 refused (); end
     if ((EVENTS < 1) || (EVENTS > 64))

@@ -1,10 +1,12 @@
-// lane_answers: the answers of references, until a word is complete.
-// LANES = 1: a queue of answers. Above: a word of a group of lanes waits here with what its decided
-// lanes said, from its exit on, and leaves once each of its undecided lanes has its answer. Answers
-// come in the order of words and, in a word, of lanes, so that an answer needs no lane's number;
-// the first of a word comes 2 cycles after the word or later. WITH_SLOT = 0: m_axis_slot is not
-// kept. One answer per cycle; a word leaves 2 cycles after its last answer (LANES > 1: 3). Room for
-// 2^SLOT_BITS words: nothing is refused while no more are inside. Reset forgets all.
+// lane_answers: collects the answers of references until a word is complete. LANES = 1: a queue of
+// answers. LANES > 1: a word of a group of lanes waits here, from its exit on, with the verdicts of
+// its decided lanes. It leaves once each of its undecided lanes has its answer.
+//
+// Answers come in the order of words and, in a word, of lanes, so an answer needs no lane number.
+// The first answer of a word comes 2 cycles after the word or later. WITH_SLOT = 0: m_axis_slot is
+// not kept. One answer per cycle; a word leaves 2 cycles after its last answer (LANES > 1: 3).
+// There is room for 2^SLOT_BITS words, so with no more inside nothing is refused. Reset forgets
+// all.
 `default_nettype none
 
 module lane_answers #(
@@ -32,7 +34,7 @@ module lane_answers #(
   localparam FLAGS      = (LANES == 1) ? 0 : LANES;  // the one lane of a word was recomputed
   localparam WIDTH      = SLOTS_KEPT + FLAGS + 2 * LANES;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((LANES < 1) || (LANES > 64)) begin : g_refused_lanes LANES_is_not_1_to_64 refused (); end
     if (SLOT_BITS < 1) begin : g_refused_slot_bits SLOT_BITS_is_below_1 refused (); end
@@ -82,12 +84,12 @@ module lane_answers #(
       wire               unused_word_ready;
       wire               unused_answer_slot = &s_answer_slot;
       wire [LANES-1:0]   undecided = waiting[2*LANES +: LANES];
-      reg  [LANES-1:0]   answered_q;  // lanes of the first word that waits
+      reg  [LANES-1:0]   answered_q;  // lanes of the first waiting word
       wire [LANES-1:0]   left     = undecided & ~answered_q;
       wire [LANES-1:0]   next     = left & (~left + ONE);
       wire               complete = s_answer_valid && (left == next);
       reg                complete_q;
-      reg  [2*LANES-1:0] verdict_q;   // of the answered lanes; of a complete word, of all
+      reg  [2*LANES-1:0] verdict_q;   // of answered lanes; of all in a complete word
       reg  [LANES-1:0]   recomputed_q;
 
       assign word[3*LANES-1:0] = {s_word_undecided, s_word_verdict};

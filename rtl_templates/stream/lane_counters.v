@@ -1,7 +1,7 @@
 // lane_counters: the run-time profile of one lane or group of lanes, each count modulo
-// 2^COUNTER_BITS: comparisons accepted (of a group: words), recomputations (requests sent, or
-// verdicts reported undecided where there is no reference), and cycles in which a comparison was
-// offered and not accepted. Reset clears them.
+// 2^COUNTER_BITS. It counts comparisons accepted (with a group: words), recomputations (requests
+// sent or, without a reference, verdicts reported undecided), and cycles in which a comparison was
+// offered and not accepted. Reset clears the counts.
 `default_nettype none
 
 module lane_counters #(
@@ -19,7 +19,7 @@ module lane_counters #(
   output wire [(COUNTER_BITS > 0 ? COUNTER_BITS : 1)-1:0] stalls
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (COUNTER_BITS < 0) begin : g_refused_counter_bits COUNTER_BITS_is_below_0 refused (); end
   endgenerate

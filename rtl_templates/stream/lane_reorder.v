@@ -1,17 +1,18 @@
 // lane_reorder: AXI4-Stream around one free-running lane; results leave in the order of acceptance.
-// The lane keeps order, and so do the answers (one reference serves a lane, first come first
-// served): direct verdicts wait in one queue, answers in another, and each undecided entry at the
-// head of the first takes the head of the second. 2^SLOT_BITS slots are used circularly. Latency of
-// a decided one: LANE_LATENCY + 4. One comparison per cycle if all are decided, the sink is ready
-// and 2^SLOT_BITS >= LANE_LATENCY + 4.
-// LANES > 1: a group of lanes in lock step. What is said of a comparison then holds for a word with
-// one comparison for each lane and one tag; lane k's own tag is the word's + k. Each undecided
-// comparison is a request of its own, and the word leaves once all are answered.
-// Operands reach the lane through INPUT_REGISTERS registers, which add to its latency here.
-// A request of carried operands is a packet of 2^BEAT_BITS beats {slot, part of the operands}.
-// ASK_BITS > 0: the low bits of the tag are carried in the place of the operands, which references
-// ask for by them.
-// Reset forgets all comparisons and clears the counters.
+// The lane keeps order, and so do the answers: one reference serves a lane, first come, first
+// served. Direct verdicts wait in one queue, answers in another. An undecided entry at the head of
+// the first queue takes the head of the second. 2^SLOT_BITS slots are used circularly. A decided
+// comparison has latency LANE_LATENCY + 4. One comparison per cycle if all are decided, the sink is
+// ready and 2^SLOT_BITS >= LANE_LATENCY + 4.
+//
+// LANES > 1: a group of lanes in lock step. Everything here about a comparison then holds for a
+// word, with one comparison for each lane and one tag; lane k's own tag is the word's + k. Each
+// undecided comparison has its own request, and the word leaves once all are answered.
+//
+// Operands reach the lane through INPUT_REGISTERS registers, which add to its latency here. A
+// request of carried operands is a packet of 2^BEAT_BITS beats {slot, part of the operands}.
+// ASK_BITS > 0: instead of the operands, the low bits of the tag are carried, by which references
+// ask for the operands. Reset forgets all comparisons and clears the counters.
 `default_nettype none
 
 module lane_reorder #(
@@ -57,7 +58,7 @@ module lane_reorder #(
   localparam REQUEST_BITS = SLOT_BITS + ((CARRIED != 0) ? PART_BITS : TAG_BITS);
   localparam [SLOT_BITS:0] ONE = 1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((LANES < 1) || (LANES > 64)) begin : g_refused_lanes LANES_is_not_1_to_64 refused (); end
     if (OPERAND_BITS < 1) begin : g_refused_operand_bits OPERAND_BITS_is_below_1 refused (); end
@@ -77,7 +78,7 @@ module lane_reorder #(
       begin : g_refused_input_registers INPUT_REGISTERS_is_below_0 refused (); end
   endgenerate
 
-  // Slots from oldest_q to next_q - 1 are taken; one bit more than a slot tells full from empty.
+  // Slots oldest_q to next_q - 1 are taken. One bit more than a slot tells full from empty.
   reg  [SLOT_BITS:0] next_q;
   reg  [SLOT_BITS:0] oldest_q;
   wire               same_slot = (next_q[SLOT_BITS-1:0] == oldest_q[SLOT_BITS-1:0]);
@@ -101,7 +102,7 @@ module lane_reorder #(
     end
   end
 
-  // Through the lane.
+  // Operands pass the lane.
   delay_line #(
     .WIDTH (LANES * OPERAND_BITS),
     .LENGTH(INPUT_REGISTERS)
@@ -115,7 +116,7 @@ module lane_reorder #(
   wire [SLOT_BITS-1:0] exit_slot;
   wire [2*LANES-1:0]   exit_verdict;
   wire [LANES-1:0]     exit_decided;
-  wire                 exit_undecided = exit_valid && !(&exit_decided);  // one of them, at least
+  wire                 exit_undecided = exit_valid && !(&exit_decided);  // at least one of them
 
   lane_tracker #(
     .LANES       (LANES),
@@ -134,8 +135,8 @@ module lane_reorder #(
     .exit_decided(exit_decided)
   );
 
-  // Direct verdicts wait in the order of acceptance, as {decided, verdicts}. Where references answer,
-  // it is enough to know whether all lanes have decided.
+  // Direct verdicts wait in the order of acceptance, as {decided, verdicts}. With references it is
+  // enough to know whether all lanes have decided.
   localparam FLAGS = (RECOMPUTE != 0) ? 1 : LANES;
 
   wire               direct_valid;
@@ -203,8 +204,8 @@ module lane_reorder #(
     end
   endgenerate
 
-  // Out: the tag of the oldest slot is read, and with that the slot is free. Where the tag is also
-  // the request, a comparison that asks comes first.
+  // Output: the tag of the oldest slot is read, which frees the slot. If the tag is also the
+  // request, a comparison that asks has priority.
   wire                          asks;
   wire [SLOT_BITS-1:0]          asking_slot;
   wire [LANES-1:0]              asking_lanes;
@@ -238,7 +239,7 @@ module lane_reorder #(
     .m_axis_tuser    (m_axis_tuser)
   );
 
-  // Counted are whole requests, when their last beat leaves.
+  // Whole requests are counted, when their last beat leaves.
   wire request_last;
 
   generate
@@ -322,7 +323,7 @@ module lane_reorder #(
     end
   endgenerate
 
-  // Without references an undecided comparison is a result, and counted as it leaves.
+  // Without references an undecided comparison is a result, counted as it leaves.
   wire [LANES-1:0] undecided_results;
 
   genvar k;

@@ -1,14 +1,16 @@
-// lane_scoreboard: AXI4-Stream around one free-running lane; results leave as they come.
-// A comparison holds one of 2^SLOT_BITS slots from its acceptance until its tag is read out, so
-// every queue has room. Latency of a decided one: LANE_LATENCY + 5. One comparison per cycle if all
-// are decided, the sink is ready and 2^SLOT_BITS >= LANE_LATENCY + 6 (+ 5 with RECOMPUTE = 0, where
-// the latency is LANE_LATENCY + 4). Direct and recomputed results alternate when both wait.
-// LANES > 1: a group of lanes in lock step. What is said of a comparison then holds for a word with
-// one comparison for each lane and one tag; lane k's own tag is the word's + k. Each undecided
-// comparison is a request of its own, and the word leaves once all are answered.
-// Operands reach the lane through INPUT_REGISTERS registers, which add to its latency here.
-// A request of carried operands is a packet of 2^BEAT_BITS beats {slot, part of the operands}.
-// Reset forgets all comparisons and clears the counters.
+// lane_scoreboard: AXI4-Stream around one free-running lane; results leave as they come. A
+// comparison holds one of 2^SLOT_BITS slots from its acceptance until its tag is read out, so every
+// queue has room. A decided comparison has latency LANE_LATENCY + 5. One comparison per cycle if
+// all are decided, the sink is ready and 2^SLOT_BITS >= LANE_LATENCY + 6 (+ 5 with RECOMPUTE = 0,
+// where the latency is LANE_LATENCY + 4). Direct and recomputed results alternate when both wait.
+//
+// LANES > 1: a group of lanes in lock step. Everything here about a comparison then holds for a
+// word, with one comparison for each lane and one tag; lane k's own tag is the word's + k. Each
+// undecided comparison has its own request, and the word leaves once all are answered.
+//
+// Operands reach the lane through INPUT_REGISTERS registers, which add to its latency here. A
+// request of carried operands is a packet of 2^BEAT_BITS beats {slot, part of the operands}. Reset
+// forgets all comparisons and clears the counters.
 `default_nettype none
 
 module lane_scoreboard #(
@@ -50,12 +52,13 @@ module lane_scoreboard #(
 
   localparam PART_BITS      = ((OPERAND_BITS - 1) >> BEAT_BITS) + 1;
   localparam REQUEST_BITS   = SLOT_BITS + ((CARRIED != 0) ? PART_BITS : TAG_BITS);
-  // What becomes of an undecided comparison: its operands leave at once, or it waits among the
-  // results until its tag is read, which then is its request or its result.
+  // SENDS_OPERANDS: the operands of an undecided comparison leave at once. Otherwise the comparison
+  // waits among the results until its tag is read, which is its request with SENDS_TAG and else its
+  // result.
   localparam SENDS_OPERANDS = ((RECOMPUTE != 0) && (CARRIED != 0)) ? 1 : 0;
   localparam SENDS_TAG      = ((RECOMPUTE != 0) && (CARRIED == 0)) ? 1 : 0;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((LANES < 1) || (LANES > 64)) begin : g_refused_lanes LANES_is_not_1_to_64 refused (); end
     if (OPERAND_BITS < 1) begin : g_refused_operand_bits OPERAND_BITS_is_below_1 refused (); end
@@ -69,7 +72,7 @@ module lane_scoreboard #(
       begin : g_refused_input_registers INPUT_REGISTERS_is_below_0 refused (); end
   endgenerate
 
-  // A slot is taken with each comparison, and free again when its result leaves.
+  // Each comparison takes a slot, which is free again when its result leaves.
   wire                 slot_valid;
   wire [SLOT_BITS-1:0] slot;
   wire                 accept = s_axis_tvalid && slot_valid;
@@ -90,7 +93,7 @@ module lane_scoreboard #(
     .s_free_slot (retire_slot)
   );
 
-  // Through the lane.
+  // Operands pass the lane.
   delay_line #(
     .WIDTH (LANES * OPERAND_BITS),
     .LENGTH(INPUT_REGISTERS)
@@ -104,7 +107,7 @@ module lane_scoreboard #(
   wire [SLOT_BITS-1:0] exit_slot;
   wire [2*LANES-1:0]   exit_verdict;
   wire [LANES-1:0]     exit_decided;
-  wire                 exit_undecided = exit_valid && !(&exit_decided);  // one of them, at least
+  wire                 exit_undecided = exit_valid && !(&exit_decided);  // at least one of them
 
   lane_tracker #(
     .LANES       (LANES),
@@ -123,7 +126,7 @@ module lane_scoreboard #(
     .exit_decided(exit_decided)
   );
 
-  // What the lanes say waits as {slot, undecided, verdicts}.
+  // Verdicts of the lanes wait as {slot, undecided, verdicts}.
   wire                 direct_valid;
   wire                 direct_ready;
   wire [SLOT_BITS-1:0] direct_slot;
@@ -203,7 +206,7 @@ module lane_scoreboard #(
     end
   endgenerate
 
-  // Out: the tag is read by slot, and with that the slot is free, unless the comparison only asks.
+  // Output: the tag is read by slot, which frees the slot unless the comparison only asks.
   wire [LANES-1:0]              asks = merged_result[3*LANES +: LANES] & {LANES{SENDS_TAG != 0}};
   wire                          tag_request_valid;
   wire [SLOT_BITS+TAG_BITS-1:0] tag_request_data;
@@ -235,7 +238,7 @@ module lane_scoreboard #(
     .m_axis_tuser    (m_axis_tuser)
   );
 
-  // Counted are whole requests, when their last beat leaves.
+  // Whole requests are counted, when their last beat leaves.
   wire request_last;
 
   generate
@@ -275,7 +278,7 @@ module lane_scoreboard #(
     end
   endgenerate
 
-  // Without references an undecided comparison is a result, and counted as it leaves.
+  // Without references an undecided comparison is a result, counted as it leaves.
   wire [LANES-1:0] undecided_results;
 
   genvar k;

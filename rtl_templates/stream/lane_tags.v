@@ -1,10 +1,12 @@
-// lane_tags: the tags of what is inside a lane or a group of lanes, each stored once and read out
-// by its slot. A result leaves on m_axis with its tag, latency 1, as a byte for each lane. A word
-// with a lane that `s_result_asks` leaves on m_request instead, as {slot, tag + lane} for each such
-// lane, latency 2 (with LANES > 1: 4), and its tag stays in the memory. Both use the one read port,
-// so a result waits while a word that asks does: the second one (with LANES > 1: the third). At
-// most one word in a cycle, and one request in two: the request register loads only when empty, so
-// that no path leads on from m_request_tready in the same cycle. Reset forgets what was read.
+// lane_tags: the tags of the comparisons inside a lane or a group of lanes, each stored once and
+// read out by its slot. A result leaves on m_axis with its tag, latency 1, as a byte for each lane.
+// If `s_result_asks` marks a lane, the word leaves on m_request instead, as {slot, tag + lane} for
+// each marked lane, latency 2 (with LANES > 1: 4), and its tag stays in the memory.
+//
+// Both use the one read port. So a result waits while a word that asks does: the second one (with
+// LANES > 1: the third). At most one word leaves in a cycle, and one request in two: the request
+// register loads only when empty, so no path leads on from m_request_tready in the same cycle.
+// Reset forgets the words that were read.
 `default_nettype none
 
 module lane_tags #(
@@ -31,14 +33,14 @@ module lane_tags #(
   output wire [TAG_BITS-1:0]           m_axis_tuser
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((LANES < 1) || (LANES > 64)) begin : g_refused_lanes LANES_is_not_1_to_64 refused (); end
     if (TAG_BITS < 1) begin : g_refused_tag_bits TAG_BITS_is_below_1 refused (); end
     if (SLOT_BITS < 1) begin : g_refused_slot_bits SLOT_BITS_is_below_1 refused (); end
   endgenerate
 
-  // What was read last is a result or asks for recomputation; at most one of the two is high.
+  // The word read last is a result or asks for recomputation. At most one of the two flags is high.
   reg                           m_valid_q;
   reg                           ask_valid_q;
   reg  [4*LANES-1:0]            result_q;
@@ -67,7 +69,7 @@ module lane_tags #(
       assign next_request = {ask_slot_q, tag};
       assign ask_leaves   = request;
     end else begin : g_group
-      // A word that asks leaves the read port at once, and its lanes ask one after the other.
+      // A word that asks leaves the read port at once. Its lanes then ask one after the other.
       reg                 word_valid_q;
       reg [SLOT_BITS-1:0] word_slot_q;
       reg [TAG_BITS-1:0]  word_tag_q;

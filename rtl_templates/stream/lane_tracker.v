@@ -1,6 +1,6 @@
-// lane_tracker: knows which slot's verdicts leave free-running lanes, LANES side by side.
-// A word of comparisons enters with `start`; LANE_LATENCY + 1 cycles later `exit` says what became
-// of each. One word per cycle. Reset forgets all.
+// lane_tracker: knows to which slot the verdicts belong that leave LANES free-running lanes side by
+// side. A word of comparisons enters with `start`; LANE_LATENCY + 1 cycles later it leaves with
+// `exit` and its verdicts. One word per cycle. Reset forgets all.
 `default_nettype none
 
 module lane_tracker #(
@@ -20,7 +20,7 @@ module lane_tracker #(
   output wire [LANES-1:0]     exit_decided
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((LANES < 1) || (LANES > 64)) begin : g_refused_lanes LANES_is_not_1_to_64 refused (); end
     if (SLOT_BITS < 1) begin : g_refused_slot_bits SLOT_BITS_is_below_1 refused (); end

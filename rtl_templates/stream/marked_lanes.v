@@ -1,8 +1,8 @@
 // marked_lanes: the numbers of the lanes that a word marks, one after the other, the lowest first.
-// The word stays on offer until the last of its lanes is taken, and is taken with that. Latency 1;
-// a number per cycle, with a gap of one cycle behind each word. A word that marks none stays for
-// ever. LANES = 1: no registers, and each word gives number 0 at once. LANES <= 64. Reset forgets
-// how far a word was.
+// The word stays on offer until its last lane is taken, and is taken with it. Latency 1; a number
+// per cycle, with a gap of one cycle after each word. A word without a marked lane stays for ever.
+// LANES = 1: no registers, and each word gives number 0 at once. LANES <= 64. Reset restarts the
+// word.
 `default_nettype none
 
 module marked_lanes #(
@@ -18,7 +18,7 @@ module marked_lanes #(
   output wire [5:0]       m_lane
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if ((LANES < 1) || (LANES > 64)) begin : g_refused_lanes LANES_is_not_1_to_64 refused (); end
   endgenerate
@@ -33,7 +33,7 @@ module marked_lanes #(
     end else begin : g_lanes
       localparam [LANES-1:0] ONE = 1;
 
-      reg  [LANES-1:0] shown_q;  // lanes of the word on offer whose numbers are or were on m_lane
+      reg  [LANES-1:0] shown_q;  // lanes of the current word whose numbers are or were on m_lane
       reg              lane_valid_q;
       reg  [5:0]       lane_q;
       wire [LANES-1:0] left   = s_word_lanes & ~shown_q;

@@ -1,10 +1,12 @@
 // reference_port: surrounds one free-running reference; requests in, answers out, in order.
-// requested_operands brings the operands: carried by the request (CARRIED = 1), in one beat or
-// several, or fetched again by its tag. INITIATION_INTERVAL = 1: operands are taken at
-// once, and the answer leaves REFERENCE_LATENCY cycles later. Above 1: reference_phase counts the
-// cycles of the interval, from reset_phase on. In phase 0 a comparison starts if its operands are
-// there; they are taken in phase LAST_OPERAND_PHASE, and the answer leaves REFERENCE_LATENCY cycles
-// after the start. Reset forgets all requests: whoever answers m_refetch must be reset with it.
+// requested_operands supplies the operands. The request carries them, in one beat or several
+// (CARRIED = 1), or its tag fetches them again.
+//
+// INITIATION_INTERVAL = 1: operands are taken at once, and the answer leaves REFERENCE_LATENCY
+// cycles later. Above 1: reference_phase counts the cycles of the interval, from reset_phase on. A
+// comparison starts in phase 0 if its operands are there. They are taken in phase
+// LAST_OPERAND_PHASE, and the answer leaves REFERENCE_LATENCY cycles after the start. Reset forgets
+// all requests: the unit that answers m_refetch must be reset with it.
 `default_nettype none
 
 module reference_port #(
@@ -43,7 +45,7 @@ module reference_port #(
   localparam PAYLOAD_BITS = (CARRIED != 0) ? PART_BITS : TAG_BITS;
   localparam SENDER_BITS  = LANE_BITS + SLOT_BITS;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (OPERAND_BITS < 1) begin : g_refused_operand_bits OPERAND_BITS_is_below_1 refused (); end
     if (TAG_BITS < 1) begin : g_refused_tag_bits TAG_BITS_is_below_1 refused (); end
@@ -71,7 +73,8 @@ module reference_port #(
       begin : g_refused_outstanding_bits OUTSTANDING_BITS_is_below_1 refused (); end
   endgenerate
 
-  // Operands that wait at the datapath, and for whom; `take`: they may leave at the end of the cycle.
+  // Operands that wait at the datapath, and their sender. `take`: they may leave at the end of the
+  // cycle.
   wire                   offer_valid;
   wire [SENDER_BITS-1:0] offer_sender;
   wire                   take;
@@ -130,7 +133,8 @@ module reference_port #(
     end else begin : g_folded
       localparam LAST_PHASE   = INITIATION_INTERVAL - 1;
       localparam ANSWER_PHASE = REFERENCE_LATENCY % INITIATION_INTERVAL;
-      // As many comparisons may be inside; each moves on by one place when the next may start.
+      // This is how many comparisons may be inside. Each moves on by one place when the next may
+      // start.
       localparam PLACES       = (REFERENCE_LATENCY + INITIATION_INTERVAL - 1) / INITIATION_INTERVAL;
 
       localparam [PHASE_BITS-1:0] FIRST = 0;

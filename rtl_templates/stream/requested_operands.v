@@ -1,9 +1,10 @@
 // requested_operands: the operands of each request, in order, with the number of its sender.
 // CARRIED = 1: a request is a packet of 2^BEAT_BITS beats, whose payloads are the operands, the
-// lowest part first. Above one beat they are there one cycle after the last, and the next packet
-// comes in while they wait. CARRIED = 0: the payload is the tag; it leaves on m_refetch one cycle
-// after the request, and the operands come on s_refetch. 2^OUTSTANDING_BITS + 1 tags may wait for
-// theirs. Reset forgets all requests: whoever answers m_refetch must be reset with it.
+// lowest part first. With more than one beat, the operands are there one cycle after the last beat,
+// and the next packet enters while they wait. CARRIED = 0: the payload is the tag. It leaves on
+// m_refetch one cycle after the request, and the operands come on s_refetch. 2^OUTSTANDING_BITS + 1
+// tags may wait for their operands. Reset forgets all requests: the unit that answers m_refetch
+// must be reset with it.
 `default_nettype none
 
 module requested_operands #(
@@ -34,7 +35,7 @@ module requested_operands #(
 
   localparam PART_BITS = ((OPERAND_BITS - 1) >> BEAT_BITS) + 1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (OPERAND_BITS < 1) begin : g_refused_operand_bits OPERAND_BITS_is_below_1 refused (); end
     if (TAG_BITS < 1) begin : g_refused_tag_bits TAG_BITS_is_below_1 refused (); end

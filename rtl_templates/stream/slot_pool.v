@@ -1,7 +1,7 @@
 // slot_pool: hands out 2^SLOT_BITS slots, each to one comparison at a time.
-// A slot is taken in a cycle with m_slot_valid and m_slot_ready, and comes back with s_free. After
-// reset each is handed out once, in turn; then they come as they came back, first in, first out.
-// A slot that comes back may be taken two cycles later. One slot per cycle each way.
+// A slot is taken in a cycle with m_slot_valid and m_slot_ready, and returned with s_free. After
+// reset each slot is given out once, in turn. Then slots are given out in the order of their
+// return. A returned slot may be taken two cycles later. One slot per cycle each way.
 `default_nettype none
 
 module slot_pool #(
@@ -19,18 +19,18 @@ module slot_pool #(
   localparam [SLOT_BITS:0] ONE = 1;
   localparam [SLOT_BITS:0] ALL = {1'b1, {SLOT_BITS{1'b0}}};
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (SLOT_BITS < 1) begin : g_refused_slot_bits SLOT_BITS_is_below_1 refused (); end
   endgenerate
 
-  // A queue that reset leaves full: place k stands for slot k until a slot that came back is written
+  // A queue that reset leaves full: place k stands for slot k until a returned slot is written
   // there. It has a place for each slot, so it never overflows.
   reg  [SLOT_BITS:0]   write_q;
   reg  [SLOT_BITS:0]   read_q;
   reg                  valid_q;
-  reg  [SLOT_BITS-1:0] place_q;      // the one read last
-  reg                  first_lap_q;  // nothing was written there before it was read
+  reg  [SLOT_BITS-1:0] place_q;      // the place read last
+  reg                  first_lap_q;  // place_q was read before it was written
   wire [SLOT_BITS-1:0] returned;
   wire                 read = (read_q != write_q) && (!valid_q || m_slot_ready);
 

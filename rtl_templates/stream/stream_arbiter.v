@@ -1,9 +1,11 @@
-// stream_arbiter: merges INPUTS streams into one, round-robin: no input waits for more than
-// INPUTS - 1 packets of others. Latency 1, one word per cycle. Reset empties the output register.
+// stream_arbiter: merges INPUTS streams into one, round-robin: no input waits for more than INPUTS
+// - 1 packets of others. Latency 1, one word per cycle. Reset empties the output register.
+//
 // BEAT_BITS > 0: a packet is 2^BEAT_BITS words, which leave one after the other, however slowly
-// they come. The select of the multiplexer is a register then: where the next packet is of another
-// input than the last, and was not there when that ended, its first word has latency 2. HALF_RATE =
-// 1: one word in two cycles at most, and no path from m_axis_tready to s_axis_tready.
+// they come. The select of the multiplexer is then a register. So the first word of a packet has
+// latency 2 if its input differs from the last packet's and it was not there when that packet
+// ended. HALF_RATE = 1: at most one word in two cycles, and no path from m_axis_tready to
+// s_axis_tready.
 `default_nettype none
 
 module stream_arbiter #(
@@ -36,7 +38,7 @@ module stream_arbiter #(
   localparam WORDS       = 1 << SELECT_BITS;
   localparam LAST_INPUT  = INPUTS - 1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (INPUTS < 1) begin : g_refused_inputs INPUTS_is_below_1 refused (); end
     if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
@@ -44,13 +46,13 @@ module stream_arbiter #(
       begin : g_refused_beat_bits BEAT_BITS_is_not_0_to_8 refused (); end
   endgenerate
 
-  reg  [SELECT_BITS-1:0] last_q;   // the input served last, or whose packet is
+  reg  [SELECT_BITS-1:0] last_q;   // the input served last, or the packet's
   reg                    m_valid_q;
   reg  [WIDTH-1:0]       m_data_q;
   reg  [SELECT_BITS-1:0] turn;     // the first valid input after that one, else the first of all
   wire [SELECT_BITS-1:0] select;   // the input whose words pass
-  wire                   offered;  // it has one
-  wire                   choose;   // `turn` is the next one to be served
+  wire                   offered;  // that input has a word
+  wire                   choose;   // `turn` is served next
   integer                i;
 
   wire room = !m_valid_q || (m_axis_tready && (HALF_RATE == 0));
@@ -78,7 +80,7 @@ module stream_arbiter #(
     end else begin : g_packets
       localparam [BEAT_BITS-1:0] ONE = 1;
 
-      reg [BEAT_BITS-1:0] beat_q;  // the number of the word that comes next
+      reg [BEAT_BITS-1:0] beat_q;  // the number of the next word
 
       always @(posedge aclk) begin
         if (!aresetn) begin
@@ -88,7 +90,7 @@ module stream_arbiter #(
         end
       end
 
-      // A turn ends with a packet, or when the input has no other to begin.
+      // A turn ends with a packet, or when the input has no next packet.
       assign select  = last_q;
       assign offered = s_axis_tvalid[last_q];
       assign choose  = offered ? load && (&beat_q) : !(|beat_q);

@@ -1,9 +1,9 @@
 // stream_crossbar: connects LANES request streams to REFERENCES references, and answers to lanes.
-// Lane i is served by reference i mod REFERENCES, round-robin; a reference without lanes idles.
-// Requests are packets of 2^BEAT_BITS beats {slot, payload}, which stay together: latency
-// ceil(log_RADIX(lanes of the reference)), at least 1; a reference gets one beat per cycle, and
-// from one lane one in two. Answers: latency 2, never refused, in the order of the lane's requests
-// if the reference keeps order. Reset empties it.
+// Reference i mod REFERENCES serves lane i, round-robin; a reference without lanes idles. Requests
+// are packets of 2^BEAT_BITS beats {slot, payload}, which stay together: latency
+// ceil(log_RADIX(lanes of the reference)), at least 1. A reference gets one beat per cycle, at most
+// one in two from the same lane. Answers: latency 2, never refused, in the order of the lane's
+// requests if the reference keeps order. Reset empties it.
 `default_nettype none
 
 module stream_crossbar #(
@@ -34,7 +34,7 @@ module stream_crossbar #(
   localparam NAMED_BITS   = LANE_BITS + REQUEST_BITS;  // a request with its lane's number
   localparam ANSWER_BITS  = LANE_BITS + SLOT_BITS + 2;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (LANES < 1) begin : g_refused_lanes LANES_is_below_1 refused (); end
     if (REFERENCES < 1) begin : g_refused_references REFERENCES_is_below_1 refused (); end
@@ -82,7 +82,7 @@ module stream_crossbar #(
           .m_axis_tdata (m_request_tdata[r*NAMED_BITS +: NAMED_BITS])
         );
 
-        // Answers: one register near the reference, one near each lane.
+        // Answers: one register near the reference, and one near each lane.
         reg                   answer_valid_q;
         reg [ANSWER_BITS-1:0] answer_q;
         wire [LANE_BITS-1:0]  answer_lane    = answer_q[SLOT_BITS+2 +: LANE_BITS];

@@ -19,13 +19,13 @@ module stream_fifo #(
 
   localparam [DEPTH_BITS:0] ONE = 1;
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
     if (DEPTH_BITS < 1) begin : g_refused_depth_bits DEPTH_BITS_is_below_1 refused (); end
   endgenerate
 
-  // One bit more than an address: equal pointers mean empty, opposite in that bit alone, full.
+  // One bit more than an address: equal pointers mean empty; if only that bit differs, full.
   reg  [DEPTH_BITS:0] write_q;
   reg  [DEPTH_BITS:0] read_q;
   reg                 m_valid_q;

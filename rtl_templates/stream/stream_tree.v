@@ -1,7 +1,7 @@
 // stream_tree: merges INPUTS streams into one through a tree of arbiters of RADIX inputs each.
 // Every node is fair, and keeps the 2^BEAT_BITS words of a packet together. Latency: one cycle per
-// level, ceil(log_RADIX(INPUTS)), at least 1. One word per cycle, of which each subtree of the root
-// may give every second: only the root runs at full rate, so that no path from a tready to a tready
+// level, ceil(log_RADIX(INPUTS)), at least 1. One word per cycle, but at most one in two from the
+// same subtree of the root. Only the root runs at full rate, so no path from a tready to a tready
 // crosses the tree. Reset empties it.
 `default_nettype none
 
@@ -21,7 +21,7 @@ module stream_tree #(
   output wire [WIDTH-1:0]        m_axis_tdata
 );
 
-  function integer streams_after;  // `levels` levels of arbiters
+  function integer streams_after;  // after `levels` levels of arbiters
     input integer levels;
     integer k;
     begin
@@ -47,7 +47,7 @@ module stream_tree #(
 
   localparam LEVELS = levels_of_tree(INPUTS);
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (INPUTS < 1) begin : g_refused_inputs INPUTS_is_below_1 refused (); end
     if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end

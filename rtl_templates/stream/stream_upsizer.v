@@ -1,7 +1,7 @@
-// stream_upsizer: joins packets of 2^BEAT_BITS words into one wide word each, the first one lowest.
-// s_axis_tuser of a packet's last word goes with it. A wide word leaves one cycle after its last
-// one came, and the words of the next packet are taken while it waits, but for the last, which may
-// come in the cycle in which it leaves. Reset forgets all. BEAT_BITS = 0: wires.
+// stream_upsizer: joins each packet of 2^BEAT_BITS words into one wide word, the first one lowest.
+// The wide word has the s_axis_tuser of the packet's last word. It leaves one cycle after that word
+// came. While it waits, the words of the next packet are taken except the last, which may come in
+// the cycle in which the wide word leaves. Reset forgets all. BEAT_BITS = 0: wires.
 `default_nettype none
 
 module stream_upsizer #(
@@ -21,7 +21,7 @@ module stream_upsizer #(
   output wire [USER_BITS-1:0]          m_axis_tuser
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
     if (USER_BITS < 1) begin : g_refused_user_bits USER_BITS_is_below_1 refused (); end
@@ -41,8 +41,8 @@ module stream_upsizer #(
       localparam EARLIER_BITS = (WIDTH << BEAT_BITS) - WIDTH;
       localparam [BEAT_BITS-1:0] ONE = 1;
 
-      reg  [BEAT_BITS-1:0]            beat_q;     // the number of the word that comes next
-      reg  [EARLIER_BITS-1:0]         earlier_q;  // its words before that, the last one highest
+      reg  [BEAT_BITS-1:0]            beat_q;     // the number of the next word
+      reg  [EARLIER_BITS-1:0]         earlier_q;  // the packet's words so far, the last one highest
       reg                             m_valid_q;
       reg  [EARLIER_BITS+WIDTH-1:0]   m_data_q;
       reg  [USER_BITS-1:0]            m_user_q;

@@ -1,5 +1,5 @@
-// valid_delay_line: q is d of LENGTH cycles ago; LENGTH may be 0.
-// Latency LENGTH. Reset forgets everything on the way: for valid bits.
+// valid_delay_line: q is d delayed by LENGTH cycles; LENGTH may be 0. Latency LENGTH. Reset forgets
+// all bits inside: for valid bits.
 `default_nettype none
 
 module valid_delay_line #(
@@ -11,7 +11,7 @@ module valid_delay_line #(
   output wire q
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (LENGTH < 0) begin : g_refused_length LENGTH_is_below_0 refused (); end
   endgenerate
@@ -22,7 +22,7 @@ module valid_delay_line #(
       assign q = d;
     end else begin : g_shift
       reg  [LENGTH-1:0] rank_q;
-      wire [LENGTH:0]   taps = {rank_q, d};  // bit k came in k cycles ago
+      wire [LENGTH:0]   taps = {rank_q, d};  // bit k came k cycles ago
 
       always @(posedge aclk) begin
         if (!aresetn) begin

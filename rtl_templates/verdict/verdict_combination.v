@@ -1,11 +1,11 @@
-// verdict_combination: one verdict of the PARTS of a comparison: 0 less, 1 equal, 2 greater, 3
-// unordered, part 0 in the lowest bits. A part's verdict means something where its bit of `known`
+// verdict_combination: one verdict from those of a comparison's PARTS: 0 less, 1 equal, 2 greater,
+// 3 unordered, with part 0 in the lowest bits. A part's verdict is valid where its bit of `known`
 // is 1.
-// ANY = 0: the last of them in the order less, equal, unordered, greater, so that one that is
+// ANY = 0: the last verdict in the order less, equal, unordered, greater. So one part that is
 // greater decides, whatever the others are. ANY = 1: the first in the order less, unordered, equal,
-// greater, so that one that is less decides.
+// greater. So one part that is less decides.
 // Latency: CUTS; initiation interval 1; no reset.
-// The verdict means something where `decided` is 1: a part decides, or all are known.
+// The verdict is valid where `decided` is 1: a part decides, or all parts are known.
 `default_nettype none
 
 module verdict_combination #(
@@ -20,12 +20,12 @@ module verdict_combination #(
   output wire               decided
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (PARTS < 1) begin : g_refused_parts PARTS_is_below_1 refused (); end
   endgenerate
 
-  // Stage combine: among parts none of which decides, unordered outweighs equal, equal the rest.
+  // Stage combine: if no part decides, unordered wins over equal, and equal over the rest.
   wire [PARTS-1:0] s0_low;
   wire [PARTS-1:0] s0_high;
 

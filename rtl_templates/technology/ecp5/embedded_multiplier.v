@@ -1,7 +1,7 @@
 // embedded_multiplier, as a cell of ECP5 with its registers, which Yosys does not use by itself.
 // Latency: the population count of CUTS (three bits); initiation interval 1; no reset.
-// A factor is in two's complement where SIGNED_A (SIGNED_B) is 1, without a sign where it is 0.
-// Factors of more than 18 bits, and products without a register, are left to synthesis.
+// A factor is in two's complement if SIGNED_A (SIGNED_B) is 1, and unsigned if it is 0. Synthesis
+// makes multipliers with factors of more than 18 bits and those without a register.
 `default_nettype none
 
 module embedded_multiplier #(
@@ -17,7 +17,7 @@ module embedded_multiplier #(
   output wire [A_WIDTH+B_WIDTH-1:0] product
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (A_WIDTH < 1) begin : g_refused_a A_WIDTH_is_below_1 refused (); end
     if (B_WIDTH < 1) begin : g_refused_b B_WIDTH_is_below_1 refused (); end

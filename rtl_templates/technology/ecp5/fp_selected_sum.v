@@ -15,7 +15,7 @@ module fp_selected_sum #(
   output wire [WIDTH-1:0] sum
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
   endgenerate
@@ -82,8 +82,9 @@ module fp_selected_sum #(
 
       assign carries[0] = 1'b0;
 
-      // The table of a ^ (select ? c : b) tells whether a carry passes. Where it does not, the cell
-      // takes its carry from a and `select` alone, by the table's part for b = c = 0, which is a.
+      // The table of a ^ (select ? c : b) says whether a carry passes. If it does not pass, the
+      // cell's carry is the entry of that table for b = c = 0, which is a, so it depends only on a
+      // and `select`.
       for (k = 0; k < CELLS; k = k + 1) begin : g_cells
         CCU2C #(
           .INIT0    (16'h569a),

@@ -1,8 +1,9 @@
-// embedded_multiplier, as a cell of iCE40 UltraPlus with its registers. Yosys, left to find them by
-// itself (synth_ice40 -dsp), also moves adders into the cell that are too wide for it, and fails.
+// embedded_multiplier, as a cell of iCE40 UltraPlus with its registers. Yosys can find such cells
+// itself (synth_ice40 -dsp), but also moves adders into the cell that are too wide for it, and
+// fails.
 // Latency: the population count of CUTS (three bits); initiation interval 1; no reset.
-// A factor is in two's complement where SIGNED_A (SIGNED_B) is 1, without a sign where it is 0.
-// Factors of more than 16 bits are left to synthesis, which makes them of logic.
+// A factor is in two's complement if SIGNED_A (SIGNED_B) is 1, and unsigned if it is 0. Synthesis
+// makes logic of multipliers with factors of more than 16 bits.
 `default_nettype none
 
 module embedded_multiplier #(
@@ -18,7 +19,7 @@ module embedded_multiplier #(
   output wire [A_WIDTH+B_WIDTH-1:0] product
 );
 
-  // Parameters that do not fit: an instance of a module that does not exist.
+  // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate
     if (A_WIDTH < 1) begin : g_refused_a A_WIDTH_is_below_1 refused (); end
     if (B_WIDTH < 1) begin : g_refused_b B_WIDTH_is_below_1 refused (); end
@@ -29,7 +30,7 @@ module embedded_multiplier #(
 
   generate
     if ((A_WIDTH <= 16) && (B_WIDTH <= 16)) begin : g_cell
-      // With a bit that is not read, so that no repetition is empty.
+      // One bit more, which is not read, so that no repetition is empty.
       wire [16:0] a_extended  = {{(17 - A_WIDTH) {a_negative}}, a};
       wire [16:0] b_extended  = {{(17 - B_WIDTH) {b_negative}}, b};
       wire [31:0] whole;
