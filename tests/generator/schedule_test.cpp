@@ -192,25 +192,30 @@ bool rows_wait_for_multipliers(const datapath::Step& step, int rows) {
 }
 
 /// Behind a cut between rows an unregistered multiplier would stand in one cycle with its adder.
+/// The four squares are alike, so that one search for the fewest cuts serves all of them.
 TEST_P(ScheduleAtTarget, RowsOfMultipliersAreCutBehindRegisteredMultipliers) {
   for (const char* device : {"virtex6-lx760", "ecp5-85k", "ice40-up5k"}) {
     const datapath::DelayTable delays = datapath::delays_of(device).value();
     const double logic_ns = std::max(0.0, 1000 / GetParam() - delays.register_ns);
     const datapath::Schedule schedule =
         datapath::schedule_reference(design_.reference, {}, delays, GetParam());
-    int squares = 0;
+    std::vector<datapath::Step> squares;
     for (const datapath::Step& step : schedule.steps) {
-      if (step.unit.module != "fp_squared_sum") continue;
-      ++squares;
+      if (step.unit.module == "fp_squared_sum") squares.push_back(step);
+    }
+    ASSERT_EQ(squares.size(), 4u) << device;
+    for (const datapath::Step& step : squares) {
+      EXPECT_EQ(step.cuts, squares.front().cuts) << device;
       const int rows = (53 + delays.multiplier_size.b_bits - 1) / delays.multiplier_size.b_bits;
       EXPECT_TRUE(rows_wait_for_multipliers(step, rows)) << device;
       if (slowest_stage_ns(step.unit) > logic_ns) continue;
       EXPECT_LE(longest_path_ns(step), logic_ns) << device;
-      EXPECT_EQ(std::pair(registers(step.cuts), halved_sums(step)),
-                fewest_cuts(step.unit, logic_ns))
-          << device;
     }
-    EXPECT_EQ(squares, 4) << device;
+    const datapath::Step& first = squares.front();
+    if (slowest_stage_ns(first.unit) > logic_ns) continue;
+    EXPECT_EQ(std::pair(registers(first.cuts), halved_sums(first)),
+              fewest_cuts(first.unit, logic_ns))
+        << device;
   }
 }
 

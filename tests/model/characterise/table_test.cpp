@@ -14,7 +14,7 @@ characterise::Measurement lane(const std::string& format, int luts) {
       .key = {.kind = characterise::ComponentKind::lane,
               .format = format,
               .inputs = LaneInputs::exact,
-              .bound = Bound{BoundKind::running, 4},
+              .bound = Bound{.kind = BoundKind::running, .digits = 4},
               .multipliers = "logic"},
       .latency_cycles = 17,
       .area =

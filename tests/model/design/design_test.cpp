@@ -15,7 +15,6 @@ namespace {
 using data::Comparisons;
 using design::Design;
 using error::IntervalCriterion;
-using scene::BoundKind;
 using scene::LaneGroupSpec;
 using scene::Multipliers;
 using scene::Scene;

@@ -49,15 +49,15 @@ TEST_F(RatesFile, GivesWhatAProfileCounted) {
                           "exact,8,lanes_alone,1000,0,0,3,3\nexact,53,reference,1000,0,0,0,0\n");
   ASSERT_TRUE(rates.ok()) << rates.error().to_string();
   EXPECT_EQ(rates->keys().size(), 2u);
-  EXPECT_EQ(rates->find({LaneInputs::rounded, {BoundKind::running, 4}, 9})->undecided, 7u);
-  EXPECT_FALSE(rates->find({LaneInputs::exact, {BoundKind::running, 4}, 9}));
+  EXPECT_EQ(rates->find({LaneInputs::rounded, {{}, BoundKind::running, 4}, 9})->undecided, 7u);
+  EXPECT_FALSE(rates->find({LaneInputs::exact, {{}, BoundKind::running, 4}, 9}));
 }
 
 TEST_F(RatesFile, KnowsInputsByTheirDigits) {
   const auto rates = read(std::string(header) + "20,8,relative,1000,5,5e-3,0,0\n" +
                           "rounded,8,relative,1000,7,7e-3,0,0\n");
   ASSERT_TRUE(rates.ok()) << rates.error().to_string();
-  const Bound relative{BoundKind::relative};
+  const Bound relative;
   EXPECT_EQ(rates->find({LaneInputs::of_digits(20), relative, 8})->undecided, 5u);
   EXPECT_FALSE(rates->find({LaneInputs::of_digits(21), relative, 8}));
   expect_refused(std::string(header) + "2,8,relative,1000,5,5e-3,0,0\n", ":2: inputs");
@@ -66,7 +66,7 @@ TEST_F(RatesFile, KnowsInputsByTheirDigits) {
 TEST_F(RatesFile, RatesInFixedPointAreThoseOfAnyInputs) {
   const auto rates = read(std::string(header) + "20,8,fixed_norm,1000,5,5e-3,0,0\n");
   ASSERT_TRUE(rates.ok()) << rates.error().to_string();
-  const Bound norm{BoundKind::fixed_norm};
+  const Bound norm{NumberSystem::fixed, BoundKind::norm};
   EXPECT_EQ(rates->find({LaneInputs::exact, norm, 8})->undecided, 5u);
   EXPECT_EQ(rates->find({LaneInputs::rounded, norm, 8})->undecided, 5u);
   EXPECT_FALSE(rates->find({LaneInputs::exact, norm, 9}));
