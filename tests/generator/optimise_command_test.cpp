@@ -45,6 +45,20 @@ TEST_F(OptimiseCommand, APlanOfLanesInFixedPointIsWhatCheckTakes) {
   EXPECT_EQ(lanes[0].at("format"), "q11") << checked.output;
 }
 
+/// Guard digits are no digits of a running bound, of which there are at most eight.
+TEST_F(OptimiseCommand, APlanOfLanesWithManyGuardDigitsIsWhatCheckTakes) {
+  std::ofstream table(path("characterisation/scene-virtex6-lx760.csv"), std::ios::app);
+  row(table, "lane,,q11g9,,fixed_norm_g9,embedded,0,0", 7, 380, 4);
+  row(table, "fifo,,,,,,0,32", 0, 200, 0);
+  table.close();
+  const Outcome found =
+      mixcmp("optimise scene.toml --first 11 --last 11 --bounds fixed_norm_g9 -o plan.toml");
+  ASSERT_EQ(found.exit_code, 0) << found.output;
+  const Outcome checked = mixcmp("check plan.toml --json");
+  ASSERT_EQ(checked.exit_code, 0) << checked.output;
+  EXPECT_EQ(json_of(checked).at("lane_groups")[0].at("format"), "q11g9") << checked.output;
+}
+
 /// A lane of memory is cheaper in LUTs, and of 1440 blocks 80 % hold 288 lanes of four.
 TEST_F(OptimiseCommand, APlanHasNoMoreMemoriesThanTheDevice) {
   std::ofstream table(path("characterisation/scene-virtex6-lx760.csv"), std::ios::app);
