@@ -6,24 +6,20 @@
 #include <array>
 #include <cstdint>
 
-#include "Vbound_units.h"
-#include "Vbound_units___024root.h"
+#include "tests/rtl_templates/bound/built_units.hpp"
 #include "tests/rtl_templates/bound/expected.hpp"
 
 /// The bound units of one format under every mask of cuts, one stimulus a cycle, each answer in the
 /// very cycle its latency names.
 namespace mixcmp::test {
 
-inline const FloatFormat lane = FloatFormat::make(PRECISION, EXPONENT_BITS).value();
-inline constexpr BoundFormat bound = {.precision = BOUND_PRECISION, .exponent_bits = EXPONENT_BITS};
+inline const FloatFormat lane =
+    FloatFormat::make(built_units().precision, built_units().exponent_bits).value();
+inline const BoundFormat bound = {.precision = built_units().bound_precision,
+                                  .exponent_bits = built_units().exponent_bits};
 
 class BoundUnits : public testing::Test {
 protected:
-  BoundUnits() : units_(&context_), expected_(lane, bound) {
-    units_.aclk = 0;
-    units_.eval();
-  }
-
   void TearDown() override {
     for (int i = 0; i < max_latency_cycles; ++i) feed({});
     EXPECT_EQ(wrong_, 0) << "of " << checked_;
@@ -31,16 +27,10 @@ protected:
   }
 
   void feed(const Stimulus& stimulus) {
-    units_.x = static_cast<std::uint64_t>(stimulus.x);
-    units_.a = static_cast<std::uint64_t>(stimulus.a);
-    units_.b = static_cast<std::uint64_t>(stimulus.b);
-    units_.exceptional = stimulus.exceptional;
-    units_.aclk = 0;
-    units_.eval();
+    simulation().apply(stimulus);
     expect(stimulus);
     for (int slot = 0; slot < unit_count * mask_count; ++slot) compare(slot);
-    units_.aclk = 1;
-    units_.eval();
+    simulation().rise();
     ++cycle_;
   }
 
@@ -67,7 +57,7 @@ private:
     if (cycle_ < latency) return;
     const Expectation& then = history_[(cycle_ - latency) % history_.size()];
     const Answer& answer = then.answers[slot / mask_count];
-    const Bits got = units_.rootp->bound_units__DOT__y[slot];
+    const Bits got = simulation().y(slot);
     ++checked_;
     if (((got ^ answer.y) & answer.matters) == 0) return;
     if (wrong_++ >= max_reports) return;
@@ -78,9 +68,7 @@ private:
         then.stimulus.exceptional, to_hex(answer.y, bound.width()), to_hex(got, bound.width()));
   }
 
-  VerilatedContext context_;
-  Vbound_units units_;
-  ExpectedAnswers expected_;
+  ExpectedAnswers expected_{lane, bound};
   std::array<Expectation, max_latency_cycles + 1> history_;
   std::size_t cycle_ = 0;
   long checked_ = 0;

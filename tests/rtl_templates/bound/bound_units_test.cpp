@@ -12,9 +12,9 @@ constexpr int random_stimuli = 30'000;
 /// Random by field: exponents uniform, at both ends, or close to `near`; fractions uniform, zeros
 /// or ones.
 Bits random_bound(int near, std::mt19937_64& random) {
-  const int top = (1 << EXPONENT_BITS) - 2;
+  const int top = (1 << bound.exponent_bits) - 2;
   int exponent = 1 + static_cast<int>(random() % static_cast<unsigned>(top));
-  const int reach = BOUND_PRECISION + 2;
+  const int reach = bound.precision + 2;
   const int offset = static_cast<int>(random() % static_cast<unsigned>(2 * reach + 1)) - reach;
   switch (random() % 8) {
     case 0: return random() % 2 == 0 ? 0 : bound.infinity();
@@ -29,11 +29,11 @@ Bits random_bound(int near, std::mt19937_64& random) {
   if (random() % 4 == 0) fraction = 0;
   if (random() % 4 == 0) fraction = ~Bits{0};
   exponent = std::clamp(exponent, 1, top);
-  return (Bits(exponent) << (BOUND_PRECISION - 1)) | (fraction & low_mask(BOUND_PRECISION - 1));
+  return (Bits(exponent) << (bound.precision - 1)) | (fraction & low_mask(bound.precision - 1));
 }
 
 int exponent_of(Bits value) {
-  return static_cast<int>(value >> (BOUND_PRECISION - 1));
+  return static_cast<int>(value >> (bound.precision - 1));
 }
 
 /// Exponents that are close, and exponents whose sum is close to an end of the range.
@@ -55,7 +55,7 @@ TEST_F(BoundUnits, RandomNumbersAgainstBoundsNearThem) {
     const Bits a = random_bound(bound.bias(), random);
     Bits x = random_encoding(lane, random);
     if (random() % 2 == 0) {
-      const Bits beside = (a << (PRECISION - BOUND_PRECISION)) + random() % 5 - 2;
+      const Bits beside = (a << (lane.precision() - bound.precision)) + random() % 5 - 2;
       x = lane.magnitude(beside) | lane.zero(random() % 2 == 0);
     }
     feed({.x = x, .a = a, .exceptional = random() % 8 == 0});

@@ -7,6 +7,7 @@
 #include "model/error/bound_graph.hpp"
 #include "model/error/range_check.hpp"
 #include "model/number/float_format.hpp"
+#include "tests/rtl_templates/bound/built_units.hpp"
 
 namespace mixcmp::test {
 
@@ -33,14 +34,6 @@ enum class Unit {
 constexpr int unit_count = 17, mask_count = 4;
 
 std::string_view to_string(Unit unit);
-
-/// What every unit is given in one cycle: a lane's number and two bounds.
-struct Stimulus {
-  Bits x = 0;
-  Bits a = 0;
-  Bits b = 0;
-  bool exceptional = false;
-};
 
 /// What a unit must answer; bits that are not in `matters` may be anything.
 struct Answer {

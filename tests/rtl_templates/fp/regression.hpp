@@ -4,20 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "tests/rtl_templates/fp/units_program.hpp"
 #include "tests/rtl_templates/fp/units_under_test.hpp"
 
 namespace mixcmp::test {
-
-/// The simulated fp_units: one clock cycle at a time.
-class Simulation {
-public:
-  virtual ~Simulation() = default;
-  /// Sets the inputs and settles; the outputs are then those before the rising edge.
-  virtual void apply(const Stimulus& stimulus) = 0;
-  virtual Bits y(int slot) const = 0;
-  virtual bool flag(int slot) const = 0;
-  virtual void rise() = 0;
-};
 
 /// Columns of UnitsUnderTest, both ends included.
 struct ColumnRange {

@@ -5,15 +5,9 @@
 
 #include "generator/datapath/units.hpp"
 #include "model/number/float_format.hpp"
+#include "tests/rtl_templates/fp/units_program.hpp"
 
 namespace mixcmp::test {
-
-/// What every unit of fp_units.v is given in one cycle.
-struct Stimulus {
-  Bits a;
-  Bits b;
-  bool exceptional = false;  ///< of fp_ulp_distance alone
-};
 
 /// Hazards that a unit was promised not to meet, or that a stimulus is: docs/rtl.md.
 struct HazardSet {
