@@ -11,6 +11,7 @@
 
 #include "model/characterise/measurement.hpp"
 #include "model/characterise/store.hpp"
+#include "tests/support/fake_yosys.hpp"
 #include "tests/support/program.hpp"
 
 namespace mixcmp::test {
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 
 /// Stands in for Yosys: takes no time, finds as many LUTs as the sources have bytes, keeps each net
 /// of the top, and is told by variables what else to do.
-inline constexpr const char* yosys_script = R"sh(
+inline const std::string yosys_script = std::string(R"sh(
 case "$*" in *-V*) echo "${FAKE_VERSION:-Yosys 9.9 (fake)}"; exit 0;; esac
 echo called >> "$FAKE/calls"
 if [ -n "$FAKE_FAILS" ] && cat *.v | grep -q "$FAKE_FAILS"; then
@@ -31,16 +32,12 @@ if [ -n "$FAKE_SLOW_AFTER" ] && [ "$(wc -l < "$FAKE/calls")" -gt "$FAKE_SLOW_AFT
 fi
 echo "{\"design\":{\"num_cells_by_type\":{\"LUT6\":$(cat *.v | wc -c),\"FDRE\":900,\
 \"DSP48E1\":${FAKE_DSPS:-90}}}}" > area.json
-top=$(sed -n 's/.* -top \([^ ]*\)$/\1/p' "$3" | head -n 1)
-nets=$(grep -oE '[a-z_][a-z0-9_]*' "$top.v" | sort -u |
-  sed "s/.*/\"&\":{\"bits\":[${FAKE_BITS:-$(seq -s, 2 65)}]}/" | paste -sd,)
-echo "{\"modules\":{\"$top\":{\"netnames\":{$nets}}}}" > map.json
 if [ -z "$FAKE_CUT" ]; then
   { echo "Latest arrival time in 'top' is 4000:"; echo end of the timing report; } > timing.txt
 else
   : > timing.txt
 fi
-)sh";
+)sh") + fake_netlist;
 
 /// Ended, or about to be taken off the list by whoever inherited it.
 inline bool is_gone(const std::string& process) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tests/generator/planning_fixture.hpp"
+#include "tests/support/fake_yosys.hpp"
 
 /// `mixcmp optimise` as a user calls it, on a made-up table.
 namespace mixcmp::test::optimise_command_test {
@@ -391,11 +392,7 @@ TEST_F(TwoTiers, GenerateTellsOfBoth) {
 /// A Yosys that finds a reference nine times as large as anything else.
 TEST_F(OptimiseCommand, WithoutATableAQuickOneIsMade) {
   const std::string yosys =
-      instead_of("yosys",
-                 "case \"$*\" in *-V*) echo 'Yosys 9.9 (fake)'; exit 0;; esac\n"
-                 "luts=1000; ls | grep -q reference && luts=9000\n"
-                 "echo \"{\\\"design\\\":{\\\"num_cells_by_type\\\":{\\\"LUT6\\\":$luts,"
-                 "\\\"FDRE\\\":9000,\\\"DSP48E1\\\":40}}}\" > area.json");
+      instead_of("yosys", fake_yosys("$luts", "luts=1000; ls | grep -q reference && luts=9000\n"));
   const std::string environment = "XDG_CACHE_HOME=\"$PWD/cache\" " + yosys;
   const std::string optimise =
       "optimise scene.toml --device artix7-200t --first 8 --last 10 --use-bounds constant";
