@@ -4,9 +4,9 @@
 `default_nettype none
 
 module bound_add #(
-  parameter       EXPONENT_BITS   = 8,
-  parameter       BOUND_PRECISION = 4,
-  parameter [1:0] CUTS            = 2'b00
+  parameter       EXPONENT_BITS   = 8,     // bits of the exponent, 2 or more
+  parameter       BOUND_PRECISION = 4,     // digits of a bound, 1 or more
+  parameter [1:0] CUTS            = 2'b00  // a register behind stage k if bit k is 1
 ) (
   input  wire                                     aclk,
   input  wire [EXPONENT_BITS+BOUND_PRECISION-2:0] a,

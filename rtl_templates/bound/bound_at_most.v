@@ -4,10 +4,10 @@
 `default_nettype none
 
 module bound_at_most #(
-  parameter       EXPONENT_BITS   = 8,
-  parameter       PRECISION       = 24,
-  parameter       BOUND_PRECISION = 4,
-  parameter [0:0] CUTS            = 1'b0
+  parameter       EXPONENT_BITS   = 8,    // bits of the exponent, 2 or more
+  parameter       PRECISION       = 24,   // digits with the leading one, 2 or more
+  parameter       BOUND_PRECISION = 4,    // digits of a bound, 1 to PRECISION
+  parameter [0:0] CUTS            = 1'b0  // 1: a register behind the stage
 ) (
   input  wire                                     aclk,
   input  wire [EXPONENT_BITS+BOUND_PRECISION-2:0] bound,

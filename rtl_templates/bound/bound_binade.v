@@ -1,15 +1,14 @@
 // bound_binade: the largest power of two that is at most |x|, by its exponent. Zero for zeros.
 // Latency: CUTS; initiation interval 1; no reset.
-// For subnormal x it is the smallest bound, for infinities and NaNs infinite. With GRADUAL = 0 y is
-// undefined for subnormal x, which must come with `exceptional`.
+// For subnormal x it is the smallest bound, for infinities and NaNs infinite.
 `default_nettype none
 
 module bound_binade #(
-  parameter       EXPONENT_BITS   = 8,
-  parameter       PRECISION       = 24,
-  parameter       BOUND_PRECISION = 4,
-  parameter       GRADUAL         = 0,
-  parameter [0:0] CUTS            = 1'b0
+  parameter       EXPONENT_BITS   = 8,    // bits of the exponent, 2 or more
+  parameter       PRECISION       = 24,   // digits with the leading one, 2 or more
+  parameter       BOUND_PRECISION = 4,    // digits of a bound, 1 to PRECISION
+  parameter       GRADUAL         = 0,    // 1: x may be subnormal; 0: only with `exceptional`
+  parameter [0:0] CUTS            = 1'b0  // 1: a register behind the stage
 ) (
   input  wire                                     aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0]       x,

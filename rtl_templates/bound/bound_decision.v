@@ -1,17 +1,18 @@
 // bound_decision: decides the sign of a difference: less (0) or greater (2). It decides iff the
-// difference's magnitude is more than GUARD_ULP steps of its encoding above the bound of its error,
-// and nothing that led to either was exceptional.
+// difference's magnitude is more than GUARD_ULP above the bound of its error, and nothing that led
+// to either was exceptional.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
 // A verdict is valid where `decided` is 1. NaNs must come with `exceptional`. No finite difference
 // exceeds an infinite bound.
 `default_nettype none
 
 module bound_decision #(
-  parameter EXPONENT_BITS   = 8,
-  parameter PRECISION       = 24,
-  parameter BOUND_PRECISION = 4,
+  parameter EXPONENT_BITS   = 8,     // bits of the exponent, 2 or more
+  parameter PRECISION       = 24,    // digits with the leading one, 2 or more
+  parameter BOUND_PRECISION = 4,     // digits of a bound, 1 to PRECISION
+  // margin above the bound, in steps of the difference's encoding; 0: none
   parameter [EXPONENT_BITS+PRECISION-1:0] GUARD_ULP = 0,
-  parameter [1:0] CUTS      = 2'b00
+  parameter [1:0] CUTS      = 2'b00  // a register behind stage k if bit k is 1
 ) (
   input  wire                                     aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0]       difference,

@@ -1,15 +1,15 @@
 // bound_magnitude: an upper bound of |x|: its leading digits, rounded up.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
-// Infinite if rounding leaves the format. y is undefined for NaNs and, with GRADUAL = 0, for
-// subnormal numbers, which must come with `exceptional`.
+// Infinite if rounding leaves the format. y is undefined for NaNs, which must come with
+// `exceptional`.
 `default_nettype none
 
 module bound_magnitude #(
-  parameter       EXPONENT_BITS   = 8,
-  parameter       PRECISION       = 24,
-  parameter       BOUND_PRECISION = 4,
-  parameter       GRADUAL         = 0,
-  parameter [1:0] CUTS            = 2'b00
+  parameter       EXPONENT_BITS   = 8,     // bits of the exponent, 2 or more
+  parameter       PRECISION       = 24,    // digits with the leading one, 2 or more
+  parameter       BOUND_PRECISION = 4,     // digits of a bound, 1 to PRECISION
+  parameter       GRADUAL         = 0,     // 1: x may be subnormal; 0: only with `exceptional`
+  parameter [1:0] CUTS            = 2'b00  // a register behind stage k if bit k is 1
 ) (
   input  wire                                     aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0]       x,

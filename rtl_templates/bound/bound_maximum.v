@@ -3,9 +3,9 @@
 `default_nettype none
 
 module bound_maximum #(
-  parameter       EXPONENT_BITS   = 8,
-  parameter       BOUND_PRECISION = 4,
-  parameter [0:0] CUTS            = 1'b0
+  parameter       EXPONENT_BITS   = 8,    // bits of the exponent, 2 or more
+  parameter       BOUND_PRECISION = 4,    // digits of a bound, 1 or more
+  parameter [0:0] CUTS            = 1'b0  // 1: a register behind the stage
 ) (
   input  wire                                     aclk,
   input  wire [EXPONENT_BITS+BOUND_PRECISION-2:0] a,

@@ -12,30 +12,29 @@
 // s_axis_tdata.
 //
 // Full candidates and rows stay in memories. References ask these for a pair by the low bits of its
-// tag, {index of its own candidate, index of the best, place of the row}. 2^PLACE_BITS rows may be
-// inside.
+// tag, {index of its own candidate, index of the best, place of the row}.
 //
 // The next load is taken when no row is inside; while it is offered, no row enters. Interval 1;
 // latency WORD_LATENCY + 2, and for each of the CANDIDATES - 1 lanes its latency plus one. Rows
 // enter 2 cycles after the last candidate or later.
 //
-// Two counters, which wrap: `rows` that have left, and `stalled_cycles`, in which a row was offered
-// and not taken although the candidates were complete and no load was on offer. Reset forgets all;
-// lanes and references have to be reset with it.
+// Two counters: `rows` that have left, and `stalled_cycles`, in which a row was offered and not
+// taken although the candidates were complete and no load was on offer. Reset forgets all; lanes
+// and references have to be reset with it.
 `default_nettype none
 
 module arg_min_engine #(
-  parameter CANDIDATES = 3,       // 2 .. 2^INDEX_BITS
-  parameter CANDIDATE_BITS = 32,
-  parameter ROW_BITS = 32,
-  parameter WORD_BITS = 32,       // of a candidate
-  parameter ROW_WORD_BITS = 32,
-  parameter WORD_LATENCY = 0,
-  parameter TAG_BITS = 8,
-  parameter INDEX_BITS = 2,
-  parameter PLACE_BITS = 6,
-  parameter REFERENCES = 1,
-  parameter COUNTER_BITS = 32
+  parameter CANDIDATES = 3,       // candidates of a load, 2 to 2^INDEX_BITS
+  parameter CANDIDATE_BITS = 32,  // bits of a candidate, 1 or more
+  parameter ROW_BITS = 32,        // bits of a row, 1 or more
+  parameter WORD_BITS = 32,       // bits of a candidate's word, 1 or more
+  parameter ROW_WORD_BITS = 32,   // bits of a row's word, 1 or more
+  parameter WORD_LATENCY = 0,     // latency of the words in cycles, 0 or more
+  parameter TAG_BITS = 8,         // bits of a tag (m_axis_tuser), 1 or more
+  parameter INDEX_BITS = 2,       // bits of a candidate's index, 1 to 30
+  parameter PLACE_BITS = 6,       // 1 to 30: 2^PLACE_BITS rows may be inside
+  parameter REFERENCES = 1,       // number of references, 1 or more
+  parameter COUNTER_BITS = 32     // bits of a counter, which wraps; 0: no counters
 ) (
   input  wire                                                               aclk,
   input  wire                                                               aresetn,

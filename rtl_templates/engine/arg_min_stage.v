@@ -13,12 +13,12 @@
 `default_nettype none
 
 module arg_min_stage #(
-  parameter STAGE = 2,            // 1 or more
-  parameter WORD_BITS = 32,       // of a candidate
-  parameter ROW_WORD_BITS = 32,
-  parameter PLACE_BITS = 6,
-  parameter INDEX_BITS = 2,
-  parameter BEST_BITS = 1         // bits that name a candidate before STAGE
+  parameter STAGE = 2,           // index of the stage's own candidate, 1 to 2^INDEX_BITS - 1
+  parameter WORD_BITS = 32,      // bits of a candidate's word, 1 or more
+  parameter ROW_WORD_BITS = 32,  // bits of a row's word, 1 or more
+  parameter PLACE_BITS = 6,      // bits of a row's place, 1 or more
+  parameter INDEX_BITS = 2,      // bits of a candidate's index, 1 to 30
+  parameter BEST_BITS = 1        // 1 to INDEX_BITS: bits that hold an index below STAGE
 ) (
   input  wire                                             aclk,
   input  wire                                             aresetn,

@@ -6,9 +6,9 @@
 `default_nettype none
 
 module candidate_loader #(
-  parameter CANDIDATES = 3,       // 2 .. 2^INDEX_BITS
-  parameter CANDIDATE_BITS = 32,
-  parameter INDEX_BITS = 2
+  parameter CANDIDATES = 3,       // candidates of a load, 2 to 2^INDEX_BITS
+  parameter CANDIDATE_BITS = 32,  // bits of a candidate, 1 or more
+  parameter INDEX_BITS = 2        // bits of a candidate's index, 1 to 30
 ) (
   input  wire                      aclk,
   input  wire                      aresetn,

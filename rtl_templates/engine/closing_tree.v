@@ -1,12 +1,13 @@
 // closing_tree: merges INPUTS streams into one. Each input ends with a beat with tlast. Once all
-// inputs have ended, one beat with tlast leaves behind all words. COUNT_BITS > 0: the low
-// COUNT_BITS of the inputs' last beats are numbers, and the beat that leaves has their sum.
-// Fairness and latency are those of stream_tree. Reset empties the tree.
+// inputs have ended, one beat with tlast leaves behind all words. Fairness and latency are those of
+// stream_tree. Reset empties the tree.
 `default_nettype none
 
 module closing_tree #(
-  parameter INPUTS = 8,
-  parameter WIDTH = 8,
+  parameter INPUTS = 8,  // streams that are merged, 1 or more
+  parameter WIDTH = 8,   // bits of a word, 1 or more
+  // 0 to WIDTH. Above 0, the low COUNT_BITS of the inputs' last beats are numbers, and the beat
+  // that leaves has their sum.
   parameter COUNT_BITS = 0
 ) (
   input  wire                    aclk,

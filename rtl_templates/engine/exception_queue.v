@@ -1,13 +1,14 @@
 // exception_queue: a FIFO behind a pipeline that cannot wait. `room` says that a word may enter the
-// pipeline. MAY_COME is the largest number of words, this one included, whose beats may not have
-// been counted when `room` is decided: the FIFO has a place for the beat of each. While `on_offer`
-// is 1, a `room` of 1 stays 1: a place is reserved for the word on offer elsewhere, and no other
-// word enters meanwhile.
+// pipeline: the FIFO has a place for its beat and for those of all words before it. While
+// `on_offer` is 1, a `room` of 1 stays 1: a place is reserved for the word on offer elsewhere, and
+// no other word enters meanwhile.
 `default_nettype none
 
 module exception_queue #(
-  parameter WIDTH = 8,
-  parameter DEPTH_BITS = 5,
+  parameter WIDTH = 8,       // bits of a beat, 1 or more
+  parameter DEPTH_BITS = 5,  // 1 to 30: the queue holds 2^DEPTH_BITS beats, more than MAY_COME
+  // the largest number of words, the admitted one included, whose beats may not have been counted
+  // when `room` is decided; 1 or more
   parameter MAY_COME = 11
 ) (
   input  wire             aclk,

@@ -4,8 +4,8 @@
 `default_nettype none
 
 module item_loader #(
-  parameter CAPACITY = 1024,  // 2 .. 2^INDEX_BITS
-  parameter INDEX_BITS = 10
+  parameter CAPACITY = 1024,  // items of the largest set, 2 to 2^INDEX_BITS
+  parameter INDEX_BITS = 10   // bits of an item's index, 1 to 30
 ) (
   input  wire                  aclk,
   input  wire                  aresetn,

@@ -7,8 +7,8 @@
 `default_nettype none
 
 module item_memory #(
-  parameter WIDTH = 32,
-  parameter ADDRESS_BITS = 4
+  parameter WIDTH = 32,       // bits of a word, 1 or more
+  parameter ADDRESS_BITS = 4  // 1 to 30: the memory has 2^ADDRESS_BITS words
 ) (
   input  wire                    aclk,
   input  wire                    i_enable,

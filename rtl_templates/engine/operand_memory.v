@@ -8,11 +8,11 @@
 `default_nettype none
 
 module operand_memory #(
-  parameter REFERENCES = 1,
-  parameter CANDIDATE_BITS = 32,
-  parameter ROW_BITS = 32,
-  parameter INDEX_BITS = 2,
-  parameter PLACE_BITS = 6        // 2^PLACE_BITS rows
+  parameter REFERENCES = 1,       // number of references, 1 or more
+  parameter CANDIDATE_BITS = 32,  // bits of a candidate, 1 or more
+  parameter ROW_BITS = 32,        // bits of a row, 1 or more
+  parameter INDEX_BITS = 2,       // bits of a candidate's index, 1 to 30
+  parameter PLACE_BITS = 6        // 1 to 30: the memory has 2^PLACE_BITS rows
 ) (
   input  wire                                           aclk,
   input  wire                                           aresetn,

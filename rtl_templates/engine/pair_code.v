@@ -1,16 +1,13 @@
 // pair_code: the code of one pair in a beat. Its top bit says that the pair is reported. The bits
-// below are then the verdict if CODE_BITS = 3, and 0 if CODE_BITS = 2, where only one verdict is
-// reported. Without the top bit, 1 means undecided; 0 means that the pair has not met or that its
-// verdict is not reported.
-// REPORT: bit v is 1 where verdict v is reported. COUNT = 1: reported pairs are counted outside,
-// and their code is 0.
+// below are then the verdict if CODE_BITS = 3, and 0 if CODE_BITS = 2. Without the top bit, 1 means
+// undecided; 0 means that the pair has not met or that its verdict is not reported.
 // Combinational.
 `default_nettype none
 
 module pair_code #(
-  parameter REPORT = 11,
-  parameter CODE_BITS = 3,
-  parameter COUNT = 0
+  parameter REPORT = 11,    // 0 to 15: bit v is 1 where verdict v is reported
+  parameter CODE_BITS = 3,  // bits of a code: 3, or 2 if at most one verdict is reported
+  parameter COUNT = 0       // 1: reported pairs are counted outside, and their code is 0
 ) (
   input  wire                 met,
   input  wire                 decided,

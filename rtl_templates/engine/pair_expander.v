@@ -4,20 +4,20 @@
 // {j, base} and the lane k. The adder that computes i is behind the next register, since the choice
 // of the lane takes most of a cycle.
 //
-// BITMAP = 1: all reported pairs of a beat leave together, as {flags, j, base} of lane 0, with one
-// flag per lane. RECOMPUTE = 0: undecided pairs also leave as reports, one by one, with the flag
-// `undecided`. REPORT = 0 promises that no code says that a pair is reported.
-//
 // The beat with tlast leaves on both streams, for lane 0. Interval 1 for each pair, latency 1.
 // Reset empties it.
 `default_nettype none
 
 module pair_expander #(
-  parameter LANES = 8,
-  parameter INDEX_BITS = 10,
+  parameter LANES = 8,        // lanes in lock step, 1 or more
+  parameter INDEX_BITS = 10,  // bits of an item's index, 1 or more
+  // 0 to 15: bit v is 1 where verdict v is reported; 0 promises that none is
   parameter REPORT = 11,
-  parameter CODE_BITS = 3,
+  parameter CODE_BITS = 3,    // bits of a code: 3, or 2 if at most one verdict is reported
+  // 0 or 1; 1 needs CODE_BITS = 2. 1: all reported pairs of a beat leave together, as {flags, j,
+  // base} of lane 0, with one flag per lane. 0: one by one.
   parameter BITMAP = 0,
+  // 0: undecided pairs leave as reports, one by one, with the flag `undecided`; 1: on m_pair
   parameter RECOMPUTE = 1
 ) (
   input  wire                                    aclk,

@@ -1,25 +1,22 @@
 // pair_recomputation: reads the items of undecided pairs from the memory again, passes each pair to
-// the next of REFERENCES references that is ready, and gives out the verdicts that are in REPORT
-// (bit v: verdict v).
+// the next of REFERENCES references that is ready, and gives out the verdicts that are in REPORT.
 //
 // A request is the pair's tag {j, i} and its items {item j, item i}. All references see the same
-// request, and it is valid for one of them. The answer is {tag, verdict} and is always taken. Bit r
-// of EVERY_CYCLE says that reference r takes a request in every cycle.
+// request, and it is valid for one of them. The answer is {tag, verdict} and is always taken.
 //
-// 2^OUTSTANDING_BITS pairs may be in progress. Interval 1. `memory_items` are the words {item j,
-// item i} that were read in the previous cycle. The beat with tlast leaves when all verdicts before
-// it have left. Verdicts may leave in any order. Reset forgets all: the references have to be reset
-// with it.
+// Interval 1. `memory_items` are the words {item j, item i} that were read in the previous cycle.
+// The beat with tlast leaves when all verdicts before it have left. Verdicts may leave in any
+// order. Reset forgets all: the references have to be reset with it.
 `default_nettype none
 
 module pair_recomputation #(
-  parameter REFERENCES = 1,
-  parameter ITEM_BITS = 32,
-  parameter INDEX_BITS = 10,
-  parameter REPORT = 11,
-  parameter EVERY_CYCLE = -1,
-  parameter OUTSTANDING_BITS = 5,
-  parameter QUEUE_BITS = 4        // 2^QUEUE_BITS pairs may wait
+  parameter REFERENCES = 1,        // number of references, 1 to 32
+  parameter ITEM_BITS = 32,        // bits of an item, 1 or more
+  parameter INDEX_BITS = 10,       // bits of an item's index, 1 or more
+  parameter REPORT = 11,           // 0 to 15: bit v is 1 where verdict v is reported
+  parameter EVERY_CYCLE = -1,      // bit r is 1 where reference r takes a request in every cycle
+  parameter OUTSTANDING_BITS = 5,  // 1 to 30: 2^OUTSTANDING_BITS pairs may be in progress
+  parameter QUEUE_BITS = 4         // 1 to 30: 2^QUEUE_BITS pairs may wait
 ) (
   input  wire                                   aclk,
   input  wire                                   aresetn,

@@ -8,11 +8,10 @@
 // later word meets each of them once.
 //
 // Only exceptions leave, by a queue: a beat for each word with at least one pair that is undecided
-// or whose verdict is in REPORT (bit v: verdict v). The beat has a code for each lane (pair_code).
-// The word that closes a set passes the lanes like any other and leaves as the beat with tlast.
+// or whose verdict is in REPORT. The beat has a code for each lane (pair_code). The word that
+// closes a set passes the lanes like any other and leaves as the beat with tlast.
 //
-// COUNT = 1: reported pairs do not leave; the beat with tlast carries their number instead of a
-// tag. TIERED = 1: a beat also carries its word. Each word that is the first of its block, or that
+// TIERED = 1: a beat also carries its word. Each word that is the first of its block, or that
 // stays, also sends a beat, so that a pair_tier knows the words in the lanes. A beat also carries
 // the number of its undecided pairs, since the tier has to know early in a cycle which of them is
 // the last.
@@ -23,16 +22,16 @@
 `default_nettype none
 
 module pair_segment #(
-  parameter LANES = 8,
-  parameter LANE_BITS = 3,     // of a lane's number
-  parameter WORD_BITS = 32,
-  parameter INDEX_BITS = 10,
-  parameter LANE_LATENCY = 8,
-  parameter REPORT = 11,
-  parameter CODE_BITS = 3,
-  parameter COUNT = 0,
-  parameter TIERED = 0,
-  parameter QUEUE_BITS = 5     // the queue holds 2^QUEUE_BITS beats, more than LANE_LATENCY + 3
+  parameter LANES = 8,         // lanes in lock step, 1 to 2^LANE_BITS
+  parameter LANE_BITS = 3,     // bits of a lane's number, 1 to 30
+  parameter WORD_BITS = 32,    // bits of an item's word, 1 or more
+  parameter INDEX_BITS = 10,   // bits of an item's index, 1 or more
+  parameter LANE_LATENCY = 8,  // latency of the lane in cycles, 0 or more
+  parameter REPORT = 11,       // 0 to 15: bit v is 1 where verdict v is reported
+  parameter CODE_BITS = 3,     // bits of a code: 3, or 2 if at most one verdict is reported
+  parameter COUNT = 0,         // 1: reported pairs are only counted; tlast's beat has their number
+  parameter TIERED = 0,        // 1: beats are for a pair_tier; 0: for the engine
+  parameter QUEUE_BITS = 5     // 1 to 30: room for 2^QUEUE_BITS beats, more than LANE_LATENCY + 3
 ) (
   input  wire                                  aclk,
   input  wire                                  aresetn,

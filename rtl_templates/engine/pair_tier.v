@@ -8,20 +8,19 @@
 // leave. The first of these beats has the reported pairs. Each has the pair that passed: as
 // reported if it is, as undecided if it is still undecided.
 //
-// COUNT = 1: the number in the closing beat grows by the pairs that are reported here. Latency
-// LANE_LATENCY + 4, interval 1 for each pair. Reset forgets all.
+// Latency LANE_LATENCY + 4, interval 1 for each pair. Reset forgets all.
 `default_nettype none
 
 module pair_tier #(
-  parameter LANES = 8,         // of the segment
-  parameter LANE_BITS = 3,     // of a lane's number
-  parameter WORD_BITS = 32,
-  parameter INDEX_BITS = 10,
-  parameter LANE_LATENCY = 8,
-  parameter REPORT = 11,
-  parameter CODE_BITS = 3,
-  parameter COUNT = 0,
-  parameter QUEUE_BITS = 5     // the queue holds 2^QUEUE_BITS beats, more than LANE_LATENCY + 4
+  parameter LANES = 8,         // lanes in lock step, 1 to 2^LANE_BITS
+  parameter LANE_BITS = 3,     // bits of a lane's number, 1 to 30
+  parameter WORD_BITS = 32,    // bits of an item's word, 1 or more
+  parameter INDEX_BITS = 10,   // bits of an item's index, 1 or more
+  parameter LANE_LATENCY = 8,  // latency of the tier's lane in cycles, 0 or more
+  parameter REPORT = 11,       // 0 to 15: bit v is 1 where verdict v is reported
+  parameter CODE_BITS = 3,     // bits of a code: 3, or 2 if at most one verdict is reported
+  parameter COUNT = 0,         // 1: the closing beat's number grows by the pairs reported here
+  parameter QUEUE_BITS = 5     // 1 to 30: room for 2^QUEUE_BITS beats, more than LANE_LATENCY + 4
 ) (
   input  wire                                    aclk,
   input  wire                                    aresetn,

@@ -14,9 +14,9 @@
 `default_nettype none
 
 module pair_walker #(
-  parameter LANES = 8,
-  parameter CAPACITY = 1024,  // 2 .. 2^INDEX_BITS
-  parameter INDEX_BITS = 10
+  parameter LANES = 8,        // lanes of all segments, 1 or more
+  parameter CAPACITY = 1024,  // items of the largest set, 2 to 2^INDEX_BITS
+  parameter INDEX_BITS = 10   // bits of an item's index, 1 to 30
 ) (
   input  wire                  aclk,
   input  wire                  aresetn,

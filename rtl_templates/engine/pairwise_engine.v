@@ -10,33 +10,32 @@
 // Words leave to the first segment on m_word, and each segment's exceptions come back on s_entry;
 // pair_segment describes both. The pairs of interest leave on STREAMS streams m_axis. Each stream
 // serves its own segments, and the first also the references. Each ends a set with a closing beat,
-// and the next set is taken when all have. REFERENCES = 0: undecided pairs leave. BITMAP, COUNT:
-// see pair_expander, report_output.
+// and the next set is taken when all have.
 //
-// Counters wrap. They count the beats that have left each stream, without closing beats;
-// recomputations; the cycles from a set's first item to its last closing beat; and the cycles in
-// which a word was offered to the chain and not taken. Reset forgets the set; segments and
-// references have to be reset with it.
+// The counters count the beats that have left each stream, without closing beats; recomputations;
+// the cycles from a set's first item to its last closing beat; and the cycles in which a word was
+// offered to the chain and not taken. Reset forgets the set; segments and references have to be
+// reset with it.
 `default_nettype none
 
 module pairwise_engine #(
-  parameter SEGMENTS = 2,
-  parameter LANES_PER_SEGMENT = 4,
-  parameter LANES = 8,                // of all segments
-  parameter STREAMS = 1,
-  parameter REFERENCES = 1,
-  parameter CAPACITY = 1024,
-  parameter ITEM_BITS = 32,
-  parameter WORD_BITS = 32,
-  parameter WORD_LATENCY = 0,
-  parameter INDEX_BITS = 10,
-  parameter REPORT = 11,
-  parameter CODE_BITS = 3,
-  parameter BITMAP = 0,
-  parameter COUNT = 0,
-  parameter EVERY_CYCLE = -1,         // bit r: reference r takes a request in every cycle
-  parameter OUTSTANDING_BITS = 5,     // 2^OUTSTANDING_BITS recomputations may be in progress
-  parameter COUNTER_BITS = 32
+  parameter SEGMENTS = 2,           // segments of the chain, 1 or more
+  parameter LANES_PER_SEGMENT = 4,  // lanes of the largest segment, 1 or more
+  parameter LANES = 8,              // lanes of all segments, 1 or more
+  parameter STREAMS = 1,            // streams of reports, 1 to SEGMENTS
+  parameter REFERENCES = 1,         // number of references, 0 to 32; 0: undecided pairs leave
+  parameter CAPACITY = 1024,        // items of the largest set, 2 to 2^INDEX_BITS
+  parameter ITEM_BITS = 32,         // bits of an item, 1 or more
+  parameter WORD_BITS = 32,         // bits of an item's word, 1 or more
+  parameter WORD_LATENCY = 0,       // latency of the words in cycles, 0 or more
+  parameter INDEX_BITS = 10,        // bits of an item's index, 1 to 30
+  parameter REPORT = 11,            // 0 to 15: bit v is 1 where verdict v is reported
+  parameter CODE_BITS = 3,          // bits of a code: 3, or 2 if at most one verdict is reported
+  parameter BITMAP = 0,             // 0 or 1, as in pair_expander; 1 needs CODE_BITS = 2
+  parameter COUNT = 0,              // 1: reported pairs are only counted, as in report_output
+  parameter EVERY_CYCLE = -1,       // bit r is 1 where reference r takes a request in every cycle
+  parameter OUTSTANDING_BITS = 5,   // 1 to 30: 2^OUTSTANDING_BITS pairs may be in progress
+  parameter COUNTER_BITS = 32       // bits of a counter, which wraps; 0: no counters
 ) (
   input  wire                                                       aclk,
   input  wire                                                       aresetn,

@@ -1,13 +1,13 @@
 // report_output: sends the reports of a set to a port, and then a closing beat with their number;
 // see docs/ports.md for the fields. A report is {flags, undecided, recomputed, verdict, j, i}.
-// COUNT = 1: no report leaves, all are counted, and the tag of the beat with tlast is the number of
-// pairs that did not come as reports. FLAG_BITS = 0: tdata has no flags. Latency 1. Reset forgets
-// the set.
+// Latency 1. Reset forgets the set.
 `default_nettype none
 
 module report_output #(
-  parameter INDEX_BITS = 10,
-  parameter FLAG_BITS = 0,
+  parameter INDEX_BITS = 10,  // bits of an item's index, 1 or more
+  parameter FLAG_BITS = 0,    // flags of a report, 0 or more; 0: tdata has no flags
+  // 1: no report leaves, all are counted, and the tag of the beat with tlast is the number of pairs
+  // that did not come as reports.
   parameter COUNT = 0
 ) (
   input  wire                                                       aclk,

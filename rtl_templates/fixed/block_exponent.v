@@ -5,10 +5,10 @@
 `default_nettype none
 
 module block_exponent #(
-  parameter              COUNT         = 8,
-  parameter              LEVELS        = 3,
-  parameter              EXPONENT_BITS = 8,
-  parameter [LEVELS-1:0] CUTS          = 0
+  parameter              COUNT         = 8,  // number of exponents, 1 or more
+  parameter              LEVELS        = 3,  // levels of comparisons, 1 or more; 2^LEVELS >= COUNT
+  parameter              EXPONENT_BITS = 8,  // bits of the exponent, 2 or more
+  parameter [LEVELS-1:0] CUTS          = 0   // a register behind level k where bit k is 1
 ) (
   input  wire                           aclk,
   input  wire [COUNT*EXPONENT_BITS-1:0] exponents,

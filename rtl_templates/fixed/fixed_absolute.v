@@ -1,13 +1,13 @@
 // fixed_absolute: the absolute value of a, less its DROPPED low bits.
 // Latency: the population count of CUTS (one bit); initiation interval 1; no reset.
-// The operand is in two's complement. The result has WIDTH bits, as many as its range needs.
+// The operand is in two's complement.
 `default_nettype none
 
 module fixed_absolute #(
-  parameter       A_WIDTH = 14,
-  parameter       DROPPED = 0,
-  parameter       WIDTH   = 14,
-  parameter [0:0] CUTS    = 1'b0
+  parameter       A_WIDTH = 14,   // bits of a, 1 or more
+  parameter       DROPPED = 0,    // low bits of the absolute value that y lacks, 0 or more
+  parameter       WIDTH   = 14,   // bits of y, as its range needs; 1 to A_WIDTH - DROPPED
+  parameter [0:0] CUTS    = 1'b0  // 1: a register behind the stage
 ) (
   input  wire               aclk,
   input  wire [A_WIDTH-1:0] a,

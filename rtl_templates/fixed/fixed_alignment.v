@@ -1,18 +1,17 @@
 // fixed_alignment: an operand as an integer in units of 2^(E+1-WIDTH), rounded down. E is the
 // exponent whose biased code is `largest`. The magnitude is truncated and, if the sign bit is set,
-// all bits are inverted. The integer has WIDTH bits, or WIDTH + 1 in two's complement if SIGNED. It
-// is undefined if the operand's exponent is above E; `largest` is at least 1. SUBNORMALS = 0:
-// subnormal operands are less than a unit, whatever `largest` is.
+// all bits are inverted. The integer is undefined if the operand's exponent is above E; `largest`
+// is at least 1.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
 `default_nettype none
 
 module fixed_alignment #(
-  parameter       EXPONENT_BITS = 8,
-  parameter       PRECISION     = 24,
-  parameter       WIDTH         = 13,
-  parameter       SIGNED        = 0,
-  parameter       SUBNORMALS    = 1,
-  parameter [1:0] CUTS          = 2'b00
+  parameter       EXPONENT_BITS = 8,     // bits of the exponent, 2 or more
+  parameter       PRECISION     = 24,    // digits with the leading one, 1 or more
+  parameter       WIDTH         = 13,    // bits of y without its sign, 1 or more
+  parameter       SIGNED        = 0,     // 1: y has a sign, in two's complement; 0: y is unsigned
+  parameter       SUBNORMALS    = 1,     // 0 promises that subnormal x is always less than a unit
+  parameter [1:0] CUTS          = 2'b00  // a register behind stage k if bit k is 1
 ) (
   input  wire                               aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0] x,

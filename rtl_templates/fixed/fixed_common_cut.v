@@ -4,11 +4,11 @@
 `default_nettype none
 
 module fixed_common_cut #(
-  parameter       A_WIDTH   = 18,
-  parameter       MOST      = 3,
-  parameter       DROP_BITS = 2,
-  parameter       WIDTH     = 14,
-  parameter [0:0] CUTS      = 1'b0
+  parameter       A_WIDTH   = 18,   // bits of a, 1 or more
+  parameter       MOST      = 3,    // the largest drop, 1 or more
+  parameter       DROP_BITS = 2,    // bits of the drop, 1 or more; 2^DROP_BITS > MOST
+  parameter       WIDTH     = 14,   // bits of y, 1 to A_WIDTH
+  parameter [0:0] CUTS      = 1'b0  // 1: a register behind the stage
 ) (
   input  wire                 aclk,
   input  wire [A_WIDTH-1:0]   a,

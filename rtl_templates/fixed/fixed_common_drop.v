@@ -5,10 +5,10 @@
 `default_nettype none
 
 module fixed_common_drop #(
-  parameter       COUNT     = 4,
-  parameter       MOST      = 3,
-  parameter       DROP_BITS = 2,
-  parameter [1:0] CUTS      = 2'b00
+  parameter       COUNT     = 4,     // number of integers, 1 or more
+  parameter       MOST      = 3,     // the largest drop, 1 or more
+  parameter       DROP_BITS = 2,     // bits of the drop, 1 or more; 2^DROP_BITS > MOST
+  parameter [1:0] CUTS      = 2'b00  // a register behind stage k if bit k is 1
 ) (
   input  wire                      aclk,
   input  wire [COUNT*(MOST+1)-1:0] excess,

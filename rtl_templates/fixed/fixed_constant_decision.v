@@ -1,17 +1,17 @@
 // fixed_constant_decision: decides the sign of a difference by constants: greater (2) if it is at
 // least GREATER_FROM, less (0) if it is at most LESS_TO.
 // Latency: the population count of CUTS (one bit); initiation interval 1; no reset.
-// A difference between these is equal (1) with EXACT, otherwise undecided. A difference out of
-// range is undecided. The difference and the constants are in two's complement. A verdict is valid
-// where `decided` is 1.
+// A difference out of range is undecided. The difference and the constants are in two's complement.
+// A verdict is valid where `decided` is 1.
 `default_nettype none
 
 module fixed_constant_decision #(
-  parameter           WIDTH        = 30,
-  parameter [WIDTH:0] GREATER_FROM = 1,
+  parameter           WIDTH        = 30,   // bits of the difference, 1 or more
+  parameter [WIDTH:0] GREATER_FROM = 1,    // the least difference that is greater
+  // the greatest difference that is less, below GREATER_FROM
   parameter [WIDTH:0] LESS_TO      = {(WIDTH + 1) {1'b1}},
-  parameter           EXACT        = 0,
-  parameter [0:0]     CUTS         = 1'b0
+  parameter           EXACT        = 0,    // 1: differences between are equal (1); 0: undecided
+  parameter [0:0]     CUTS         = 1'b0  // 1: a register behind the stage
 ) (
   input  wire             aclk,
   input  wire [WIDTH-1:0] difference,

@@ -1,15 +1,16 @@
 // fixed_logic_product: fixed_product without `*`: a * b, or the square of a with SQUARE, less its
 // DROPPED low bits.
 // Latency: the population count of CUTS (seven bits); initiation interval 1; no reset.
-// Operands are in two's complement. The result has WIDTH bits, as many as its range needs.
+// Operands are in two's complement.
 `default_nettype none
 
 module fixed_logic_product #(
-  parameter       A_WIDTH = 14,
-  parameter       B_WIDTH = 14,
-  parameter       SQUARE  = 0,     // 1: b is not read
-  parameter       DROPPED = 0,
-  parameter       WIDTH   = 28,
+  parameter       A_WIDTH = 14,  // bits of a, 1 to 127
+  parameter       B_WIDTH = 14,  // bits of b, 1 to 127
+  parameter       SQUARE  = 0,   // 1: y is the square of a, and b is not read
+  parameter       DROPPED = 0,   // low bits of the product that y lacks, 0 or more
+  parameter       WIDTH   = 28,  // bits of y, as its range needs; 1 to the product's less DROPPED
+  // a register behind stage k if bit k is 1; see fp_logic_product
   parameter [6:0] CUTS    = 7'b0
 ) (
   input  wire               aclk,

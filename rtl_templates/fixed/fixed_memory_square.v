@@ -1,14 +1,13 @@
 // fixed_memory_square: the square of a, less its DROPPED low bits, read from a memory.
-// Latency: the population count of CUTS (three bits, the middle one set); initiation interval 1; no
-// reset.
-// The operand is in two's complement. The result has WIDTH bits, as many as its range needs.
+// Latency: the population count of CUTS (three bits); initiation interval 1; no reset.
+// The operand is in two's complement.
 `default_nettype none
 
 module fixed_memory_square #(
-  parameter       A_WIDTH = 8,
-  parameter       DROPPED = 0,
-  parameter       WIDTH   = 16,
-  parameter [2:0] CUTS    = 3'b010
+  parameter       A_WIDTH = 8,      // bits of a, 1 to 15
+  parameter       DROPPED = 0,      // low bits of the square that y lacks, 0 or more
+  parameter       WIDTH   = 16,     // bits of y, as its range needs; 1 to 2 A_WIDTH - DROPPED
+  parameter [2:0] CUTS    = 3'b010  // a register behind stage k if bit k is 1; bit 1 is 1
 ) (
   input  wire               aclk,
   input  wire [A_WIDTH-1:0] a,

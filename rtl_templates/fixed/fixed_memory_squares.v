@@ -1,9 +1,8 @@
 // fixed_memory_squares: the squares of a and b, each less its DROPPED low bits, read at the two
 // ports of one memory.
-// Latency: the population count of CUTS (three bits, the middle one set: a block memory is read
-// into a register); initiation interval 1; no reset.
-// Operands are in two's complement. A result has as many bits as its range needs: WIDTH_A or
-// WIDTH_B.
+// Latency: the population count of CUTS (three bits); initiation interval 1; no reset. A block
+// memory is read into a register.
+// Operands are in two's complement.
 //
 // The memory has a word for each magnitude below 2^ADDRESS_BITS. The two lowest bits of a square
 // take no memory: bit 0 is that of the operand, bit 1 is 0. Only the most negative operand has the
@@ -12,13 +11,13 @@
 `default_nettype none
 
 module fixed_memory_squares #(
-  parameter       A_WIDTH   = 8,
-  parameter       B_WIDTH   = 8,
-  parameter       DROPPED_A = 0,
-  parameter       DROPPED_B = 0,
-  parameter       WIDTH_A   = 16,
-  parameter       WIDTH_B   = 16,
-  parameter [2:0] CUTS      = 3'b010
+  parameter       A_WIDTH   = 8,      // bits of a, 1 to 15
+  parameter       B_WIDTH   = 8,      // bits of b, 1 to 15
+  parameter       DROPPED_A = 0,      // low bits of the square that y_a lacks, 0 or more
+  parameter       DROPPED_B = 0,      // low bits of the square that y_b lacks, 0 or more
+  parameter       WIDTH_A   = 16,     // bits of y_a, as its range needs; 1 to 2 A_WIDTH - DROPPED_A
+  parameter       WIDTH_B   = 16,     // bits of y_b, as its range needs; 1 to 2 B_WIDTH - DROPPED_B
+  parameter [2:0] CUTS      = 3'b010  // a register behind stage k if bit k is 1; bit 1 is 1
 ) (
   input  wire               aclk,
   input  wire [A_WIDTH-1:0] a,

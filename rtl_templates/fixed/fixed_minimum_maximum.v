@@ -1,16 +1,16 @@
-// fixed_minimum_maximum: the smaller of a and b, or the larger with MAXIMUM, less its DROPPED low
-// bits.
+// fixed_minimum_maximum: the smaller or the larger of a and b, less its DROPPED low bits.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
-// Operands are in two's complement. The result has WIDTH bits, as many as its range needs.
+// Operands are in two's complement.
 `default_nettype none
 
 module fixed_minimum_maximum #(
-  parameter       A_WIDTH = 14,
-  parameter       B_WIDTH = 14,
-  parameter       MAXIMUM = 0,
-  parameter       DROPPED = 0,
+  parameter       A_WIDTH = 14,    // bits of a, 1 or more
+  parameter       B_WIDTH = 14,    // bits of b, 1 or more
+  parameter       MAXIMUM = 0,     // 0: the smaller of a and b; 1: the larger
+  parameter       DROPPED = 0,     // low bits of the result that y lacks, 0 or more
+  // bits of y, as its range needs; 1 to max(A_WIDTH, B_WIDTH) + 1 - DROPPED
   parameter       WIDTH   = 14,
-  parameter [1:0] CUTS    = 2'b00
+  parameter [1:0] CUTS    = 2'b00  // a register behind stage k if bit k is 1
 ) (
   input  wire               aclk,
   input  wire [A_WIDTH-1:0] a,

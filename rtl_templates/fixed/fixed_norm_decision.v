@@ -1,8 +1,5 @@
 // fixed_norm_decision: decides the sign of a difference by the norm of the errors: greater (2) if
 // it is at least s * 2^SHIFT_ABOVE + OFFSET_ABOVE, less (0) if it is below -s * 2^SHIFT_BELOW.
-// SWAPPED exchanges the two verdicts. ROOT = 0: the difference is |x|^2 - s^2 and `radius` is s.
-// ROOT = 1: the difference is |x|^2 - |y|^2, `radius` is |y|^2, and s is 2^k for the least k with
-// |y|^2 < 4^k.
 // Latency: the population count of CUTS (three bits); initiation interval 1; no reset.
 // A difference between the two limits, or out of range, is undecided. If beyond_reach is 1, |x|^2
 // is greater and the difference is undefined. The difference is in two's complement, the radius s
@@ -10,14 +7,20 @@
 `default_nettype none
 
 module fixed_norm_decision #(
-  parameter                       WIDTH           = 30,
-  parameter                       RADIUS_WIDTH    = 14,
+  parameter                       WIDTH           = 30,  // bits of the difference, 1 or more
+  parameter                       RADIUS_WIDTH    = 14,  // bits of the radius, 1 or more
+  // 0: the difference is |x|^2 - s^2 and `radius` is s. 1: the difference is |x|^2 - |y|^2,
+  // `radius` is |y|^2, and s is 2^k for the least k with |y|^2 < 4^k.
   parameter                       ROOT            = 0,
-  parameter                       THRESHOLD_WIDTH = 18,  // of the largest threshold, unsigned
+  parameter                       THRESHOLD_WIDTH = 18,  // bits of the largest threshold, unsigned
+  // places by which s is shifted for the verdict greater, 0 to THRESHOLD_WIDTH - S_WIDTH
   parameter                       SHIFT_ABOVE     = 3,
+  // added to the shifted s for the verdict greater, 0 or more
   parameter [THRESHOLD_WIDTH-1:0] OFFSET_ABOVE    = 14,
+  // places by which s is shifted for the verdict less, 0 to THRESHOLD_WIDTH - S_WIDTH
   parameter                       SHIFT_BELOW     = 2,
-  parameter                       SWAPPED         = 0,
+  parameter                       SWAPPED         = 0,   // 1: the two verdicts are exchanged
+  // a register behind stage k if bit k is 1
   parameter [2:0]                 CUTS            = 3'b000
 ) (
   input  wire                    aclk,

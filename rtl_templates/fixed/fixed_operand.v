@@ -1,18 +1,18 @@
 // fixed_operand: an operand below 2^TOP in magnitude as an integer in units of 2^(TOP-WIDTH),
-// rounded down. The magnitude is truncated and, if the sign bit is set, all bits are inverted. The
-// integer has WIDTH bits, or WIDTH + 1 in two's complement if SIGNED.
+// rounded down. The magnitude is truncated and, if the sign bit is set, all bits are inverted.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
 // out_of_range: the operand is 2^TOP or more in magnitude, an infinity, a NaN, or has its sign bit
 // set without SIGNED. The integer is then undefined.
 `default_nettype none
 
 module fixed_operand #(
-  parameter       EXPONENT_BITS = 8,
-  parameter       PRECISION     = 24,
+  parameter       EXPONENT_BITS = 8,     // bits of the exponent, 2 to 29
+  parameter       PRECISION     = 24,    // digits with the leading one, 2 or more
+  // exponent of the limit 2^TOP, 3 - 2^(EXPONENT_BITS-1) to 2^(EXPONENT_BITS-1)
   parameter       TOP           = 0,
-  parameter       WIDTH         = 13,
-  parameter       SIGNED        = 0,
-  parameter [1:0] CUTS          = 2'b00
+  parameter       WIDTH         = 13,    // bits of y without its sign, 1 or more
+  parameter       SIGNED        = 0,     // 1: y has a sign, in two's complement; 0: y is unsigned
+  parameter [1:0] CUTS          = 2'b00  // a register behind stage k if bit k is 1
 ) (
   input  wire                               aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0] x,

@@ -3,9 +3,9 @@
 `default_nettype none
 
 module fixed_overflow #(
-  parameter       A_WIDTH = 14,
-  parameter       WIDTH   = 10,
-  parameter [0:0] CUTS    = 1'b0
+  parameter       A_WIDTH = 14,   // bits of a, 2 or more
+  parameter       WIDTH   = 10,   // bits that a should fit, 1 to A_WIDTH - 1
+  parameter [0:0] CUTS    = 1'b0  // 1: a register behind the stage
 ) (
   input  wire               aclk,
   input  wire [A_WIDTH-1:0] a,

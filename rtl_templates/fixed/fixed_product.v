@@ -1,7 +1,6 @@
 // fixed_product: a * b, or the square of a with SQUARE, less its DROPPED low bits.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
-// Operands are in two's complement. POSITIVE_A (POSITIVE_B) promises that the operand's sign bit is
-// 0. The result has WIDTH bits, as many as its range needs.
+// Operands are in two's complement.
 //
 // An embedded multiplier has factors of FACTOR_A and FACTOR_B bits, on most devices with signs, and
 // registers for the cuts. If b is one or two bits wider than FACTOR_B, these bits are rows of
@@ -9,16 +8,17 @@
 `default_nettype none
 
 module fixed_product #(
-  parameter       A_WIDTH    = 14,
-  parameter       B_WIDTH    = 14,
-  parameter       SQUARE     = 0,     // 1: b is not read
-  parameter       POSITIVE_A = 0,
-  parameter       POSITIVE_B = 0,
-  parameter       DROPPED    = 0,
+  parameter       A_WIDTH    = 14,    // bits of a, 1 or more
+  parameter       B_WIDTH    = 14,    // bits of b, 1 or more
+  parameter       SQUARE     = 0,     // 1: y is the square of a, and b is not read
+  parameter       POSITIVE_A = 0,     // 1 promises that a's sign bit is 0
+  parameter       POSITIVE_B = 0,     // 1 promises that b's sign bit is 0
+  parameter       DROPPED    = 0,     // low bits of the product that y lacks, 0 or more
+  // bits of y, as its range needs; 1 to the product's less DROPPED
   parameter       WIDTH      = 28,
-  parameter       FACTOR_A   = 24,
-  parameter       FACTOR_B   = 17,
-  parameter [1:0] CUTS       = 2'b00
+  parameter       FACTOR_A   = 24,    // multiplier's first factor without its sign, 1 bit or more
+  parameter       FACTOR_B   = 17,    // multiplier's second factor without its sign, 1 bit or more
+  parameter [1:0] CUTS       = 2'b00  // a register behind stage k if bit k is 1
 ) (
   input  wire               aclk,
   input  wire [A_WIDTH-1:0] a,

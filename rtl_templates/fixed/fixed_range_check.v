@@ -3,10 +3,12 @@
 `default_nettype none
 
 module fixed_range_check #(
-  parameter               A_WIDTH  = 14,
+  parameter               A_WIDTH  = 14,   // bits of a, 2 or more
+  // the least value in range, at most GREATEST
   parameter [A_WIDTH-1:0] LEAST    = {1'b1, {(A_WIDTH - 1) {1'b0}}},
+  // the greatest value in range
   parameter [A_WIDTH-1:0] GREATEST = {1'b0, {(A_WIDTH - 1) {1'b1}}},
-  parameter [0:0]         CUTS     = 1'b0
+  parameter [0:0]         CUTS     = 1'b0  // 1: a register behind the stage
 ) (
   input  wire               aclk,
   input  wire [A_WIDTH-1:0] a,

@@ -1,13 +1,14 @@
 // fixed_square_root: the square root of a * 2^SHIFT, rounded down to an integer; one bit a stage.
 // Latency: the population count of CUTS (WIDTH bits); initiation interval 1; no reset.
-// a is unsigned. A SHIFT below 0 drops low bits of a. The root must be below 2^WIDTH.
+// a is unsigned. The root must be below 2^WIDTH.
 `default_nettype none
 
 module fixed_square_root #(
-  parameter             A_WIDTH = 28,
+  parameter             A_WIDTH = 28,  // bits of a, 1 or more, above -SHIFT
+  // exponent of a power of two; below 0, it drops low bits of a
   parameter             SHIFT   = 0,
-  parameter             WIDTH   = 14,
-  parameter [WIDTH-1:0] CUTS    = 0
+  parameter             WIDTH   = 14,  // bits of the root, 1 or more
+  parameter [WIDTH-1:0] CUTS    = 0    // a register behind digit k where bit k is 1
 ) (
   input  wire               aclk,
   input  wire [A_WIDTH-1:0] a,

@@ -5,18 +5,18 @@
 `default_nettype none
 
 module fixed_step_threshold #(
-  parameter             COUNT       = 4,
-  parameter             LAST        = 3,
-  parameter             WIDTH       = 12,
-  parameter [WIDTH-1:0] THRESHOLD_0 = 16,
-  parameter [WIDTH-1:0] THRESHOLD_1 = 32,
-  parameter [WIDTH-1:0] THRESHOLD_2 = 64,
-  parameter [WIDTH-1:0] THRESHOLD_3 = 128,
-  parameter [WIDTH-1:0] THRESHOLD_4 = 0,
-  parameter [WIDTH-1:0] THRESHOLD_5 = 0,
-  parameter [WIDTH-1:0] THRESHOLD_6 = 0,
-  parameter [WIDTH-1:0] THRESHOLD_7 = 0,
-  parameter [2:0]       CUTS        = 3'b000
+  parameter             COUNT       = 4,      // number of magnitudes, 1 or more
+  parameter             LAST        = 3,      // the last step, 1 to 7
+  parameter             WIDTH       = 12,     // bits of a threshold, 1 or more
+  parameter [WIDTH-1:0] THRESHOLD_0 = 16,     // threshold of step 0
+  parameter [WIDTH-1:0] THRESHOLD_1 = 32,     // threshold of step 1
+  parameter [WIDTH-1:0] THRESHOLD_2 = 64,     // threshold of step 2; not used if LAST is below 2
+  parameter [WIDTH-1:0] THRESHOLD_3 = 128,    // threshold of step 3; not used if LAST is below 3
+  parameter [WIDTH-1:0] THRESHOLD_4 = 0,      // threshold of step 4; not used if LAST is below 4
+  parameter [WIDTH-1:0] THRESHOLD_5 = 0,      // threshold of step 5; not used if LAST is below 5
+  parameter [WIDTH-1:0] THRESHOLD_6 = 0,      // threshold of step 6; not used if LAST is below 6
+  parameter [WIDTH-1:0] THRESHOLD_7 = 0,      // threshold of step 7; not used if LAST is below 7
+  parameter [2:0]       CUTS        = 3'b000  // a register behind stage k if bit k is 1
 ) (
   input  wire                      aclk,
   input  wire [COUNT*(LAST+1)-1:0] leading,

@@ -1,15 +1,16 @@
-// fixed_sum: a + b, or a - b with SUBTRACT, less its DROPPED low bits.
+// fixed_sum: the sum or the difference of a and b, less its DROPPED low bits.
 // Latency: the population count of CUTS (one bit); initiation interval 1; no reset.
-// Operands are in two's complement. The result has WIDTH bits, as many as its range needs.
+// Operands are in two's complement.
 `default_nettype none
 
 module fixed_sum #(
-  parameter       A_WIDTH  = 14,
-  parameter       B_WIDTH  = 14,
-  parameter       SUBTRACT = 0,
-  parameter       DROPPED  = 0,
+  parameter       A_WIDTH  = 14,   // bits of a, 1 or more
+  parameter       B_WIDTH  = 14,   // bits of b, 1 or more
+  parameter       SUBTRACT = 0,    // 0: a + b; 1: a - b
+  parameter       DROPPED  = 0,    // low bits of the sum that y lacks, 0 or more
+  // bits of y, as its range needs; 1 to max(A_WIDTH, B_WIDTH) + 1 - DROPPED
   parameter       WIDTH    = 15,
-  parameter [0:0] CUTS     = 1'b0
+  parameter [0:0] CUTS     = 1'b0  // 1: a register behind the stage
 ) (
   input  wire               aclk,
   input  wire [A_WIDTH-1:0] a,

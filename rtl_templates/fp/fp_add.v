@@ -1,27 +1,25 @@
 // fp_add: a + b, or a - b with SUBTRACT, rounded once to the result format.
 // Latency: the population count of CUTS (fourteen bits); initiation interval 1; no reset.
 // Special values as IEEE 754: infinity - infinity is NaN, x - x is +0.
-// SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md.
-// CANCELLATION = 0 promises that the addends never have unlike signs unless one of them is zero.
-// SUM_SELECTS: how many bits may select an operand inside the look-up tables of a carry chain. It
-// is 2 for tables of six inputs, 1 for carry cells of four inputs that can select (ECP5), otherwise
-// 0.
+// docs/rtl.md states the promises in full.
 `default_nettype none
 
 module fp_add #(
-  parameter        EXPONENT_BITS        = 8,
-  parameter        PRECISION            = 24,
-  parameter        RESULT_EXPONENT_BITS = EXPONENT_BITS,
-  parameter        RESULT_PRECISION     = PRECISION,
-  parameter        SUBTRACT             = 0,
-  parameter        SPECIAL_OPERANDS     = 1,
-  parameter        OVERFLOW             = 1,
-  parameter        UNDERFLOW            = 1,
-  parameter        CANCELLATION         = 1,
-  parameter        GRADUAL              = 0,
-  parameter        TOWARD_ZERO          = 0,
+  parameter        EXPONENT_BITS        = 8,              // of the operands, 2 to 30
+  parameter        PRECISION            = 24,             // digits with the leading one, 2 or more
+  parameter        RESULT_EXPONENT_BITS = EXPONENT_BITS,  // of the result, 2 to 30
+  parameter        RESULT_PRECISION     = PRECISION,      // of the result, 2 or more
+  parameter        SUBTRACT             = 0,              // 1: a - b; 0: a + b
+  parameter        SPECIAL_OPERANDS     = 1,              // 0 promises no NaN and no infinity
+  parameter        OVERFLOW             = 1,              // 0 promises that no result overflows
+  parameter        UNDERFLOW            = 1,              // 0 promises no tiny operand or result
+  parameter        CANCELLATION         = 1,              // 0 promises like signs, except of zeros
+  parameter        GRADUAL              = 0,              // 1: subnormals; 0: flushed to zero
+  parameter        TOWARD_ZERO          = 0,              // 1: rounds toward zero; 0: nearest even
+  // How many bits may select an operand inside the look-up tables of a carry chain: 2 for tables of
+  // six inputs, 1 for carry cells of four inputs that can select (ECP5), otherwise 0.
   parameter        SUM_SELECTS          = 2,
-  parameter [13:0] CUTS                 = 14'b0
+  parameter [13:0] CUTS                 = 14'b0           // a register behind stage k if bit k is 1
 ) (
   input  wire                                             aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0]               a,

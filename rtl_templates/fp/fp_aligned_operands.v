@@ -1,28 +1,28 @@
 // fp_aligned_operands: orders the operands of a + b, or of a - b with SUBTRACT, by size and aligns
 // them. The smaller one is moved down by the difference of their exponents.
-// Four cuts, initiation interval 1, no reset. SPECIAL_OPERANDS, UNDERFLOW: fp_unpack.
+// Four cuts, initiation interval 1, no reset.
 `default_nettype none
 
 module fp_aligned_operands #(
-  parameter       EXPONENT_BITS    = 8,
-  parameter       PRECISION        = 24,
-  parameter       ALIGNED          = 26,    // places of the smaller operand, from PRECISION on
-  parameter       SUBTRACT         = 0,
-  parameter       SPECIAL_OPERANDS = 1,
-  parameter       UNDERFLOW        = 1,
-  parameter       GRADUAL          = 0,     // 1: only with UNDERFLOW
+  parameter       EXPONENT_BITS    = 8,       // of the operands, 2 or more
+  parameter       PRECISION        = 24,      // digits with the leading one, 2 or more
+  parameter       ALIGNED          = 26,      // places of the smaller operand, PRECISION or more
+  parameter       SUBTRACT         = 0,       // 1: a - b; 0: a + b
+  parameter       SPECIAL_OPERANDS = 1,       // 0 promises no NaN and no infinity
+  parameter       UNDERFLOW        = 1,       // 0 promises that no operand is subnormal
+  parameter       GRADUAL          = 0,       // 1: subnormals, only with UNDERFLOW; 0: flushed
   // 1: `larger` has the larger magnitude, and `sign` is its sign. 0: `larger` has the larger
   // exponent, and `sign` is the sign of an operand that is not zero, which is the sum's if signs
   // are alike.
   parameter       ORDERED          = 1,
-  parameter       COMPLEMENTED     = 0,     // 1: `larger` is complemented if the signs are unlike
+  parameter       COMPLEMENTED     = 0,       // 1: `larger` is complemented if the signs are unlike
   // 1: `larger` is selected behind the last cut instead of in stage swap. That needs more
   // registers. It needs no gates if the sum follows at once and look-up tables have six inputs.
   parameter       SELECTED_LAST    = 0,
   // 1: the smaller operand's step by one place is left to the sum behind this unit
   // (fp_selected_sum).
   parameter       MOVED_LAST       = 0,
-  parameter [3:0] CUTS             = 4'b0000
+  parameter [3:0] CUTS             = 4'b0000  // a register behind stage k if bit k is 1
 ) (
   input  wire                               aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0] a,

@@ -1,10 +1,11 @@
 // fp_booth_digit: decodes one digit of a factor, which selects a multiple of the other factor.
-// Combinational. A Booth digit, -2 to 2, is three bits {h, m, l} of the factor: m + l - 2h. A digit
-// of -1 to 2 is coded as the digit plus one.
+// Combinational.
 `default_nettype none
 
 module fp_booth_digit #(
-  parameter CODE = 0  // of `digit`. 0: Booth's; 1: {negative, doubled, single}; 2: a digit plus one
+  // Code of `digit`. 0: a Booth digit, -2 to 2, as three bits {h, m, l} of the factor: m + l - 2h.
+  // 1: {negative, doubled, single}. 2: a digit of -1 to 2, plus one.
+  parameter CODE = 0
 ) (
   input  wire [2:0] digit,
   output wire       single,   // the digit is 1 or -1

@@ -4,8 +4,8 @@
 `default_nettype none
 
 module fp_booth_multiple #(
-  parameter WIDTH  = 24,
-  parameter SIGNED = 0    // 1: the value is in two's complement
+  parameter WIDTH  = 24,  // bits of the value, 1 or more
+  parameter SIGNED = 0    // 1: the value is in two's complement; 0: unsigned
 ) (
   input  wire             single,    // the digit is 1 or -1
   input  wire             doubled,   // 2 or -2

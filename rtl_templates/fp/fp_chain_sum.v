@@ -1,12 +1,11 @@
 // fp_chain_sum: a + b + carry, modulo 2^WIDTH, in one carry chain. Combinational.
-// GATED = 1: gates that compute `b` should share the look-up tables of the chain. A carry cell
-// reads one operand directly as well, and that has to be `a`. Yosys uses the minuend of a
-// subtraction there, but either operand of an addition. So the sum is written as a - ~b - 1.
+// GATED writes the sum as a - ~b - 1. A carry cell reads one operand directly as well, and that has
+// to be `a`. Yosys uses the minuend of a subtraction there, but either operand of an addition.
 `default_nettype none
 
 module fp_chain_sum #(
-  parameter WIDTH = 8,
-  parameter GATED = 0
+  parameter WIDTH = 8,  // bits of each operand, 1 or more
+  parameter GATED = 0   // 1: gates that compute `b` should share the chain's look-up tables
 ) (
   input  wire [WIDTH-1:0] a,
   input  wire [WIDTH-1:0] b,

@@ -4,10 +4,10 @@
 `default_nettype none
 
 module fp_compare #(
-  parameter       EXPONENT_BITS = 8,
-  parameter       PRECISION     = 24,
-  parameter       GRADUAL       = 0,
-  parameter [1:0] CUTS          = 2'b00
+  parameter       EXPONENT_BITS = 8,     // of the operands, 2 or more
+  parameter       PRECISION     = 24,    // digits with the leading one, 2 or more
+  parameter       GRADUAL       = 0,     // 1: subnormals; 0: flushed to zero
+  parameter [1:0] CUTS          = 2'b00  // a register behind stage k if bit k is 1
 ) (
   input  wire                               aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0] a,

@@ -1,36 +1,38 @@
 // fp_cut_sum: the sum of TERMS products, each cut below a common place; no rounding.
 // Latency: the population count of CUTS (24 bits); initiation interval 1; no reset.
-// Term k is a_k * b_k; a_k * a_k if SQUARES[k] is 1; a_k if PLAIN[k] is 1; (a_k + b_k)^2 if SUMS[k]
-// is 1; (a_k - b_k)^2 if DIFFERENCES[k] is 1. The inner sum or difference is rounded to nearest,
-// ties to even. A term is subtracted if NEGATED[k] is 1.
+// Term k is a_k * b_k, unless bit k of SQUARES, PLAIN, SUMS or DIFFERENCES is 1. At most one of
+// these bits is 1. The inner sum or difference is rounded to nearest, ties to even. It needs
+// PRECISION 3 or more.
 // Each term is cut toward zero, WINDOW - 2 bits below the largest exponent. A term's exponent is
 // the sum of its factors' exponents. With GRADUAL the largest is at least that of the smallest
 // normal number.
-// CANCELLATION = 0 promises that terms never have unlike signs, zeros aside. Otherwise terms with
-// the sign of term 0 are added and the others subtracted: `sum` is in two's complement, and it is
-// negative if its sign is opposite to that of term 0.
+// With CANCELLATION terms with the sign of term 0 are added and the others subtracted: `sum` is in
+// two's complement, and it is negative if its sign is opposite to that of term 0.
 `default_nettype none
 
 module fp_cut_sum #(
-  parameter             EXPONENT_BITS  = 8,
-  parameter             PRECISION      = 24,
-  parameter             TERMS          = 3,    // 2 to 63
-  parameter [TERMS-1:0] SQUARES        = 0,
-  parameter [TERMS-1:0] PLAIN          = 0,
-  parameter [TERMS-1:0] SUMS           = 0,
-  parameter [TERMS-1:0] DIFFERENCES    = 0,
-  parameter [TERMS-1:0] NEGATED        = 0,
-  parameter             CANCELLATION   = 1,
-  parameter             GRADUAL        = 0,
+  parameter             EXPONENT_BITS  = 8,     // of the operands, 2 to 28
+  parameter             PRECISION      = 24,    // digits with the leading one, 2 or more
+  parameter             TERMS          = 3,     // number of terms, 2 to 63
+  parameter [TERMS-1:0] SQUARES        = 0,     // bit k: term k is a_k * a_k
+  parameter [TERMS-1:0] PLAIN          = 0,     // bit k: term k is a_k
+  parameter [TERMS-1:0] SUMS           = 0,     // bit k: term k is (a_k + b_k)^2
+  parameter [TERMS-1:0] DIFFERENCES    = 0,     // bit k: term k is (a_k - b_k)^2
+  parameter [TERMS-1:0] NEGATED        = 0,     // bit k: term k is subtracted
+  parameter             CANCELLATION   = 1,     // 0 promises like signs, except of zeros
+  parameter             GRADUAL        = 0,     // 1: subnormals; 0: flushed to zero
+  // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, to PRECISION 127.
   parameter             EMBEDDED       = 1,
-  parameter             SUM_SELECTS    = 2,
-  parameter             FACTOR_A       = 24,
-  parameter             FACTOR_B       = 17,
-  parameter             WINDOW         = 33,   // a term has two bits in front of its point
-  parameter             ADDEND         = 36,   // bits of `sum`
-  parameter             EXPONENT_WIDTH = 10,
-  parameter             OFFSET         = 82,   // even, 2 * PRECISION + WINDOW or more
-  parameter [23:0]      CUTS           = 24'b0
+  parameter             SUM_SELECTS    = 2,     // bits that select, 0 to 2; see fp_add
+  parameter             FACTOR_A       = 24,    // first factor of `*`, 1 bit or more
+  parameter             FACTOR_B       = 17,    // second factor of `*`, 1 bit or more
+  // Bits of a cut term, two of them in front of its point; PRECISION or more.
+  parameter             WINDOW         = 33,
+  parameter             ADDEND         = 36,    // bits of `sum`, WINDOW or more
+  parameter             EXPONENT_WIDTH = 10,    // of `largest`, enough for 4 BIAS + 2 + OFFSET
+  // Added to the exponents; even, 2 * PRECISION + WINDOW or more.
+  parameter             OFFSET         = 82,
+  parameter [23:0]      CUTS           = 24'b0  // a register behind stage k if bit k is 1
 ) (
   input  wire                                       aclk,
   input  wire [TERMS*(EXPONENT_BITS+PRECISION)-1:0] a,  // term 0 in the lowest bits

@@ -2,22 +2,21 @@
 // Latency: the population count of CUTS (RESULT_PRECISION + 9 bits); initiation interval 1; no
 // reset.
 // Special values as IEEE 754: x / 0 is infinite, 0 / 0 and infinity / infinity are NaN.
-// SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md. A
-// divisor of zero is an overflow. SUM_SELECTS: as in fp_add.
+// docs/rtl.md states the promises in full.
 `default_nettype none
 
 module fp_divide #(
-  parameter EXPONENT_BITS        = 8,
-  parameter PRECISION            = 24,
-  parameter RESULT_EXPONENT_BITS = EXPONENT_BITS,
-  parameter RESULT_PRECISION     = PRECISION,
-  parameter SPECIAL_OPERANDS     = 1,
-  parameter OVERFLOW             = 1,
-  parameter UNDERFLOW            = 1,
-  parameter GRADUAL              = 0,
-  parameter TOWARD_ZERO          = 0,
-  parameter SUM_SELECTS          = 2,
-  parameter [RESULT_PRECISION+8:0] CUTS = 0
+  parameter EXPONENT_BITS        = 8,              // of the operands, 2 to 30
+  parameter PRECISION            = 24,             // digits with the leading one, 2 or more
+  parameter RESULT_EXPONENT_BITS = EXPONENT_BITS,  // of the result, 2 to 30
+  parameter RESULT_PRECISION     = PRECISION,      // of the result, 2 or more
+  parameter SPECIAL_OPERANDS     = 1,              // 0 promises no NaN and no infinity
+  parameter OVERFLOW             = 1,              // 0 promises no overflow, no zero divisor
+  parameter UNDERFLOW            = 1,              // 0 promises no tiny operand or result
+  parameter GRADUAL              = 0,              // 1: subnormals; 0: flushed to zero
+  parameter TOWARD_ZERO          = 0,              // 1: rounds toward zero; 0: nearest even
+  parameter SUM_SELECTS          = 2,              // bits that select, 0 to 2; see fp_add
+  parameter [RESULT_PRECISION+8:0] CUTS = 0        // a register behind stage k if bit k is 1
 ) (
   input  wire                                             aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0]               a,

@@ -9,9 +9,11 @@
 `default_nettype none
 
 module fp_embedded_product #(
-  parameter       PRECISION = 24,
-  parameter       FACTOR_A  = 24,
-  parameter       FACTOR_B  = 17,
+  parameter       PRECISION = 24,  // digits of a significand, 2 or more
+  parameter       FACTOR_A  = 24,  // first factor of `*`, 1 bit or more
+  parameter       FACTOR_B  = 17,  // second factor of `*`, 1 bit or more
+  // A register at cut k if bit k is 1. Cut 0 is in front of the multipliers, cut 1 behind them.
+  // Cuts 2 to 5 are behind the first rows, 6 and 7 behind the sums.
   parameter [7:0] CUTS      = 8'b0
 ) (
   input  wire                   aclk,
@@ -23,8 +25,7 @@ module fp_embedded_product #(
   localparam COLUMNS = (FACTOR_A > 0) ? (PRECISION + FACTOR_A - 1) / FACTOR_A : 1;
   localparam ROWS    = (FACTOR_B > 0) ? (PRECISION + FACTOR_B - 1) / FACTOR_B : 1;
 
-  // Cut 0 is in front of the multipliers, cut 1 behind them. Cuts 2 to 5 are behind the first rows,
-  // 6 and 7 behind the sums.
+  // The rows that have a cut of their own.
   localparam CUT_ROWS = 4;
 
   function integer smaller(input integer first, input integer second);

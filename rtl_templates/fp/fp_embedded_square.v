@@ -1,9 +1,8 @@
 // fp_embedded_square: the square of a significand, by multipliers FACTOR_A by FACTOR_B wide.
 // Latency: the population count of CUTS (eight bits); initiation interval 1; no reset.
-// LEADING_ONE promises that a's leading bit is 1; `product` is undefined if it is 0.
 //
-// The significand is cut into PARTS parts of FACTOR_B bits; the last may have two more. For
-// multipliers of 24 by 17, 53 bits become p0 and p1 of 17 bits and p2 of 19:
+// The significand is cut into PARTS parts. For multipliers of 24 by 17, 53 bits become p0 and p1 of
+// 17 bits and p2 of 19:
 //
 //     a * a =   p0^2 + p1^2 << 34 + p2^2 << 68           squares, which do not overlap
 //             + 2 * (p0 p1 << 17 + p0 p2 << 34 + p1 p2 << 51)
@@ -16,11 +15,16 @@
 `default_nettype none
 
 module fp_embedded_square #(
-  parameter       PRECISION   = 53,
-  parameter       FACTOR_A    = 24,
-  parameter       FACTOR_B    = 17,
+  parameter       PRECISION   = 53,  // digits of the significand, 2 or more
+  parameter       FACTOR_A    = 24,  // first factor of `*`, as wide as any part or wider
+  parameter       FACTOR_B    = 17,  // second factor of `*`, 1 bit or more
+  // Number of parts of the significand, 2 or more. The last part has 1 to FACTOR_B + 2 bits, the
+  // others have FACTOR_B.
   parameter       PARTS       = 3,
-  parameter       LEADING_ONE = 1,
+  parameter       LEADING_ONE = 1,   // 1 promises a leading one, or `product` is undefined
+  // A register at cut k if bit k is 1. Cut 0 is in front of the multipliers and cut 1 behind them,
+  // cuts 2 to 5 are behind the first four links. Cut 6 halves the last sum, of the squares and the
+  // chain (fp_halved_sum); cut 7 is behind it.
   parameter [7:0] CUTS        = 8'b0
 ) (
   input  wire                   aclk,
@@ -47,9 +51,7 @@ module fp_embedded_square #(
   localparam EXCESS = (LAST > FACTOR_B) ? LAST - FACTOR_B : 0;
   localparam WIDEST = FACTOR_B + EXCESS;
 
-  // Cut 0 is in front of the multipliers and cut 1 behind them, cuts 2 to 5 are behind the first
-  // four links. Cut 6 halves the last sum, of the squares and the chain (fp_halved_sum); cut 7 is
-  // behind it.
+  // The links that have a cut of their own.
   localparam CUT_LINKS  = 4;
   localparam LAST_PLACE = 2 * PARTS - 3;
 

@@ -3,8 +3,8 @@
 `default_nettype none
 
 module fp_fit #(
-  parameter FROM = 48,
-  parameter TO   = 26
+  parameter FROM = 48,  // bits of `value`, 1 or more
+  parameter TO   = 26   // bits of `fitted`, 1 or more
 ) (
   input  wire [FROM-1:0] value,
   output wire [TO-1:0]   fitted,

@@ -1,27 +1,28 @@
 // fp_fused_comparison: the order of a sum of TERMS products and zero: 0 less, 1 equal, 2 greater,
 // 3 unordered. The sum is not rounded.
 // Latency: the population count of CUTS (25 bits); initiation interval 1; no reset.
-// SQUARES, PLAIN, SUMS, DIFFERENCES and NEGATED describe the terms, as in fp_cut_sum.
+// Terms are those of fp_cut_sum.
 // Each term is cut toward zero at PRECISION + GUARD bits below the largest exponent. The cut terms
 // are added exactly; docs/error_bounds.md says when their sum has the sign of the uncut sum.
 // A NaN, infinities of unlike signs and infinity * 0 are unordered.
 `default_nettype none
 
 module fp_fused_comparison #(
-  parameter             EXPONENT_BITS = 8,
-  parameter             PRECISION     = 24,
-  parameter             TERMS         = 3,   // 2 to 63
-  parameter [TERMS-1:0] SQUARES       = 0,
-  parameter [TERMS-1:0] PLAIN         = 0,
-  parameter [TERMS-1:0] SUMS          = 0,
-  parameter [TERMS-1:0] DIFFERENCES   = 0,
-  parameter [TERMS-1:0] NEGATED       = 0,
-  parameter             GRADUAL       = 0,
+  parameter             EXPONENT_BITS = 8,     // of the operands, 2 to 28
+  parameter             PRECISION     = 24,    // digits with the leading one, 2 or more
+  parameter             TERMS         = 3,     // number of terms, 2 to 63
+  parameter [TERMS-1:0] SQUARES       = 0,     // bit k: term k is a_k * a_k
+  parameter [TERMS-1:0] PLAIN         = 0,     // bit k: term k is a_k
+  parameter [TERMS-1:0] SUMS          = 0,     // bit k: term k is (a_k + b_k)^2
+  parameter [TERMS-1:0] DIFFERENCES   = 0,     // bit k: term k is (a_k - b_k)^2
+  parameter [TERMS-1:0] NEGATED       = 0,     // bit k: term k is subtracted
+  parameter             GRADUAL       = 0,     // 1: subnormals; 0: flushed to zero
+  // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, to PRECISION 127.
   parameter             EMBEDDED      = 1,
-  parameter             SUM_SELECTS   = 2,
-  parameter             FACTOR_A      = 24,
-  parameter             FACTOR_B      = 17,
-  parameter [24:0]      CUTS          = 25'b0
+  parameter             SUM_SELECTS   = 2,     // bits that select, 0 to 2; see fp_add
+  parameter             FACTOR_A      = 24,    // first factor of `*`, 1 bit or more
+  parameter             FACTOR_B      = 17,    // second factor of `*`, 1 bit or more
+  parameter [24:0]      CUTS          = 25'b0  // a register behind stage k if bit k is 1
 ) (
   input  wire                                       aclk,
   input  wire [TERMS*(EXPONENT_BITS+PRECISION)-1:0] a,  // term 0 in the lowest bits

@@ -1,6 +1,6 @@
 // fp_fused_sum: a sum of TERMS products, aligned, added up and rounded once.
 // Latency: the population count of CUTS (30 bits); initiation interval 1; no reset.
-// SQUARES, PLAIN, SUMS, DIFFERENCES, NEGATED and CANCELLATION describe the terms, as in fp_cut_sum.
+// Terms are those of fp_cut_sum.
 // Each term is cut toward zero at PRECISION + GUARD bits below the largest exponent. The cut terms
 // are added exactly, and their sum is rounded; docs/error_bounds.md bounds its error.
 // Special values as IEEE 754: infinities of unlike signs and infinity * 0 give a NaN. A zero sum is
@@ -8,22 +8,23 @@
 `default_nettype none
 
 module fp_fused_sum #(
-  parameter             EXPONENT_BITS = 8,
-  parameter             PRECISION     = 24,
-  parameter             TERMS         = 3,   // 2 to 63
-  parameter [TERMS-1:0] SQUARES       = 0,
-  parameter [TERMS-1:0] PLAIN         = 0,
-  parameter [TERMS-1:0] SUMS          = 0,
-  parameter [TERMS-1:0] DIFFERENCES   = 0,
-  parameter [TERMS-1:0] NEGATED       = 0,
-  parameter             CANCELLATION  = 1,
-  parameter             GRADUAL       = 0,
-  parameter             TOWARD_ZERO   = 0,
+  parameter             EXPONENT_BITS = 8,     // of the operands, 2 to 28
+  parameter             PRECISION     = 24,    // digits with the leading one, 2 or more
+  parameter             TERMS         = 3,     // number of terms, 2 to 63
+  parameter [TERMS-1:0] SQUARES       = 0,     // bit k: term k is a_k * a_k
+  parameter [TERMS-1:0] PLAIN         = 0,     // bit k: term k is a_k
+  parameter [TERMS-1:0] SUMS          = 0,     // bit k: term k is (a_k + b_k)^2
+  parameter [TERMS-1:0] DIFFERENCES   = 0,     // bit k: term k is (a_k - b_k)^2
+  parameter [TERMS-1:0] NEGATED       = 0,     // bit k: term k is subtracted
+  parameter             CANCELLATION  = 1,     // 0 promises like signs, except of zeros
+  parameter             GRADUAL       = 0,     // 1: subnormals; 0: flushed to zero
+  parameter             TOWARD_ZERO   = 0,     // 1: rounds toward zero; 0: nearest even
+  // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, to PRECISION 127.
   parameter             EMBEDDED      = 1,
-  parameter             SUM_SELECTS   = 2,
-  parameter             FACTOR_A      = 24,
-  parameter             FACTOR_B      = 17,
-  parameter [29:0]      CUTS          = 30'b0
+  parameter             SUM_SELECTS   = 2,     // bits that select, 0 to 2; see fp_add
+  parameter             FACTOR_A      = 24,    // first factor of `*`, 1 bit or more
+  parameter             FACTOR_B      = 17,    // second factor of `*`, 1 bit or more
+  parameter [29:0]      CUTS          = 30'b0  // a register behind stage k if bit k is 1
 ) (
   input  wire                                         aclk,
   input  wire [TERMS*(EXPONENT_BITS+PRECISION)-1:0]   a,  // term 0 in the lowest bits

@@ -1,4 +1,4 @@
-// fp_fused_term: one term of a fused sum, exactly: a * b; a * a with SQUARE; a with PLAIN.
+// fp_fused_term: one term of a fused sum, exactly: a * b, a * a or a.
 // Nine cuts, initiation interval 1, no reset. The exponent and the flags leave behind the first two
 // cuts, `product` behind all nine. The term's magnitude is product * 2^(exponent - OFFSET - 2
 // BIAS): the product has two bits in front of its point, and BIAS is the format's.
@@ -7,19 +7,20 @@
 `default_nettype none
 
 module fp_fused_term #(
-  parameter       EXPONENT_BITS  = 8,
-  parameter       PRECISION      = 24,
-  parameter       EXPONENT_WIDTH = 10,
-  parameter       OFFSET         = 80,   // 2 * PRECISION or more
-  parameter       SQUARE         = 0,    // 1: b is not read
-  parameter       PLAIN          = 0,    // 1: b is not read
+  parameter       EXPONENT_BITS  = 8,    // of the operands, 2 to 28
+  parameter       PRECISION      = 24,   // digits with the leading one, 2 or more
+  parameter       EXPONENT_WIDTH = 10,   // of `exponent`, enough for 4 BIAS + 2 + OFFSET
+  parameter       OFFSET         = 80,   // added to the exponent, 2 * PRECISION or more
+  parameter       SQUARE         = 0,    // 1: the term is a * a; b is not read
+  parameter       PLAIN          = 0,    // 1: the term is a; b is not read; not with SQUARE
   parameter       NEGATED        = 0,    // 1: the term is subtracted
-  parameter       GRADUAL        = 0,
-  parameter       VANISHING      = 0,    // 1: squares of subnormal numbers are zeros
+  parameter       GRADUAL        = 0,    // 1: subnormals; 0: flushed to zero
+  parameter       VANISHING      = 0,    // 1: squares of subnormals are zeros; only with GRADUAL
+  // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, to PRECISION 127.
   parameter       EMBEDDED       = 1,
-  parameter       FACTOR_A       = 24,
-  parameter       FACTOR_B       = 17,
-  parameter [8:0] CUTS           = 9'b0
+  parameter       FACTOR_A       = 24,   // first factor of `*`, 1 bit or more
+  parameter       FACTOR_B       = 17,   // second factor of `*`, 1 bit or more
+  parameter [8:0] CUTS           = 9'b0  // a register behind stage k if bit k is 1
 ) (
   input  wire                               aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0] a,

@@ -1,12 +1,12 @@
 // fp_halved_sum: a + b + carry, modulo 2^WIDTH. With the cut, the lower half of the bits is added
 // in front of it and the upper half behind it, so each carry chain has half the length.
-// Latency: CUTS; initiation interval 1; no reset. GATED: as in fp_chain_sum.
+// Latency: CUTS; initiation interval 1; no reset.
 `default_nettype none
 
 module fp_halved_sum #(
-  parameter       WIDTH = 8,
-  parameter       GATED = 0,
-  parameter [0:0] CUTS  = 1'b0
+  parameter       WIDTH = 8,    // bits of each operand, 2 or more
+  parameter       GATED = 0,    // 1: gates compute `b`, as in fp_chain_sum
+  parameter [0:0] CUTS  = 1'b0  // 1: registers between lower and upper half
 ) (
   input  wire             aclk,
   input  wire [WIDTH-1:0] a,

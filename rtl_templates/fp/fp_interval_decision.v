@@ -5,9 +5,9 @@
 `default_nettype none
 
 module fp_interval_decision #(
-  parameter       EXPONENT_BITS = 8,
-  parameter       PRECISION     = 24,
-  parameter [0:0] CUTS          = 1'b0
+  parameter       EXPONENT_BITS = 8,    // of the bounds, 2 or more
+  parameter       PRECISION     = 24,   // digits with the leading one, 2 or more
+  parameter [0:0] CUTS          = 1'b0  // 1: a register behind the only stage
 ) (
   input  wire                               aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0] minimum,

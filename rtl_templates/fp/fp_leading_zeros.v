@@ -1,11 +1,10 @@
 // fp_leading_zeros: counts the zeros in front of the first one, by a tree of halves.
-// Latency: REGISTERED (0 or 1), by registers behind the counts of each eight bits; initiation
-// interval 1; no reset. If no bit is one, `count` is all ones.
+// Latency: REGISTERED; initiation interval 1; no reset. If no bit is one, `count` is all ones.
 `default_nettype none
 
 module fp_leading_zeros #(
-  parameter COUNT_BITS = 5,  // of a value 2^COUNT_BITS wide
-  parameter REGISTERED = 0
+  parameter COUNT_BITS = 5,  // 1 or more, for a value of 2^COUNT_BITS bits
+  parameter REGISTERED = 0   // 1: registers behind the counts of each eight bits; 0: none
 ) (
   input  wire                         aclk,
   input  wire [(1 << COUNT_BITS)-1:0] value,

@@ -12,18 +12,20 @@
 // of a + 0101...01 are these, each plus one. So an addition finds them, and a row is gates of four
 // inputs.
 //
-// SPLIT = 1, for a square: the highest quarter of the bits is late. It is added one cycle after the
-// others, with the carries into it in registers. That shortens the longest carry chain, for 53 bits
-// from 73 places to 49. At the last cut the other bits wait for the late ones.
+// With SPLIT the late bits are added one cycle after the others, with the carries into them in
+// registers. That shortens the longest carry chain, for 53 bits from 73 places to 49. At the last
+// cut the other bits wait for the late ones.
 `default_nettype none
 
 module fp_logic_product #(
-  parameter       PRECISION   = 24,  // to 127; to 63 with DIGIT_STAGE
-  parameter       SQUARE      = 0,   // 1: of a; b is not read
-  parameter       SIGNED      = 0,   // 1: a and b are in two's complement, of 4 bits or more
-  parameter       DIGIT_STAGE = 0,   // 1: the first stage finds the digits; not with SIGNED
-  parameter       SPLIT       = 0,   // 1: a SQUARE to 65, with CUTS[6]; no SIGNED, DIGIT_STAGE
-  parameter [6:0] CUTS        = 7'b0
+  parameter       PRECISION   = 24,   // bits of a factor, 2 to 127; to 63 with DIGIT_STAGE
+  parameter       SQUARE      = 0,    // 1: a * a, and b is not read; 0: a * b
+  parameter       SIGNED      = 0,    // 1: two's complement, of 4 bits or more; 0: unsigned
+  parameter       DIGIT_STAGE = 0,    // 1: the first stage finds the digits; not with SIGNED
+  // 1: the highest quarter of the bits is late. Only for a SQUARE of up to 65 bits, with CUTS[6],
+  // without SIGNED and DIGIT_STAGE.
+  parameter       SPLIT       = 0,
+  parameter [6:0] CUTS        = 7'b0  // a register behind stage k if bit k is 1
 ) (
   input  wire                   aclk,
   input  wire [PRECISION-1:0]   a,

@@ -1,18 +1,18 @@
 // fp_minimum_maximum: the smaller of a and b, or the larger with MAXIMUM.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
 // Special values as IEEE 754-2019: a NaN gives NaN, -0 is less than +0.
-// SPECIAL_OPERANDS, UNDERFLOW: 0 promises that there are none; docs/rtl.md.
+// docs/rtl.md states the promises in full.
 `default_nettype none
 
 module fp_minimum_maximum #(
-  parameter       EXPONENT_BITS    = 8,
-  parameter       PRECISION        = 24,
-  parameter       MAXIMUM          = 0,
-  parameter       SPECIAL_OPERANDS = 1,
+  parameter       EXPONENT_BITS    = 8,     // of the operands, 2 or more
+  parameter       PRECISION        = 24,    // digits with the leading one, 2 or more
+  parameter       MAXIMUM          = 0,     // 1: the larger; 0: the smaller
+  parameter       SPECIAL_OPERANDS = 1,     // 0 promises no NaN and no infinity
   parameter       OVERFLOW         = 1,     // no effect: for uniformity
-  parameter       UNDERFLOW        = 1,
-  parameter       GRADUAL          = 0,
-  parameter [1:0] CUTS             = 2'b00
+  parameter       UNDERFLOW        = 1,     // 0 promises that no operand is subnormal
+  parameter       GRADUAL          = 0,     // 1: subnormals; 0: flushed to zero
+  parameter [1:0] CUTS             = 2'b00  // a register behind stage k if bit k is 1
 ) (
   input  wire                               aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0] a,

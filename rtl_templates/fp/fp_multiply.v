@@ -1,28 +1,27 @@
 // fp_multiply: a * b, rounded once to the result format.
 // Latency: the population count of CUTS (fifteen bits); initiation interval 1; no reset.
-// EMBEDDED = 0: the product is logic on any device. Otherwise it consists of `*` of FACTOR_A by
-// FACTOR_B bits, for the device's multipliers. DIGIT_STAGE: fp_logic_product.
 // Special values as IEEE 754: infinity * 0 is NaN.
-// SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md. SUM_SELECTS:
-// as in fp_add.
+// docs/rtl.md states the promises in full.
 `default_nettype none
 
 module fp_multiply #(
-  parameter        EXPONENT_BITS        = 8,
-  parameter        PRECISION            = 24,
-  parameter        RESULT_EXPONENT_BITS = EXPONENT_BITS,
-  parameter        RESULT_PRECISION     = PRECISION,
-  parameter        SPECIAL_OPERANDS     = 1,
-  parameter        OVERFLOW             = 1,
-  parameter        UNDERFLOW            = 1,
-  parameter        GRADUAL              = 0,
-  parameter        TOWARD_ZERO          = 0,
-  parameter        SUM_SELECTS          = 2,
+  parameter        EXPONENT_BITS        = 8,              // of the operands, 2 to 30
+  parameter        PRECISION            = 24,             // digits with the leading one, 2 or more
+  parameter        RESULT_EXPONENT_BITS = EXPONENT_BITS,  // of the result, 2 to 30
+  parameter        RESULT_PRECISION     = PRECISION,      // of the result, 2 or more
+  parameter        SPECIAL_OPERANDS     = 1,              // 0 promises no NaN and no infinity
+  parameter        OVERFLOW             = 1,              // 0 promises that no result overflows
+  parameter        UNDERFLOW            = 1,              // 0 promises no tiny operand or result
+  parameter        GRADUAL              = 0,              // 1: subnormals; 0: flushed to zero
+  parameter        TOWARD_ZERO          = 0,              // 1: rounds toward zero; 0: nearest even
+  parameter        SUM_SELECTS          = 2,              // bits that select, 0 to 2; see fp_add
+  // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, to PRECISION 127.
   parameter        EMBEDDED             = 1,
+  // 1: in logic, a stage of its own finds the digits, but not above PRECISION 63.
   parameter        DIGIT_STAGE          = 0,
-  parameter        FACTOR_A             = 24,
-  parameter        FACTOR_B             = 17,
-  parameter [14:0] CUTS                 = 15'b0
+  parameter        FACTOR_A             = 24,             // first factor of `*`, 1 bit or more
+  parameter        FACTOR_B             = 17,             // second factor of `*`, 1 bit or more
+  parameter [14:0] CUTS                 = 15'b0           // a register behind stage k if bit k is 1
 ) (
   input  wire                                             aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0]               a,

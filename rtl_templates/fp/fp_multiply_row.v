@@ -8,10 +8,10 @@
 `default_nettype none
 
 module fp_multiply_row #(
-  parameter PRECISION = 24,
-  parameter FIRST     = 0,   // 1: the first row
-  parameter SIGNED    = 0,   // 1: b is in two's complement
-  parameter LAST      = 0    // 1: the last digit's row, with a signed factor
+  parameter PRECISION = 24,  // bits of b, 2 or more
+  parameter FIRST     = 0,   // 1: the first row; 0: a later one
+  parameter SIGNED    = 0,   // 1: b is in two's complement; 0: unsigned
+  parameter LAST      = 0    // 1: the last digit's row, with a signed factor; 0: another
 ) (
   input  wire                 single,    // the digit is 1 or -1
   input  wire                 doubled,   // 2 or -2

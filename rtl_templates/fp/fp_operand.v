@@ -1,16 +1,17 @@
 // fp_operand: one packed operand with a normalised significand.
 // Two cuts, initiation interval 1, no reset. `exponent` is biased and signed. Exponent and
-// significand are arbitrary for zeros, infinities and NaNs. SPECIAL_OPERANDS, UNDERFLOW: fp_unpack.
+// significand are arbitrary for zeros, infinities and NaNs.
 `default_nettype none
 
 module fp_operand #(
-  parameter       EXPONENT_BITS    = 8,
-  parameter       PRECISION        = 24,
-  parameter       EXPONENT_WIDTH   = 10,    // more than EXPONENT_BITS, and than PRECISION's width
-  parameter       SPECIAL_OPERANDS = 1,
-  parameter       UNDERFLOW        = 1,
-  parameter       GRADUAL          = 0,     // 1: only with UNDERFLOW
-  parameter [1:0] CUTS             = 2'b00
+  parameter       EXPONENT_BITS    = 8,     // of the operand, 2 or more
+  parameter       PRECISION        = 24,    // digits with the leading one, 2 or more
+  // Bits of `exponent`: more than EXPONENT_BITS, and more than PRECISION has in binary.
+  parameter       EXPONENT_WIDTH   = 10,
+  parameter       SPECIAL_OPERANDS = 1,     // 0 promises no NaN and no infinity
+  parameter       UNDERFLOW        = 1,     // 0 promises that no operand is subnormal
+  parameter       GRADUAL          = 0,     // 1: subnormals, only with UNDERFLOW; 0: flushed
+  parameter [1:0] CUTS             = 2'b00  // a register behind stage k if bit k is 1
 ) (
   input  wire                               aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0] a,

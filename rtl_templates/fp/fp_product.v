@@ -1,18 +1,22 @@
 // fp_product: the product of two significands, or the square of one.
 // Latency: the population count of CUTS (eight bits); initiation interval 1; no reset.
-// Cut 0 is in front of the multipliers, in their own registers if they have any.
-// LEADING_ONE promises that significands begin with a one; otherwise `product` is undefined.
 `default_nettype none
 
 module fp_product #(
-  parameter       PRECISION   = 24,
-  parameter       SQUARE      = 0,     // 1: of a; b is not read
-  parameter       EMBEDDED    = 1,     // 0: fp_logic_product instead of `*`
-  parameter       DIGIT_STAGE = 0,     // of fp_logic_product; 0 where PRECISION is above 63
-  parameter       SPLIT       = 0,     // of fp_logic_product: a SQUARE to 65 bits, with CUTS[7]
-  parameter       FACTOR_A    = 24,
-  parameter       FACTOR_B    = 17,
-  parameter       LEADING_ONE = 1,
+  parameter       PRECISION   = 24,  // digits of a significand, 2 or more
+  parameter       SQUARE      = 0,   // 1: a * a, and b is not read; 0: a * b
+  // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, to PRECISION 127.
+  parameter       EMBEDDED    = 1,
+  // 1: in logic, a stage of its own finds the digits, but not above PRECISION 63.
+  parameter       DIGIT_STAGE = 0,
+  // 1: in logic, the highest quarter of the bits is late, as in fp_logic_product; only with SQUARE
+  // and CUTS[7].
+  parameter       SPLIT       = 0,
+  parameter       FACTOR_A    = 24,  // first factor of `*`, 1 bit or more
+  parameter       FACTOR_B    = 17,  // second factor of `*`, 1 bit or more
+  parameter       LEADING_ONE = 1,   // 1 promises leading ones, or `product` is undefined
+  // A register at cut k if bit k is 1. Cut 0 is in front of the multipliers, in their own registers
+  // if they have any.
   parameter [7:0] CUTS        = 8'b0
 ) (
   input  wire                   aclk,

@@ -3,11 +3,13 @@
 `default_nettype none
 
 module fp_product_row #(
-  parameter PRECISION = 24,
-  parameter SQUARE    = 0,
-  parameter SIGNED    = 0,
-  parameter CODE      = 0,              // of the digits, as in fp_booth_digit
+  parameter PRECISION = 24,  // bits of a factor, 2 or more
+  parameter SQUARE    = 0,   // 1: of a square; 0: of a product
+  parameter SIGNED    = 0,   // 1: factors in two's complement; 0: unsigned
+  parameter CODE      = 0,   // of the digits, 0 to 2, as in fp_booth_digit
+  // Number of the row: 0 to PRECISION / 2, in a square to PRECISION / 2 - 1.
   parameter ROW       = 0,
+  // Bits of `row`: PRECISION + 6, in a square 2 * ROW + PRECISION % 2 + 4; no other value.
   parameter WIDTH     = PRECISION + 6
 ) (
   input  wire [PRECISION-1:0] a,

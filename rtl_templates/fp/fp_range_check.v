@@ -5,13 +5,15 @@
 `default_nettype none
 
 module fp_range_check #(
-  parameter       EXPONENT_BITS = 8,
-  parameter       PRECISION     = 24,
-  parameter       SIGN          = 0,  // 0 any, 1 non-negative, 2 non-positive
-  parameter       LEADING_BITS  = 0,  // 0: any magnitude
+  parameter       EXPONENT_BITS = 8,    // of the operand, 2 or more
+  parameter       PRECISION     = 24,   // digits with the leading one, 2 or more
+  parameter       SIGN          = 0,    // promised sign: 0 any, 1 non-negative, 2 non-positive
+  parameter       LEADING_BITS  = 0,    // magnitude bits that are compared, at most all; 0: none
+  // Least value of the leading bits, at most GREATEST.
   parameter [EXPONENT_BITS+PRECISION-2:0] LEAST    = 0,
+  // Greatest value of the leading bits, below 2^LEADING_BITS.
   parameter [EXPONENT_BITS+PRECISION-2:0] GREATEST = 0,
-  parameter [0:0] CUTS          = 1'b0
+  parameter [0:0] CUTS          = 1'b0  // 1: a register behind the only stage
 ) (
   input  wire                               aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0] x,

@@ -1,10 +1,10 @@
-// fp_rank: one cut point, a row of registers where REGISTERED is 1 and wires where it is 0.
+// fp_rank: one cut point, which is a row of registers or of wires.
 // Latency REGISTERED, initiation interval 1, no reset.
 `default_nettype none
 
 module fp_rank #(
-  parameter       WIDTH      = 1,
-  parameter       REGISTERED = 1
+  parameter       WIDTH      = 1,  // bits of `d` and `q`, 1 or more
+  parameter       REGISTERED = 1   // 1: registers; 0: wires
 ) (
   input  wire             aclk,
   input  wire [WIDTH-1:0] d,

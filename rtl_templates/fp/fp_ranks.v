@@ -3,9 +3,9 @@
 `default_nettype none
 
 module fp_ranks #(
-  parameter             WIDTH = 1,
-  parameter             COUNT = 1,
-  parameter [COUNT-1:0] CUTS  = 0
+  parameter             WIDTH = 1,  // bits of `d` and `q`, 1 or more
+  parameter             COUNT = 1,  // number of cut points, 1 or more
+  parameter [COUNT-1:0] CUTS  = 0   // a register at cut point k if bit k is 1
 ) (
   input  wire             aclk,
   input  wire [WIDTH-1:0] d,

@@ -1,25 +1,27 @@
 // fp_round: rounds an exact result, given by its leading bits and a sticky bit, and packs it.
 // Four cuts, initiation interval 1, no reset. Special values: `nan`, `infinite` and `zero` say that
 // the result is one, whatever exponent and significand are. The first of them that is 1 wins.
-// OVERFLOW = 0 or UNDERFLOW = 0 promises that no other result is too large or too small.
+// The promises of OVERFLOW and UNDERFLOW are about all other results.
 // The value moves down by `amount`, and its low bits are rounded. Up to SUM_SELECTS bits of
 // `amount` take effect in the look-up tables of the rounding's carry chain.
 `default_nettype none
 
 module fp_round #(
-  parameter       EXPONENT_WIDTH       = 10,     // above RESULT_EXPONENT_BITS + 1
-  parameter       RESULT_EXPONENT_BITS = 8,
-  parameter       RESULT_PRECISION     = 24,
-  parameter       OVERFLOW             = 1,
-  parameter       UNDERFLOW            = 1,
-  parameter       GRADUAL              = 0,      // 1: only with UNDERFLOW
+  // Bits of `exponent`: more than RESULT_EXPONENT_BITS + 1, and with DENORMALISE more than
+  // RESULT_PRECISION + 2 has in binary.
+  parameter       EXPONENT_WIDTH       = 10,
+  parameter       RESULT_EXPONENT_BITS = 8,       // of the result, 2 or more
+  parameter       RESULT_PRECISION     = 24,      // of the result, 2 or more
+  parameter       OVERFLOW             = 1,       // 0 promises that no result overflows
+  parameter       UNDERFLOW            = 1,       // 0 promises that no result is tiny
+  parameter       GRADUAL              = 0,       // 1: subnormals, only with UNDERFLOW; 0: flushed
   // 1: with GRADUAL, exponents below 1 occur, and then the significand is normalised. 0: such
   // exponents do not occur, but a significand of exponent 1 may have leading zeros.
   parameter       DENORMALISE          = GRADUAL,
-  parameter       TOWARD_ZERO          = 0,
-  parameter       AMOUNT_BITS          = 0,      // 0 to 2; not with DENORMALISE
-  parameter       SUM_SELECTS          = 2,      // as in fp_add
-  parameter [3:0] CUTS                 = 4'b0000
+  parameter       TOWARD_ZERO          = 0,       // 1: rounds toward zero; 0: nearest even
+  parameter       AMOUNT_BITS          = 0,       // read of `amount`, 0 to 2; 0 with DENORMALISE
+  parameter       SUM_SELECTS          = 2,       // bits that select, 0 to 2; see fp_add
+  parameter [3:0] CUTS                 = 4'b0000  // a register behind stage k if bit k is 1
 ) (
   input  wire                                             aclk,
   input  wire                                             sign,

@@ -6,17 +6,17 @@
 `default_nettype none
 
 module fp_select_round #(
-  parameter       WIDTH                = 48,
-  parameter       EXPONENT_WIDTH       = 10,  // above RESULT_EXPONENT_BITS + 1
-  parameter       AMOUNT_BITS          = 5,   // the width of RESULT_PRECISION + 3 in binary
-  parameter       RESULT_EXPONENT_BITS = 8,
-  parameter       RESULT_PRECISION     = 24,
-  parameter       OVERFLOW             = 1,
-  parameter       UNDERFLOW            = 1,
-  parameter       GRADUAL              = 0,   // 1: only with UNDERFLOW
-  parameter       TOWARD_ZERO          = 0,
-  parameter       SUM_SELECTS          = 2,   // as in fp_add
-  parameter [4:0] CUTS                 = 5'b0
+  parameter       WIDTH                = 48,   // bits of `value`, 2 or more
+  parameter       EXPONENT_WIDTH       = 10,   // of `exponent`, above RESULT_EXPONENT_BITS + 1
+  parameter       AMOUNT_BITS          = 5,    // of `amount`, enough for RESULT_PRECISION + 3
+  parameter       RESULT_EXPONENT_BITS = 8,    // of the result, 2 or more
+  parameter       RESULT_PRECISION     = 24,   // of the result, 2 or more
+  parameter       OVERFLOW             = 1,    // 0 promises that no result overflows
+  parameter       UNDERFLOW            = 1,    // 0 promises that no result is tiny
+  parameter       GRADUAL              = 0,    // 1: subnormals, only with UNDERFLOW; 0: flushed
+  parameter       TOWARD_ZERO          = 0,    // 1: rounds toward zero; 0: nearest even
+  parameter       SUM_SELECTS          = 2,    // bits that select, 0 to 2; see fp_add
+  parameter [4:0] CUTS                 = 5'b0  // a register behind stage k if bit k is 1
 ) (
   input  wire                                             aclk,
   input  wire                                             sign,

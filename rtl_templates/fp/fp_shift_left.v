@@ -1,13 +1,13 @@
 // fp_shift_left: moves a value up by `amount` steps of STEP places and keeps its KEPT leading bits;
 // `sticky` is the OR of the rest.
-// Combinational. KEPT is at most WIDTH; ones must not be moved out at the top.
+// Combinational. Ones must not be moved out at the top.
 `default_nettype none
 
 module fp_shift_left #(
-  parameter WIDTH       = 27,
-  parameter KEPT        = 26,
-  parameter AMOUNT_BITS = 5,
-  parameter STEP        = 1
+  parameter WIDTH       = 27,  // bits of `value`, KEPT or more
+  parameter KEPT        = 26,  // bits of `shifted`, 1 or more
+  parameter AMOUNT_BITS = 5,   // of `amount`, 1 to 30
+  parameter STEP        = 1    // places of one step, 1 or more
 ) (
   input  wire [WIDTH-1:0]       value,
   input  wire [AMOUNT_BITS-1:0] amount,

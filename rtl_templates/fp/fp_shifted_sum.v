@@ -1,13 +1,13 @@
 // fp_shifted_sum: low + high * 2^SHIFT, and with CARRY + carry * 2^SHIFT. Its one carry chain is as
 // long as `high`.
-// Combinational. SHIFT < LOW < HIGH + SHIFT; the sum must fit.
+// Combinational. The sum must fit.
 `default_nettype none
 
 module fp_shifted_sum #(
-  parameter LOW   = 26,
-  parameter HIGH  = 26,
-  parameter SHIFT = 2,
-  parameter CARRY = 0   // 0: carry is not read
+  parameter LOW   = 26,  // bits of `low`, SHIFT + 1 to HIGH + SHIFT - 1
+  parameter HIGH  = 26,  // bits of `high`
+  parameter SHIFT = 2,   // places of `high` above `low`, 1 or more
+  parameter CARRY = 0    // 1: `carry` is added; 0: it is not read
 ) (
   input  wire [LOW-1:0]        low,
   input  wire [HIGH-1:0]       high,

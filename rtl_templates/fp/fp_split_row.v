@@ -1,17 +1,19 @@
 // fp_split_row: a row of fp_logic_product, by fp_product_row. Its bits from LATE_FROM up are late:
 // they are taken from the row of late_a and late_digit, the factor and the digit of the previous
 // cycle.
-// Combinational. LATE_FROM is at least 2, and below WIDTH only with SQUARE. If it is WIDTH or more,
-// no bit is late.
+// Combinational.
 `default_nettype none
 
 module fp_split_row #(
-  parameter PRECISION = 24,
-  parameter SQUARE    = 0,
-  parameter SIGNED    = 0,
-  parameter CODE      = 0,
+  parameter PRECISION = 24,  // bits of a factor, 2 or more
+  parameter SQUARE    = 0,   // 1: of a square; 0: of a product
+  parameter SIGNED    = 0,   // 1: factors in two's complement; 0: unsigned
+  parameter CODE      = 0,   // of the digits, 0 to 2, as in fp_booth_digit
+  // Number of the row: 0 to PRECISION / 2, in a square to PRECISION / 2 - 1.
   parameter ROW       = 0,
+  // Bits of `row`: PRECISION + 6, in a square 2 * ROW + PRECISION % 2 + 4; no other value.
   parameter WIDTH     = PRECISION + 6,
+  // Lowest late bit, 2 or more, below WIDTH only with SQUARE; WIDTH or more: no bit is late.
   parameter LATE_FROM = WIDTH
 ) (
   input  wire [PRECISION-1:0] a,

@@ -1,16 +1,16 @@
 // fp_split_sum: low + high * 2^SHIFT. The bits of the sum from LATE_FROM up are late: they, and the
 // bits of `low` and `high` in the same places, come one cycle after the others. A register holds
 // the carry into them, so no carry chain crosses LATE_FROM.
-// Latency 0 of either part; initiation interval 1; no reset. If LATE_FROM is HIGH + SHIFT or more,
-// no bit is late and this is fp_shifted_sum.
+// Latency 0 of either part; initiation interval 1; no reset. Without late bits this is
+// fp_shifted_sum.
 `default_nettype none
 
 module fp_split_sum #(
-  parameter LOW       = 26,
-  parameter HIGH      = 26,
-  parameter SHIFT     = 2,
-  parameter CARRY     = 0,   // as in fp_shifted_sum; 0 where bits are late
-  parameter LATE_FROM = 28
+  parameter LOW       = 26,  // bits of `low`, SHIFT + 1 to HIGH + SHIFT - 1
+  parameter HIGH      = 26,  // bits of `high`
+  parameter SHIFT     = 2,   // places of `high` above `low`, 1 or more
+  parameter CARRY     = 0,   // 1: `carry` is added, if no bit is late; 0: it is not read
+  parameter LATE_FROM = 28   // lowest late bit, above SHIFT; HIGH + SHIFT or more: no bit is late
 ) (
   input  wire                  aclk,
   input  wire [LOW-1:0]        low,

@@ -2,20 +2,20 @@
 // Latency: the population count of CUTS (RESULT_PRECISION + 7 bits); initiation interval 1; no
 // reset.
 // Special values as IEEE 754: the root of -0 is -0, that of any other negative number is NaN.
-// SPECIAL_OPERANDS, OVERFLOW, UNDERFLOW: 0 promises that there are none; docs/rtl.md.
+// docs/rtl.md states the promises in full.
 `default_nettype none
 
 module fp_square_root #(
-  parameter EXPONENT_BITS        = 8,
-  parameter PRECISION            = 24,
-  parameter RESULT_EXPONENT_BITS = EXPONENT_BITS,
-  parameter RESULT_PRECISION     = PRECISION,
-  parameter SPECIAL_OPERANDS     = 1,
-  parameter OVERFLOW             = 1,
-  parameter UNDERFLOW            = 1,
-  parameter GRADUAL              = 0,
-  parameter TOWARD_ZERO          = 0,
-  parameter [RESULT_PRECISION+6:0] CUTS = 0
+  parameter EXPONENT_BITS        = 8,              // of the operand, 2 to 30
+  parameter PRECISION            = 24,             // digits with the leading one, 2 or more
+  parameter RESULT_EXPONENT_BITS = EXPONENT_BITS,  // of the result, 2 to 30
+  parameter RESULT_PRECISION     = PRECISION,      // of the result, 2 or more
+  parameter SPECIAL_OPERANDS     = 1,              // 0 promises no NaN and no infinity
+  parameter OVERFLOW             = 1,              // 0 promises that no result overflows
+  parameter UNDERFLOW            = 1,              // 0 promises no tiny operand or result
+  parameter GRADUAL              = 0,              // 1: subnormals; 0: flushed to zero
+  parameter TOWARD_ZERO          = 0,              // 1: rounds toward zero; 0: nearest even
+  parameter [RESULT_PRECISION+6:0] CUTS = 0        // a register behind stage k if bit k is 1
 ) (
   input  wire                                             aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0]               a,

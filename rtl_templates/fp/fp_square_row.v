@@ -9,8 +9,8 @@
 `default_nettype none
 
 module fp_square_row #(
-  parameter PLACE = 3,  // of the digit's middle bit; 1 or 2 in the first row
-  parameter LAST  = 0   // 1: the last digit of a signed number, if it is not the first
+  parameter PLACE = 3,  // of the digit's middle bit, 1 or more; 1 or 2 in the first row
+  parameter LAST  = 0   // 1: the last digit of a signed number, if it is not the first; 0: another
 ) (
   input  wire             single,    // the digit is 1 or -1
   input  wire             doubled,   // 2 or -2

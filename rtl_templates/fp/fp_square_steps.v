@@ -17,8 +17,8 @@
 `default_nettype none
 
 module fp_square_steps #(
-  parameter PRECISION = 24,
-  parameter CYCLES    = (PRECISION + 5) / 6
+  parameter PRECISION = 24,                  // digits with the leading one, 13 or more
+  parameter CYCLES    = (PRECISION + 5) / 6  // derived; no other value is legal
 ) (
   input  wire                 aclk,
   input  wire                 start,   // `a` is valid

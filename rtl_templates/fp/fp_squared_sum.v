@@ -4,23 +4,24 @@
 // The rounded sum is squared as it leaves the adder: without its sign, and with leading zeros if
 // its operands cancel. So only the square is normalised. The same step moves it down if it is
 // subnormal.
-// EMBEDDED, DIGIT_STAGE, SPLIT (with CUTS[16]), FACTOR_A, FACTOR_B: as in fp_square.
-// SUM_SELECTS: as in fp_add.
 // Special values as IEEE 754.
 `default_nettype none
 
 module fp_squared_sum #(
-  parameter        EXPONENT_BITS = 8,
-  parameter        PRECISION     = 24,
-  parameter        SUBTRACT      = 0,
-  parameter        GRADUAL       = 0,
+  parameter        EXPONENT_BITS = 8,     // of the operands, 2 to 30
+  parameter        PRECISION     = 24,    // digits with the leading one, 3 or more
+  parameter        SUBTRACT      = 0,     // 1: a - b; 0: a + b
+  parameter        GRADUAL       = 0,     // 1: subnormals; 0: flushed to zero
+  // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, to PRECISION 127.
   parameter        EMBEDDED      = 1,
+  // 1: in logic, a stage of its own finds the digits, but not above PRECISION 63.
   parameter        DIGIT_STAGE   = 0,
+  // 1: in logic, the highest quarter of the bits is late, as in fp_logic_product; needs CUTS[16].
   parameter        SPLIT         = 0,
-  parameter        SUM_SELECTS   = 2,
-  parameter        FACTOR_A      = 24,
-  parameter        FACTOR_B      = 17,
-  parameter [22:0] CUTS          = 23'b0
+  parameter        SUM_SELECTS   = 2,     // bits that select, 0 to 2; see fp_add
+  parameter        FACTOR_A      = 24,    // first factor of `*`, 1 bit or more
+  parameter        FACTOR_B      = 17,    // second factor of `*`, 1 bit or more
+  parameter [22:0] CUTS          = 23'b0  // a register behind stage k if bit k is 1
 ) (
   input  wire                               aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0] a,

@@ -1,11 +1,12 @@
 // fp_subnormal_shift: if a result's exponent is below 1, by how many places its significand moves
 // down to make it 1.
-// Combinational. With GRADUAL = 0 `amount` is 0 and `limited` is `exponent`.
+// Combinational.
 `default_nettype none
 
 module fp_subnormal_shift #(
-  parameter EXPONENT_WIDTH = 10,  // above AMOUNT_BITS
-  parameter AMOUNT_BITS    = 6,
+  parameter EXPONENT_WIDTH = 10,  // of `exponent`, above AMOUNT_BITS
+  parameter AMOUNT_BITS    = 6,   // of `amount`, 1 or more
+  // 1: subnormals; 0: `amount` and `tiny` are 0, `limited` is `exponent`.
   parameter GRADUAL        = 1
 ) (
   input  wire [EXPONENT_WIDTH-1:0] exponent,  // biased and signed

@@ -1,16 +1,16 @@
 // fp_ulp_distance: decides the order of f and g iff their packed encodings are at least GUARD_ULP
 // steps apart and nothing that led to them was exceptional: 0 less, 1 equal, 2 greater.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
-// A verdict is valid where `decided` is 1. NaNs must come with `exceptional`. With a guard of 0,
-// equality is decided as well. NONNEGATIVE promises that f and g are never below zero.
+// A verdict is valid where `decided` is 1. NaNs must come with `exceptional`.
 `default_nettype none
 
 module fp_ulp_distance #(
-  parameter EXPONENT_BITS = 8,
-  parameter PRECISION     = 24,
+  parameter EXPONENT_BITS = 8,     // of f and g, 2 or more
+  parameter PRECISION     = 24,    // digits with the leading one, 2 or more
+  // Least distance in ulp that decides the order; 0: equality is decided as well.
   parameter [EXPONENT_BITS+PRECISION-1:0] GUARD_ULP = 8,
-  parameter NONNEGATIVE   = 0,
-  parameter [1:0] CUTS    = 2'b00
+  parameter NONNEGATIVE   = 0,     // 1 promises that f and g are never below zero
+  parameter [1:0] CUTS    = 2'b00  // a register behind stage k if bit k is 1
 ) (
   input  wire                               aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0] f,

@@ -3,18 +3,18 @@
 // Nine cuts, initiation interval 1, no reset. The magnitude is significand * 2^(exponent + carry),
 // where `exponent` is that of the leading place, biased and signed. A significand with leading
 // zeros was not rounded: it is exact.
-// Overflow of the sum is not detected. GRADUAL = 0 flushes the operands but not the sum. If both
-// operands are zero, the significand is arbitrary and the exponent is 0.
+// Overflow of the sum is not detected. If both operands are zero, the significand is arbitrary and
+// the exponent is 0.
 `default_nettype none
 
 module fp_unnormalised_sum #(
-  parameter       EXPONENT_BITS  = 8,
-  parameter       PRECISION      = 24,
-  parameter       EXPONENT_WIDTH = 10,   // EXPONENT_BITS + 2 or more
-  parameter       SUBTRACT       = 0,
-  parameter       GRADUAL        = 0,
-  parameter       SUM_SELECTS    = 2,    // as in fp_add
-  parameter [8:0] CUTS           = 9'b0
+  parameter       EXPONENT_BITS  = 8,    // of the operands, 2 or more
+  parameter       PRECISION      = 24,   // digits with the leading one, 3 or more
+  parameter       EXPONENT_WIDTH = 10,   // of `exponent`, EXPONENT_BITS + 2 or more
+  parameter       SUBTRACT       = 0,    // 1: a - b; 0: a + b
+  parameter       GRADUAL        = 0,    // 1: subnormals; 0: operands are flushed, the sum is not
+  parameter       SUM_SELECTS    = 2,    // bits that select, 0 to 2; see fp_add
+  parameter [8:0] CUTS           = 9'b0  // a register behind stage k if bit k is 1
 ) (
   input  wire                               aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0] a,

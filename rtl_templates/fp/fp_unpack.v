@@ -1,15 +1,15 @@
 // fp_unpack: the sign, biased exponent and significand of one packed operand, and its class.
 // Combinational. With GRADUAL, a subnormal has exponent 1 and a leading zero. Otherwise it counts
 // as a zero, `flushed` says so, and a zero's significand is arbitrary, which spares gates. Operands
-// that SPECIAL_OPERANDS = 0 or UNDERFLOW = 0 excludes are not detected: docs/rtl.md.
+// that break a promise are not detected: docs/rtl.md.
 `default_nettype none
 
 module fp_unpack #(
-  parameter       EXPONENT_BITS    = 8,
-  parameter       PRECISION        = 24,
-  parameter       SPECIAL_OPERANDS = 1,
-  parameter       UNDERFLOW        = 1,
-  parameter       GRADUAL          = 0   // 1: only with UNDERFLOW
+  parameter       EXPONENT_BITS    = 8,   // of the operand, 2 or more
+  parameter       PRECISION        = 24,  // digits with the leading one, 2 or more
+  parameter       SPECIAL_OPERANDS = 1,   // 0 promises no NaN and no infinity
+  parameter       UNDERFLOW        = 1,   // 0 promises that no operand is subnormal
+  parameter       GRADUAL          = 0    // 1: subnormals, only with UNDERFLOW; 0: flushed
 ) (
   input  wire [EXPONENT_BITS+PRECISION-1:0] a,
   output wire                               sign,

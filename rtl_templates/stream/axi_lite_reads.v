@@ -8,7 +8,7 @@
 `default_nettype none
 
 module axi_lite_reads #(
-  parameter ADDRESS_BITS = 12
+  parameter ADDRESS_BITS = 12  // bits of an address, 1 or more
 ) (
   input  wire                    aclk,
   input  wire                    aresetn,

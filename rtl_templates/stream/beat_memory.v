@@ -1,16 +1,15 @@
-// beat_memory: words of 2^BEAT_BITS beats, written whole and read beat by beat, the lowest bits
-// first. A beat's address is {the word's address, the beat's number}. Latency 1. No reset. A read
-// of the word that is written in the same cycle returns nothing, as in dual_port_memory.
-//
-// BLOCK = 1: block memory whose write port is wider than its read port, so no multiplexer is
-// needed; synthesis must support memories with ports of two widths. BLOCK = 0: a word is read
-// whole, from any memory that synthesis chooses, and a multiplexer selects the beat.
+// beat_memory: words of several beats, written whole and read beat by beat, the lowest bits first.
+// A beat's address is {the word's address, the beat's number}. Latency 1. No reset. A read of the
+// word that is written in the same cycle returns nothing, as in dual_port_memory.
 `default_nettype none
 
 module beat_memory #(
-  parameter WIDTH = 8,
-  parameter BEAT_BITS = 2,
-  parameter ADDRESS_BITS = 4,
+  parameter WIDTH = 8,         // bits of a beat, 1 or more
+  parameter BEAT_BITS = 2,     // 0 to 8: a word has 2^BEAT_BITS beats
+  parameter ADDRESS_BITS = 4,  // 1 to 20: the memory has 2^ADDRESS_BITS words
+  // 1: block memory whose write port is wider than its read port, so no multiplexer is needed. The
+  // tools must support memories with ports of two widths. 0: a word is read whole, from any memory
+  // that synthesis chooses, and a multiplexer selects the beat.
   parameter BLOCK = 0
 ) (
   input  wire                              aclk,

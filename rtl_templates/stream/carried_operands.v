@@ -1,20 +1,20 @@
 // carried_operands: stores the operands of every comparison inside a lane or a group of lanes, and
 // sends those of undecided comparisons as requests.
 //
-// For each lane that `undecided` marks in a slot, a packet of 2^BEAT_BITS beats {slot, part of the
-// operands} leaves on m_request. The lowest lane and the lowest part come first, and zeros are
-// above the operands. First come, first served. Latency 3 (with LANES > 1: 4). At most one beat
-// leaves in two cycles: the request register loads only when empty, so no path leads on from
-// m_request_tready in the same cycle. All slots may wait: `undecided` is never refused. BLOCK as in
-// beat_memory. Reset forgets waiting requests.
+// For each lane that `undecided` marks in a slot, a packet of beats {slot, part of the operands}
+// leaves on m_request. The lowest lane and the lowest part come first, and zeros are above the
+// operands. First come, first served. Latency 3 (with LANES > 1: 4). At most one beat leaves in two
+// cycles: the request register loads only when empty, so no path leads on from m_request_tready in
+// the same cycle. All slots may wait: `undecided` is never refused. Reset forgets waiting requests.
 `default_nettype none
 
 module carried_operands #(
-  parameter LANES = 1,
-  parameter OPERAND_BITS = 128,
-  parameter SLOT_BITS = 5,
+  parameter LANES = 1,           // lanes in lock step, 1 to 64
+  parameter OPERAND_BITS = 128,  // bits of a comparison's operands, 1 or more
+  parameter SLOT_BITS = 5,       // 1 to 20: 2^SLOT_BITS comparisons may be in flight
+  // 0 to 8: a packet has 2^BEAT_BITS beats; LANES << BEAT_BITS is at most 256
   parameter BEAT_BITS = 0,
-  parameter BLOCK = 0
+  parameter BLOCK = 0            // 0 or 1: the kind of memory, as in beat_memory
 ) (
   input  wire                                             aclk,
   input  wire                                             aresetn,

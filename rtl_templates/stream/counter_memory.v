@@ -1,11 +1,10 @@
-// counter_memory: COUNTERS counts of WIDTH bits each in one memory, kept up to date by narrow
-// counters that wrap.
+// counter_memory: COUNTERS counts in one memory, kept up to date by narrow counters that wrap.
 //
 // A narrow counter steps by at most one per cycle, and is sampled once in a round of 2 COUNTERS
-// cycles. If 2^NARROW_BITS > 2 COUNTERS + 1, it wraps at most once in between. It has wrapped if it
-// is smaller than before, and then the digits above it go up by one. A count lags behind its narrow
-// counter by a round and a few cycles at most. Reset clears the counts: the first round after it
-// ignores the stored ones. `ready` is low until that round ends.
+// cycles. So it wraps at most once in between. It has wrapped if it is smaller than before, and
+// then the digits above it go up by one. A count lags behind its narrow counter by a round and a
+// few cycles at most. Reset clears the counts: the first round after it ignores the stored ones.
+// `ready` is low until that round ends.
 //
 // Reading: `read_start` is high for a cycle, while `ready` is high. `read_done` is high for a
 // cycle, 1 or 2 cycles later, with the count on `read_count`. Hold `read_index` from the former
@@ -13,10 +12,10 @@
 `default_nettype none
 
 module counter_memory #(
-  parameter COUNTERS = 4,
-  parameter NARROW_BITS = 8,
-  parameter WIDTH = 32,
-  parameter INDEX_BITS = 2
+  parameter COUNTERS = 4,     // counts in the memory, 2 or more
+  parameter NARROW_BITS = 8,  // bits of a narrow counter, 1 to 30; 2^NARROW_BITS > 2 COUNTERS + 1
+  parameter WIDTH = 32,       // bits of a count, more than NARROW_BITS
+  parameter INDEX_BITS = 2    // bits of a counter's number, 1 to 30; 2^INDEX_BITS >= COUNTERS
 ) (
   input  wire                            aclk,
   input  wire                            aresetn,

@@ -1,5 +1,5 @@
 // counter_port: counters that software reads on an AXI4-Lite port of 32 bits, which refuses writes.
-// `counts` are narrow counters that wrap, the first one lowest. Each is stored with WIDTH bits, as
+// `counts` are narrow counters that wrap, the first one lowest. Each is stored with more bits, as
 // in counter_memory. A count lags behind by 2 COUNTERS cycles and a few more at most.
 //
 // Counter k is at address 8 k: its low word there, bits 32 and up in the word above. The high word
@@ -9,10 +9,10 @@
 `default_nettype none
 
 module counter_port #(
-  parameter COUNTERS = 4,
-  parameter NARROW_BITS = 8,
-  parameter WIDTH = 32,
-  parameter INDEX_BITS = 2
+  parameter COUNTERS = 4,     // counters on the port, 2 or more
+  parameter NARROW_BITS = 8,  // bits of a narrow counter, 1 to 30; 2^NARROW_BITS > 2 COUNTERS + 1
+  parameter WIDTH = 32,       // bits of a stored count, more than NARROW_BITS and at most 64
+  parameter INDEX_BITS = 2    // bits of a counter's number, 1 to 30; 2^INDEX_BITS >= COUNTERS
 ) (
   input  wire                            aclk,
   input  wire                            aresetn,

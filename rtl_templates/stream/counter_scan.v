@@ -6,9 +6,9 @@
 `default_nettype none
 
 module counter_scan #(
-  parameter COUNTERS = 4,
-  parameter WIDTH = 8,
-  parameter INDEX_BITS = 2
+  parameter COUNTERS = 4,   // counters that are shown, 1 or more
+  parameter WIDTH = 8,      // bits of a count, 1 or more
+  parameter INDEX_BITS = 2  // bits of a counter's number, 1 to 30; 2^INDEX_BITS >= COUNTERS
 ) (
   input  wire                      aclk,
   input  wire                      aresetn,

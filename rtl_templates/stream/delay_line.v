@@ -1,10 +1,10 @@
-// delay_line: q is d delayed by LENGTH cycles; LENGTH may be 0.
+// delay_line: q is d delayed by LENGTH cycles.
 // Latency LENGTH. No reset, so that it becomes shift registers: for data, never for valid bits.
 `default_nettype none
 
 module delay_line #(
-  parameter WIDTH = 1,
-  parameter LENGTH = 1
+  parameter WIDTH = 1,  // bits of d and q, 1 or more
+  parameter LENGTH = 1  // cycles of delay, 0 or more; 0: a wire
 ) (
   input  wire             aclk,
   input  wire [WIDTH-1:0] d,

@@ -6,8 +6,8 @@
 `default_nettype none
 
 module dual_port_memory #(
-  parameter WIDTH = 8,
-  parameter ADDRESS_BITS = 4
+  parameter WIDTH = 8,        // bits of a word, 1 or more
+  parameter ADDRESS_BITS = 4  // 1 to 30: the memory has 2^ADDRESS_BITS words
 ) (
   input  wire                    aclk,
   input  wire                    write_enable,

@@ -1,11 +1,10 @@
 // event_counter: counts events modulo 2^COUNTER_BITS. Each bit of `step` is one event that may
-// happen in a cycle. With EVENTS > 1 the count lags by one more cycle. COUNTER_BITS = 0 builds
-// nothing and ties the one bit of `count` to 0. Reset clears the count.
+// happen in a cycle. Reset clears the count.
 `default_nettype none
 
 module event_counter #(
-  parameter COUNTER_BITS = 32,
-  parameter EVENTS = 1
+  parameter COUNTER_BITS = 32,  // bits of the count, which wraps; 0: no counter and `count` is 1'b0
+  parameter EVENTS = 1          // bits of `step`, 1 to 64; above 1 the count lags by one more cycle
 ) (
   input  wire                                             aclk,
   input  wire                                             aresetn,

@@ -3,16 +3,15 @@
 // its decided lanes. It leaves once each of its undecided lanes has its answer.
 //
 // Answers come in the order of words and, in a word, of lanes, so an answer needs no lane number.
-// The first answer of a word comes 2 cycles after the word or later. WITH_SLOT = 0: m_axis_slot is
-// not kept. One answer per cycle; a word leaves 2 cycles after its last answer (LANES > 1: 3).
-// There is room for 2^SLOT_BITS words, so with no more inside nothing is refused. Reset forgets
-// all.
+// The first answer of a word comes 2 cycles after the word or later. One answer per cycle; a word
+// leaves 2 cycles after its last answer (LANES > 1: 3). There is room for 2^SLOT_BITS words, so
+// with no more inside nothing is refused. Reset forgets all.
 `default_nettype none
 
 module lane_answers #(
-  parameter LANES = 4,
-  parameter SLOT_BITS = 5,
-  parameter WITH_SLOT = 1
+  parameter LANES = 4,      // lanes in lock step, 1 to 64
+  parameter SLOT_BITS = 5,  // 1 to 30: 2^SLOT_BITS comparisons may be in flight
+  parameter WITH_SLOT = 1   // 1: slots are kept; 0: m_axis_slot is 0
 ) (
   input  wire                 aclk,
   input  wire                 aresetn,

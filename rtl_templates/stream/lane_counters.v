@@ -1,12 +1,12 @@
-// lane_counters: the run-time profile of one lane or group of lanes, each count modulo
-// 2^COUNTER_BITS. It counts comparisons accepted (with a group: words), recomputations (requests
-// sent or, without a reference, verdicts reported undecided), and cycles in which a comparison was
-// offered and not accepted. Reset clears the counts.
+// lane_counters: the run-time profile of one lane or group of lanes. It counts comparisons accepted
+// (with a group: words), recomputations (requests sent or, without a reference, verdicts reported
+// undecided), and cycles in which a comparison was offered and not accepted. Reset clears the
+// counts.
 `default_nettype none
 
 module lane_counters #(
-  parameter LANES = 1,
-  parameter COUNTER_BITS = 32
+  parameter LANES = 1,         // lanes in lock step, 1 to 64
+  parameter COUNTER_BITS = 32  // bits of a counter, which wraps; 0: no counters
 ) (
   input  wire                                             aclk,
   input  wire                                             aresetn,

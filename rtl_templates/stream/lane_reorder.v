@@ -1,33 +1,35 @@
 // lane_reorder: AXI4-Stream around one free-running lane; results leave in the order of acceptance.
 // The lane keeps order, and so do the answers: one reference serves a lane, first come, first
 // served. Direct verdicts wait in one queue, answers in another. An undecided entry at the head of
-// the first queue takes the head of the second. 2^SLOT_BITS slots are used circularly. A decided
-// comparison has latency LANE_LATENCY + 4. One comparison per cycle if all are decided, the sink is
-// ready and 2^SLOT_BITS >= LANE_LATENCY + 4.
+// the first queue takes the head of the second. Slots are used circularly. A decided comparison has
+// latency LANE_LATENCY + 4. One comparison per cycle if all are decided, the sink is ready and
+// 2^SLOT_BITS >= LANE_LATENCY + 4.
 //
 // LANES > 1: a group of lanes in lock step. Everything here about a comparison then holds for a
 // word, with one comparison for each lane and one tag; lane k's own tag is the word's + k. Each
 // undecided comparison has its own request, and the word leaves once all are answered.
 //
-// Operands reach the lane through INPUT_REGISTERS registers, which add to its latency here. A
-// request of carried operands is a packet of 2^BEAT_BITS beats {slot, part of the operands}.
-// ASK_BITS > 0: instead of the operands, the low bits of the tag are carried, by which references
-// ask for the operands. Reset forgets all comparisons and clears the counters.
+// A request of carried operands is a packet of beats {slot, part of the operands}. Reset forgets
+// all comparisons and clears the counters.
 `default_nettype none
 
 module lane_reorder #(
-  parameter LANES = 1,
-  parameter OPERAND_BITS = 128,
-  parameter TAG_BITS = 32,
+  parameter LANES = 1,           // lanes in lock step, 1 to 64
+  parameter OPERAND_BITS = 128,  // bits of a comparison's operands, 1 or more
+  parameter TAG_BITS = 32,       // bits of a tag (m_axis_tuser), 1 or more
+  // 1 to 30, with carried operands to 20: 2^SLOT_BITS comparisons may be in flight
   parameter SLOT_BITS = 5,
-  parameter LANE_LATENCY = 16,
-  parameter COUNTER_BITS = 32,
-  parameter RECOMPUTE = 1,
-  parameter CARRIED = 1,
+  parameter LANE_LATENCY = 16,   // latency of the lane in cycles, 0 or more
+  parameter COUNTER_BITS = 32,   // bits of a counter, which wraps; 0: no counters
+  parameter RECOMPUTE = 1,       // 1: undecided comparisons are recomputed; 0: they are results
+  parameter CARRIED = 1,         // 1: a request carries the operands (but see ASK_BITS); 0: the tag
+  // 0 to TAG_BITS; 0 with LANES > 1. Above 0, the low bits of the tag are carried instead of the
+  // operands, and references ask for the operands by them.
   parameter ASK_BITS = 0,
+  // 0 to 8: a packet has 2^BEAT_BITS beats; LANES << BEAT_BITS is at most 256
   parameter BEAT_BITS = 0,
-  parameter BLOCK = 0,
-  parameter INPUT_REGISTERS = 0
+  parameter BLOCK = 0,           // 0 or 1: the kind of memory, as in beat_memory
+  parameter INPUT_REGISTERS = 0  // registers in front of the lane, 0 or more, added to its latency
 ) (
   input  wire                                                                         aclk,
   input  wire                                                                         aresetn,

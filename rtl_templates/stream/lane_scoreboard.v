@@ -1,30 +1,31 @@
 // lane_scoreboard: AXI4-Stream around one free-running lane; results leave as they come. A
-// comparison holds one of 2^SLOT_BITS slots from its acceptance until its tag is read out, so every
-// queue has room. A decided comparison has latency LANE_LATENCY + 5. One comparison per cycle if
-// all are decided, the sink is ready and 2^SLOT_BITS >= LANE_LATENCY + 6 (+ 5 with RECOMPUTE = 0,
-// where the latency is LANE_LATENCY + 4). Direct and recomputed results alternate when both wait.
+// comparison holds a slot from its acceptance until its tag is read out, so every queue has room. A
+// decided comparison has latency LANE_LATENCY + 5. One comparison per cycle if all are decided, the
+// sink is ready and 2^SLOT_BITS >= LANE_LATENCY + 6 (+ 5 with RECOMPUTE = 0, where the latency is
+// LANE_LATENCY + 4). Direct and recomputed results alternate when both wait.
 //
 // LANES > 1: a group of lanes in lock step. Everything here about a comparison then holds for a
 // word, with one comparison for each lane and one tag; lane k's own tag is the word's + k. Each
 // undecided comparison has its own request, and the word leaves once all are answered.
 //
-// Operands reach the lane through INPUT_REGISTERS registers, which add to its latency here. A
-// request of carried operands is a packet of 2^BEAT_BITS beats {slot, part of the operands}. Reset
-// forgets all comparisons and clears the counters.
+// A request of carried operands is a packet of beats {slot, part of the operands}. Reset forgets
+// all comparisons and clears the counters.
 `default_nettype none
 
 module lane_scoreboard #(
-  parameter LANES = 1,
-  parameter OPERAND_BITS = 128,
-  parameter TAG_BITS = 32,
+  parameter LANES = 1,           // lanes in lock step, 1 to 64
+  parameter OPERAND_BITS = 128,  // bits of a comparison's operands, 1 or more
+  parameter TAG_BITS = 32,       // bits of a tag (m_axis_tuser), 1 or more
+  // 1 to 30, with carried operands to 20: 2^SLOT_BITS comparisons may be in flight
   parameter SLOT_BITS = 5,
-  parameter LANE_LATENCY = 16,
-  parameter COUNTER_BITS = 32,
-  parameter RECOMPUTE = 1,
-  parameter CARRIED = 1,
+  parameter LANE_LATENCY = 16,   // latency of the lane in cycles, 0 or more
+  parameter COUNTER_BITS = 32,   // bits of a counter, which wraps; 0: no counters
+  parameter RECOMPUTE = 1,       // 1: undecided comparisons are recomputed; 0: they are results
+  parameter CARRIED = 1,         // 1: a request carries the operands; 0: the tag
+  // 0 to 8: a packet has 2^BEAT_BITS beats; LANES << BEAT_BITS is at most 256
   parameter BEAT_BITS = 0,
-  parameter BLOCK = 0,
-  parameter INPUT_REGISTERS = 0
+  parameter BLOCK = 0,           // 0 or 1: the kind of memory, as in beat_memory
+  parameter INPUT_REGISTERS = 0  // registers in front of the lane, 0 or more, added to its latency
 ) (
   input  wire                                                                         aclk,
   input  wire                                                                         aresetn,

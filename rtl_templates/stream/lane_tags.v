@@ -10,9 +10,9 @@
 `default_nettype none
 
 module lane_tags #(
-  parameter LANES = 1,
-  parameter TAG_BITS = 32,
-  parameter SLOT_BITS = 5
+  parameter LANES = 1,      // lanes in lock step, 1 to 64
+  parameter TAG_BITS = 32,  // bits of a tag (m_axis_tuser), 1 or more
+  parameter SLOT_BITS = 5   // 1 to 30: 2^SLOT_BITS comparisons may be in flight
 ) (
   input  wire                          aclk,
   input  wire                          aresetn,

@@ -4,9 +4,9 @@
 `default_nettype none
 
 module lane_tracker #(
-  parameter LANES = 1,
-  parameter SLOT_BITS = 5,
-  parameter LANE_LATENCY = 16
+  parameter LANES = 1,         // lanes in lock step, 1 to 64
+  parameter SLOT_BITS = 5,     // 1 or more: 2^SLOT_BITS comparisons may be in flight
+  parameter LANE_LATENCY = 16  // latency of the lane in cycles, 0 or more
 ) (
   input  wire                 aclk,
   input  wire                 aresetn,

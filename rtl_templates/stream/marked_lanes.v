@@ -1,12 +1,11 @@
 // marked_lanes: the numbers of the lanes that a word marks, one after the other, the lowest first.
 // The word stays on offer until its last lane is taken, and is taken with it. Latency 1; a number
 // per cycle, with a gap of one cycle after each word. A word without a marked lane stays for ever.
-// LANES = 1: no registers, and each word gives number 0 at once. LANES <= 64. Reset restarts the
-// word.
+// LANES = 1: no registers, and each word gives number 0 at once. Reset restarts the word.
 `default_nettype none
 
 module marked_lanes #(
-  parameter LANES = 4
+  parameter LANES = 4  // lanes in lock step, 1 to 64
 ) (
   input  wire             aclk,
   input  wire             aresetn,

@@ -1,6 +1,5 @@
 // reference_port: surrounds one free-running reference; requests in, answers out, in order.
-// requested_operands supplies the operands. The request carries them, in one beat or several
-// (CARRIED = 1), or its tag fetches them again.
+// requested_operands supplies the operands.
 //
 // INITIATION_INTERVAL = 1: operands are taken at once, and the answer leaves REFERENCE_LATENCY
 // cycles later. Above 1: reference_phase counts the cycles of the interval, from reset_phase on. A
@@ -10,17 +9,17 @@
 `default_nettype none
 
 module reference_port #(
-  parameter OPERAND_BITS = 128,
-  parameter TAG_BITS = 32,
-  parameter LANE_BITS = 3,
-  parameter SLOT_BITS = 5,
-  parameter REFERENCE_LATENCY = 32,
-  parameter INITIATION_INTERVAL = 1,
-  parameter LAST_OPERAND_PHASE = 0,
-  parameter PHASE_BITS = 1,
-  parameter CARRIED = 1,
-  parameter BEAT_BITS = 0,
-  parameter OUTSTANDING_BITS = 4
+  parameter OPERAND_BITS = 128,       // bits of a comparison's operands, 1 or more
+  parameter TAG_BITS = 32,            // bits of a tag (m_refetch_tdata), 1 or more
+  parameter LANE_BITS = 3,            // bits of a lane's number, 1 or more
+  parameter SLOT_BITS = 5,            // bits of a slot, 1 or more
+  parameter REFERENCE_LATENCY = 32,   // latency in cycles, 0 or more; 1 or more if folded
+  parameter INITIATION_INTERVAL = 1,  // cycles from a start to the next, 1 or more; above 1: folded
+  parameter LAST_OPERAND_PHASE = 0,   // phase in which operands leave, below INITIATION_INTERVAL
+  parameter PHASE_BITS = 1,           // bits of a phase, 1 to 30; they hold INITIATION_INTERVAL - 1
+  parameter CARRIED = 1,              // 1: a request carries the operands; 0: the tag
+  parameter BEAT_BITS = 0,            // 0 to 8: a packet has 2^BEAT_BITS beats
+  parameter OUTSTANDING_BITS = 4      // 1 to 30: 2^OUTSTANDING_BITS + 1 tags may wait for operands
 ) (
   input  wire                                                                                   aclk,
   input  wire                                                                                   aresetn,

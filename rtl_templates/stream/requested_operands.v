@@ -1,19 +1,18 @@
 // requested_operands: the operands of each request, in order, with the number of its sender.
-// CARRIED = 1: a request is a packet of 2^BEAT_BITS beats, whose payloads are the operands, the
-// lowest part first. With more than one beat, the operands are there one cycle after the last beat,
-// and the next packet enters while they wait. CARRIED = 0: the payload is the tag. It leaves on
-// m_refetch one cycle after the request, and the operands come on s_refetch. 2^OUTSTANDING_BITS + 1
-// tags may wait for their operands. Reset forgets all requests: the unit that answers m_refetch
-// must be reset with it.
+// CARRIED = 1: a request is a packet of beats, whose payloads are the operands, the lowest part
+// first. With more than one beat, the operands are there one cycle after the last beat, and the
+// next packet enters while they wait. CARRIED = 0: the payload is the tag. It leaves on m_refetch
+// one cycle after the request, and the operands come on s_refetch. Reset forgets all requests: the
+// unit that answers m_refetch must be reset with it.
 `default_nettype none
 
 module requested_operands #(
-  parameter OPERAND_BITS = 128,
-  parameter TAG_BITS = 32,
-  parameter SENDER_BITS = 8,
-  parameter CARRIED = 1,
-  parameter BEAT_BITS = 0,
-  parameter OUTSTANDING_BITS = 4
+  parameter OPERAND_BITS = 128,   // bits of a comparison's operands, 1 or more
+  parameter TAG_BITS = 32,        // bits of a tag (m_refetch_tdata), 1 or more
+  parameter SENDER_BITS = 8,      // bits of a sender's number, 1 or more
+  parameter CARRIED = 1,          // 1: a request carries the operands; 0: the tag
+  parameter BEAT_BITS = 0,        // 0 to 8: a packet has 2^BEAT_BITS beats
+  parameter OUTSTANDING_BITS = 4  // 1 to 30: 2^OUTSTANDING_BITS + 1 tags may wait for operands
 ) (
   input  wire                                                               aclk,
   input  wire                                                               aresetn,

@@ -5,7 +5,7 @@
 `default_nettype none
 
 module slot_pool #(
-  parameter SLOT_BITS = 5
+  parameter SLOT_BITS = 5  // 1 to 30: 2^SLOT_BITS comparisons may be in flight
 ) (
   input  wire                 aclk,
   input  wire                 aresetn,

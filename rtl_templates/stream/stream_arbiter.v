@@ -1,18 +1,17 @@
 // stream_arbiter: merges INPUTS streams into one, round-robin: no input waits for more than INPUTS
 // - 1 packets of others. Latency 1, one word per cycle. Reset empties the output register.
 //
-// BEAT_BITS > 0: a packet is 2^BEAT_BITS words, which leave one after the other, however slowly
-// they come. The select of the multiplexer is then a register. So the first word of a packet has
-// latency 2 if its input differs from the last packet's and it was not there when that packet
-// ended. HALF_RATE = 1: at most one word in two cycles, and no path from m_axis_tready to
-// s_axis_tready.
+// BEAT_BITS > 0: the words of a packet leave one after the other, however slowly they come. The
+// select of the multiplexer is then a register. So the first word of a packet has latency 2 if its
+// input differs from the last packet's and it was not there when that packet ended.
 `default_nettype none
 
 module stream_arbiter #(
-  parameter INPUTS = 4,
-  parameter WIDTH = 8,
+  parameter INPUTS = 4,    // streams that are merged, 1 or more
+  parameter WIDTH = 8,     // bits of a word, 1 or more
+  // 1: at most one word in two cycles, and no path from m_axis_tready to s_axis_tready
   parameter HALF_RATE = 0,
-  parameter BEAT_BITS = 0
+  parameter BEAT_BITS = 0  // 0 to 8: a packet has 2^BEAT_BITS words
 ) (
   input  wire                    aclk,
   input  wire                    aresetn,

@@ -1,19 +1,19 @@
 // stream_crossbar: connects LANES request streams to REFERENCES references, and answers to lanes.
 // Reference i mod REFERENCES serves lane i, round-robin; a reference without lanes idles. Requests
-// are packets of 2^BEAT_BITS beats {slot, payload}, which stay together: latency
-// ceil(log_RADIX(lanes of the reference)), at least 1. A reference gets one beat per cycle, at most
-// one in two from the same lane. Answers: latency 2, never refused, in the order of the lane's
-// requests if the reference keeps order. Reset empties it.
+// are packets of beats {slot, payload}, which stay together: latency ceil(log_RADIX(lanes of the
+// reference)), at least 1. A reference gets one beat per cycle, at most one in two from the same
+// lane. Answers: latency 2, never refused, in the order of the lane's requests if the reference
+// keeps order. Reset empties it.
 `default_nettype none
 
 module stream_crossbar #(
-  parameter LANES = 8,
-  parameter REFERENCES = 1,
-  parameter LANE_BITS = 3,
-  parameter SLOT_BITS = 5,
-  parameter PAYLOAD_BITS = 128,
-  parameter RADIX = 4,
-  parameter BEAT_BITS = 0
+  parameter LANES = 8,           // lanes with a request stream, 1 or more
+  parameter REFERENCES = 1,      // number of references, 1 or more
+  parameter LANE_BITS = 3,       // bits of a lane's number, 1 to 30; 2^LANE_BITS >= LANES
+  parameter SLOT_BITS = 5,       // bits of a slot, 1 or more
+  parameter PAYLOAD_BITS = 128,  // bits of a beat without its slot, 1 or more
+  parameter RADIX = 4,           // inputs of an arbiter, 2 or more
+  parameter BEAT_BITS = 0        // 0 to 8: a packet has 2^BEAT_BITS beats
 ) (
   input  wire                                                     aclk,
   input  wire                                                     aresetn,

@@ -1,11 +1,11 @@
-// stream_fifo: first in, first out; holds 2^DEPTH_BITS words and one more in its output register.
-// DEPTH_BITS >= 1. Latency 2, one word per cycle. tready comes from registers, so the FIFO also
-// cuts the path from m_axis_tready to s_axis_tready. Reset empties it.
+// stream_fifo: first in, first out; a memory, and an output register for one word more. Latency 2,
+// one word per cycle. tready comes from registers, so the FIFO also cuts the path from
+// m_axis_tready to s_axis_tready. Reset empties it.
 `default_nettype none
 
 module stream_fifo #(
-  parameter WIDTH = 8,
-  parameter DEPTH_BITS = 4
+  parameter WIDTH = 8,      // bits of a word, 1 or more
+  parameter DEPTH_BITS = 4  // 1 to 30: the memory holds 2^DEPTH_BITS words
 ) (
   input  wire             aclk,
   input  wire             aresetn,

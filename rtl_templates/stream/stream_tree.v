@@ -1,15 +1,15 @@
 // stream_tree: merges INPUTS streams into one through a tree of arbiters of RADIX inputs each.
-// Every node is fair, and keeps the 2^BEAT_BITS words of a packet together. Latency: one cycle per
-// level, ceil(log_RADIX(INPUTS)), at least 1. One word per cycle, but at most one in two from the
-// same subtree of the root. Only the root runs at full rate, so no path from a tready to a tready
+// Every node is fair, and keeps the words of a packet together. Latency: one cycle per level,
+// ceil(log_RADIX(INPUTS)), at least 1. One word per cycle, but at most one in two from the same
+// subtree of the root. Only the root runs at full rate, so no path from a tready to a tready
 // crosses the tree. Reset empties it.
 `default_nettype none
 
 module stream_tree #(
-  parameter INPUTS = 8,
-  parameter WIDTH = 8,
-  parameter RADIX = 4,
-  parameter BEAT_BITS = 0
+  parameter INPUTS = 8,    // streams that are merged, 1 or more
+  parameter WIDTH = 8,     // bits of a word, 1 or more
+  parameter RADIX = 4,     // inputs of an arbiter, 2 or more
+  parameter BEAT_BITS = 0  // 0 to 8: a packet has 2^BEAT_BITS words
 ) (
   input  wire                    aclk,
   input  wire                    aresetn,

@@ -1,13 +1,13 @@
-// stream_upsizer: joins each packet of 2^BEAT_BITS words into one wide word, the first one lowest.
-// The wide word has the s_axis_tuser of the packet's last word. It leaves one cycle after that word
-// came. While it waits, the words of the next packet are taken except the last, which may come in
-// the cycle in which the wide word leaves. Reset forgets all. BEAT_BITS = 0: wires.
+// stream_upsizer: joins each packet of words into one wide word, the first one lowest. The wide
+// word has the s_axis_tuser of the packet's last word. It leaves one cycle after that word came.
+// While it waits, the words of the next packet are taken except the last, which may come in the
+// cycle in which the wide word leaves. Reset forgets all.
 `default_nettype none
 
 module stream_upsizer #(
-  parameter WIDTH = 8,
-  parameter USER_BITS = 4,
-  parameter BEAT_BITS = 2
+  parameter WIDTH = 8,      // bits of a word, 1 or more
+  parameter USER_BITS = 4,  // bits of tuser, 1 or more
+  parameter BEAT_BITS = 2   // 0 to 8: a packet has 2^BEAT_BITS words; 0: wires
 ) (
   input  wire                          aclk,
   input  wire                          aresetn,

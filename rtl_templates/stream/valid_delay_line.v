@@ -1,9 +1,9 @@
-// valid_delay_line: q is d delayed by LENGTH cycles; LENGTH may be 0. Latency LENGTH. Reset forgets
-// all bits inside: for valid bits.
+// valid_delay_line: q is d delayed by LENGTH cycles. Latency LENGTH. Reset forgets all bits inside:
+// for valid bits.
 `default_nettype none
 
 module valid_delay_line #(
-  parameter LENGTH = 1
+  parameter LENGTH = 1  // cycles of delay, 0 or more; 0: a wire
 ) (
   input  wire aclk,
   input  wire aresetn,

@@ -1,17 +1,17 @@
 // verdict_combination: one verdict from those of a comparison's PARTS: 0 less, 1 equal, 2 greater,
 // 3 unordered, with part 0 in the lowest bits. A part's verdict is valid where its bit of `known`
 // is 1.
-// ANY = 0: the last verdict in the order less, equal, unordered, greater. So one part that is
-// greater decides, whatever the others are. ANY = 1: the first in the order less, unordered, equal,
-// greater. So one part that is less decides.
 // Latency: CUTS; initiation interval 1; no reset.
 // The verdict is valid where `decided` is 1: a part decides, or all parts are known.
 `default_nettype none
 
 module verdict_combination #(
-  parameter       PARTS = 2,
+  parameter       PARTS = 2,    // number of parts, 1 or more
+  // 0: the last verdict in the order less, equal, unordered, greater. So one part that is greater
+  // decides, whatever the others are. 1: the first in the order less, unordered, equal, greater. So
+  // one part that is less decides.
   parameter       ANY   = 0,
-  parameter [0:0] CUTS  = 1'b0
+  parameter [0:0] CUTS  = 1'b0  // 1: a register behind the stage
 ) (
   input  wire               aclk,
   input  wire [2*PARTS-1:0] verdicts,

@@ -3,8 +3,8 @@
 `default_nettype none
 
 module fp_selected_sum #(
-  parameter       WIDTH = 8,
-  parameter [0:0] CUTS  = 1'b0
+  parameter       WIDTH = 8,    // bits of each operand, 1 or more; with CUTS 2 or more
+  parameter [0:0] CUTS  = 1'b0  // 1: registers between lower and upper half
 ) (
   input  wire             aclk,
   input  wire [WIDTH-1:0] a,

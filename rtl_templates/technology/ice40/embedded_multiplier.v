@@ -2,15 +2,15 @@
 // itself (synth_ice40 -dsp), but also moves adders into the cell that are too wide for it, and
 // fails.
 // Latency: the population count of CUTS (three bits); initiation interval 1; no reset.
-// A factor is in two's complement if SIGNED_A (SIGNED_B) is 1, and unsigned if it is 0. Synthesis
-// makes logic of multipliers with factors of more than 16 bits.
+// Multipliers with factors of more than 16 bits become logic.
 `default_nettype none
 
 module embedded_multiplier #(
-  parameter       A_WIDTH  = 16,
-  parameter       B_WIDTH  = 16,
-  parameter       SIGNED_A = 0,
-  parameter       SIGNED_B = 0,
+  parameter       A_WIDTH  = 16,  // bits of a, 1 or more
+  parameter       B_WIDTH  = 16,  // bits of b, 1 or more
+  parameter       SIGNED_A = 0,   // 1: a is in two's complement; 0: a is unsigned
+  parameter       SIGNED_B = 0,   // 1: b is in two's complement; 0: b is unsigned
+  // Registers: bit 0 of the factors, bits 1 and 2 of the product.
   parameter [2:0] CUTS     = 3'b000
 ) (
   input  wire                       aclk,
