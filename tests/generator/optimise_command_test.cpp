@@ -52,8 +52,9 @@ TEST_F(OptimiseCommand, APlanOfLanesWithManyGuardDigitsIsWhatCheckTakes) {
   row(table, "lane,,q11g9,,fixed_norm_g9,embedded,0,0", 7, 380, 4);
   row(table, "fifo,,,,,,0,32", 0, 200, 0);
   table.close();
-  const Outcome found =
-      mixcmp("optimise scene.toml --first 11 --last 11 --bounds fixed_norm_g9 -o plan.toml");
+  const Outcome found = mixcmp(
+      "optimise scene.toml --first 11 --last 11 --use-bounds fixed_norm_g9 "
+      "--set reduced.format=q11g9 -o plan.toml");
   ASSERT_EQ(found.exit_code, 0) << found.output;
   const Outcome checked = mixcmp("check plan.toml --json");
   ASSERT_EQ(checked.exit_code, 0) << checked.output;

@@ -137,7 +137,7 @@ TEST_F(ProfileCommand, RefusesBoundsThatItDoesNotCount) {
 }
 
 TEST_F(ProfileCommand, BruteForceFindsTheSame) {
-  const std::string arguments = "scene.toml --set data.count=40 --both-inputs";
+  const std::string arguments = "scene.toml --set data.count=30 --both-inputs";
   EXPECT_EQ(profile(arguments).output, profile(arguments + " --brute-force --threads 1").output);
 }
 

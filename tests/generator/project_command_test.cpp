@@ -340,7 +340,7 @@ TEST_F(Project, ScriptsSayHowTheyAreUsed) {
 }
 
 TEST_F(Project, AGroupOfLanesHasStreamsOfTheWrapper) {
-  generate("--project verilator --vectors 50 --lanes 4 --set system.lanes_per_group=2");
+  generate("--project verilator,icarus --vectors 50 --lanes 4 --set system.lanes_per_group=2");
   const std::string wrapper = read("rtl/integration/scene_s8e8_4x1_streams.v");
   for (const char* port : {"wire         s_axis_1_tvalid", "wire [127:0] s_axis_1_tdata",
                            "wire [31:0]  s_axis_1_tuser", "wire [15:0]  m_axis_1_tdata",
@@ -356,7 +356,7 @@ TEST_F(Project, AGroupOfLanesHasStreamsOfTheWrapper) {
       "verilator --lint-only --timing --top-module scene_s8e8_4x1_tb -F rtl/scene_s8e8_4x1.f "
       "rtl/testbench/scene_s8e8_4x1_tb.v");
   EXPECT_EQ(without_report(bench.output), "");
-  const Outcome run = in_folder("rtl/verilator/run work");
+  const Outcome run = in_folder("rtl/icarus/run work");
   EXPECT_EQ(run.exit_code, 0) << run.output;
   expect_in(run.output, "PASSED: 200 comparisons (50, 4 times)");
 }

@@ -114,6 +114,7 @@ std::pair<int, int> fewest_cuts(const datapath::Unit& unit, double limit_ns) {
   const unsigned last = 1u << (stages.count() - 1);
   std::pair<int, int> fewest = {stages.count() + 1, 0};
   for (unsigned cuts = last; cuts < 2 * last; ++cuts) {
+    if (std::popcount(cuts) > fewest.first) continue;
     const std::pair numbers = {std::popcount(cuts), stages.halved_sums(cuts)};
     if (numbers < fewest && stages.longest_path_ns(cuts) <= limit_ns && stages.has_needed(cuts)) {
       fewest = numbers;

@@ -202,8 +202,7 @@ TEST(Rates, CallNobodyWrongWhereTheTruthIsUndetermined) {
 TEST(Rates, OfHardFamiliesAreTheGoldenModels) {
   const Scene scene = sphere_scene();
   for (const std::string& name : data::sphere_family_names()) {
-    auto pairs =
-        data::sphere_family({.name = name, .count = 12, .seed = 3}, scene.reference.format);
+    auto pairs = data::sphere_family({.name = name, .count = 8, .seed = 3}, scene.reference.format);
     const bool near_tie = name.starts_with("near_tie_");
     const bool aimed = name.ends_with("4") || name.ends_with("7");
     if (!pairs.ok() || (near_tie && !aimed)) continue;
@@ -325,7 +324,7 @@ TEST(Rates, OfSeveralPartsAreTheGoldenModels) {
       if (family == Family::uniform) {
         for (auto& range : scene.ranges) range = Range{1, 2};
       }
-      const Comparisons data = random_rows(scene, family, 400, random);
+      const Comparisons data = random_rows(scene, family, 300, random);
       const auto what =
           fmt::format("{}, family {}", to_string(combination), static_cast<int>(family));
       for (const LaneInputs inputs : {LaneInputs::exact, LaneInputs::rounded}) {

@@ -31,7 +31,7 @@ module embedded_multiplier_tb #(
   endgenerate
 
   initial begin
-    for (cycle = 0; cycle < 160; cycle = cycle + 1) begin
+    for (cycle = 0; cycle < 80; cycle = cycle + 1) begin
       case (cycle % 4)
         0: begin a = $random(seed); b = $random(seed); end
         1: {a, b} = {{19{cycle[2]}}, {19{cycle[3]}}};
