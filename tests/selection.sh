@@ -11,14 +11,14 @@ one_in() {
   echo "$((0x$hash % $1 + 1)),,$1"
 }
 
-# proof_stride HEAVY: 1 where a file that proofs read has changed within a day of the commit or since
-# (or where nobody knows), else 8.
-proof_stride() {
-  proven="rtl_templates/engine rtl_templates/stream rtl_templates/fp tests/rtl_templates"
-  changed=$(git log -1 --format=%ct -- $proven 2>/dev/null) || changed=
+# template_stride HEAVY: for tests that read only the templates, their benches and tables. 1 if one of
+# these has changed within a day of the commit or since (or if nobody knows), else 8.
+template_stride() {
+  read_files="rtl_templates tests/rtl_templates"
+  changed=$(git log -1 --format=%ct -- $read_files 2>/dev/null) || changed=
   now=$(git log -1 --format=%ct 2>/dev/null) || now=
   if [ "$1" = ON ] || [ -z "$changed" ] || [ $((now - changed)) -lt 86400 ] ||
-    [ -n "$(git status --porcelain -- $proven)" ]; then
+    [ -n "$(git status --porcelain -- $read_files)" ]; then
     echo 1
   else
     echo 8
