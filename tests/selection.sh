@@ -25,14 +25,15 @@ template_stride() {
   fi
 }
 
-# Prints what a test may depend on beside its inputs: the tools, and the files that programs read.
+# Prints what any test may depend on beside its inputs: the tools, and the files that programs read.
+# Tests of templates name their files as inputs, and so do scripts.
 common_inputs() {
   dpkg-query -W 2>/dev/null || true
   for tool in verilator iverilog yosys gappa coqc ghdl nextpnr-ice40 nextpnr-ecp5 python3; do
     "$tool" --version 2>&1 | head -n 1
   done || true
-  find examples model/devices docs/scene_file.md tests -type f ! -name '*.cpp' ! -name '*.hpp' \
-    ! -name '*.v' ! -name CMakeLists.txt ! -path 'tests/mutant*' ! -path tests/budget |
+  find examples model/devices docs/scene_file.md tests/*/ -type f ! -name '*.cpp' ! -name '*.hpp' \
+    ! -name '*.v' ! -name CMakeLists.txt ! -path 'tests/mutant_results/*' ! -path 'tests/rtl_templates/*' |
     LC_ALL=C sort | xargs cat
 }
 
