@@ -1,4 +1,4 @@
-# Sourced by tests/run: which tests of many run for a commit, and what all tests read.
+# Sourced by tests/run: the selection of tests for a commit, and the inputs that all tests read.
 
 # The commit's hash; an archive made by `git archive` says it in cmake/commit.txt.
 commit_hash() {
@@ -25,7 +25,7 @@ template_stride() {
   fi
 }
 
-# Prints what any test may depend on beside its inputs: the tools, and the files that programs read.
+# Prints the dependencies of any test beside its inputs: the tools, and the files that programs read.
 # Tests of templates name their files as inputs, and so do scripts.
 common_inputs() {
   dpkg-query -W 2>/dev/null || true

@@ -201,7 +201,7 @@ class Draft:
             self.add_let()
 
     def cost(self):
-        """The size of the hardware, as a share of what Icarus simulates in a second or two."""
+        """The size of the hardware; 1 is a size that Icarus simulates in a second or two."""
         weights = {"input": 0, "constant": 0, "/": 3, "sqrt": 3}
         units = sum(weights.get(node.operation, 1) for node in self.scene.graph().nodes)
         datapaths = self.scene.lane_count() / 2 + self.scene.get("system", "references", 2)

@@ -59,7 +59,7 @@ def _value(graph, index, inputs, bits, values):
 
 
 def _widened(ends, bits):
-    """Ends of an inexact enclosure, rounded outward to so many bits."""
+    """Ends of an inexact enclosure, rounded outward to `bits` bits."""
     low, high = ends
     if low == high:
         return ends

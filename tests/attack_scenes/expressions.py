@@ -32,7 +32,7 @@ class Expressions:
         return tree
 
     def any(self, operations):
-        """A tree of about so many operations."""
+        """A tree of about `operations` operations."""
         rng = self.rng
         if operations <= 0:
             return self.leaf()
@@ -70,7 +70,7 @@ class Expressions:
         return ("+", *squares) if len(squares) == 2 else squares[0]
 
     def positive(self, operations):
-        """Products, quotients, roots and sums of what is not negative; differences of operands."""
+        """Products, quotients, roots and sums of nonnegative operands; differences of operands."""
         rng = self.rng
         if operations <= 0:
             return self.leaf()
@@ -160,7 +160,7 @@ class Expressions:
         return self.rng.choice(pairs)
 
     def over(self, vectors, count):
-        """A reduction over vectors of so many elements."""
+        """A reduction over vectors of `count` elements."""
         rng = self.rng
         k = ("index", "k")
         elements = [("element", vector, k) for vector in vectors]

@@ -1,4 +1,4 @@
-"""Runs `mixcmp verify` on a scene and judges what it wrote by arithmetic of its own.
+"""Runs `mixcmp verify` on a scene and judges its output by arithmetic of its own.
 
 A verdict that a certified lane decided must be the order of the real numbers f and g. A recomputed
 verdict must be the order of the values that the reference computes.
@@ -23,7 +23,7 @@ ORDERS = {"all": ("less", "equal", "unordered", "greater"),
 
 @dataclasses.dataclass
 class Outcome:
-    """What became of a scene. `way` says how it failed, for the shrinker to compare."""
+    """The outcome of a scene. `way` says how it failed, for the shrinker to compare."""
 
     way: str = ""  # empty: it passed or was refused
     refusal: str = ""  # why the program refused the scene

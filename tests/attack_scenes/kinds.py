@@ -1,6 +1,6 @@
 """The kinds of scenes, and how one is drawn from its seed.
 
-A kind says what its scenes are about; the rest of each scene is drawn at random.
+A kind sets the subject of its scenes; the rest of each scene is drawn at random.
 """
 
 from .draft import DEVICES, Draft

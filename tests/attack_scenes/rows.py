@@ -84,7 +84,7 @@ class Operands:
         return self.rng.choice(DECIMALS)
 
     def beside(self, value, places):
-        """The number so many last places from a value."""
+        """The number `places` last places away from a value."""
         return self.nearest(value + places * self.form.last_place(abs(value)))
 
     def near_tie(self, row, name, difference):

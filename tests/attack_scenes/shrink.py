@@ -8,7 +8,7 @@ SECONDS = 480  # that shrinking one scene may take
 
 
 class Interrupted(Exception):
-    """No more scenes are to be judged."""
+    """No further scene will be judged."""
 
 
 def shrunken(scene, outcome, attack):

@@ -13,7 +13,7 @@
 #include "tests/support/sphere.hpp"
 
 /// The sphere comparison, decided by MPFR, by the emulator on each instruction set, and by native
-/// double arithmetic that knows signs alone. Items are comparisons, on one core.
+/// double arithmetic that compares only signs. Items are comparisons, on one core.
 namespace mixcmp {
 namespace {
 

@@ -15,7 +15,7 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/sphere.hpp"
 
-/// Each family holds what its name promises.
+/// Each family keeps the promise of its name.
 namespace mixcmp::test::sphere_family_test {
 namespace {
 

@@ -33,7 +33,7 @@ bool shown(const std::string& family) {
   return !family.starts_with("near_tie_") || shown(std::stoi(family.substr(9)));
 }
 
-/// One family's comparisons, what is true of them and what the reference says.
+/// One family's comparisons, their true verdicts and the reference's verdicts.
 class Family {
 public:
   Family(std::string name, const scene::Scene& scene, const data::Comparisons& data)

@@ -19,8 +19,9 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/sphere.hpp"
 
-/// Certified lanes of every kind on every family: what they decide is the truth. Profiled lanes:
-/// what they decide is not. MIXCMP_FAMILY_ROWS and MIXCMP_PROFILE_SAMPLES say how much is tried.
+/// Certified lanes of every kind on every family: every decided verdict is the truth. Profiled
+/// lanes decide some verdicts wrongly. MIXCMP_FAMILY_ROWS and MIXCMP_PROFILE_SAMPLES set the
+/// effort.
 namespace mixcmp::test::verdict_test {
 namespace {
 
@@ -37,7 +38,7 @@ struct Judged {
   std::vector<Verdict> truths;
 };
 
-/// By exact rationals: another judge than golden::true_verdict, that it must agree with.
+/// The verdict by exact rationals, a second judge that golden::true_verdict must agree with.
 Verdict rational_verdict(FloatFormat format, const std::vector<Bits>& row) {
   std::vector<mpq_class> numbers;
   for (const Bits bits : row) numbers.push_back(to_rational(format, bits));
@@ -161,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(Precisions, CertifiedLanes,
                                          Case{"binary16", 8}, Case{"binary32", 24}),
                          testing::PrintToStringParamName());
 
-/// What the families would be worth if lanes decided nothing on them.
+/// Without this test the families would prove nothing: lanes might decide nothing on them.
 TEST(CertifiedLanes, DecideWhatIsClear) {
   const FloatFormat reference = format("s53e8");
   const Arithmetic reduced = {format("s17e8"), Rounding::nearest_even, Subnormals::flush};
@@ -215,7 +216,7 @@ double attained(int precision, int bound_digits) {
   return most.get_d();
 }
 
-/// What rounding the bound itself up to few digits costs.
+/// Rounding the bound itself up to few digits costs part of its tightness.
 TEST(NearTies, NearlyAttainRunningBounds) {
   EXPECT_GT(attained(17, 8), 0.9);
   EXPECT_GT(attained(17, 4), 0.7);

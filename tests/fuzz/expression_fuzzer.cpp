@@ -7,7 +7,7 @@
 using namespace mixcmp;
 
 /// The first line is an expression that may name the second as a let; the third is an index range.
-/// The text of what is read is an expression again.
+/// The text of an expression that was read is an expression again.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::array<std::string, 3> lines;
   std::size_t line = 0;

@@ -7,7 +7,7 @@
 
 #include "model/common/result.hpp"
 
-/// What every fuzzer of a reader does (docs/development.md, "Fuzzers").
+/// The common part of every fuzzer of a reader (docs/development.md, "Fuzzers").
 namespace mixcmp::test {
 
 /// The bytes of an input as a file, for readers that take a path. There is one such file, in
@@ -19,7 +19,7 @@ std::string text_of(const std::uint8_t* data, std::size_t size);
 /// Ends the program, as a sanitizer would, where a property of a reader does not hold.
 void require(bool holds);
 
-/// What any error must have: a message, and a text of a printable line.
+/// Every error must have a message and a text of one printable line.
 void check(const Error& error);
 
 /// Checks the error, if there is one; whether there is a value.

@@ -15,7 +15,7 @@
 #include "model/number/exact.hpp"
 #include "tests/support/program.hpp"
 
-/// The public library: what it returns is what the program prints and writes.
+/// The public library: its results are those that the program prints and writes.
 namespace mixcmp::test::api_test {
 namespace {
 

@@ -19,7 +19,7 @@ namespace {
 
 using characterise::ComponentKind;
 
-/// The whole leaves out what parts keep at their borders, such as bits that nothing reads.
+/// The whole omits logic that parts keep at their borders, such as bits that nothing reads.
 constexpr double tolerance = 0.06;
 
 constexpr characterise::SynthesisOptions areas = {.effort = characterise::TimingEffort::area_only};

@@ -48,7 +48,7 @@ TEST_F(CharacteriseCommand, MeasuresOnceAndTheTableIsTheSame) {
   EXPECT_EQ(read("characterisation/scene-virtex6-lx760.csv"), text);
 }
 
-/// To SQLite, ":memory:" and "file:x" are no paths: then what a run measures would be lost.
+/// To SQLite, ":memory:" and "file:x" are no paths: the measurements of a run would be lost then.
 TEST_F(CharacteriseCommand, AnyNameOfAStoreIsAPath) {
   for (const std::string store : {":memory:", "file:x"}) {
     const Outcome run = characterise_into(store, two_lanes + " -o table.csv", fake(""));
@@ -116,7 +116,8 @@ TEST_F(CharacteriseCommand, AnAreaAloneDoesNotReplaceAClock) {
   EXPECT_TRUE(read_table().rows[0].clock);
 }
 
-/// As a full disk leaves it, with an exit code of 0: no report is not a design without paths.
+/// A full disk cuts the report, with an exit code of 0. An empty report is not a design without
+/// paths.
 TEST_F(CharacteriseCommand, AReportOfTheTimingThatIsCutShortIsNoResult) {
   const std::string timed =
       "characterise scene.toml --store s.sqlite --bounds relative --inputs exact "
@@ -156,7 +157,7 @@ TEST_F(CharacteriseCommand, KeepsRowsOfOtherComponents) {
   ASSERT_EQ(added.exit_code, 0) << added.output;
   EXPECT_EQ(read_table().rows.size(), 3u);
   EXPECT_EQ(calls(), 3);
-  // Other cut points: no lane would be kept, and what another machine measured would be lost.
+  // Other cut points: no lane would be kept, and the measurements of another machine would be lost.
   const Outcome changed =
       characterise("--components crossbar --ports 2,3 --target-mhz 400", fake(""));
   EXPECT_EQ(changed.exit_code, 1) << changed.output;

@@ -19,7 +19,7 @@ namespace mixcmp::test {
 namespace fs = std::filesystem;
 
 /// Stands in for Yosys: takes no time, finds as many LUTs as the sources have bytes, keeps each net
-/// of the top, and is told by variables what else to do.
+/// of the top. Environment variables make it fail, hang or answer otherwise.
 inline const std::string yosys_script = std::string(R"sh(
 case "$*" in *-V*) echo "${FAKE_VERSION:-Yosys 9.9 (fake)}"; exit 0;; esac
 echo called >> "$FAKE/calls"
@@ -89,8 +89,8 @@ protected:
     return fmt::format("FAKE='{0}' PATH='{0}':\"$PATH\" {1}", here, settings);
   }
 
-  /// Three jobs, one after the other; when one hangs the program alone gets the signal. Job control
-  /// (set -m): background jobs of a plain shell ignore SIGINT.
+  /// Three jobs, one after the other. When one hangs, only the program gets the signal. Job control
+  /// (set -m) is needed because background jobs of a plain shell ignore SIGINT.
   Outcome signalled(const std::string& signal, const std::string& settings,
                     const std::string& before = "") {
     write("run.sh",

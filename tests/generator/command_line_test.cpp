@@ -8,7 +8,7 @@
 #include "tests/support/fake_yosys.hpp"
 #include "tests/support/program.hpp"
 
-/// The program as a user calls it: what it refuses, what it says, what it leaves behind.
+/// The program as a user calls it: its refusals, its messages, and the files that it leaves behind.
 namespace mixcmp::test::command_line_test {
 namespace {
 

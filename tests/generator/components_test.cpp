@@ -351,7 +351,7 @@ TEST_F(Components, OnlyLanesInFixedPointHaveMemoriesOfSquares) {
   EXPECT_EQ(found.missing[0].reason.field, "reduced.multipliers");
 }
 
-/// A lane of as many digits as its inputs is the one of rounded inputs.
+/// A lane of as many digits as its inputs is a lane of rounded inputs.
 TEST_F(Components, InputsOfSoManyDigitsAreThoseOfLanesWithFewer) {
   components::ComponentQuery query = lanes({11, 12, 13}, {"running_4"});
   query.inputs = {LaneInputs::of_digits(12), LaneInputs::rounded};
@@ -574,7 +574,7 @@ TEST_F(Components, TheShortlistHasTheBestPrecisionsOfTheBestKinds) {
     EXPECT_GT(found->seconds, 0);
     return precisions;
   };
-  // A kind that recomputes everything is worth nothing, whatever its area.
+  // A kind of lane that recomputes everything is worthless, however small it is.
   const auto float_alone = list({{"running_4", true}, {"fixed_norm", false}});
   ASSERT_EQ(float_alone.size(), 1u);
   EXPECT_EQ(float_alone.begin()->first, "running_4");

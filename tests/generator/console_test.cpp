@@ -6,7 +6,7 @@
 
 #include "tests/support/program.hpp"
 
-/// What a run says beside its results: errors as JSON, notes, progress and colors.
+/// A run's messages beside its results: errors as JSON, notes, progress and colors.
 namespace mixcmp::test::console_test {
 namespace {
 

@@ -12,7 +12,7 @@ using nlohmann::json;
 
 class Doctor : public ProgramTest {
 protected:
-  /// What was said beside it on stderr is left out.
+  /// Messages on stderr beside the report are left out.
   json report(const std::string& environment) {
     const Outcome run = mixcmp("doctor --json", environment);
     return json::parse(run.output.substr(0, run.output.rfind(']') + 1));

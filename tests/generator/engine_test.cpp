@@ -160,7 +160,7 @@ TEST(Engine, TemplateIsToldWhatTheSystemIs) {
   }
 }
 
-/// One of four candidates; only f reads w, only g reads o.
+/// An engine of four candidates; only f reads w, only g reads o.
 emit::GeneratedSystem arg_min_of_four() {
   design::Design design = with_pairs(design_of("(p - ci)^2 + (wi * q)^2", "(p - cj)^2 + oj^2"),
                                      {.kind = scene::EngineKind::arg_min, .row_tag_bits = 5});
@@ -168,7 +168,7 @@ emit::GeneratedSystem arg_min_of_four() {
   return generated(design);
 }
 
-/// Each in turn, a third of the interval after the one before.
+/// References begin in turn, each a third of the interval after the one before.
 TEST(Engine, FoldedReferencesBeginInDifferentPhases) {
   design::Design design = spheres(8, 3);
   design.references.front().structure.initiation_interval = 4;

@@ -50,7 +50,7 @@ TEST_F(ExploreCommand, ThePageShowsTheWholeCommandAndWhatTheTableIsNot) {
   }
 }
 
-/// What the rates depend on may be in a plan as well as in its scene.
+/// Settings that the rates depend on may be in a plan as well as in its scene.
 TEST_F(ExploreCommand, RatesOfAnotherPlanAreNotUsedAgain) {
   const auto rates_with = [&](const std::string& side) {
     std::ofstream(path("plan.toml")) << "scene = \"scene.toml\"\n[data]\nside = " << side << "\n";
@@ -74,7 +74,7 @@ TEST_F(ExploreCommand, ExplorePlansForTheSetThatItNames) {
             std::string::npos);
 }
 
-/// Before minutes of counting, and without leaving new tables beside old ones.
+/// A missing table is found before minutes of counting, and no new table is left beside old ones.
 TEST_F(ExploreCommand, ExploreMissesATableBeforeItCounts) {
   expect_refused("explore scene.toml --on nosuch -o out", "--on: unknown device");
   expect_refused("explore scene.toml --on virtex6-lx760 --on artix7-200t -o out", "no such file");

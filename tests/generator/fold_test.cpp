@@ -9,7 +9,7 @@
 #include "tests/support/graphs.hpp"
 #include "tests/support/sphere.hpp"
 
-/// Folded references: what the schedule promises the hardware.
+/// Folded references: promises of the schedule to the hardware.
 namespace mixcmp::test::fold_test {
 namespace {
 
@@ -128,7 +128,7 @@ TEST_P(Fold, UnitsThatDoNotSelectReadTheResultsOfOneUnit) {
   }
 }
 
-/// Of each kind no more than its operations need, of which each takes as many as fit into the
+/// No kind has more units than its operations need; a unit takes as many operations as fit into the
 /// interval.
 TEST_P(Fold, ThereAreAsFewUnitsAsTheIntervalAllows) {
   std::map<std::string, std::pair<int, int>> units_and_operations;
@@ -191,7 +191,7 @@ TEST_P(Fold, OperandsStayAsLongAsTheyAreRead) {
   }
 }
 
-/// Then what feeds the reference has a cycle to bring the next operands.
+/// The datapath that feeds the reference then has a cycle to bring the next operands.
 TEST(FoldedSpheres, LeaveTheLastPhaseToTheNextOperands) {
   for (const char* reference : {"s24e8", "s53e11"}) {
     for (const auto multipliers : {logic, scene::Multipliers::embedded}) {
@@ -216,7 +216,7 @@ TEST(FoldedSpheres, ReadTheirOperandsEarlyWhereRegistersAreSpare) {
   EXPECT_LE(schedule.last_operand_phase, 4);
 }
 
-/// Of four squares one waits for the next to be added to it, and one for the other side.
+/// Two of four squares wait: one for the next to be added to it, and one for the other side.
 TEST(FoldedSpheres, KeepTwoValuesAndNoRegisterInFrontOfTheSquarer) {
   const TypedGraph graph = reference_graph(
       graph_of("(a - b)^2 + (c - d)^2 + (a - d)^2", "(b + c)^2"), {.format = format("s24e8")});

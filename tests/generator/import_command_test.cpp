@@ -16,7 +16,7 @@ using characterise::AreaStage;
 using characterise::ComponentKind;
 using characterise::Measurement;
 
-/// One instance of a report by instance: its depth, name and area.
+/// One instance in the vendor's report by instance: its depth, name and area.
 struct Instance {
   int depth;
   std::string name;

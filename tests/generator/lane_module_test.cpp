@@ -16,7 +16,7 @@
 #include "tests/support/graphs.hpp"
 #include "tests/support/sphere.hpp"
 
-/// What a generated lane instantiates, and with which parameters.
+/// The modules that a generated lane instantiates, and their parameters.
 namespace mixcmp::test::lane_module_test {
 namespace {
 
@@ -40,7 +40,7 @@ std::vector<rtl::Instance> instances(const Graph& graph, const Lane& lane,
   return found;
 }
 
-/// None: the instance does not set it.
+/// The value of a parameter; none if the instance does not set it.
 std::optional<long long> parameter(const rtl::Instance& instance, const std::string& name) {
   for (const rtl::Parameter& p : instance.parameters) {
     if (p.name != name) continue;

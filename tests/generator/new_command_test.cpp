@@ -6,7 +6,7 @@
 
 #include "tests/support/program.hpp"
 
-/// `mixcmp new`: the scene file that it writes, and what it asks.
+/// `mixcmp new`: the scene file that it writes, and its questions.
 namespace mixcmp::test::new_command_test {
 namespace {
 
@@ -19,7 +19,7 @@ protected:
     write("others.csv", "x,y,d\n1,2,3\n4,5,6\n");
   }
 
-  /// What `check --json` says of a scene file.
+  /// The output of `check --json` for a scene file.
   nlohmann::json checked(const std::string& scene) {
     const Outcome run = mixcmp("check " + scene + " --json");
     EXPECT_EQ(run.exit_code, 0) << run.output;

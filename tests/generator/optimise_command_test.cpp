@@ -46,7 +46,7 @@ TEST_F(OptimiseCommand, APlanOfLanesInFixedPointIsWhatCheckTakes) {
   EXPECT_EQ(lanes[0].at("format"), "q11") << checked.output;
 }
 
-/// Guard digits are no digits of a running bound, of which there are at most eight.
+/// Guard digits are not digits of a running bound, which are limited to eight.
 TEST_F(OptimiseCommand, APlanOfLanesWithManyGuardDigitsIsWhatCheckTakes) {
   std::ofstream table(path("characterisation/scene-virtex6-lx760.csv"), std::ios::app);
   row(table, "lane,,q11g9,,fixed_norm_g9,embedded,0,0", 7, 380, 4);
@@ -357,7 +357,7 @@ TEST_F(TwoTiers, ATierThatTheUserNamesIsKept) {
   EXPECT_EQ(best(" --table characterisation/scene-virtex6-lx760.csv").first, 7);
 }
 
-/// Its segments and its merge would be added up with parts that are not the scene's.
+/// The areas of another engine's segments and merge would be added to parts of the scene's engine.
 TEST_F(TwoTiers, ATableOfAnotherEngineIsRefused) {
   const std::string name = "characterisation/scene-virtex6-lx760.csv";
   const std::string engine =
@@ -507,7 +507,8 @@ TEST_F(OptimiseCommand, RatesOfProfiledLanesAreThoseOfTheScenesConstants) {
   EXPECT_GT(rate_with("0.02"), 2 * rate_with("0.001"));
 }
 
-/// Its rows are of other RTL, and what another machine's store never had would be lost.
+/// The table's rows are of other RTL, and measurements that only another machine's store has would
+/// be lost.
 TEST_F(OptimiseCommand, CharacteriseDoesNotDropATableOfAnotherTarget) {
   const std::string before = read("characterisation/scene-virtex6-lx760.csv");
   expect_refused(

@@ -8,7 +8,7 @@
 #include "tests/support/fake_yosys.hpp"
 #include "tests/support/program.hpp"
 
-/// What every verb writes, where it writes it, and what its exit code says of that.
+/// Every verb's outputs, their places, and the exit code when one fails.
 namespace mixcmp::test::outputs_test {
 namespace {
 
@@ -21,7 +21,7 @@ protected:
     write_scene("scene.toml", "a * b");
   }
 
-  /// a * c against `g`.
+  /// Writes a scene that compares a * c with `g`.
   void write_scene(const std::string& name, const std::string& g) {
     std::ofstream(path(name))
         << "[comparison]\nname = \"scene\"\nf = \"a * c\"\ng = \"" << g << "\"\n"
@@ -77,7 +77,8 @@ TEST_F(Outputs, ATableGoesThroughDevicesAndLinks) {
   EXPECT_EQ(mixcmp("verify scene.toml --simulator icarus --csv /dev/full").exit_code, 1);
 }
 
-/// Of a * c the scene finds two greater than a * b and one less; the other, all three greater.
+/// On a * c the scene finds two rows greater than a * b and one less; the other scene finds all
+/// three greater.
 TEST_F(Outputs, TwoSystemsThatShareAWorkFolderKeepTheirOwn) {
   write_scene("other.toml", "2 * a * c - 1000");
   const auto verify = [&](const char* scene, const char* csv) {
@@ -174,7 +175,7 @@ TEST_F(Outputs, ATableGoesThroughAPipe) {
   EXPECT_NE(piped.output.find("\ncode 0\n"), std::string::npos) << piped.output;
 }
 
-/// They would stand in comments of Verilog and plans.
+/// Arguments stand in comments of Verilog and of plans.
 TEST_F(Outputs, AnArgumentIsOneLineOfUtf8) {
   for (const char* text : {"a\nb", "a\tb", "\xff", "a\x7f"}) {
     expect_refused(fmt::format("check 'scene{}.toml'", text), "cannot be written into files");
@@ -312,7 +313,7 @@ TEST_F(Outputs, WhoWaitsForAnotherRunSaysSo) {
   EXPECT_NE(run.output.find("work: waiting for another run"), std::string::npos) << run.output;
 }
 
-/// ccache is there on many machines, and its folder is not.
+/// Many machines have ccache, but not its folder.
 TEST_F(Outputs, ACcacheThatCannotWriteIsNotUsed) {
   const Outcome run = mixcmp("verify scene.toml", "CCACHE_DIR=/proc/nowhere");
   EXPECT_EQ(run.exit_code, 0) << run.output;

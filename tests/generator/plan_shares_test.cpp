@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-/// What the parts of a plan take, by numbers that are easy to add up.
+/// The area shares of a plan's parts, by numbers that are easy to add up.
 namespace mixcmp::test::plan_shares_test {
 namespace {
 

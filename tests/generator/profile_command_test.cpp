@@ -78,7 +78,7 @@ TEST_F(ProfileCommand, CountsTheBoundsThatAreAskedFor) {
   }
 }
 
-/// The advice is what the shortlist of `characterise --quick` is made of, so it names a lane that
+/// The shortlist of `characterise --quick` is made of the advice, so the advice names a lane that
 /// exists, by rates of this run.
 TEST_F(ProfileCommand, EndsWithAdviceThatSaysWhatItStandsOn) {
   const std::string arguments = "scene.toml --last 20 --bounds constant,fixed_norm";
@@ -106,7 +106,7 @@ TEST_F(ProfileCommand, EndsWithAdviceThatSaysWhatItStandsOn) {
   EXPECT_EQ(followed.exit_code, 0) << command << "\n" << followed.output;
 }
 
-/// The same rates, and no wait for errors that they do not need.
+/// Fixed-point rates are the same without relative errors, so the profile does not measure these.
 TEST_F(ProfileCommand, FixedPointAloneMeasuresNoRelativeErrors) {
   const Outcome without = profile("scene.toml --last 12 --bounds fixed_norm --json");
   const Outcome with = profile("scene.toml --last 12 --bounds fixed_norm --samples 50 --json");

@@ -7,7 +7,7 @@
 
 #include "tests/generator/project_fixture.hpp"
 
-/// `generate --project`: the files for other tools do what they say, wherever they lie.
+/// `generate --project`: the files for other tools do their work wherever they lie.
 namespace mixcmp::test::project_command_test {
 namespace {
 
@@ -69,7 +69,8 @@ TEST_F(Project, TheTestBenchFindsFaultsOfTheHardware) {
   }
 }
 
-/// The data have neither ties of zeros nor NaNs, and lanes take as many comparisons in each pass.
+/// The data have neither ties of zeros nor NaNs, and all lanes take equally many comparisons in
+/// each pass, so only the test vectors show these faults.
 TEST_F(Project, TheTestBenchFindsFaultsThatTheDataAloneDoNotShow) {
   generate("--project icarus --vectors 100");
   const auto expect_found = [&](const char* file, const char* change, const char* message) {
@@ -228,7 +229,7 @@ TEST_F(EngineProject, ItIsToldWhatLeaves) {
             ", pairs that are less leave by 2 streams as flags of 1\n");
 }
 
-/// What Verilator says, but for the statistics with which Debian 13's ends: lines that begin "- ".
+/// Verilator's output without the statistics at the end of Debian 13's: lines that begin "- ".
 std::string without_report(const std::string& output) {
   std::string said;
   std::istringstream lines(output);

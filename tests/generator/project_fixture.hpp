@@ -8,7 +8,7 @@
 
 namespace mixcmp::test {
 
-/// A scene beside its data, and the folder of what `generate --project` makes of it.
+/// A scene beside its data, and the folder that `generate --project` makes of it.
 class ProjectTest : public ProgramTest {
 protected:
   ProjectTest() {

@@ -194,7 +194,7 @@ TEST_F(Report, RefusesToReplaceItsInput) {
   EXPECT_NE(read("scene.toml").find("[comparison]"), std::string::npos);
 }
 
-/// The page in Chromium, at a width and in a colour scheme: what a script inside it finds.
+/// The page in Chromium, at a width and in a colour scheme, and the findings of a script inside it.
 class ReportInBrowser : public Report {
 protected:
   void SetUp() override {

@@ -87,8 +87,8 @@ TEST_F(RouteCommand, WhatIsKeptReplacesNoInput) {
   EXPECT_TRUE(fs::exists(folder / "scene.toml"));
 }
 
-/// A router that is there and once does not say its version is an error, not a missing one: what
-/// was measured without it would be kept.
+/// A router that is installed but once fails to print its version is an error. It is not a missing
+/// router: measurements without it would be kept.
 TEST_F(RouteCommand, ARouterThatBreaksOnceIsNotMissing) {
   const std::string broken =
       instead_of("nextpnr-ice40", "case \"$*\" in *--version*) exit 1;; esac");

@@ -43,7 +43,7 @@ public:
     return longest;
   }
 
-  /// Each cut that asks for another has it.
+  /// Whether each cut that needs another cut has it.
   bool has_needed(unsigned cuts) const {
     for (int k = 0; k < count(); ++k) {
       const int needed = stages_[k].cut_needs;
@@ -108,7 +108,7 @@ int registers(const std::vector<bool>& cuts) {
 }
 
 /// The fewest registers, the last included, that leave no path over `limit_ns`, and the fewest sums
-/// in halves that so many registers allow. Tries every mask.
+/// in halves at that number of registers. Tries every mask.
 std::pair<int, int> fewest_cuts(const datapath::Unit& unit, double limit_ns) {
   const Stages stages(unit);
   const unsigned last = 1u << (stages.count() - 1);
@@ -178,7 +178,8 @@ TEST_P(CutsOfProducts, AreTheFewestThatMeetThePeriodAndTheOutputIsRegistered) {
   }
 }
 
-/// Of a product of multipliers: no cut between two rows but with one behind the multipliers.
+/// Whether a product of multipliers has a cut between two rows only with a cut behind the
+/// multipliers.
 bool rows_wait_for_multipliers(const datapath::Step& step, int rows) {
   const auto& stages = step.unit.stages;
   const auto multiply =
@@ -192,8 +193,8 @@ bool rows_wait_for_multipliers(const datapath::Step& step, int rows) {
   return !cut_between_rows || step.cuts[static_cast<std::size_t>(multiply)];
 }
 
-/// Behind a cut between rows an unregistered multiplier would stand in one cycle with its adder.
-/// The four squares are alike, so that one search for the fewest cuts serves all of them.
+/// Behind a cut between rows an unregistered multiplier would share a cycle with its adder. The
+/// four squares are alike, so one search for the fewest cuts serves all of them.
 TEST_P(ScheduleAtTarget, RowsOfMultipliersAreCutBehindRegisteredMultipliers) {
   for (const char* device : {"virtex6-lx760", "ecp5-85k", "ice40-up5k"}) {
     const datapath::DelayTable delays = datapath::delays_of(device).value();
@@ -220,8 +221,8 @@ TEST_P(ScheduleAtTarget, RowsOfMultipliersAreCutBehindRegisteredMultipliers) {
   }
 }
 
-/// What a lane checks and bounds beside its values is ready when it is read, and the decision waits
-/// for all of it.
+/// A lane's checks and bounds, which run beside its values, are ready when they are read, and the
+/// decision waits for all of them.
 TEST_P(ScheduleAtTarget, BoundsFollowTheirOperandsAndPrecedeTheDecision) {
   const Graph graph = test::sphere_graph();
   const error::Lane lane =
@@ -415,7 +416,7 @@ TEST(Schedule, ASumThatOnlyItsSquareReadsSharesItsUnit) {
   EXPECT_FALSE(datapath::squared_sum_of(reference, reference.g()));
 }
 
-/// Synthesis leaves nothing of such a product but what special values make of it.
+/// Synthesis removes such a product but for the handling of special values.
 TEST(Schedule, AProductWithZeroTakesNoTime) {
   const datapath::DelayTable delays = datapath::delays_of("virtex6-lx760").value();
   const auto latency = [&](const std::string& text, scene::Multipliers multipliers) {
@@ -445,7 +446,7 @@ TEST(Schedule, SquaresTakeTheFewestMultipliers) {
   }
 }
 
-/// The stages of a square have as many cuts as the template, in s53e8 three links and an excess.
+/// The stages of a square have as many cuts as the template: in s53e8 three links and an excess.
 TEST(Schedule, SquaresByTheirSymmetryHaveTheirOwnStages) {
   const datapath::DelayTable delays = datapath::delays_of("virtex6-lx760").value();
   const TypedNode node{
@@ -503,7 +504,7 @@ TEST(Schedule, WideSumsAreHalvedWhereThatSavesARegister) {
   EXPECT_EQ(halved(400), wide);
 }
 
-/// Of two chains side by side each has its own path; chains that fork anew wait for both.
+/// Two chains side by side have a path each; chains that fork anew wait for both.
 TEST(Schedule, ChainsForkWhenAllBeforeHaveEnded) {
   const datapath::DelayTable delays = {.register_ns = 0};
   const auto chain = [&](double first_ns, double second_ns) {

@@ -16,7 +16,7 @@
 #include "tests/support/sphere.hpp"
 #include "tests/support/well_formed.hpp"
 
-/// Pictures of lanes, references and systems against what is generated.
+/// Pictures of lanes, references and systems against the generated RTL.
 namespace mixcmp::test::schematic_test {
 namespace {
 
@@ -74,7 +74,7 @@ int boxes(const Pipeline& pipeline) {
   return count;
 }
 
-/// Every box reads what is ready, the last is the decision, and everything is read by something.
+/// Every box reads only ready values, the last is the decision, and some box reads each value.
 void expect_whole(const Pipeline& pipeline) {
   std::vector<bool> is_read(pipeline.units.size(), false);
   for (const PipelineUnit& unit : pipeline.units) {

@@ -8,7 +8,7 @@
 
 #include "tests/support/program.hpp"
 
-/// What the program tells of itself: its version, completions for shells, manual pages.
+/// The program's messages about itself: its version, completions for shells, manual pages.
 namespace mixcmp::test::shell_command_test {
 namespace {
 
@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 class ShellCommand : public ProgramTest {
 protected:
-  /// What bash offers behind these words, one a line; the last word is the one to complete.
+  /// The completions that bash offers behind these words, one a line; the last word is the one to
+  /// complete.
   std::string offered(const std::string& words) {
     EXPECT_EQ(mixcmp("completion bash >script").exit_code, 0);
     write("complete", "source ./script\nCOMP_WORDS=(mixcmp " + words +
@@ -34,7 +35,7 @@ protected:
     return names;
   }
 
-  /// Runs a checker on each page; what it prints is what it found.
+  /// Runs a checker on each page and returns its findings.
   std::string findings(const std::string& checker) {
     EXPECT_EQ(mixcmp("manual -o pages").exit_code, 0);
     return shell(fmt::format("cd '{}/pages' && for page in *; do {} ; done",

@@ -29,8 +29,8 @@ struct Seen {
   std::uint64_t comparisons = 0, decided = 0;
 };
 
-/// Doubles say what the golden model says, filters what is true or nothing, and long runs count
-/// what single comparisons say. What the filters decided, one a filter.
+/// Kernels in double give the golden model's verdicts; filters give the true verdict or none; long
+/// runs count the verdicts of single comparisons. Returns one count of decisions for each filter.
 std::vector<Seen> expect_right(CompiledSoftware& software, const data::Comparisons& data,
                                const std::string& what) {
   const auto doubles = reference_graph(software.scene().graph, {software::software_format()});
@@ -105,8 +105,8 @@ data::Table close_rows(const std::vector<std::string>& inputs, std::size_t count
   return table;
 }
 
-/// Numbers of few digits between the ends of floats and a little below, each of its own scale or
-/// all of one: they and what is computed from them underflow, or overflow.
+/// Numbers of few digits between the ends of floats and slightly below, each of its own scale or
+/// all of one scale. They and the values computed from them underflow or overflow.
 data::Table wide_rows(const std::vector<std::string>& inputs, std::size_t count, Random& random) {
   constexpr int least = -154, scales = 274;
   data::Table table{.format = software::software_format(), .columns = inputs};

@@ -35,8 +35,8 @@ TEST(Schedule, SquaresOfLogicAreSplitWhereTheirSumsAreTooLong) {
             datapath::LogicProduct::Form::behind_digits);
 }
 
-/// Of 53 bits, 105 places of sums in 26 rows; those from 78 up are late. Row k begins at place 2 k
-/// and has 2 k + 5 bits.
+/// A square of 53 bits has 105 places of sums in 26 rows; those from 78 up are late. Row k begins
+/// at place 2 k and has 2 k + 5 bits.
 TEST(Schedule, SplitSquaresHaveShortChains) {
   const datapath::LogicProduct square(53, datapath::LogicProduct::Kind::square,
                                       datapath::LogicProduct::Form::split);

@@ -56,7 +56,7 @@ TEST_F(SuiteCommand, RunsEveryCombination) {
   EXPECT_EQ(count(junit, "<testcase "), 4u) << junit;
 }
 
-/// Without a simulator nothing can be run, but what has passed is not run again.
+/// Without a simulator nothing can be run, but passed scenes are not run again.
 TEST_F(SuiteCommand, DoesNotRepeatWhatPassed) {
   ASSERT_EQ(mixcmp("verify --suite suite.toml").exit_code, 0);
   const std::string broken = instead_of("vvp", "exit 1");
@@ -85,7 +85,7 @@ TEST_F(SuiteCommand, ABudgetThatIsSpentLeavesRunsToTheNextCall) {
   EXPECT_EQ(mixcmp("verify --suite suite.toml --minutes 10").exit_code, 0);
 }
 
-/// One that cannot be run stops no other; one that fails counts for more.
+/// A scene that cannot be run stops no other scene; a scene that fails counts for more.
 TEST_F(SuiteCommand, TellsTheGravestOutcome) {
   write("suite.toml",
         "[[run]]\nscenes = [\"nowhere.toml\", \"scene.toml\"]\nsimulator = \"icarus\"\n");

@@ -45,7 +45,7 @@ protected:
   std::string table_text() { return read("characterisation/scene-virtex6-lx760.csv"); }
   void remove_table() { fs::remove_all(path("characterisation")); }
 
-  /// Starts a shard whose second job hangs, and kills it with -9 when that is so.
+  /// Starts a shard whose second job hangs, and kills the shard with -9 once it hangs.
   void kill_midway(const std::string& arguments) {
     write("run.sh",
           fmt::format("cd '{0}'; env {1} '{2}' sweep {3} >killed.log 2>&1 & program=$!\n"

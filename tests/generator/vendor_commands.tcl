@@ -32,7 +32,7 @@ proc vendor_call {name valued flags result arguments} {
   return $result
 }
 
-# Of arguments that look like absolute paths.
+# Checks only arguments that look like absolute paths.
 proc check_exists {name file} {
   if {[file pathtype $file] eq "absolute" && ![file exists $file]} {
     error "$name: there is no $file"

@@ -1,4 +1,4 @@
-"""The Python module: arrays in and out, and what it returns held against the program."""
+"""The Python module: arrays in and out, and its results held against the program."""
 
 import json
 import os

@@ -36,12 +36,12 @@ struct NamedFixedLane {
 /// otherwise, a test fails.
 std::vector<NamedFixedLane> fixed_lanes(const BoundedComparison& comparison, FloatFormat format,
                                         const std::vector<int>& widths);
-/// Likewise in block floating point; none where f and g are not homogeneous of one degree.
+/// The lanes in block floating point; none where f and g are not homogeneous of one degree.
 std::vector<NamedFixedLane> block_lanes(const BoundedComparison& comparison, FloatFormat format,
                                         const std::vector<int>& widths);
 
-/// Likewise with guard digits; none where a format of them is refused, as where f and g are not
-/// homogeneous of one degree in what is cut in common.
+/// The lanes with guard digits; none where a format of them is refused, as where f and g are not
+/// homogeneous of one degree in the numbers that are cut in common.
 std::vector<NamedFixedLane> guarded_lanes(const BoundedComparison& comparison, FloatFormat format,
                                           const std::vector<FixedPoint>& lane_formats);
 

@@ -16,8 +16,7 @@ echo "{\"modules\":{\"$top\":{\"netnames\":{$nets}}}}" > map.json
 )sh";
 
 /// A shell script that stands in for Yosys. It takes no time and finds 9000 registers, 40
-/// multipliers and as many LUTs as `luts` says, a number or a variable of the shell. `first`:
-/// commands before that.
+/// multipliers and `luts` LUTs, a number or a variable of the shell. `first`: commands before that.
 inline std::string fake_yosys(const std::string& luts, const std::string& first = "") {
   return "case \"$*\" in *-V*) echo 'Yosys 9.9 (fake)'; exit 0;; esac\n" + first +
          fmt::format(

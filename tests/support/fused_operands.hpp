@@ -49,7 +49,7 @@ private:
     return x;
   }
 
-  /// Significands of a few digits alone.
+  /// Keeps only a few digits of each significand.
   Operands short_ones(Operands x) {
     const int dropped = format_.fraction_bits() - static_cast<int>(random_() % 3) - 1;
     for (Bits& each : x) each = (each >> std::max(dropped, 0)) << std::max(dropped, 0);

@@ -12,11 +12,11 @@ namespace mixcmp::test {
 /// The comparison of two expressions that are known to be valid.
 Graph graph_of(const std::string& f, const std::string& g);
 
-/// The same of several parts {f, g}.
+/// The graph of several parts {f, g}.
 Graph graph_of(const std::vector<std::pair<std::string, std::string>>& parts,
                Combination combination);
 
-/// Where the certified decision exists: what it is.
+/// The certified decision; it must exist.
 const error::UlpDistanceCriterion& certified_decision(const error::Lane& lane);
 
 /// The lane with a relative bound, if there is one, and nothing left out of its operations; the

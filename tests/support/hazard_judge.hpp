@@ -7,9 +7,10 @@
 
 namespace mixcmp::test {
 
-/// Holds what a lane's hardware leaves out against the golden model's values of one comparison:
-/// empty, or which operation met what had been ruled out of it. Operands that fail a check, and
-/// whatever follows an exceptional operation, prove nothing.
+/// Holds the parts that a lane's hardware leaves out against the golden model's values of one
+/// comparison. Returns an empty string, or the operation that met a hazard which had been ruled
+/// out. Operands that fail a check, and all values that follow an exceptional operation, prove
+/// nothing.
 std::string broken_promise(const error::Lane& lane, std::span<const Bits> inputs);
 
 }  // namespace mixcmp::test

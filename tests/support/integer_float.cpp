@@ -13,7 +13,8 @@ enum class Kind {
   nan,
 };
 
-/// (-1)^negative * (integer + t) * 2^exponent with t = 0, or 0 < t < 1 where `more` is set.
+/// The number (-1)^negative * (integer + t) * 2^exponent with t = 0, or 0 < t < 1 where `more` is
+/// set.
 struct Value {
   Kind kind = Kind::finite;
   bool negative = false;
@@ -306,7 +307,7 @@ CutSum cut_sum(const Arithmetic& result, FloatFormat operands,
     if (values.back().is_zero()) continue;
     largest = std::max(largest, leading_exponent(first.value) + leading_exponent(second.value));
   }
-  // Five digits and as many as count the terms.
+  // Five digits, and the digits of the number of terms.
   const long guard = 5 + bit_count(mpz_class(static_cast<unsigned long>(terms.size()) - 1));
   const long last = largest - result.format.precision() - guard;
   Value total = values.front();

@@ -8,8 +8,8 @@
 
 namespace mixcmp::test {
 
-/// Exact and rounded inputs, and inputs of one digit more than a lane of this precision has.
-/// Without a reference of more digits than that the last are exact, too.
+/// Exact and rounded inputs, and inputs of one digit more than a lane of this precision has. If the
+/// reference has no more digits than those, the last are exact as well.
 inline std::array<LaneInputs, 3> all_inputs(int lane_precision) {
   return {LaneInputs::exact, LaneInputs::of_digits(lane_precision + 1), LaneInputs::rounded};
 }

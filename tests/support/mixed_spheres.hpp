@@ -4,7 +4,7 @@
 
 namespace mixcmp::test {
 
-/// A sphere lane of few digits on rounded inputs: what it bounds runs beside it.
+/// A sphere lane of few digits on rounded inputs, with a running bound.
 inline error::Lane running_sphere_lane(FloatFormat lane, FloatFormat reference) {
   const Arithmetic reduced = {lane, Rounding::nearest_even, Subnormals::flush};
   return error::certified_lane(lane_graph(sphere_graph(), reference, reduced, LaneInputs::rounded),

@@ -17,7 +17,7 @@
 
 namespace mixcmp::test {
 
-/// What a run of the program left on the terminal.
+/// The exit code of a run of the program, and its output.
 struct Outcome {
   int exit_code;
   std::string output;         ///< stdout and stderr, but for progress

@@ -23,7 +23,7 @@ inline Graph sphere_graph() {
   return graph;
 }
 
-/// p_H of one kind.
+/// `count` references of one kind.
 inline std::vector<design::ReferenceGroup> references_of(int count) {
   if (count == 0) return {};
   return {{.count = count}};

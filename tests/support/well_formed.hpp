@@ -13,7 +13,7 @@ inline std::size_t end_of_reference(const std::string& text, std::size_t at) {
   return end > at + 1 && end < text.size() && text[end] == ';' ? end : std::string::npos;
 }
 
-/// What is wrong with the attributes of a tag; empty if nothing is.
+/// The fault in the attributes of a tag; empty if there is none.
 inline std::string fault_of_attributes(const std::string& tag) {
   bool quoted = false;
   for (std::size_t k = 0; k < tag.size(); ++k) {

@@ -18,7 +18,7 @@ using Pairs = std::set<std::pair<std::size_t, std::size_t>>;
 
 const fs::path example = fs::path(MIXCMP_SOURCE_DIR) / "examples/aabb";
 
-/// Of a box the low and the high ends, in thousandths.
+/// The low and the high ends of a box, in thousandths.
 using Box = std::array<long, 6>;
 
 std::vector<Box> boxes_in(const fs::path& csv) {
@@ -56,7 +56,7 @@ Pairs overlapping(const std::vector<Box>& boxes) {
   return pairs;
 }
 
-/// Those that are not apart on any axis.
+/// The pairs of boxes that no axis separates.
 Pairs pairs_in(const fs::path& csv, std::size_t& comparisons) {
   std::ifstream stream(csv);
   std::string line;

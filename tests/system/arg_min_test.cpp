@@ -158,8 +158,8 @@ TEST_P(ArgMinSystem, InFixedPointARowACycle) {
   EXPECT_LT(report.cycles, 500u + report.arg_min->latency.maximum_cycles + 100);
 }
 
-/// Words hold what lanes in fixed point convert, in the finer format, and columns as they arrive.
-/// Whole and folded references take turns at the memories.
+/// A word holds the operands that fixed-point lanes have converted, in the finer format, and the
+/// columns as they arrive. Whole and folded references take turns at the memories.
 TEST(ArgMinSystemOf, LanesOfSeveralKindsAndThreeReferences) {
   design::Design design = nearest_point(2, 3);
   design.lanes.push_back(fixed_lanes({.bits = 5}, 2));

@@ -9,7 +9,7 @@
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
 
-/// One place in one module of a generated system broken: whoever judges finds it, in either
+/// One place in one module of a generated system is broken, and either judge finds it, in either
 /// simulator. (Results that are lost, doubled or get a wrong tag: tests/verilator_tb/verify_test.)
 namespace mixcmp::test::broken_system_test {
 namespace {
@@ -30,7 +30,7 @@ std::ostream& operator<<(std::ostream& out, const Fault& fault) {
   return out << fault.name;
 }
 
-/// A tie of two neighbours is rounded up, not to the even one, in results of this precision alone.
+/// A tie of two neighbours is rounded up, not to the even one, only in results of this precision.
 Fault ties_rounded_up(const char* name, int precision) {
   return {name, "mixcmp_fp_round.v", "(s0_odd || s0_tail)",
           "(s0_odd || s0_tail || (RESULT_PRECISION == " + std::to_string(precision) + "))"};
@@ -77,7 +77,7 @@ fs::path broken_rtl(const design::Design& design, const Fault& fault) {
 struct Judged {
   std::uint64_t mismatches = 0;
   std::uint64_t by_emulator = 0;
-  nlohmann::ordered_json by_anyone;  ///< what has to be the same whoever judges
+  nlohmann::ordered_json by_anyone;  ///< must be the same whoever judges
 };
 
 Judged judged(const design::Design& design, const fs::path& rtl,

@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(Systems, Families,
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 /// The paper's form with the error measured on ordinary spheres, then shown tangent ones: the
-/// hardware does what the golden model says, and that is wrong.
+/// hardware agrees with the golden model, and both are wrong.
 TEST(ProfiledLanes, AreWrongOnTangentSpheres) {
   const Graph graph = sphere_graph();
   const FloatFormat s53e8 = format("s53e8");

@@ -8,7 +8,7 @@
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
 
-/// Systems with folded references: whatever shares a unit, each result is the golden model's.
+/// Systems with folded references: each result is the golden model's, whatever shares a unit.
 namespace mixcmp::test::folded_reference_test {
 namespace {
 
@@ -51,8 +51,8 @@ design::Design design_of(const Case& c) {
 
 constexpr std::size_t encodings = 256;
 
-/// All encodings of a format of eight bits, NaNs and infinities too; of others as many, those at
-/// the ends of the range among them.
+/// All encodings of a format of eight bits, NaNs and infinities included. Wider formats get as many
+/// encodings, with those at the ends of the range among them.
 std::vector<Bits> encodings_of(FloatFormat format) {
   std::vector<Bits> all;
   if (format.width() > 8) all = special_encodings(format);

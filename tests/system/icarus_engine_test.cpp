@@ -14,7 +14,7 @@
 #include "tests/support/sphere.hpp"
 #include "verilator_tb/waves.hpp"
 
-/// Engines in Icarus Verilog: what is built, and how its runs end where something is wrong.
+/// Engines in Icarus Verilog: the built files, and the end of a run where something is wrong.
 namespace mixcmp::test::icarus_engine_test {
 namespace {
 
@@ -51,7 +51,7 @@ TEST(IcarusEngine, EndsWithItsHost) {
   EXPECT_EQ(how_it_ended(run->status), "failed with exit code 1");
 }
 
-/// vvp's $dumpfile takes ASCII names alone.
+/// vvp's $dumpfile takes only ASCII names.
 TEST(IcarusEngine, WritesWavesInAFolderOfAnyName) {
   const ScratchDirectory scratch;
   const fs::path folder = scratch.path() / "höhe × breite";

@@ -57,7 +57,8 @@ std::uint64_t nearest(const Point& point, const std::vector<Point>& centres) {
   return best;
 }
 
-/// Each row's candidate after all of its verdicts. Every comparison must be of the best so far.
+/// Each row's candidate after all of its verdicts. Every comparison must be that of the best so
+/// far.
 std::vector<std::uint64_t> chosen_by_verdicts(const fs::path& csv, std::size_t candidates) {
   std::ifstream stream(csv);
   std::string line;
@@ -123,7 +124,7 @@ struct TinyPoints {
   }
 };
 
-/// All comparisons of the engine's own contest are in the CSV, whatever the reference would choose.
+/// The CSV has all comparisons of the engine's own contest, whatever the reference would choose.
 TEST(KMeans, LanesFindTheNearestWhereTheReferenceUnderflows) {
   const ScratchDirectory scratch;
   const TinyPoints tiny;

@@ -87,8 +87,7 @@ design::Design folded_by_steps(int references) {
   return design;
 }
 
-/// Lanes in fixed point of several widths, and one that takes what the others have converted as it
-/// arrives.
+/// Adds lanes in fixed point of two widths, two of each.
 void in_fixed_point(design::Design& design) {
   const Graph graph = [] {
     Graph made;
@@ -245,7 +244,7 @@ protected:
     return "false";
   }
 
-  /// In another folder than the files'.
+  /// Runs the tool in another folder than the files'.
   void expect_silent(const std::string& tool, const std::string& command) {
     if (!is_installed(tool)) GTEST_SKIP() << tool << " is not installed";
     const ScratchDirectory elsewhere;

@@ -6,7 +6,7 @@
 #include "tests/support/simulated_system.hpp"
 
 /// Lanes and references of several kinds in one system: every verdict is that of the lane it went
-/// through, and what each kind did is told apart.
+/// through, and each kind's counts are told apart.
 namespace mixcmp::test::mixed_test {
 namespace {
 

@@ -14,7 +14,7 @@
 #include "tests/support/mixed_spheres.hpp"
 #include "tests/support/simulated_system.hpp"
 
-/// Whole engines, lanes and references inside: what is reported is what the golden model says.
+/// Whole engines, lanes and references inside: the reports are those of the golden model.
 namespace mixcmp::test::pairwise_test {
 namespace {
 
@@ -185,9 +185,9 @@ data::Table part_of(const data::Table& table, std::size_t first, std::size_t cou
   return part;
 }
 
-/// Three times as many items as the memory holds: each part alone, and each two of them as targets
-/// and others (docs/scale.md). Together that is every pair once, with the verdicts that it has in
-/// an engine that holds all items.
+/// Three times as many items as the memory holds: each part by itself, and each two parts as
+/// targets and others (docs/scale.md). Together that is every pair once, with the verdicts that it
+/// has in an engine that holds all items.
 TEST(PairwiseSystemOf, ItemsBeyondTheMemoryComeInParts) {
   constexpr std::size_t parts = 6, part_items = capacity / 2;
   const design::Design design = spheres(8, 2);
@@ -267,7 +267,7 @@ TEST_P(BrokenEngine, IsFoundOut) {
   const std::size_t place = text.find(fault.from);
   ASSERT_NE(place, std::string::npos);
   std::ofstream(rtl / fault.file) << text.replace(place, std::string(fault.from).size(), fault.to);
-  // Of the grid the last pairs of a set are recomputed, of the other spheres they are reported.
+  // On the grid the last pairs of a set are recomputed; on the other spheres they are reported.
   bool found = false;
   for (const data::Comparisons& spheres : {random_spheres(design, 41), grid_spheres(design, 41)}) {
     const auto report = verilator_tb::verify(design, spheres, rtl,

@@ -55,7 +55,7 @@ design::Design design_of(const Load& load) {
 
 constexpr std::uint64_t lanes_per_segment = 8;
 
-/// What the first lanes say of each pair of items i < j.
+/// The verdicts of the first lanes on each pair of items i < j.
 class FirstVerdicts {
 public:
   FirstVerdicts(const design::Design& design, const data::Comparisons& pairs) {
@@ -82,8 +82,8 @@ private:
   std::vector<golden::LaneResult> verdicts_ = std::vector<golden::LaneResult>(items * items);
 };
 
-/// Cycles that the second tier of the segment that holds the items from `first` on needs for item
-/// j: one at least if it is told of it.
+/// Cycles that the second tier needs for item j, in the segment that holds the items from `first`
+/// on: at least one if the tier is told of j.
 std::uint64_t second_tier_cycles(const FirstVerdicts& verdicts, std::uint64_t first,
                                  std::uint64_t j) {
   std::uint64_t undecided = 0;

@@ -71,7 +71,7 @@ TEST(Protein, CollidingPairsOfTheSimulatedSystemAreTheTrueOnes) {
                     test_work_dir("protein"));
 }
 
-/// The same out of the atoms alone, loaded once.
+/// The same pairs from the atoms only, loaded once.
 TEST(Protein, ReportsOfThePairwiseEngineAreTheTrueOnes) {
   expect_true_pairs(fs::path(MIXCMP_SOURCE_DIR) / "examples/pairwise_engine/protein.toml",
                     test_work_dir("protein_pairwise"));

@@ -3,8 +3,8 @@
 #include "tests/support/every_pair.hpp"
 #include "tests/support/simulated_system.hpp"
 
-/// Systems of streams with a second tier: whoever decides a comparison, lane, second tier or
-/// reference, the result is the golden model's.
+/// Systems of streams with a second tier. A lane, the second tier or a reference decides a
+/// comparison; the result is always the golden model's.
 namespace mixcmp::test::second_tier_test {
 namespace {
 

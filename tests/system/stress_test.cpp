@@ -4,8 +4,9 @@
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
 
-/// Nothing lost, doubled or mis-tagged: 10^6 comparisons under random stalls and resets. The lane
-/// has few bits, so that a good share is recomputed and the paths behind the crossbar work hard.
+/// Nothing is lost, doubled or mis-tagged in 10^6 comparisons under random stalls and resets. The
+/// lane has few bits, so that a good share is recomputed and the paths behind the crossbar work
+/// hard.
 namespace mixcmp::test::stress_test {
 namespace {
 

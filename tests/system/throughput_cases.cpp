@@ -13,7 +13,7 @@
 namespace mixcmp::test {
 namespace {
 
-/// s24e8 is binary32.
+/// The encoding in s24e8, which is binary32.
 Bits bits_of(float value) {
   return std::bit_cast<std::uint32_t>(value);
 }

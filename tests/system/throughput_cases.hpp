@@ -21,12 +21,12 @@ struct Shape {
 };
 void PrintTo(const Shape& shape, std::ostream* stream);
 
-/// s5e8 of s24e8, certified.
+/// A certified sphere system: lanes in s5e8, references in s24e8.
 design::Design design_of(const Shape& shape);
 
 std::vector<bool> random_pattern(std::size_t count, double rate, unsigned seed);
 
-/// What the generator says of the lanes that a reference serves.
+/// The generator's description of the lanes that a reference serves.
 performance::LaneStreams streams_of(const design::Design& design, int reference);
 
 /// Comparisons per cycle of all lanes where this part is undecided at random.

@@ -9,7 +9,7 @@
 namespace mixcmp::test::throughput_sweep_test {
 namespace {
 
-/// So many that filling and emptying the system is far below what is measured.
+/// Enough that filling and emptying the system takes far less than the measured time.
 constexpr std::size_t comparisons = 120'000;
 
 class ThroughputSweep : public testing::TestWithParam<Shape> {};

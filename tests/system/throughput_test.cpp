@@ -35,7 +35,7 @@ std::vector<bool> bursts(int burst, int period, int repetitions) {
 TEST(Throughput, IsFullUpToTheLongestBurstThatSlotsHold) {
   const design::Design design = design_of(shape);
   const int absorbed = performance::absorbed_burst(streams_of(design, 0));
-  // A lane whose comparisons come a cycle later meets its reference a cycle later, too.
+  // A lane whose comparisons come a cycle later meets its reference a cycle later as well.
   constexpr int margin = 2;
   EXPECT_EQ(stalls_of(run(design, bursts(absorbed - margin, 600, 2))), 0u);
   EXPECT_GT(stalls_of(run(design, bursts(absorbed + margin, 600, 2))), 0u);
@@ -43,7 +43,7 @@ TEST(Throughput, IsFullUpToTheLongestBurstThatSlotsHold) {
 
 TEST(Throughput, FallsBelowEquation8WhereSlotsDoNotHoldABurst) {
   constexpr int period = 1'000;
-  constexpr int burst = 110;  // 88 % of what the reference could do on average
+  constexpr int burst = 110;  // 88 % of the reference's average capacity
   const design::Design design = design_of(shape);
   std::vector<bool> one_lane(period, false);
   std::fill_n(one_lane.begin(), burst, true);

@@ -23,7 +23,7 @@ TEST(Build, IsFoundAgainByItsContent) {
   EXPECT_EQ(second->build_seconds, 0);
 }
 
-/// What a killed compiler or linker leaves is newer than what it is made of.
+/// The remains of a killed compiler or linker are newer than their sources.
 TEST(Build, StartsAnewWhereItWasInterrupted) {
   const auto system = verilator_tb::load_system(write_fake_system({.name = "good"}));
   ASSERT_TRUE(system.ok()) << system.error().to_string();

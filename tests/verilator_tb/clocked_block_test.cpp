@@ -142,7 +142,7 @@ TEST(ClockedBlock, IsBuiltAnewWhereItsArchiveIsGone) {
   }
 }
 
-/// Its stub would give the output a cycle late.
+/// The stub of a combinational output would give it a cycle late.
 TEST(ClockedBlock, OfCombinationalOutputsIsRefused) {
   const auto design = test::sphere_design(format("s5e8"), format("s24e8"), 1, 1);
   const fs::path folder = generate(design, "combinational");

@@ -7,7 +7,7 @@
 
 namespace mixcmp::test {
 
-/// What becomes of comparisons that a lane of the fake system does not decide; as its ROUTE.
+/// The route of comparisons that a lane of the fake system does not decide; a value is its ROUTE.
 enum class FakeRoute {
   reference = 0,
   in_order = 1,

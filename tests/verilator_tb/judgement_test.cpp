@@ -10,8 +10,8 @@
 #include "tests/support/unproven_tie.hpp"
 #include "tests/verilator_tb/fake_system.hpp"
 
-/// What is held against the truth, what is not and why, and what a report says beside its numbers;
-/// without a simulator.
+/// Which verdicts are held against the truth, which are not and why, and the notes of a report
+/// beside its numbers; without a simulator.
 namespace mixcmp::test::judgement_test {
 namespace {
 

@@ -29,7 +29,7 @@ verilator_tb::VerifyReport run(const FakeSystem& fake, std::size_t count,
 
 class FakeSystems : public testing::TestWithParam<verilator_tb::SimulatorKind> {
 protected:
-  /// At full rate and stressed with resets, every comparison must come back as it should.
+  /// Every comparison must come back as it should, at full rate and stressed with resets.
   void expect_pass(const FakeSystem& fake) {
     for (const verilator_tb::TrafficKind traffic :
          {verilator_tb::TrafficKind::full_rate, verilator_tb::TrafficKind::stressed}) {
@@ -156,8 +156,8 @@ TEST(Verify, FindsUnknownHandshakesOfRefetchesInIcarus) {
   }
 }
 
-/// The emulator judges all but a sample, the recomputed and the mismatches; and whoever judges,
-/// everything else in the report is the same.
+/// The emulator judges all but a sample, the recomputed ones and the mismatches. Whichever judge is
+/// chosen, everything else in the report is the same.
 TEST_P(FakeSystems, BothJudgesFindTheSame) {
   for (const int fault : {0, 6, 11}) {
     nlohmann::ordered_json reports[2];
@@ -190,7 +190,8 @@ TEST_P(FakeSystems, BothJudgesFindTheSame) {
   }
 }
 
-/// Seven shares, one of them short; the same report and results in order for any number of jobs.
+/// Seven shares, one of them short; any number of jobs gives the same report, with results in
+/// order.
 TEST(Verify, SharesSideBySideAreOneRun) {
   std::vector<std::uint64_t> order;
   nlohmann::ordered_json reports[2];
@@ -215,7 +216,7 @@ TEST(Verify, SharesSideBySideAreOneRun) {
   EXPECT_EQ(reports[0], reports[1]);
 }
 
-/// Shares find what one simulation finds.
+/// Shares find the same as one simulation.
 TEST(Verify, SharesChangeNoVerdict) {
   const verilator_tb::VerifyReport whole = run({.name = "good"}, 3100, {});
   const verilator_tb::VerifyReport shares =
@@ -241,7 +242,7 @@ TEST(Verify, AFaultInOneShareFailsTheRunAndEndsIt) {
   }
 }
 
-/// As a sweep makes a long run: in three portions of seven simulations, whose reports go through
+/// A long run as a sweep makes it: three portions of seven simulations, whose reports go through
 /// files.
 class Portions : public testing::TestWithParam<int> {};
 
@@ -326,7 +327,7 @@ TEST(Verify, RepeatsOneComparisonAlone) {
 }
 
 TEST(Verify, CountsVerdictsThatAreNotTheTruth) {
-  // The true f and g are exchanged: whatever is not equal is called wrong.
+  // The true f and g are exchanged: every verdict but equal is called wrong.
   Graph graph;
   const auto a = graph.input("a");
   const auto b = graph.input("b");

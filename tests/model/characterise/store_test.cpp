@@ -75,7 +75,8 @@ TEST_F(Store, GivesBackWhatItWasGiven) {
   EXPECT_FALSE(store->find("c").value());
 }
 
-/// What a sweep's shards share: what one has written another finds, and a cut file counts as none.
+/// The shards of a sweep share the folder: each finds the others' results. A cut file counts as
+/// none.
 TEST_F(Store, AFolderHasAFileForEachResult) {
   fs::create_directories(path_);
   {

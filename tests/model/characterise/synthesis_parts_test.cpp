@@ -9,7 +9,7 @@
 #include "model/characterise/router.hpp"
 #include "model/characterise/static_timing.hpp"
 
-/// What is read from the tools' files, without the tools.
+/// Reading the tools' files, without the tools.
 namespace mixcmp::test::synthesis_parts_test {
 namespace {
 

@@ -258,7 +258,7 @@ TEST_F(Synthesis, Ice40CountsLogicCells) {
 }
 
 /// nextpnr's packer, which nobody here wrote, is the judge of our count. It adds a constant or two
-/// and what a carry chain needs at its ends.
+/// and the cells at the ends of a carry chain.
 TEST_F(Synthesis, OurLogicCellsAreThoseThatNextpnrPacks) {
   SKIP_WITHOUT_YOSYS();
   SKIP_WITHOUT_ROUTER("ice40-hx8k");
@@ -318,7 +318,7 @@ TEST_F(Synthesis, Ice40IsRoutedOverSeeds) {
   EXPECT_LT(clock.high_mhz, 300);
 }
 
-/// The wrapper's own paths, a wire and one LUT, must not be what limits a component's clock.
+/// The wrapper's own paths, a wire and one LUT, must not limit a component's clock.
 TEST_F(Synthesis, TheWrapperAloneIsFasterThanAnyComponent) {
   SKIP_WITHOUT_YOSYS();
   SKIP_WITHOUT_ROUTER("ice40-hx8k");
@@ -385,7 +385,7 @@ TEST_F(Synthesis, AnEstimateBeforeRoutingHasARegisterBehindEachShiftRegister) {
   EXPECT_GT(result->clock->mhz, 1e6 / 1900);
 }
 
-/// A router of our own making, as $MIXCMP_NEXTPNR_ECP5: what is done with what it says.
+/// A router of our own making, as $MIXCMP_NEXTPNR_ECP5, to test the handling of its messages.
 class ScriptedRouter : public Synthesis {
 protected:
   void SetUp() override {
@@ -454,7 +454,8 @@ TEST_F(ScriptedRouter, ARefusalIsToldInTheRoutersWords) {
   EXPECT_EQ(std::get<characterise::Refusal>(*routed).reason, "Unable to place cell");
 }
 
-/// What broke once may not break again: it must not be kept as a property of the design.
+/// A router that broke once may not break again: the failure must not be kept as a property of the
+/// design.
 TEST_F(ScriptedRouter, ARouterThatBreaksIsAnError) {
   for (const char* script : {"echo 'ERROR: Failed to open JSON file'\nexit 1\n", "kill -SEGV $$\n",
                              "sleep 20\n", "echo '{' > route_1.json\n"}) {

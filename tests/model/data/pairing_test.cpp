@@ -96,7 +96,7 @@ TEST(Comparisons, CandidatesOfArgMinMeetInOrder) {
   EXPECT_EQ(describe(*data, 10), "row 3, candidates 1 and 2");
 }
 
-/// What run_length promises, comparison by comparison; and that runs are as long as they can be.
+/// Holds run_length's promise, comparison by comparison, and that runs are as long as they can be.
 void expect_runs(const data::Comparisons& data) {
   const auto follows = [&](std::uint64_t index) {
     data::Items next = data.items(index);

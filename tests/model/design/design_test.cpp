@@ -19,7 +19,7 @@ using scene::LaneGroupSpec;
 using scene::Multipliers;
 using scene::Scene;
 
-/// a^2 against b^2 in s17e8 with every choice made.
+/// The scene of a^2 against b^2 in s17e8, with every choice made.
 Scene complete_scene() {
   Scene scene{.path = "squares.toml",
               .name = "squares",

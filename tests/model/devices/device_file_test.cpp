@@ -123,7 +123,8 @@ TEST(DeviceFile, IsReadAsWritten) {
   EXPECT_EQ(device->sources, std::vector<std::string>{"luts: a data sheet"});
 }
 
-/// Six inputs of a table have room for two bits that select, four for what the file says.
+/// A table of six inputs has room for two bits that select. A table of four has none, unless the
+/// file says so.
 TEST(DeviceFile, SelectionsFollowTheTablesInputsUnlessGiven) {
   EXPECT_EQ(with("luts", "luts")->delays.sum_selects, 2);
   EXPECT_EQ(with("dsps = 0", "dsps = 0\nlut_inputs = 4")->delays.sum_selects, 0);

@@ -51,7 +51,7 @@ TEST(Devices, EveryFigureHasASource) {
   }
 }
 
-/// A longer chain, a larger multiplier: no delay is shorter than what it contains.
+/// A longer chain, a larger multiplier: no delay is shorter than that of a part.
 TEST(Devices, DelaysAreOrdered) {
   for (const std::string& name : devices::device_names()) {
     const devices::DelayTable delays = devices::find_device(name)->delays;

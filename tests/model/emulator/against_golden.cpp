@@ -17,7 +17,7 @@ namespace {
 
 using emulator::Emulator;
 
-/// All that the emulator says of one comparison.
+/// The emulator's answers for one comparison.
 struct Answer {
   Decision decision;
   Decision order;
@@ -133,7 +133,7 @@ OperandBatch::OperandBatch(FloatFormat format, const Operands& operands) {
 
 void for_each_instruction_set(const std::function<void()>& test) {
   const std::int64_t usable = hwy::SupportedTargets() & HWY_TARGETS;
-  const std::int64_t preferred = usable & -usable;  // a newer Highway prefers what AVX-512 grew by
+  const std::int64_t preferred = usable & -usable;  // newer Highways prefer AVX-512's extensions
   const auto choose = [](std::int64_t targets) {
     hwy::SetSupportedTargetsForTest(targets);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());

@@ -11,7 +11,7 @@ namespace mixcmp::test {
 /// Operands of comparisons: one column an input, encodings of the graph's input format.
 using Operands = std::vector<std::vector<Bits>>;
 
-/// The same as doubles.
+/// The operands of comparisons as doubles.
 class OperandBatch {
 public:
   OperandBatch(FloatFormat format, const Operands& operands);
@@ -26,12 +26,13 @@ private:
 /// Runs `test` once an instruction set, and leaves the best one chosen.
 void for_each_instruction_set(const std::function<void()>& test);
 
-/// decide, compare and compute. One failure names the first comparison that differs. Returns how
-/// many calls of the golden model the emulator made per instruction set and function.
+/// Holds decide, compare and compute against the golden model. One failure names the first
+/// comparison that differs. Returns how many calls of the golden model the emulator made per
+/// instruction set and function.
 std::uint64_t expect_golden(const error::Lane& lane, const Operands& operands);
 std::uint64_t expect_golden(const TypedGraph& reference, const Operands& operands);
 
-/// decide, of all parts together.
+/// Holds decide against the golden model, for all parts together.
 void expect_golden_decisions(const error::Lane& lane, const Operands& operands);
 void expect_golden_decisions(const TypedGraph& reference, const Operands& operands);
 

@@ -11,13 +11,13 @@
 #include "tests/support/sphere.hpp"
 
 /// Pairs of spheres that nearly touch, closer to a tie than a lane in fixed point can see or just
-/// beyond, by the million: what it decides is the truth, which 64-bit integers know.
+/// beyond, by the million. Every decided verdict is the truth, which 64-bit integers know.
 namespace mixcmp::test::aimed_pairs_test {
 namespace {
 
 using emulator::FixedEmulator;
 
-/// Coordinates and radii below 100 in steps of 2^-16: 23 bits, of which a lane sees the first W.
+/// Coordinates and radii below 100 in steps of 2^-16: 23 bits. A lane sees the first W of them.
 constexpr int step_bits = 16;
 constexpr std::int64_t largest = 100 << step_bits;
 constexpr std::size_t block = 4096;

@@ -148,7 +148,8 @@ FixedLane lane_of(const Graph& graph, int bits, const std::vector<std::optional<
       .value();
 }
 
-/// f and g: every kind of term with either sign, alone, in sums of sums, and shared by two readers.
+/// f and g: every kind of term with either sign, by itself, in sums of sums, and shared by two
+/// readers.
 constexpr std::array<std::pair<const char*, const char*>, 17> sums = {
     {{"a + b", "c"},
      {"-a - b", "c - d"},
@@ -231,7 +232,7 @@ FixedLane sphere_lane(int bits) {
       .value();
 }
 
-/// A part with operands of its own shares the cut: what is out of range in one leaves both
+/// A part with operands of its own shares the cut: an operand out of range in one part leaves both
 /// undecided.
 TEST(GuardedParts, AreTheGoldenModelsBitForBit) {
   const Graph graph =
@@ -246,7 +247,7 @@ TEST(GuardedParts, AreTheGoldenModelsBitForBit) {
   }
 }
 
-/// Its squares, their sum and its radius are computed where the decision reads them.
+/// The squares, their sum and the radius of spheres are computed where the decision reads them.
 TEST(FixedCode, OfSpheresStoresNothing) {
   const auto code = emulator::make_fixed_code(sphere_lane(24));
   ASSERT_TRUE(code.has_value());

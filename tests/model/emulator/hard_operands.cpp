@@ -12,7 +12,8 @@ double unit(Random& random) {
   return 1 + static_cast<double>(random() >> 12) * 0x1p-52;
 }
 
-/// In [1, 2), of digits + 1 digits, the last one 1; one in four a number of `digits` digits.
+/// A number in [1, 2) of digits + 1 digits, the last one 1; one in four is a number of `digits`
+/// digits.
 double half_way(int digits, Random& random) {
   const double scale = std::ldexp(1, digits - 1);
   const double significand = std::floor(unit(random) * scale);
@@ -29,7 +30,7 @@ Bits rounded(FloatFormat format, double value) {
   return value == 0 ? Bits{0} : from_rational(format, mpq_class(value));
 }
 
-/// x + y lies half way, or off it by less than what 53 digits show.
+/// x + y lies half way, or off it by less than 53 digits show.
 std::pair<double, double> hard_sum(int digits, Random& random) {
   const double middle = half_way(digits, random);
   switch (below(random, 3)) {
@@ -77,7 +78,7 @@ std::pair<Bits, Bits> hard_operands(Operation operation, FloatFormat format, int
   if (operation == Operation::add || operation == Operation::subtract) {
     y = std::ldexp(negative ? -y : y, exponent);
   }
-  // One in eight a neighbour: what is half way in double is not quite.
+  // One in eight becomes a neighbour, so that half way in double is not quite half way.
   Bits first = rounded(format, x);
   if (below(random, 8) == 0) ++first;
   return {first, rounded(format, y)};

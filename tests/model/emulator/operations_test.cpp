@@ -43,7 +43,7 @@ std::vector<Bits> every_encoding(FloatFormat format) {
   return encodings;
 }
 
-/// Those that double holds, too.
+/// Special encodings that double also holds.
 std::vector<Bits> special_doubles(FloatFormat format) {
   const FloatFormat narrow =
       format_of(std::min(format.precision(), 53), std::min(format.exponent_bits(), 11));
@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, SmallFormats,
                                          Formats{4, 3, 3, 3}, Formats{4, 3, 3, 4},
                                          Formats{4, 3, 2, 2}, Formats{3, 4, 5, 5}));
 
-/// Special values and their neighbours, all pairs; formats as wide as double's, too.
+/// Special values and their neighbours, all pairs. Some formats are as wide as double's.
 class SpecialValues : public testing::TestWithParam<Formats> {};
 
 TEST_P(SpecialValues, EveryPairOfEveryOperation) {

@@ -5,7 +5,7 @@
 #include "model/error/lane.hpp"
 #include "tests/model/emulator/against_golden.hpp"
 
-/// Lanes of every kind, sound or not: the emulator has to say what the golden model says.
+/// Lanes of every kind, sound or not: the emulator must agree with the golden model on all.
 namespace mixcmp::test {
 
 using Random = std::mt19937_64;
@@ -19,11 +19,11 @@ Graph random_graph(Random& random);
 Graph random_graph_of_parts(Random& random);
 
 LaneInputs random_inputs(Random& random);
-/// Up to 53 digits and 11 exponent bits.
+/// A format of up to 53 digits and 11 exponent bits.
 FloatFormat random_reference(Random& random);
 Arithmetic random_reduced(FloatFormat reference, Random& random);
 
-/// With a criterion and range checks made up.
+/// A lane with a made-up criterion and made-up range checks.
 error::Lane random_lane(TypedGraph graph, Random& random);
 error::AbsoluteBoundCriterion random_absolute_bound(TypedGraph& graph, Random& random);
 

@@ -7,8 +7,8 @@
 #include "tests/support/lane_inputs.hpp"
 #include "tests/support/sphere.hpp"
 
-/// Whole batches of one scale, from where results vanish to where they overflow: what is said of
-/// all operands at once has to hold for neighbours, too.
+/// Whole batches of one scale, from where results vanish to where they overflow. A statement about
+/// all operands at once has to hold for their neighbours as well.
 namespace mixcmp::test::scales_test {
 namespace {
 
@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(Expressions, Scales,
                                          "(a - b) * a", "max(a, b) / min(a, 1000 * b)",
                                          "abs(a - b) / (a * b)", "a * b * a * b"));
 
-/// A change of sign does not look at what it changes: a subnormal operand is not exceptional there.
+/// A change of sign does not look at its operand: a subnormal operand is not exceptional there.
 TEST(FlushingLanes, DecideOnOperandsThatOnlyChangeSign) {
   const FloatFormat only = format("s9e4");
   const auto node = [&](Operation operation, int operand, int input) {

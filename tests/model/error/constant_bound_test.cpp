@@ -21,9 +21,9 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
-/// Lanes whose bound is a constant, on operands aimed at it: c is put beside the real number f that
-/// the other operands give, so that whoever believes in a smaller error than f has decides wrongly.
-/// Real numbers are rationals here, computed by each comparison's own formula.
+/// Lanes whose bound is a constant, on operands aimed at that bound. c is placed close to the real
+/// number f that the other operands give, so that a lane with a bound below f's error decides
+/// wrongly. Real numbers are rationals here, computed by each comparison's own formula.
 namespace mixcmp::test::constant_bound_test {
 namespace {
 
@@ -80,7 +80,7 @@ struct Decisions {
   std::string example;
 };
 
-/// Walks through the ranges towards large errors, and has the lane decide beside every point.
+/// Walks through the ranges towards large errors. The lane decides close to every point.
 class Walk {
 public:
   Walk(const Aimed& aimed, const Lane& lane) : aimed_(aimed), lane_(lane) {}
@@ -111,7 +111,7 @@ private:
     return representable(range.low + part * (range.high - range.low));
   }
 
-  /// Up to an eighth of the range away, by a random number of doublings less.
+  /// An operand up to an eighth of the range away, or closer by a random number of halvings.
   mpq_class near(std::size_t k, const mpq_class& operand) {
     const Range& range = aimed_.ranges[k];
     mpq_class step = (range.high - range.low) / (8UL << random_() % 16);
@@ -123,7 +123,8 @@ private:
     return to_rational(reference, from_rational(reference, value));
   }
 
-  /// Has the lane decide with c beside f; how far apart it finds them.
+  /// Has the lane decide with c close to f. Returns the distance of f and c that the lane computes
+  /// for the nearest c.
   mpq_class aim(const Rationals& operands) {
     std::vector<Bits> inputs;
     for (const mpq_class& operand : operands) inputs.push_back(from_rational(reference, operand));

@@ -17,7 +17,7 @@
 #include "tests/support/lane_inputs.hpp"
 
 /// Certified lanes of random graphs in random formats, on operands that are driven to where the
-/// lane is only just certain: what it decides is the order of the real numbers.
+/// lane is only just certain. Every decided verdict must be the order of the real numbers.
 namespace mixcmp::test::fuzz_test {
 namespace {
 
@@ -100,7 +100,8 @@ FloatFormat random_reference(Random& random) {
   }
 }
 
-/// As scenes do.
+/// Whether every constant is finite in the format, and zero only if it is exactly zero, as in
+/// scenes.
 bool holds_constants(const Graph& graph, FloatFormat format) {
   for (const Node& node : graph.nodes()) {
     if (node.operation != Operation::constant) continue;
@@ -210,7 +211,7 @@ Bits distance(FloatFormat format, Bits f, Bits g) {
   return f_magnitude > g_magnitude ? f_magnitude - g_magnitude : g_magnitude - f_magnitude;
 }
 
-/// By how many steps a decided lane is more certain than it had to be.
+/// The number of steps by which a decided lane is more certain than necessary.
 Bits margin(const Lane& lane, const std::vector<Bits>& inputs) {
   const auto values = golden::evaluate(lane.graph, inputs);
   const FloatFormat format = lane.graph.arithmetic.format;
@@ -369,7 +370,7 @@ struct Aimed {
   Graph graph;
   struct Shot {
     int input;    ///< the operand that is solved for
-    NodeId node;  ///< what it is put beside
+    NodeId node;  ///< the node that it is brought close to
   };
   std::vector<Shot> shots;  ///< in order: a node needs no operand that is solved for later
 };
@@ -384,8 +385,8 @@ NodeId random_factor(Graph& graph, Random& random) {
   return node;
 }
 
-/// What is made of u - y, which y brings to zero: itself, its square or root, a product or
-/// quotient.
+/// A reader of u - y, which y brings to zero: the difference itself, its square or root, a product
+/// or a quotient.
 NodeId random_reader(Graph& graph, NodeId difference, Random& random) {
   const NodeId other = random_factor(graph, random);
   switch (below(random, 6)) {
@@ -398,7 +399,8 @@ NodeId random_reader(Graph& graph, NodeId difference, Random& random) {
   }
 }
 
-/// u against z, a sum or difference of such against z, or a reader of u - y against z.
+/// Compares a side with z. The side is u, a sum or difference of u and a factor, or a reader of u -
+/// y.
 Aimed random_aim(Random& random) {
   Aimed aimed{.graph = random_graph(random), .shots = {}};
   Graph& graph = aimed.graph;
@@ -432,7 +434,7 @@ std::optional<mpq_class> true_value(const Graph& graph, NodeId node, FloatFormat
   return value;
 }
 
-/// What a lane computes for a node of the graph; none if that is no number.
+/// The value that a lane computes for a node of the graph; none if the value is no number.
 std::optional<mpq_class> computed_value(const Graph& graph, NodeId node, FloatFormat reference,
                                         const Arithmetic& reduced, LaneInputs how,
                                         const std::vector<Bits>& inputs) {

@@ -67,7 +67,7 @@ TEST(InputDigits, OperandsBesideMidpointsAreNotDecidedWrongly) {
   }
 }
 
-/// So that a bound of half as much would decide, and wrongly.
+/// A bound of half the size would decide these operands, and wrongly.
 TEST(InputDigits, OperandsBesideMidpointsAttainTheBound) {
   for (const Rounding rounding : {Rounding::nearest_even, Rounding::toward_zero}) {
     const Lane lane = lane_of(rounding, 4);

@@ -33,8 +33,8 @@ void PrintTo(const Comparison& comparison, std::ostream* stream) {
   *stream << comparison.name;
 }
 
-/// A lane of all parts, and a lane of each part that was made from that part alone: these judge how
-/// the lane shares nodes and checks among its parts.
+/// The lane of all parts, and for each part the lane that was made from that part only. The
+/// separate lanes judge how the whole lane shares nodes and checks among its parts.
 struct Judged {
   Lane lane;
   std::vector<Lane> alone;
@@ -92,7 +92,7 @@ private:
   std::vector<Judged> judged_;
 };
 
-/// The combination of the parts' own decisions; `alone`: one part decided for the others.
+/// The combination of the parts' own decisions. `alone`: a decided part decides for undecided ones.
 struct Expected {
   LaneResult result;
   bool alone;
@@ -171,8 +171,8 @@ INSTANTIATE_TEST_SUITE_P(
                          to_string(std::get<1>(instance.param)));
     });
 
-/// The bounds of a quotient and of a root hold on a condition. It is about a node that has another
-/// number in the lane of both parts than in that of its own part alone.
+/// The bounds of a quotient and of a root hold on a condition. The condition names a node whose
+/// number in the lane of both parts differs from its number in the part's own lane.
 TEST(EveryTupleOfAPart, IsDecidedWhereTheConditionsOfItsOwnNodesHold) {
   const FloatFormat format = format_of(3, 4);
   for (const char* f : {"b / (a * a - b)", "sqrt(a * a - b)"}) {
@@ -193,7 +193,7 @@ Lane lane_of(const Graph& graph, LaneInputs inputs,
       .value();
 }
 
-/// One part's operands out of range, or NaN, keep no other part from deciding for all.
+/// Operands of one part that are out of range or NaN keep no other part from deciding for all.
 TEST(Lane, APartIsHarmedOnlyByWhatItDependsOn) {
   const Graph graph = graph_of({{"a + b", "a * b"}, {"c + d", "c * d"}}, Combination::all);
   const Lane lane =
@@ -203,7 +203,7 @@ TEST(Lane, APartIsHarmedOnlyByWhatItDependsOn) {
   const FloatFormat format = format_of(24, 8);
   const auto number = [&](int value) { return from_rational(format, mpq_class(value)); };
   const Bits nan = format.quiet_nan(), far = number(1000);
-  // 2 + 2 > 1 * ... : part 0 is greater where a = b = 1, part 1 says nothing.
+  // 2 + 2 > 1 * ... : part 0 is greater where a = b = 1; part 1 is undecided.
   for (const Bits bad : {nan, far, format.infinity(true)}) {
     const LaneResult result =
         evaluate_lane(lane, std::vector<Bits>{number(1), number(1), bad, number(2)});
@@ -283,8 +283,8 @@ TEST(Lane, ANodeThatPartsShareKeepsTheHazardsOfEither) {
   }
 }
 
-/// A part keeps the criterion, the checks and the nodes of the lane that was made of it alone. It
-/// keeps the hazards of nodes that it shared.
+/// An extracted part has the criterion, checks and nodes of the lane that was made of that part
+/// only. It keeps the hazards of nodes that it shared.
 TEST(Lane, APartIsTheLaneOfThatPart) {
   const Graph graph =
       graph_of({{"(a - b)^2", "c"}, {"(a - b)^2 + c", "a - b * c"}, {"a", "b"}}, Combination::any);

@@ -215,7 +215,7 @@ TEST(RangeAnalysis, FollowsInfinitiesWhereItIsAsked) {
   EXPECT_TRUE(root(error::Infinities::followed).may(error::Event::division_by_zero));
 }
 
-/// An infinite square is positive, the infinity behind a zero of either sign is not.
+/// An infinite square is positive. The infinity of a division by zero may have either sign.
 TEST(RangeAnalysis, KnowsTheSignOfInfinities) {
   const auto root_of_negative = [](const std::string& text) {
     const std::vector<std::optional<Range>> ranges = {{{0, 300}}};

@@ -14,7 +14,7 @@
 #include "tests/support/hazard_judge.hpp"
 #include "tests/support/sphere.hpp"
 
-/// What ranges and grids allow: checks, hazards, exponent bits, exactness.
+/// Effects of ranges and grids: checks, hazards, exponent bits, exactness.
 namespace mixcmp::test::range_use_test {
 namespace {
 
@@ -74,7 +74,7 @@ TEST(RangeCheck, ThatChecksSignsAloneLetsNansPass) {
   EXPECT_FALSE(passes(check, format, format.zero(true)));
 }
 
-/// Every operand pair that passes the checks: no operation meets what was ruled out of it.
+/// Every operand pair that passes the checks: no operation meets a hazard that was ruled out.
 void hold_hazards(const std::string& f, const Ranges& ranges, FloatFormat reference,
                   const Arithmetic& reduced, LaneInputs inputs) {
   const Graph graph = graph_of(f, "b");

@@ -31,7 +31,7 @@ Result<Lane> certify(const Graph& graph, Setting setting) {
                        setting.nonnegative);
 }
 
-/// What is known of f in a lane.
+/// The bound of f that is known in a lane.
 NodeBound bound_of(const std::string& f, Setting setting) {
   const Graph graph = graph_of(f, "0");
   const Arithmetic arithmetic{format_of(setting.precision, 8), setting.rounding,
@@ -55,7 +55,7 @@ mpq_class unit(int precision) {
   return mpq_class(1, mpz_class(1) << precision);
 }
 
-/// t within [low, high] for f, by name of the expression.
+/// Expects f's relative bound t to be [low, high].
 void expect_bound(const std::string& f, const Setting& setting, const mpq_class& low,
                   const mpq_class& high) {
   const NodeBound bound = bound_of(f, setting);
@@ -285,7 +285,7 @@ TEST(CertifiedLane, NamesADivisorThatMayBeZero) {
   EXPECT_NE(lane.error().accepted.find("ranges that keep it away"), std::string::npos);
 }
 
-/// Each step squares the bound and doubles its digits, were it kept exactly.
+/// Each step squares the bound, and would double its digits if it were kept exactly.
 TEST(CertifiedLane, GivesUpOnPowersOfPowers) {
   Graph graph;
   NodeId power = graph.input("x");
@@ -296,7 +296,7 @@ TEST(CertifiedLane, GivesUpOnPowersOfPowers) {
   EXPECT_NE(lane.error().message.find("out of bounds"), std::string::npos) << lane.error().message;
 }
 
-/// Past the digits that are kept, the bound still holds what exact arithmetic gives.
+/// Past the digits that are kept, the bound still encloses the result of exact arithmetic.
 TEST(RelativeBounds, OfLongProductsAreRoundedOutward) {
   const NodeBound bound = bound_of("((x^16)^16)^2", {});
   mpq_class low(131071, 131072), exact = 1;
@@ -324,8 +324,7 @@ Bits guard_of(const std::string& f, const std::string& g, Rounding rounding) {
   return certified_decision(lane.value()).guard_ulp;
 }
 
-/// Rounding keeps order, and what is chosen among rounded numbers is the rounding of what is
-/// chosen.
+/// Rounding keeps order: a selection among rounded numbers is the rounding of the selected number.
 TEST(GuardUlp, OfSelectionsOfRoundedInputsIsOneStep) {
   for (const auto rounding : {Rounding::nearest_even, Rounding::toward_zero}) {
     EXPECT_EQ(guard_of("a", "b", rounding), 1);

@@ -23,7 +23,7 @@ using golden::evaluate_lane;
 using golden::LaneResult;
 using golden::true_verdict;
 
-/// cxi, cxj, cyi, cyj, czi, czj, ri, rj.
+/// The operands cxi, cxj, cyi, cyj, czi, czj, ri, rj.
 using Spheres = std::array<double, 8>;
 
 /// Two spheres at this distance, the second at the origin with no radius.

@@ -219,7 +219,7 @@ TEST(LaneGraph, RoundsInputsToTheExponentsOfTheLane) {
   EXPECT_EQ(graph.nodes[1].format.name(), "s20e6");
 }
 
-/// So that a profile can hold lanes of all precisions against one graph.
+/// A profile holds lanes of all precisions against one graph, so their graphs have the same nodes.
 TEST(LaneGraph, OfMoreDigitsThanItsInputsHasItsOwnDigitsAndTheSameNodes) {
   const Graph graph = graph_of("min(a, b) - 0.1", "(a * b) * min(a, b)");
   const auto nodes = [&](int precision) {

@@ -79,7 +79,7 @@ void expect_enclosed(const FixedLane& lane, const std::vector<mpq_class>& inputs
   }
 }
 
-/// Every unit's multiple below 2 in magnitude, and what lies just above and just below it.
+/// Every unit's multiple below 4 in magnitude, and the numbers just above and just below it.
 std::vector<mpq_class> around_units(int bits, bool is_signed) {
   const mpq_class unit = mpq_class(4) / (1 << bits), little = unit / 1024;
   std::vector<mpq_class> values;

@@ -99,8 +99,8 @@ TEST(FixedLane, FactorsHaveTheBitsThatTheirErrorsLeaveMeaning) {
   const FixedNode& factor = lane.nodes[2];
   ASSERT_EQ(factor.operation, Operation::convert);
   EXPECT_FALSE(is_limit(factor));
-  // a < 2, in units of 2^-7, is 255 at most. The square of x + e, e >= -1, is off by 511, of which
-  // a 16th is more than 2^4; dropping four bits costs 2^4 - 1.
+  // a < 2 is 255 at most, in units of 2^-7. The square of x + e, e >= -1, is off by 511. A 16th of
+  // that is more than 2^4, and dropping four bits costs 2^4 - 1.
   EXPECT_EQ(factor.dropped_bits, 4);
   EXPECT_EQ(factor.format.name(), "ufix12_En10");
   EXPECT_EQ(factor.error, (Range{mpq_class(-(511 + 15) / 2, 1 << 13), 0}));
@@ -115,7 +115,7 @@ Range in_eighths(int low, int high) {
   return range;
 }
 
-/// A factor that may be little but its error; one unit finer would leave no bit beside the sign.
+/// A factor may consist of little but its error. One unit finer would leave no bit beside the sign.
 TEST(FixedLane, ConversionsTakeBitsThatTheirOperandsHave) {
   for (const char* f : {"min(max(a - b, -1/4096), 1/4096) * c", "within(a - b, -1/4096, 1/4096)^2",
                         "within(a - b, -1/4096, 0) * c", "max(a - b, 0) * c"}) {

@@ -92,7 +92,7 @@ TEST(GuardDigits, NormsHaveOneUnit) {
   }
 }
 
-/// Operands go up to 100, but those up to 1 have few bits: none of them has to be cut.
+/// Operands go up to 100, but the factors up to 1 and have few bits: none of them has to be cut.
 TEST(GuardDigits, NothingIsCutThatIsShortAlready) {
   const FixedLane lane = guarded(graph_of("within(a, 0, 1)^2", "within(b, 0, 1)^2"),
                                  {.bits = 9, .guard_digits = 3}, {0, 100});

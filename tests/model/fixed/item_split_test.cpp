@@ -74,8 +74,8 @@ TEST(ItemSplit, WhatOneItemDecidesIsComputedOnce) {
   }
 }
 
-/// A field holds an operand in the finest format; the other lane reads its upper bits. What the
-/// coarser lane computes of one item alone is computed of these.
+/// A field holds an operand in the finest format; the other lane reads its upper bits. The coarser
+/// lane's values that depend on one item only are computed from these bits.
 TEST(ItemSplit, LanesOfTwoFormatsShareAnOperand) {
   const Graph graph = graph_of("(ai - aj)^2", "bi^2");
   const FixedLane coarse = lane_of(graph, 5, {-4, 4}), fine = lane_of(graph, 9, {-4, 4});
@@ -181,7 +181,8 @@ private:
   std::vector<std::optional<mpz_class>> whole_;
 };
 
-/// A row's word has what depends on the row alone, a candidate's what depends on a candidate alone.
+/// A row's word has the values that depend only on the row, a candidate's word those that depend
+/// only on a candidate.
 TEST(ItemSplit, ARowHasAWordOfItsOwn) {
   const Split made =
       split_of(graph_of("(x - ai)^2 + 2 * x^2 + bi^2", "(x - aj)^2 + y + bj^2"), 8, {0, 4});

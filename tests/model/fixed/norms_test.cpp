@@ -34,8 +34,8 @@ TEST(Norms, ARadiusMayErrUpward) {
   EXPECT_EQ(norm.shift_below, 3);
 }
 
-/// Whichever side is f: a radius that is an operand errs less than a difference, and only what is
-/// not the radius has a reach.
+/// Whichever side is f: a radius that is an operand errs less than a difference, and only squares
+/// other than the radius have a reach.
 TEST(Norms, TheRadiusIsTheSquareThatGivesTheSmallerSlopes) {
   for (const bool swapped : {false, true}) {
     const char *near = "(a / 8)^2", *far = "(b - c)^2";
@@ -72,7 +72,7 @@ TEST(Norms, AreWholeWhereRadiiReachAsFar) {
   EXPECT_TRUE(std::none_of(lane.nodes.begin(), lane.nodes.end(), fixed::is_reach));
 }
 
-/// The golden model computes what is beyond reach and finds it greater, too.
+/// The golden model computes numbers beyond reach and finds them greater as well.
 TEST(Norms, BeyondReachAreGreaterAsComputed) {
   const Graph graph = graph_of("(a - b)^2", "c^2");
   const fixed::FixedOptions options{.format = {.bits = 6},
@@ -93,8 +93,8 @@ TEST(Norms, BeyondReachAreGreaterAsComputed) {
   EXPECT_FALSE(decided(beyond / 2).decided) << "with half the reach it would not be";
 }
 
-/// The least element that is beyond reach, beside the largest norm on the other side: greater in
-/// the golden model, which computes the whole difference.
+/// The least element beyond reach, with the largest norm on the other side, is greater in the
+/// golden model, which computes the whole difference.
 TEST(Norms, BeyondReachOfANormAreGreaterAsComputed) {
   const Graph graph = graph_of("a^2 + b^2", "c^2 + d^2 + e^2");
   const mpq_class tops[] = {mpq_class(1, 2), 1, 2, 4};

@@ -8,7 +8,7 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
-/// Lanes whose thresholds follow the magnitudes of what is multiplied.
+/// Lanes whose thresholds follow the magnitudes of the factors.
 namespace mixcmp::test::running_bound_test {
 namespace {
 

@@ -10,8 +10,8 @@
 #include "tests/support/bounded_comparisons.hpp"
 #include "tests/support/float_samples.hpp"
 
-/// A fixed-point lane decides as the real numbers do: every operand tuple of small formats, against
-/// exact rationals or, where there are roots, intervals of as many digits as it takes.
+/// A fixed-point lane decides as the real numbers do, on every operand tuple of small formats. The
+/// judge is exact rationals or, where there are roots, intervals of as many digits as are needed.
 namespace mixcmp::test::soundness_test {
 namespace {
 

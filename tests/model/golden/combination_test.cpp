@@ -8,8 +8,8 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
-/// What the verdicts of several parts make together, from the two orders that the scene file's
-/// documentation names.
+/// The combined verdict of several parts, from the two orders in the documentation of the scene
+/// file.
 namespace mixcmp::test::combination_test {
 namespace {
 

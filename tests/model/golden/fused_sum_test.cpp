@@ -36,13 +36,14 @@ Bits one(FloatFormat format) {
   return format.pack(false, format.bias(), 0);
 }
 
-/// The exact sum of terms, and what theorem 12 of docs/error_bounds.md says that cuts take from it.
+/// The exact sum of terms, and the most that cuts take from it by theorem 12 of
+/// docs/error_bounds.md.
 struct ExactSum {
   mpq_class value;
   mpq_class cut;
 };
 
-/// None where an operand is not finite, or arithmetic is not what the theorem is about.
+/// None where an operand is not finite, or where the theorem does not cover the arithmetic.
 std::optional<ExactSum> exact_sum(const Arithmetic& result, const Terms& terms) {
   const FloatFormat format = result.format;
   if (result.rounding != Rounding::nearest_even || result.subnormals != Subnormals::gradual) {
@@ -72,7 +73,7 @@ void expect_within_bound(const Arithmetic& result, const Terms& terms, Bits y) {
   ADD_FAILURE() << describe(result, terms) << " gives " << to_text(format, y);
 }
 
-/// Integers agree, and so does the exact sum where it is further from zero than what cuts take.
+/// Integers agree, and so does the exact sum where it is further from zero than the cuts.
 void judge_comparison(const Arithmetic& result, const Terms& terms) {
   const Verdict got = golden::fused_comparison(result, result.format, terms);
   const Verdict expected = integer_float::fused_comparison(result, result.format, terms);
@@ -211,7 +212,7 @@ TEST_F(FusedSumOfS8e6, FollowsInfinitiesAndNans) {
 }
 
 TEST_F(FusedSumOfS8e6, OverflowsOnceOnly) {
-  // The two products overflow alone; their difference does not.
+  // Each of the two products overflows by itself; their difference does not.
   const Bits large = number(power_of_two(30)), factor = number(4), less = number(mpq_class(7, 2));
   EXPECT_EQ(sum({{large, factor}, {large, less, true}}), number(power_of_two(29)));
 }

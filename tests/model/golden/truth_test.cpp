@@ -11,8 +11,8 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
-/// golden::true_verdict where intervals alone cannot decide: ties and zeros behind roots and
-/// roundoff, the ends of wide formats, and comparisons that stay undetermined.
+/// golden::true_verdict where intervals cannot decide by themselves: ties and zeros behind roots
+/// and roundoff, the ends of wide formats, and comparisons that stay undetermined.
 namespace mixcmp::test::truth_test {
 namespace {
 
@@ -187,7 +187,7 @@ NodeId sum_of_roots(Graph& graph, int n, bool backwards) {
   return sum;
 }
 
-/// f = g, and n roots to prove it from.
+/// A graph with f = g, whose proof needs n roots.
 Graph tie_of_roots(int n) {
   Graph graph;
   const NodeId f = sum_of_roots(graph, n, false);
@@ -396,8 +396,8 @@ private:
   std::vector<mpq_class> values_;
 };
 
-/// The verdict by 8192 digits rounded to nearest, where whatever is below 2^-4096 is taken for an
-/// exact zero: no number made of a few inputs of three digits and four roots comes closer to zero.
+/// The verdict by 8192 digits rounded to nearest, with numbers below 2^-4096 taken for exact zeros:
+/// no number made of a few inputs of three digits and four roots comes closer to zero.
 class ManyDigits {
 public:
   ManyDigits(const Graph& graph, FloatFormat format, const std::vector<Bits>& inputs)

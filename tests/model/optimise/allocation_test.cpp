@@ -56,8 +56,8 @@ TEST(PlanOf, KeepsTheMostLanesAndReferences) {
   EXPECT_FALSE(optimise::plan_of(problem, {.lanes = {0}, .references = {1}}).has_value());
 }
 
-/// Lanes of different throughput may reach the same sum in two ways. With one clock they differ by
-/// their initiation intervals alone.
+/// Lanes of different throughput may reach the same sum in two ways. With one clock only their
+/// initiation intervals differ.
 bool one_way(const optimise::AllocationProblem& problem) {
   const bool one_clock = problem.clocks == optimise::ClockDomains::single;
   const auto throughput = [&](const optimise::LaneKind& kind) {
@@ -241,7 +241,7 @@ TEST(Allocation, DecimalRatesThatJustFillAReferenceFillIt) {
                                                      {reference(337, {.luts = 1})}, {.luts = 1000});
     problem.max_references = 1;
     EXPECT_EQ(plan_of(problem).lane_count(), lanes);
-    // Nor does CBC's tolerance let one more lane in than there is room for.
+    // CBC's tolerance does not let in one lane more than there is room for.
     problem.lanes[0].recomputation_rate *= 1 + 1e-9;
     EXPECT_EQ(plan_of(problem).lane_count(), lanes - 1);
   }

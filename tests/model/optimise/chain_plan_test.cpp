@@ -60,7 +60,7 @@ protected:
               [](const auto& a, const auto& b) { return a.key < b.key; });
   }
 
-  /// What a chain with such lanes and so many embedded references takes, row by row.
+  /// The LUTs of a chain with such lanes and so many embedded references, row by row.
   static int luts_of_chain(int lane_luts, int references) {
     const int engine = engine_luts + 9 * stage_luts + (references - 1) * register_luts;
     return lanes * lane_luts + engine + references * (3000 + port_luts + crossbar_luts);

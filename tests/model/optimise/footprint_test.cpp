@@ -11,8 +11,9 @@ namespace {
 
 using optimise::Footprint;
 
-/// Of spheres in s8e8 lanes, exact inputs and a relative bound, as the table of PlanningTest has
-/// them: 240 LUTs and 2 DSPs each, 20 LUTs of streams; a reference 3000 LUTs and 20 DSPs.
+/// Footprints of sphere systems: s8e8 lanes, exact inputs and a relative bound, as the table of
+/// PlanningTest has them: 240 LUTs and 2 DSPs each, 20 LUTs of streams; a reference 3000 LUTs and
+/// 20 DSPs.
 class FootprintTest : public PlanningTest {
 protected:
   FootprintTest() {
@@ -64,7 +65,7 @@ TEST_F(FootprintTest, TakesTheRowOfTheReferenceAtHand) {
 
 TEST_F(FootprintTest, CountsACrossbarOfNoMorePortsThanThereAre) {
   const Footprint footprint = optimise::footprint_of(design(7), &table_, device_);
-  const int crossbar = 10;  // of 1 port: that of 8 was measured, too, and is larger
+  const int crossbar = 10;  // of 1 port; that of 8, also measured, is larger
   EXPECT_EQ(footprint.amounts[0], 7 * (240 + fifo_64_luts) + 3000 + crossbar);
 }
 

@@ -88,7 +88,8 @@ TEST_F(Optimise, LanesInLockStepShareAScoreboardAndAPort) {
   EXPECT_DOUBLE_EQ(plan.throughput_per_s(), best_by_trying(plan).throughput_per_s);
 }
 
-/// Of 1000 words of four comparisons 1 - (1 - 0.005)^4 ask, and each of these takes a cycle more.
+/// A share 1 - (1 - 0.005)^4 of the words of four comparisons asks, and each of these takes one
+/// more cycle.
 TEST_F(Optimise, RefetchedTagsAreReadOnceMoreForEachWordThatAsks) {
   scene_.system.operands = scene::OperandStore::refetched;
   scene_.system.lanes_per_group = 4;
@@ -129,7 +130,7 @@ TEST_F(Optimise, TheCrossbarsClockLimitsSystemsAndNotReferencesAlone) {
   EXPECT_TRUE(notes_say(found, "limited by the slowest crossbar"));
 }
 
-/// Nothing is known below the first port count, and sums stay in range above it.
+/// The area at the first measured port count serves smaller counts. Sums stay in range above it.
 TEST_F(Optimise, CrossbarSharesAreNeverTooSmall) {
   std::erase_if(table_.rows, [](const auto& row) {
     return row.key.kind == ComponentKind::crossbar && row.key.ports == 1;
@@ -177,7 +178,8 @@ TEST_F(Optimise, ALaneWithoutARateIsLeftOutAndNamed) {
   }));
 }
 
-/// Alone at its reference it would run at less than the reference itself: the crossbar's requests.
+/// Even a lane with a reference of its own would be slower than that reference: the crossbar's
+/// requests limit it.
 TEST_F(Optimise, ALaneThatLeavesMoreThanHalfUndecidedIsLeftOut) {
   rates_ = rates_of({{8, 500'001}, {10, 500'000}, {12, 10}});
   const Optimisation found = optimise_now();
@@ -188,7 +190,7 @@ TEST_F(Optimise, ALaneThatLeavesMoreThanHalfUndecidedIsLeftOut) {
   EXPECT_NE(found.plans[1].allocation(), nullptr);
 }
 
-/// 400 MHz as a target would win against 300 measured.
+/// Lanes with a target of 400 MHz would win against lanes measured at 300 MHz.
 TEST_F(Optimise, WhereSomeClocksAreMeasuredLanesWithoutAreLeftOut) {
   scene_.system.target_mhz = 400;
   for (characterise::Measurement& row : table_.rows) {
@@ -301,7 +303,7 @@ TEST_F(Optimise, ThePlanFileSaysWhatTheBestPlanIs) {
   }
   EXPECT_EQ(lanes, found.best()->allocation()->lane_count());
   EXPECT_NE(text.find("error_bound = \"relative\"\n"), std::string::npos);
-  // Settings of the command are the plan's, but for those that it chooses.
+  // The plan has the command's settings, but for those that the plan chooses.
   EXPECT_NE(text.find("order = \"in_order\"\n"), std::string::npos);
   EXPECT_NE(text.find("\n[data]\ncount = 12\n"), std::string::npos);
   EXPECT_NE(text.find("\n[reduced]\nrounding = \"toward_zero\"\n"), std::string::npos);
@@ -309,8 +311,8 @@ TEST_F(Optimise, ThePlanFileSaysWhatTheBestPlanIs) {
   EXPECT_EQ(text.find("target_mhz = 7"), std::string::npos);
 }
 
-/// What has no product has no kind of multipliers, and a plan without references says so: the
-/// scene may have some.
+/// A lane without a product has no kind of multipliers. A plan without references says so, because
+/// the scene may have some.
 TEST_F(Optimise, ThePlanFileLeavesOutWhatItDoesNotHave) {
   Optimisation found = optimise_now();
   PrecisionPlan plan = *found.best();

@@ -7,7 +7,7 @@
 #include "model/optimise/integer_program.hpp"
 #include "model/optimise/tangents.hpp"
 
-/// What allocation is made of.
+/// The parts of an allocation.
 namespace mixcmp::test::parts_test {
 namespace {
 

@@ -24,7 +24,7 @@ Chain chain_of(int lanes) {
 
 const Undecided nothing = [](std::uint64_t, int) { return false; };
 
-/// Each comparison undecided by itself.
+/// Each comparison is undecided independently, with this rate.
 Undecided at_random(double rate, unsigned seed) {
   auto engine = std::make_shared<std::mt19937>(seed);
   return [=](std::uint64_t, int) { return std::bernoulli_distribution(rate)(*engine); };

@@ -53,7 +53,7 @@ double mixed_per_s(const optimise::PublishedFigures& table, int lanes, double la
       {{.count = references, .throughput_per_s = table.reference_mhz * 1e6}});
 }
 
-/// Within half a unit of the last digit that the paper prints.
+/// Expects a number within half a unit of the last digit that the paper prints.
 void expect_rounded(double computed, double printed, double last_digit) {
   EXPECT_NEAR(computed, printed, last_digit / 2 + 1e-9);
 }
@@ -99,7 +99,7 @@ TEST(PaperTable4, MixedPrecisionGains) {
   const optimise::PublishedFigures v6 = paper("virtex6-lx760").table;
   const optimise::PublishedFigures v5 = paper("virtex5-lx330t").table;
   // From baselines as printed (4.8 and 2) the gains would be 7.40, 8.60, 4.09 and 5.30; from 17 x
-  // 285 MHz and 9 x 223 MHz 7.33, 8.52, 4.07 and 5.28. What the paper prints is of neither.
+  // 285 MHz and 9 x 223 MHz 7.33, 8.52, 4.07 and 5.28. The printed gains follow from neither.
   EXPECT_NEAR(v6.worst_per_s / v6.baseline_per_s, 7.37, 0.03);
   EXPECT_NEAR(v6.best_per_s / v6.baseline_per_s, 8.61, 0.01);
   EXPECT_NEAR(v6.worst_per_s / baseline_per_s(v6), 7.37, 0.05);
@@ -119,7 +119,7 @@ TEST(PaperTable4, NormalisedSpeedups) {
   expect_rounded(v5.baseline_per_s / v5.cpu_per_s, 4.08, 0.01);
   expect_rounded(v5.worst_per_s / v5.cpu_per_s, 16.7, 0.1);
   expect_rounded(v5.best_per_s / v5.cpu_per_s, 21.6, 0.1);
-  // Of all cores from one: 8 x 0.29 is 2.32 for 2.3; 2 x 0.24 is 0.48 for 0.49.
+  // The rate of all cores from that of one: 8 x 0.29 is 2.32 for 2.3; 2 x 0.24 is 0.48 for 0.49.
   EXPECT_NEAR(v6.cpu_cores * v6.cpu_core_per_s / v6.cpu_per_s, 1, 0.01);
   EXPECT_NEAR(v5.cpu_cores * v5.cpu_core_per_s / v5.cpu_per_s, 1, 0.021);
 }

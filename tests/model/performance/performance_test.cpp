@@ -78,7 +78,7 @@ TEST(Performance, LoadsOfReferencesFollowTheDeal) {
 }
 
 TEST(Performance, LanesThatDoNotDivideEvenlyNeedMoreThanTheTotal) {
-  // Three lanes at one reference, two at the other: 1.2 and 0.8 of what each can do.
+  // Three lanes at one reference, two at the other: 1.2 and 0.8 of a reference's capacity.
   const std::vector<performance::Datapaths> five{lanes(5, 100, 0.4)};
   const std::vector<performance::Datapaths> two{references(2, 100)};
   EXPECT_TRUE(performance::references_suffice(five, two));
@@ -88,7 +88,7 @@ TEST(Performance, LanesThatDoNotDivideEvenlyNeedMoreThanTheTotal) {
 }
 
 TEST(Performance, LanesThatAskForLessThanTheirTurnAreNotHeldUp) {
-  // One reference of 90: the first lane asks for 10, the others for 60 each and get 40.
+  // One reference of 90: the first lane asks for 10, the other two for 60 each and get 40.
   const std::vector<performance::Datapaths> kinds{lanes(1, 100, 0.1), lanes(2, 60, 1)};
   EXPECT_DOUBLE_EQ(performance::round_robin_throughput(kinds, {references(1, 90)}), 100 + 40 + 40);
   EXPECT_DOUBLE_EQ(performance::round_robin_throughput(kinds, {references(1, 130)}), 100 + 60 + 60);

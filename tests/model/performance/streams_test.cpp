@@ -232,7 +232,7 @@ TEST(TwoTiers, AreAsFastAsTheSlowerOfBoth) {
   performance::LaneStreams first = streams(64, 8);
   performance::LaneStreams second = streams(64, 4, scene::ResultOrder::in_order);
   second.initiation_interval_cycles = 4;
-  // Nothing is undecided, or nothing a second time.
+  // First nothing is undecided, then nothing is undecided a second time.
   EXPECT_DOUBLE_EQ(performance::two_tier_throughput(first, second, 0, 0), 1);
   EXPECT_NEAR(performance::two_tier_throughput(first, second, 0.05, 0), 1, 1e-9);
   // The second tier is asked twice as often as it can be: each lane may ask every 16th cycle.

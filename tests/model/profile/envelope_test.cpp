@@ -189,8 +189,9 @@ TEST(Envelope, HoldsWhatEveryLaneComputes) {
   }
 }
 
-/// Differences of all sizes, squared: what the lane's few digits keep apart, or make zero,
-/// underflows in the reference; and what is far from underflow in truth underflows in the lane.
+/// Squared differences of all sizes. In some, the lane's few digits separate operands or make them
+/// equal, and the reference underflows. In others the true value is far from underflow, and the
+/// lane underflows.
 TEST(Envelope, KnowsWhatUnderflowsAfterCancellation) {
   std::mt19937_64 random(10);
   const std::vector<std::pair<std::string, std::string>> squares = {
@@ -212,7 +213,7 @@ TEST(Envelope, KnowsWhatUnderflowsAfterCancellation) {
   }
 }
 
-/// Here a true value just above the smallest normal number stands beside computed ones a third of
+/// A true value just above the smallest normal number here belongs to computed values of a third of
 /// it.
 TEST(Envelope, KnowsThatComputedValuesUnderflowBeforeTrueOnes) {
   std::mt19937_64 random(12);
@@ -257,7 +258,7 @@ int expect_theorem_3(const Case& test, const std::vector<const Lane*>& lanes, in
   return tame;
 }
 
-/// What |f - g| as computed must exceed for the lane to decide: the bound, and its guard in steps.
+/// The least |f - g|, as computed, for which the lane decides: the bound plus its guard in steps.
 std::optional<mpq_class> least_decided(const Lane& lane, const std::vector<Bits>& operands) {
   const auto& criterion = std::get<AbsoluteBoundCriterion>(lane.criterion());
   const FloatFormat format = lane.graph.arithmetic.format;

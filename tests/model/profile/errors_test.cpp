@@ -16,7 +16,7 @@ using profile::ErrorProfile;
 using profile::ProfileOptions;
 using scene::Scene;
 
-/// Equal but for the last few of 2^-48 of itself.
+/// Expects got <= expected <= got * (1 + 2^-46).
 void expect_same(const mpq_class& got, const mpq_class& expected, const std::string& what) {
   EXPECT_LE(got, expected) << what;
   EXPECT_GE(got * (1 + mpq_class(1, mpz_class(1) << 46)), expected) << what;
@@ -110,8 +110,8 @@ TEST(Errors, SayWhereNoBoundExists) {
   EXPECT_EQ(profiles.front().no_g_bound, "");
 }
 
-/// f_T needs 700 digits in the first, and is zero in the others: with fewer digits, what is left of
-/// a rounding would be taken for it. The last f_L misses that zero.
+/// In the first case f_T needs 700 digits. In the others f_T is zero: with fewer digits the residue
+/// of a rounding would be taken for it. In the last case f_L misses that zero.
 TEST(Errors, AreMeasuredThroughAnyCancellation) {
   const FloatFormat wide = format_of(53, 11);
   const auto number = [&](const char* text) { return from_text(wide, text).value(); };

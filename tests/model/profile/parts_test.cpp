@@ -72,7 +72,8 @@ bool is_multiple(const mpq_class& value, int grid) {
   return steps.get_den() == 1;
 }
 
-/// Whether a number of the node is as the data says; false for one that says nothing.
+/// Holds a value of the node against the known magnitudes. Returns whether the node's grid is
+/// known.
 bool expect_known(const NodeMagnitude& known, const mpq_class& value) {
   if (std::isfinite(known.largest)) {
     EXPECT_LE(value, mpq_class(known.largest));

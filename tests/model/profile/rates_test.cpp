@@ -52,7 +52,7 @@ std::vector<Truth> truths(const Scene& scene, const Comparisons& data) {
   return result;
 }
 
-/// What the lane would say without its error bound.
+/// The verdict that the lane would give without its error bound.
 Verdict order_of_parts(const Lane& lane, const std::vector<Bits>& operands) {
   return evaluate_reference(design::float_lane(lane).graph, operands);
 }
@@ -311,7 +311,7 @@ TEST(Rates, DoNotDependOnThreadsOrMethod) {
   EXPECT_EQ(counts({.threads = 2, .method = profile::ProfileMethod::brute_force}), one);
 }
 
-/// The fast way looks at each part by itself, and at those that outweigh the others.
+/// The fast way looks at each part by itself, and separately at the parts that outweigh others.
 TEST(Rates, OfSeveralPartsAreTheGoldenModels) {
   std::mt19937_64 random(11);
   const std::vector<std::pair<std::string, std::string>> parts = {

@@ -9,7 +9,7 @@
 #include "tests/model/proof/proof_support.hpp"
 #include "tests/model/proof/random_lanes.hpp"
 
-/// Running and constant bounds: what is proven of them, and that wrong ones are refused.
+/// Running and constant bounds: the true ones are proven, wrong ones are refused.
 namespace mixcmp::test::absolute_proof_test {
 namespace {
 
@@ -40,7 +40,7 @@ protected:
   }
   LaneProof prove(const Lane& lane) { return prove(lane, analysis_of(lane)); }
 
-  QuickProver prover_ = patient_prover();  ///< remembers what it has proven
+  QuickProver prover_ = patient_prover();  ///< remembers its proofs
 };
 class AbsoluteProofIn : public AbsoluteProof, public testing::WithParamInterface<std::string> {};
 
@@ -90,7 +90,7 @@ TEST_F(AbsoluteProof, EveryOperationIsProven) {
   EXPECT_GE(lanes, 18);
 }
 
-/// Constants that the lane rounds to zero: beside them, operations have factors all the same.
+/// The lane rounds these constants to zero; operations that read them still have error factors.
 TEST_F(AbsoluteProof, OperationsOnConstantsThatAreLostAreProven) {
   for (const auto& [f, g] : std::initializer_list<std::pair<const char*, const char*>>{
            {"-0x1p-200", "a"},
@@ -103,7 +103,7 @@ TEST_F(AbsoluteProof, OperationsOnConstantsThatAreLostAreProven) {
   }
 }
 
-/// Gappa concludes nothing from a sign and a magnitude that spans so many binades.
+/// Gappa concludes nothing from a sign and a magnitude that spans many binades.
 TEST_F(AbsoluteProof, QuotientsOfManyExponentBitsAreProven) {
   const Lane lane = absolute_lane(graph_of("a / b + c", "d"), BoundKind::running,
                                   Rounding::nearest_even, "s17e14")
@@ -141,7 +141,7 @@ TEST_F(AbsoluteProof, RandomLanesAreProven) {
   EXPECT_GE(lanes, 12);
 }
 
-/// What the lane claims beyond 1 less one part in 1024.
+/// The lane's inflation, with the part above 1 shrunk by one part in 1024.
 mpq_class shrunken(const mpq_class& inflation) {
   return 1 + (inflation - 1) * (1 - mpq_class(1, 1 << 10));
 }

@@ -20,7 +20,8 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/lane_inputs.hpp"
 
-/// What Gappa checks of ranges: constants that bound errors, and what lanes leave unbuilt.
+/// Claims about ranges that Gappa checks: constants that bound errors, and the parts that lanes
+/// leave unbuilt.
 namespace mixcmp::test::constant_proof_test {
 namespace {
 
@@ -95,8 +96,9 @@ TEST_F(ConstantProof, EveryTermIsProvenOperationByOperation) {
   });
 }
 
-/// What interval analysis folded is no more than it must be, and Gappa asks for all of it: but for
-/// reciprocals, up to twice too large as a power of two, and what rounding up to few digits hides.
+/// Interval analysis folds constants as small as they may be, and Gappa asks for all of them.
+/// Exceptions are reciprocals, up to twice too large as a power of two, and the slack from rounding
+/// up to few digits.
 TEST_F(ConstantProof, AConstantSmallerByOneInAThousandIsRefused) {
   for_every_lane([&](Lane lane) {
     auto& criterion = std::get<error::AbsoluteBoundCriterion>(lane.criterion());
@@ -229,7 +231,7 @@ TEST_F(ConstantProof, RandomLanesWithRangesAreProven) {
   EXPECT_GE(lanes, 12);
 }
 
-/// Read off the bits: as wide as what passes, and no wider.
+/// Read off the bits: as wide as the passing values, and no wider.
 TEST(EnforcedRange, EnclosesWhatPassesTightly) {
   const FloatFormat format = format_of(6, 5);
   for (const Range& range : {Range{0, 100}, Range{1, 3}, Range{-4, 4}, Range{-9, -1}, Range{0, 0},

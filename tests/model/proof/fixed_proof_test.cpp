@@ -10,7 +10,7 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
-/// What Gappa says of lanes in fixed point, and of such whose thresholds are too close.
+/// Gappa's verdicts on lanes in fixed point, and on lanes whose thresholds are too close.
 namespace mixcmp::test::fixed_proof_test {
 namespace {
 
@@ -177,7 +177,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 class TooClose : public testing::TestWithParam<int> {};
 
-/// Each of the numbers that a criterion is made of, a step too close to what it must exceed.
+/// Each number of a criterion, one step closer than the bound that it must exceed permits.
 TEST_P(TooClose, IsRefused) {
   if (!proof::gappa_version().ok()) GTEST_SKIP() << "gappa is not installed";
   const auto bound = GetParam() < 3 ? BoundKind::norm : BoundKind::constant;
@@ -206,7 +206,7 @@ TEST(FixedProofOfBlocks, RefusesWhatDoesNotGrowAlike) {
   EXPECT_TRUE(is_refused(lane));
 }
 
-/// A sum of a square and what is cut before squaring: of degrees 2 and 1.
+/// A sum of a square, of degree 2, and of a number that was cut before squaring, of degree 1.
 TEST(FixedProofOfCuts, RefusesWhatDoesNotGrowAlike) {
   const Case guarded{"", {{"(a - b)^2 + c^2", "d^2"}}, 9,     {0, 1},
                      "", BoundKind::constant,          false, 3};
@@ -265,7 +265,7 @@ TEST(FixedProofOfReaches, RefusesOneThatIsTooShort) {
   }
 }
 
-/// One element reads what another's reach makes of a number.
+/// One element reads the number that another's reach has limited.
 TEST(FixedProofOfReaches, RefusesOneThatIsNotSquaredInTheSum) {
   FixedLane lane = lane_of({"", {{"(a - b)^2 + (c - e)^2", "(d / 16)^2"}}, 9, {0, 3}, ""});
   EXPECT_FALSE(is_refused(lane));

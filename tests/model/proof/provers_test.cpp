@@ -12,7 +12,7 @@
 #include "tests/model/proof/proof_support.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-/// What is kept of a proof, what is done again, and what a missing or hanging Gappa does.
+/// Which proofs are kept, which are done again, and the effect of a missing or hanging Gappa.
 namespace mixcmp::test::provers_test {
 namespace {
 
@@ -128,7 +128,7 @@ TEST_F(Provers, ASecondRunReusesWhatIsProvenAndOnlyThat) {
   EXPECT_EQ(read_file(kept_ / (stem + ".g")).value(), truth);
 }
 
-/// One that asks the real Gappa no more proves that nothing had to be asked.
+/// Once all scripts are kept, a run asks the real Gappa nothing.
 TEST_F(Provers, AnInterruptedRunResumes) {
   const error::Lane lane = lane_of(sphere_graph(), {}).value();
   int scripts = 0;
@@ -253,7 +253,7 @@ TEST(ProversWithAFake, OneThatProvesEverythingIsNotBelieved) {
   EXPECT_EQ(quick(truth).outcome, proof::Outcome::unchecked);
 }
 
-/// A crash is no refusal of what is false.
+/// A crash is no refusal of a false claim.
 TEST(ProversWithAFake, OneThatCrashesIsNotBelieved) {
   ScratchDirectory scratch;
   const std::string search = getenv("PATH");

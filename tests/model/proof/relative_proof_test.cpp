@@ -8,7 +8,7 @@
 #include "tests/model/proof/proof_support.hpp"
 #include "tests/model/proof/random_lanes.hpp"
 
-/// Gappa, which knows nothing of our rules, proves what the analysis claims, and no more than that.
+/// Gappa, which knows nothing of our rules, proves the claims of the analysis, and nothing tighter.
 namespace mixcmp::test::relative_proof_test {
 namespace {
 
@@ -37,7 +37,7 @@ protected:
     return prove_relative(lane, claims, std::ref(prover_), effort);
   }
 
-  QuickProver prover_ = patient_prover();  ///< remembers what it has proven
+  QuickProver prover_ = patient_prover();  ///< remembers its proofs
 };
 
 struct Comparison {
@@ -162,7 +162,7 @@ TEST_F(RelativeProof, RandomLanesAreProvenWholeOrByTheirOperations) {
   }
 }
 
-/// `share` of the way from an exact result to the bound's end; the other end as it is.
+/// The bound with one end 1/1024 of its way closer to the exact result, 1. The other end stays.
 enum class End { low, high };
 error::RelativeBound shrunken(const error::RelativeBound& bound, End end) {
   const mpq_class kept = 1 - mpq_class(1, 1 << 10);
@@ -172,7 +172,7 @@ error::RelativeBound shrunken(const error::RelativeBound& bound, End end) {
   return result;
 }
 
-/// Lanes all of whose intervals are what their operations need: nothing is slack.
+/// Lanes whose intervals are all as narrow as their operations permit: nothing is slack.
 std::vector<Lane> tight_lanes() {
   std::vector<Lane> lanes;
   for (const Rounding rounding : both_roundings) {
@@ -272,8 +272,8 @@ TEST_F(RelativeProof, AGuardOneStepLowerIsRefused) {
   }
 }
 
-/// The same inexact factor on both sides cancels exactly: no interval of binary digits says so, and
-/// the lane is sound all the same.
+/// The same inexact factor on both sides cancels exactly. No interval of binary digits shows that,
+/// and yet the lane is sound.
 TEST_F(RelativeProof, AGuardThatFollowsFromExactBoundsAloneIsByHand) {
   for (const char* f : {"0.1 * a", "a / 0.1", "0.1 / a"}) {
     std::string g = f;

@@ -190,7 +190,7 @@ TEST_F(EngineSection, ASecondTierIsALaneInFixedPoint) {
             std::string::npos);
 }
 
-/// As a plan without it is laid over a scene that has one.
+/// A plan without a second tier is laid over a scene that has one.
 TEST_F(EngineSection, ASecondTierCanBeLeftOut) {
   const std::string engine = "[engine]\nkind = \"pairwise\"\n";
   EXPECT_FALSE(load(engine)->leaves_out_second_tier);

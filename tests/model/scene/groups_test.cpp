@@ -34,7 +34,7 @@ protected:
     return scene::load_scene(path_, overrides);
   }
 
-  /// Without the file's name in front.
+  /// The error's text without the file's name in front.
   std::string error(const std::string& tail, const std::vector<std::string>& overrides = {}) {
     const Result<scene::Scene> scene = load(head + tail, overrides);
     EXPECT_FALSE(scene.ok()) << tail;

@@ -8,7 +8,7 @@
 #include "model/scene/scene.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-/// Every limit is the same in the documentation, in messages and in what is accepted.
+/// Every limit is the same in the documentation, in messages and in the accepted values.
 namespace mixcmp::test::limits_test {
 namespace {
 

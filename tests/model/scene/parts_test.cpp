@@ -129,7 +129,7 @@ TEST_F(PartsTest, MistakesNameTheirPlace) {
                  "values");
 }
 
-/// A let sees no index: what it calls by the index's name would be an input.
+/// A let sees no index: the index's name inside a let would be an input.
 TEST_F(PartsTest, AnIndexMayNotHaveAnInputsName) {
   expect_mistake(
       "for = \"k in 0..2\"\nf = \"a[k] + step\"\ng = \"k\"\ncombine = \"all\"\n",

@@ -54,7 +54,7 @@ protected:
     return scene::load_scene(directory_.path() / "plans/plan.toml", overrides);
   }
 
-  /// With the folder's name left out.
+  /// The error's text with the folder's name left out.
   std::string error(const std::string& plan) {
     const Result<scene::Scene> scene = load(plan);
     EXPECT_FALSE(scene.ok()) << plan;

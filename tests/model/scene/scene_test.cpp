@@ -129,7 +129,7 @@ TEST_F(SceneTest, RangesAreReadExactly) {
             mpq_class("12345678901234567890123456789012345678901/1000000000000000000000"));
 }
 
-/// Columns a, b and c of each row: numbers of either sign and what is no number.
+/// Columns a, b and c of each row: numbers of either sign, infinities and NaNs.
 constexpr const char* some_rows =
     "a,b,c\n"
     "-0.5,nan,nan\n"

@@ -201,7 +201,7 @@ TEST_F(TwoTables, ArgMinIsThatOfBruteForceTiesAndNaNsIncluded) {
   }
 }
 
-/// The comparisons, decided one after the other, choose what arg_min says.
+/// The comparisons, decided one after the other, choose the candidate of arg_min.
 TEST_F(TwoTables, ArgMinFollowsFromTheVerdictsInAnyFormat) {
   std::mt19937 random(5);
   write("points.csv", random_csv(30, "p_0,p_1", 2, true, random));

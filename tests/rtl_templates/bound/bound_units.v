@@ -1,4 +1,4 @@
-// bound_units: every error-bound unit under every mask, for the tests alone. A slot of the answers
+// bound_units: every error-bound unit under every mask, only for the tests. A slot of the answers
 // belongs to {unit, mask}, the mask counting fastest; the units are in the order of `Unit` in
 // bound_units_test.cpp.
 `default_nettype none

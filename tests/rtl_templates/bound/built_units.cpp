@@ -1,4 +1,4 @@
-// Only what reads the Verilated model: this source is compiled for each format.
+// Only the code that reads the Verilated model: this source is compiled for each format.
 #include "tests/rtl_templates/bound/built_units.hpp"
 
 #include "Vbound_units.h"

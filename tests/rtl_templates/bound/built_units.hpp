@@ -2,7 +2,7 @@
 
 #include "model/common/bits.hpp"
 
-/// What the tests, which are compiled once, read of the model of one format.
+/// The interface of the tests, which are compiled once, to the model of one format.
 namespace mixcmp::test {
 
 /// The inputs of every unit of bound_units.v in one cycle: a lane's number and two bounds.

@@ -35,7 +35,7 @@ constexpr int unit_count = 17, mask_count = 4;
 
 std::string_view to_string(Unit unit);
 
-/// What a unit must answer; bits that are not in `matters` may be anything.
+/// The answer that a unit must give; bits that are not in `matters` may be anything.
 struct Answer {
   Bits y = 0;
   Bits matters = ~Bits{0};

@@ -13,7 +13,7 @@ enum Verdict : std::uint32_t { less, equal, greater, unordered };
 
 constexpr std::uint32_t nan_cost = ~0u;
 
-/// A word names what it was made of, in other bits: what stands for the other is noticed.
+/// A word encodes its operand in other bits, so that confusing a word with an operand is noticed.
 class Words {
 public:
   constexpr Words(int bits, int word_bits, std::uint32_t factor)
@@ -159,7 +159,7 @@ void ArgMinRun::cycle() {
   convert();
   dut_->eval();
   const bool loading = loading_;
-  // What leaves has come in before this cycle.
+  // A departing row or candidate entered before this cycle.
   take_result();
   take_candidate();
   take_row();
@@ -196,7 +196,7 @@ void ArgMinRun::drive_streams() {
   dut_->s_axis_tlast.set_bit(0, offering_ ? row_last_ : random_.chance(0.5));
 }
 
-/// Hands the words of what was there `word_latency` cycles before to the engine.
+/// Hands the engine the words of the operands that were there `word_latency` cycles before.
 void ArgMinRun::convert() {
   const auto latency = static_cast<std::size_t>(spec_.word_latency);
   const auto convert_one = [&](std::deque<std::uint32_t>& inside, std::uint32_t full) {
@@ -228,7 +228,7 @@ void ArgMinRun::drive() {
     std::uint64_t tag = random_.word();
     if (asks) {
       const std::size_t lane = reference.asking.front();
-      // Of the lane's pairs it has asked for so many already.
+      // The reference has already asked for this many of the lane's pairs.
       auto before = std::count(reference.waiting.begin(), reference.waiting.end(), lane);
       for (const Pair& pair : lanes_[lane].inside) {
         if (!pair.undecided || before-- > 0) continue;
@@ -323,7 +323,7 @@ void ArgMinRun::ask(std::size_t r) {
   reference.asking.pop_front();
 }
 
-/// Holds the operands that a reference gets against what the words of its pair stand for.
+/// Holds the operands that a reference gets against the operands that its pair's words encode.
 void ArgMinRun::recompute(std::size_t r) {
   Reference& reference = references_[r];
   const bool valid = dut_->refetched_tvalid.bit(r), ready = dut_->refetched_tready.bit(r);

@@ -59,12 +59,12 @@ struct ArgMinTraffic {
   double reset = 0.0;
   int lane_latency = 1;
   bool wary = false;       ///< a result is taken only once it was seen
-  bool impatient = false;  ///< rows are offered before and while candidates are loaded, too
+  bool impatient = false;  ///< rows are offered even before and while candidates are loaded
 };
 
-/// Puts model lanes around an engine, which know rows and candidates only by their words, and model
-/// references, which get full operands for the pairs that lanes leave undecided. Holds what comes
-/// out against a search that is made here, one candidate after the other.
+/// Puts model lanes and model references around an engine. The lanes know rows and candidates only
+/// by their words; the references get full operands for the pairs that lanes leave undecided.
+/// Results are held against a search that is made here, one candidate after the other.
 class ArgMinRun {
 public:
   static constexpr int candidate_bits = 21;
@@ -77,11 +77,11 @@ public:
   ArgMinRun(const ArgMinSpec& spec, std::uint64_t seed) : ArgMinRun(spec, seed, {}) {}
   ArgMinRun(const ArgMinSpec& spec, std::uint64_t seed, ArgMinTraffic traffic);
 
-  /// Offers so many candidates, while rows of the load before may be inside, and then (impatient:
-  /// at the same time) so many rows. Returns when all rows have been accepted; a reset throws the
-  /// load out and starts it again.
+  /// Offers `candidates` candidates, while rows of the load before may be inside, and then
+  /// (impatient: at the same time) `rows` rows. Returns when all rows have been accepted; a reset
+  /// throws the load out and starts it again.
   void run_load(std::uint32_t candidates, std::uint32_t rows);
-  /// Until all has left, and a while longer.
+  /// Runs until everything has left, and a while longer.
   void drain();
   void check_counters();
 
@@ -89,15 +89,15 @@ public:
   const std::string& failure() const { return failure_; }
   std::uint64_t left() const { return left_; }
   std::uint64_t resets() const { return resets_; }
-  /// Of `index` among all that left.
+  /// The chosen candidate of row `index` of all that left.
   std::uint64_t chosen(std::uint32_t index) const { return chosen_[index]; }
   std::uint64_t ties() const { return ties_; }
-  /// Pairs of which a reference got the operands.
+  /// Pairs whose operands a reference got.
   std::uint64_t recomputed() const { return recomputed_; }
   std::uint64_t incomparable() const { return incomparable_; }
-  /// Of the last row: from its acceptance to its departure.
+  /// Cycles of the last row, from its acceptance to its departure.
   std::uint64_t latency() const { return latency_; }
-  /// From the last candidate's acceptance to that of the first row behind it.
+  /// Cycles from the last candidate's acceptance to that of the first row behind it.
   std::uint64_t settling() const { return settling_; }
   /// Between the departures of the last two rows.
   std::uint64_t interval() const { return interval_; }
@@ -109,7 +109,7 @@ private:
     bool last;
     std::uint64_t accepted;  ///< in this cycle
   };
-  /// A pair inside a lane, by what the words stand for.
+  /// A pair inside a lane, by the numbers that its words encode.
   struct Pair {
     std::uint32_t row, best, own;
     std::uint64_t tag;
@@ -156,7 +156,7 @@ private:
   RandomSource random_;
   std::vector<Lane> lanes_;
   std::vector<Reference> references_;
-  /// What is inside the conversions, the newest first.
+  /// The contents of the conversions, the newest first.
   std::deque<std::uint32_t> converting_candidates_, converting_rows_;
   std::vector<std::uint32_t> candidates_;  ///< of this load, all that are offered
   std::vector<std::uint32_t> held_;        ///< of the last whole load
@@ -176,7 +176,7 @@ private:
   std::uint64_t left_ = 0, resets_ = 0, ties_ = 0, incomparable_ = 0, recomputed_ = 0;
   std::uint64_t latency_ = 0, settling_ = 0, interval_ = 0;
   std::uint32_t counted_ = 0;     ///< rows that left since reset
-  std::uint32_t stalled_ = 0;     ///< cycles in which a row waited for room alone, likewise
+  std::uint32_t stalled_ = 0;     ///< cycles since reset in which a row waited only for room
   std::uint32_t rows_taken_ = 0;  ///< of the last whole load's
   std::vector<std::uint64_t> chosen_;
   std::string failure_;

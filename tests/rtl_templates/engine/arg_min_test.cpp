@@ -14,7 +14,7 @@ template <class Model>
 class VerilatedArgMin : public ArgMinDut {
 public:
   VerilatedArgMin() {
-    context_.randReset(2);  // what is not reset starts random
+    context_.randReset(2);  // registers without a reset start random
     context_.randSeed(5);
     model_ = std::make_unique<Model>(&context_);
 #define BIND(PORT) PORT = harness::Port(model_->PORT)
@@ -158,7 +158,7 @@ TEST_P(ArgMin, TakesARowACycleAndAsLongAsItsLanesAndOneCycleEach) {
   }
 }
 
-/// One lane, one reference, and places enough.
+/// One lane, one reference, and enough places.
 TEST(ArgMinOfTwo, AReferenceGetsTheOperandsOfAPairACycle) {
   ArgMinRun run(engines.front(), 36,
                 {.name = "AllRecomputed", .undecided = 1.0, .lane_latency = 9});

@@ -278,7 +278,7 @@ module pairwise_bench #(
     end
   endgenerate
 
-  // What has passed the last segment has met every lane.
+  // A word that has passed the last segment has met every lane.
   assign word_ready[SEGMENTS] = 1'b1;
   wire unused_end = &{word_valid[SEGMENTS], words[SEGMENTS*WORD_BITS +: WORD_BITS]};
 

@@ -65,18 +65,18 @@ struct EngineTraffic {
   double accept = 1.0;  ///< that a report is taken
   double reset = 0.0;
   bool wary = false;  ///< a report is taken only once it was seen
-  /// Of a set, in which `accept` counts; from then on reports are always taken.
+  /// The cycles of a set during which `accept` applies; from then on reports are always taken.
   std::uint64_t slow_cycles = ~std::uint64_t{0};
 };
 
-/// The items of one set; the first `targets` of them meet the others alone. 0: all meet.
+/// The items of one set. The first `targets` of them meet only the others; 0: all meet.
 struct ItemSet {
   int items = 0;
   int targets = 0;
   bool equal = false;  ///< all items are alike
 };
 
-/// Loads sets of random items and holds the reports against what the items make due.
+/// Loads sets of random items and holds the reports against those that the items make due.
 class EngineRun {
 public:
   static constexpr int item_bits = 20;
@@ -88,12 +88,12 @@ public:
   void run_set(const ItemSet& set, const EngineTraffic& traffic);
   /// Some cycles without items: nothing may leave.
   void idle(int cycles);
-  /// Counters against what was seen since reset.
+  /// Holds the counters against the events seen since reset.
   void check_counters();
 
   bool failed() const { return !failure_.empty(); }
   const std::string& failure() const { return failure_; }
-  /// Of the last set, from its first item to its closing beat.
+  /// Cycles of the last set, from its first item to its closing beat.
   std::uint64_t set_cycles() const { return set_cycles_; }
   /// Since reset, as the hardware counts them.
   std::uint64_t stalled_cycles() const { return dut_->stalled_cycles.field(0, 32); }

@@ -16,7 +16,7 @@ template <class Model>
 class VerilatedEngine : public EngineDut {
 public:
   VerilatedEngine() {
-    context_.randReset(2);  // what is not reset starts random
+    context_.randReset(2);  // registers without a reset start random
     context_.randSeed(5);
     model_ = std::make_unique<Model>(&context_);
 #define BIND(PORT) PORT = harness::Port(model_->PORT)

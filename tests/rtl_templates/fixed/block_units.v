@@ -1,4 +1,4 @@
-// block_units: the units of block floating point at small widths, for the tests alone.
+// block_units: the units of block floating point at small widths, only for the tests.
 // Slot k of `maxima` has block_exponent for k + 1 operands; slot {width, sign} of `integers`, the
 // sign counting fastest, has fixed_alignment. The masks of cuts are the slots' numbers.
 `default_nettype none

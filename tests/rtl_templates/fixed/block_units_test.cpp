@@ -10,8 +10,8 @@
 #include "Vblock_units___024root.h"
 
 /// The units of block floating point at small widths, one set of operands a cycle, each answer in
-/// the very cycle that its mask of cuts names, against C++'s integers. block_units.v has what a
-/// slot holds.
+/// the very cycle that its mask of cuts names, against C++'s integers. block_units.v describes the
+/// slots.
 namespace mixcmp::test::block_units_test {
 namespace {
 

@@ -1,4 +1,4 @@
-// common_cuts: the units of common cuts at small widths, for the tests alone.
+// common_cuts: the units of common cuts at small widths, only for the tests.
 // Slot k has COUNT = 1 + k / MOSTS integers of WIDTH + MOST bits and a sign, MOST = 1 + k % MOSTS:
 // the number of bits that they drop, and the first of them without these; also the lowest WIDTH + 1
 // bits of the first, an integer that is narrower than the others. The masks of cuts are the slots'

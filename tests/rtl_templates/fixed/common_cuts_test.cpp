@@ -10,7 +10,7 @@
 #include "Vcommon_cuts___024root.h"
 
 /// The units of common cuts at small widths, one set of integers a cycle, each answer in the very
-/// cycle that its masks of cuts name, against C++'s integers. common_cuts.v has what a slot holds.
+/// cycle that its masks of cuts name, against C++'s integers. common_cuts.v describes the slots.
 namespace mixcmp::test::common_cuts_test {
 namespace {
 

@@ -1,4 +1,4 @@
-// fixed_operands: fixed_operand for some tops and widths, unsigned and signed, for the tests alone.
+// fixed_operands: fixed_operand for some tops and widths, unsigned and signed, only for the tests.
 // Slot {top, width, sign} of the answers, the sign counting fastest, has the mask of cuts that is
 // the slot's number modulo 4.
 `default_nettype none

@@ -1,5 +1,5 @@
-// fixed_roots: fixed_square_root at small widths and shifts, for the tests alone. What a slot holds,
-// fixed_roots_test.cpp says in the same words.
+// fixed_roots: fixed_square_root at small widths and shifts, only for the tests.
+// fixed_roots_test.cpp describes the slots in the same words.
 `default_nettype none
 
 module fixed_roots #(

@@ -10,7 +10,7 @@
 #include "Vfixed_roots___024root.h"
 
 /// fixed_square_root on every operand of small widths, one a cycle, each answer in the very cycle
-/// that its mask of cuts names. fixed_roots.v has what a slot holds.
+/// that its mask of cuts names. fixed_roots.v describes the slots.
 namespace mixcmp::test::fixed_roots_test {
 namespace {
 

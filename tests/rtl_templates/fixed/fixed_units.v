@@ -1,5 +1,5 @@
-// fixed_units: the units of fixed point at small widths, for the tests alone. What a slot holds,
-// fixed_units_test.cpp says in the same words.
+// fixed_units: the units of fixed point at small widths, only for the tests. fixed_units_test.cpp
+// describes the slots in the same words.
 `default_nettype none
 
 module fixed_units #(
@@ -143,8 +143,8 @@ module fixed_units #(
     end
   endgenerate
 
-  // Of a difference of five bits by constants; of six bits and a radius of three by a norm, in
-  // every fifth slot one of five bits that is a square.
+  // Decisions by constants, on a difference of five bits. Decisions by a norm, on six bits and a
+  // radius of three; in every fifth slot the radius is a square of five bits.
   generate
     for (slot = 0; slot < DECISIONS; slot = slot + 1) begin : g_constant
       localparam [5:0] LESS_TO      = slot % 16 - 13;
@@ -200,8 +200,8 @@ module fixed_units #(
     end
   endgenerate
 
-  // Whether four bits are beyond limits: the lower one rises by one every five slots, the upper one
-  // lies 0, 1, 4, 9 and 16 above it, at most at the end of what four bits hold.
+  // Whether four bits are beyond limits: the lower limit rises by one every five slots, the upper
+  // one lies 0, 1, 4, 9 and 16 above it, but at most at the end of the range of four bits.
   generate
     for (slot = 0; slot < CHECKS; slot = slot + 1) begin : g_check
       localparam       LOW      = slot / 5 - 8;

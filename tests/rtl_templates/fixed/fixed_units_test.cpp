@@ -10,7 +10,7 @@
 #include "Vfixed_units___024root.h"
 
 /// Every unit of fixed point at small widths on every operand, one a cycle, each answer in the very
-/// cycle that its mask of cuts names, against C++'s integers. fixed_units.v has what a slot holds.
+/// cycle that its mask of cuts names, against C++'s integers. fixed_units.v describes the slots.
 namespace mixcmp::test::fixed_units_test {
 namespace {
 
@@ -80,7 +80,7 @@ struct Slot {
   int kind, a_width, b_width, dropped, width, cuts;
 };
 
-/// {verdict, decided}; the verdict bits are those of an undecided comparison, too.
+/// {verdict, decided}; the verdict bits have their value even where a comparison is undecided.
 std::uint64_t answer(bool greater, bool equal, bool decided) {
   return (greater ? 4u : 0u) | (equal ? 2u : 0u) | (decided ? 1u : 0u);
 }

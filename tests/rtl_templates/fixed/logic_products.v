@@ -1,5 +1,5 @@
-// logic_products: products of logic of some widths, for the tests alone. What a slot holds,
-// logic_products_test.cpp says in the same words.
+// logic_products: products of logic of some widths, only for the tests. logic_products_test.cpp
+// describes the slots in the same words.
 `default_nettype none
 
 module logic_products #(

@@ -11,7 +11,7 @@
 #include "Vlogic_products___024root.h"
 
 /// Products of logic of many widths, one a cycle, each in the very cycle that its mask of cuts
-/// names, against C++'s integers. logic_products.v has what a slot holds.
+/// names, against C++'s integers. logic_products.v describes the slots.
 namespace mixcmp::test::logic_products_test {
 namespace {
 

@@ -1,5 +1,5 @@
-// memory_squares: squares read from memories, for the tests alone. What a slot holds,
-// memory_squares_test.cpp says in the same words.
+// memory_squares: squares read from memories, only for the tests. memory_squares_test.cpp describes
+// the slots in the same words.
 `default_nettype none
 
 module memory_squares #(

@@ -10,7 +10,7 @@
 #include "Vmemory_squares___024root.h"
 
 /// Squares read from memories, of many widths, one a cycle, each in the very cycle that its mask of
-/// cuts names, against C++'s integers. memory_squares.v has what a slot holds.
+/// cuts names, against C++'s integers. memory_squares.v describes the slots.
 namespace mixcmp::test::memory_squares_test {
 namespace {
 

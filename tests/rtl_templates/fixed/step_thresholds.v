@@ -1,4 +1,4 @@
-// step_thresholds: fixed_step_threshold at small widths, for the tests alone.
+// step_thresholds: fixed_step_threshold at small widths, only for the tests.
 // Slot k has COUNT = 1 + k / LASTS integers of KEPT + LAST bits and a sign, LAST = 1 + k % LASTS.
 // Its mask of cuts is k modulo 8. The threshold of its step s is 101 (8 k + s) modulo 2^WIDTH: no
 // two slots or steps have the same.

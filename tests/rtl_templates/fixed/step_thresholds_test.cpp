@@ -10,8 +10,8 @@
 #include "Vstep_thresholds___024root.h"
 
 /// The thresholds of running bounds at small widths, one set of integers a cycle, each answer in
-/// the very cycle that its mask of cuts names, against C++'s integers. step_thresholds.v has what a
-/// slot holds.
+/// the very cycle that its mask of cuts names, against C++'s integers. step_thresholds.v describes
+/// the slots.
 namespace mixcmp::test::step_thresholds_test {
 namespace {
 

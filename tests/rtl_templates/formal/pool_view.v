@@ -1,6 +1,6 @@
-// pool_view: what a slot_pool of four slots holds, read from its registers: place 0 is its output,
-// place k + 1 is place k of its queue. From the cycle in which `started` is 1, this module asserts
-// where the queue's first lap ends.
+// pool_view: the contents of a slot_pool of four slots, read from its registers: place 0 is its
+// output, place k + 1 is place k of its queue. From the cycle in which `started` is 1, this module
+// asserts where the queue's first lap ends.
 `default_nettype none
 
 module pool_view (

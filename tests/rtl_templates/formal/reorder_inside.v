@@ -1,8 +1,8 @@
-// reorder_inside: a lane_reorder of four slots, and lemmas about its registers that make what
-// lane_proof claims hold by induction. The slots in use, the oldest first, are those in the queue
-// of the lane's verdicts, then those in its ranks. For each undecided one in that queue there is, in
-// the same order, an answer, a request at the reference or on its way, or a slot that waits. Of the
-// slots in use only its own has the tag of the watched comparison, and so for its follower.
+// reorder_inside: a lane_reorder of four slots, and lemmas about its registers that make the claims
+// of lane_proof hold by induction. The slots in use, the oldest first, are those in the queue of
+// the lane's verdicts, then those in its ranks. For each undecided one in that queue there is, in
+// the same order, an answer, a request at the reference or on its way, or a slot that waits. Only
+// its own slot in use has the tag of the watched comparison; the same holds for its follower.
 `default_nettype none
 
 module reorder_inside #(
@@ -260,7 +260,7 @@ module reorder_inside #(
         end
       end
     end
-    // Answers first, then what is at the reference, then what is on its way to it.
+    // Answers first, then requests at the reference, then requests on the way to it.
     asking      = (RECOMPUTE != 0) ? answers_count : 4'd0;
     order_right = 1'b1;
     for (k = 0; k < 5; k = k + 1) begin

@@ -1,8 +1,8 @@
-// scoreboard_inside: a lane_scoreboard of four slots, and lemmas about its registers that make what
-// lane_proof claims hold by induction. Each slot is in exactly one place: the pool, a rank of the
-// lane, a queue, a register on the way to the reference or back, the reference, or the register in
-// front of the tags. The watched comparison has one slot from its acceptance until its tag is read; wherever
-// that slot is, the right data are beside it, and no other slot in use has its tag.
+// scoreboard_inside: a lane_scoreboard of four slots, and lemmas about its registers that make the
+// claims of lane_proof hold by induction. Each slot is in exactly one place: the pool, a rank of
+// the lane, a queue, a register on the way to the reference or back, the reference, or the register
+// in front of the tags. The watched comparison has one slot from its acceptance until its tag is
+// read. Wherever that slot is, the right data are beside it, and no other slot in use has its tag.
 `default_nettype none
 
 module scoreboard_inside #(

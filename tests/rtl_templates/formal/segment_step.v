@@ -1,7 +1,7 @@
-// segment_step: what a pair_segment with LANES lanes makes of one word, by definition. From the state
-// {gone, base, held, count} before the word it tells the state behind it, whether the word goes on and
-// as what, and which beat it causes. Lane l answers a pair of words with 3 bits of `answers`.
-// Combinational.
+// segment_step: the effect of one word on a pair_segment with LANES lanes, by definition. From the
+// state {gone, base, held, count} before the word it tells the state behind it, whether and as
+// which word it goes on, and which beat it causes. Lane l answers a pair of words with 3 bits of
+// `answers`. Combinational.
 `default_nettype none
 
 module segment_step #(

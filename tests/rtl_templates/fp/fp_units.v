@@ -1,8 +1,8 @@
-// fp_units: every floating-point unit in every variant, for the regression alone. A slot of the
+// fp_units: every floating-point unit in every variant, only for the regression. A slot of the
 // answers belongs to {unit, GRADUAL, TOWARD_ZERO, column}, the column counting fastest; the units
 // are in the order of `UnitSlot` in units_under_test.cpp. Columns 0 to 2 are masks: no cuts, all,
-// SOME_CUTS. Columns 3 to 11 are SOME_CUTS with 1 to 8 and 15 promised: bit 0 for SPECIAL_OPERANDS =
-// 0, 1 for OVERFLOW = 0, 2 for UNDERFLOW = 0, 3 for CANCELLATION = 0. Where a unit lacks a
+// SOME_CUTS. Columns 3 to 11 are SOME_CUTS with 1 to 8 and 15 promised: bit 0 for SPECIAL_OPERANDS
+// = 0, 1 for OVERFLOW = 0, 2 for UNDERFLOW = 0, 3 for CANCELLATION = 0. Where a unit lacks a
 // parameter, another takes its place: see below.
 `default_nettype none
 

@@ -1,6 +1,6 @@
-// fp_units_tb: the same units, the same answers, another simulator. Reads what `fp_... write` wrote:
-// latencies.hex, one a slot; stimuli.hex, {exceptional, a, b} each 128 bits; answers.hex, one a
-// behaviour and stimulus, {y matters, flag matters, flag, y}. Verilog-2001.
+// fp_units_tb: the same units, the same answers, another simulator. Reads the files of `fp_...
+// write`: latencies.hex, one a slot; stimuli.hex, {exceptional, a, b} each 128 bits; answers.hex,
+// one a behaviour and stimulus, {y matters, flag matters, flag, y}. Verilog-2001.
 `default_nettype none
 
 module fp_units_tb;

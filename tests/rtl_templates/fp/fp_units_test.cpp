@@ -1,4 +1,4 @@
-// Only what reads the Verilated model: this source is compiled for each pair of formats.
+// Only the code that reads the Verilated model: this source is compiled for each pair of formats.
 // Usage: PROGRAM exhaustive | special | neighbours COUNT SEED | random COUNT SEED | pair A B [FLAG]
 //        PROGRAM write FOLDER COUNT SEED: vectors and their answers for fp_units_tb.v
 #include "Vfp_units.h"

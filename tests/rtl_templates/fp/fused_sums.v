@@ -1,7 +1,7 @@
-// fused_sums: fp_fused_sum and fp_fused_comparison in several shapes, for the regression alone. The
+// fused_sums: fp_fused_sum and fp_fused_comparison in several shapes, only for the regression. The
 // slots are {shape, GRADUAL, variant}, the shapes counting slowest; with ALTERNATE they are {shape,
-// variant}, and GRADUAL turns from slot to slot. Variants: 0 without registers, of multipliers; 1 with
-// SOME_CUTS, of logic, CANCELLATION = 1 whatever the shape is.
+// variant}, and GRADUAL turns from slot to slot. Variants: 0 without registers, of multipliers; 1
+// with SOME_CUTS, of logic, CANCELLATION = 1 whatever the shape is.
 `default_nettype none
 
 module fused_sums #(

@@ -38,7 +38,7 @@ using Operands = FusedOperandMaker::Operands;
 struct Expected {
   Operands operands;
   std::array<golden::Rounded, 2 * shapes> results;  ///< [2 * shape + gradual]
-  std::array<Verdict, 2 * shapes> orders;           ///< likewise
+  std::array<Verdict, 2 * shapes> orders;           ///< [2 * shape + gradual]
 };
 
 class FusedSums : public testing::Test {

@@ -1,10 +1,10 @@
-// products: fp_product at many precisions, for the regression alone. Of each precision a product and
-// a square, of logic, of logic with a stage for the digits, and of multipliers whose sizes differ
-// from precision to precision; the slots are {precision, kind, SQUARE, complemented}, the precisions
-// counting slowest, three kinds each. Few digits of logic have two masks of cuts that complement each
-// other, all others one of them in turn. Of squares of logic those with the last cut are split. Of
-// multipliers there are fewer precisions: many small ones compile slowly. products_test.cpp repeats
-// which are built and with which masks.
+// products: fp_product at many precisions, only for the regression. Each precision has a product
+// and a square, of logic, of logic with a stage for the digits, and of multipliers whose sizes
+// differ from precision to precision; the slots are {precision, kind, SQUARE, complemented}, the
+// precisions counting slowest, three kinds each. Logic products of few digits have two masks of
+// cuts that complement each other, all others one of the two in turn. Squares of logic with the
+// last cut are split. Multipliers have fewer precisions: many small ones compile slowly.
+// products_test.cpp repeats which are built and with which masks.
 `default_nettype none
 
 module products #(

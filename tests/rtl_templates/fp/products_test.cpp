@@ -155,7 +155,8 @@ uint64_t drawn(uint64_t index) {
   return z ^ (z >> 31);
 }
 
-/// What drives the digits to one kind: every digit the same, runs of ones, ones alone, noise.
+/// Patterns that drive the digits to one kind: every digit the same, runs of ones, single ones,
+/// noise.
 Bits patterned(uint64_t index) {
   const Bits noise = Bits{drawn(2 * index)} << 64 | drawn(2 * index + 1);
   const int place = static_cast<int>(drawn(~index) % widest);

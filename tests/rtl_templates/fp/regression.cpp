@@ -53,7 +53,7 @@ void Regression::compare(int slot) {
   if (promised.meets(then.hazards[behaviour])) {
     const bool all = promised.special_operands && promised.overflow && promised.underflow;
     if (!all || !units_.exceptional_by_hazards_alone(behaviour)) return;
-    // Nothing matters any more but that no logic is left to speak of hazards.
+    // A broken promise permits any answer, but no logic for hazards may be left: the flag is 0.
     judge(slot, then.stimulus, {.flag = false, .y_matters = false});
   } else {
     ++kept_promises_[slot];

@@ -38,7 +38,7 @@ public:
   uint64_t failures() const { return failures_; }
   /// The built slots to which every stimulus broke a promise.
   std::vector<int> idle_slots() const;
-  /// What a failure says about where its vector came from.
+  /// The origin of a vector, which a failure prints.
   void set_origin(std::string origin) { origin_ = std::move(origin); }
 
 private:

@@ -1,6 +1,7 @@
-// scalings: fp_convert by every power of two that is a normal number of the operand's format, for the
-// regression alone. The slots are {scale, GRADUAL, TOWARD_ZERO, promised, cut}, the scales counting
-// slowest; promised: SPECIAL_OPERANDS, OVERFLOW and UNDERFLOW are 0; cut: with three cycles.
+// scalings: fp_convert by every power of two that is a normal number of the operand's format, only
+// for the regression. The slots are {scale, GRADUAL, TOWARD_ZERO, promised, cut}, the scales
+// counting slowest; promised: SPECIAL_OPERANDS, OVERFLOW and UNDERFLOW are 0; cut: with three
+// cycles.
 `default_nettype none
 
 module scalings #(

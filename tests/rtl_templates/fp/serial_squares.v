@@ -1,7 +1,6 @@
-// serial_squares: fp_serial_square in ten variants, for the regression alone. Slots 0 to 7 are
-// {TOWARD_ZERO, GRADUAL, cuts}, the cuts counting fastest: 0 none but those that the unit needs,
-// 1 SOME_CUTS beside them. Slots 8 and 9 are promised that nothing is special, too large or too
-// small.
+// serial_squares: fp_serial_square in ten variants, only for the regression. Slots 0 to 7 are
+// {TOWARD_ZERO, GRADUAL, cuts}, the cuts counting fastest: 0 none but those that the unit needs, 1
+// SOME_CUTS beside them. Slots 8 and 9 promise that nothing is special, overflows or underflows.
 `default_nettype none
 
 module serial_squares #(

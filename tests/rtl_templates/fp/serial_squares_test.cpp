@@ -41,7 +41,7 @@ protected:
     for (unsigned k = 1; k < steps + gap; ++k) cycle(std::nullopt);
   }
 
-  /// Squares `a`, and something else before that is done: only the latter has an answer.
+  /// Starts the square of `unfinished`, and that of `a` before it is done: only `a` has an answer.
   void feed_too_early(Bits unfinished, Bits a, int after) {
     cycle(expected(unfinished));
     history_.front().reset();

@@ -1,8 +1,8 @@
-// squared_sums: fp_squared_sum in eight variants, for the regression alone. The slots are
-// {SUBTRACT, GRADUAL, cuts}, the cuts counting fastest: 0 none, 1 SOME_CUTS. Slots whose first and
-// last bit are alike have a product of multipliers, the others one of logic; GRADUAL ones of those
-// find its digits in a stage of their own. Slots with an even number of ones have SUM_SELECTS = 2,
-// of the others slot 7 has 1 and the rest 0.
+// squared_sums: fp_squared_sum in eight variants, only for the regression. The slots are {SUBTRACT,
+// GRADUAL, cuts}, the cuts counting fastest: 0 none, 1 SOME_CUTS. Slots whose first and last bit
+// are alike have a product of multipliers, the others one of logic; among the latter, GRADUAL ones
+// find its digits in a stage of their own. Slots with an even number of ones have SUM_SELECTS = 2;
+// among the others slot 7 has 1 and the rest 0.
 `default_nettype none
 
 module squared_sums #(

@@ -54,7 +54,7 @@ protected:
     model_.eval();
   }
 
-  /// Until the last operands have left the registers.
+  /// Runs until the last operands have left the registers.
   void drain() {
     for (int k = 0; k < std::popcount(SOME_CUTS) && !HasFatalFailure(); ++k) feed(0, 0);
   }
@@ -84,8 +84,8 @@ private:
   std::deque<Expected> history_;  ///< the latest first
 };
 
-/// Pairs of unrelated numbers, of ones nearby, of a number and one a few units beside it, and of
-/// either with zero, an infinity, a NaN or an end of the range. Half of the numbers are small
+/// Pairs of unrelated numbers, of nearby numbers, of a number and one a few units away, and of
+/// either kind with zero, an infinity, a NaN or an end of the range. Half of the numbers are small
 /// enough for their squares to be subnormal.
 class Pairs {
 public:

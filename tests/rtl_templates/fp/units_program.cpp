@@ -94,7 +94,7 @@ void write_vectors(const UnitsUnderTest& units, std::span<const std::string_view
   }
 }
 
-/// false: not understood.
+/// Feeds the stimuli that the arguments name; false if it does not understand them.
 bool feed(Regression& regression, const UnitsUnderTest& units,
           std::span<const std::string_view> arguments) {
   const std::string_view mode = arguments.empty() ? "" : arguments[0];

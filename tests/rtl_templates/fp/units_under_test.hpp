@@ -23,7 +23,7 @@ struct HazardSet {
   friend bool operator==(const HazardSet&, const HazardSet&) = default;
 };
 
-/// What one unit must answer. A verdict that was not decided may be anything.
+/// The answer that one unit must give. A verdict that was not decided may be anything.
 struct Answer {
   Bits y = 0;
   bool flag = false;  ///< exceptional, or decided
@@ -31,9 +31,9 @@ struct Answer {
   bool flag_matters = true;
 };
 
-/// The outputs of fp_units.v: which slot is what, how late it answers and what it must say. A slot
-/// is (unit, variant, column), the column counting fastest; a behaviour is a slot without its
-/// column. The first columns differ in their masks, the others in what they were promised.
+/// The outputs of fp_units.v: the meaning of each slot, its latency and the answer that it must
+/// give. A slot is (unit, variant, column), the column counting fastest; a behaviour is a slot
+/// without its column. The first columns differ in their masks, the others in their promises.
 class UnitsUnderTest {
 public:
   static constexpr int masks = 3, columns = masks + 9, variants = 4, units = 13;
@@ -47,15 +47,16 @@ public:
 
   int latency_cycles(int slot) const { return latencies_[slot]; }
   int max_latency_cycles() const;
-  /// If no promise was broken.
+  /// The right answer where no promise is broken.
   Answer answer(int behaviour, const Stimulus& stimulus) const;
   HazardSet promised(int slot) const;
   HazardSet hazards(int behaviour, const Stimulus& stimulus) const;
-  /// Whether `exceptional` can speak of hazards alone: nothing but the root of a negative number
-  /// is exceptional without one.
+  /// Whether `exceptional` can be caused only by hazards. The root of a negative number is the only
+  /// exceptional case without a hazard.
   bool exceptional_by_hazards_alone(int behaviour) const;
   std::string name(int slot) const;
-  /// Of what a slot answers: the result's, or the operands' where a unit has no result format.
+  /// The format of a slot's answers: the result's, or the operands' where a unit has no result
+  /// format.
   FloatFormat format(int slot) const;
 
 private:

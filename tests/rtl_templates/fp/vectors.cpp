@@ -5,7 +5,7 @@
 namespace mixcmp::test {
 namespace {
 
-/// Counter-based: SplitMix64 of (seed, index, draw), so that any vector can be had alone.
+/// Counter-based: SplitMix64 of (seed, index, draw), so that each vector can be drawn by itself.
 class Draw {
 public:
   Draw(uint64_t seed, uint64_t index) : state_(mix(mix(seed) + index)) {}
@@ -100,7 +100,7 @@ int draw_exponent(FloatFormat operands, FloatFormat result, Draw& draw) {
   }
 }
 
-/// In a relation to the first operand's that matters to one of the units.
+/// An exponent whose relation to the first operand's matters to one of the units.
 int draw_second_exponent(FloatFormat operands, FloatFormat result, int first, Draw& draw) {
   const int reach = std::max(operands.precision(), result.precision()) + 3;
   const int target = draw.coin() ? lowest_result(operands, result) - draw.below(reach)

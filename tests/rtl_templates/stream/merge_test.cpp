@@ -65,7 +65,7 @@ struct MergeSpec {
   std::function<std::unique_ptr<MergeDut>()> make;
   std::uint32_t inputs;
   int latency_cycles;
-  int one_input_interval;   ///< cycles per word when one input alone is busy
+  int one_input_interval;   ///< cycles per word when only one input is busy
   int all_inputs_interval;  ///< cycles per word when all are
   int capacity;             ///< words held when nothing leaves; -1: not stated
   std::uint32_t round;      ///< words in which each busy input is served at least once

@@ -60,7 +60,7 @@ void SystemRun::fail(const std::string& what) {
              std::to_string(seed_);
 }
 
-/// tdata of the result, as the operands demand it.
+/// The tdata of the result that the operands demand.
 std::uint8_t SystemRun::expected_result(std::uint32_t word) const {
   const std::uint32_t lane_verdict = (word ^ (word >> 10)) & 3;
   const std::uint32_t reference_verdict = ((word >> 8) ^ (word >> 16)) & 3;
@@ -84,7 +84,7 @@ std::uint32_t SystemRun::undecided_lanes(std::uint32_t word) const {
   return lanes;
 }
 
-/// A word each of whose lanes is undecided with this chance.
+/// A word in which each lane is undecided with this chance.
 std::uint32_t SystemRun::random_word(double undecided) {
   std::uint32_t word = random_.word();
   for (int k = 0; k < spec_.group; ++k) {

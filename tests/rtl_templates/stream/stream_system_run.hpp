@@ -71,9 +71,10 @@ struct SystemTraffic {
   double refetch = 1.0;  ///< that the user's memory takes a tag; that it gives operands
 };
 
-/// Drives a system and holds every result against what the operands say it must be. Knows nothing
-/// of slots, queues or requests: a comparison is outstanding from acceptance until its result. Of a
-/// system of groups, lanes are groups, and comparisons words of one for each lane of a group.
+/// Drives a system and holds every result against the one that its operands determine. Knows
+/// nothing of slots, queues or requests: a comparison is outstanding from acceptance until its
+/// result. In a system of groups each group counts as a lane, and a word of one comparison for each
+/// lane of the group as a comparison.
 class SystemRun {
 public:
   SystemRun(const SystemSpec& spec, std::uint64_t seed);
@@ -92,7 +93,7 @@ public:
   std::uint64_t overtaken() const { return overtaken_; }
   std::uint64_t cycles() const { return cycles_; }
   const std::vector<std::uint64_t>& received_of_lane() const { return received_of_lane_; }
-  /// Compares the counters with what was seen since reset; call when nothing is outstanding.
+  /// Holds the counters against the events seen since reset; call when nothing is outstanding.
   void check_counters();
 
 private:

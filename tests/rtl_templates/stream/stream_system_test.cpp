@@ -16,7 +16,7 @@ template <class Model>
 class VerilatedSystem : public SystemDut {
 public:
   VerilatedSystem() {
-    context_.randReset(2);  // what is not reset starts random
+    context_.randReset(2);  // registers without a reset start random
     context_.randSeed(5);
     model_ = std::make_unique<Model>(&context_);
     aclk = &model_->aclk;
@@ -136,13 +136,13 @@ bool is_carried(const SystemSpec& spec) {
   return spec.carried;
 }
 
-/// These lanes have slots enough to stall for nothing but the one port at which tags are read.
+/// These lanes have enough slots. They stall only for the one port at which tags are read.
 bool is_limited_by_tags(const SystemSpec& spec) {
   return !spec.carried && !spec.in_order && spec.initiation_interval == 1 && spec.group == 1;
 }
 
-/// A request that finds the reference free starts at once; and no others of its group are before
-/// it.
+/// A request that finds the reference free starts at once, and no other request of its group is
+/// ahead of it.
 bool starts_at_once(const SystemSpec& spec) {
   return spec.carried && spec.initiation_interval == 1 && spec.group == 1;
 }
@@ -151,7 +151,7 @@ bool is_shared(const SystemSpec& spec) {
   return spec.references > 0 && spec.lanes > spec.references;
 }
 
-/// Each reference has lanes and slots enough for a request in every interval.
+/// Each reference has enough lanes and slots for a request in every interval.
 bool is_saturable(const SystemSpec& spec) {
   if (!spec.carried || !is_shared(spec) || spec.group > 1) return false;
   const int lanes = spec.lanes / spec.references;
@@ -235,9 +235,9 @@ TEST_P(System, ThroughputIsWhatTheSlotsAllow) {
 
 TEST_P(CarriedSystem, ThroughputUnderRandomRecomputationIsTheModels) {
   const SystemSpec& spec = GetParam();
-  // What the generator builds has 22 slots more than the lane's latency. With fewer, chance costs
-  // more than the model's mean waits say; and a lane that stalls falls in step with a folded
-  // reference, so that it waits less for its first phase, or with requests that take long.
+  // The generator builds 22 slots more than the lane's latency. With fewer, chance costs more than
+  // the model's mean waits say. A lane that stalls then falls in step with a folded reference, so
+  // that it waits less for its first phase, or with requests that take long.
   const int spare = (1 << spec.slot_bits) - spec.lane_latency_cycles;
   const int beats = spec.beat_bits == 0 ? 0 : 2 << spec.beat_bits;
   const bool roomy = spare >= (service_cycles(spec) == 1 ? 10 : 22 + beats);

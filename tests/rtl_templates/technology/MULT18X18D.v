@@ -1,5 +1,6 @@
-// MULT18X18D: what our cells use of ECP5's multiplier, after Lattice FPGA-TN-02205, sysDSP Usage Guide:
-// one clock, registers in front of the product and behind it, no reset, factors with or without signs.
+// MULT18X18D: the part of ECP5's multiplier that our cells use, after Lattice FPGA-TN-02205, sysDSP
+// Usage Guide: one clock, registers in front of the product and behind it, no reset, factors with
+// or without signs.
 `default_nettype none
 
 module MULT18X18D #(

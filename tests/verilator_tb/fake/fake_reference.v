@@ -30,7 +30,7 @@ module fake_reference (
   output reg  [TAG_BITS-1:0]      answer_tag;
   output reg  [1:0]               answer_verdict;
 
-  // Refetched operands come back in the order of their tags. SLOTS bounds what is under way.
+  // Refetched operands come back in the order of their tags. SLOTS bounds the requests under way.
   reg [TAG_BITS-1:0] tags [0:15];
   reg [3:0]          asked;
   reg [3:0]          answered;

@@ -1,12 +1,11 @@
-// arg_min_proof: whatever stalls, rows leave in the order in which they came, none is lost or made up, and
-// each lane compares the best candidate so far with its own, by words that were made of the right row and
-// candidates; the full ones are in the memories at the places that the pair's tag names. One row at a time,
-// chosen by the solver, is watched on its way past candidates 0, 1 and 2, by its place. Both lanes hold one
-// pair each for as long as they like, and return its tag. How references get operands is proven of
-// operand_memory.
-// The lemmas read registers of the template, and together hold by induction. They say which candidates
-// of a load have come how far, and go over all rows inside from the last to the first: their places
-// follow one another.
+// arg_min_proof: whatever stalls, rows leave in the order in which they came, and none is lost or
+// made up. Each lane compares the best candidate so far with its own, by words that were made of
+// the right row and candidates; the full operands are in the memories at the places that the pair's
+// tag names. One row at a time, chosen by the solver, is watched on its way past candidates 0, 1
+// and 2, by its place. Both lanes hold one pair each for as long as they like, and return its tag.
+// operand_memory_proof covers how references get operands. The lemmas read registers of the
+// template, and together hold by induction. They say how far each candidate of a load has come, and
+// go over all rows inside from the last to the first: their places follow one another.
 `default_nettype none
 
 module arg_min_proof (
@@ -122,7 +121,7 @@ module arg_min_proof (
     .stalled_cycles    ()
   );
 
-  // Candidates as they were offered: the last of a short load is each of those that are missing.
+  // Candidates as they were offered. In a short load the last one stands for each missing one.
   reg  [1:0] candidate_0;
   reg  [1:0] candidate_1;
   reg  [1:0] candidate_2;
@@ -363,7 +362,7 @@ module arg_min_proof (
     .ranks    ()
   );
 
-  // Candidates: of those that were sent, how many are in the memory, have come to a stage, are stored
+  // Candidates that were sent: how many are in the memory, have come to a stage, and are stored
   // there. A stage that has its own hands nothing on.
   wire [7:0] candidates = {candidate_2, candidate_2, candidate_1, candidate_0};
   wire [2:0] sent       = \dut.loader.sent_q ;

@@ -1,9 +1,8 @@
-// closing_tree_proof: of every input's words each leaves closing_tree once, unchanged, in the order of
-// its input; one closing beat leaves behind all of them, and its low bits are the sum of the inputs'.
-// A closing beat that does not leave does not wait for `m_ready`.
-// One input is watched, and of it one word at a time. Words are {input, watched, data}. Behind its
-// closing beat an input sends nothing until the merged one has left, as in the engine, which takes the
-// next set then.
+// closing_tree_proof: each word of each input leaves closing_tree once, unchanged, in the order of
+// its input. One closing beat leaves behind all of them, and its low bits are the sum of the
+// inputs'. A closing beat that does not leave does not wait for `m_ready`. One input is watched,
+// one word of it at a time. Words are {input, watched, data}. Behind its closing beat an input
+// sends nothing until the merged one has left, as in the engine, which takes the next set then.
 `default_nettype none
 
 module closing_tree_proof #(

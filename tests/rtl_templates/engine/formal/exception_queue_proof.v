@@ -1,8 +1,7 @@
-// exception_queue_proof: no push meets a full FIFO in exception_queue; `room` stays while a word is on
-// offer, and comes back once the queue is empty. That beats leave once, in order and unchanged is the
-// FIFO's, and proven of it.
-// Ahead of the queue stands a pipeline that cannot wait: a word enters it only where there is room,
-// and may be pushed MAY_COME - 2 cycles later.
+// exception_queue_proof: no push meets a full FIFO in exception_queue; `room` stays while a word is
+// on offer, and comes back once the queue is empty. The FIFO's own proof covers that beats leave
+// once, in order and unchanged. Ahead of the queue stands a pipeline that cannot wait: a word
+// enters it only where there is room, and may be pushed MAY_COME - 2 cycles later.
 `default_nettype none
 
 module exception_queue_proof #(

@@ -1,6 +1,6 @@
-// expander_proof: of every beat each pair leaves pair_expander once, on the stream where it belongs and
-// with its verdict, reported ones first; the closing beat leaves once on both streams. A beat tells of
-// at least one pair, as those of pair_segment do.
+// expander_proof: each pair of each beat leaves pair_expander once, on the stream where it belongs
+// and with its verdict, reported ones first; the closing beat leaves once on both streams. A beat
+// tells of at least one pair, as those of pair_segment do.
 `default_nettype none
 
 module expander_proof #(
@@ -72,7 +72,7 @@ module expander_proof #(
     .m_pair_tlast      (pair_last)
   );
 
-  // What was taken and has not left.
+  // The reports that were taken and have not left.
   reg  [LANES-1:0]   reported     = {LANES{1'b0}};
   reg  [LANES-1:0]   undecided    = {LANES{1'b0}};
   reg                report_close = 1'b0;

@@ -1,8 +1,8 @@
-// operand_memory_proof: whatever stalls, each request of a reference is answered once, in the order of
-// its requests, with the row and the candidates that were written last at the places it names; what is
-// offered stays until it is taken, and all keeps moving.
-// One row place and one candidate, chosen by the solver for good, are watched; the words at the others
-// are anything. Reference 0 or 1, likewise chosen, is watched; up to two requests of it are inside.
+// operand_memory_proof: whatever stalls, each request of a reference is answered once, in the order
+// of its requests, with the row and the candidates that were written last at the places it names;
+// an offer stays until it is taken, and all keeps moving. One row place and one candidate, chosen
+// by the solver for good, are watched; the words at the others are anything. Reference 0 or 1,
+// chosen in the same way, is watched; up to two requests of it are inside.
 `default_nettype none
 
 module operand_memory_proof #(
@@ -67,7 +67,7 @@ module operand_memory_proof #(
     .m_answer_tdata (m_data)
   );
 
-  // Of the watched reference: what it offers and gets. Tags are {own, best, place}.
+  // The watched reference: its offers and its answers. Tags are {own, best, place}.
   reg        ask;
   reg  [2:0] tag;
   reg        ready;
@@ -161,7 +161,7 @@ module operand_memory_proof #(
     held_data  <= m_data;
   end
 
-  reg     kept;  // what was on offer and not taken still is
+  reg     kept;  // an offer that was not taken stays
   integer h;
 
   always @* begin

@@ -1,11 +1,11 @@
-// segment_proof: every word that pair_segment takes stays in a lane or goes on, once and in order; each
-// meeting of a held word with one behind it is answered once, in the beat of the latter; nothing is
-// lost for want of room in the queue; the closing beat leaves behind all others. The lanes are any
-// function of their two words, chosen by the solver, LANE_LATENCY cycles long.
-// TIERED: the first word of a block and each that stays leave a beat, too, and a beat tells which
-// of both its word is, the word, and how many of its pairs are undecided.
-// The lemmas read registers of the template, and together hold by induction. They go over all words and
-// beats inside: those in the link, each as it will be told when it has left the link, the one at the
+// segment_proof: every word that pair_segment takes stays in a lane or goes on, once and in order;
+// each meeting of a held word with one behind it is answered once, in the beat of the latter;
+// nothing is lost for want of room in the queue; the closing beat leaves behind all others. The
+// lanes are any function of their two words, chosen by the solver, LANE_LATENCY cycles long.
+// TIERED: the first word of a block and each that stays leave a beat as well, and a beat tells
+// which of the two its word is, the word, and the number of its undecided pairs. The lemmas read
+// registers of the template, and together hold by induction. They go over all words and beats
+// inside: those in the link, each as it will be told when it has left the link, the one at the
 // lanes, and those in the queue.
 `default_nettype none
 
@@ -132,7 +132,8 @@ module segment_proof #(
     .q   ({late_passing, late_held})
   );
 
-  // Words as they come: what is held of the block so far, and what is to be said of this one.
+  // Words as they come: the words of the block that are held so far, and the report due of this
+  // one.
   wire                  take       = s_valid && s_ready;
   reg  [3:0]            count      = NONE;  // of words held
   reg  [LANES-1:0]      held;
@@ -171,7 +172,7 @@ module segment_proof #(
     .reported(reported)
   );
 
-  // On the way.
+  // Words and beats on the way.
   reg  [3:0]            on_way    = NONE;   // words that go on
   reg  [3:0]            ahead     = NONE;   // of the watched one
   reg                   watching  = 1'b0;
@@ -376,7 +377,7 @@ module segment_proof #(
   reg                   closing_last;   // nothing is behind the closing word or beat
   reg                   closing_empty;
   reg                   counted_right;
-  reg  [3:0]            found;          // pairs that are to be counted
+  reg  [3:0]            found;          // pairs that will be counted
   reg  [3:0]            cycles_left;    // until a beat is on offer, if nobody stalls
   reg  [BEAT_BITS-1:0]  beat;
   reg                   exists;

@@ -1,12 +1,12 @@
-// tier_proof: each pair that a beat leaves undecided is answered once by pair_tier, with what its lane
-// says of the word that the pair's lane holds and the beat's own; what a beat reports leaves once and
-// unchanged; beats stay in order, and the closing one leaves behind all others with the right count.
-// Beats are those of a pair_segment: codes are about lanes that hold a word, and words that stay fill
-// the lanes from the lowest up. The lane is any function of its two words, chosen by the solver,
-// LANE_LATENCY cycles long, 0 or 1.
-// The lemmas read registers of the template, and together hold by induction. They go over all places
-// where a beat may be, with what it has still to tell of its pairs there: those of the queue, the one
-// at its input, both stages, and the beat on offer.
+// tier_proof: pair_tier answers each pair that a beat leaves undecided once, with its lane's result
+// for the word that the pair's lane holds and the beat's own word. Each report of a beat leaves
+// once and unchanged. Beats stay in order, and the closing one leaves behind all others with the
+// right count. Beats are those of a pair_segment: codes are about lanes that hold a word, and words
+// that stay fill the lanes from the lowest up. The lane is any function of its two words, chosen by
+// the solver, LANE_LATENCY cycles long, 0 or 1. The lemmas read registers of the template, and
+// together hold by induction. They go over all places where a beat may be, with the results of its
+// pairs that it has still to tell there: the queue, the beat at its input, both stages, and the
+// beat on offer.
 `default_nettype none
 
 module tier_proof #(
@@ -95,7 +95,8 @@ module tier_proof #(
     .q   ({decided, verdict})
   );
 
-  // Beats as they come: what the lanes hold of the block so far, and what is due of this beat.
+  // Beats as they come: the words of the block that the lanes hold so far, and the results due of
+  // this beat.
   wire                  take    = s_valid && s_ready;
   reg                   offered = 1'b0;  // the beat on offer was there in the cycle before
   wire                  comes   = s_valid && !offered;
@@ -112,7 +113,7 @@ module tier_proof #(
   reg  [CODE_BITS-1:0]  code;
   reg  [2:0]            answer;
 
-  // On the way.
+  // Beats on the way.
   wire                  leaves        = m_valid && m_ready;
   wire                  about_watched = !m_last && (m_index == watched_j);
   wire                  about_later   = !m_last && (m_index == later_j);
@@ -313,7 +314,7 @@ module tier_proof #(
     .ranks    (queue_ranks)
   );
 
-  // All places, the one whose beat leaves next first.
+  // The places of a beat, in the order in which their beats leave.
   localparam PUSHED = DEPTH + 1;
   localparam STAGE2 = DEPTH + 2;  // the same as PUSHED if the lane has no latency
   localparam STAGE1 = DEPTH + 3;
@@ -340,7 +341,7 @@ module tier_proof #(
        \dut.exceptions.beat , queue_words, m_last, m_codes, m_index, m_base};
   reg  [BEAT_BITS-1:0]   beat;
   reg  [CODE_BITS-1:0]   code_here;
-  reg  [CODES_BITS-1:0]  told;          // what the places tell of the watched beat
+  reg  [CODES_BITS-1:0]  told;          // of the watched beat, from all places
   reg                    told_once;
   reg                    told_right;
   reg  [3:0]             first_later;   // places of the later beat

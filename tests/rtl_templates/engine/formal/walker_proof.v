@@ -1,7 +1,7 @@
-// walker_proof: of the words that pair_walker sends every pair of the set meets in a chain of LANES
-// lanes once, and no other pair does; nothing is read before it was stored; one closing word leaves
-// behind all others. One pair, chosen by the solver, is watched. A lane of the chain holds one of the
-// block's first LANES words that stay; words that meet, meet what is held.
+// walker_proof: pair_walker sends words so that every pair of the set meets once in a chain of
+// LANES lanes, and no other pair does. Nothing is read before it was stored; one closing word
+// leaves behind all others. One pair, chosen by the solver, is watched. A lane of the chain holds
+// one of the block's first LANES words that stay; a word that meets others meets the held words.
 `default_nettype none
 
 module walker_proof #(

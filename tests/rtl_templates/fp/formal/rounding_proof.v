@@ -1,8 +1,8 @@
 // rounding_proof: for every pair of operands fp_add (a sum or a difference), fp_multiply, fp_square
-// and fp_compare, with gradual underflow and no cuts, give what integers say. A finite number is an
-// integer of units, of the smallest subnormal number each; a sum is one, too, and a product is an
-// integer of units / 2^FRACTION. Of these the nearest number of at most PRECISION digits is due, of
-// two the even one, and infinity where that is beyond the largest number.
+// and fp_compare, with gradual underflow and no cuts, give the results of integers. A finite number
+// is an integer of units, of the smallest subnormal number each; so is a sum, and a product is an
+// integer of units / 2^FRACTION. Due is the nearest number of at most PRECISION digits, of two the
+// even one, and infinity where that is beyond the largest number.
 `default_nettype none
 
 module rounding_proof #(

@@ -1,7 +1,7 @@
-// Counters behind counter_port, in any simulator: what the bus reads lies between the count of a
-// round ago and the count of now, and is exact when nothing has stepped for a round. Low and high
-// words belong together. Writes are refused. Resets come at random.
-// Prints PASSED, or FAILED and what was wrong.
+// Counters behind counter_port, in any simulator. A count that the bus reads lies between the count
+// of a round ago and the count of now, and is exact when nothing has stepped for a round. Low and
+// high words belong together. Writes are refused. Resets come at random. Prints PASSED, or FAILED
+// and the first faults.
 `default_nettype none
 
 module counter_port_tb #(
@@ -80,7 +80,7 @@ module counter_port_tb #(
     end
   endgenerate
 
-  // What the counters have counted since the reset, in this cycle and in those before.
+  // The counts since the reset: of this cycle, and of the cycles before.
   reg [WIDTH-1:0] counted [0:COUNTERS-1];
   reg [WIDTH-1:0] history [0:HISTORY*COUNTERS-1];
 
@@ -292,7 +292,7 @@ module counter_port_tb #(
     end
   endtask
 
-  // Raises what is stored above the narrow digits, which would take too long to count to. Nothing
+  // Raises the stored digits above the narrow ones, which would take too long to count to. Nothing
   // may step meanwhile.
   task raise(input [HIGH_BITS-1:0] high);
     integer n;
@@ -312,7 +312,7 @@ module counter_port_tb #(
     end
   endtask
 
-  // Lets what is under way leave, without anything new.
+  // Waits until everything under way has left, without new steps.
   task settle;
     integer n;
     begin

@@ -1,5 +1,5 @@
-// stream_system_bench: lanes, crossbar and references with stubs for the datapaths, so that what a
-// comparison must become is known from its operand word alone (`word` of the first 32 bits):
+// stream_system_bench: lanes, crossbar and references with stubs for the datapaths. The stubs make
+// a comparison's result a function of only its operand word (`word` of the first 32 bits):
 //   lane's verdict word[1:0] ^ word[11:10], decided word[2], reference's verdict word[9:8] ^ word[17:16].
 // The reference reads word[17:16] in phase LAST_OPERAND_PHASE, the rest in phase 0. The operands are
 // COPIES rotated copies of the word: the lane looks at the lowest, the reference at the highest.

@@ -1,6 +1,6 @@
-// axi_lite_reads_proof: each read that is taken gets one word, the one that was found for its address,
-// and each write one refusal; nothing is answered that was not asked; what is offered stays until it
-// is taken; and nothing waits for ever. What answers behind the bus takes as long as it likes.
+// axi_lite_reads_proof: each accepted read gets one word, the one that was found for its address,
+// and each write one refusal. Nothing is answered that was not asked. An offer stays until it is
+// taken, and nothing waits for ever. The answering logic behind the bus takes as long as it likes.
 `default_nettype none
 
 module axi_lite_reads_proof (
@@ -67,7 +67,7 @@ module axi_lite_reads_proof (
     .read_word    ({30'd0, word})
   );
 
-  // What was taken and not answered yet; the word that was found.
+  // Reads that were taken and not answered yet; the word that was found.
   reg  [1:0] addresses = NONE;
   reg  [1:0] data      = NONE;
   reg  [1:0] reads     = NONE;
@@ -76,7 +76,7 @@ module axi_lite_reads_proof (
   reg  [1:0] found_word;
   reg        found_address;
   reg        was_unreadable = 1'b0;
-  // What waited in the cycle before.
+  // Channels that waited in the cycle before.
   reg        aw_waited = 1'b0;
   reg        w_waited  = 1'b0;
   reg        ar_waited = 1'b0;

@@ -1,6 +1,6 @@
-// beat_memory_proof: a beat that is read is that of the word written last at its address, and what
-// was read stays until the next read. One address is watched, chosen by the solver. No word is read
-// in the cycle that writes it.
+// beat_memory_proof: a beat that is read is that of the word written last at its address, and it
+// stays until the next read. One address is watched, chosen by the solver. No word is read in the
+// cycle that writes it.
 `default_nettype none
 
 module beat_memory_proof #(

@@ -1,9 +1,9 @@
-// counter_memory_proof: a count that is read is what a counter that never wraps has counted, or had
-// counted MOST_LATE cycles ago at the earliest, whenever anything steps and whenever it is reset. The
-// counts have one digit more than the narrow counters need, so a step too many or too few above the
-// narrow digits is MOST_LATE or more away.
-// The lemmas read registers of the template, and together hold by induction. They bound for each
-// place where a count may be (the stages, the memory, its output) how far it is behind the counter.
+// counter_memory_proof: a count that is read equals the count of a counter that never wraps, now or
+// at most MOST_LATE cycles ago, whenever anything steps and whenever it is reset. The counts have
+// one digit more than the narrow counters need, so a step too many or too few above the narrow
+// digits is MOST_LATE or more away. The lemmas read registers of the template, and together hold by
+// induction. They bound for each place where a count may be (the stages, the memory, its output)
+// how far it is behind the counter.
 `default_nettype none
 
 module counter_memory_proof (

@@ -1,7 +1,7 @@
-// lane_answers_proof: words leave lane_answers in the order in which they entered, each after the last
-// of its answers, with what its decided lanes said, the answers of its undecided ones in their order,
-// and its slot. One word at a time is watched, chosen by the solver, and the words and answers ahead
-// of it are counted. At most two words are inside, as a user has slots for.
+// lane_answers_proof: words leave lane_answers in the order in which they entered, each after the
+// last of its answers, with the verdicts of its decided lanes, the answers of its undecided ones in
+// their order, and its slot. One word at a time is watched, chosen by the solver, and the words and
+// answers ahead of it are counted. At most two words are inside, as a user has slots for two.
 `default_nettype none
 
 module lane_answers_proof (

@@ -1,10 +1,10 @@
-// lane_proof: of comparisons with a watched tag, one inside at a time, exactly one result leaves, it is
-// the right one, and it does leave: at most MOST_CALM cycles in which nobody stalls pass before.
-// What a reset forgets does not leave. For lane_scoreboard and lane_reorder around a lane of one rank,
-// with a reference that answers when it likes, in order. With IN_ORDER = 1 a follower, too, is watched.
-// The asserts lemma_* of scoreboard_inside and reorder_inside make all but not_lost hold by induction
-// over one cycle, and not_lost over MOST_CALM of them.
-// Operands: {verdict, decided}; the reference's verdict is the complement of the lane's.
+// lane_proof: each comparison with a watched tag, one inside at a time, has exactly one result. The
+// result is the right one, and it does leave: at most MOST_CALM cycles in which nobody stalls pass
+// before. A comparison that a reset forgets does not leave. For lane_scoreboard and lane_reorder
+// around a lane of one rank, with a reference that answers when it likes, in order. With IN_ORDER =
+// 1 a follower is watched as well. The asserts lemma_* of scoreboard_inside and reorder_inside make
+// all but not_lost hold by induction over one cycle, and not_lost over MOST_CALM of them. Operands:
+// {verdict, decided}; the reference's verdict is the complement of the lane's.
 `default_nettype none
 
 module lane_proof #(

@@ -1,7 +1,7 @@
-// lane_tags_proof: each result leaves lane_tags once, in order, with the tag stored in its slot last;
-// of each word that asks, each lane that asks leaves once as a request, in order, with its slot and
-// that tag plus the lane's number. What is offered stays, and words do leave. One result and one lane
-// of a word that asks are watched, chosen by the solver, and those ahead of them counted.
+// lane_tags_proof: each result leaves lane_tags once, in order, with the tag stored in its slot
+// last. Each lane that asks in a word leaves once as a request, in order, with the word's slot and
+// that tag plus the lane's number. An offer stays, and words do leave. One result and one lane of a
+// word that asks are watched, chosen by the solver, and those ahead of them counted.
 `default_nettype none
 
 module lane_tags_proof #(

@@ -1,4 +1,4 @@
-// marked_lanes_proof: of each word the numbers of its marked lanes leave marked_lanes once each, the
+// marked_lanes_proof: the numbers of each word's marked lanes leave marked_lanes once each, the
 // lowest first; the word is taken with the last of them, and they do leave.
 `default_nettype none
 

@@ -1,8 +1,9 @@
-// operands_proof: of each lane of a slot that is named on `undecided`, one request leaves
-// carried_operands, first come first served and the lowest lane first, with all of its beats in their
-// order, the slot in each, and the operands that were stored for it; and requests do leave: a beat in
-// every second cycle in which they are taken, with a cycle more between the words of a group. One request at a time is watched, chosen by the solver, and those ahead of it are counted.
-// A slot is stored, then may be undecided, and is stored again when its request has left.
+// operands_proof: each lane of a slot that is named on `undecided` has one request that leaves
+// carried_operands, first come first served and the lowest lane first. The request has all of its
+// beats in their order, the slot in each, and the operands that were stored for it. Requests do
+// leave: a beat in every second cycle in which they are taken, with a cycle more between the words
+// of a group. One request at a time is watched, chosen by the solver, and those ahead of it are
+// counted. A slot is stored, then may be undecided, and is stored again when its request has left.
 `default_nettype none
 
 module operands_proof #(

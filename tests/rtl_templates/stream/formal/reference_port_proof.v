@@ -2,8 +2,8 @@
 // sender, with the verdict about its own operands; a folded datapath sees them unchanged until they
 // are taken. One request at a time is watched, chosen by the solver, and those ahead of it are
 // counted. A sender is {free bit, watched}. The datapath's verdict is the operands; refetched
-// operands are the complement of the tag, and come when whoever fetches them likes. With BEAT_BITS
-// = 1 a request comes in two beats of a bit each, and is inside from the second on.
+// operands are the complement of the tag, and come after any delay. With BEAT_BITS = 1 a request
+// comes in two beats of a bit each, and is inside from the second on.
 `default_nettype none
 
 module reference_port_proof #(

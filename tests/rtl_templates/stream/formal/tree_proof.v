@@ -1,6 +1,6 @@
 // tree_proof: a word that enters stream_tree leaves once, unchanged, in the order of its input, and
-// waits for a bounded number of words of others. One input is watched, and of it one word at a time.
-// Words are {input, watched, data}.
+// waits for a bounded number of other inputs' words. One input is watched, one word of it at a
+// time. Words are {input, watched, data}.
 `default_nettype none
 
 module tree_proof #(

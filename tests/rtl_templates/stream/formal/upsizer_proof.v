@@ -1,6 +1,6 @@
 // upsizer_proof: stream_upsizer gives out each packet once, in order, with all of its words in
-// their places and what came beside the last; it takes the words of a packet but the last at any
-// time, and holds what it offers. One packet at a time is watched, chosen by the solver.
+// their places and the sideband that came beside the last. It takes the words of a packet but the
+// last at any time, and holds its offers. One packet at a time is watched, chosen by the solver.
 `default_nettype none
 
 module upsizer_proof #(
