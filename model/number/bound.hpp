@@ -17,7 +17,7 @@ enum class NumberSystem {
   block,  ///< block floating point
 };
 
-/// The source of a lane's knowledge about the error of f - g.
+/// How the error of f - g is bounded.
 enum class BoundKind {
   relative,  ///< by the relative errors of f and g: a distance in ulps, one integer subtraction
   running,   ///< by an absolute bound that follows magnitudes, computed beside the values
