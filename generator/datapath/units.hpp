@@ -55,8 +55,8 @@ struct Unit {
   /// Cycles for which an operation keeps the unit; above 1 it has an input `start`, which is 1 when
   /// its operand is there.
   int initiation_interval = 1;
-  /// The same operation with shorter stages and more registers, for periods that are too short for
-  /// this unit's stages. At most one; a vector, since Unit is incomplete here.
+  /// A unit for the same operation with shorter stages and more registers. It serves clock periods
+  /// below the delay of this unit's stages. At most one; a vector, since Unit is incomplete here.
   std::vector<Unit> faster_form = {};
 };
 

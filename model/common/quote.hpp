@@ -16,7 +16,7 @@ bool is_one_line(std::string_view text);
 /// valid UTF-8, which the JSON writer refuses.
 std::string printable(std::string_view text);
 
-/// As printable(), with '?' for line ends as well.
+/// `text` with '?' for everything that printable() replaces, and for line ends.
 std::string printable_line(std::string_view text);
 
 /// The words of `text` with one blank between them instead of any blanks, tabs and line ends.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "model/golden/fixed_evaluate.hpp"
@@ -109,7 +111,12 @@ TEST_P(EveryTupleInFixedPoint, IsDecidedAsTheRealNumbersAre) {
       EXPECT_EQ(result.verdict, truth) << name << describe(format, inputs);
     }
   }
-  EXPECT_GT(*std::max_element(decided.begin(), decided.end()), 0u) << "no lane decides anything";
+  // Lanes of few digits may have an error above every difference.
+  std::map<std::string, std::uint64_t> by_bound;
+  for (std::size_t k = 0; k < lanes.size(); ++k) {
+    by_bound[lanes[k].name.substr(lanes[k].name.find(", "))] += decided[k];
+  }
+  for (const auto& [bound, number] : by_bound) EXPECT_GT(number, 0u) << "no lane decides" << bound;
 }
 
 INSTANTIATE_TEST_SUITE_P(Comparisons, EveryTupleInFixedPoint,
