@@ -26,41 +26,6 @@ TEST_F(OptimiseCommand, ItsPlanIsWhatCheckTakes) {
   EXPECT_NE(read("plan.toml").find("target_mhz = 250\n"), std::string::npos);
 }
 
-/// Lanes in fixed point have no choice of inputs, in the table as in the plan.
-TEST_F(OptimiseCommand, APlanOfLanesInFixedPointIsWhatCheckTakes) {
-  std::ofstream table(path("characterisation/scene-virtex6-lx760.csv"), std::ios::app);
-  row(table, "lane,,q11,,fixed_norm,embedded,0,0", 7, 380, 4);
-  row(table, "lane,,q11,,fixed_norm,logic,0,0", 9, 640, 0);
-  row(table, "fifo,,,,,,0,32", 0, 200, 0);
-  table.close();
-  const Outcome found = mixcmp("optimise scene.toml --last 14 --json -o plan.toml");
-  ASSERT_EQ(found.exit_code, 0) << found.output;
-  EXPECT_EQ(json_of(found).at("best"), 11) << found.output;
-  const std::string plan = read("plan.toml");
-  EXPECT_NE(plan.find("format = \"q11\"\nbound = \"certified\"\nerror_bound = \"norm\"\n"),
-            std::string::npos)
-      << plan;
-  const Outcome checked = mixcmp("check plan.toml --json");
-  ASSERT_EQ(checked.exit_code, 0) << checked.output;
-  const auto lanes = json_of(checked).at("lane_groups");
-  EXPECT_EQ(lanes[0].at("format"), "q11") << checked.output;
-}
-
-/// Guard digits are not digits of a running bound, which are limited to eight.
-TEST_F(OptimiseCommand, APlanOfLanesWithManyGuardDigitsIsWhatCheckTakes) {
-  std::ofstream table(path("characterisation/scene-virtex6-lx760.csv"), std::ios::app);
-  row(table, "lane,,q11g9,,fixed_norm_g9,embedded,0,0", 7, 380, 4);
-  row(table, "fifo,,,,,,0,32", 0, 200, 0);
-  table.close();
-  const Outcome found = mixcmp(
-      "optimise scene.toml --first 11 --last 11 --use-bounds fixed_norm_g9 "
-      "--set reduced.format=q11g9 -o plan.toml");
-  ASSERT_EQ(found.exit_code, 0) << found.output;
-  const Outcome checked = mixcmp("check plan.toml --json");
-  ASSERT_EQ(checked.exit_code, 0) << checked.output;
-  EXPECT_EQ(json_of(checked).at("lane_groups")[0].at("format"), "q11g9") << checked.output;
-}
-
 /// A lane of memory is cheaper in LUTs, and of 1440 blocks 80 % hold 288 lanes of four.
 TEST_F(OptimiseCommand, APlanHasNoMoreMemoriesThanTheDevice) {
   std::ofstream table(path("characterisation/scene-virtex6-lx760.csv"), std::ios::app);

@@ -16,7 +16,8 @@ std::string printed(Module module) {
   return emit::to_verilog(CheckedModules({std::move(module)}, outside)).front();
 }
 
-TEST(Verilog, PrintsAStructuralModule) {
+/// A module with one of each item.
+Module structural_module() {
   Module module;
   module.name = "pair";
   module.ports = {{Direction::input, 1, "aclk"},   {Direction::input, 1, "go", true},
@@ -36,7 +37,11 @@ TEST(Verilog, PrintsAStructuralModule) {
                   Assignment{bit("q", 0), literal(1, 0)},
                   Assignment{net("y"), net("x")},
                   Assignment{net("parity"), all_bits(net("x"))}};
-  EXPECT_EQ(printed(module), R"(
+  return module;
+}
+
+TEST(Verilog, PrintsAStructuralModule) {
+  EXPECT_EQ(printed(structural_module()), R"(
 `default_nettype none
 
 module pair (
