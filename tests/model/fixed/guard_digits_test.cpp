@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/scene/lane_bound.hpp"
 #include "tests/model/fixed/lanes.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
@@ -46,6 +47,7 @@ TEST(GuardDigits, BoundsAreThoseOfTheUnitBehindTheCut) {
   EXPECT_EQ(norm.offset_above, 14);
   EXPECT_EQ(lane.nodes[norm.radius].format.name(), "ufix13_En10");
   EXPECT_EQ(lane.parts.front().degree, 2);
+  EXPECT_EQ(to_string(scene::bound_of(lane)), "fixed_norm_g4");
 }
 
 std::vector<std::optional<mpz_class>> cut_by(const FixedLane& lane,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "model/scene/lane_bound.hpp"
 #include "model/settings/bound_name.hpp"
 
 /// Bounds, their names, and the order of tables.
@@ -45,6 +46,23 @@ TEST(Bound, TablesAreInTheOrderOfNamesThenOfDigits) {
             (std::vector<std::string>{"block_constant", "block_norm", "constant", "fixed_constant",
                                       "fixed_norm", "fixed_running_g9", "fixed_running_g10",
                                       "profiled", "relative", "running_1", "running_4"}));
+}
+
+TEST(Bound, IsGivenToLanesOfAScene) {
+  scene::ReducedSpec reduced;
+  reduced.format = FloatFormat::make(11, 8).value();
+  const auto with = [&](const char* name) {
+    return with_bound(reduced, settings::parse_bound(name).value());
+  };
+  EXPECT_EQ(with("running_2").error_bound, BoundKind::running);
+  EXPECT_EQ(with("running_2").bound_digits, 2);
+  EXPECT_EQ(with("running_2").format_name(), "s11e8");
+  EXPECT_EQ(with("fixed_running_g3").error_bound, BoundKind::running);
+  EXPECT_EQ(with("fixed_running_g3").bound_digits, reduced.bound_digits);
+  EXPECT_EQ(with("fixed_running_g3").format_name(), "q11g3");
+  EXPECT_EQ(with("block_norm").format_name(), "block11");
+  EXPECT_TRUE(with("profiled").is_profiled);
+  EXPECT_EQ(with("profiled").error_bound, std::nullopt);
 }
 
 }  // namespace
