@@ -236,7 +236,8 @@ std::string filter_type(BoundKind kind) {
     case BoundKind::relative: return "RelativeFilter";
     case BoundKind::running: return "RunningFilter";
     case BoundKind::constant: return "ConstantFilter";
-    case BoundKind::norm: break;
+    case BoundKind::norm:
+    case BoundKind::profiled: break;
   }
   MIXCMP_CHECK(false);
 }
