@@ -8,63 +8,61 @@ namespace mixcmp::verilator_tb {
 
 namespace {
 
-/// Prints system_ports.hpp: the constants and ports of one top, for its harness.
-class PortsHeader {
+/// Prints system_model.hpp: the numbers of one top, and its ports in the model.
+class ModelHeader {
 public:
-  explicit PortsHeader(const emit::Signature& signature) {
+  explicit ModelHeader(const emit::Signature& signature) {
     constant("int", "lanes", signature.lanes);
     constant("int", "counter_bits", signature.counter_bits);
+    constant("std::size_t", "counted_answers", static_cast<int>(emit::counted_answers(signature)));
+    constant("int", "counter_address_bits", emit::counter_address_bits(signature));
     add_counter_map(signature);
   }
 
-  PortsHeader& constant(const char* type, const char* name, int value) {
-    constants_ += fmt::format("inline constexpr {} {} = {};\n", type, name, value);
+  ModelHeader& constant(const char* type, const char* name, int value) {
+    constants_ += fmt::format("const {} {} = {};\n", type, name, value);
     return *this;
   }
-  PortsHeader& ports(std::initializer_list<const char*> names) {
+  ModelHeader& ports(std::initializer_list<const char*> names) {
     for (const char* name : names)
       bindings_ += fmt::format("  ports.{0} = Port(model.{0});\n", name);
     return *this;
   }
   /// Counters that are ports of the top; those on a bus are bound to memory.
-  PortsHeader& counters(std::initializer_list<const char*> names) {
+  ModelHeader& counters(std::initializer_list<const char*> names) {
     return counter_ports_ ? ports(names) : *this;
   }
   std::string text(const char* type) const {
     return fmt::format(
-        "#pragma once\n\n#include <cstddef>\n#include <vector>\n\n"
-        "#include \"Vsystem.h\"\n#include \"ports.hpp\"\n\n"
-        "namespace mixcmp::harness::system {{\n\nusing Model = Vsystem;\n\n"
-        "struct MappedCounters {{\n  int count;\n  int offset;\n  std::uint8_t* bytes;\n"
-        "  std::size_t size;\n}};\n\n{}\n"
-        "inline {} bind(Model& model) {{\n  {} ports;\n{}  return ports;\n}}\n\n"
+        "#pragma once\n\n#include \"Vsystem.h\"\n#include \"ports.hpp\"\n#include "
+        "\"system.hpp\"\n\n"
+        "namespace mixcmp::harness::system {{\n\n{0}\n"
+        "using TopPorts = {1};\n\n"
+        "inline TopPorts ports_of(Vsystem& model) {{\n  TopPorts ports;\n{2}  return ports;\n}}\n\n"
         "}}  // namespace mixcmp::harness::system\n",
-        constants_, type, type, bindings_);
+        constants_, type, bindings_);
   }
 
 private:
   /// Memory for the counters that are read on a bus, and where each of them is.
   void add_counter_map(const emit::Signature& signature) {
     counter_ports_ = emit::has_counter_ports(signature);
-    int number = 0;
+    if (signature.counter_map.empty()) {
+      constants_ += "const std::span<const MappedCounters> counter_map;\n";
+      return;
+    }
     std::string entries;
     for (const emit::SignatureCounters& counters : signature.counter_map) {
-      constants_ += fmt::format("inline std::uint8_t {}_read[{}];\n", counters.name,
+      constants_ += fmt::format("static std::uint8_t {}_read[{}];\n", counters.name,
                                 (counters.count * signature.counter_bits + 7) / 8);
       bindings_ += fmt::format("  ports.{0} = Port({0}_read);\n", counters.name);
       entries += fmt::format("    {{{0}, {1}, {2}_read, sizeof {2}_read}},\n", counters.count,
                              counters.offset, counters.name);
-      number += counters.count;
     }
-    constants_ +=
-        fmt::format("inline const std::vector<MappedCounters> counter_map = {{\n{}}};\n", entries);
-    constant("int", "mapped_counters", number);
-    constant("std::size_t", "counted_answers", emit::counted_answers(signature));
-    constant("int", "counter_address_bits", emit::counter_address_bits(signature));
-    if (number > 0) add_bus();
-  }
-
-  void add_bus() {
+    constants_ += fmt::format(
+        "static const MappedCounters mapped_counters[] = {{\n{}}};\n"
+        "const std::span<const MappedCounters> counter_map = mapped_counters;\n",
+        entries);
     for (const char* name :
          {"awaddr", "awvalid", "awready", "wdata", "wstrb", "wvalid", "wready", "bresp", "bvalid",
           "bready", "araddr", "arvalid", "arready", "rdata", "rresp", "rvalid", "rready"}) {
@@ -77,9 +75,9 @@ private:
   std::string bindings_;
 };
 
-std::string system_ports(const emit::Signature& s) {
+std::string stream_model(const emit::Signature& s) {
   const int refetch_streams = emit::refetch_streams(s);
-  PortsHeader header(s);
+  ModelHeader header(s);
   header.constant("int", "refetch_streams", refetch_streams)
       .constant("int", "lanes_per_group", s.lanes_per_group)
       .constant("int", "groups", emit::group_count(s))
@@ -87,7 +85,6 @@ std::string system_ports(const emit::Signature& s) {
       .constant("int", "tag_bits", s.tag_bits)
       .constant("int", "slots", s.slots)
       .constant("bool", "in_order", s.order == scene::ResultOrder::in_order ? 1 : 0)
-      .constant("bool", "refetched", refetch_streams > 0 ? 1 : 0)
       .ports({"aclk", "aresetn", "s_axis_tvalid", "s_axis_tready", "s_axis_tdata", "s_axis_tuser",
               "m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser"});
   header.counters({"comparisons", "recomputations", "stalls"});
@@ -98,8 +95,8 @@ std::string system_ports(const emit::Signature& s) {
   return header.text("Ports");
 }
 
-std::string pairwise_ports(const emit::Signature& s, const emit::SignatureEngine& engine) {
-  PortsHeader header(s);
+std::string pairwise_model(const emit::Signature& s, const emit::SignatureEngine& engine) {
+  ModelHeader header(s);
   const bool bitmap = engine.report_as == scene::ReportForm::bitmap;
   header.constant("int", "item_bytes", engine.item_bytes)
       .constant("int", "index_bits", engine.index_bits)
@@ -113,8 +110,8 @@ std::string pairwise_ports(const emit::Signature& s, const emit::SignatureEngine
   return header.text("PairwisePorts");
 }
 
-std::string arg_min_ports(const emit::Signature& s, const emit::SignatureEngine& engine) {
-  PortsHeader header(s);
+std::string arg_min_model(const emit::Signature& s, const emit::SignatureEngine& engine) {
+  ModelHeader header(s);
   header.constant("int", "item_bytes", engine.item_bytes)
       .constant("int", "row_bytes", engine.row_bytes)
       .constant("int", "index_bits", engine.index_bits)
@@ -133,11 +130,11 @@ std::string arg_min_ports(const emit::Signature& s, const emit::SignatureEngine&
 Bench bench_of(const emit::Signature& s) {
   const auto kind = s.engine ? s.engine->kind : scene::EngineKind::none;
   switch (kind) {
-    case scene::EngineKind::none: return {s.top, "simulator.cpp", system_ports(s)};
+    case scene::EngineKind::none: return {s.top, "simulator.cpp", stream_model(s)};
     case scene::EngineKind::pairwise:
-      return {s.engine->top, "pairwise.cpp", pairwise_ports(s, *s.engine)};
+      return {s.engine->top, "pairwise.cpp", pairwise_model(s, *s.engine)};
     case scene::EngineKind::arg_min:
-      return {s.engine->top, "arg_min.cpp", arg_min_ports(s, *s.engine)};
+      return {s.engine->top, "arg_min.cpp", arg_min_model(s, *s.engine)};
   }
   MIXCMP_CHECK(false);
 }

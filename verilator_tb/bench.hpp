@@ -10,7 +10,7 @@ namespace mixcmp::verilator_tb {
 struct Bench {
   std::string top;
   const char* main;   ///< the harness's source with the function main
-  std::string ports;  ///< text of system_ports.hpp: constants and ports of the top
+  std::string model;  ///< text of system_model.hpp: the top's numbers, and its ports in the model
 };
 
 Bench bench_of(const emit::Signature& signature);

@@ -104,10 +104,17 @@ SourceFiles files_with_stubs(const std::string& top, SourceFiles sources,
   return files_of_module(top, sources);
 }
 
-/// The C++ file that connects stubs and blocks.
-std::string bindings(const std::vector<ClockedBlock>& blocks) {
-  std::string text = "#include \"clocked_block.hpp\"\n";
-  for (const ClockedBlock& block : blocks) text += "\n" + block.binding();
+/// The header that connects stubs and blocks. The folders of blocks are beside the system's: with
+/// their headers named from here, compilers have the same flags for all systems, and ccache sees
+/// that the harness was compiled before.
+std::string bindings(const std::vector<ClockedBlock>& blocks,
+                     const std::vector<ModelBuild>& block_builds) {
+  std::string text = "#pragma once\n";
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    text += fmt::format("\n#include \"clocked_block.hpp\"\n#include \"../{}/obj/{}.h\"\n\n{}",
+                        block_builds[k].folder.filename().string(), block_builds[k].prefix,
+                        blocks[k].binding());
+  }
   return text;
 }
 
@@ -142,22 +149,20 @@ ModelBuild system_build(const Bench& bench, const SourceFiles& sources,
                    .product = "Vsystem",
                    .compile = tools.verilator,
                    .inputs = {}};
-  std::string compiler_flags = "-std=c++20";
   std::string libraries;
   for (const ModelBuild& block : block_builds) {
     const std::string objects = fmt::format("../../{}/obj", block.folder.filename().string());
-    compiler_flags += " -I" + objects;
     libraries += fmt::format("{}{}/{}", libraries.empty() ? "" : " ", objects, block.product);
   }
   append(build.compile,
-         {"--exe", "--prefix", build.prefix, "--top-module", bench.top, "-CFLAGS", compiler_flags});
+         {"--exe", "--prefix", build.prefix, "--top-module", bench.top, "-CFLAGS", "-std=c++20"});
   if (!libraries.empty()) append(build.compile, {"-LDFLAGS", libraries});
   build.inputs = files_with_stubs(bench.top, sources, blocks);
   for (const auto& [file, text] : build.inputs) build.compile.push_back(file);
-  build.inputs.emplace_back("bindings.cpp", bindings(blocks));
-  append(build.compile, {"bindings.cpp", bench.main});
+  append(build.compile, {"clocked_model.cpp", bench.main});
+  build.inputs.emplace_back("blocks.hpp", bindings(blocks, block_builds));
   for (const EmbeddedFile& file : harness_files()) build.inputs.emplace_back(file.name, file.text);
-  build.inputs.emplace_back("system_ports.hpp", bench.ports);
+  build.inputs.emplace_back("system_model.hpp", bench.model);
   build.inputs.emplace_back("build.mk", makefile(build, block_builds, tools));
   build.folder = work_folder(work_dir, bench.top, tools.version, build.compile, build.inputs);
   return build;

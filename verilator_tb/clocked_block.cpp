@@ -89,14 +89,20 @@ std::size_t longest_name(const std::string& module) {
   return (module + "_settle").size();
 }
 
-/// The modules that can be blocks. A reference's channel cannot: its s_request_tready follows
+/// The modules that can be blocks and have several instances: a single one compiles sooner within
+/// the system's model. A reference's channel cannot be a block: its s_request_tready follows
 /// m_refetch_tready. A datapath without a register is no block, either.
 std::set<std::string> candidates(const emit::Signature& signature) {
   std::set<std::string> modules;
-  for (const emit::SignatureLanes& lanes : signature.lane_groups) modules.insert(lanes.module);
+  for (const emit::SignatureLanes& lanes : signature.lane_groups) {
+    if (lanes.count > signature.lanes_per_group) modules.insert(lanes.module);
+  }
   for (const emit::SignatureReferences& references : signature.reference_groups) {
     const std::string& channel = references.module;
-    if (references.latency_cycles == 0 || !channel.ends_with(emit::channel_suffix)) continue;
+    if (references.count == 1 || references.latency_cycles == 0 ||
+        !channel.ends_with(emit::channel_suffix)) {
+      continue;
+    }
     modules.insert(channel.substr(0, channel.size() - emit::channel_suffix.size()));
   }
   return modules;
@@ -139,7 +145,6 @@ std::string ClockedBlock::stub() const {
 
 std::string ClockedBlock::binding() const {
   return fmt::format(
-      "#include \"V{1}.h\"\n\n"
       "extern \"C\" void* {0}_make() {{\n"
       "  return mixcmp::harness::make_block<V{1}>();\n}}\n\n"
       "extern \"C\" void {0}_clock(void* block, const svBitVecVal* d, svBitVecVal* q) {{\n"

@@ -35,7 +35,8 @@ struct ClockedBlock {
 /// ports that are written in another way.
 std::optional<ClockedBlock> clocked_block(const std::string& module, const std::string& text);
 
-/// The lane channels and reference datapaths of a system that can be blocks.
+/// The lane channels and reference datapaths of a system that can be blocks and have several
+/// instances.
 std::vector<ClockedBlock> clocked_blocks(const emit::Signature& signature,
                                          const SourceFiles& sources);
 

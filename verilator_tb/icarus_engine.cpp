@@ -60,7 +60,7 @@ std::string makefile(const Command& compile, const std::string& main) {
       "obj/simulate: obj/simulation obj/harness.vpi\n\tcp simulate $@ && chmod +x $@\n\n"
       "obj/simulation:\n\tmkdir -p obj && {}\n\n"
       "obj/harness.vpi:\n\tmkdir -p obj && g++ $$(iverilog-vpi --ccflags) -std=c++20 -Wall -O1 "
-      "-Dmain=harness_main -o $@ {} vpi_model.cpp $$(iverilog-vpi --ldflags) "
+      "-Dmain=harness_main -o $@ {} vpi_clocked_model.cpp vpi_model.cpp $$(iverilog-vpi --ldflags) "
       "$$(iverilog-vpi --ldlibs) -pthread\n",
       shell_line(compile), main);
 }
@@ -81,20 +81,12 @@ constexpr const char* launcher =
     "done\n"
     "exec vvp -n \"-M$objects\" -mharness \"$objects/simulation\" \"$@\"\n";
 
-/// The header of the model with its clock, and the header that takes its place here.
-constexpr std::string_view clocked_model = "clocked_model.hpp",
-                           vpi_clocked_model = "vpi_clocked_model.hpp";
-
 SourceFiles inputs_of(const System& system, const Bench& bench, const SourceFiles& sources,
                       const Command& compile) {
   SourceFiles inputs = sources;
-  for (const EmbeddedFile& file : harness_files()) {
-    if (file.name != clocked_model) inputs.emplace_back(file.name, file.text);
-  }
-  for (const EmbeddedFile& file : vpi_harness_files()) {
-    inputs.emplace_back(file.name == vpi_clocked_model ? clocked_model : file.name, file.text);
-  }
-  inputs.emplace_back("system_ports.hpp", bench.ports);
+  for (const EmbeddedFile& file : harness_files()) inputs.emplace_back(file.name, file.text);
+  for (const EmbeddedFile& file : vpi_harness_files()) inputs.emplace_back(file.name, file.text);
+  inputs.emplace_back("system_model.hpp", bench.model);
   inputs.emplace_back("Vsystem.h", model_text(*system.signature.engine));
   inputs.emplace_back("bench.v", bench_text(*system.signature.engine));
   inputs.emplace_back("simulate", launcher);

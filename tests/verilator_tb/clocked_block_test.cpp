@@ -67,7 +67,7 @@ TEST(ClockedBlock, IsNoModuleWhoseFunctionsWouldHaveNamesThatVerilatorHashes) {
     std::string text = printed;
     text.replace(text.find("module lane ("), 13, "module " + module + " (");
     emit::Signature signature =
-        emit::generate_system(sphere_design(format("s5e8"), format("s24e8"), 1, 1), "")
+        emit::generate_system(sphere_design(format("s5e8"), format("s24e8"), 2, 1), "")
             .value()
             .signature;
     signature.lane_groups.front().module = module;
@@ -106,15 +106,16 @@ std::set<std::string> folders_in(const fs::path& folder) {
 TEST(ClockedBlock, IsBuiltOnceForAllSystems) {
   const fs::path work = fake_work_dir() / "shared_blocks";
   fs::remove_all(work);
-  for (const int lanes : {1, 2}) {
-    const auto design = test::sphere_design(format("s5e8"), format("s24e8"), lanes, 1);
+  for (const int references : {1, 2}) {
+    const auto design = test::sphere_design(format("s5e8"), format("s24e8"), 2, references);
     const auto system =
-        verilator_tb::load_system(generate(design, fmt::format("shared_{}x1", lanes)));
+        verilator_tb::load_system(generate(design, fmt::format("shared_2x{}", references)));
     ASSERT_TRUE(system.ok()) << system.error().to_string();
     const auto built = verilator_tb::build_simulator(*system, {.work_dir = work});
     ASSERT_TRUE(built.ok()) << built.error().to_string();
   }
-  EXPECT_EQ(folders_in(work).size(), 4u) << "two systems, one lane, one reference";
+  EXPECT_EQ(folders_in(work).size(), 4u)
+      << "two systems, one lane, and the reference of which one system has two";
 }
 
 /// Spheres on a line, near and far.
@@ -129,7 +130,7 @@ data::Comparisons some_spheres() {
 TEST(ClockedBlock, IsBuiltAnewWhereItsArchiveIsGone) {
   const fs::path work = fake_work_dir() / "lost_archive";
   fs::remove_all(work);
-  for (const int lanes : {1, 2}) {
+  for (const int lanes : {2, 3}) {
     const auto design = test::sphere_design(format("s5e8"), format("s24e8"), lanes, 1);
     const auto system =
         verilator_tb::load_system(generate(design, fmt::format("lost_{}x1", lanes)));
@@ -144,7 +145,7 @@ TEST(ClockedBlock, IsBuiltAnewWhereItsArchiveIsGone) {
 
 /// The stub of a combinational output would give it a cycle late.
 TEST(ClockedBlock, OfCombinationalOutputsIsRefused) {
-  const auto design = test::sphere_design(format("s5e8"), format("s24e8"), 1, 1);
+  const auto design = test::sphere_design(format("s5e8"), format("s24e8"), 2, 1);
   const fs::path folder = generate(design, "combinational");
   const fs::path scoreboard = folder / "mixcmp_lane_scoreboard.v";
   std::string text = read_file(scoreboard).value();

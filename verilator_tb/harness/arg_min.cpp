@@ -15,7 +15,7 @@ namespace mixcmp::harness {
 
 namespace {
 
-class ArgMinSimulator : EngineSimulator {
+class ArgMinSimulator : EngineSimulator<ArgMinPorts> {
 public:
   ArgMinSimulator(int count, char** words) : EngineSimulator(count, words) { reset(); }
 
@@ -102,7 +102,7 @@ private:
       std::memcpy(ports_.s_axis_tdata.bytes(0), rows_.data() + next_row_ * system::row_bytes,
                   system::row_bytes);
       const std::uint64_t bits = random_bits(accepted_ + 1);
-      ports_.s_axis_tuser.set_field(0, system::tag_bits, bits & tag_mask);
+      ports_.s_axis_tuser.set_field(0, system::tag_bits, bits & tag_mask_);
       ports_.s_axis_tlast.set_bit(0, bits >> 63 != 0);
     }
     ready_ = traffic_.willing(result_stream, cycle_);
@@ -123,7 +123,7 @@ private:
     if (!offering_) return;
     if (!ports_.s_axis_tready.bit(0)) return;
     const std::uint64_t bits = random_bits(accepted_ + 1);
-    inside_.push_back({bits & tag_mask, bits >> 63 != 0, cycle_});
+    inside_.push_back({bits & tag_mask_, bits >> 63 != 0, cycle_});
     if (next_row_ == 0) {
       first_cycle_ = cycle_;
       response_.loading_cycles = cycle_ - load_cycle_;
@@ -193,7 +193,7 @@ private:
     violations_.clear();
   }
 
-  static constexpr std::uint64_t tag_mask =
+  const std::uint64_t tag_mask_ =
       system::tag_bits == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << system::tag_bits % 64) - 1;
 
   wire::LoadRequest request_ = {};

@@ -8,7 +8,7 @@
 
 #include "ports.hpp"
 #include "protocol.hpp"
-#include "system_ports.hpp"
+#include "system.hpp"
 
 namespace mixcmp::harness {
 
@@ -41,7 +41,9 @@ public:
   std::optional<wire::Fault> read(Step step) {
     if (!is_there()) return {};
     // The port looks at each counter once in a round of two cycles for each.
-    for (int k = 0; k < 2 * system::mapped_counters + quiet_cycles; ++k) step();
+    int mapped = 0;
+    for (const system::MappedCounters& counters : system::counter_map) mapped += counters.count;
+    for (int k = 0; k < 2 * mapped + quiet_cycles; ++k) step();
     if (!write(step)) return wire::Fault::counter_port;
     for (const system::MappedCounters& counters : system::counter_map) {
       for (int k = 0; k < counters.count; ++k) {

@@ -1,34 +1,31 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <initializer_list>
-#include <utility>
 #include <vector>
 
 #include "clocked_model.hpp"
 #include "counter_reader.hpp"
 #include "hold_checker.hpp"
+#include "ports.hpp"
 #include "protocol.hpp"
 #include "settings.hpp"
-#include "system_ports.hpp"
+#include "system.hpp"
 #include "traffic.hpp"
 
 namespace mixcmp::harness {
 
 /// The base of all engines' simulators: the model, its clock, resets, protocol violations,
 /// counters.
+template <class EnginePorts>
 class EngineSimulator {
 protected:
-  using EnginePorts = decltype(system::bind(std::declval<system::Model&>()));
-
-  static constexpr int index_field_bits = (system::index_bits + 7) / 8 * 8;
-
   EngineSimulator(int count, char** words)
       : settings_(read_settings(count, words)),
         traffic_(settings_.traffic, settings_.seed),
         clocked_(settings_, count, words),
-        ports_(system::bind(clocked_.model())) {
+        ports_(clocked_.ports<EnginePorts>()),
+        hold_(system::output_streams) {
     clocked_.open_trace(settings_.trace);
   }
 
@@ -85,13 +82,15 @@ protected:
     }
   }
 
+  const int index_field_bits = (system::index_bits + 7) / 8 * 8;
+
   Settings settings_;
   Traffic traffic_;
   ClockedModel clocked_;
   EnginePorts ports_;
   CounterReader counter_reader_{ports_.bus};
-  std::array<HoldChecker<>, system::output_streams> hold_;  ///< of each stream that leaves
-  std::vector<wire::Violation> violations_;                 ///< since the last response
+  std::vector<HoldChecker<>> hold_;          ///< of each stream that leaves
+  std::vector<wire::Violation> violations_;  ///< since the last response
   std::uint64_t cycle_ = 0;
   bool stopped_ = false;  ///< the engine hung, or max_violations were seen
 

@@ -1,17 +1,17 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <vector>
 
 #include "feed.hpp"
 #include "hold_checker.hpp"
 #include "in_flight.hpp"
 #include "ports.hpp"
 #include "recorder.hpp"
-#include "system_ports.hpp"
+#include "system.hpp"
 #include "traffic.hpp"
 #include "verdict.hpp"
 
@@ -25,7 +25,7 @@ public:
       : index_(static_cast<std::uint32_t>(index)),
         ports_(ports),
         recorder_(recorder),
-        in_flight_(system::tag_bits, lane_bits, base(index), tags_of_a_lane(), ring_size) {}
+        in_flight_(system::tag_bits, lane_bits(), base(index), tags_of_a_lane(), ring_size()) {}
 
   void drive(Feed& feed, const Traffic& traffic, std::uint64_t cycle) {
     if (offered_ == nullptr && feed.size() > 0 && traffic.willing(index_, cycle)) {
@@ -39,14 +39,14 @@ public:
   void sample(std::uint64_t cycle) {
     if (offered_ != nullptr) sample_offer(cycle);
     const bool valid = ports_.m_axis_tvalid.bit(index_);
-    Results tdata;
-    std::memcpy(tdata.data(), ports_.m_axis_tdata.bytes(first_lane()), tdata.size());
+    const std::uint8_t* const bytes = ports_.m_axis_tdata.bytes(first_lane());
+    results_.assign(bytes, bytes + system::lanes_per_group);
     const std::uint64_t tag =
         ports_.m_axis_tuser.field(std::size_t{index_} * system::tag_bits, system::tag_bits);
-    if (const auto fault = hold_.observe(valid, ready_, tdata, tag)) {
+    if (const auto fault = hold_.observe(valid, ready_, results_, tag)) {
       report(*fault, wire::no_position, tag, cycle);
     }
-    if (valid && ready_) deliver(tag, tdata, cycle);
+    if (valid && ready_) deliver(tag, cycle);
   }
 
   /// Gives the comparisons that were offered or inside back to `feed`: the system is held in reset
@@ -97,7 +97,7 @@ public:
     const Entry* entry = in_flight_.find_word(tag);
     const std::uint64_t lane = in_flight_.lane_of(tag);
     const bool inside = entry != nullptr && entry->state == Entry::State::inside &&
-                        lane < std::uint64_t{system::lanes_per_group};
+                        lane < static_cast<std::uint64_t>(system::lanes_per_group);
     return inside ? &entry->operands[lane * system::tdata_bytes] : nullptr;
   }
 
@@ -114,7 +114,7 @@ public:
   }
 
 private:
-  using Results = std::array<std::uint8_t, system::lanes_per_group>;
+  using Results = std::vector<std::uint8_t>;  ///< of each lane of the group
 
   struct Observed {
     std::uint64_t comparisons = 0;
@@ -124,19 +124,22 @@ private:
 
   /// Room for the comparisons inside and, for a while, for those that have left, so that duplicate
   /// results are recognised.
-  static constexpr std::size_t ring_size = 4 * system::slots;
+  static std::size_t ring_size() { return 4 * static_cast<std::size_t>(system::slots); }
 
   /// A memory finds refetched operands only by their tag: with refetched operands, lanes share no
   /// tags.
-  static constexpr int lane_bits =
-      system::refetched ? std::bit_width(static_cast<unsigned>(system::lanes_per_group - 1)) : 0;
-  static constexpr std::uint64_t tag_space = std::uint64_t{1}
-                                             << std::min(system::tag_bits - lane_bits, 63);
-  static constexpr std::uint64_t tags_of_a_lane() {
-    return system::refetched ? tag_space / system::groups : tag_space;
+  static bool refetched() { return system::refetch_streams > 0; }
+  static int lane_bits() {
+    return refetched() ? std::bit_width(static_cast<unsigned>(system::lanes_per_group - 1)) : 0;
+  }
+  static std::uint64_t tag_space() {
+    return std::uint64_t{1} << std::min(system::tag_bits - lane_bits(), 63);
+  }
+  static std::uint64_t tags_of_a_lane() {
+    return refetched() ? tag_space() / system::groups : tag_space();
   }
   static std::uint64_t base(int index) {
-    return tag_space / system::groups * static_cast<std::uint64_t>(index);
+    return tag_space() / system::groups * static_cast<std::uint64_t>(index);
   }
   std::uint32_t first_lane() const { return index_ * system::lanes_per_group; }
 
@@ -165,7 +168,7 @@ private:
     ++observed_.comparisons;
   }
 
-  void deliver(std::uint64_t tag, const Results& tdata, std::uint64_t cycle) {
+  void deliver(std::uint64_t tag, std::uint64_t cycle) {
     Entry* const entry = in_flight_.find(tag);
     if (entry == nullptr || entry->state != Entry::State::inside) {
       report(fault_of(entry), entry == nullptr ? wire::no_position : entry->positions[0], tag,
@@ -178,10 +181,10 @@ private:
     entry->state = Entry::State::left;
     last_left_ = std::max(last_left_, entry->sequence);
     --inside_;
-    for (std::uint32_t k = 0; k < tdata.size(); ++k) {
-      if (!ResultWord(tdata[k]).is_decided_by_lane()) ++observed_.recomputations;
+    for (std::uint32_t k = 0; k < results_.size(); ++k) {
+      if (!ResultWord(results_[k]).is_decided_by_lane()) ++observed_.recomputations;
       if (k >= entry->positions.size()) continue;
-      recorder_.result({entry->positions[k], entry->cycle, cycle, first_lane() + k, tdata[k]});
+      recorder_.result({entry->positions[k], entry->cycle, cycle, first_lane() + k, results_[k]});
     }
   }
 
@@ -207,6 +210,7 @@ private:
   Recorder& recorder_;
   InFlight in_flight_;
   HoldChecker<Results> hold_;
+  Results results_;  ///< on the port in this cycle
   Observed observed_;
   Entry* offered_ = nullptr;
   bool ready_ = false;

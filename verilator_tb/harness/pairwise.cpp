@@ -3,7 +3,6 @@
 // reported.
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <cstring>
 #include <utility>
@@ -17,7 +16,7 @@ namespace mixcmp::harness {
 
 namespace {
 
-class PairwiseSimulator : EngineSimulator {
+class PairwiseSimulator : EngineSimulator<PairwisePorts> {
 public:
   PairwiseSimulator(int count, char** words) : EngineSimulator(count, words) { reset(); }
 
@@ -35,7 +34,7 @@ public:
 
 private:
   /// Cycles simulated after a set, so that a report behind its closing beats shows itself.
-  static constexpr int quiet_cycles = 64 + 4 * system::lanes;
+  static int quiet_cycles() { return 64 + 4 * system::lanes; }
   /// Stream numbers for Traffic; those of reports follow each other.
   static constexpr std::uint64_t item_stream = 0;
   static constexpr std::uint64_t report_stream = 1;
@@ -68,7 +67,7 @@ private:
       step();
       if (cycle_ - progress_ > limit) hang();
     }
-    for (int k = 0; k < quiet_cycles && !stopped_; ++k) step();
+    for (int k = 0; k < quiet_cycles() && !stopped_; ++k) step();
     if (!stopped_) fetch_counters([this] { step(); });
   }
 
@@ -113,7 +112,7 @@ private:
   }
 
   /// Where stream `s` has its fields.
-  static constexpr std::size_t low_bit(std::size_t s) { return s * 8 * system::report_bytes; }
+  static std::size_t low_bit(std::size_t s) { return s * 8 * system::report_bytes; }
 
   std::uint64_t flags_of(std::size_t s) const {
     if (system::flag_bits == 0) return 1;
@@ -138,7 +137,7 @@ private:
     if (last) return close(stream, tags, tuser);
     ++stream.end.beats;
     ++stream.end.observed_beats;
-    const auto i = static_cast<std::uint32_t>(tags & index_mask);
+    const auto i = static_cast<std::uint32_t>(tags & index_mask_);
     const auto j = static_cast<std::uint32_t>(tags >> index_field_bits);
     for (std::uint32_t k = 0; k < 64 && flags >> k != 0; ++k) {
       if ((flags >> k & 1) != 0) reports_.push_back({cycle_, i + k, j, tuser});
@@ -193,7 +192,7 @@ private:
     violations_.clear();
   }
 
-  static constexpr std::uint64_t index_mask = (std::uint64_t{1} << index_field_bits) - 1;
+  const std::uint64_t index_mask_ = (std::uint64_t{1} << index_field_bits) - 1;
 
   std::vector<std::uint8_t> items_;
   std::uint64_t next_ = 0;     ///< the item that is offered next
@@ -201,7 +200,7 @@ private:
   bool offering_ = false;
   bool open_ = false;  ///< a closing beat is still to come
   bool busy_ = false;  ///< an item was accepted and the last closing beat was not
-  std::array<Stream, system::output_streams> streams_;
+  std::vector<Stream> streams_ = std::vector<Stream>(system::output_streams);
   std::uint64_t first_cycle_ = 0;
   std::uint64_t progress_ = 0;
   std::uint64_t busy_before_ = 0;  ///< busy cycles of the sets since reset

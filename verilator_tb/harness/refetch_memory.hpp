@@ -33,7 +33,7 @@ public:
     }
     const bool valid = ports_.m_refetch_tvalid.bit(index_);
     const std::uint64_t tag =
-        ports_.m_refetch_tdata.field(std::size_t{index_} * tag_field_bits, system::tag_bits);
+        ports_.m_refetch_tdata.field(std::size_t{index_} * tag_field_bits(), system::tag_bits);
     if (const auto fault = hold_.observe(valid, ready_, tag, 0)) {
       recorder_.violation({*fault, index_, wire::no_position, tag, cycle});
     }
@@ -53,7 +53,7 @@ private:
     std::vector<std::uint8_t> operands;
   };
 
-  static constexpr int tag_field_bits = (system::tag_bits + 7) / 8 * 8;
+  static std::size_t tag_field_bits() { return (system::tag_bits + 7) / 8 * 8; }
 
   void answer(std::vector<LaneDriver>& lanes, std::uint64_t tag, std::uint64_t cycle) {
     for (LaneDriver& lane : lanes) {

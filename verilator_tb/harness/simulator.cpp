@@ -11,7 +11,7 @@
 #include "lane_driver.hpp"
 #include "refetch_memory.hpp"
 #include "settings.hpp"
-#include "system_ports.hpp"
+#include "system.hpp"
 
 namespace mixcmp::harness {
 
@@ -23,7 +23,7 @@ public:
       : settings_(read_settings(count, words)),
         traffic_(settings_.traffic, settings_.seed),
         clocked_(settings_, count, words),
-        ports_(system::bind(clocked_.model())) {
+        ports_(clocked_.ports<Ports>()) {
     for (int k = 0; k < system::groups; ++k) lanes_.emplace_back(k, ports_, recorder_);
     for (int k = 0; k < system::refetch_streams; ++k) {
       memories_.emplace_back(k, ports_, recorder_);
@@ -51,7 +51,7 @@ private:
   /// Runs until the feed holds fewer comparisons than there are lanes or, after the last request,
   /// until all results have left.
   void run(bool last) {
-    const std::size_t enough = last ? 1 : system::lanes;
+    const auto enough = static_cast<std::size_t>(last ? 1 : system::lanes);
     while (!stopped() && feed_.size() >= enough) step();
     if (!last) return;
     while (!stopped() && (feed_.size() > 0 || is_busy())) step();
@@ -140,7 +140,7 @@ private:
   Ports ports_;
   CounterReader counters_{ports_.bus};
   Recorder recorder_;
-  Feed feed_{system::tdata_bytes};
+  Feed feed_{static_cast<std::size_t>(system::tdata_bytes)};
   std::vector<LaneDriver> lanes_;
   std::vector<RefetchMemory> memories_;
   std::deque<std::uint64_t> resets_;
