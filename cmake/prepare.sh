@@ -63,11 +63,13 @@ install_packages() {
     apt-get install -y --no-install-recommends $absent
 }
 
-# build_release TARGET [OPTION]: OPTION goes to the configuration. Warnings are errors in CI alone.
+# build_release TARGET [OPTION ...]: the options go to the configuration. Warnings are errors only in CI.
 build_release() {
+  target=$1
+  shift
   say "building into build/release"
   [ "${CI:-}" = true ] && warnings=ON || warnings=OFF
   logged build/log/configure.txt \
-    cmake --preset release -DMIXCMP_WARNINGS_AS_ERRORS=$warnings ${2:+"$2"}
-  logged_build build/log/build.txt cmake --build --preset release --target "$1"
+    cmake --preset release -DMIXCMP_WARNINGS_AS_ERRORS=$warnings "$@"
+  logged_build build/log/build.txt cmake --build --preset release --target "$target"
 }

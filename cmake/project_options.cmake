@@ -7,6 +7,10 @@ target_compile_options(mixcmp_options INTERFACE -Wall -Wextra -Wpedantic -Wshado
 target_compile_options(mixcmp_options INTERFACE -Wno-missing-field-initializers)
 # g++ 12 sees overlaps in concatenated strings that are not there (GCC bug 105329).
 target_compile_options(mixcmp_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+# g++ collects garbage at 128 MiB unless it is told that it may take more; without it, compiling takes a
+# tenth less time.
+target_compile_options(mixcmp_options INTERFACE
+                       "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=524288>")
 # A broken invariant names its source from the repository's root, and the program holds no path of
 # the machine that built it.
 target_compile_options(mixcmp_options INTERFACE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)

@@ -5,16 +5,19 @@ commit_hash() {
   git rev-parse HEAD 2>/dev/null || grep -oE '^[0-9a-f]+' cmake/commit.txt || echo 0
 }
 
-# one_in N: ctest's selection of every N-th test, from one that the commit chooses.
-one_in() {
+# turn N: a number below N that the commit chooses.
+turn() {
   hash=$(commit_hash | cut -c1-7)
-  echo "$((0x$hash % $1 + 1)),,$1"
+  echo "$((0x$hash % $1))"
 }
+
+# one_in N: ctest's selection of every N-th test, from the commit's turn on.
+one_in() { echo "$(($(turn "$1") + 1)),,$1"; }
 
 # template_stride HEAVY: for tests that read only the templates, their benches and tables. 1 if one of
 # these has changed within a day of the commit or since (or if nobody knows), else 8.
 template_stride() {
-  read_files="rtl_templates tests/rtl_templates"
+  read_files=":(glob)rtl_templates/**/*.v tests/rtl_templates"
   changed=$(git log -1 --format=%ct -- $read_files 2>/dev/null) || changed=
   now=$(git log -1 --format=%ct 2>/dev/null) || now=
   if [ "$1" = ON ] || [ -z "$changed" ] || [ $((now - changed)) -lt 86400 ] ||
