@@ -70,7 +70,7 @@ std::string makefile(const Command& compile, const std::string& main) {
 /// have any name.
 constexpr const char* launcher =
     "#!/bin/sh\n"
-    "# Runs the engine with its harness, which reads the words. trace=FILE: writes waves, too.\n"
+    "# Runs the engine with its harness, which reads the words. trace=FILE: writes also waves.\n"
     "set -eu\n"
     "objects=$(cd \"$(dirname \"$0\")\" && pwd)\n"
     "for word in \"$@\"; do\n"

@@ -138,7 +138,7 @@ struct ArgMinFigures {
 
 /// The shortest failing run that was found after a failure, by its first finding.
 struct LeastCounterexample {
-  std::string comparisons;  ///< "comparison 12 alone", "the first 40 comparisons"
+  std::string comparisons;  ///< "only comparison 12", "the first 40 comparisons"
   std::optional<Mismatch> mismatch;
   std::optional<ProtocolViolation> violation;  ///< where there is no mismatch
   std::string waves;                           ///< the command that shows it as waves

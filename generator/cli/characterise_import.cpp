@@ -121,8 +121,8 @@ Result<ImportedReports> read_reports(const std::vector<fs::path>& paths,
   MIXCMP_TRY(areas, only_report(reports, false));
   MIXCMP_TRY(timing, only_report(reports, true));
   if (areas == nullptr) {
-    return error_at(*timing, 0, "a clock without areas makes no row", "a timing report alone",
-                    "the report of areas by instance, too");
+    return error_at(*timing, 0, "a clock without areas makes no row", "only a timing report",
+                    "also the report of areas by instance");
   }
   ImportedReports imported{*areas, std::nullopt, part_of(device, areas->vendor)};
   if (timing == nullptr) return imported;

@@ -85,8 +85,7 @@ Result<Done> check_memories(const components::ComponentQuery& query) {
       std::any_of(query.bounds.begin(), query.bounds.end(),
                   [](const Bound& bound) { return bound.is_fixed_point(); });
   if (!memory_alone || any_fixed_point) return Done{};
-  return mistake("--multipliers", "squares are read from memories by lanes in fixed point alone",
-                 "memory",
+  return mistake("--multipliers", "only lanes in fixed point read squares from memories", "memory",
                  "embedded, logic, or --bounds with fixed_norm or another of fixed point");
 }
 
@@ -259,7 +258,7 @@ void add_characterise_options(const Verb& verb, CharacteriseCommand& command) {
               "of lanes: exact, rounded, digits that operands are rounded to, 20 (default: " +
                   command.inputs + ")");
   verb.option("--multipliers", command.multipliers,
-              "embedded, logic or memory (lanes in fixed point alone), or several: logic,memory "
+              "embedded, logic or memory (only lanes in fixed point), or several: logic,memory "
               "(default: both, embedded and logic)");
   verb.option("--exponents", command.exponents,
               "exponent bits of lanes: reference, or ranges for the fewest that the declared "

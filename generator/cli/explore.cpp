@@ -484,9 +484,9 @@ void add_explore(CLI::App& app) {
             "beside the paper's published figures and with its clocks, on its two devices; the "
             "scene should be its benchmark");
   verb.flag("--software", command->software,
-            "measure the comparison in software on this machine, too: see mixcmp baseline");
+            "also measure the comparison in software on this machine: see mixcmp baseline");
   verb.option("--page", command->page,
-              "HTML file to write, too: what mixcmp report shows, and all that was explored");
+              "also write this HTML file: the page of mixcmp report, and all that was explored");
   verb.option("-o,--output", command->output,
               "folder for figures, tables, plans and rates; rates found there are used again "
               "(default: exploration)");

@@ -39,7 +39,7 @@ void occupy_standard_streams() {
 void add_version_options(CLI::App& app) {
   CLI::Option* version = app.set_version_flag("--version", std::string(mixcmp::emit::version),
                                               "print version and commit");
-  const std::string verbose = "with --version: compiler, libraries and tools, too";
+  const std::string verbose = "with --version: also compiler, libraries and tools";
   const std::string json = "with --version: all of that as JSON";
   app.add_flag("--verbose", verbose)->needs(version);
   app.add_flag("--json", json)->needs(version);

@@ -353,7 +353,7 @@ void add_optimise(CLI::App& app) {
   verb.option("--lp", command->lp, "the best plan's integer program, in the LP format");
   verb.flag("--no-characterise", command->no_characterise,
             "where no table is there, end with an error; without this the lanes that look "
-            "promising are measured first, areas alone (mixcmp characterise --quick)");
+            "promising are measured first, only their areas (mixcmp characterise --quick)");
   verb.when_chosen([command] { run(*command); });
 }
 

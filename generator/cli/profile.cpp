@@ -64,7 +64,7 @@ void add_options(const Verb& verb, ProfileCommand& command) {
       .check(within(settings::limits::lane_precision));
   verb.option("--samples", command.samples,
               "comparisons that relative errors are measured on, 0..2^40 (default: 1000000, or 0 "
-              "where --bounds names fixed point alone, which does without them)")
+              "where --bounds names only fixed point, which does without them)")
       .check(whole(0, std::uint64_t{1} << 40));
   verb.option("--threads", command.run.threads,
               "threads; results do not depend on them (default: one a processor)")
@@ -74,13 +74,13 @@ void add_options(const Verb& verb, ProfileCommand& command) {
           [&run = command.run](const std::vector<std::string>& names) {
             run.bounds = value_or_exit(bounds_to_count(names));
           },
-          "rates of lanes with these bounds alone: relative, running_4, running_1, constant, "
+          "rates of only the lanes with these bounds: relative, running_4, running_1, constant, "
           "profiled, fixed_norm, fixed_constant, fixed_running, block_norm, block_constant, "
           "block_running (default: all but the two running in fixed point, and lanes without a "
           "bound)")
       .separated_by(',');
   verb.flag("--both-inputs", command.both_inputs,
-            "rates for rounded and for exact inputs, too, whatever the scene says");
+            "also rates for rounded and for exact inputs, whatever the scene says");
   verb.flag("--brute-force", command.brute_force,
             "every comparison through every lane and MPFR: slow, the same counts");
   verb.flag("--trade", command.trade, "weigh wrong verdicts against area, system by system");

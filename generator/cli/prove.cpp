@@ -188,7 +188,7 @@ QuickProof prove_quickly(const std::filesystem::path& scene, const design::Lane&
       .message = quick.proof.verdict(),
       .received = "a certified bound that the machine check refuses",
       .accepted = fmt::format("{}; `mixcmp check --prove` keeps the scripts; --no-prove "
-                              "trusts docs/{}.md alone",
+                              "trusts only docs/{}.md",
                               is_fixed ? "a floating-point format" : "reduced.bound = \"profiled\"",
                               is_fixed ? "fixed_point" : "error_bounds"),
       .kind = ErrorKind::refuted});

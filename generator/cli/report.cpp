@@ -79,7 +79,7 @@ void add_report(CLI::App& app) {
       .separated_by(',')
       .one_of({"profile", "plan", "waves"});
   verb.flag("--beside-paper", command->choice.beside_paper,
-            "draw the paper's published numbers, too; the scene should be its benchmark");
+            "also draw the paper's published numbers; the scene should be its benchmark");
   verb.when_chosen([command] { run(*command); });
 }
 

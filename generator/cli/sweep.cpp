@@ -96,7 +96,7 @@ void check_options(const SweepCommand& command) {
   for (const Given& each : options) {
     if (!each.given || each.step == command.step) continue;
     fail({.field = each.option,
-          .message = fmt::format("is of sweep {} alone", each.step),
+          .message = fmt::format("is only of sweep {}", each.step),
           .received = "sweep " + command.step,
           .accepted = fmt::format("sweep {} ... {}", each.step, each.option)});
   }

@@ -209,7 +209,7 @@ void add_counterexample(verilator_tb::VerifyReport& failed, const VerifyCommand&
   if (!found) return;
   verilator_tb::LeastCounterexample& least = failed.counterexample.emplace();
   least.comparisons = found->selection.only
-                          ? fmt::format("comparison {} alone", *found->selection.only)
+                          ? fmt::format("only comparison {}", *found->selection.only)
                           : fmt::format("the first {} comparisons", found->selection.limit);
   if (!found->report.mismatches.empty()) {
     least.mismatch = found->report.mismatches.front();

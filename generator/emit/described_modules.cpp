@@ -212,7 +212,7 @@ Described describe_top(const Design& design, const ScheduledSystem& scheduled) {
   add("  verdict: 0 less, 1 equal, 2 greater, 3 unordered.");
   if (shape.second_tier) add(recomputed_by_either);
   if (shape.refetches()) {
-    add("m_refetch, AXI4-Stream, too: tags whose operands are wanted, a field a reference;");
+    add("m_refetch, also AXI4-Stream: tags whose operands are wanted, a field a reference;");
     add("  s_refetch: these operands, in the same order.");
     if (shape.second_tier) {
       add("  Behind the references' fields come those of the second tier's lanes.");
@@ -268,7 +268,7 @@ std::vector<std::string> describe_arg_min(const Design& design, const rtl::ArgMi
         "Counters since reset, they wrap: of each lane comparisons, recomputations, stalls;");
     facts.emplace_back("  rows that have left, stalled_cycles in which a row waited.");
   }
-  facts.emplace_back("Reset: aresetn, synchronous, active low; forgets the candidates, too.");
+  facts.emplace_back("Reset: aresetn, synchronous, active low; it also forgets the candidates.");
   return facts;
 }
 
@@ -329,7 +329,7 @@ Described describe_pairwise(const Design& design, const rtl::PairwiseShape& shap
                               engine.column_width)});
   add_all(facts, layout_facts(engine.columns, design.reference.input_format));
   add_all(facts, {"  A set that begins with items with tuser compares each of these with each of "
-                  "the others alone.",
+                  "the others, and no other pairs.",
                   report_fact(shape, system.references)});
   add_all(facts, report_fields(shape, system.references, system.second_tier.has_value()));
   if (shape.streams() > 1) {

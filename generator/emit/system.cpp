@@ -239,7 +239,7 @@ GeneratedFile file_list(const Signature& signature, const devices::Device& devic
       top, signature.top);
   if (!signature.cells.empty()) {
     text += fmt::format(
-        "// Yosys alone needs the device's own cells, with their registers, in place of some "
+        "// Only Yosys needs the device's own cells, with their registers, in place of some "
         "modules:\n"
         "//   yosys -p 'read_verilog DIR/*.v; read_verilog -overwrite DIR/*.v.{}; {} -top {}'\n",
         device.cells, device.synthesis, top);

@@ -133,7 +133,7 @@ void add_modelled(page::Section& section, const Trade& trade) {
   section.content.push_back(page::figure(
       draw(chart_of_candidates("Area of lanes against their recomputation rate, by a cost model",
                                "LUTs of a lane (no DSPs)", candidates_of(trade))),
-      "Areas by a rough cost model of LUTs alone, to compare precisions and bounds with each "
+      "Areas by a rough cost model of only LUTs, to compare precisions and bounds with each "
       "other. "
       "Pointing at a mark, or the arrow keys on the picture, shows its numbers."));
   section.content.push_back(page::note(advice(trade, 0)));

@@ -460,7 +460,7 @@ std::string FixedNodes::describe(NodeId id) const {
                        to_text(node.value.low), to_text(node.value.high), node.format.name());
   }
   if (fixed::is_reach(node)) {
-    return fmt::format("{} in {}, unless it is so far from 0 that it decides alone.", text(0),
+    return fmt::format("{} in {}, unless it is so far from 0 that it decides by itself.", text(0),
                        node.format.name());
   }
   if (fixed::is_common_cut(node)) {

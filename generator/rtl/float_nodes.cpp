@@ -215,7 +215,7 @@ void FloatNodes::build_squared_sum(NodeId id) {
   append_technology_parameters(step.unit, parameters);
   parameters.push_back({"CUTS", cut_mask(step)});
   datapath_.add(
-      Comment{fmt::format("Cycles {} to {}: {}^2, in {}; what is squared is rounded, too.",
+      Comment{fmt::format("Cycles {} to {}: {}^2, in {}; the sum that is squared is also rounded.",
                           step.start_cycle, step.ready_cycle, names_[sum], node.format.name())});
   datapath_.add(Wire{node.format.width(), names_[id], nullptr});
   values_[id].value = net(names_[id]);

@@ -26,7 +26,7 @@ std::string form_of_reports(const SignatureEngine& engine) {
   switch (engine.report_as) {
     case scene::ReportForm::pairs: return "as (i, j)";
     case scene::ReportForm::bitmap: return fmt::format("{} flags a beat", engine.report_lanes);
-    case scene::ReportForm::count: return "their number alone";
+    case scene::ReportForm::count: return "only their number";
   }
   return "";
 }

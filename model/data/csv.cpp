@@ -110,7 +110,7 @@ std::string likely_form(const Record& record) {
   if (blank) return "blank";
   if (count('\0') > 0) return "text in UTF-16, or no text";
   if (first.starts_with('#') || first.starts_with('%')) return "a comment";
-  if (count('\r') > 0) return "several lines that end in CR alone";
+  if (count('\r') > 0) return "several lines that end in CR without LF";
   if (count(';') > commas) return "separated by ';'";
   if (count('\t') > commas) return "separated by tabs";
   if (commas == 0 && trimmed(first).find(' ') != std::string_view::npos) {

@@ -272,10 +272,12 @@ Result<Done> check_second_tier(const scene::Scene& scene) {
                       to_string(settings::limits::lanes));
   }
   if (scene.reference_count() != 0) return Done{};
-  return Error{.field = "second_tier.format",
-               .message = "a second tier needs a reference for what it leaves undecided, too",
-               .received = "system.references = 0",
-               .accepted = "system.references of at least 1, or second_tier.format = \"none\""};
+  return Error{
+      .field = "second_tier.format",
+      .message =
+          "a second tier also needs a reference, for the comparisons that it leaves undecided",
+      .received = "system.references = 0",
+      .accepted = "system.references of at least 1, or second_tier.format = \"none\""};
 }
 
 /// The clock that the scene's plan expects, for display; empty if there is none. The plan's values
@@ -405,7 +407,7 @@ Result<Done> check_multipliers(const Lane& lane, scene::Multipliers multipliers)
   const auto* fixed = std::get_if<fixed::FixedLane>(&lane);
   if (fixed == nullptr) {
     return Error{.field = "reduced.multipliers",
-                 .message = "squares are read from memories by lanes in fixed point alone",
+                 .message = "only lanes in fixed point read squares from memories",
                  .received = fmt::format("\"memory\" in {}", format_name(lane)),
                  .accepted = "embedded or logic, or a format such as q11 or block11"};
   }

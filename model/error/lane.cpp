@@ -28,7 +28,7 @@ std::string describe_bound(const AbsoluteBoundCriterion& criterion, FloatFormat 
   if (bound.nodes.back().operation == BoundOperation::constant) {
     return describe_constant(criterion, format) + ", a constant";
   }
-  if (bound.format.precision == 1) return "a running bound of exponents alone";
+  if (bound.format.precision == 1) return "a running bound of only exponents";
   return fmt::format("a running bound of {} digits", bound.format.precision);
 }
 

@@ -88,7 +88,7 @@ private:
     MIXCMP_CHECK(false);
   }
 
-  void terms(const Node& /*node*/) { MIXCMP_CHECK(!"rounding alone makes a sum a fused one"); }
+  void terms(const Node& /*node*/) { MIXCMP_CHECK(!"only rounding makes a sum a fused one"); }
 
   void terms(const TypedNode& node) {
     for (const FusedTerm& term : node.terms) {

@@ -279,7 +279,7 @@ Result<FixedNode> FixedGraphBuilder::quotient(NodeId id) {
   const auto [dividend, divisor] = graph_.nodes()[id].operands;
   const Node& constant_node = graph_.nodes()[divisor];
   if (constant_node.operation != Operation::constant || constant_node.value == 0) {
-    return refused(id, "fixed point divides by constants alone",
+    return refused(id, "fixed point divides only by constants",
                    "a floating-point format, or f and g without other quotients");
   }
   const mpq_class reciprocal = 1 / constant_node.value;

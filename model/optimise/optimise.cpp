@@ -112,7 +112,7 @@ void note_one_interval(const scene::Scene& scene, const characterise::Characteri
   if (!is_open || measured.size() != 1) return;
   found.notes.push_back(
       fmt::format("reference.initiation_interval is \"auto\", but the table has references of "
-                  "interval {} alone; `mixcmp characterise --initiation-intervals 1,4,16` measures "
+                  "only interval {}; `mixcmp characterise --initiation-intervals 1,4,16` measures "
                   "others",
                   *measured.begin()));
 }

@@ -472,9 +472,10 @@ void ProblemMaker::add_lane(PrecisionPlan& plan, const characterise::Measurement
   const Rate& requests = has_engine() ? *rate : *first;  // on the lane's own stream
   const double asked = scene_.system.lanes_per_group * requests.value();
   if (performance::highest_lane_throughput(asked, beats) < 1) {
-    left_out_ = scene_.system.lanes_per_group == 1
-                    ? "every lane leaves more than half undecided: references alone are faster"
-                    : "every group of lanes asks more often than its one stream of requests allows";
+    left_out_ =
+        scene_.system.lanes_per_group == 1
+            ? "every lane leaves more than half undecided: references without lanes are faster"
+            : "every group of lanes asks more often than its one stream of requests allows";
     return;
   }
   if (!has_enough_exponents(row)) return;

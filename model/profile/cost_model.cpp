@@ -327,7 +327,7 @@ Result<MeasuredAreas> MeasuredAreas::read(const std::filesystem::path& path) {
       return bad_area(path, line, "scheme, precision", text, "one line each");
     }
   }
-  if (areas.luts_.empty()) return bad_area(path, 1, "lines", "the header alone", "an area or more");
+  if (areas.luts_.empty()) return bad_area(path, 1, "lines", "only the header", "an area or more");
   return areas;
 }
 

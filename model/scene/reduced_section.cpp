@@ -64,7 +64,7 @@ void read_relative_error(settings::Section& section, const std::string& key,
 /// table.
 void check_multipliers(settings::Section& section, const ReducedSpec& spec) {
   if (spec.multipliers != Multipliers::memory || !spec.format) return;
-  section.fail("multipliers", "squares are read from memories by lanes in fixed point alone",
+  section.fail("multipliers", "only lanes in fixed point read squares from memories",
                fmt::format("\"memory\" in {}", spec.format_name()),
                "embedded or logic, or a format such as q11 or block11");
 }

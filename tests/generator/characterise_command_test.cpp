@@ -387,7 +387,7 @@ TEST_F(CharacteriseCommand, RefusesWhatItCannotDo) {
   refused("--inputs exact,54", "exact, rounded, or a number of digits 4..11");
   refused("--multipliers some", "both, embedded, logic, memory");
   refused("--multipliers logic,logic", "given twice");
-  refused("--multipliers memory --bounds relative", "by lanes in fixed point alone");
+  refused("--multipliers memory --bounds relative", "only lanes in fixed point read");
   refused("--components gate", "unit, lane, reference, fifo, crossbar, reference_port");
   refused("--components segment", "not a component of this scene's systems");
   refused("--ports 0", "--ports");

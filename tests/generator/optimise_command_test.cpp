@@ -134,8 +134,8 @@ TEST_F(OptimiseCommand, ChoosesTheInitiationIntervalThatTheSceneLeavesOpen) {
   const std::string open =
       "optimise scene.toml --first 12 --last 14 --set 'reference.initiation_interval=\"auto\"'";
   const std::string note =
-      "reference.initiation_interval is \"auto\", but the table has references of interval 1 "
-      "alone; "
+      "reference.initiation_interval is \"auto\", but the table has references of only "
+      "interval 1; "
       "`mixcmp characterise --initiation-intervals";
   EXPECT_NE(mixcmp(open).output.find(note), std::string::npos);
   EXPECT_EQ(mixcmp("optimise scene.toml --last 14").output.find(note), std::string::npos);

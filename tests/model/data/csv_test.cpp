@@ -118,7 +118,7 @@ TEST_F(CsvTest, OtherSeparatorsAndMissingHeadersAreTold) {
   EXPECT_EQ(error("# made by hand\nx,y\n1,2\n"), seems("a comment"));
   EXPECT_EQ(error("x,y\r1,2\r"),
             ":1: y: no such column: received a first line that seems to be "
-            "several lines that end in CR alone; accepted a first line that "
+            "several lines that end in CR without LF; accepted a first line that "
             "names the columns, with ',' between them");
   EXPECT_EQ(error(std::string("\xff\xfex\0,\0y\0\n\0", 10)), seems("text in UTF-16, or no text"));
   EXPECT_EQ(error("x,y\n1,2\n# the end\n"),

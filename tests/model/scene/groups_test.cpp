@@ -77,7 +77,7 @@ TEST_F(Groups, OnlyLanesInFixedPointReadSquaresFromMemories) {
   ASSERT_TRUE(scene.ok()) << scene.error().to_string();
   EXPECT_EQ(scene->lanes[0].reduced.multipliers, scene::Multipliers::memory);
   EXPECT_EQ(error("[[lanes]]\ncount = 1\nmultipliers = \"memory\"\n"),
-            ":18: lanes.multipliers: squares are read from memories by lanes in fixed point alone: "
+            ":18: lanes.multipliers: only lanes in fixed point read squares from memories: "
             "received \"memory\" in s17e11; accepted embedded or logic, or a format such as q11 or "
             "block11");
   EXPECT_NE(error("multipliers = \"memory\"\n").find(":16: reduced.multipliers:"),
