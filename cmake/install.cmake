@@ -36,6 +36,12 @@ install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program
         PATTERN "*.awk" EXCLUDE
         PATTERN "data.sh" EXCLUDE
         PATTERN "plan.gnuplot" EXCLUDE)
+install(FILES rtl_templates/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/rtl_templates
+        COMPONENT program)
+foreach(folder bound engine fixed fp stream technology verdict)
+  install(FILES rtl_templates/${folder}/README.md COMPONENT program
+          DESTINATION ${CMAKE_INSTALL_DOCDIR}/rtl_templates/${folder})
+endforeach()
 # Scenes and their data; scripts that build in a clone stay there.
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program
         PATTERN "run" EXCLUDE

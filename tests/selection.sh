@@ -17,7 +17,7 @@ one_in() { echo "$(($(turn "$1") + 1)),,$1"; }
 # template_stride HEAVY: for tests that read only the templates, their benches and tables. 1 if one of
 # these has changed within a day of the commit or since (or if nobody knows), else 8.
 template_stride() {
-  read_files=":(glob)rtl_templates/**/*.v tests/rtl_templates"
+  read_files="rtl_templates tests/rtl_templates :!rtl_templates/*.md"
   changed=$(git log -1 --format=%ct -- $read_files 2>/dev/null) || changed=
   now=$(git log -1 --format=%ct 2>/dev/null) || now=
   if [ "$1" = ON ] || [ -z "$changed" ] || [ $((now - changed)) -lt 86400 ] ||
