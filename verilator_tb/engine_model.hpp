@@ -7,7 +7,7 @@
 #include "model/performance/pairwise.hpp"
 #include "verilator_tb/report.hpp"
 
-/// The performance model (docs/performance.md) of an engine, for the data of a simulation.
+/// The performance model (docs/theory.md) of an engine, for the data of a simulation.
 namespace mixcmp::verilator_tb {
 
 /// The work of the engine for the whole set, from the numbers that the report has counted. The work

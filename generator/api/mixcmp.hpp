@@ -125,8 +125,8 @@ public:
   /// data have fewer, or where a reference format beyond double has a number that double has not.
   std::vector<double> operands(std::uint64_t first, std::size_t count) const;
   /// The order of the real numbers f and g of each row, by interval arithmetic of growing
-  /// precision; none where the highest precision, which docs/profile.md names, still leaves the
-  /// order open.
+  /// precision; none where the highest precision, which docs/verification.md names, still leaves
+  /// the order open.
   std::vector<std::optional<Verdict>> true_verdicts(std::span<const double> rows) const;
 
   /// Return the output of `mixcmp check` for the scene, as text and as JSON.
@@ -231,7 +231,7 @@ struct RelativeErrors {
   std::optional<double> f_bound, g_bound;
 };
 
-/// Errors, recomputations and wrong verdicts of a scene's data: docs/profile.md.
+/// Errors, recomputations and wrong verdicts of a scene's data: docs/choosing.md.
 struct Profile {
   std::uint64_t comparisons = 0;
   std::uint64_t reference_wrong = 0;  ///< wrong verdicts if references decide all
@@ -281,7 +281,7 @@ struct Plan {
   std::string toml;
 };
 
-/// Finds L, p_L, p_H and the kinds of lanes with the highest throughput: docs/optimise.md. A
+/// Finds L, p_L, p_H and the kinds of lanes with the highest throughput: docs/choosing.md. A
 /// variant of the scene is planned by itself, with the setting comparison.variant. It is an Error
 /// if there is no table, or if the scene has no data to count recomputations on.
 MIXCMP_API Plan plan(const Scene& scene, const PlanOptions& options = {});

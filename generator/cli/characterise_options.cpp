@@ -225,7 +225,7 @@ void add_import_option(const Verb& verb, CharacteriseCommand& command) {
       "--import", command.reports,
       "measure nothing: take areas and a clock from the reports that the scripts of generate "
       "--project vivado or quartus leave, utilisation_by_instance.rpt and timing.rpt, or "
-      "TOP.fit.rpt and TOP.sta.rpt (docs/characterise.md)");
+      "TOP.fit.rpt and TOP.sta.rpt (docs/choosing.md)");
   for (const char* other : {"--precisions", "--bounds", "--inputs", "--multipliers", "--exponents",
                             "--components", "--initiation-intervals", "--reference-targets",
                             "--ports", "--quick", "--area-only", "--seeds", "--jobs", "--store"}) {

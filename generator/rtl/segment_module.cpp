@@ -14,7 +14,7 @@ namespace {
 
 /// Beats that may wait in a queue, beside those that may still come. A second tier takes a burst of
 /// undecided pairs one by one; a short queue before it would hold up the whole chain of segments
-/// meanwhile (docs/performance.md).
+/// meanwhile (docs/theory.md).
 constexpr int few_beats = 4;
 constexpr int many_beats = 16;
 

@@ -5,8 +5,9 @@
 namespace mixcmp::design {
 namespace {
 
-/// Cycles that a comparison spends in a channel outside the lane, at full rate (docs/rtl.md). If
-/// the slots exceed the lane's latency by that number, nothing waits.
+/// Cycles that a comparison spends in a channel outside the lane, at full rate
+/// (rtl_templates/stream/README.md). If the slots exceed the lane's latency by that number, nothing
+/// waits.
 constexpr int channel_overhead_cycles = 6;
 /// Slots that recomputations may hold while the lane continues at full rate.
 constexpr int recomputation_slots = 16;
@@ -15,7 +16,7 @@ constexpr int recomputation_slots = 16;
 constexpr int chain_slots = 32;
 
 /// Cycles by which a recomputed comparison stays longer in a lane in order than the reference
-/// takes, if nothing waits and the crossbar has one level: D_u - D_d in docs/performance.md.
+/// takes, if nothing waits and the crossbar has one level: D_u - D_d in docs/theory.md.
 constexpr int way_to_reference_cycles = 6;
 
 int slots_beside(int lane_latency_cycles, int waiting) {

@@ -61,7 +61,8 @@ struct IntervalCriterion {
 };
 
 /// Special cases of one operation, each true unless the range checks or the expression itself rule
-/// it out. A case that is ruled out has no hardware; docs/rtl.md lists the promise of each flag.
+/// it out. A case that is ruled out has no hardware. rtl_templates/fp/README.md lists the promise
+/// of each flag.
 struct Hazards {
   bool special_operand = true;  ///< a NaN or an infinity among the operands
   bool overflow = true;         ///< or a division by zero

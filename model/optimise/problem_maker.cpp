@@ -505,7 +505,7 @@ void ProblemMaker::add_lane(PrecisionPlan& plan, const characterise::Measurement
 
 /// Cycles from one comparison to the next, or in groups from one word to the next. With refetched
 /// operands the tags of a lane's stream are read once for each result and once more for each
-/// request (docs/rtl.md).
+/// request (rtl_templates/stream/README.md).
 double ProblemMaker::cycles_per_word(double recomputation_rate) const {
   const scene::SystemSpec& system = scene_.system;
   const bool refetches = system.operands == scene::OperandStore::refetched &&

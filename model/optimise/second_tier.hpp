@@ -22,7 +22,7 @@ RateKey rate_key(const characterise::ComponentKey& lane);
 
 /// The most undecided pairs that a group of lanes may leave in a cycle, on average. The second tier
 /// takes one a cycle, and a queue in front of it evens out bursts. At 0.79 the lanes waited in at
-/// most 1.2 % of the cycles (measured on engines, docs/performance.md). The same limit holds for
+/// most 1.2 % of the cycles (measured on engines, docs/theory.md). The same limit holds for
 /// the requests to a second lane in a system of streams.
 inline constexpr double most_undecided_per_cycle = 0.8;
 

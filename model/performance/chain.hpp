@@ -6,7 +6,7 @@
 #include "model/performance/streams.hpp"
 
 /// The time that the chain of an arg-min engine takes for a stream of rows. A row is offered in
-/// every cycle, and a result is always taken. docs/performance.md derives each formula.
+/// every cycle, and a result is always taken. docs/theory.md derives each formula.
 namespace mixcmp::performance {
 
 /// The lanes of an arg-min engine, one behind the other, all alike.

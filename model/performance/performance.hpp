@@ -5,7 +5,7 @@
 #include "model/devices/area.hpp"
 
 /// The analytical model of a mixed-precision comparison system: equations 5 to 12 of the paper,
-/// with the names of its Table I. docs/performance.md says where we differ and why.
+/// with the names of its Table I. docs/theory.md says where we differ and why.
 namespace mixcmp::performance {
 
 /// A number of datapaths of one kind.

@@ -6,14 +6,14 @@
 
 /// How the streams around a lane limit the throughput of the analytical model: by slots, by
 /// requests, and by random or clustered recomputations. Times are in cycles of one clock, at full
-/// rate: a comparison is always offered, a result always taken. docs/performance.md derives each
+/// rate: a comparison is always offered, a result always taken. docs/theory.md derives each
 /// formula.
 namespace mixcmp::performance {
 
-/// One lane, or one group of lanes in lock step, and the reference that it shares (docs/rtl.md,
-/// contract of the streams). A group takes words with one comparison for each lane. Statements
-/// about comparisons per cycle and lane then hold for words; an undecided word asks once for each
-/// of its undecided comparisons.
+/// One lane, or one group of lanes in lock step, and the reference that it shares. Their contract
+/// is that of rtl_templates/stream/README.md. A group takes words with one comparison for each
+/// lane. Statements about comparisons per cycle and lane then hold for words; an undecided word
+/// asks once for each of its undecided comparisons.
 struct LaneStreams {
   scene::ResultOrder order = scene::ResultOrder::tagged;
   int lane_latency_cycles = 0;
@@ -61,7 +61,7 @@ double even_throughput(const LaneStreams& streams, double recomputation_rate);
 double mean_wait_cycles(const LaneStreams& streams, double rate);
 
 /// Comparisons that the lane accepts per cycle if each is undecided independently with this
-/// probability, so that waiting requests hold slots. An estimate; docs/performance.md has its
+/// probability, so that waiting requests hold slots. An estimate; docs/theory.md has its
 /// accuracy.
 double random_throughput(const LaneStreams& streams, double recomputation_rate);
 

@@ -11,7 +11,7 @@ namespace mixcmp::profile {
 
 /// Upper limit of a running or constant bound, from the envelopes of the values on which it
 /// depends. For all lanes of one structure, the bound at precision L is at most scaled 2^(A-L) +
-/// fixed. Proof: docs/profile.md, theorem 3.
+/// fixed. Proof: docs/theory.md, theorem 3.
 class BoundEnvelope {
 public:
   /// `lanes` have the precisions first, first + 1, ..., none below A. Their bound graphs differ

@@ -18,7 +18,7 @@
 namespace mixcmp::profile {
 namespace {
 
-/// LUTs of a unit with p digits: fixed + linear p + square p^2. docs/profile.md has the source.
+/// LUTs of a unit with p digits: fixed + linear p + square p^2. docs/theory.md has the source.
 struct Fit {
   double fixed, linear, square;
 

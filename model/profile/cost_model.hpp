@@ -20,7 +20,7 @@ enum class Products {
 };
 
 /// A rough area of datapaths, in LUTs of six inputs and no DSPs: one term per operation, fitted to
-/// Yosys' results for our units (docs/profile.md has the measurements). Its purpose is to compare
+/// Yosys' results for our units (docs/theory.md has the measurements). Its purpose is to compare
 /// precisions of one expression. Registers, scoreboards and the crossbar are not included.
 double lane_luts(const error::Lane& lane, Products products = Products::in_luts);
 double lane_luts(const fixed::FixedLane& lane, Products products = Products::in_luts);

@@ -29,7 +29,7 @@ struct EnvelopeBlock {
 };
 
 /// Bounds the errors of the lanes of all precisions A, A+1, ..., last in one evaluation. Proof:
-/// docs/profile.md, theorem 1.
+/// docs/theory.md, theorem 1.
 class Envelope {
 public:
   struct Options {

@@ -5,7 +5,7 @@
 
 #include "model/profile/envelope.hpp"
 
-/// Each kernel evaluates one operation of an envelope on a block. In theorem 1 of docs/profile.md,
+/// Each kernel evaluates one operation of an envelope on a block. In theorem 1 of docs/theory.md,
 /// `value` is x, `error` is E, and q is Q, the bound on the error that comes from the operands.
 /// Loops are plain for the vectoriser, and conditions use | and &, since || and && would branch.
 /// Functions are inlined into functions that are compiled for several instruction sets.

@@ -21,7 +21,7 @@ struct NodeMagnitude {
 NodeMagnitude magnitude_of(const std::vector<double>& values);
 
 /// The magnitudes of every node of `lane`, if its operations round to `precision` digits with
-/// unbounded exponent (docs/profile.md, "What cannot underflow"). `inputs` has one element per
+/// unbounded exponent (docs/theory.md, "What cannot underflow"). `inputs` has one element per
 /// input.
 std::vector<NodeMagnitude> node_magnitudes(const TypedGraph& lane, int precision,
                                            const std::vector<NodeMagnitude>& inputs);

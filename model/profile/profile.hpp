@@ -12,8 +12,8 @@
 #include "model/scene/scene.hpp"
 
 /// Errors, recomputations and wrong verdicts of a scene's comparisons at every precision: figures 4
-/// and 5 of the paper, and a check against exact arithmetic. docs/profile.md explains the numbers
-/// and proves that the fast method counts exactly.
+/// and 5 of the paper, and a check against exact arithmetic. docs/choosing.md explains the
+/// numbers, and docs/theory.md proves that the fast method counts exactly.
 namespace mixcmp::profile {
 
 /// How the counts are found. Both methods give the same counts.

@@ -177,7 +177,7 @@ Margin margin_of(const fixed::ConstantThresholds& thresholds, const FixedNode& d
 }
 
 /// The roots of f and g together have errors of at most slope / 2, and the lane decides if the
-/// computed roots are `apart`. Proof: docs/profile.md, after theorem 2.
+/// computed roots are `apart`. Proof: docs/theory.md, "The distance of roots for the norm".
 Margin margin_of(const fixed::NormThresholds& thresholds, const FixedNode& difference,
                  const std::vector<FixedNode>& nodes) {
   const double unit = difference.format.unit().get_d();
@@ -201,7 +201,7 @@ Margin margin_of(const fixed::RunningThresholds& thresholds, const FixedNode& di
 }
 
 /// Common cuts multiply the cut values by at least t = 2^-`most dropped`. So the lane decides if f
-/// and g are 1 / t^degree times as far apart. Proof: docs/profile.md, after theorem 2.
+/// and g are 1 / t^degree times as far apart. Proof: docs/theory.md, theorem 2.
 Margin before_cuts(Margin margin, const fixed::FixedLane& lane, const mpq_class& degree) {
   const int most = fixed::most_dropped_in_common(lane);
   const double grown = std::exp2(most * degree.get_d()) * outward;

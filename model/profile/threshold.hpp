@@ -13,7 +13,7 @@ namespace mixcmp::profile {
 
 /// The distance of the true f and g at which a kind of lane certainly decides rightly, for every
 /// precision L >= A at once: |f - g| > scaled 2^(A-L) + fixed suffices, unless the comparison is
-/// wild (docs/profile.md, which also defines A). Proof: docs/profile.md, theorems 2 and 3.
+/// wild (docs/theory.md, which also defines A). Proof: docs/theory.md, theorems 2 and 3.
 class Threshold {
 public:
   /// The threshold of a lane without an error bound, which decides by the order of the computed f

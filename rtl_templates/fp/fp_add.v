@@ -1,7 +1,7 @@
 // fp_add: a + b, or a - b with SUBTRACT, rounded once to the result format.
 // Latency: the population count of CUTS (fourteen bits); initiation interval 1; no reset.
 // Special values as IEEE 754: infinity - infinity is NaN, x - x is +0.
-// docs/rtl.md states the promises in full.
+// rtl_templates/fp/README.md states the promises in full.
 `default_nettype none
 
 module fp_add #(

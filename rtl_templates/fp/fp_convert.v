@@ -1,7 +1,7 @@
 // fp_convert: a * 2^SCALE in another format or the same, rounded once.
 // Latency: the population count of CUTS (six bits); initiation interval 1; no reset.
 // Special values as IEEE 754, except that every NaN becomes the one positive quiet NaN.
-// docs/rtl.md states the promises in full.
+// rtl_templates/fp/README.md states the promises in full.
 `default_nettype none
 
 module fp_convert #(

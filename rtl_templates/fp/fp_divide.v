@@ -2,7 +2,7 @@
 // Latency: the population count of CUTS (RESULT_PRECISION + 9 bits); initiation interval 1; no
 // reset.
 // Special values as IEEE 754: x / 0 is infinite, 0 / 0 and infinity / infinity are NaN.
-// docs/rtl.md states the promises in full.
+// rtl_templates/fp/README.md states the promises in full.
 `default_nettype none
 
 module fp_divide #(

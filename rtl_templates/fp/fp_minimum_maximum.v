@@ -1,7 +1,7 @@
 // fp_minimum_maximum: the smaller of a and b, or the larger with MAXIMUM.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
 // Special values as IEEE 754-2019: a NaN gives NaN, -0 is less than +0.
-// docs/rtl.md states the promises in full.
+// rtl_templates/fp/README.md states the promises in full.
 `default_nettype none
 
 module fp_minimum_maximum #(

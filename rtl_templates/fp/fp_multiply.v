@@ -1,7 +1,7 @@
 // fp_multiply: a * b, rounded once to the result format.
 // Latency: the population count of CUTS (fifteen bits); initiation interval 1; no reset.
 // Special values as IEEE 754: infinity * 0 is NaN.
-// docs/rtl.md states the promises in full.
+// rtl_templates/fp/README.md states the promises in full.
 `default_nettype none
 
 module fp_multiply #(

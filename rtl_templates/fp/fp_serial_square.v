@@ -4,7 +4,7 @@
 // that an operand is there, and comes again after CYCLES cycles or later. No reset: `start` ends an
 // unfinished square.
 // Special values as IEEE 754.
-// docs/rtl.md states the promises in full.
+// rtl_templates/fp/README.md states the promises in full.
 `default_nettype none
 
 module fp_serial_square #(

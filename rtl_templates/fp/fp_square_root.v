@@ -2,7 +2,7 @@
 // Latency: the population count of CUTS (RESULT_PRECISION + 7 bits); initiation interval 1; no
 // reset.
 // Special values as IEEE 754: the root of -0 is -0, that of any other negative number is NaN.
-// docs/rtl.md states the promises in full.
+// rtl_templates/fp/README.md states the promises in full.
 `default_nettype none
 
 module fp_square_root #(

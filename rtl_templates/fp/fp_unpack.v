@@ -1,7 +1,7 @@
 // fp_unpack: the sign, biased exponent and significand of one packed operand, and its class.
 // Combinational. With GRADUAL, a subnormal has exponent 1 and a leading zero. Otherwise it counts
 // as a zero, `flushed` says so, and a zero's significand is arbitrary, which spares gates. Operands
-// that break a promise are not detected: docs/rtl.md.
+// that break a promise are not detected: rtl_templates/fp/README.md.
 `default_nettype none
 
 module fp_unpack #(

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-/// The encodings of docs/rtl.md, bit by bit.
+/// The encodings of rtl_templates/stream/README.md, bit by bit.
 namespace mixcmp::test::verdict_test {
 namespace {
 

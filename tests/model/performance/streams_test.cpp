@@ -182,7 +182,7 @@ TEST(Streams, AFoldedReferenceLetsRequestsWaitForItsFirstPhase) {
   }
 }
 
-/// docs/performance.md: until answers come a burst fills the free slots; from then on its excess.
+/// docs/theory.md: until answers come a burst fills the free slots; from then on its excess.
 int absorbed_by_formula(const performance::LaneStreams& s) {
   const int decided = performance::decided_slot_cycles(s);
   const int undecided = performance::undecided_slot_cycles(s);

@@ -17,7 +17,7 @@
 #include "tests/model/profile/profile_cases.hpp"
 #include "tests/support/lane_inputs.hpp"
 
-/// Theorems 1 and 3 of docs/profile.md, held against the golden model.
+/// Theorems 1 and 3 of docs/theory.md, held against the golden model.
 namespace mixcmp::test::envelope_test {
 namespace {
 

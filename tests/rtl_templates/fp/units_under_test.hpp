@@ -9,7 +9,7 @@
 
 namespace mixcmp::test {
 
-/// Hazards that a unit was promised not to meet, or that a stimulus is: docs/rtl.md.
+/// Hazards that a unit was promised not to meet, or that a stimulus is: rtl_templates/fp/README.md.
 struct HazardSet {
   bool special_operands = false;
   bool overflow = false;

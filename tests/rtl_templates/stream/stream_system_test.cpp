@@ -60,7 +60,7 @@ const std::vector<SystemSpec> systems = {
 #undef SYSTEM
 };
 
-/// Cycles for which a decided comparison holds its slot, as docs/rtl.md states.
+/// Cycles for which a decided comparison holds its slot, as rtl_templates/stream/README.md states.
 int slot_cycles(const SystemSpec& spec) {
   const int above_latency = (spec.in_order || spec.references == 0) ? 4 : 6;
   const int lanes_only_scoreboard = (!spec.in_order && spec.references == 0) ? 1 : 0;
