@@ -169,7 +169,7 @@ void run(const GenerateOptions& options) {
   const design::Design design = value_or_exit(design_of(options.scene, loaded));
   const std::string command = command_line("generate", options.scene);
   emit::GeneratedSystem system = value_or_exit(emit::generate_system(design, command));
-  emit::state_simulations(system, simulations_of(system.signature.spec_hash));
+  emit::set_simulations(system, simulations_of(system.signature.spec_hash));
   add_project(system, options.project, loaded, design, command);
   if (auto note = fit_note(loaded, design)) system.notes.push_back(std::move(*note));
   std::vector<GroupProof> proofs;

@@ -125,7 +125,7 @@ std::size_t longest_suffix(scene::EngineKind kind) {
 
 /// A short form of a list of formats that is too long for a name: their number and a hash of the
 /// list, "_24kinds_0d1f65c8".
-std::string short_list(const std::string& list, std::size_t formats) {
+std::string hashed_list(const std::string& list, std::size_t formats) {
   return fmt::format("_{}kinds_{}", formats, ContentHash().add(list).hex().substr(0, 8));
 }
 
@@ -153,7 +153,7 @@ std::string top_name(const design::Design& design) {
   end += fmt::format("x{}", design.reference_count());
   const std::size_t length =
       design.name.size() + list.size() + end.size() + longest_suffix(design.system.engine.kind);
-  if (length > longest_module_name) list = short_list(list, formats.size());
+  if (length > longest_module_name) list = hashed_list(list, formats.size());
   return design.name + list + end;
 }
 

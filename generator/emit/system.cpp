@@ -271,7 +271,7 @@ std::string signature_file(const Signature& signature) {
 }
 
 /// Prints the signature into its file again, after a change.
-void print_signature(GeneratedSystem& system) {
+void rewrite_signature_file(GeneratedSystem& system) {
   for (GeneratedFile& file : system.files) {
     if (file.name == signature_file(system.signature)) file.text = to_json(system.signature);
   }
@@ -339,9 +339,9 @@ std::vector<std::string> provenance(const Signature& signature, const std::strin
           "  " + command, "This output is unencumbered: use it as you like."};
 }
 
-void state_simulations(GeneratedSystem& system, std::vector<SignatureSimulation> simulations) {
+void set_simulations(GeneratedSystem& system, std::vector<SignatureSimulation> simulations) {
   system.signature.simulations = std::move(simulations);
-  print_signature(system);
+  rewrite_signature_file(system);
 }
 
 Result<Done> add_project_files(GeneratedSystem& system, std::vector<GeneratedFile> files) {
@@ -350,7 +350,7 @@ Result<Done> add_project_files(GeneratedSystem& system, std::vector<GeneratedFil
     system.signature.project.push_back(file.name);
     system.files.push_back(std::move(file));
   }
-  print_signature(system);
+  rewrite_signature_file(system);
   return Done{};
 }
 

@@ -33,7 +33,7 @@ Result<GeneratedSystem> generate_system(const design::Design& design, const std:
 std::vector<std::string> provenance(const Signature& signature, const std::string& command);
 
 /// Lists these simulations of the design in its signature.
-void state_simulations(GeneratedSystem& system, std::vector<SignatureSimulation> simulations);
+void set_simulations(GeneratedSystem& system, std::vector<SignatureSimulation> simulations);
 
 /// Adds files for other tools to a generated system, and their names to its signature. An error
 /// names a module whose name is too long.

@@ -125,13 +125,13 @@ private:
     }
     model_->has_unknown_ = false;
     for (std::size_t k = 0; k < unknown.size(); ++k) {
-      if (counts(model_->ports_[k], unknown[k], valid)) model_->has_unknown_ = true;
+      if (matters(model_->ports_[k], unknown[k], valid)) model_->has_unknown_ = true;
     }
   }
 
   /// Tells whether one of a port's unknown bits is in a handshake, or in the payload of a stream
   /// with a valid beat. Each stream has one bit of `valid`, and an equal share of a payload's bits.
-  static bool counts(const VpiModel::Port& port, const BitNumbers& unknown,
+  static bool matters(const VpiModel::Port& port, const BitNumbers& unknown,
                      const VpiModel::Port* valid) {
     const std::string_view name = port.name;
     if (name.ends_with("_tvalid") || name.ends_with("_tready")) return !unknown.empty();
