@@ -132,7 +132,7 @@ private:
   /// Tells whether one of a port's unknown bits is in a handshake, or in the payload of a stream
   /// with a valid beat. Each stream has one bit of `valid`, and an equal share of a payload's bits.
   static bool matters(const VpiModel::Port& port, const BitNumbers& unknown,
-                     const VpiModel::Port* valid) {
+                      const VpiModel::Port* valid) {
     const std::string_view name = port.name;
     if (name.ends_with("_tvalid") || name.ends_with("_tready")) return !unknown.empty();
     if (!name.starts_with("m_axis_") || valid == nullptr) return false;
