@@ -152,10 +152,10 @@ TEST_F(SweepCommand, ARunThatFailsIsMergedAndTold) {
 }
 
 TEST_F(SweepCommand, OptionsOfAnotherStepAreRefused) {
-  expect_refused("sweep plan sweep.toml --shard 2/8", "--shard: is of sweep run alone");
-  expect_refused("sweep plan sweep.toml --work x", "--work: is of sweep run alone");
-  expect_refused("sweep merge a --jobs 2", "--jobs: is of sweep run alone");
-  expect_refused("sweep run a -o b", "--output: is of sweep plan alone");
+  expect_refused("sweep plan sweep.toml --shard 2/8", "--shard: is only of sweep run");
+  expect_refused("sweep plan sweep.toml --work x", "--work: is only of sweep run");
+  expect_refused("sweep merge a --jobs 2", "--jobs: is only of sweep run");
+  expect_refused("sweep run a -o b", "--output: is only of sweep plan");
   EXPECT_FALSE(fs::exists(path("sweep_sweep")));
 }
 
