@@ -8,7 +8,7 @@
 #include "generator/components/engine_components.hpp"
 #include "generator/components/synthesis_jobs.hpp"
 #include "generator/datapath/delays.hpp"
-#include "generator/datapath/lane_schedule.hpp"
+#include "generator/datapath/schedule.hpp"
 #include "generator/rtl/arg_min_module.hpp"
 #include "generator/rtl/channel_modules.hpp"
 #include "generator/rtl/datapath_builder.hpp"

@@ -28,13 +28,13 @@ struct UnitKey {
 
 class Folder {
 public:
-  Folder(const TypedGraph& graph, scene::Multipliers multipliers, int interval, UnitPlacer& placer,
-         Schedule& schedule)
+  Folder(const TypedGraph& graph, scene::Multipliers multipliers, int interval,
+         Scheduler& scheduler)
       : graph_(graph),
         multipliers_(multipliers),
         interval_(interval),
-        placer_(placer),
-        schedule_(schedule) {}
+        scheduler_(scheduler),
+        schedule_(scheduler.schedule()) {}
 
   void run() {
     schedule_.initiation_interval = interval_;
@@ -104,14 +104,14 @@ private:
   void choose_unit(UnitClass& shared) {
     const TypedNode& node = graph_.nodes[representative(shared)];
     const error::Hazards any_hazard = {};  // operations with other hazards may share the unit
-    Unit unit = unit_for(graph_, node, any_hazard, multipliers_, placer_.delays());
+    Unit unit = unit_for(graph_, node, any_hazard, multipliers_, scheduler_.delays());
     if (node.operation == Operation::square && multipliers_ == scene::Multipliers::logic) {
-      auto serial = serial_square_unit(node, graph_.arithmetic.subnormals, placer_.delays());
+      auto serial = serial_square_unit(node, graph_.arithmetic.subnormals, scheduler_.delays());
       if (serial && is_smaller(shared, *serial, unit, node.operand_format)) unit = *serial;
     }
     shared.cycles = unit.initiation_interval;
     shared.units = units_needed(shared, unit);
-    units_.push_back(placer_.place(std::move(unit), 0));
+    units_.push_back(scheduler_.place(std::move(unit), {}));
   }
 
   /// Tells whether serial squarers for a class take fewer tables than squarers that take a square
@@ -185,7 +185,7 @@ private:
   /// Tells whether a value that waits in a register costs a logic cell. In a cell of one four-input
   /// table and one register, a register occupies the whole cell. Devices with wider tables have
   /// registers to spare, so waiting costs less there than reading a result where it comes out.
-  bool waiting_takes_cells() const { return !placer_.delays().has_wide_tables(); }
+  bool waiting_takes_cells() const { return !scheduler_.delays().has_wide_tables(); }
 
   static bool selects(const UnitClass& shared) {
     return shared.operations.size() > shared.units && !shared.reads_results;
@@ -227,13 +227,14 @@ private:
     for (std::size_t k = 0; k < count(); ++k) {
       schedule_.steps[k].start_cycle = plan_.starts[k];
       schedule_.steps[k].ready_cycle = plan_.starts[k] + folded_.nodes[k].latency;
+      schedule_.steps[k].reads = operands_of(graph_.nodes[k]);
     }
   }
 
   const TypedGraph& graph_;
   scene::Multipliers multipliers_;
   int interval_;
-  UnitPlacer& placer_;
+  Scheduler& scheduler_;
   Schedule& schedule_;
   FoldedGraph folded_ = {};
   std::set<NodeId> by_multiplier_;     ///< squares
@@ -253,30 +254,20 @@ bool is_operand(const TypedGraph& graph, NodeId id) {
 }  // namespace
 
 void place_folded(const TypedGraph& reference, scene::Multipliers multipliers,
-                  int initiation_interval, UnitPlacer& placer, Schedule& schedule) {
+                  int initiation_interval, Scheduler& scheduler) {
   MIXCMP_CHECK(initiation_interval > 1);
-  Folder(reference, multipliers, initiation_interval, placer, schedule).run();
+  Folder(reference, multipliers, initiation_interval, scheduler).run();
 }
 
 int last_operand_phase(const TypedGraph& reference, const Schedule& schedule) {
   int last = 0;
-  const auto read = [&](NodeId id, int cycle) {
-    if (is_operand(reference, id)) last = std::max(last, cycle);
+  const auto see = [&](const Step& step) {
+    for (const NodeId id : step.reads) {
+      if (is_operand(reference, id)) last = std::max(last, step.start_cycle);
+    }
   };
-  for (std::size_t k = 0; k < reference.nodes.size(); ++k) {
-    for (const int operand : operands_of(reference.nodes[k])) {
-      read(operand, schedule.steps[k].start_cycle);
-    }
-  }
-  for (std::size_t k = 0; k < reference.parts.size(); ++k) {
-    const int cycle = schedule.parts[k].decision.start_cycle;
-    const TypedNode& f = reference.nodes[reference.parts[k].f];
-    for (const NodeId operand : operands_of(f)) {
-      if (f.is_sign_of_sum()) read(operand, cycle);
-    }
-    read(reference.parts[k].f, cycle);
-    read(reference.parts[k].g, cycle);
-  }
+  for (const Step& step : schedule.steps) see(step);
+  for (const PartSchedule& part : schedule.parts) see(part.decision);
   return std::min(last, schedule.initiation_interval - 1);
 }
 

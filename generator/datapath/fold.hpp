@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "generator/datapath/unit_placer.hpp"
+#include "generator/datapath/scheduler.hpp"
 #include "model/expression/typed_graph.hpp"
 
 namespace mixcmp::datapath {
@@ -12,9 +12,9 @@ namespace mixcmp::datapath {
 /// fewer values wait in registers (fold_plan.hpp). Additions and subtractions share adders. Squares
 /// share squarers, which take several cycles for a square where that is smaller. A multiplier with
 /// free cycles takes squares where that saves a squarer. Sets the steps, shared_units and
-/// initiation_interval of `schedule`.
+/// initiation_interval of the schedule.
 void place_folded(const TypedGraph& reference, scene::Multipliers multipliers,
-                  int initiation_interval, UnitPlacer& placer, Schedule& schedule);
+                  int initiation_interval, Scheduler& scheduler);
 
 /// The phase in which the last operand of a comparison is read, comparisons of parts included: an
 /// operand is read directly in the first interval, and held from the last phase on if it is needed

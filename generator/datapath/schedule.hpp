@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "generator/datapath/units.hpp"
+#include "model/design/lane.hpp"
 #include "model/design/reference_structure.hpp"
-#include "model/error/lane.hpp"
 #include "model/fixed/square_tables.hpp"
 #include "model/scene/scene.hpp"
 
@@ -17,9 +17,10 @@ struct Step {
   /// unit.module is empty where the operation is only wires, and for a sum that the unit of its
   /// square computes.
   Unit unit;
-  std::vector<bool> cuts;  ///< which cut points are registered; the last always is
-  int start_cycle = 0;     ///< the cycle in which the operands are read
-  int ready_cycle = 0;     ///< the cycle in which the result is at the output
+  std::vector<bool> cuts;          ///< which cut points are registered; the last always is
+  int start_cycle = 0;             ///< the cycle in which the operands are read
+  int ready_cycle = 0;             ///< the cycle in which the result is at the output
+  std::vector<NodeId> reads = {};  ///< nodes of the graph, each once
 };
 
 /// The schedule of the units that turn f and g of one part into a verdict.
@@ -68,9 +69,11 @@ struct Schedule {
 };
 
 /// Schedules each operation as soon as possible, with as few registers in each unit as the period
-/// (before routing, by the delay table) allows; a unit's output is always registered.
+/// (before routing, by the delay table) allows; a unit's output is always registered. In fixed
+/// point, each operation that has time to spare then moves as late as possible, if that saves
+/// registers: a product is wider than its operands, so it waits for the sum that it joins.
 /// `target_mhz` > 0.
-Schedule schedule_lane(const error::Lane& lane, scene::Multipliers multipliers,
+Schedule schedule_lane(const design::Lane& lane, scene::Multipliers multipliers,
                        const DelayTable& delays, double target_mhz);
 Schedule schedule_reference(const TypedGraph& reference,
                             const design::ReferenceStructure& structure, const DelayTable& delays,

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "generator/datapath/delays.hpp"
-#include "generator/datapath/lane_schedule.hpp"
+#include "generator/datapath/schedule.hpp"
 #include "generator/emit/signature.hpp"
 #include "generator/rtl/arg_min_module.hpp"
 #include "generator/rtl/datapath_builder.hpp"

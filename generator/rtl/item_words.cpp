@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "generator/datapath/fixed_schedule.hpp"
+#include "generator/datapath/schedule.hpp"
 #include "generator/rtl/datapath_builder.hpp"
 #include "generator/rtl/fixed_lane_module.hpp"
 #include "generator/rtl/fixed_nodes.hpp"

@@ -12,10 +12,9 @@
 
 #include "generator/datapath/delays.hpp"
 #include "generator/datapath/embedded_square.hpp"
-#include "generator/datapath/fixed_schedule.hpp"
 #include "generator/datapath/squared_sum.hpp"
 #include "generator/datapath/stage_list.hpp"
-#include "generator/datapath/unit_placer.hpp"
+#include "generator/datapath/scheduler.hpp"
 #include "model/error/certified_lane.hpp"
 #include "model/expression/parser.hpp"
 #include "tests/support/graphs.hpp"
@@ -514,7 +513,7 @@ TEST(Schedule, ChainsForkWhenAllBeforeHaveEnded) {
     return stages;
   };
   const auto cuts = [&](datapath::StageList stages) {
-    return datapath::UnitPlacer(delays, 200).place(std::move(stages).unit("u"), 0).cuts;
+    return datapath::Scheduler(delays, 200).place(std::move(stages).unit("u"), {}).cuts;
   };
   datapath::StageList beside(delays);
   beside.add_side_by_side({chain(3, 1), chain(1, 3)});

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "generator/datapath/delays.hpp"
-#include "generator/datapath/lane_schedule.hpp"
+#include "generator/datapath/schedule.hpp"
 #include "generator/emit/scheduled_system.hpp"
 #include "generator/emit/system.hpp"
 #include "generator/rtl/item_words.hpp"

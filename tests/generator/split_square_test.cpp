@@ -2,7 +2,7 @@
 
 #include "generator/datapath/delays.hpp"
 #include "generator/datapath/logic_product.hpp"
-#include "generator/datapath/unit_placer.hpp"
+#include "generator/datapath/scheduler.hpp"
 #include "generator/datapath/units.hpp"
 #include "tests/support/graphs.hpp"
 
@@ -20,7 +20,7 @@ datapath::Unit unit_of_logic(Operation operation, const datapath::DelayTable& de
 TEST(Schedule, SquaresOfLogicAreSplitWhereTheirSumsAreTooLong) {
   const datapath::DelayTable virtex5 = datapath::delays_of("virtex5-lx330t").value();
   const auto placed = [](Operation operation, const datapath::DelayTable& delays, double mhz) {
-    return datapath::UnitPlacer(delays, mhz).place(unit_of_logic(operation, delays), 0);
+    return datapath::Scheduler(delays, mhz).place(unit_of_logic(operation, delays), {});
   };
   EXPECT_EQ(placed(Operation::square, virtex5, 200).unit.product_form,
             datapath::LogicProduct::Form::plain);

@@ -1,4 +1,4 @@
-#include "generator/datapath/unit_placer.hpp"
+#include "generator/datapath/scheduler.hpp"
 
 #include <fmt/core.h>
 
@@ -113,16 +113,33 @@ Unit best_form(Unit unit, double logic_ns) {
   return excess_ns(faster, logic_ns) < excess_ns(unit, logic_ns) ? faster : unit;
 }
 
+std::vector<NodeId> each_once(const std::vector<NodeId>& nodes) {
+  std::vector<NodeId> found;
+  for (const NodeId id : nodes) {
+    if (std::find(found.begin(), found.end(), id) == found.end()) found.push_back(id);
+  }
+  return found;
+}
+
 }  // namespace
 
-Step UnitPlacer::place(Unit unit, int start) {
+Step Scheduler::place(Unit unit, const std::vector<NodeId>& reads, int earliest) {
   unit = best_form(std::move(unit), logic_ns_);
   std::vector<bool> cuts = choose_cuts(unit);
   const int latency = static_cast<int>(std::count(cuts.begin(), cuts.end(), true));
-  return {std::move(unit), std::move(cuts), start, start + latency};
+  Step step = wires(reads, earliest);
+  step.unit = std::move(unit);
+  step.cuts = std::move(cuts);
+  step.ready_cycle += latency;
+  return step;
 }
 
-std::vector<bool> UnitPlacer::choose_cuts(const Unit& unit) {
+Step Scheduler::wires(const std::vector<NodeId>& reads, int earliest) const {
+  const int start = std::max(earliest, ready_cycle(schedule_.steps, reads));
+  return {.start_cycle = start, .ready_cycle = start, .reads = each_once(reads)};
+}
+
+std::vector<bool> Scheduler::choose_cuts(const Unit& unit) {
   for (const Stage& stage : unit.stages) {
     if (stage.delay_ns > logic_ns_) note_slow(unit, stage);
   }
@@ -136,26 +153,25 @@ std::vector<bool> UnitPlacer::choose_cuts(const Unit& unit) {
   return cuts;
 }
 
-void UnitPlacer::note_slow(const Unit& unit, const Stage& stage) {
+void Scheduler::note_slow(const Unit& unit, const Stage& stage) {
   const std::string note =
       fmt::format("{}, stage \"{}\": about {:.1f} ns of logic, the target leaves {:.1f} ns",
                   unit.module, stage.name, stage.delay_ns, logic_ns_);
-  auto& notes = slow_stages_;
+  auto& notes = schedule_.slow_stages;
   if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
 }
 
-Schedule UnitPlacer::finish(Schedule schedule) {
+Schedule Scheduler::finish() {
   int ready = 0;
-  for (const PartSchedule& part : schedule.parts) {
+  for (const PartSchedule& part : schedule_.parts) {
     ready = std::max(ready, part.decision.ready_cycle);
   }
-  if (schedule.parts.size() > 1) {
-    schedule.combination = place(combination_unit(schedule.parts.size(), delays_), ready);
-    ready = schedule.combination.ready_cycle;
+  if (schedule_.parts.size() > 1) {
+    schedule_.combination = place(combination_unit(schedule_.parts.size(), delays_), {}, ready);
+    ready = schedule_.combination.ready_cycle;
   }
-  schedule.latency_cycles = ready;
-  schedule.slow_stages = slow_stages_;
-  return schedule;
+  schedule_.latency_cycles = ready;
+  return std::move(schedule_);
 }
 
 }  // namespace mixcmp::datapath

@@ -8,19 +8,27 @@
 
 namespace mixcmp::datapath {
 
-/// Places units in time, each with as few ranks of registers as the period allows.
-class UnitPlacer {
+/// Collects the steps of one datapath, each with as few ranks of registers as the period allows.
+/// The nodes of its graph are placed in their order; everything else is placed after the nodes that
+/// it reads.
+class Scheduler {
 public:
-  UnitPlacer(const DelayTable& delays, double target_mhz)
+  Scheduler(const DelayTable& delays, double target_mhz)
       : delays_(delays), logic_ns_(std::max(0.0, 1000 / target_mhz - delays.register_ns)) {}
 
   const DelayTable& delays() const { return delays_; }
+  Schedule& schedule() { return schedule_; }
+  const Schedule& schedule() const { return schedule_; }
 
-  /// Chooses the form of `unit`, whose operands are read in cycle `start`, and its registers.
-  Step place(Unit unit, int start);
-  /// Completes a schedule whose parts are placed: combines their verdicts, and sets the latency and
-  /// the list of slow stages.
-  Schedule finish(Schedule schedule);
+  /// A step that starts when the nodes `reads` are ready, but not before cycle `earliest`. Chooses
+  /// the form of its unit, and the registers.
+  Step place(Unit unit, const std::vector<NodeId>& reads, int earliest = 0);
+  /// A step of only wires.
+  Step wires(const std::vector<NodeId>& reads, int earliest = 0) const;
+
+  /// Completes the schedule: combines the verdicts of the parts, and sets the latency and the list
+  /// of slow stages.
+  Schedule finish();
 
 private:
   std::vector<bool> choose_cuts(const Unit& unit);
@@ -28,7 +36,7 @@ private:
 
   DelayTable delays_;
   double logic_ns_;
-  std::vector<std::string> slow_stages_;
+  Schedule schedule_;
 };
 
 /// The operands that a node reads.
