@@ -24,9 +24,49 @@ std::string word_of(Operation operation) {
 
 }  // namespace
 
-int PipelineMaker::add_input(const std::string& name, const std::string& format) {
-  return add({.title = name, .format = format, .meaning = "operand", .role = page::UnitRole::input},
+std::string PipelineMaker::title_of(NodeId node) const {
+  constexpr std::size_t most_letters = 16;
+  const Operation operation = nodes_[node].operation;
+  if (operation == Operation::convert) return "round";
+  const std::string expression = meaning_of(node);
+  return expression.size() <= most_letters ? expression : word_of(operation);
+}
+
+std::string PipelineMaker::meaning_of(NodeId node) const {
+  constexpr std::size_t most_letters = 300;
+  return expression::to_text(nodes_, inputs_, node, most_letters);
+}
+
+int PipelineMaker::add_input(int input, const std::string& format) {
+  return add({.title = name_of(input),
+              .format = format,
+              .meaning = "operand",
+              .role = page::UnitRole::input},
              {}, {});
+}
+
+void PipelineMaker::add_node(const std::string& title, const std::string& format,
+                             const std::vector<int>& operands) {
+  const auto id = static_cast<NodeId>(boxes_.size());
+  add_node(add({.title = title, .format = format, .meaning = meaning_of(id)},
+               schedule_.steps[boxes_.size()], operands));
+}
+
+void PipelineMaker::add_decision(const std::string& format, const std::string& meaning,
+                                 const std::vector<int>& operands) {
+  const std::size_t part = decisions_.size();
+  const bool alone = schedule_.parts.size() == 1;
+  decisions_.push_back(add({.title = alone ? "decide" : fmt::format("decide part {}", part),
+                            .format = format,
+                            .meaning = meaning,
+                            .role = page::UnitRole::decision},
+                           schedule_.parts[part].decision, operands));
+}
+
+std::vector<int> PipelineMaker::read_by(const datapath::Step& step) const {
+  std::vector<int> found;
+  for (const NodeId node : step.reads) found.push_back(boxes_[static_cast<std::size_t>(node)]);
+  return found;
 }
 
 int PipelineMaker::add(const Box& box, const datapath::Step& step,
@@ -57,37 +97,17 @@ int PipelineMaker::add(const Box& box, const datapath::Step& step,
   return static_cast<int>(pipeline_.units.size()) - 1;
 }
 
-page::Pipeline PipelineMaker::finish(const std::string& title, const datapath::Schedule& schedule,
-                                     const std::vector<int>& decisions, Combination combination) {
-  if (!schedule.combination.unit.module.empty()) {
+page::Pipeline PipelineMaker::finish(const std::string& title, Combination combination) {
+  if (!schedule_.combination.unit.module.empty()) {
     add({.title = fmt::format("combine: {}", to_string(combination)),
          .format = "verdict",
          .meaning = "the verdict of all parts",
          .role = page::UnitRole::decision},
-        schedule.combination, decisions);
+        schedule_.combination, decisions_);
   }
   pipeline_.title = title;
-  pipeline_.cycles = schedule.latency_cycles;
+  pipeline_.cycles = schedule_.latency_cycles;
   return std::move(pipeline_);
-}
-
-std::string title_of(const std::vector<TypedNode>& nodes, const std::vector<std::string>& inputs,
-                     NodeId node) {
-  constexpr std::size_t most_letters = 16;
-  const Operation operation = nodes[node].operation;
-  if (operation == Operation::convert) return "round";
-  const std::string expression = meaning_of(nodes, inputs, node);
-  return expression.size() <= most_letters ? expression : word_of(operation);
-}
-
-std::string meaning_of(const std::vector<TypedNode>& nodes, const std::vector<std::string>& inputs,
-                       NodeId node) {
-  constexpr std::size_t most_letters = 300;
-  return expression::to_text(nodes, inputs, node, most_letters);
-}
-
-std::string decision_title(std::size_t part, std::size_t parts) {
-  return parts == 1 ? "decide" : fmt::format("decide part {}", part);
 }
 
 }  // namespace mixcmp::schematic
