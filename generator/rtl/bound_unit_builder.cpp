@@ -67,27 +67,19 @@ void BoundUnitBuilder::build_node(int id) {
   }
   const datapath::Step& step = schedule_.bounds[id];
   std::vector<Connection> connections = operands(node, step.start_cycle);
+  datapath_.describe(step, description(id));
+  bounds_.push_back(datapath_.declare(names_[id], width, step.ready_cycle));
   connections.push_back({"y", net(names_[id])});
-  datapath_.add(Comment{describe(id)});
-  datapath_.add(Wire{width, names_[id], nullptr});
-  datapath_.add(Instance{step.unit.module, datapath_.pool().unique("unit_" + names_[id]),
-                         parameters(node, step), std::move(connections)});
-  bounds_.push_back({net(names_[id]), names_[id], width, step.ready_cycle});
+  datapath_.add_unit(step, "unit_" + names_[id], parameters(node), std::move(connections));
 }
 
 std::vector<Connection> BoundUnitBuilder::operands(const BoundNode& node, int cycle) {
-  std::vector<Connection> connections = {{"aclk", net("aclk")}};
-  if (reads_value(node)) {
-    connections.push_back({"x", datapath_.at(nodes_.value(node.value), cycle)});
-    return connections;
-  }
-  connections.push_back({"a", datapath_.at(bounds_[node.operands[0]], cycle)});
-  connections.push_back({"b", datapath_.at(bounds_[node.operands[1]], cycle)});
-  return connections;
+  if (reads_value(node)) return {{"x", datapath_.at(nodes_.value(node.value), cycle)}};
+  return {{"a", datapath_.at(bounds_[node.operands[0]], cycle)},
+          {"b", datapath_.at(bounds_[node.operands[1]], cycle)}};
 }
 
-std::vector<Parameter> BoundUnitBuilder::parameters(const BoundNode& node,
-                                                    const datapath::Step& step) const {
+std::vector<Parameter> BoundUnitBuilder::parameters(const BoundNode& node) const {
   const BoundFormat format = criterion_.bound.format;
   std::vector<Parameter> parameters = {{"EXPONENT_BITS", format.exponent_bits}};
   if (reads_value(node)) {
@@ -97,7 +89,6 @@ std::vector<Parameter> BoundUnitBuilder::parameters(const BoundNode& node,
   const bool reads_subnormals =
       node.operation == BoundOperation::magnitude || node.operation == BoundOperation::binade;
   if (reads_subnormals) parameters.push_back({"GRADUAL", may_be_subnormal(node.value) ? 1 : 0});
-  parameters.push_back({"CUTS", cut_mask(step)});
   return parameters;
 }
 
@@ -117,26 +108,22 @@ void BoundUnitBuilder::build_condition(const error::BoundCondition& condition,
   const FloatFormat format = format_of(condition.value);
   const std::string holds = datapath_.pool().unique(value.name + "_exceeds_error");
   const std::string fails = datapath_.pool().unique(value.name + "_too_small");
-  std::vector<Connection> connections = {{"aclk", net("aclk")},
-                                         {"bound", datapath_.at(bound, step.start_cycle)},
+  std::vector<Connection> connections = {{"bound", datapath_.at(bound, step.start_cycle)},
                                          {"x", datapath_.at(value, step.start_cycle)},
                                          {"holds", net(holds)}};
-  datapath_.add(Comment{fmt::format("Cycles {} to {}: the bound holds where {} <= |{}|.",
-                                    step.start_cycle, step.ready_cycle, bound.name, value.name)});
+  datapath_.describe(step,
+                     fmt::format("the bound holds where {} <= |{}|.", bound.name, value.name));
   datapath_.add(Wire{1, holds, nullptr});
   datapath_.add(Wire{1, fails, inverted(net(holds))});
-  datapath_.add(Instance{step.unit.module,
-                         datapath_.pool().unique("unit_" + holds),
-                         {{"EXPONENT_BITS", format.exponent_bits()},
-                          {"PRECISION", format.precision()},
-                          {"BOUND_PRECISION", criterion_.bound.format.precision},
-                          {"CUTS", cut_mask(step)}},
-                         std::move(connections)});
+  datapath_.add_unit(step, "unit_" + holds,
+                     {{"EXPONENT_BITS", format.exponent_bits()},
+                      {"PRECISION", format.precision()},
+                      {"BOUND_PRECISION", criterion_.bound.format.precision}},
+                     std::move(connections));
   failures_.push_back({net(fails), fails, 1, step.ready_cycle});
 }
 
-std::string BoundUnitBuilder::describe(int id) const {
-  const datapath::Step& step = schedule_.bounds[id];
+std::string BoundUnitBuilder::description(int id) const {
   const BoundNode& node = criterion_.bound.nodes[id];
   const int digits = criterion_.bound.format.precision;
   const bool exact =
@@ -144,8 +131,7 @@ std::string BoundUnitBuilder::describe(int id) const {
   const std::string rounding = digits == 1 ? ", rounded up to a power of two"
                                            : fmt::format(", rounded up to {} digits", digits);
   const bool rounds = !exact && node.operation != BoundOperation::reciprocal;
-  return fmt::format("Cycles {} to {}: {}{}.", step.start_cycle, step.ready_cycle,
-                     bound_formula(criterion_.bound, id, names_, nodes_.names()),
+  return fmt::format("{}{}.", bound_formula(criterion_.bound, id, names_, nodes_.names()),
                      rounds ? rounding : "");
 }
 

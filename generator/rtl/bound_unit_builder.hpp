@@ -27,11 +27,11 @@ private:
   void build_node(int id);
   void build_condition(const error::BoundCondition& condition, const datapath::Step& step);
   std::vector<Connection> operands(const error::BoundNode& node, int cycle);
-  std::vector<Parameter> parameters(const error::BoundNode& node, const datapath::Step& step) const;
+  std::vector<Parameter> parameters(const error::BoundNode& node) const;
   bool may_be_subnormal(NodeId value) const;
   FloatFormat format_of(NodeId value) const;
   void check_exponents(NodeId value) const;
-  std::string describe(int id) const;
+  std::string description(int id) const;
 
   DatapathBuilder& datapath_;
   const FloatNodes& nodes_;

@@ -96,6 +96,21 @@ Operand DatapathBuilder::any_at(const std::vector<Signal>& signals, int cycle) {
   return any_of(std::move(raised));
 }
 
+void DatapathBuilder::describe(const datapath::Step& step, std::string_view text) {
+  add(Comment{fmt::format("Cycles {} to {}: {}", step.start_cycle, step.ready_cycle, text)});
+}
+
+Signal DatapathBuilder::declare(const std::string& name, int width, int cycle) {
+  add(Wire{width, name, nullptr});
+  return {net(name), name, width, cycle};
+}
+
+void DatapathBuilder::add_unit(const datapath::Step& step, const std::string& instance,
+                               std::vector<Parameter> parameters,
+                               std::vector<Connection> connections) {
+  add(unit_instance(step, pool_.unique(instance), std::move(parameters), std::move(connections)));
+}
+
 Operand DatapathBuilder::delayed(const Signal& signal, const Operand& source, int from, int to) {
   const std::string name = pool_.unique(fmt::format("{}_d{}", signal.name, to - signal.cycle));
   add(Wire{signal.width, name, nullptr});
@@ -182,6 +197,9 @@ void append_technology_parameters(const datapath::Unit& unit, std::vector<Parame
   }
 }
 
+namespace {
+
+/// The value of a unit's CUTS parameter.
 Literal cut_mask(const datapath::Step& step) {
   Literal mask = {static_cast<int>(step.cuts.size()), 0};
   MIXCMP_CHECK(mask.width <= 128);
@@ -189,6 +207,15 @@ Literal cut_mask(const datapath::Step& step) {
     if (step.cuts[k]) mask.value |= Bits{1} << k;
   }
   return mask;
+}
+
+}  // namespace
+
+Instance unit_instance(const datapath::Step& step, std::string name,
+                       std::vector<Parameter> parameters, std::vector<Connection> connections) {
+  parameters.push_back({"CUTS", cut_mask(step)});
+  connections.insert(connections.begin(), {"aclk", net("aclk")});
+  return {step.unit.module, std::move(name), std::move(parameters), std::move(connections)};
 }
 
 }  // namespace mixcmp::rtl

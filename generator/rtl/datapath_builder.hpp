@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "generator/datapath/schedule.hpp"
@@ -59,6 +60,14 @@ public:
   Operand any_at(const std::vector<Signal>& signals, int cycle);
 
   void add(ModuleItem item) { items_.push_back(std::move(item)); }
+  /// Adds a comment: the cycles of a step, then `text`.
+  void describe(const datapath::Step& step, std::string_view text);
+  /// Adds a net that something else drives, and that carries its value in `cycle`.
+  Signal declare(const std::string& name, int width, int cycle);
+  /// Adds the unit of a step. Its clock and the mask of its cuts need not be given. The name of the
+  /// instance may change so that it is unique.
+  void add_unit(const datapath::Step& step, const std::string& instance,
+                std::vector<Parameter> parameters, std::vector<Connection> connections);
   std::vector<ModuleItem> take() { return std::move(items_); }
   const DelayPlan& plan() const { return plan_; }
 
@@ -96,7 +105,8 @@ std::vector<std::string> input_ports(const std::vector<std::string>& inputs);
 /// chains), each where it is not the template's default.
 void append_technology_parameters(const datapath::Unit& unit, std::vector<Parameter>& parameters);
 
-/// The value of a unit's CUTS parameter.
-Literal cut_mask(const datapath::Step& step);
+/// An instance of a step's unit; see DatapathBuilder::add_unit.
+Instance unit_instance(const datapath::Step& step, std::string name,
+                       std::vector<Parameter> parameters, std::vector<Connection> connections);
 
 }  // namespace mixcmp::rtl

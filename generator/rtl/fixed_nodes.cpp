@@ -89,31 +89,24 @@ Signal FixedNodes::any_of(const char* name, const std::vector<Signal>& flags) {
 void FixedNodes::build_largest_exponent() {
   const FloatFormat& format = lane_.input_format;
   const datapath::Step& step = schedule_.largest_exponent;
-  const std::string largest = datapath_.pool().unique("largest_exponent");
-  const std::string not_finite = datapath_.pool().unique("not_finite");
   std::vector<Operand> exponents;
   for (const int input : fixed::inputs_read(lane_)) {
     exponents.push_back(slice(datapath_.port(input),
                               format.fraction_bits() + format.exponent_bits() - 1,
                               format.fraction_bits()));
   }
-  datapath_.add(
-      Comment{fmt::format("Cycles {} to {}: the largest exponent of all operands, biased.",
-                          step.start_cycle, step.ready_cycle)});
-  datapath_.add(Wire{format.exponent_bits(), largest, nullptr});
-  datapath_.add(Wire{1, not_finite, nullptr});
-  datapath_.add(Instance{step.unit.module,
-                         datapath_.pool().unique("unit_" + largest),
-                         {{"COUNT", static_cast<int>(exponents.size())},
-                          {"LEVELS", static_cast<int>(step.cuts.size())},
-                          {"EXPONENT_BITS", format.exponent_bits()},
-                          {"CUTS", cut_mask(step)}},
-                         {{"aclk", net("aclk")},
-                          {"exponents", concatenation(std::move(exponents))},
-                          {"largest", net(largest)},
-                          {"not_finite", net(not_finite)}}});
-  largest_exponent_ = {net(largest), largest, format.exponent_bits(), step.ready_cycle};
-  not_finite_ = {net(not_finite), not_finite, 1, step.ready_cycle};
+  datapath_.describe(step, "the largest exponent of all operands, biased.");
+  largest_exponent_ = datapath_.declare(datapath_.pool().unique("largest_exponent"),
+                                        format.exponent_bits(), step.ready_cycle);
+  not_finite_ = datapath_.declare(datapath_.pool().unique("not_finite"), 1, step.ready_cycle);
+  const int count = static_cast<int>(exponents.size());
+  datapath_.add_unit(step, "unit_" + largest_exponent_.name,
+                     {{"COUNT", count},
+                      {"LEVELS", static_cast<int>(step.cuts.size())},
+                      {"EXPONENT_BITS", format.exponent_bits()}},
+                     {{"exponents", concatenation(std::move(exponents))},
+                      {"largest", largest_exponent_.value},
+                      {"not_finite", not_finite_.value}});
 }
 
 /// An operand without the low bits of its fraction that lie below the unit for every largest
@@ -135,21 +128,18 @@ void FixedNodes::build_aligned_operand(NodeId id) {
   const FixedNode& node = lane_.nodes[id];
   const datapath::Step& step = schedule_.steps[id];
   const FloatFormat& format = lane_.input_format;
-  datapath_.add(Comment{describe(id)});
+  describe(id);
   const Signal operand = leading_bits(node.input);
-  datapath_.add(Wire{node.format.width, names_[id], nullptr});
+  declare(id);
   const std::string& port = datapath_.port(node.input);
-  datapath_.add(Instance{step.unit.module,
-                         datapath_.pool().unique("unit_" + names_[id]),
-                         {{"EXPONENT_BITS", format.exponent_bits()},
-                          {"PRECISION", operand.width - format.exponent_bits()},
-                          {"WIDTH", lane_.format.operand_bits()},
-                          {"SIGNED", node.format.is_signed ? 1 : 0},
-                          {"CUTS", cut_mask(step)}},
-                         {{"aclk", net("aclk")},
-                          {"x", datapath_.at(operand, step.start_cycle)},
-                          {"largest", datapath_.at(largest_exponent_, step.start_cycle)},
-                          {"y", net(names_[id])}}});
+  datapath_.add_unit(step, "unit_" + names_[id],
+                     {{"EXPONENT_BITS", format.exponent_bits()},
+                      {"PRECISION", operand.width - format.exponent_bits()},
+                      {"WIDTH", lane_.format.operand_bits()},
+                      {"SIGNED", node.format.is_signed ? 1 : 0}},
+                     {{"x", datapath_.at(operand, step.start_cycle)},
+                      {"largest", datapath_.at(largest_exponent_, step.start_cycle)},
+                      {"y", net(names_[id])}});
   if (node.format.is_signed) return;
   const std::string negative = datapath_.pool().unique(port + "_out_of_range");
   datapath_.add(Wire{1, negative, bit(port, format.width() - 1)});
@@ -161,24 +151,28 @@ void FixedNodes::build_operand(NodeId id) {
   const datapath::Step& step = schedule_.steps[id];
   const FixedFormat& format = node.format;
   const std::string& port = datapath_.port(node.input);
-  const std::string misfit = datapath_.pool().unique(port + "_out_of_range");
   const int magnitude_bits = format.magnitude_bits();
-  datapath_.add(Comment{describe(id)});
-  datapath_.add(Wire{format.width, names_[id], nullptr});
-  datapath_.add(Wire{1, misfit, nullptr});
-  datapath_.add(Instance{step.unit.module,
-                         datapath_.pool().unique("unit_" + names_[id]),
-                         {{"EXPONENT_BITS", lane_.input_format.exponent_bits()},
-                          {"PRECISION", lane_.input_format.precision()},
-                          {"TOP", format.unit_exponent + magnitude_bits},
-                          {"WIDTH", magnitude_bits},
-                          {"SIGNED", format.is_signed ? 1 : 0},
-                          {"CUTS", cut_mask(step)}},
-                         {{"aclk", net("aclk")},
-                          {"x", net(port)},
-                          {"y", net(names_[id])},
-                          {"out_of_range", net(misfit)}}});
-  misfits_[id] = {net(misfit), misfit, 1, step.ready_cycle};
+  describe(id);
+  declare(id);
+  const Operand misfit = declare_misfit(id, port + "_out_of_range", step);
+  datapath_.add_unit(step, "unit_" + names_[id],
+                     {{"EXPONENT_BITS", lane_.input_format.exponent_bits()},
+                      {"PRECISION", lane_.input_format.precision()},
+                      {"TOP", format.unit_exponent + magnitude_bits},
+                      {"WIDTH", magnitude_bits},
+                      {"SIGNED", format.is_signed ? 1 : 0}},
+                     {{"x", net(port)}, {"y", net(names_[id])}, {"out_of_range", misfit}});
+}
+
+/// Declares the net of a node.
+void FixedNodes::declare(NodeId id) {
+  datapath_.declare(names_[id], lane_.nodes[id].format.width, schedule_.steps[id].ready_cycle);
+}
+
+/// Declares the flag of an input, a limit or a reach, which `step` finds.
+Operand FixedNodes::declare_misfit(NodeId id, const std::string& name, const datapath::Step& step) {
+  misfits_[id] = datapath_.declare(datapath_.pool().unique(name), 1, step.ready_cycle);
+  return misfits_[id].value;
 }
 
 /// Builds a field of an item's word, which is a port. Its flags are also ports, behind all fields.
@@ -217,45 +211,34 @@ Operand FixedNodes::excess_bits(NodeId id, int kept, int most, int cycle) {
 
 void FixedNodes::build_common_drop() {
   const datapath::Step& step = schedule_.common_drop;
-  const std::string drop = datapath_.pool().unique("common_drop");
   const int most = fixed::most_dropped_in_common(lane_);
   const int bits = std::bit_width(static_cast<unsigned>(most));
   std::vector<Operand> excess;
   for (const NodeId id : fixed::cut_in_common(lane_)) {
     excess.push_back(excess_bits(id, lane_.format.bits, most, step.start_cycle));
   }
-  datapath_.add(
-      Comment{fmt::format("Cycles {} to {}: how many low bits the following cuts drop in common.",
-                          step.start_cycle, step.ready_cycle)});
-  datapath_.add(Wire{bits, drop, nullptr});
-  datapath_.add(Instance{
-      step.unit.module,
-      datapath_.pool().unique("unit_" + drop),
-      {{"COUNT", static_cast<int>(excess.size())},
-       {"MOST", most},
-       {"DROP_BITS", bits},
-       {"CUTS", cut_mask(step)}},
-      {{"aclk", net("aclk")}, {"excess", concatenation(std::move(excess))}, {"drop", net(drop)}}});
-  common_drop_ = {net(drop), drop, bits, step.ready_cycle};
+  datapath_.describe(step, "how many low bits the following cuts drop in common.");
+  common_drop_ = datapath_.declare(datapath_.pool().unique("common_drop"), bits, step.ready_cycle);
+  const int count = static_cast<int>(excess.size());
+  datapath_.add_unit(step, "unit_" + common_drop_.name,
+                     {{"COUNT", count}, {"MOST", most}, {"DROP_BITS", bits}},
+                     {{"excess", concatenation(std::move(excess))}, {"drop", common_drop_.value}});
 }
 
 void FixedNodes::build_common_cut(NodeId id) {
   const FixedNode& node = lane_.nodes[id];
   const datapath::Step& step = schedule_.steps[id];
   if (common_drop_.value == nullptr) build_common_drop();
-  datapath_.add(Comment{describe(id)});
-  datapath_.add(Wire{node.format.width, names_[id], nullptr});
-  datapath_.add(Instance{step.unit.module,
-                         datapath_.pool().unique("unit_" + names_[id]),
-                         {{"A_WIDTH", datapath::operand_bits(lane_.nodes, node, 0)},
-                          {"MOST", node.most_dropped},
-                          {"DROP_BITS", common_drop_.width},
-                          {"WIDTH", node.format.width},
-                          {"CUTS", cut_mask(step)}},
-                         {{"aclk", net("aclk")},
-                          {"a", operand(node.operands[0], 0, step.start_cycle)},
-                          {"drop", datapath_.at(common_drop_, step.start_cycle)},
-                          {"y", net(names_[id])}}});
+  describe(id);
+  declare(id);
+  datapath_.add_unit(step, "unit_" + names_[id],
+                     {{"A_WIDTH", datapath::operand_bits(lane_.nodes, node, 0)},
+                      {"MOST", node.most_dropped},
+                      {"DROP_BITS", common_drop_.width},
+                      {"WIDTH", node.format.width}},
+                     {{"a", operand(node.operands[0], 0, step.start_cycle)},
+                      {"drop", datapath_.at(common_drop_, step.start_cycle)},
+                      {"y", net(names_[id])}});
 }
 
 /// Builds a conversion, which is wires, and a unit beside it for the check of a limit or a reach.
@@ -265,7 +248,7 @@ void FixedNodes::build_conversion(NodeId id) {
   const Operand value = datapath_.at(whole, schedule_.steps[id].start_cycle);
   const int low = node.dropped_bits, high = low + node.format.width - 1;
   MIXCMP_CHECK(high < whole.width);
-  datapath_.add(Comment{describe(id)});
+  describe(id);
   if (node.format.width == whole.width) {
     datapath_.add(Wire{node.format.width, names_[id], value});
   } else {
@@ -286,19 +269,14 @@ void FixedNodes::build_check(NodeId id) {
   const FixedNode& node = lane_.nodes[id];
   const datapath::Step& step = schedule_.checks[checks_built_++];
   const bool is_reach = fixed::is_reach(node);
-  const std::string misfit = datapath_.pool().unique(is_reach ? names_[node.operands[0]] + "_far"
-                                                              : names_[id] + "_out_of_range");
-  datapath_.add(Wire{1, misfit, nullptr});
-  datapath_.add(Instance{step.unit.module,
-                         datapath_.pool().unique("check_" + names_[id]),
-                         check_parameters(id, step),
-                         {{"aclk", net("aclk")},
-                          {"a", operand(node.operands[0], 0, step.start_cycle)},
-                          {is_reach ? "overflow" : "out_of_range", net(misfit)}}});
-  misfits_[id] = {net(misfit), misfit, 1, step.ready_cycle};
+  const Operand misfit = declare_misfit(
+      id, is_reach ? names_[node.operands[0]] + "_far" : names_[id] + "_out_of_range", step);
+  datapath_.add_unit(step, "check_" + names_[id], check_parameters(id),
+                     {{"a", operand(node.operands[0], 0, step.start_cycle)},
+                      {is_reach ? "overflow" : "out_of_range", misfit}});
 }
 
-std::vector<Parameter> FixedNodes::check_parameters(NodeId id, const datapath::Step& step) const {
+std::vector<Parameter> FixedNodes::check_parameters(NodeId id) const {
   const FixedNode& node = lane_.nodes[id];
   const FixedNode& whole = lane_.nodes[node.operands[0]];
   const int width = datapath::operand_bits(lane_.nodes, node, 0);
@@ -314,7 +292,6 @@ std::vector<Parameter> FixedNodes::check_parameters(NodeId id, const datapath::S
       parameters.push_back({"GREATEST", in_units(node.value.high)});
     }
   }
-  parameters.push_back({"CUTS", cut_mask(step)});
   return parameters;
 }
 
@@ -324,24 +301,21 @@ void FixedNodes::build_unit(NodeId id) {
   const datapath::Step& step = schedule_.steps[id];
   std::vector<Connection> connections = operands(id, step.start_cycle);
   connections.push_back({"y", net(names_[id])});
-  datapath_.add(Comment{describe(id)});
-  datapath_.add(Wire{lane_.nodes[id].format.width, names_[id], nullptr});
-  datapath_.add(Instance{step.unit.module, datapath_.pool().unique("unit_" + names_[id]),
-                         parameters(id), std::move(connections)});
+  describe(id);
+  declare(id);
+  datapath_.add_unit(step, "unit_" + names_[id], parameters(id), std::move(connections));
 }
 
 /// Builds a square that is read from a memory. If two squares share the memory, the second builds
 /// the unit, once the operands of both are declared. Their cycles may differ.
 void FixedNodes::build_memory_square(NodeId id, const fixed::SquareTable& table) {
   const NodeId last = table.squares.back();
-  const std::string shared =
-      id == last ? "" : fmt::format(" It is read beside {}, below.", names_[last]);
-  datapath_.add(Comment{describe(id) + shared});
-  datapath_.add(Wire{lane_.nodes[id].format.width, names_[id], nullptr});
+  describe(id, id == last ? "" : fmt::format(" It is read beside {}, below.", names_[last]));
+  declare(id);
   if (id != last) return;
   const bool alone = table.squares.size() == 1;
   std::vector<Parameter> parameters;
-  std::vector<Connection> connections = {{"aclk", net("aclk")}};
+  std::vector<Connection> connections;
   for (std::size_t port = 0; port < table.squares.size(); ++port) {
     const FixedNode& node = lane_.nodes[table.squares[port]];
     const std::string upper = alone ? "" : port == 0 ? "_A" : "_B";
@@ -354,10 +328,8 @@ void FixedNodes::build_memory_square(NodeId id, const fixed::SquareTable& table)
     connections.push_back({port == 0 ? "a" : "b", operand(node.operands[0], 0, start)});
     connections.push_back({"y" + lower, net(names_[table.squares[port]])});
   }
-  const datapath::Step& step = schedule_.steps[id];
-  parameters.push_back({"CUTS", cut_mask(step)});
-  datapath_.add(Instance{step.unit.module, datapath_.pool().unique("unit_" + names_[id]),
-                         std::move(parameters), std::move(connections)});
+  datapath_.add_unit(schedule_.steps[id], "unit_" + names_[id], std::move(parameters),
+                     std::move(connections));
 }
 
 /// A node's value in two's complement: a format without a sign gets a zero above, a shift zeros
@@ -372,7 +344,7 @@ Operand FixedNodes::operand(NodeId node, int shift, int cycle) {
 
 std::vector<Connection> FixedNodes::operands(NodeId id, int cycle) {
   const FixedNode& node = lane_.nodes[id];
-  std::vector<Connection> connections = {{"aclk", net("aclk")}};
+  std::vector<Connection> connections;
   const auto connect = [&](const char* port, int k) {
     const int shift = datapath::alignment_bits(lane_.nodes, node, k);
     connections.push_back({port, operand(node.operands[k], shift, cycle)});
@@ -432,7 +404,6 @@ std::vector<Parameter> FixedNodes::parameters(NodeId id) const {
   if (node.dropped_bits > 0) parameters.push_back({"DROPPED", node.dropped_bits});
   parameters.push_back({"WIDTH", node.format.width});
   append_technology_parameters(schedule_.steps[id].unit, parameters);
-  parameters.push_back({"CUTS", cut_mask(schedule_.steps[id])});
   return parameters;
 }
 
@@ -446,34 +417,36 @@ void FixedNodes::append_positive_factors(NodeId id, std::vector<Parameter>& para
   }
 }
 
-std::string FixedNodes::describe(NodeId id) const {
+/// Adds the comment of a node, with `more` behind it.
+void FixedNodes::describe(NodeId id, const std::string& more) {
   const FixedNode& node = lane_.nodes[id];
-  const datapath::Step& step = schedule_.steps[id];
   const auto text = [&](int k) {
     if (k >= arity(node.operation)) return std::string();
     const FixedNode& source = lane_.nodes[node.operands[k]];
     const bool constant = source.operation == Operation::constant;
     return constant ? to_text(source.value.low) : names_[node.operands[k]];
   };
+  const std::string format = node.format.name();
   if (fixed::is_limit(node)) {
-    return fmt::format("{} from {} to {}, {}; elsewhere the lane is undecided.", text(0),
-                       to_text(node.value.low), to_text(node.value.high), node.format.name());
+    return datapath_.add(
+        Comment{fmt::format("{} from {} to {}, {}; elsewhere the lane is undecided.", text(0),
+                            to_text(node.value.low), to_text(node.value.high), format)});
   }
   if (fixed::is_reach(node)) {
-    return fmt::format("{} in {}, unless it is so far from 0 that it decides by itself.", text(0),
-                       node.format.name());
-  }
-  if (fixed::is_common_cut(node)) {
-    return fmt::format("Cycles {} to {}: {} / 2^{}, rounded down to {}.", step.start_cycle,
-                       step.ready_cycle, text(0), common_drop_.name, node.format.name());
+    return datapath_.add(Comment{fmt::format(
+        "{} in {}, unless it is so far from 0 that it decides by itself.", text(0), format)});
   }
   const bool is_input = node.operation == Operation::input;
-  const bool rounds = is_input || node.dropped_bits > 0 || node.operation == Operation::square_root;
+  const bool is_cut = fixed::is_common_cut(node);
+  const bool rounds =
+      is_input || is_cut || node.dropped_bits > 0 || node.operation == Operation::square_root;
   const std::string scaled = lane_.format.is_block ? " / 2^(1 + the largest exponent)" : "";
-  const std::string what =
-      is_input ? datapath_.port(node.input) + scaled : formula(node.operation, text(0), text(1));
-  return fmt::format("Cycles {} to {}: {}, {} {}.", step.start_cycle, step.ready_cycle, what,
-                     rounds ? "rounded down to" : "exact in", node.format.name());
+  const std::string what = is_input ? datapath_.port(node.input) + scaled
+                           : is_cut ? fmt::format("{} / 2^{}", text(0), common_drop_.name)
+                                    : formula(node.operation, text(0), text(1));
+  datapath_.describe(
+      schedule_.steps[id],
+      fmt::format("{}, {} {}.{}", what, rounds ? "rounded down to" : "exact in", format, more));
 }
 
 Literal twos_complement(int width, const mpz_class& value) {

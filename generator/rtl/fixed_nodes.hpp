@@ -46,7 +46,7 @@ private:
   void build_conversion(NodeId id);
   void consume_low_bits(const std::string& name, int count);
   void build_check(NodeId id);
-  std::vector<Parameter> check_parameters(NodeId id, const datapath::Step& step) const;
+  std::vector<Parameter> check_parameters(NodeId id) const;
   Signal any_of(const char* name, const std::vector<Signal>& flags);
   void build_unit(NodeId id);
   void build_memory_square(NodeId id, const fixed::SquareTable& table);
@@ -54,7 +54,9 @@ private:
   std::vector<Connection> operands(NodeId id, int cycle);
   std::vector<Parameter> parameters(NodeId id) const;
   void append_positive_factors(NodeId id, std::vector<Parameter>& parameters) const;
-  std::string describe(NodeId id) const;
+  void describe(NodeId id, const std::string& more = {});
+  void declare(NodeId id);
+  Operand declare_misfit(NodeId id, const std::string& name, const datapath::Step& step);
 
   DatapathBuilder& datapath_;
   const fixed::FixedLane& lane_;

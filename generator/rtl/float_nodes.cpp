@@ -89,7 +89,7 @@ std::vector<Literal> FloatNodes::start_phases(const SelectingUnits::Unit& unit,
 void FloatNodes::build_selecting_unit(const SelectingUnits::Unit& unit, std::size_t index) {
   const datapath::SharedUnit& shared = schedule_.shared_units[index];
   std::vector<std::string> registers;
-  std::vector<Connection> connections = {{"aclk", net("aclk")}};
+  std::vector<Connection> connections;
   for (std::size_t k = 0; k < unit.cases.front().values.size(); ++k) {
     const std::string port = k == 0 ? "a" : "b";
     if (shared.selects) {
@@ -117,11 +117,10 @@ void FloatNodes::build_selecting_unit(const SelectingUnits::Unit& unit, std::siz
   }
   if (shared.unit.initiation_interval > 1) {
     const Operand start = build_start(unit.name, start_phases(unit, shared.selects));
-    connections.insert(connections.begin() + 1, {"start", start});
+    connections.insert(connections.begin(), {"start", start});
   }
-  datapath_.add(Instance{shared.unit.module, "unit_" + unit.name,
-                         unit_parameters(unit.node, hazards, {shared.unit, shared.cuts}),
-                         std::move(connections)});
+  datapath_.add_unit({shared.unit, shared.cuts}, "unit_" + unit.name,
+                     unit_parameters(unit.node, hazards, shared.unit), std::move(connections));
 }
 
 void FloatNodes::declare_unused_flags() {
@@ -213,17 +212,11 @@ void FloatNodes::build_squared_sum(NodeId id) {
   const bool gradual = graph_.arithmetic.subnormals == Subnormals::gradual;
   parameters.push_back({"GRADUAL", gradual ? 1 : 0});
   append_technology_parameters(step.unit, parameters);
-  parameters.push_back({"CUTS", cut_mask(step)});
-  datapath_.add(
-      Comment{fmt::format("Cycles {} to {}: {}^2, in {}; the sum that is squared is also rounded.",
-                          step.start_cycle, step.ready_cycle, names_[sum], node.format.name())});
-  datapath_.add(Wire{node.format.width(), names_[id], nullptr});
-  values_[id].value = net(names_[id]);
-  datapath_.add(Instance{
-      step.unit.module,
-      datapath_.pool().unique("unit_" + names_[id]),
-      std::move(parameters),
-      {{"aclk", net("aclk")}, {"a", operands[0]}, {"b", operands[1]}, {"y", net(names_[id])}}});
+  datapath_.describe(step, fmt::format("{}^2, in {}; the sum that is squared is also rounded.",
+                                       names_[sum], node.format.name()));
+  values_[id] = datapath_.declare(names_[id], node.format.width(), step.ready_cycle);
+  datapath_.add_unit(step, "unit_" + names_[id], std::move(parameters),
+                     {{"a", operands[0]}, {"b", operands[1]}, {"y", values_[id].value}});
 }
 
 void FloatNodes::build_unit(NodeId id) {
@@ -246,21 +239,20 @@ void FloatNodes::build_unit(NodeId id) {
     values_[id].value = net(unit->name + "_result");
     return;
   }
-  std::vector<Connection> connections = {{"aclk", net("aclk")}};
+  datapath_.describe(step, description(id));
+  values_[id] = datapath_.declare(names_[id], node.format.width(), step.ready_cycle);
+  std::vector<Connection> connections;
   for (std::size_t k = 0; k < operands.size(); ++k) {
     connections.push_back({k == 0 ? "a" : "b", operands[k]});
   }
-  connections.push_back({"y", net(names_[id])});
-  datapath_.add(Comment{describe(id)});
-  datapath_.add(Wire{node.format.width(), names_[id], nullptr});
-  values_[id].value = net(names_[id]);
+  connections.push_back({"y", values_[id].value});
   connections.push_back({"exceptional", flag_output(id)});
   if (step.unit.initiation_interval > 1) {
     const Operand start = build_start(names_[id], {datapath_.phase(step.start_cycle)});
-    connections.insert(connections.begin() + 1, {"start", start});
+    connections.insert(connections.begin(), {"start", start});
   }
-  datapath_.add(Instance{step.unit.module, datapath_.pool().unique("unit_" + names_[id]),
-                         unit_parameters(node, hazards_of(id), step), std::move(connections)});
+  datapath_.add_unit(step, "unit_" + names_[id], unit_parameters(node, hazards_of(id), step.unit),
+                     std::move(connections));
   if (exceptional_ == ExceptionalFlags::gathered) gather_flags(id);
 }
 
@@ -340,10 +332,9 @@ bool FloatNodes::gathers_flag(NodeId id) const {
 
 Operand FloatNodes::flag_output(NodeId id) {
   if (!gathers_flag(id)) return bit(unused_name_, unused_flags_++);
-  const std::string name = datapath_.pool().unique(names_[id] + "_exceptional");
-  datapath_.add(Wire{1, name, nullptr});
-  flags_[id] = {net(name), name, 1, schedule_.steps[id].ready_cycle};
-  return net(name);
+  flags_[id] = datapath_.declare(datapath_.pool().unique(names_[id] + "_exceptional"), 1,
+                                 schedule_.steps[id].ready_cycle);
+  return flags_[id].value;
 }
 
 /// Builds the flag that travels with the value: it is set where this operation or one before it
@@ -368,11 +359,9 @@ void FloatNodes::gather_flags(NodeId id) {
   flags_[id] = {net(name), name, 1, cycle};
 }
 
-std::string FloatNodes::describe(NodeId id) const {
+std::string FloatNodes::description(NodeId id) const {
   const TypedNode& node = graph_.nodes[id];
-  const datapath::Step& step = schedule_.steps[id];
-  return fmt::format("Cycles {} to {}: {}, {} {}.", step.start_cycle, step.ready_cycle,
-                     formula(graph_, id, names_),
+  return fmt::format("{}, {} {}.", formula(graph_, id, names_),
                      node.format == node.operand_format ? "in" : "rounded once to",
                      node.format.name());
 }
@@ -383,7 +372,7 @@ error::Hazards FloatNodes::hazards_of(NodeId id) const {
 
 std::vector<Parameter> FloatNodes::unit_parameters(const TypedNode& node,
                                                    const error::Hazards& hazards,
-                                                   const datapath::Step& step) const {
+                                                   const datapath::Unit& unit) const {
   std::vector<Parameter> parameters = {{"EXPONENT_BITS", node.operand_format.exponent_bits()},
                                        {"PRECISION", node.operand_format.precision()}};
   const bool chooses = is_choice(node.operation);
@@ -410,8 +399,7 @@ std::vector<Parameter> FloatNodes::unit_parameters(const TypedNode& node,
   if (!hazards.overflow) parameters.push_back({"OVERFLOW", 0});
   if (!hazards.underflow) parameters.push_back({"UNDERFLOW", 0});
   if (!hazards.cancellation) parameters.push_back({"CANCELLATION", 0});
-  append_technology_parameters(step.unit, parameters);
-  parameters.push_back({"CUTS", cut_mask(step)});
+  append_technology_parameters(unit, parameters);
   return parameters;
 }
 

@@ -58,14 +58,14 @@ private:
   Operand negated(NodeId id, const Operand& operand);
   Operand flag_output(NodeId id);
   void gather_flags(NodeId id);
-  std::string describe(NodeId id) const;
+  std::string description(NodeId id) const;
   bool is_inside_its_square(NodeId id) const;
   bool squares_a_sum(const FusedTerm& term) const;
   void name_sums_inside_squares();
   bool gathers_flag(NodeId id) const;
   error::Hazards hazards_of(NodeId id) const;
   std::vector<Parameter> unit_parameters(const TypedNode& node, const error::Hazards& hazards,
-                                         const datapath::Step& step) const;
+                                         const datapath::Unit& unit) const;
 
   DatapathBuilder& datapath_;
   const TypedGraph& graph_;

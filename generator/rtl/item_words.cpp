@@ -6,9 +6,8 @@
 
 #include "generator/datapath/schedule.hpp"
 #include "generator/rtl/datapath_builder.hpp"
-#include "generator/rtl/fixed_lane_module.hpp"
 #include "generator/rtl/fixed_nodes.hpp"
-#include "generator/rtl/float_lane_module.hpp"
+#include "generator/rtl/lane_module.hpp"
 #include "generator/rtl/net_names.hpp"
 #include "model/common/check.hpp"
 
@@ -241,8 +240,7 @@ Module word_lane_module(const std::string& name, const WordLane& lane,
                         const datapath::Schedule& schedule) {
   std::vector<InputPort> ports;
   for (const LanePort& port : lane.ports) ports.push_back({port.name, port.width});
-  return std::visit([&](const auto& made) { return lane_module(name, ports, made, schedule); },
-                    lane.lane);
+  return lane_module(name, ports, lane.lane, schedule);
 }
 
 }  // namespace mixcmp::rtl

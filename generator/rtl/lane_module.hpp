@@ -4,13 +4,19 @@
 #include <vector>
 
 #include "generator/datapath/schedule.hpp"
+#include "generator/rtl/datapath_builder.hpp"
 #include "generator/rtl/module.hpp"
 #include "model/design/lane.hpp"
 
 namespace mixcmp::rtl {
 
-/// A lane of either number system; `header` is left to the caller.
-Module lane_module(const std::string& name, const std::vector<std::string>& inputs,
+/// A lane: ports aclk, one per input, verdict[1:0], decided. Free-running, initiation interval 1,
+/// latency schedule.latency_cycles, no reset. `header` is left to the caller.
+Module lane_module(std::string name, const std::vector<std::string>& inputs,
                    const design::Lane& lane, const datapath::Schedule& schedule);
+/// `ports`: one per input. For operands that were loaded: one per loaded input, then one per flag
+/// that is read.
+Module lane_module(std::string name, const std::vector<InputPort>& ports, const design::Lane& lane,
+                   const datapath::Schedule& schedule);
 
 }  // namespace mixcmp::rtl

@@ -17,22 +17,22 @@ Operand gathered(DatapathBuilder& datapath, const std::vector<PartDecision>& par
 
 }  // namespace
 
-PartDecision begin_decision(DatapathBuilder& datapath, const datapath::Step& step, std::size_t part,
-                            std::size_t parts, Decides decides, std::string_view what) {
+PartDecision build_decision(DatapathBuilder& datapath, const datapath::Step& step, std::size_t part,
+                            std::size_t parts, Decides decides, DecisionUnit unit) {
   const bool alone = parts == 1;
-  datapath.add(Comment{fmt::format("Cycles {} to {}: {}{}", step.start_cycle, step.ready_cycle,
-                                   alone ? "" : fmt::format("part {}, ", part), what)});
+  const std::string suffix = part_suffix(part, parts);
+  datapath.describe(step, alone ? unit.what : fmt::format("part {}, {}", part, unit.what));
+  std::string instance = alone ? "decision" : datapath.pool().unique("decision" + suffix);
   const auto output = [&](const char* name, int width) {
-    const std::string wire = alone ? name : datapath.pool().unique(name + part_suffix(part, parts));
+    const std::string wire = alone ? name : datapath.pool().unique(name + suffix);
     if (!alone) datapath.add(Wire{width, wire, nullptr});
+    unit.operands.push_back({name, net(wire)});
     return Signal{net(wire), wire, width, step.ready_cycle};
   };
-  PartDecision decision{
-      .instance =
-          alone ? "decision" : datapath.pool().unique("decision" + part_suffix(part, parts)),
-      .verdict = output("verdict", 2),
-      .decided = {}};
+  PartDecision decision{.verdict = output("verdict", 2), .decided = {}};
   if (decides == Decides::sometimes) decision.decided = output("decided", 1);
+  datapath.add(unit_instance(step, std::move(instance), std::move(unit.parameters),
+                             std::move(unit.operands)));
   return decision;
 }
 
@@ -46,18 +46,14 @@ void build_combination(DatapathBuilder& datapath, Combination combination,
   const Operand known = reference
                             ? literal(count, low_mask(count))
                             : gathered(datapath, parts, &PartDecision::decided, step.start_cycle);
-  datapath.add(Comment{fmt::format("Cycles {} to {}: less if {}.", step.start_cycle,
-                                   step.ready_cycle, any ? "any part is" : "all parts are")});
+  datapath.describe(step, any ? "less if any part is." : "less if all parts are.");
   const std::string decided = reference ? datapath.pool().unique("unused_decided") : "decided";
   if (reference) datapath.add(Wire{1, decided, nullptr});
-  datapath.add(Instance{step.unit.module,
-                        datapath.pool().unique("combination"),
-                        {{"PARTS", count}, {"ANY", any ? 1 : 0}, {"CUTS", cut_mask(step)}},
-                        {{"aclk", net("aclk")},
-                         {"verdicts", verdicts},
-                         {"known", known},
-                         {"verdict", net("verdict")},
-                         {"decided", net(decided)}}});
+  datapath.add_unit(step, "combination", {{"PARTS", count}, {"ANY", any ? 1 : 0}},
+                    {{"verdicts", verdicts},
+                     {"known", known},
+                     {"verdict", net("verdict")},
+                     {"decided", net(decided)}});
 }
 
 }  // namespace mixcmp::rtl

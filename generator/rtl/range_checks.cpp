@@ -25,18 +25,16 @@ Signal build_check(DatapathBuilder& builder, const RangeCheck& check, FloatForma
   const std::string& port = builder.port(check.input);
   const std::string name = builder.pool().unique(port + "_out_of_range");
   const int magnitude_bits = format.width() - 1;
-  builder.add(Wire{1, name, nullptr});
-  builder.add(Instance{step.unit.module,
-                       builder.pool().unique("check_" + port),
-                       {{"EXPONENT_BITS", format.exponent_bits()},
-                        {"PRECISION", format.precision()},
-                        {"SIGN", sign_parameter(check.sign)},
-                        {"LEADING_BITS", check.leading_bits},
-                        {"LEAST", Literal{magnitude_bits, check.least}},
-                        {"GREATEST", Literal{magnitude_bits, check.greatest}},
-                        {"CUTS", cut_mask(step)}},
-                       {{"aclk", net("aclk")}, {"x", net(port)}, {"fails", net(name)}}});
-  return {net(name), name, 1, step.ready_cycle};
+  Signal flag = builder.declare(name, 1, step.ready_cycle);
+  builder.add_unit(step, "check_" + port,
+                   {{"EXPONENT_BITS", format.exponent_bits()},
+                    {"PRECISION", format.precision()},
+                    {"SIGN", sign_parameter(check.sign)},
+                    {"LEADING_BITS", check.leading_bits},
+                    {"LEAST", Literal{magnitude_bits, check.least}},
+                    {"GREATEST", Literal{magnitude_bits, check.greatest}}},
+                   {{"x", net(port)}, {"fails", flag.value}});
+  return flag;
 }
 
 /// One flag per check; an empty Signal for a check of only the sign.

@@ -12,51 +12,31 @@ Parameter gradual_parameter(const Arithmetic& arithmetic) {
   return {"GRADUAL", arithmetic.subnormals == Subnormals::gradual ? 1 : 0};
 }
 
-/// Builds the comparison of a fused sum, `sum`, with zero.
-PartDecision build_fused_comparison(DatapathBuilder& datapath, FloatNodes& nodes,
-                                    const TypedGraph& reference, std::size_t part, NodeId sum,
-                                    const datapath::Step& step) {
+/// The comparison of a fused sum, `sum`, with zero.
+DecisionUnit fused_comparison(FloatNodes& nodes, const TypedGraph& reference, NodeId sum,
+                              const datapath::Step& step) {
   const TypedNode& node = reference.nodes[sum];
   const std::vector<Operand> operands = nodes.term_operands(node, step.start_cycle);
-  PartDecision made = begin_decision(datapath, step, part, reference.parts.size(), Decides::always,
-                                     "the sign of " + formula(reference, sum, nodes.names()) +
-                                         ", whose terms are cut and whose sum is not rounded.");
   std::vector<Parameter> parameters = format_parameters(reference.arithmetic.format);
   for (Parameter& term : nodes.term_parameters(node)) parameters.push_back(std::move(term));
   parameters.push_back(gradual_parameter(reference.arithmetic));
   append_technology_parameters(step.unit, parameters);
-  parameters.push_back({"CUTS", cut_mask(step)});
-  datapath.add(Instance{step.unit.module,
-                        made.instance,
-                        std::move(parameters),
-                        {{"aclk", net("aclk")},
-                         {"a", operands[0]},
-                         {"b", operands[1]},
-                         {"verdict", made.verdict.value}}});
-  return made;
+  return {"the sign of " + formula(reference, sum, nodes.names()) +
+              ", whose terms are cut and whose sum is not rounded.",
+          std::move(parameters),
+          {{"a", operands[0]}, {"b", operands[1]}}};
 }
 
-PartDecision build_comparison(DatapathBuilder& datapath, FloatNodes& nodes,
-                              const TypedGraph& reference, std::size_t part,
-                              const datapath::Step& step) {
-  const Arithmetic& arithmetic = reference.arithmetic;
-  const auto [f_node, g_node] = reference.parts[part];
-  if (reference.nodes[f_node].is_sign_of_sum()) {
-    return build_fused_comparison(datapath, nodes, reference, part, f_node, step);
+DecisionUnit comparison(DatapathBuilder& datapath, FloatNodes& nodes, const TypedGraph& reference,
+                        const Sides& part, const datapath::Step& step) {
+  if (reference.nodes[part.f].is_sign_of_sum()) {
+    return fused_comparison(nodes, reference, part.f, step);
   }
-  const Operand f = datapath.at(nodes.value(f_node), step.start_cycle);
-  const Operand g = datapath.at(nodes.value(g_node), step.start_cycle);
-  PartDecision made = begin_decision(datapath, step, part, reference.parts.size(), Decides::always,
-                                     "the ordering of two rounded numbers.");
-  std::vector<Parameter> parameters = format_parameters(arithmetic.format);
-  parameters.push_back(gradual_parameter(arithmetic));
-  parameters.push_back({"CUTS", cut_mask(step)});
-  datapath.add(
-      Instance{step.unit.module,
-               made.instance,
-               std::move(parameters),
-               {{"aclk", net("aclk")}, {"a", f}, {"b", g}, {"verdict", made.verdict.value}}});
-  return made;
+  const Operand f = datapath.at(nodes.value(part.f), step.start_cycle);
+  const Operand g = datapath.at(nodes.value(part.g), step.start_cycle);
+  std::vector<Parameter> parameters = format_parameters(reference.arithmetic.format);
+  parameters.push_back(gradual_parameter(reference.arithmetic));
+  return {"the ordering of two rounded numbers.", std::move(parameters), {{"a", f}, {"b", g}}};
 }
 
 void build_reference(DatapathBuilder& datapath, const TypedGraph& reference,
@@ -66,8 +46,10 @@ void build_reference(DatapathBuilder& datapath, const TypedGraph& reference,
   nodes.build();
   std::vector<PartDecision> parts;
   for (std::size_t part = 0; part < reference.parts.size(); ++part) {
+    const datapath::Step& step = schedule.parts[part].decision;
     parts.push_back(
-        build_comparison(datapath, nodes, reference, part, schedule.parts[part].decision));
+        build_decision(datapath, step, part, reference.parts.size(), Decides::always,
+                       comparison(datapath, nodes, reference, reference.parts[part], step)));
   }
   build_combination(datapath, reference.combination, parts, schedule.combination);
 }
