@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "model/common/cases.hpp"
 #include "model/common/check.hpp"
 
 namespace mixcmp::verilator_tb {
@@ -19,25 +18,8 @@ Verdict verdict_of(Decision decision) {
   MIXCMP_CHECK(!"a comparison that is decided");
 }
 
-using LaneEmulator = std::variant<emulator::Emulator, emulator::FixedEmulator>;
-
-LaneEmulator emulator_of(const design::Lane& lane) {
-  return std::visit(
-      Cases{
-          [](const error::Lane& made) { return LaneEmulator(emulator::Emulator(made)); },
-          [](const fixed::FixedLane& made) { return LaneEmulator(emulator::FixedEmulator(made)); }},
-      lane);
-}
-
-bool is_exact(const LaneEmulator& lane) {
-  const auto* fixed_point = std::get_if<emulator::FixedEmulator>(&lane);
-  return fixed_point == nullptr || fixed_point->is_exact_in_double();
-}
-
-void decide_all(const LaneEmulator& lane, const data::OperandBlock& operands, std::size_t count,
-                std::vector<Decision>& decisions) {
-  std::visit([&](const auto& emulator) { emulator.decide(operands.columns(), count, decisions); },
-             lane);
+emulator::Emulator emulator_of(const design::Lane& lane) {
+  return std::visit([](const auto& made) { return emulator::Emulator(made); }, lane);
 }
 
 }  // namespace
@@ -50,7 +32,8 @@ AnswerEmulator::AnswerEmulator(const design::Design& design)
 }
 
 bool AnswerEmulator::emulates(std::size_t group) const {
-  return is_exact(lanes_[group]) && (!second_tier_ || is_exact(*second_tier_));
+  return lanes_[group].is_exact_in_double() &&
+         (!second_tier_ || second_tier_->is_exact_in_double());
 }
 
 void AnswerEmulator::find(std::size_t group, Batch& batch, std::span<ResultWord> words) const {
@@ -59,9 +42,9 @@ void AnswerEmulator::find(std::size_t group, Batch& batch, std::span<ResultWord>
   if (reference_ && !batch.positions_.empty()) recompute(batch, words);
 }
 
-void AnswerEmulator::decide(const LaneEmulator& lane, Batch& batch,
+void AnswerEmulator::decide(const emulator::Emulator& lane, Batch& batch,
                             std::span<ResultWord> words) const {
-  decide_all(lane, batch.operands, words.size(), batch.decisions_);
+  lane.decide(batch.operands.columns(), words.size(), batch.decisions_);
   batch.undecided_.resize(0);
   batch.positions_.clear();
   for (std::size_t k = 0; k < words.size(); ++k) {
@@ -76,7 +59,7 @@ void AnswerEmulator::decide(const LaneEmulator& lane, Batch& batch,
 }
 
 void AnswerEmulator::decide_again(Batch& batch, std::span<ResultWord> words) const {
-  decide_all(*second_tier_, batch.undecided_, batch.positions_.size(), batch.decisions_);
+  second_tier_->decide(batch.undecided_.columns(), batch.positions_.size(), batch.decisions_);
   const std::vector<std::size_t> asked = std::exchange(batch.positions_, {});
   batch.undecided_.resize(0);
   for (std::size_t k = 0; k < asked.size(); ++k) {

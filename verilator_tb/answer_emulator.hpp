@@ -4,13 +4,11 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <variant>
 #include <vector>
 
 #include "model/data/operand_source.hpp"
 #include "model/design/design.hpp"
 #include "model/emulator/emulator.hpp"
-#include "model/emulator/fixed_emulator.hpp"
 #include "model/number/verdict.hpp"
 
 namespace mixcmp::verilator_tb {
@@ -47,16 +45,14 @@ public:
   void find(std::size_t group, Batch& batch, std::span<ResultWord> words) const;
 
 private:
-  using LaneEmulator = std::variant<emulator::Emulator, emulator::FixedEmulator>;
-
   /// Copies the decisions of a lane, and gathers in `batch` the comparisons that it left undecided.
-  void decide(const LaneEmulator& lane, Batch& batch, std::span<ResultWord> words) const;
+  void decide(const emulator::Emulator& lane, Batch& batch, std::span<ResultWord> words) const;
   /// Asks the second tier, and keeps in `batch` only the comparisons that it also leaves undecided.
   void decide_again(Batch& batch, std::span<ResultWord> words) const;
   void recompute(Batch& batch, std::span<ResultWord> words) const;
 
-  std::vector<LaneEmulator> lanes_;  ///< one per group
-  std::optional<LaneEmulator> second_tier_;
+  std::vector<emulator::Emulator> lanes_;  ///< one per group
+  std::optional<emulator::Emulator> second_tier_;
   bool marks_second_tier_;
   std::optional<emulator::Emulator> reference_;
 };

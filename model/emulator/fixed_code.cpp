@@ -64,12 +64,6 @@ FixedKernel fixed_kernel_of(Operation operation) {
   MIXCMP_CHECK(false);
 }
 
-FixedConversion conversion_of(const FixedFormat& format) {
-  return {.unit = power(format.unit_exponent),
-          .limit = power(format.unit_exponent + format.magnitude_bits()),
-          .is_signed = format.is_signed};
-}
-
 mpq_class largest_magnitude(const Range& range) {
   return std::max(mpq_class(abs(range.low)), mpq_class(abs(range.high)));
 }
@@ -110,18 +104,16 @@ class FixedCodeMaker {
 public:
   explicit FixedCodeMaker(const FixedLane& lane)
       : lane_(lane), reads_(lane.nodes.size(), 0), has_column_(lane.nodes.size(), false) {
-    code_.converted.columns = static_cast<int>(lane.nodes.size());
-    if (lane.format.is_block)
-      code_.least_block_exponent = fixed::least_block_exponent(lane.input_format);
+    code_.layout.columns = static_cast<int>(lane.nodes.size());
     count_reads();
     for (NodeId id = 0; id < node_count(); ++id) expansions_.push_back(expansion_of(id));
     choose_columns();
   }
 
   FixedCode make() {
+    add_inputs();
     for (NodeId id = 0; id < node_count(); ++id) add_node(id);
     for (const FixedPart& part : lane_.parts) add_criterion(part);
-    add_arriving();
     return std::move(code_);
   }
 
@@ -233,28 +225,43 @@ private:
     return norm.radius_is_squared ? of_column(norm.radius) : read(norm.radius);
   }
 
-  void add_node(NodeId id) {
-    const FixedNode& added = node(id);
-    if (added.operation == Operation::input) {
-      code_.inputs.push_back({.operand = added.input,
-                              .arriving = -1,
-                              .converted = id,
-                              .conversion = conversion_of(added.format)});
-      code_.converted.inputs.emplace_back(id, added.input);
-    } else if (added.operation == Operation::constant) {
-      const double value = added.constant.get_d() * power(added.format.unit_exponent);
-      code_.converted.constants.emplace_back(id, value);
-    } else if (has_column_[id]) {
-      add_instruction(id);
+  /// Operands arrive in columns of their own. In block floating point they are first divided by a
+  /// power of two, in their nodes' columns.
+  void add_inputs() {
+    FixedInstruction divide{.kernel = FixedKernel::common_power};
+    if (lane_.format.is_block) {
+      divide.least_exponent = fixed::least_block_exponent(lane_.input_format);
     }
+    std::vector<FixedInstruction> conversions;
+    for (NodeId id = 0; id < node_count(); ++id) {
+      if (node(id).operation != Operation::input) continue;
+      const int arriving = code_.layout.columns++;
+      code_.layout.inputs.emplace_back(arriving, node(id).input);
+      divide.cuts.push_back({.operand = arriving, .result = id});
+      conversions.push_back(conversion(id, lane_.format.is_block ? id : arriving));
+    }
+    if (lane_.format.is_block) code_.instructions.push_back(std::move(divide));
+    for (FixedInstruction& each : conversions) code_.instructions.push_back(std::move(each));
   }
 
-  /// Operands in floating point have columns behind all others.
-  void add_arriving() {
-    code_.arriving = code_.converted;
-    for (std::size_t k = 0; k < code_.inputs.size(); ++k) {
-      const int column = code_.arriving.columns++;
-      code_.inputs[k].arriving = code_.arriving.inputs[k].first = column;
+  FixedInstruction conversion(NodeId id, int from) const {
+    const FixedFormat& format = node(id).format;
+    return {
+        .kernel = format.is_signed ? FixedKernel::convert_signed : FixedKernel::convert_unsigned,
+        .result = id,
+        .a = from,
+        .b = from,
+        .unit = power(format.unit_exponent),
+        .beyond = power(format.unit_exponent + format.magnitude_bits())};
+  }
+
+  void add_node(NodeId id) {
+    const FixedNode& added = node(id);
+    if (added.operation == Operation::constant) {
+      const double value = added.constant.get_d() * power(added.format.unit_exponent);
+      code_.layout.constants.emplace_back(id, value);
+    } else if (added.operation != Operation::input && has_column_[id]) {
+      add_instruction(id);
     }
   }
 
@@ -264,7 +271,7 @@ private:
     if (fixed::is_reach(added)) return add_sum(id);
     if (added.operation == Operation::convert) return add_conversion(id);
     const bool truncates = added.dropped_bits > 0 || added.operation == Operation::square_root;
-    const int result = truncates ? code_.converted.columns++ : id;
+    const int result = truncates ? code_.layout.columns++ : id;
     code_.instructions.push_back({.kernel = fixed_kernel_of(added.operation),
                                   .result = result,
                                   .a = added.operands[0],
@@ -333,7 +340,7 @@ private:
 
   /// The threshold is a column, read with a slope of 1.
   void set(FixedCriterion& criterion, const fixed::RunningThresholds& thresholds, double unit) {
-    const int column = code_.converted.columns++;
+    const int column = code_.layout.columns++;
     FixedInstruction& threshold = code_.instructions.emplace_back(
         FixedInstruction{.kernel = FixedKernel::running_threshold, .result = column});
     const int last = static_cast<int>(thresholds.of_steps.size()) - 1;
@@ -351,7 +358,7 @@ private:
   }
 
   int add_root(const fixed::NormThresholds& thresholds) {
-    const int column = code_.converted.columns++;
+    const int column = code_.layout.columns++;
     FixedInstruction& root = add_unary(FixedKernel::power_above_root, column, thresholds.radius);
     root.unit = power(thresholds.unit_exponent(lane_.nodes));
     root.square_unit = power(node(thresholds.radius).format.unit_exponent);

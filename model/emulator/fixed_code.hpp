@@ -13,11 +13,7 @@ namespace mixcmp::emulator {
 /// k and is filled only if something reads it. Columns of operands in floating point and of
 /// intermediate results follow.
 struct FixedCode {
-  std::vector<FixedInput> inputs;
-  /// The least e of theorem 6 (docs/fixed_point.md); none except in block floating point.
-  std::optional<int> least_block_exponent;
-  ColumnLayout arriving;   ///< its inputs are operands in floating point
-  ColumnLayout converted;  ///< its inputs are operands that are already converted
+  ColumnLayout layout;
   std::vector<FixedInstruction> instructions;
   std::vector<FixedCriterion> criteria;  ///< one per part
 };

@@ -23,37 +23,6 @@ using Vec = hn::Vec<Tag>;
 using IntVec = hn::Vec<Int>;
 using Words = hn::RebindToUnsigned<Int>;
 
-/// The bits of a negative operand are inverted: if k is its magnitude in units, cut to an integer,
-/// the result is -k - 1. Rounding down gives the same if the magnitude is first raised to the next
-/// double: an integer k is then above k, and any other magnitude is at most k + 1.
-template <bool is_signed>
-HWY_INLINE void convert_all(const FixedConversion& conversion, const double* operands,
-                            std::size_t count, double* converted) {
-  const Vec unit = hn::Set(Tag(), conversion.unit);
-  const Vec per_unit = hn::Set(Tag(), 1 / conversion.unit);
-  const Vec limit = hn::Set(Tag(), conversion.limit);
-  const Words words;
-  for (std::size_t i = 0; i < count; i += hn::Lanes(Tag())) {
-    const Vec x = hn::LoadU(Tag(), operands + i);
-    // Bits of doubles without a sign are ordered like the doubles; those with a sign are beyond.
-    auto taken = hn::RebindMask(Tag(), hn::Lt(hn::BitCast(words, x), hn::BitCast(words, limit)));
-    Vec units = hn::Mul(x, per_unit);
-    if constexpr (is_signed) {
-      taken = hn::Lt(hn::Abs(x), limit);
-      const IntVec bits = hn::BitCast(Int(), units);
-      units = hn::BitCast(Tag(), hn::Sub(bits, hn::BroadcastSignBit(bits)));
-    }
-    const Vec number = hn::Mul(hn::Floor(units), unit);
-    hn::StoreU(hn::IfThenElse(taken, number, hn::NaN(Tag())), Tag(), converted + i);
-  }
-}
-
-void convert_fixed(const FixedConversion& conversion, const double* operands, std::size_t count,
-                   double* converted) {
-  return conversion.is_signed ? convert_all<true>(conversion, operands, count, converted)
-                              : convert_all<false>(conversion, operands, count, converted);
-}
-
 /// 2^exponent, for exponents of normal numbers.
 HWY_INLINE Vec power_of(IntVec exponent) {
   const IntVec biased = hn::Add(exponent, hn::Set(Int(), 1023));
@@ -61,13 +30,13 @@ HWY_INLINE Vec power_of(IntVec exponent) {
 }
 
 /// The division takes two steps, since the reciprocal of the largest power is no normal number.
-void divide_all(const std::vector<FixedInput>& inputs, const Block& block, int least_exponent) {
-  const IntVec least = hn::Set(Int(), least_exponent + 1022);
+void execute_common_power(const FixedInstruction& instruction, const Block& block) {
+  const IntVec least = hn::Set(Int(), instruction.least_exponent + 1022);
   const IntVec no_number = hn::Set(Int(), 2047);
   for (std::size_t i = 0; i < block.size; i += hn::Lanes(Tag())) {
     IntVec largest = hn::Zero(Int());
-    for (const FixedInput& input : inputs) {
-      const Vec magnitude = hn::Abs(hn::LoadU(Tag(), block.columns[input.arriving] + i));
+    for (const FixedCut& input : instruction.cuts) {
+      const Vec magnitude = hn::Abs(hn::LoadU(Tag(), block.columns[input.operand] + i));
       largest = hn::Max(largest, hn::BitCast(Int(), magnitude));
     }
     const IntVec biased = hn::ShiftRight<52>(largest);
@@ -76,10 +45,9 @@ void divide_all(const std::vector<FixedInput>& inputs, const Block& block, int l
     const Vec first = hn::IfThenElse(hn::RebindMask(Tag(), hn::Eq(biased, no_number)),
                                      hn::NaN(Tag()), power_of(half));
     const Vec second = power_of(hn::Sub(exponent, half));
-    for (const FixedInput& input : inputs) {
-      const Vec operand = hn::LoadU(Tag(), block.columns[input.arriving] + i);
-      hn::StoreU(hn::Mul(hn::Mul(operand, first), second), Tag(),
-                 block.results[input.converted] + i);
+    for (const FixedCut& input : instruction.cuts) {
+      const Vec operand = hn::LoadU(Tag(), block.columns[input.operand] + i);
+      hn::StoreU(hn::Mul(hn::Mul(operand, first), second), Tag(), block.results[input.result] + i);
     }
   }
 }
@@ -222,9 +190,39 @@ HWY_INLINE Vec or_no_number(Vec a, Vec b, Vec chosen) {
   return hn::IfThenElse(numbers, chosen, hn::NaN(Tag()));
 }
 
+/// The bits of a negative operand are inverted: if k is its magnitude in units, cut to an integer,
+/// the result is -k - 1. Rounding down gives the same if the magnitude is first raised to the next
+/// double: an integer k is then above k, and any other magnitude is at most k + 1. The result may
+/// have the operand's column.
+template <bool is_signed>
+HWY_INLINE void execute_conversion(const FixedInstruction& instruction, const Block& block) {
+  const Vec unit = hn::Set(Tag(), instruction.unit);
+  const Vec per_unit = hn::Set(Tag(), 1 / instruction.unit);
+  const Vec limit = hn::Set(Tag(), instruction.beyond);
+  const double* const operands = block.columns[instruction.a];
+  double* const results = block.results[instruction.result];
+  const Words words;
+  for (std::size_t i = 0; i < block.size; i += hn::Lanes(Tag())) {
+    const Vec x = hn::LoadU(Tag(), operands + i);
+    // Bits of doubles without a sign are ordered like the doubles; those with a sign are beyond.
+    auto taken = hn::RebindMask(Tag(), hn::Lt(hn::BitCast(words, x), hn::BitCast(words, limit)));
+    Vec units = hn::Mul(x, per_unit);
+    if constexpr (is_signed) {
+      taken = hn::Lt(hn::Abs(x), limit);
+      const IntVec bits = hn::BitCast(Int(), units);
+      units = hn::BitCast(Tag(), hn::Sub(bits, hn::BroadcastSignBit(bits)));
+    }
+    const Vec number = hn::Mul(hn::Floor(units), unit);
+    hn::StoreU(hn::IfThenElse(taken, number, hn::NaN(Tag())), Tag(), results + i);
+  }
+}
+
 void execute_one(const FixedInstruction& instruction, const Block& block) {
   const auto each = [&](auto function) HWY_ATTR { loop(instruction, block, function); };
   switch (instruction.kernel) {
+    case FixedKernel::common_power: return execute_common_power(instruction, block);
+    case FixedKernel::convert_signed: return execute_conversion<true>(instruction, block);
+    case FixedKernel::convert_unsigned: return execute_conversion<false>(instruction, block);
     case FixedKernel::sum: return execute_sum(instruction, block);
     case FixedKernel::common_cut: return execute_common_cut(instruction, block);
     case FixedKernel::running_threshold: return execute_running_threshold(instruction, block);
@@ -317,20 +315,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace mixcmp::emulator {
 
-HWY_EXPORT(convert_fixed);
-HWY_EXPORT(divide_all);
 HWY_EXPORT(execute_fixed);
 HWY_EXPORT(decide_fixed);
-
-void convert(const FixedConversion& conversion, const double* operands, std::size_t count,
-             double* converted) {
-  HWY_DYNAMIC_DISPATCH(convert_fixed)(conversion, operands, count, converted);
-}
-
-void divide_by_common_power(const std::vector<FixedInput>& inputs, const Block& block,
-                            int least_exponent) {
-  HWY_DYNAMIC_DISPATCH(divide_all)(inputs, block, least_exponent);
-}
 
 void execute(const std::vector<FixedInstruction>& instructions, const Block& block) {
   HWY_DYNAMIC_DISPATCH(execute_fixed)(instructions, block);

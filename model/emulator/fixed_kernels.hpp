@@ -10,22 +10,6 @@
 /// Numbers beyond a reach may be rounded; docs/emulator.md says why that changes no decision.
 namespace mixcmp::emulator {
 
-/// How a lane converts an operand. One that it does not take becomes a NaN.
-struct FixedConversion {
-  double unit = 1;   ///< u, a power of two
-  double limit = 0;  ///< magnitudes below this power of two are taken
-  bool is_signed = false;
-};
-
-/// An operand that a lane reads: the column where it arrives, and the column of the converted
-/// number.
-struct FixedInput {
-  int operand = -1;
-  int arriving = -1;
-  int converted = -1;
-  FixedConversion conversion;
-};
-
 /// One term of a sum: a, a b, (a + b)^2 or (a - b)^2 of columns a and b, or its negative.
 struct FixedTerm {
   enum class Kind : std::uint8_t { value, product, square_of_sum, square_of_difference };
@@ -39,6 +23,14 @@ struct FixedTerm {
 using FixedSum = std::vector<FixedTerm>;
 
 enum class FixedKernel : std::uint8_t {
+  /// Block floating point: divides the operands of all `cuts` by the least power of two above all
+  /// their magnitudes, or by 2^`least_exponent` if that is larger. If one operand is not a finite
+  /// number, all become NaNs.
+  common_power,
+  /// a, converted as a lane converts an operand to multiples of `unit`. Only magnitudes below
+  /// `beyond` are taken, and by convert_unsigned no sign; others become NaNs.
+  convert_signed,
+  convert_unsigned,
   sum,  ///< of `terms`; the others have the operands a and b
   absolute,
   minimum,
@@ -52,7 +44,8 @@ enum class FixedKernel : std::uint8_t {
   running_threshold,
 };
 
-/// A common cut of one column, which holds multiples of `unit`.
+/// One column of an instruction that changes several together. In a common cut, it holds multiples
+/// of `unit`.
 struct FixedCut {
   int operand = -1;
   int result = -1;
@@ -79,6 +72,7 @@ struct FixedInstruction {
   std::vector<FixedWatched> watched = {};  ///< of a running threshold
   std::vector<double> of_steps = {};       ///< [step]: its threshold, a number
   double beyond = 0;  ///< of common cuts: 2^W, above all their results' magnitudes, in units
+  int least_exponent = 0;
 };
 
 /// Greater iff D >= slope_above s + offset_above, less iff -D > slope_below s + offset_below, where
@@ -92,14 +86,6 @@ struct FixedCriterion {
   std::uint8_t greater = 2, less = 0, otherwise = 4;
 };
 
-/// `count`: a multiple of block_granularity.
-void convert(const FixedConversion& conversion, const double* operands, std::size_t count,
-             double* converted);
-/// Block floating point: divides the operands of each comparison by the least power of two above
-/// all their magnitudes, or by 2^`least_exponent` if that is larger. If one operand is not a finite
-/// number, all become NaNs.
-void divide_by_common_power(const std::vector<FixedInput>& inputs, const Block& block,
-                            int least_exponent);
 void execute(const std::vector<FixedInstruction>& instructions, const Block& block);
 /// Writes one code of Decision per comparison.
 void decide(const FixedCriterion& criterion, const Block& block, std::uint8_t* codes);

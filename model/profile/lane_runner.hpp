@@ -2,10 +2,9 @@
 
 #include <optional>
 #include <span>
-#include <variant>
 
 #include "model/design/lane.hpp"
-#include "model/emulator/fixed_emulator.hpp"
+#include "model/emulator/emulator.hpp"
 #include "model/profile/profile.hpp"
 
 namespace mixcmp::profile {
@@ -15,14 +14,14 @@ class LaneRunner {
 public:
   LaneRunner(SchemeKind kind, const std::optional<design::Lane>& lane);
 
-  bool exists() const { return !std::holds_alternative<std::monostate>(emulator_); }
+  bool exists() const { return emulator_.has_value(); }
   /// Decides as the scheme's lane does. `operands` as for emulator::Emulator.
   void decide(emulator::OperandColumns operands, std::size_t count,
               std::span<Decision> decisions) const;
 
 private:
-  SchemeKind kind_;
-  std::variant<std::monostate, emulator::Emulator, emulator::FixedEmulator> emulator_;
+  std::optional<emulator::Emulator> emulator_;
+  bool compares_ = false;  ///< by the order of f and g, whatever the bound
 };
 
 }  // namespace mixcmp::profile

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "model/common/vector_clones.hpp"
-#include "model/emulator/fixed_emulator.hpp"
+#include "model/emulator/emulator.hpp"
 #include "model/error/certified_lane.hpp"
 #include "tests/support/sphere.hpp"
 
@@ -132,32 +132,14 @@ void by_emulator(benchmark::State& state, std::int64_t target, LaneInputs inputs
   time(state, Emulator(lane), task, target);
 }
 
-/// A lane in fixed point; `converted`: operands converted beforehand, as by a system that converts
-/// them when they are loaded.
-void by_fixed_emulator(benchmark::State& state, std::int64_t target, bool converted) {
-  choose_instruction_set(target);
+void by_fixed_lane(benchmark::State& state, std::int64_t target) {
   const std::vector<std::optional<Range>> ranges(operand_count, Range{0, 100});
-  const emulator::FixedEmulator emulator(
+  const Emulator emulator(
       fixed::fixed_lane(
           test::sphere_graph(), test::format("s53e8"),
           {.format = {static_cast<int>(state.range(0))}, .bound = {}, .ranges = ranges})
           .value());
-  const Pairs arriving, loaded;
-  for (std::size_t operand = 0; operand < operand_count; ++operand) {
-    emulator.convert(static_cast<int>(operand), {arriving.pointers[operand], pair_count},
-                     {loaded.columns[operand].get(), pair_count});
-  }
-  std::vector<Decision> decisions(pair_count);
-  for (auto unused : state) {
-    if (converted) {
-      emulator.decide_converted(loaded.pointers, pair_count, decisions);
-    } else {
-      emulator.decide(arriving.pointers, pair_count, decisions);
-    }
-    benchmark::ClobberMemory();
-  }
-  count_comparisons(state);
-  choose_instruction_set(0);
+  time(state, emulator, Task::decide, target);
 }
 
 void by_reference(benchmark::State& state, std::int64_t target) {
@@ -199,15 +181,11 @@ void register_emulator(std::int64_t target) {
           ->Arg(52);
     }
   }
-  for (const bool converted : {false, true}) {
-    benchmark::RegisterBenchmark(
-        ("emulator/" + set + "/fixed/" + (converted ? "converted" : "arriving")).c_str(),
-        by_fixed_emulator, target, converted)
-        ->Arg(8)
-        ->Arg(13)
-        ->Arg(17)
-        ->Arg(24);
-  }
+  benchmark::RegisterBenchmark(("emulator/" + set + "/fixed").c_str(), by_fixed_lane, target)
+      ->Arg(8)
+      ->Arg(13)
+      ->Arg(17)
+      ->Arg(24);
   benchmark::RegisterBenchmark(("emulator/" + set + "/reference").c_str(), by_reference, target);
 }
 

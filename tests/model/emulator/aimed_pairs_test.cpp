@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "model/emulator/fixed_emulator.hpp"
+#include "model/emulator/emulator.hpp"
 #include "tests/support/sphere.hpp"
 
 /// Pairs of spheres that nearly touch, closer to a tie than a lane in fixed point can see or just
@@ -15,7 +15,7 @@
 namespace mixcmp::test::aimed_pairs_test {
 namespace {
 
-using emulator::FixedEmulator;
+using emulator::Emulator;
 
 /// Coordinates and radii below 100 in steps of 2^-16: 23 bits. A lane sees the first W of them.
 constexpr int step_bits = 16;
@@ -76,7 +76,7 @@ class AimedAt : public testing::TestWithParam<int> {};
 
 TEST_P(AimedAt, NoVerdictIsWrong) {
   const std::vector<std::optional<Range>> ranges(8, Range{0, 100});
-  const FixedEmulator lane(
+  const Emulator lane(
       fixed::fixed_lane(sphere_graph(), format("s53e8"),
                         {.format = {GetParam()}, .bound = BoundKind::norm, .ranges = ranges})
           .value());

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "model/emulator/fixed_emulator.hpp"
+#include "model/emulator/emulator.hpp"
+#include "model/emulator/fixed_code.hpp"
 #include "model/golden/fixed_evaluate.hpp"
 #include "model/number/double.hpp"
 #include "tests/model/emulator/against_golden.hpp"
@@ -17,7 +18,6 @@ namespace mixcmp::test::fixed_test {
 namespace {
 
 using emulator::Emulator;
-using emulator::FixedEmulator;
 using fixed::FixedLane;
 using Columns = std::vector<std::vector<double>>;
 using Random = std::mt19937_64;
@@ -80,7 +80,7 @@ std::vector<Decision> golden_decisions(const FixedLane& lane, const Columns& col
 
 void expect_golden(const std::string& name, const FixedLane& lane, const Columns& columns) {
   const std::vector<Decision> expected = golden_decisions(lane, columns);
-  const FixedEmulator emulator(lane);
+  const Emulator emulator(lane);
   for_each_instruction_set([&] {
     std::vector<Decision> got(expected.size());
     emulator.decide(pointers(columns), got.size(), got);
@@ -192,7 +192,7 @@ TEST(FixedSums, OfTermsThatDoubleCannotAddAreAddedNodeByNode) {
       graph_of("within(a, 2040, 2046) + (within(b, 1024, 1025) - within(c, 1024, 1025))",
                "within(d, 2040, 2046)");
   const FixedLane lane = lane_of(graph, 53, std::vector(4, std::optional(Range{1024, 2047})));
-  ASSERT_TRUE(FixedEmulator(lane).is_exact_in_double());
+  ASSERT_TRUE(Emulator(lane).is_exact_in_double());
   Random random(8);
   Columns columns(4);
   const auto fraction = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
@@ -248,37 +248,15 @@ TEST(GuardedParts, AreTheGoldenModelsBitForBit) {
 }
 
 /// The squares, their sum and the radius of spheres are computed where the decision reads them.
-TEST(FixedCode, OfSpheresStoresNothing) {
+TEST(FixedCode, OfSpheresStoresOnlyTheOperands) {
   const auto code = emulator::make_fixed_code(sphere_lane(24));
   ASSERT_TRUE(code.has_value());
-  EXPECT_TRUE(code->instructions.empty());
+  EXPECT_EQ(code->instructions.size(), 8u);
+  for (const emulator::FixedInstruction& each : code->instructions) {
+    EXPECT_EQ(each.kernel, emulator::FixedKernel::convert_unsigned);
+  }
   EXPECT_EQ(code->criteria.front().difference.size(), 4u);
   EXPECT_EQ(code->criteria.front().radius.size(), 2u);
-}
-
-TEST(ConvertedOperands, AreDecidedLikeThoseThatArrive) {
-  Random random(3);
-  const FixedLane lane = sphere_lane(13);
-  const Columns columns = hard_columns(std::vector(8, std::optional(Range{0, 100})), 1001, random);
-  const FixedEmulator emulator(lane);
-  ASSERT_TRUE(emulator.is_exact_in_double());
-  Columns converted(8, std::vector<double>(1001));
-  for (int input = 0; input < 8; ++input) {
-    emulator.convert(input, columns[input], converted[input]);
-  }
-  std::vector<Decision> decided(1001);
-  emulator.decide_converted(pointers(converted), 1001, decided);
-  EXPECT_EQ(decided, golden_decisions(lane, columns));
-}
-
-TEST(ConvertedOperands, AreTruncatedToTheUnit) {
-  const FixedEmulator emulator(sphere_lane(13));  // of 2^-6
-  const std::vector<double> operands = {0x1.8p-6, 99.99, 128, -0.0, std::nan("")};
-  std::vector<double> converted(5);
-  emulator.convert(0, operands, converted);
-  EXPECT_EQ(converted[0], 0x1p-6);
-  EXPECT_EQ(converted[1], 99.984375);
-  for (int k = 2; k < 5; ++k) EXPECT_TRUE(std::isnan(converted[k])) << k;
 }
 
 TEST(WideFixedLanes, FallBackToTheGoldenModel) {
@@ -286,7 +264,7 @@ TEST(WideFixedLanes, FallBackToTheGoldenModel) {
   const Columns columns = hard_columns(std::vector(8, std::optional(Range{0, 100})), 10, random);
   std::vector<Decision> decisions(10);
   for (const auto& [bits, fallbacks] : {std::pair{25, 0u}, std::pair{26, 10u}}) {
-    const FixedEmulator emulator(sphere_lane(bits));
+    const Emulator emulator(sphere_lane(bits));
     emulator.decide(pointers(columns), 10, decisions);
     EXPECT_EQ(emulator.fallbacks(), fallbacks) << bits;
     EXPECT_EQ(emulator.is_exact_in_double(), fallbacks == 0) << bits;
@@ -297,7 +275,7 @@ TEST(FixedBatches, WriteNothingBeyondThem) {
   Random random(5);
   const Columns columns = hard_columns(std::vector(8, std::optional(Range{0, 100})), 45, random);
   std::vector<Decision> decisions(100, Decision::unordered);
-  FixedEmulator(sphere_lane(17)).decide(pointers(columns), 45, decisions);
+  Emulator(sphere_lane(17)).decide(pointers(columns), 45, decisions);
   EXPECT_NE(decisions[44], Decision::unordered);
   for (std::size_t k = 45; k < 100; ++k) EXPECT_EQ(decisions[k], Decision::unordered);
 }
