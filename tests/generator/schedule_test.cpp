@@ -12,9 +12,9 @@
 
 #include "generator/datapath/delays.hpp"
 #include "generator/datapath/embedded_square.hpp"
+#include "generator/datapath/scheduler.hpp"
 #include "generator/datapath/squared_sum.hpp"
 #include "generator/datapath/stage_list.hpp"
-#include "generator/datapath/scheduler.hpp"
 #include "model/error/certified_lane.hpp"
 #include "model/expression/parser.hpp"
 #include "tests/support/graphs.hpp"
