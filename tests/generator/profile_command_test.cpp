@@ -239,7 +239,7 @@ TEST_F(ProfileCommand, ResultsReplaceNoInput) {
   expect_profile_refused("scene.toml --areas out/trade.csv -o out", "would be written over");
   EXPECT_EQ(read("out/trade.csv").substr(0, 7), "scheme,");
   write("empty.csv", "scheme,precision,luts\n");
-  expect_profile_refused("scene.toml --areas empty.csv", "the header alone");
+  expect_profile_refused("scene.toml --areas empty.csv", "only the header");
 }
 
 TEST_F(ProfileCommand, RefusesWhatCannotBeProfiled) {

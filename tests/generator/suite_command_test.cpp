@@ -139,7 +139,7 @@ TEST_F(SuiteCommand, AFailedRunEndsWithItsLeastCounterexample) {
   const auto report = nlohmann::json::parse(wrong.output);
   EXPECT_EQ(report["mismatch_count"], 2);
   const auto least = report["counterexample"];
-  EXPECT_EQ(least["comparisons"], "comparison 0 alone") << "1, 2 and 3 have the fewest digits";
+  EXPECT_EQ(least["comparisons"], "only comparison 0") << "1, 2 and 3 have the fewest digits";
   EXPECT_EQ(least["mismatch"]["got"], "less, decided by the lane");
   EXPECT_EQ(least["waves"],
             "mixcmp verify scene.toml --simulator icarus --only 0 --trace counterexample.fst");
