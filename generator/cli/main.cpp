@@ -10,7 +10,9 @@
 #include <new>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "generator/cli/completion.hpp"
 #include "generator/cli/exit.hpp"
 #include "generator/cli/usage.hpp"
 #include "generator/cli/verbs.hpp"
@@ -94,8 +96,6 @@ void check_working_directory() {
 }
 
 void run(int argc, char** argv) {
-  check_working_directory();
-  check_arguments(argc, argv);
   CLI::App app("Turns a numerical comparison, the sign of f(x) - g(y), into verified Verilog.",
                "mixcmp");
   add_version_options(app);
@@ -115,6 +115,12 @@ void run(int argc, char** argv) {
   mixcmp::cli::add_completion(app);
   mixcmp::cli::add_report(app);
   mixcmp::cli::add_manual(app);  // the last one, which names all verbs
+  if (argc > 1 && argv[1] == std::string_view(mixcmp::cli::complete_option)) {
+    const std::vector<std::string> words(argv + 2, argv + argc);
+    return mixcmp::cli::print(completions(mixcmp::cli::command_table(app), words));
+  }
+  check_working_directory();
+  check_arguments(argc, argv);
   parse_and_run(app, argc, argv);
 }
 

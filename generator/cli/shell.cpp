@@ -19,11 +19,6 @@
 namespace mixcmp::cli {
 namespace {
 
-std::string completion_for(const std::string& shell, const CommandTable& table) {
-  if (shell == "bash") return bash_completion(table);
-  return shell == "zsh" ? zsh_completion(table) : fish_completion(table);
-}
-
 /// Writes one page for the program and one for each verb.
 void write_pages(const std::filesystem::path& folder, const CommandTable& table) {
   value_or_exit(make_writable_folder(folder));
@@ -55,7 +50,7 @@ void add_completion(CLI::App& app) {
   verb.option("SHELL", *shell, "the shell; bash reads: source <(mixcmp completion bash)")
       .required()
       .one_of({"bash", "zsh", "fish"});
-  verb.when_chosen([shell, &app] { print(completion_for(*shell, command_table(app))); });
+  verb.when_chosen([shell] { print(completion_script(*shell)); });
 }
 
 void add_manual(CLI::App& app) {

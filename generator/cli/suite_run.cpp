@@ -32,15 +32,15 @@ Json verify_report(const std::string& text) {
 
 constexpr const char* key_field = "key";
 
-/// The name that a kept report must contain, so that a file under another report's name is not
-/// taken.
-std::string key_of(const fs::path& kept) {
+/// The key in a report's name. The report must contain it, so that a file under another report's
+/// name is not taken.
+std::string name_key(const fs::path& kept) {
   return kept.stem().string();
 }
 
 /// The text of a report for this file.
 std::string kept_text(const fs::path& kept, const std::string& report) {
-  Json json = {{key_field, key_of(kept)}};
+  Json json = {{key_field, name_key(kept)}};
   json.update(Json::parse(report));
   return report::json_text(json);
 }
@@ -104,7 +104,7 @@ RunOutcome kept_outcome(const fs::path& kept) {
   const auto text = read_file(kept);
   if (kept.empty() || !text.ok()) return {};
   Json report = verify_report(*text);
-  if (!report.is_object() || report.value(key_field, Json()) != key_of(kept)) return {};
+  if (!report.is_object() || report.value(key_field, Json()) != name_key(kept)) return {};
   report.erase(key_field);
   const double seconds = report.value("build_seconds", 0.0) + report.value("run_seconds", 0.0);
   const Outcome outcome = report["passed"] == true ? Outcome::passed : Outcome::failed;

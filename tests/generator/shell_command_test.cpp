@@ -16,13 +16,22 @@ namespace fs = std::filesystem;
 
 class ShellCommand : public ProgramTest {
 protected:
-  /// The completions that bash offers behind these words, one a line; the last word is the one to
+  /// The words that the program offers behind these words, one a line; the last word is the one to
   /// complete.
   std::string offered(const std::string& words) {
+    const Outcome run = mixcmp("--complete " + words);
+    EXPECT_EQ(run.exit_code, 0) << words;
+    return std::regex_replace(run.output, std::regex("\t.*"), "");
+  }
+
+  /// What bash makes of them where the line ends in these words.
+  std::string bash(const std::string& words) {
     EXPECT_EQ(mixcmp("completion bash >script").exit_code, 0);
-    write("complete", "source ./script\nCOMP_WORDS=(mixcmp " + words +
-                          ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_mixcmp\n"
-                          "printf '%s\\n' \"${COMPREPLY[@]}\"\n");
+    write("complete", fmt::format("source ./script\nCOMP_WORDBREAKS=' ='\nCOMP_WORDS=('{}' {})\n"
+                                  "COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1))\n"
+                                  "compopt() {{ echo \"compopt $*\"; }}\n_mixcmp\n"
+                                  "printf '%s\\n' \"${{COMPREPLY[@]}}\"\n",
+                                  MIXCMP_PROGRAM, words));
     return shell(fmt::format("cd '{}' && bash complete", directory_.path().string())).output;
   }
 
@@ -70,7 +79,7 @@ TEST_F(ShellCommand, TheOptionsOfTheVersionGoWithItAlone) {
   expect_refused("--verbose check scene.toml", "--verbose requires --version");
 }
 
-TEST_F(ShellCommand, BashCompletesVerbsOptionsAndWords) {
+TEST_F(ShellCommand, VerbsOptionsAndValuesComplete) {
   const std::string all = offered("''");
   EXPECT_EQ(all.find("--"), std::string::npos) << all;
   for (const char* verb : {"check\n", "generate\n", "optimise\n", "completion\n", "manual\n"}) {
@@ -81,20 +90,56 @@ TEST_F(ShellCommand, BashCompletesVerbsOptionsAndWords) {
   EXPECT_EQ(offered("generate --form"), "--format\n");
   EXPECT_EQ(offered("generate scene.toml --no"), "--no-prove\n");
   EXPECT_EQ(offered("optimise --use-multipliers l"), "logic\n");
+  EXPECT_EQ(offered("optimise --use-multipliers=l"), "--use-multipliers=logic\n");
   EXPECT_EQ(offered("completion ''"), "bash\nzsh\nfish\n");
-  EXPECT_EQ(offered("sweep ''"), "plan\nrun\nmerge\n");
-  EXPECT_EQ(offered("sweep --shard 1/2 m"), "merge\n");
-  EXPECT_EQ(offered("sweep plan ''"), "\n") << "a path";
-  EXPECT_EQ(offered("sweep plan --sh"), "--shard\n");
-  EXPECT_EQ(offered("manual gen"), "generate\n");
   EXPECT_EQ(offered("manual rep"), "report\n");
+  EXPECT_EQ(offered("check --quiet --form"), "--format\n") << "a flag takes no word";
 }
 
-/// Nothing is offered where a path or a number stands: bash itself completes paths.
-TEST_F(ShellCommand, BashLeavesPathsToItself) {
-  EXPECT_EQ(offered("check ''"), "\n");
-  EXPECT_EQ(offered("generate -o ''"), "\n");
-  EXPECT_EQ(offered("generate --format ''"), "\n");
+TEST_F(ShellCommand, EachArgumentCompletesInItsPlace) {
+  EXPECT_EQ(offered("sweep ''"), "plan\nrun\nmerge\n");
+  EXPECT_EQ(offered("sweep --shard 1/2 m"), "merge\n");
+  EXPECT_EQ(offered("sweep --shard=1/2 m"), "merge\n");
+  EXPECT_EQ(offered("sweep plan ''"), ":path\n");
+  EXPECT_EQ(offered("sweep plan file ''"), "") << "there are two arguments";
+  EXPECT_EQ(offered("sweep plan --sh"), "--shard\n");
+}
+
+TEST_F(ShellCommand, PathsAndFreeTextsAreLeftToTheShell) {
+  EXPECT_EQ(offered("check ''"), ":path\n");
+  EXPECT_EQ(offered("generate -o some"), ":path\n");
+  EXPECT_EQ(offered("generate --format ''"), "");
+}
+
+TEST_F(ShellCommand, OptionsAreOfferedAgainOnlyIfTheyMayBeRepeated) {
+  EXPECT_EQ(offered("generate --quiet --q"), "");
+  EXPECT_EQ(offered("generate -o folder --outp"), "") << "--output by its other name";
+  EXPECT_EQ(offered("generate --set a=1 --se"), "--set\n");
+}
+
+TEST_F(ShellCommand, CandidatesHaveTheirHelp) {
+  EXPECT_EQ(mixcmp("--complete --vers").output, "--version\tprint version and commit\n");
+  EXPECT_NE(mixcmp("--complete manual gen").output.find("generate\tthe verb that"),
+            std::string::npos);
+}
+
+TEST_F(ShellCommand, CompletionRunsNothingAndFailsOnNothing) {
+  for (const char* words : {"", "nosuchverb ''", "check --nosuchoption=", "check $'\\1' x", "=",
+                            "manual generate", "check missing.toml"}) {
+    const Outcome run = mixcmp(fmt::format("--complete {}", words));
+    EXPECT_EQ(run.exit_code, 0) << words;
+    EXPECT_EQ(run.output.find("mixcmp: "), std::string::npos) << run.output;
+  }
+  EXPECT_EQ(offered("manual generate"), "generate\n");
+  EXPECT_EQ(mixcmp("--help").output.find("--complete"), std::string::npos);
+}
+
+TEST_F(ShellCommand, BashTakesCandidatesFromTheProgram) {
+  EXPECT_EQ(bash("gen"), "generate\n");
+  EXPECT_EQ(bash("completion ''"), "bash\nzsh\nfish\n");
+  EXPECT_EQ(bash("optimise --use-multipliers = l"), "logic\n");
+  EXPECT_EQ(bash("generate --set a = 1 ''"), "compopt -o default\n\n");
+  EXPECT_EQ(bash("generate --format ''"), "\n");
 }
 
 TEST_F(ShellCommand, CompletionsListEveryOptionThatHelpLists) {
@@ -112,23 +157,22 @@ TEST_F(ShellCommand, CompletionsListEveryOptionThatHelpLists) {
   }
 }
 
-TEST_F(ShellCommand, ZshNumbersArguments) {
-  const std::string script = mixcmp("completion zsh").output;
-  EXPECT_NE(script.find("'1:TEXT\\:{plan,run,merge}:(plan run merge)'"), std::string::npos);
-  EXPECT_NE(script.find("'2:PATH:_files'"), std::string::npos);
-}
-
-TEST_F(ShellCommand, ZshReadsItsCompletion) {
+TEST_F(ShellCommand, ZshTakesCandidatesFromTheProgram) {
   if (!has("zsh")) GTEST_SKIP() << "zsh is not installed";
   mixcmp("completion zsh >_mixcmp");
-  const Outcome read = shell(fmt::format("cd '{}' && zsh -n _mixcmp", directory_.path().string()));
-  EXPECT_EQ(read.exit_code, 0) << read.output;
-  // The function itself, in a shell where the builtin that takes the specifications is replaced.
+  // Its builtins print what they are given.
   write("run",
-        "_arguments() { print -r -- \"$@\"; return 1 }\n_describe() { print -r -- $verbs }\n"
-        "_files() { : }\nstate=verb\nsource ./_mixcmp\n");
-  const Outcome run = shell(fmt::format("cd '{}' && zsh -f run", directory_.path().string()));
-  EXPECT_NE(run.output.find("--version["), std::string::npos) << run.output;
+        "_describe() { print -rl -- $lines }\n_files() { print files }\n"
+        "words=(\"$@\") CURRENT=$#\nsource ./_mixcmp\n");
+  const auto complete = [&](const std::string& words) {
+    return shell(fmt::format("cd '{}' && zsh -f run '{}' {}", directory_.path().string(),
+                             MIXCMP_PROGRAM, words))
+        .output;
+  };
+  EXPECT_EQ(complete("--vers"), "--version:print version and commit\n");
+  EXPECT_TRUE(complete("generate --no-p").starts_with("--no-prove:"));
+  EXPECT_EQ(complete("check ''"), "files\n");
+  EXPECT_EQ(complete("nosuchverb"), "\n") << "nothing";
 }
 
 TEST_F(ShellCommand, FishCompletesVerbsOptionsAndWords) {
@@ -136,13 +180,16 @@ TEST_F(ShellCommand, FishCompletesVerbsOptionsAndWords) {
   mixcmp("completion fish >mixcmp.fish");
   const auto complete = [&](const std::string& line) {
     return shell(fmt::format("cd '{0}' && HOME='{0}' fish --no-config -c 'source mixcmp.fish; "
-                             "complete -C \"mixcmp {1}\"'",
-                             directory_.path().string(), line))
+                             "complete -C \"{1} {2}\"'",
+                             directory_.path().string(), MIXCMP_PROGRAM, line))
         .output;
   };
   EXPECT_TRUE(complete("gen").starts_with("generate\t")) << complete("gen");
   EXPECT_TRUE(complete("generate --no-p").starts_with("--no-prove\t"));
   EXPECT_TRUE(complete("optimise --use-multipliers l").starts_with("logic\t"));
+  EXPECT_TRUE(complete("optimise --use-multipliers=l").starts_with("--use-multipliers=logic\t"));
+  EXPECT_EQ(complete("check mixc"), "mixcmp.fish\n");
+  EXPECT_EQ(complete("generate --format mixc"), "");
 }
 
 TEST_F(ShellCommand, EveryVerbHasAPageWithEveryOption) {
