@@ -9,11 +9,11 @@
 
 namespace mixcmp::cli {
 
-/// One run of `mixcmp verify` in a regression suite.
+/// One run of a verb, `verify` or `characterise`, that a table of a suite or a sweep asks for.
 struct SuiteRun {
   std::filesystem::path scene;
   std::vector<std::string> options;  ///< words of the command line
-  std::string name;                  ///< scene and options as the suite writes them
+  std::string name;                  ///< scene and options as the file writes them
   int portions = 1;                  ///< in how many portions a sweep makes it
   std::string group = {};            ///< "run", the table of the file that asks for it
   std::string file = {};             ///< the file of that table

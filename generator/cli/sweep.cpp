@@ -118,7 +118,8 @@ void plan(const SweepCommand& command) {
   std::string text;
   for (const auto& [key, what] : sweep.jobs()) text += fmt::format("{:<32}  {}\n", key, what);
   print(fmt::format("{}{}, {} of them to do: mixcmp sweep run {} [--shard K/N]\n", text,
-                    number_of_jobs(planned["jobs"].size()), missing_jobs(sweep, folder).size(),
+                    number_of_jobs(planned["jobs"].size()),
+                    jobs_to_do(sweep, folder, Failed::is_done).size(),
                     quoted(folder.path.string())));
 }
 
@@ -165,21 +166,6 @@ void verify(const SweepRun& run, const SweepFolder& folder, const fs::path& work
   }
 }
 
-/// The jobs that need no repetition: measured, or verified and passed.
-std::set<std::string> finished_jobs(const Sweep& sweep, const SweepFolder& folder) {
-  const std::set<std::string> missing = missing_jobs(sweep, folder);
-  std::set<std::string> finished;
-  for (const auto& [key, what] : sweep.jobs()) {
-    if (!missing.contains(key)) finished.insert(key);
-  }
-  for (const SweepRun& run : sweep.runs) {
-    for (const std::string& key : run.keys) {
-      if (kept_outcome(folder.report_of(key)).outcome != Outcome::passed) finished.erase(key);
-    }
-  }
-  return finished;
-}
-
 void end_unless_done(const ShardOutcome& outcome) {
   if (outcome.interrupted_by != 0) throw Exit::interrupted(outcome.interrupted_by);
   if (outcome.refuted > 0) throw Exit(ExitCode::refuted);
@@ -193,8 +179,8 @@ void run_shard(const SweepCommand& command) {
   const Fraction shard = command.shard.value_or(Fraction{});
   std::set<std::string> keys = keys_of(sweep, shard);
   ShardOutcome outcome{.jobs = keys.size()};
-  for (const std::string& key : finished_jobs(sweep, folder))
-    outcome.done_before += keys.erase(key);
+  const std::set<std::string> to_do = jobs_to_do(sweep, folder, Failed::is_repeated);
+  outcome.done_before = std::erase_if(keys, [&](const auto& key) { return !to_do.contains(key); });
   for (const SweepTable& table : sweep.tables) measure(table, keys, outcome);
   for (const SweepRun& run : sweep.runs) verify(run, folder, work, keys, outcome);
   if (command.json) {
@@ -215,7 +201,7 @@ void run_shard(const SweepCommand& command) {
 
 /// Ends the program if results are missing.
 void end_if_missing(const Sweep& sweep, const SweepFolder& folder, bool json) {
-  const std::set<std::string> missing = missing_jobs(sweep, folder);
+  const std::set<std::string> missing = jobs_to_do(sweep, folder, Failed::is_done);
   if (missing.empty()) return;
   if (json) print(report::json_text({{"missing", missing}}));
   const auto jobs = sweep.jobs();

@@ -113,20 +113,23 @@ Result<Done> check_runs(const Sweep& sweep) {
   return Done{};
 }
 
-std::set<std::string> missing_jobs(const Sweep& sweep, const SweepFolder& folder) {
+std::set<std::string> jobs_to_do(const Sweep& sweep, const SweepFolder& folder, Failed failed) {
   const characterise::ResultFolder results(folder.results());
-  std::set<std::string> missing;
+  std::set<std::string> to_do;
   for (const SweepTable& table : sweep.tables) {
     for (const components::PlannedJob& job : table.jobs) {
-      if (!results.find(job.hash)) missing.insert(job.hash);
+      if (!results.find(job.hash)) to_do.insert(job.hash);
     }
   }
   for (const SweepRun& run : sweep.runs) {
     for (const std::string& key : run.keys) {
-      if (kept_outcome(folder.report_of(key)).outcome == Outcome::skipped) missing.insert(key);
+      const Outcome outcome = kept_outcome(folder.report_of(key)).outcome;
+      const bool is_done =
+          outcome == Outcome::passed || (outcome == Outcome::failed && failed == Failed::is_done);
+      if (!is_done) to_do.insert(key);
     }
   }
-  return missing;
+  return to_do;
 }
 
 nlohmann::ordered_json merged_report(const std::vector<nlohmann::ordered_json>& portions) {

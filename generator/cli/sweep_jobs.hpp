@@ -61,8 +61,11 @@ Sweep read_sweep(const std::filesystem::path& file, const SweepFolder& folder, u
 /// finds it. It loads all data.
 Result<Done> check_runs(const Sweep& sweep);
 
+/// Whether a run that did not pass counts as done: it has a result, but a shard repeats it.
+enum class Failed { is_done, is_repeated };
+
 /// The keys of those jobs whose results are not in the folder.
-std::set<std::string> missing_jobs(const Sweep& sweep, const SweepFolder& folder);
+std::set<std::string> jobs_to_do(const Sweep& sweep, const SweepFolder& folder, Failed failed);
 
 /// The report of a whole run, from those of its portions in their order. Times are left out: they
 /// differ from machine to machine.
