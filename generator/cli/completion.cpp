@@ -125,6 +125,7 @@ complete -F _mixcmp mixcmp
 constexpr const char* zsh_script = R"zsh(_mixcmp() {
   local -a lines=(${(f)"$(${~words[1]} --complete "${(@Q)words[2,CURRENT]}" 2>/dev/null)"})
   lines=(${lines/$'\t'/:})
+  compset -P '--*=' && lines=(${lines#--*=})
   [[ $lines == :path ]] && _files || _describe mixcmp lines
 }
 _mixcmp "$@"

@@ -163,6 +163,7 @@ TEST_F(ShellCommand, ZshTakesCandidatesFromTheProgram) {
   // Its builtins print what they are given.
   write("run",
         "_describe() { print -rl -- $lines }\n_files() { print files }\n"
+        "compset() { [[ $words[-1] == $~2* ]] }\n"
         "words=(\"$@\") CURRENT=$#\nsource ./_mixcmp\n");
   const auto complete = [&](const std::string& words) {
     return shell(fmt::format("cd '{}' && zsh -f run '{}' {}", directory_.path().string(),
@@ -172,6 +173,8 @@ TEST_F(ShellCommand, ZshTakesCandidatesFromTheProgram) {
   EXPECT_EQ(complete("--vers"), "--version:print version and commit\n");
   EXPECT_TRUE(complete("generate --no-p").starts_with("--no-prove:"));
   EXPECT_EQ(complete("check ''"), "files\n");
+  EXPECT_TRUE(complete("optimise --use-multipliers=l").starts_with("logic:"));
+  EXPECT_EQ(complete("generate --output=some"), "files\n");
   EXPECT_EQ(complete("nosuchverb"), "\n") << "nothing";
 }
 
