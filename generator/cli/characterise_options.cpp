@@ -272,9 +272,9 @@ void add_characterise_options(const Verb& verb, CharacteriseCommand& command) {
       "reference.target_mhz says; without one the system's and, where clocks are asked for, "
       "half as much again)");
   verb.option("--components", command.components,
-              "what to measure: lane, fifo, crossbar; of an engine segment, conversion, engine, "
-              "operand_memory; reference, reference_port; unit (default: all that the scene's "
-              "systems have)");
+              "what to measure: lane, second_lane, fifo, crossbar; of an engine segment, "
+              "conversion, engine, operand_memory; reference, reference_port; unit (default: all "
+              "that the scene's systems have)");
   verb.option("--ports", command.ports,
               "lanes at one reference's crossbar (default: " + command.ports + ")");
   verb.flag("--quick", command.quick,

@@ -76,8 +76,9 @@ void add_options(const Verb& verb, ProfileCommand& command) {
           },
           "rates of only the lanes with these bounds: relative, running_4, running_1, constant, "
           "profiled, fixed_norm, fixed_constant, fixed_running, block_norm, block_constant, "
-          "block_running (default: all but the two running in fixed point, and lanes without a "
-          "bound)")
+          "block_running; fixed_norm_g3 has three guard digits (default: those without guard "
+          "digits, except the two running ones in fixed point, those of the scene's own lanes, and "
+          "lanes without a bound)")
       .separated_by(',');
   verb.flag("--both-inputs", command.both_inputs,
             "also rates for rounded and for exact inputs, whatever the scene says");
@@ -85,8 +86,9 @@ void add_options(const Verb& verb, ProfileCommand& command) {
             "every comparison through every lane and MPFR: slow, the same counts");
   verb.flag("--trade", command.trade, "weigh wrong verdicts against area, system by system");
   verb.option("--accept", command.accepted,
-              "say which system is cheapest with at most N wrong verdicts per million; 0: "
-              "certified; may be repeated (includes --trade)")
+              "say which system is cheapest with at most N wrong verdicts per million; 0: only "
+              "certified lanes, where the reference was always right; may be repeated (includes "
+              "--trade)")
       .one_value_each()
       .check(between(0, 1e6, "N"));
   verb.option("--areas", command.areas,
