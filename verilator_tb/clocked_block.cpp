@@ -89,23 +89,23 @@ std::size_t longest_name(const std::string& module) {
   return (module + "_settle").size();
 }
 
-/// The modules that can be blocks and have several instances: a single one compiles sooner within
-/// the system's model. A reference's channel cannot be a block: its s_request_tready follows
+/// The modules that can be blocks. A reference's channel cannot: its s_request_tready follows
 /// m_refetch_tready. A datapath without a register is no block, either.
 std::set<std::string> candidates(const emit::Signature& signature) {
   std::set<std::string> modules;
-  for (const emit::SignatureLanes& lanes : signature.lane_groups) {
-    if (lanes.count > signature.lanes_per_group) modules.insert(lanes.module);
-  }
+  for (const emit::SignatureLanes& lanes : signature.lane_groups) modules.insert(lanes.module);
   for (const emit::SignatureReferences& references : signature.reference_groups) {
     const std::string& channel = references.module;
-    if (references.count == 1 || references.latency_cycles == 0 ||
-        !channel.ends_with(emit::channel_suffix)) {
-      continue;
-    }
+    if (references.latency_cycles == 0 || !channel.ends_with(emit::channel_suffix)) continue;
     modules.insert(channel.substr(0, channel.size() - emit::channel_suffix.size()));
   }
   return modules;
+}
+
+int reference_count(const emit::Signature& signature) {
+  int count = 0;
+  for (const auto& references : signature.reference_groups) count += references.count;
+  return count;
 }
 
 }  // namespace
@@ -186,6 +186,7 @@ std::optional<ClockedBlock> clocked_block(const std::string& module, const std::
 std::vector<ClockedBlock> clocked_blocks(const emit::Signature& signature,
                                          const SourceFiles& sources) {
   std::vector<ClockedBlock> blocks;
+  if (emit::group_count(signature) == 1 && reference_count(signature) < 2) return blocks;
   for (const std::string& module : candidates(signature)) {
     const std::string* const text = text_of(module, sources);
     if (text == nullptr || longest_name(module) > emit::longest_module_name) continue;

@@ -77,6 +77,21 @@ TEST(ClockedBlock, IsNoModuleWhoseFunctionsWouldHaveNamesThatVerilatorHashes) {
   EXPECT_EQ(blocks(121), 0u);
 }
 
+TEST(ClockedBlock, IsInNoSystemOfOneLaneAndOneReference) {
+  const auto blocks = [](int lanes, int references) {
+    const auto system = emit::generate_system(
+        sphere_design(format("s5e8"), format("s24e8"), lanes, references), "");
+    verilator_tb::SourceFiles files;
+    for (const emit::GeneratedFile& file : system->files) files.emplace_back(file.name, file.text);
+    return verilator_tb::clocked_blocks(system->signature, files).size();
+  };
+  EXPECT_EQ(blocks(1, 1), 0u);
+  EXPECT_EQ(blocks(1, 0), 0u);
+  EXPECT_EQ(blocks(2, 1), 2u);
+  EXPECT_EQ(blocks(1, 2), 2u);
+  EXPECT_EQ(blocks(2, 2), 2u);
+}
+
 TEST(ClockedBlock, ItsFilesAreThoseThatItNames) {
   const verilator_tb::SourceFiles all = {{"leaf.v", "module leaf; endmodule"},
                                          {"leaf_2.v", "module leaf_2; endmodule"},
@@ -114,8 +129,7 @@ TEST(ClockedBlock, IsBuiltOnceForAllSystems) {
     const auto built = verilator_tb::build_simulator(*system, {.work_dir = work});
     ASSERT_TRUE(built.ok()) << built.error().to_string();
   }
-  EXPECT_EQ(folders_in(work).size(), 4u)
-      << "two systems, one lane, and the reference of which one system has two";
+  EXPECT_EQ(folders_in(work).size(), 4u) << "two systems, one lane, one reference";
 }
 
 /// Spheres on a line, near and far.
