@@ -35,8 +35,8 @@ struct ClockedBlock {
 /// ports that are written in another way.
 std::optional<ClockedBlock> clocked_block(const std::string& module, const std::string& text);
 
-/// The lane channels and reference datapaths of a system that can be blocks. A system of one lane (or
-/// group) and at most one reference has none: one model compiles sooner than three.
+/// The lane channels and reference datapaths of a system that can be blocks. A system of one lane
+/// (or group) and at most one reference has none: one model compiles sooner than three.
 std::vector<ClockedBlock> clocked_blocks(const emit::Signature& signature,
                                          const SourceFiles& sources);
 
