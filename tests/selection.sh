@@ -14,10 +14,12 @@ turn() {
 # one_in N: ctest's selection of every N-th test, from the commit's turn on.
 one_in() { echo "$(($(turn "$1") + 1)),,$1"; }
 
-# template_stride HEAVY: for tests that read only the templates, their benches and tables. 1 if one of
-# these has changed within a day of the commit or since (or if nobody knows), else 8.
+# template_stride HEAVY: for tests of templates. 1 if something that they read has changed within a day
+# of the commit or since (or if nobody knows), else 8: the templates, their benches and tables, and the
+# sources that say what a unit must give, and in how many cycles.
 template_stride() {
-  read_files="rtl_templates tests/rtl_templates :!rtl_templates/*.md"
+  read_files="rtl_templates tests/rtl_templates model/number model/golden model/error
+    generator/datapath :!rtl_templates/*.md"
   changed=$(git log -1 --format=%ct -- $read_files 2>/dev/null) || changed=
   now=$(git log -1 --format=%ct 2>/dev/null) || now=
   if [ "$1" = ON ] || [ -z "$changed" ] || [ $((now - changed)) -lt 86400 ] ||
