@@ -24,7 +24,7 @@ function(mixcmp_embed)
 
 #include <span>
 
-#include "model/common/embedded_file.hpp"
+#include "model/base/common/embedded_file.hpp"
 
 namespace @EMBED_NAMESPACE@ {
 

@@ -57,7 +57,7 @@ install(TARGETS mixcmp_shared EXPORT mixcmpTargets
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library
                 NAMELINK_COMPONENT development
         INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(FILES generator/api/mixcmp.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mixcmp
+install(FILES generator/faces/api/mixcmp.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/mixcmp
         COMPONENT development)
 install(EXPORT mixcmpTargets NAMESPACE mixcmp:: FILE mixcmpConfig.cmake DESTINATION ${package}
         COMPONENT development)

@@ -2,12 +2,12 @@
 # Long edges get a bend in every row that they pass, so that no edge runs through a box.
 
 function group_of(folder) {
-  if (folder ~ /^model\/(common|number|settings|devices)$/) return "foundations"
-  if (folder ~ /^model\/(data|expression|error|fixed|scene|workload|design)$/) return "scene"
-  if (folder ~ /^model\/(golden|emulator|proof)$/ || folder == "verilator_tb") return "judges"
-  if (folder == "generator/cli") return "command line"
-  if (folder ~ /^generator\//) return "generator"
-  return "measures"
+  if (folder ~ /^model\/base\//) return "base"
+  if (folder ~ /^model\/(comparison|lane|scene|design)/) return "scene"
+  if (folder ~ /^model\/judge\// || folder == "verilator_tb") return "judges"
+  if (folder ~ /^model\//) return "cost and plan"
+  if (folder ~ /^generator\/faces\//) return "faces"
+  return "generator"
 }
 
 # The length of the longest way down from a node.
@@ -103,12 +103,12 @@ function y_of(row) { return 34 + (top - row) * step }
 
 BEGIN {
   step = 68; height = 26; gap = 14
-  colour["foundations"] = "#eeeeee"
+  colour["base"] = "#eeeeee"
   colour["scene"] = "#eef4e8"
-  colour["measures"] = "#fdf6d8"
+  colour["cost and plan"] = "#fdf6d8"
   colour["judges"] = "#f6e8f1"
   colour["generator"] = "#e8f1fa"
-  colour["command line"] = "#fdeedd"
+  colour["faces"] = "#fdeedd"
 }
 
 {
@@ -166,11 +166,6 @@ END {
   printf "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" ", wide, high
   print "font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\" font-size=\"12\">"
   print "<title>Folders of mixcmp: each stands on those that its lines lead down to</title>"
-  print "<style>"
-  print ".box{stroke:#333;stroke-width:1.3}"
-  print ".wire{stroke:#777;stroke-width:1.2;fill:none}"
-  print ".dim{fill:#555;font-size:11.5px}"
-  print "</style>"
   printf "<rect x=\"0\" y=\"0\" width=\"%.0f\" height=\"%.0f\" fill=\"#fff\"/>\n", wide, high
   for (row = top; row > 0; row--)
     for (i = 0; i < count[row]; i++) {
@@ -179,11 +174,11 @@ END {
     }
   for (row = top; row >= 0; row--)
     for (i = 0; i < count[row]; i++) if (in_row[row, i] in folder) draw_box(in_row[row, i])
-  n = split("foundations,scene,measures,judges,generator,command line", names, ",")
+  n = split("base,scene,cost and plan,judges,generator,faces", names, ",")
   for (i = 1; i <= n; i++) {
     left = wide / 2 - 345 + 115 * (i - 1)
     draw_rectangle(left, high - 28, 14, 14, colour[names[i]])
-    printf "<text class=\"dim\" x=\"%.0f\" y=\"%.0f\">%s</text>\n", left + 20, high - 17, names[i]
+    printf "<text fill=\"#555\" font-size=\"11.5\" x=\"%.0f\" y=\"%.0f\">%s</text>\n", left + 20, high - 17, names[i]
   }
   print "</svg>"
 }
@@ -204,13 +199,13 @@ function draw_wire(upper, lower,   from_x, from_y, to_x, to_y, middle) {
   from_y = y_of(row_at[upper]) + height / 2
   to_y = y_of(row_at[lower]) - height / 2
   middle = (from_y + to_y) / 2
-  printf "<path class=\"wire\" d=\"M%.1f,%.1f C%.1f,%.1f %.1f,%.1f %.1f,%.1f%s\"/>\n", \
+  printf "<path stroke=\"#777\" stroke-width=\"1.2\" fill=\"none\" d=\"M%.1f,%.1f C%.1f,%.1f %.1f,%.1f %.1f,%.1f%s\"/>\n", \
          from_x, from_y, from_x, middle, to_x, middle, to_x, to_y, \
          lower in folder ? "" : " v" height
 }
 
 function draw_rectangle(left, upper, wide, high, fill) {
-  printf "<rect class=\"box\" x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%d\" rx=\"4\" ", \
+  printf "<rect stroke=\"#333\" stroke-width=\"1.3\" x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%d\" rx=\"4\" ", \
          left, upper, wide, high
   printf "fill=\"%s\"/>\n", fill
 }

@@ -18,8 +18,8 @@ one_in() { echo "$(($(turn "$1") + 1)),,$1"; }
 # of the commit or since (or if nobody knows), else 8: the templates, their benches and tables, and the
 # sources that say what a unit must give, and in how many cycles.
 template_stride() {
-  read_files="rtl_templates tests/rtl_templates model/number model/golden model/error
-    generator/datapath :!rtl_templates/*.md"
+  read_files="rtl_templates tests/rtl_templates model/base/number model/judge/golden model/lane/error
+    generator/hardware/datapath :!rtl_templates/*.md"
   changed=$(git log -1 --format=%ct -- $read_files 2>/dev/null) || changed=
   now=$(git log -1 --format=%ct 2>/dev/null) || now=
   if [ "$1" = ON ] || [ -z "$changed" ] || [ $((now - changed)) -lt 86400 ] ||
@@ -37,7 +37,7 @@ common_inputs() {
   for tool in verilator iverilog yosys gappa coqc ghdl nextpnr-ice40 nextpnr-ecp5 python3; do
     "$tool" --version 2>&1 | head -n 1
   done || true
-  find examples model/devices docs/scene_file.md tests/*/ -type f ! -name '*.cpp' ! -name '*.hpp' \
+  find examples model/cost/devices docs/scene_file.md tests/*/ -type f ! -name '*.cpp' ! -name '*.hpp' \
     ! -name '*.v' ! -name CMakeLists.txt ! -path 'tests/mutant_results/*' ! -path 'tests/rtl_templates/*' |
     LC_ALL=C sort | xargs cat
 }

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "model/common/check.hpp"
+#include "model/base/common/check.hpp"
 
 namespace mixcmp::verilator_tb {
 namespace {

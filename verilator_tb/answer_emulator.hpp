@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "model/data/operand_source.hpp"
+#include "model/base/number/verdict.hpp"
+#include "model/comparison/data/operand_source.hpp"
 #include "model/design/design.hpp"
-#include "model/emulator/emulator.hpp"
-#include "model/number/verdict.hpp"
+#include "model/judge/emulator/emulator.hpp"
 
 namespace mixcmp::verilator_tb {
 

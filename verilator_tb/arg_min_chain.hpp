@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "model/data/comparisons.hpp"
+#include "model/base/number/verdict.hpp"
+#include "model/comparison/data/comparisons.hpp"
 #include "model/design/design.hpp"
-#include "model/number/verdict.hpp"
 
 namespace mixcmp::verilator_tb {
 

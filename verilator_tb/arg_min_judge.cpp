@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "model/number/verdict.hpp"
+#include "model/base/number/verdict.hpp"
 #include "verilator_tb/judgement.hpp"
 
 namespace mixcmp::verilator_tb {

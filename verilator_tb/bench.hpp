@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "generator/emit/signature.hpp"
+#include "generator/hardware/emit/signature.hpp"
 
 namespace mixcmp::verilator_tb {
 

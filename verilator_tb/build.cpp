@@ -8,9 +8,9 @@
 #include <thread>
 
 #include "embedded/harness_files.hpp"
-#include "model/common/content_hash.hpp"
-#include "model/common/file.hpp"
-#include "model/common/output_file.hpp"
+#include "model/base/common/content_hash.hpp"
+#include "model/base/common/file.hpp"
+#include "model/base/common/output_file.hpp"
 #include "verilator_tb/bench.hpp"
 #include "verilator_tb/clocked_block.hpp"
 

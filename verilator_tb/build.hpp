@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <string>
 
-#include "generator/emit/signature.hpp"
-#include "model/common/folder_lock.hpp"
-#include "model/common/process.hpp"
+#include "generator/hardware/emit/signature.hpp"
+#include "model/base/common/folder_lock.hpp"
+#include "model/base/common/process.hpp"
 #include "verilator_tb/clocked_block.hpp"
 
 namespace mixcmp::verilator_tb {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/emit/signature.hpp"
+#include "generator/hardware/emit/signature.hpp"
 
 namespace mixcmp::verilator_tb {
 

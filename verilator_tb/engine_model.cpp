@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "generator/emit/scheduled_system.hpp"
+#include "generator/hardware/emit/scheduled_system.hpp"
 
 namespace mixcmp::verilator_tb {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <optional>
 
+#include "model/cost/performance/chain.hpp"
+#include "model/cost/performance/pairwise.hpp"
 #include "model/design/design.hpp"
-#include "model/performance/chain.hpp"
-#include "model/performance/pairwise.hpp"
 #include "verilator_tb/report.hpp"
 
 /// The performance model (docs/theory.md) of an engine, for the data of a simulation.

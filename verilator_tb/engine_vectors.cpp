@@ -12,9 +12,9 @@
 namespace mixcmp::verilator_tb {
 namespace {
 
-using project::ArgMinVectors;
-using project::PairwiseVectors;
-using project::RowVector;
+using emit::ArgMinVectors;
+using emit::PairwiseVectors;
+using emit::RowVector;
 using Indices = std::vector<std::uint64_t>;
 
 /// The bytes of these rows of a table, one vector for each.
@@ -164,9 +164,9 @@ ArgMinVectors arg_min_vectors(const design::Design& design, const data::Comparis
 
 }  // namespace
 
-project::EngineVectors engine_vectors(const design::Design& design,
-                                      const data::Comparisons& comparisons,
-                                      const emit::Signature& signature, std::uint64_t count) {
+emit::EngineVectors engine_vectors(const design::Design& design,
+                                   const data::Comparisons& comparisons,
+                                   const emit::Signature& signature, std::uint64_t count) {
   switch (design.system.engine.kind) {
     case scene::EngineKind::none: return {};
     case scene::EngineKind::pairwise:

@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-#include "generator/emit/signature.hpp"
-#include "generator/project/test_vector.hpp"
-#include "model/data/comparisons.hpp"
+#include "generator/hardware/emit/signature.hpp"
+#include "generator/hardware/emit/test_vector.hpp"
+#include "model/comparison/data/comparisons.hpp"
 #include "model/design/design.hpp"
 
 namespace mixcmp::verilator_tb {
@@ -14,8 +14,8 @@ namespace mixcmp::verilator_tb {
 /// model computes every comparison as the lane that makes it must. Half of the items, and up to a
 /// quarter of the rows, come from comparisons whose results are rare. Nothing where the scene has
 /// no engine.
-project::EngineVectors engine_vectors(const design::Design& design,
-                                      const data::Comparisons& comparisons,
-                                      const emit::Signature& signature, std::uint64_t count);
+emit::EngineVectors engine_vectors(const design::Design& design,
+                                   const data::Comparisons& comparisons,
+                                   const emit::Signature& signature, std::uint64_t count);
 
 }  // namespace mixcmp::verilator_tb

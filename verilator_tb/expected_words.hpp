@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "model/data/operand_source.hpp"
+#include "model/base/number/verdict.hpp"
+#include "model/comparison/data/operand_source.hpp"
 #include "model/design/design.hpp"
-#include "model/number/verdict.hpp"
 #include "verilator_tb/answer_emulator.hpp"
 
 namespace mixcmp::verilator_tb {

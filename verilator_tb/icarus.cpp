@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "embedded/icarus_files.hpp"
-#include "model/common/folder_lock.hpp"
-#include "model/common/output_file.hpp"
+#include "model/base/common/folder_lock.hpp"
+#include "model/base/common/output_file.hpp"
 
 namespace mixcmp::verilator_tb {
 

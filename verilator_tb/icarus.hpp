@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "model/common/folder_lock.hpp"
+#include "model/base/common/folder_lock.hpp"
 #include "verilator_tb/system_simulation.hpp"
 
 namespace mixcmp::verilator_tb {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <numeric>
 
-#include "model/number/verdict.hpp"
+#include "model/base/number/verdict.hpp"
 #include "verilator_tb/judgement.hpp"
 
 namespace mixcmp::verilator_tb {

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "model/golden/evaluate.hpp"
-#include "model/golden/fixed_evaluate.hpp"
-#include "model/number/decimal.hpp"
-#include "model/number/verdict.hpp"
+#include "model/base/number/decimal.hpp"
+#include "model/base/number/verdict.hpp"
+#include "model/judge/golden/evaluate.hpp"
+#include "model/judge/golden/fixed_evaluate.hpp"
 
 namespace mixcmp::verilator_tb {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "model/number/verdict.hpp"
+#include "model/base/number/verdict.hpp"
 #include "verilator_tb/harness/protocol.hpp"
 #include "verilator_tb/verify.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "model/common/quote.hpp"
+#include "model/base/common/quote.hpp"
 
 namespace mixcmp::verilator_tb {
 

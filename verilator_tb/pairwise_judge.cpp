@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "model/number/verdict.hpp"
+#include "model/base/number/verdict.hpp"
 #include "verilator_tb/judgement.hpp"
 
 namespace mixcmp::verilator_tb {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "model/performance/pairwise.hpp"
+#include "model/cost/performance/pairwise.hpp"
 #include "verilator_tb/engine_model.hpp"
 #include "verilator_tb/engine_verify.hpp"
 #include "verilator_tb/pairwise_judge.hpp"

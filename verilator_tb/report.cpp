@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "model/number/verdict.hpp"
+#include "model/base/number/verdict.hpp"
 
 namespace mixcmp::verilator_tb {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "model/data/input_sources.hpp"
-#include "model/number/verdict.hpp"
+#include "model/base/number/verdict.hpp"
+#include "model/comparison/data/input_sources.hpp"
 
 namespace mixcmp::verilator_tb {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "model/data/comparisons.hpp"
+#include "model/comparison/data/comparisons.hpp"
 
 namespace mixcmp::verilator_tb {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "model/common/scratch_folder.hpp"
+#include "model/base/common/scratch_folder.hpp"
 #include "verilator_tb/build.hpp"
 #include "verilator_tb/harness/protocol.hpp"
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <set>
 
-#include "model/expression/typed_graph.hpp"
-#include "model/number/double.hpp"
+#include "model/base/number/double.hpp"
+#include "model/comparison/expression/typed_graph.hpp"
 #include "verilator_tb/expected_words.hpp"
 #include "verilator_tb/judgement.hpp"
 #include "verilator_tb/selection.hpp"
@@ -184,7 +184,7 @@ std::vector<std::vector<Bits>> all_operands(const design::Design& design,
 
 /// Fills the last word of a group of lanes up with its own first comparison. Lanes of a group are
 /// of one kind, so they answer it alike.
-void fill_last_word(std::vector<project::TestVector>& vectors, std::size_t lanes_per_group) {
+void fill_last_word(std::vector<emit::TestVector>& vectors, std::size_t lanes_per_group) {
   while (vectors.size() % lanes_per_group != 0) {
     vectors.push_back(vectors[vectors.size() / lanes_per_group * lanes_per_group]);
   }
@@ -192,11 +192,10 @@ void fill_last_word(std::vector<project::TestVector>& vectors, std::size_t lanes
 
 }  // namespace
 
-std::vector<project::TestVector> test_vectors(const design::Design& design,
-                                              const data::Comparisons& comparisons,
-                                              const emit::Signature& signature,
-                                              std::uint64_t count) {
-  std::vector<project::TestVector> vectors;
+std::vector<emit::TestVector> test_vectors(const design::Design& design,
+                                           const data::Comparisons& comparisons,
+                                           const emit::Signature& signature, std::uint64_t count) {
+  std::vector<emit::TestVector> vectors;
   for (const std::vector<Bits>& operands : all_operands(design, comparisons, count)) {
     const std::size_t k = vectors.size();
     std::vector<std::uint8_t> tdata(static_cast<std::size_t>(signature.tdata_bytes));

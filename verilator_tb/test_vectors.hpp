@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "generator/emit/signature.hpp"
-#include "generator/project/test_vector.hpp"
-#include "model/data/comparisons.hpp"
+#include "generator/hardware/emit/signature.hpp"
+#include "generator/hardware/emit/test_vector.hpp"
+#include "model/comparison/data/comparisons.hpp"
 #include "model/design/design.hpp"
 
 namespace mixcmp::verilator_tb {
@@ -28,9 +28,8 @@ std::vector<std::uint64_t> choose_comparisons(const design::Design& design,
 /// Vector k is for lane k modulo the number of lanes; the golden model computes the word that this
 /// lane must return. With lanes in groups the last word of a group is filled up, so that there may
 /// be more than `count`.
-std::vector<project::TestVector> test_vectors(const design::Design& design,
-                                              const data::Comparisons& comparisons,
-                                              const emit::Signature& signature,
-                                              std::uint64_t count);
+std::vector<emit::TestVector> test_vectors(const design::Design& design,
+                                           const data::Comparisons& comparisons,
+                                           const emit::Signature& signature, std::uint64_t count);
 
 }  // namespace mixcmp::verilator_tb

@@ -13,9 +13,9 @@
 #include <iterator>
 #include <mutex>
 
-#include "generator/emit/system.hpp"
+#include "generator/hardware/emit/system.hpp"
+#include "model/base/number/double.hpp"
 #include "model/design/engine_data.hpp"
-#include "model/number/double.hpp"
 #include "verilator_tb/arg_min_verify.hpp"
 #include "verilator_tb/engine_verify.hpp"
 #include "verilator_tb/icarus.hpp"

@@ -5,10 +5,10 @@
 #include <functional>
 #include <optional>
 
-#include "model/common/folder_lock.hpp"
-#include "model/data/comparisons.hpp"
+#include "model/base/common/folder_lock.hpp"
+#include "model/base/number/verdict.hpp"
+#include "model/comparison/data/comparisons.hpp"
 #include "model/design/design.hpp"
-#include "model/number/verdict.hpp"
 #include "verilator_tb/build.hpp"
 #include "verilator_tb/report.hpp"
 #include "verilator_tb/selection.hpp"

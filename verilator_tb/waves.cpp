@@ -8,7 +8,7 @@
 #include <fstream>
 #include <set>
 
-#include "model/common/output_file.hpp"
+#include "model/base/common/output_file.hpp"
 
 namespace mixcmp::verilator_tb {
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "generator/emit/signature.hpp"
-#include "model/common/scratch_folder.hpp"
+#include "generator/hardware/emit/signature.hpp"
+#include "model/base/common/scratch_folder.hpp"
 #include "verilator_tb/harness/protocol.hpp"
 
 namespace mixcmp::verilator_tb {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "generator/emit/constraints.hpp"
-#include "generator/emit/version.hpp"
+#include "generator/hardware/emit/constraints.hpp"
+#include "generator/hardware/emit/version.hpp"
 
 namespace mixcmp::project {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "generator/project/builders.hpp"
-#include "model/common/check.hpp"
+#include "model/base/common/check.hpp"
 
 namespace mixcmp::project {
 namespace {
@@ -42,7 +42,8 @@ GeneratedFile vector_file(const ProjectSpec& spec, const std::string& descriptio
                               description, lines)};
 }
 
-std::vector<GeneratedFile> pairwise_files(const ProjectSpec& spec, const PairwiseVectors& vectors) {
+std::vector<GeneratedFile> pairwise_files(const ProjectSpec& spec,
+                                          const emit::PairwiseVectors& vectors) {
   const emit::SignatureEngine& engine = *spec.signature.engine;
   Values values = engine_values(spec);
   const bool bitmap = engine.report_as == scene::ReportForm::bitmap;
@@ -73,7 +74,8 @@ std::string lanes_in_hexadecimal(const std::vector<bool>& lanes) {
   return hexadecimal(bytes);
 }
 
-std::vector<GeneratedFile> arg_min_files(const ProjectSpec& spec, const ArgMinVectors& vectors) {
+std::vector<GeneratedFile> arg_min_files(const ProjectSpec& spec,
+                                         const emit::ArgMinVectors& vectors) {
   const emit::SignatureEngine& engine = *spec.signature.engine;
   Values values = engine_values(spec);
   values["CANDIDATES"] = std::to_string(vectors.candidates.size());
@@ -84,7 +86,7 @@ std::vector<GeneratedFile> arg_min_files(const ProjectSpec& spec, const ArgMinVe
   values["LINE_BITS"] = std::to_string(std::max(row_line_bits, 8 * engine.item_bytes));
   std::string lines;
   for (const auto& candidate : vectors.candidates) lines += hexadecimal(candidate) + "\n";
-  for (const RowVector& row : vectors.rows) {
+  for (const emit::RowVector& row : vectors.rows) {
     lines += fmt::format("{}_{:08x}_{}\n", lanes_in_hexadecimal(row.is_recomputed), row.choice,
                          hexadecimal(row.tdata));
   }
@@ -98,10 +100,10 @@ std::vector<GeneratedFile> arg_min_files(const ProjectSpec& spec, const ArgMinVe
 }  // namespace
 
 std::vector<GeneratedFile> engine_testbench_files(const ProjectSpec& spec) {
-  if (const auto* pairs = std::get_if<PairwiseVectors>(&spec.engine_vectors)) {
+  if (const auto* pairs = std::get_if<emit::PairwiseVectors>(&spec.engine_vectors)) {
     return pairwise_files(spec, *pairs);
   }
-  const auto* rows = std::get_if<ArgMinVectors>(&spec.engine_vectors);
+  const auto* rows = std::get_if<emit::ArgMinVectors>(&spec.engine_vectors);
   MIXCMP_CHECK(rows != nullptr);
   return arg_min_files(spec, *rows);
 }

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cctype>
 
-#include "generator/emit/verilog.hpp"
+#include "generator/hardware/emit/verilog.hpp"
 #include "generator/project/builders.hpp"
 #include "generator/project/stream_wrapper.hpp"
 #include "generator/project/vhdl.hpp"
-#include "model/common/check.hpp"
+#include "model/base/common/check.hpp"
 
 namespace mixcmp::project {
 namespace {

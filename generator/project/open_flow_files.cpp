@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "generator/project/builders.hpp"
-#include "model/characterise/register_wrapper.hpp"
-#include "model/characterise/tools.hpp"
-#include "model/common/quote.hpp"
+#include "generator/synthesis/characterise/register_wrapper.hpp"
+#include "generator/synthesis/characterise/tools.hpp"
+#include "model/base/common/quote.hpp"
 
 namespace mixcmp::project {
 namespace {

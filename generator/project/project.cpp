@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 
-#include "generator/emit/constraints.hpp"
+#include "generator/hardware/emit/constraints.hpp"
 #include "generator/project/builders.hpp"
-#include "model/common/check.hpp"
+#include "model/base/common/check.hpp"
 
 namespace mixcmp::project {
 namespace {

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/emit/system.hpp"
-#include "generator/project/test_vector.hpp"
-#include "model/devices/device.hpp"
+#include "generator/hardware/emit/system.hpp"
+#include "generator/hardware/emit/test_vector.hpp"
+#include "model/cost/devices/device.hpp"
 
 /// The files that a user of another tool expects beside the Verilog: scripts, constraints, a test
 /// bench.
@@ -32,9 +32,9 @@ struct ProjectSpec {
   const devices::Device& device;
   /// Vector k is for lane k modulo the number of lanes. For a group of lanes, vectors fill whole
   /// words. Empty: there is an engine, or no data.
-  const std::vector<TestVector>& vectors;
+  const std::vector<emit::TestVector>& vectors;
   /// For the test bench of the engine, where there is one and there are vectors.
-  const EngineVectors& engine_vectors;
+  const emit::EngineVectors& engine_vectors;
   /// The command that makes these files, for their heads.
   std::string command;
 

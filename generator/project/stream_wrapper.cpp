@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "generator/rtl/module.hpp"
+#include "generator/hardware/rtl/module.hpp"
 
 namespace mixcmp::project {
 namespace {

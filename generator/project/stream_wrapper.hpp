@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/emit/described_modules.hpp"
+#include "generator/hardware/emit/described_modules.hpp"
 #include "generator/project/project.hpp"
 
 namespace mixcmp::project {

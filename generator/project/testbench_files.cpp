@@ -56,7 +56,7 @@ GeneratedFile verilog_testbench(const ProjectSpec& spec) {
 GeneratedFile vector_file(const ProjectSpec& spec) {
   std::string text = fmt::format("{}\n// m_axis_tdata that is expected _ s_axis_tdata\n",
                                  common_values(spec, "//").at("PROVENANCE"));
-  for (const TestVector& vector : spec.vectors) {
+  for (const emit::TestVector& vector : spec.vectors) {
     text += fmt::format("{:02x}_{}\n", vector.expected.bits(), hexadecimal(vector.tdata));
   }
   return {.name = fmt::format("testbench/{}_tb.hex", spec.signature.top), .text = std::move(text)};

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "embedded/project_templates.hpp"
-#include "model/common/check.hpp"
+#include "model/base/common/check.hpp"
 
 namespace mixcmp::project {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "generator/software/program.hpp"
 #include "generator/software/source.hpp"
-#include "model/golden/evaluate.hpp"
-#include "model/number/double.hpp"
-#include "model/number/verdict.hpp"
+#include "model/base/number/double.hpp"
+#include "model/base/number/verdict.hpp"
+#include "model/judge/golden/evaluate.hpp"
 
 namespace mixcmp::software {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "generator/software/float_filter.hpp"
-#include "model/common/process.hpp"
-#include "model/data/comparisons.hpp"
+#include "model/base/common/process.hpp"
+#include "model/comparison/data/comparisons.hpp"
 
 namespace mixcmp::software {
 

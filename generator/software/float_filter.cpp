@@ -8,9 +8,9 @@
 #include <optional>
 #include <set>
 
-#include "model/error/error_analysis.hpp"
-#include "model/error/sign.hpp"
-#include "model/number/exact.hpp"
+#include "model/base/number/exact.hpp"
+#include "model/lane/error/error_analysis.hpp"
+#include "model/lane/error/sign.hpp"
 
 namespace mixcmp::software {
 namespace {

@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "model/error/certified_lane.hpp"
+#include "model/lane/error/certified_lane.hpp"
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::software {
@@ -39,8 +39,8 @@ struct ThresholdCriterion {
 };
 
 /// A certified criterion in binary32 as a CPU computes it, operands rounded first. It holds where
-/// no operation is exceptional (model/golden/arithmetic.hpp) and every operand passes its check;
-/// docs/baseline.md proves it.
+/// no operation is exceptional (model/judge/golden/arithmetic.hpp) and every operand passes its
+/// check; docs/baseline.md proves it.
 struct PartFilter {
   TypedGraph graph;
   std::variant<RatioCriterion, ThresholdCriterion> criterion;

@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "generator/software/source.hpp"
-#include "model/common/file.hpp"
-#include "model/common/output_file.hpp"
-#include "model/data/operand_source.hpp"
+#include "model/base/common/file.hpp"
+#include "model/base/common/output_file.hpp"
+#include "model/comparison/data/operand_source.hpp"
 
 namespace mixcmp::software {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "embedded/software_program.hpp"
-#include "generator/emit/version.hpp"
-#include "generator/rtl/net_names.hpp"
-#include "model/number/exact.hpp"
+#include "generator/hardware/emit/version.hpp"
+#include "generator/hardware/rtl/net_names.hpp"
+#include "model/base/number/exact.hpp"
 
 namespace mixcmp::software {
 namespace {

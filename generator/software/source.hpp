@@ -3,7 +3,7 @@
 #include <string>
 
 #include "generator/software/float_filter.hpp"
-#include "model/data/comparisons.hpp"
+#include "model/comparison/data/comparisons.hpp"
 
 namespace mixcmp::software {
 

@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "model/common/quote.hpp"
+#include "model/base/common/quote.hpp"
+#include "model/base/number/double.hpp"
+#include "model/base/number/dyadic.hpp"
 #include "model/design/engine_data.hpp"
 #include "model/design/request_beats.hpp"
-#include "model/error/certified_lane.hpp"
-#include "model/error/hazards.hpp"
-#include "model/error/range_analysis.hpp"
-#include "model/fixed/square_tables.hpp"
-#include "model/number/double.hpp"
-#include "model/number/dyadic.hpp"
+#include "model/lane/error/certified_lane.hpp"
+#include "model/lane/error/hazards.hpp"
+#include "model/lane/error/range_analysis.hpp"
+#include "model/lane/fixed/square_tables.hpp"
 
 namespace mixcmp::design {
 namespace {

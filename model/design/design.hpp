@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "model/data/comparisons.hpp"
+#include "model/comparison/data/comparisons.hpp"
 #include "model/design/lane.hpp"
 #include "model/design/reference_structure.hpp"
-#include "model/error/profiled_lane.hpp"
+#include "model/lane/error/profiled_lane.hpp"
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::design {
@@ -53,7 +53,7 @@ struct Design {
 };
 
 /// Measures the relative errors of a lane on `sample_count` comparisons. It is profile_error of
-/// model/profile, which a design does not link.
+/// model/plan/profile, which a design does not link.
 using MeasureErrors = error::ProfiledError (*)(const Graph& graph, const TypedGraph& lane,
                                                const data::Comparisons& data,
                                                std::uint64_t sample_count, std::uint64_t seed);

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "model/common/check.hpp"
+#include "model/base/common/check.hpp"
 
 namespace mixcmp::design {
 namespace {

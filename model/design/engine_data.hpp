@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/data/comparisons.hpp"
+#include "model/comparison/data/comparisons.hpp"
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::design {

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "model/common/cases.hpp"
+#include "model/base/common/cases.hpp"
 
 namespace mixcmp::design {
 

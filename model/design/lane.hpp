@@ -3,8 +3,8 @@
 #include <string>
 #include <variant>
 
-#include "model/error/lane.hpp"
-#include "model/fixed/fixed_lane.hpp"
+#include "model/lane/error/lane.hpp"
+#include "model/lane/fixed/fixed_lane.hpp"
 
 namespace mixcmp::design {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/common/result.hpp"
+#include "model/base/common/result.hpp"
 #include "model/design/reference_structure.hpp"
 #include "model/scene/scene.hpp"
 

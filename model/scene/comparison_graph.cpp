@@ -4,9 +4,9 @@
 #include <set>
 #include <utility>
 
-#include "model/common/check.hpp"
+#include "model/base/common/check.hpp"
+#include "model/base/settings/section.hpp"
 #include "model/scene/sections.hpp"
-#include "model/settings/section.hpp"
 
 namespace mixcmp::scene {
 namespace {

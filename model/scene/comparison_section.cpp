@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "model/expression/name.hpp"
+#include "model/base/settings/section.hpp"
+#include "model/comparison/expression/name.hpp"
 #include "model/scene/sections.hpp"
-#include "model/settings/section.hpp"
 
 namespace mixcmp::scene {
 namespace {

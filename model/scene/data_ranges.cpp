@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "model/data/load_tables.hpp"
-#include "model/number/exact.hpp"
-#include "model/settings/section.hpp"
+#include "model/base/number/exact.hpp"
+#include "model/base/settings/section.hpp"
+#include "model/comparison/data/load_tables.hpp"
 
 namespace mixcmp::scene {
 namespace {

@@ -7,11 +7,11 @@
 #include <optional>
 #include <span>
 
-#include "model/common/quote.hpp"
-#include "model/data/sphere_family.hpp"
-#include "model/expression/name.hpp"
+#include "model/base/common/quote.hpp"
+#include "model/base/settings/section.hpp"
+#include "model/comparison/data/sphere_family.hpp"
+#include "model/comparison/expression/name.hpp"
 #include "model/scene/sections.hpp"
-#include "model/settings/section.hpp"
 
 namespace mixcmp::scene {
 namespace {

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "model/number/verdict.hpp"
-#include "model/settings/limits.hpp"
+#include "model/base/number/verdict.hpp"
+#include "model/base/settings/limits.hpp"
 
 namespace mixcmp::scene {
 

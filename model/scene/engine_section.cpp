@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <bit>
 
-#include "model/data/pairing.hpp"
-#include "model/number/verdict.hpp"
+#include "model/base/number/verdict.hpp"
+#include "model/base/settings/section.hpp"
+#include "model/comparison/data/pairing.hpp"
 #include "model/scene/sections.hpp"
-#include "model/settings/section.hpp"
 
 namespace mixcmp::scene {
 namespace {

@@ -1,7 +1,7 @@
 #include "model/scene/error_location.hpp"
 
+#include "model/base/settings/section.hpp"
 #include "model/scene/plan.hpp"
-#include "model/settings/section.hpp"
 
 namespace mixcmp::scene {
 namespace {

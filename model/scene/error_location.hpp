@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "model/common/result.hpp"
+#include "model/base/common/result.hpp"
 #include "model/scene/scene_source.hpp"
 
 namespace mixcmp::scene {

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <map>
 
-#include "model/common/nearest.hpp"
-#include "model/expression/name.hpp"
-#include "model/expression/text.hpp"
-#include "model/number/dyadic.hpp"
-#include "model/settings/section.hpp"
+#include "model/base/common/nearest.hpp"
+#include "model/base/number/dyadic.hpp"
+#include "model/base/settings/section.hpp"
+#include "model/comparison/expression/name.hpp"
+#include "model/comparison/expression/text.hpp"
 
 namespace mixcmp::scene {
 namespace {

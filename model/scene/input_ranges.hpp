@@ -1,7 +1,7 @@
 #pragma once
 
+#include "model/base/settings/settings.hpp"
 #include "model/scene/scene.hpp"
-#include "model/settings/settings.hpp"
 
 namespace mixcmp::scene {
 

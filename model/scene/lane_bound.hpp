@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "model/error/certified_lane.hpp"
-#include "model/fixed/fixed_lane.hpp"
-#include "model/number/bound.hpp"
+#include "model/base/number/bound.hpp"
+#include "model/lane/error/certified_lane.hpp"
+#include "model/lane/fixed/fixed_lane.hpp"
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::scene {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "model/common/result.hpp"
+#include "model/base/common/result.hpp"
 
 namespace mixcmp::scene {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "model/data/pairing.hpp"
-#include "model/expression/graph.hpp"
+#include "model/comparison/data/pairing.hpp"
+#include "model/comparison/expression/graph.hpp"
 
 namespace mixcmp::scene {
 

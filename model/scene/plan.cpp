@@ -6,8 +6,8 @@
 #include <array>
 #include <vector>
 
-#include "model/common/output_file.hpp"
-#include "model/settings/section.hpp"
+#include "model/base/common/output_file.hpp"
+#include "model/base/settings/section.hpp"
 
 namespace mixcmp::scene {
 namespace {

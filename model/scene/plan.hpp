@@ -5,9 +5,9 @@
 #include <span>
 #include <string>
 
+#include "model/base/settings/settings.hpp"
 #include "model/scene/scene.hpp"
 #include "model/scene/scene_source.hpp"
-#include "model/settings/settings.hpp"
 
 namespace mixcmp::scene {
 

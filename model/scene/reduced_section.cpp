@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "model/expression/text.hpp"
+#include "model/base/settings/section.hpp"
+#include "model/comparison/expression/text.hpp"
 #include "model/scene/sections.hpp"
-#include "model/settings/section.hpp"
 
 namespace mixcmp::scene {
 namespace {

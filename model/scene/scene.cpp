@@ -7,12 +7,13 @@
 #include <bit>
 #include <set>
 
-#include "model/common/nearest.hpp"
-#include "model/common/quote.hpp"
-#include "model/error/exponent_range.hpp"
-#include "model/expression/name.hpp"
-#include "model/expression/text.hpp"
-#include "model/number/exact.hpp"
+#include "model/base/common/nearest.hpp"
+#include "model/base/common/quote.hpp"
+#include "model/base/number/exact.hpp"
+#include "model/base/settings/section.hpp"
+#include "model/comparison/expression/name.hpp"
+#include "model/comparison/expression/text.hpp"
+#include "model/lane/error/exponent_range.hpp"
 #include "model/scene/data_ranges.hpp"
 #include "model/scene/input_ranges.hpp"
 #include "model/scene/override_error.hpp"
@@ -20,7 +21,6 @@
 #include "model/scene/plan.hpp"
 #include "model/scene/sections.hpp"
 #include "model/scene/variant.hpp"
-#include "model/settings/section.hpp"
 
 namespace mixcmp::scene {
 namespace {

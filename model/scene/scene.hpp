@@ -8,15 +8,15 @@
 #include <utility>
 #include <vector>
 
-#include "model/common/place.hpp"
-#include "model/data/data_spec.hpp"
-#include "model/error/certified_lane.hpp"
-#include "model/expression/parser.hpp"
-#include "model/expression/typed_graph.hpp"
-#include "model/number/lane_format.hpp"
+#include "model/base/common/place.hpp"
+#include "model/base/number/lane_format.hpp"
+#include "model/base/settings/limits.hpp"
+#include "model/comparison/data/data_spec.hpp"
+#include "model/comparison/expression/parser.hpp"
+#include "model/comparison/expression/typed_graph.hpp"
+#include "model/lane/error/certified_lane.hpp"
 #include "model/scene/engine.hpp"
 #include "model/scene/scene_source.hpp"
-#include "model/settings/limits.hpp"
 
 namespace mixcmp::scene {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "model/base/settings/section.hpp"
+#include "model/base/settings/settings.hpp"
 #include "model/scene/scene.hpp"
-#include "model/settings/section.hpp"
-#include "model/settings/settings.hpp"
 
 /// Readers of the sections of a scene, one function each; load_scene puts the results together.
 /// Errors name file, line and key.

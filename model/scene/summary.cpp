@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
-#include "model/error/certified_lane.hpp"
-#include "model/error/exactness.hpp"
-#include "model/error/hazards.hpp"
-#include "model/expression/text.hpp"
-#include "model/number/decimal.hpp"
-#include "model/number/dyadic.hpp"
-#include "model/number/exact.hpp"
+#include "model/base/number/decimal.hpp"
+#include "model/base/number/dyadic.hpp"
+#include "model/base/number/exact.hpp"
+#include "model/comparison/expression/text.hpp"
+#include "model/lane/error/certified_lane.hpp"
+#include "model/lane/error/exactness.hpp"
+#include "model/lane/error/hazards.hpp"
 
 namespace mixcmp::scene {
 namespace {

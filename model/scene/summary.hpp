@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-#include "model/data/comparisons.hpp"
-#include "model/data/input_sources.hpp"
-#include "model/error/range_analysis.hpp"
+#include "model/comparison/data/comparisons.hpp"
+#include "model/comparison/data/input_sources.hpp"
+#include "model/lane/error/range_analysis.hpp"
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::scene {

@@ -2,11 +2,11 @@
 
 #include <bit>
 
-#include "model/common/check.hpp"
-#include "model/common/quote.hpp"
-#include "model/expression/name.hpp"
+#include "model/base/common/check.hpp"
+#include "model/base/common/quote.hpp"
+#include "model/base/settings/section.hpp"
+#include "model/comparison/expression/name.hpp"
 #include "model/scene/sections.hpp"
-#include "model/settings/section.hpp"
 
 namespace mixcmp::scene {
 namespace {

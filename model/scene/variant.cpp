@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "model/common/nearest.hpp"
-#include "model/common/quote.hpp"
-#include "model/expression/name.hpp"
-#include "model/settings/section.hpp"
+#include "model/base/common/nearest.hpp"
+#include "model/base/common/quote.hpp"
+#include "model/base/settings/section.hpp"
+#include "model/comparison/expression/name.hpp"
 
 namespace mixcmp::scene {
 namespace {

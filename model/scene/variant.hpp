@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "model/settings/settings.hpp"
+#include "model/base/settings/settings.hpp"
 
 namespace mixcmp::scene {
 

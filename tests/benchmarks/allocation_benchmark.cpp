@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "model/optimise/allocation.hpp"
+#include "model/plan/optimise/allocation.hpp"
 
 /// One step of Algorithm 1: twenty kinds of lanes of one precision, two of references, a crossbar
 /// of 512 ports, on a device the size of a VU9P. It should take well below 0.3 s.

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "model/common/vector_clones.hpp"
-#include "model/emulator/emulator.hpp"
-#include "model/error/certified_lane.hpp"
+#include "model/base/common/vector_clones.hpp"
+#include "model/judge/emulator/emulator.hpp"
+#include "model/lane/error/certified_lane.hpp"
 #include "tests/support/sphere.hpp"
 
 /// The sphere comparison, decided by MPFR, by the emulator on each instruction set, and by native

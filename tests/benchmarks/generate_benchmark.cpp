@@ -1,6 +1,6 @@
 #include <benchmark/benchmark.h>
 
-#include "generator/emit/system.hpp"
+#include "generator/hardware/emit/system.hpp"
 #include "tests/support/scratch_directory.hpp"
 #include "tests/support/sphere.hpp"
 

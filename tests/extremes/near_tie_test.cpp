@@ -1,4 +1,4 @@
-#include "model/data/near_tie.hpp"
+#include "model/comparison/data/near_tie.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "model/golden/evaluate.hpp"
-#include "model/number/exact.hpp"
-#include "model/number/verdict.hpp"
+#include "model/base/number/exact.hpp"
+#include "model/base/number/verdict.hpp"
+#include "model/judge/golden/evaluate.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/sphere.hpp"
 

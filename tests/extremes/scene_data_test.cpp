@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "model/data/sphere_family.hpp"
-#include "model/workload/load_comparisons.hpp"
+#include "model/comparison/data/sphere_family.hpp"
+#include "model/judge/workload/load_comparisons.hpp"
 
 /// A scene names a family; mistakes are told with their place.
 namespace mixcmp::test::scene_data_test {

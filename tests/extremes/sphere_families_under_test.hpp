@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "model/data/sphere_family.hpp"
-#include "model/golden/arithmetic.hpp"
+#include "model/comparison/data/sphere_family.hpp"
+#include "model/judge/golden/arithmetic.hpp"
 
 namespace mixcmp::test {
 

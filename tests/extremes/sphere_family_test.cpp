@@ -1,4 +1,4 @@
-#include "model/data/sphere_family.hpp"
+#include "model/comparison/data/sphere_family.hpp"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <functional>
 #include <set>
 
-#include "model/number/exact.hpp"
+#include "model/base/number/exact.hpp"
 #include "tests/extremes/sphere_families_under_test.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/sphere.hpp"

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "model/data/operand_source.hpp"
-#include "model/data/sphere_family.hpp"
-#include "model/emulator/emulator.hpp"
-#include "model/golden/evaluate.hpp"
-#include "model/profile/lane_runner.hpp"
-#include "model/profile/schemes.hpp"
-#include "model/workload/load_comparisons.hpp"
+#include "model/comparison/data/operand_source.hpp"
+#include "model/comparison/data/sphere_family.hpp"
+#include "model/judge/emulator/emulator.hpp"
+#include "model/judge/golden/evaluate.hpp"
+#include "model/judge/workload/load_comparisons.hpp"
+#include "model/plan/profile/lane_runner.hpp"
+#include "model/plan/profile/schemes.hpp"
 
 /// extremes_table SCENE CSV: every family of sphere pairs through every lane at some precisions.
 /// Prints the tables of examples/extremes/README.md, writes the numbers to CSV; an error where a

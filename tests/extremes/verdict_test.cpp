@@ -1,4 +1,4 @@
-#include "model/number/verdict.hpp"
+#include "model/base/number/verdict.hpp"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -7,14 +7,14 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "model/data/uniform_spheres.hpp"
-#include "model/error/certified_lane.hpp"
-#include "model/error/profiled_lane.hpp"
-#include "model/golden/bound_arithmetic.hpp"
-#include "model/golden/evaluate.hpp"
-#include "model/number/bound_format.hpp"
-#include "model/number/exact.hpp"
-#include "model/profile/profiled_error.hpp"
+#include "model/base/number/bound_format.hpp"
+#include "model/base/number/exact.hpp"
+#include "model/comparison/data/uniform_spheres.hpp"
+#include "model/judge/golden/bound_arithmetic.hpp"
+#include "model/judge/golden/evaluate.hpp"
+#include "model/lane/error/certified_lane.hpp"
+#include "model/lane/error/profiled_lane.hpp"
+#include "model/plan/profile/profiled_error.hpp"
 #include "tests/extremes/sphere_families_under_test.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/sphere.hpp"

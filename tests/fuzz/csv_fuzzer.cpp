@@ -1,6 +1,6 @@
 #include <array>
 
-#include "model/data/csv.hpp"
+#include "model/comparison/data/csv.hpp"
 #include "tests/fuzz/input.hpp"
 
 using namespace mixcmp;

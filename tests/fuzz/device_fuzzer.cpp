@@ -1,4 +1,4 @@
-#include "model/devices/device_file.hpp"
+#include "model/cost/devices/device_file.hpp"
 #include "tests/fuzz/input.hpp"
 
 using namespace mixcmp;

@@ -1,7 +1,7 @@
 #include <array>
 
-#include "model/expression/parser.hpp"
-#include "model/expression/text.hpp"
+#include "model/comparison/expression/parser.hpp"
+#include "model/comparison/expression/text.hpp"
 #include "tests/fuzz/input.hpp"
 
 using namespace mixcmp;

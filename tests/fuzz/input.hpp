@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "model/common/result.hpp"
+#include "model/base/common/result.hpp"
 
 /// The common part of every fuzzer of a reader (docs/development.md, "Fuzzers").
 namespace mixcmp::test {

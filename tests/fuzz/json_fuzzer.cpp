@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "model/characterise/mapped_area.hpp"
+#include "generator/synthesis/characterise/mapped_area.hpp"
 #include "tests/fuzz/input.hpp"
 
 using namespace mixcmp;

@@ -1,6 +1,6 @@
 #include <array>
 
-#include "model/data/npy.hpp"
+#include "model/comparison/data/npy.hpp"
 #include "tests/fuzz/input.hpp"
 
 using namespace mixcmp;

@@ -1,4 +1,4 @@
-#include "model/data/pdb.hpp"
+#include "model/comparison/data/pdb.hpp"
 #include "tests/fuzz/input.hpp"
 
 using namespace mixcmp;

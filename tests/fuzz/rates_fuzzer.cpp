@@ -1,4 +1,4 @@
-#include "model/optimise/rates.hpp"
+#include "model/plan/optimise/rates.hpp"
 #include "tests/fuzz/input.hpp"
 
 using namespace mixcmp;

@@ -1,4 +1,4 @@
-#include "model/characterise/vendor_report.hpp"
+#include "generator/synthesis/characterise/vendor_report.hpp"
 #include "tests/fuzz/input.hpp"
 
 using namespace mixcmp;

@@ -1,4 +1,4 @@
-#include "generator/cli/suite_file.hpp"
+#include "generator/faces/cli/suite_file.hpp"
 #include "tests/fuzz/input.hpp"
 
 using namespace mixcmp;

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "generator/api/mixcmp.hpp"
-#include "generator/api/operands.hpp"
-#include "model/number/double.hpp"
-#include "model/number/exact.hpp"
+#include "generator/faces/api/mixcmp.hpp"
+#include "generator/faces/api/operands.hpp"
+#include "model/base/number/double.hpp"
+#include "model/base/number/exact.hpp"
 #include "tests/support/program.hpp"
 
 /// The public library: its results are those that the program prints and writes.

@@ -3,13 +3,13 @@
 #include <filesystem>
 #include <fstream>
 
-#include "generator/components/characterise.hpp"
-#include "generator/components/whole_job.hpp"
+#include "generator/synthesis/components/characterise.hpp"
+#include "generator/synthesis/components/whole_job.hpp"
+#include "model/base/settings/bound_name.hpp"
+#include "model/cost/devices/device.hpp"
 #include "model/design/design.hpp"
-#include "model/devices/device.hpp"
-#include "model/optimise/feasibility.hpp"
-#include "model/optimise/footprint.hpp"
-#include "model/settings/bound_name.hpp"
+#include "model/plan/optimise/feasibility.hpp"
+#include "model/plan/optimise/footprint.hpp"
 #include "tests/support/scratch_directory.hpp"
 
 /// The rows of an arg-min engine's table, added up as `optimise` does, against the whole engine in
@@ -17,7 +17,7 @@
 namespace mixcmp::test::chain_area_test {
 namespace {
 
-using characterise::ComponentKind;
+using measured::ComponentKind;
 
 /// The whole omits logic that parts keep at their borders, such as bits that nothing reads.
 constexpr double tolerance = 0.06;

@@ -16,8 +16,8 @@ namespace {
 
 const std::string two_lanes = "--precisions 4,6 --components lane";
 
-characterise::ComponentKey lane(const std::string& format) {
-  return {.kind = characterise::ComponentKind::lane,
+measured::ComponentKey lane(const std::string& format) {
+  return {.kind = measured::ComponentKind::lane,
           .format = format,
           .inputs = LaneInputs::exact,
           .bound = Bound{},
@@ -32,7 +32,7 @@ TEST_F(CharacteriseCommand, MeasuresOnceAndTheTableIsTheSame) {
   const std::string text = read("characterisation/scene-virtex6-lx760.csv");
   const auto table = read_table();
   ASSERT_EQ(table.rows.size(), 3u);
-  for (const characterise::Measurement& row : table.rows) {
+  for (const measured::Measurement& row : table.rows) {
     EXPECT_GT(row.area.luts, 1000) << "the sources' bytes";
     EXPECT_EQ(row.area.registers, 900);
     EXPECT_EQ(row.tools, "Yosys 9.9 (fake)");
@@ -54,7 +54,7 @@ TEST_F(CharacteriseCommand, AnyNameOfAStoreIsAPath) {
     const Outcome run = characterise_into(store, two_lanes + " -o table.csv", fake(""));
     ASSERT_EQ(run.exit_code, 0) << run.output;
     EXPECT_TRUE(std::filesystem::is_regular_file(path(store)));
-    EXPECT_EQ(characterise::read_characterisation(path("table.csv"))->rows.size(), 2u);
+    EXPECT_EQ(measured::read_characterisation(path("table.csv"))->rows.size(), 2u);
     std::filesystem::remove(path("table.csv"));
   }
 }
@@ -70,10 +70,10 @@ TEST_F(CharacteriseCommand, MeasuresWithTheRealYosys) {
   const Outcome run = characterise(two_lanes + " --device ice40-hx8k -o table.csv");
   ASSERT_EQ(run.exit_code, 0) << run.output;
   EXPECT_EQ(stored(), 2);
-  const auto table = characterise::read_characterisation(path("table.csv"));
+  const auto table = measured::read_characterisation(path("table.csv"));
   ASSERT_TRUE(table.ok()) << table.error().to_string();
-  const characterise::Measurement* narrow = table->find(lane("s4e5"));
-  const characterise::Measurement* wide = table->find(lane("s6e5"));
+  const measured::Measurement* narrow = table->find(lane("s4e5"));
+  const measured::Measurement* wide = table->find(lane("s6e5"));
   ASSERT_TRUE(narrow != nullptr && wide != nullptr);
   EXPECT_GT(narrow->area.luts, 20);
   EXPECT_GT(narrow->area.registers, 10);
@@ -91,7 +91,7 @@ TEST_F(CharacteriseCommand, MeasuresTheMemoriesOfSquares) {
       "characterise squares.toml --store s.sqlite --area-only --bounds fixed_norm "
       "--multipliers logic,memory --components lane --precisions 8 -o table.csv");
   ASSERT_EQ(run.exit_code, 0) << run.output;
-  const auto table = characterise::read_characterisation(path("table.csv"));
+  const auto table = measured::read_characterisation(path("table.csv"));
   ASSERT_TRUE(table.ok()) << table.error().to_string();
   ASSERT_EQ(table->rows.size(), 2u);
   EXPECT_EQ(table->rows[0].key.multipliers, "logic");
@@ -173,7 +173,7 @@ TEST_F(CharacteriseCommand, AJobThatFailsIsNamedAndTheOthersGoOn) {
   EXPECT_NE(run.output.find("crossbar 2 ports: "), std::string::npos) << run.output;
   EXPECT_NE(run.output.find("something is wrong with"), std::string::npos) << run.output;
   ASSERT_EQ(read_table().rows.size(), 1u);
-  EXPECT_EQ(read_table().rows[0].key.kind, characterise::ComponentKind::lane);
+  EXPECT_EQ(read_table().rows[0].key.kind, measured::ComponentKind::lane);
   int kept = 0;
   for (const auto& entry : fs::directory_iterator(store().string() + ".work")) {
     EXPECT_NE(run.output.find(entry.path().filename().string()), std::string::npos);
@@ -196,7 +196,7 @@ TEST_F(CharacteriseCommand, AnAreaOfConstantNetsIsRefused) {
     EXPECT_NE(run.output.find(words), std::string::npos) << words << ": " << run.output;
   }
   ASSERT_EQ(read_table().rows.size(), 1u) << "the other row is there";
-  EXPECT_EQ(read_table().rows[0].key.kind, characterise::ComponentKind::crossbar);
+  EXPECT_EQ(read_table().rows[0].key.kind, measured::ComponentKind::crossbar);
   EXPECT_EQ(stored(), 1);
   EXPECT_EQ(characterise(both, fake("")).exit_code, 0);
   EXPECT_EQ(read_table().rows.size(), 2u);
@@ -273,7 +273,7 @@ TEST_F(CharacteriseCommand, TwoAtOnceLoseNoRowOfOneTable) {
 /// The second run adds a row and measures an outdated one anew while the first is at work.
 TEST_F(CharacteriseCommand, RowsThatAnotherRunMeasuredMeanwhileStay) {
   ASSERT_EQ(characterise("--components crossbar --ports 1", fake("")).exit_code, 0);
-  const characterise::Measurement sound = read_table().rows.at(0);
+  const measured::Measurement sound = read_table().rows.at(0);
   const std::string file = "characterisation/scene-virtex6-lx760.csv";
   write(file, std::regex_replace(read(file), std::regex(sound.hash), "00"));
   const std::string arguments =
@@ -347,7 +347,7 @@ TEST_F(CharacteriseCommand, NamesGuardDigitsAndRunningBounds) {
       "--bounds fixed_norm_g3,fixed_running,block_running_g2 --multipliers logic -o table.csv",
       fake(""));
   ASSERT_EQ(run.exit_code, 0) << run.output;
-  const auto table = characterise::read_characterisation(path("table.csv"));
+  const auto table = measured::read_characterisation(path("table.csv"));
   ASSERT_TRUE(table.ok()) << table.error().to_string();
   std::vector<std::string> names;
   for (const auto& row : table->rows)

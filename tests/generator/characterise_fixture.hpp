@@ -9,8 +9,8 @@
 #include <string>
 #include <thread>
 
-#include "model/characterise/measurement.hpp"
-#include "model/characterise/store.hpp"
+#include "generator/synthesis/characterise/store.hpp"
+#include "model/cost/measured/measurement.hpp"
 #include "tests/support/fake_yosys.hpp"
 #include "tests/support/program.hpp"
 
@@ -112,8 +112,8 @@ protected:
   int stored() { return characterise::ResultStore::open(store()).value().size().value(); }
   fs::path store() const { return path("s.sqlite"); }
   fs::path table() const { return path("characterisation") / "scene-virtex6-lx760.csv"; }
-  characterise::Characterisation read_table() {
-    const auto read_back = characterise::read_characterisation(table());
+  measured::Characterisation read_table() {
+    const auto read_back = measured::read_characterisation(table());
     EXPECT_TRUE(read_back.ok()) << read_back.error().to_string();
     return *read_back;
   }

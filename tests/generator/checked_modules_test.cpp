@@ -1,4 +1,4 @@
-#include "generator/rtl/checked_modules.hpp"
+#include "generator/hardware/rtl/checked_modules.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "generator/emit/template_ports.hpp"
-#include "generator/emit/templates.hpp"
+#include "generator/hardware/emit/template_ports.hpp"
+#include "generator/hardware/emit/templates.hpp"
 
 /// A tree of modules with one fault is not printed, whatever the fault is.
 namespace mixcmp::test::checked_modules_test {

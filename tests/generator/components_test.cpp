@@ -6,19 +6,19 @@
 #include <map>
 #include <regex>
 
-#include "generator/components/characterise.hpp"
-#include "generator/components/component_list.hpp"
-#include "generator/components/shortlist.hpp"
-#include "generator/components/synthesis_jobs.hpp"
-#include "generator/emit/system.hpp"
-#include "model/characterise/job_hash.hpp"
+#include "generator/hardware/emit/system.hpp"
+#include "generator/synthesis/characterise/job_hash.hpp"
+#include "generator/synthesis/components/characterise.hpp"
+#include "generator/synthesis/components/component_list.hpp"
+#include "generator/synthesis/components/shortlist.hpp"
+#include "generator/synthesis/components/synthesis_jobs.hpp"
+#include "model/base/number/lane_format.hpp"
+#include "model/base/settings/bound_name.hpp"
+#include "model/cost/devices/device.hpp"
 #include "model/design/slots.hpp"
-#include "model/devices/device.hpp"
-#include "model/number/lane_format.hpp"
-#include "model/profile/profiled_error.hpp"
+#include "model/judge/workload/load_comparisons.hpp"
+#include "model/plan/profile/profiled_error.hpp"
 #include "model/scene/lane_bound.hpp"
-#include "model/settings/bound_name.hpp"
-#include "model/workload/load_comparisons.hpp"
 #include "tests/support/scratch_directory.hpp"
 
 namespace mixcmp::test::components_test {
@@ -42,10 +42,10 @@ protected:
   }
 
   struct Found {
-    std::map<characterise::ComponentKey, components::Component> components;
+    std::map<measured::ComponentKey, components::Component> components;
     std::vector<components::MissingLane> missing;
 
-    int count(characterise::ComponentKind kind) const {
+    int count(measured::ComponentKind kind) const {
       return static_cast<int>(
           std::count_if(components.begin(), components.end(),
                         [&](const auto& entry) { return entry.first.kind == kind; }));
@@ -53,7 +53,7 @@ protected:
     std::vector<std::string> formats(const std::string& bound) const {
       std::vector<std::string> names;
       for (const auto& [key, component] : components) {
-        if (key.kind == characterise::ComponentKind::lane && to_string(key.bound) == bound)
+        if (key.kind == measured::ComponentKind::lane && to_string(key.bound) == bound)
           names.push_back(key.format);
       }
       return names;
@@ -78,7 +78,7 @@ protected:
     for (const std::string& name : names) {
       bounds.push_back(settings::parse_bound(name).value());
     }
-    return {.kinds = {characterise::ComponentKind::lane},
+    return {.kinds = {measured::ComponentKind::lane},
             .precisions = std::move(precisions),
             .bounds = std::move(bounds),
             .inputs = {LaneInputs::exact},
@@ -118,22 +118,22 @@ TEST_F(Components, AreWhatGenerateWrites) {
       emit::generate_system(design::make_design(spheres_scene, nullptr).value(), "");
   ASSERT_TRUE(system.ok());
   components::ComponentQuery query = lanes({12}, {"relative"});
-  query.kinds = {characterise::ComponentKind::lane, characterise::ComponentKind::reference,
-                 characterise::ComponentKind::fifo, characterise::ComponentKind::crossbar};
+  query.kinds = {measured::ComponentKind::lane, measured::ComponentKind::reference,
+                 measured::ComponentKind::fifo, measured::ComponentKind::crossbar};
   query.ports = {1};
   const Found found = find(spheres_scene, query);
   ASSERT_EQ(found.components.size(), 4u);
   for (const auto& [key, component] : found.components) {
-    if (key.kind == characterise::ComponentKind::lane) {
+    if (key.kind == measured::ComponentKind::lane) {
       EXPECT_EQ(component.latency_cycles, system->signature.lane_groups[0].latency_cycles);
       EXPECT_EQ(from_ports(source(component, "lane.v")), from_ports(generated(*system, "_lane_")));
     }
-    if (key.kind == characterise::ComponentKind::reference) {
+    if (key.kind == measured::ComponentKind::reference) {
       EXPECT_EQ(component.latency_cycles, system->signature.reference_groups[0].latency_cycles);
       EXPECT_EQ(from_ports(source(component, "reference.v")),
                 from_ports(generated(*system, "_reference_")));
     }
-    if (key.kind == characterise::ComponentKind::fifo) {
+    if (key.kind == measured::ComponentKind::fifo) {
       EXPECT_EQ(key.ports, system->signature.slots);
     }
   }
@@ -153,7 +153,7 @@ TEST_F(Components, ReferencesArePlacedForTheirOwnTargets) {
   EXPECT_NE(fast.second, usual.second);
   EXPECT_EQ(fast.second, generated_for({"system.target_mhz=400"}).second);
   components::ComponentQuery query;
-  query.kinds = {characterise::ComponentKind::reference};
+  query.kinds = {measured::ComponentKind::reference};
   query.multipliers = {scene::Multipliers::embedded};
   query.reference_targets = {200, 400};
   const Found found = find(scene(one_system), query);
@@ -174,32 +174,32 @@ TEST_F(Components, OfAnEngineAreWhatGenerateWrites) {
   const auto system = emit::generate_system(design::make_design(engine_scene, nullptr).value(), "");
   ASSERT_TRUE(system.ok());
   components::ComponentQuery query = lanes({12}, {"fixed_norm"});
-  query.kinds = {characterise::ComponentKind::lane, characterise::ComponentKind::segment,
-                 characterise::ComponentKind::conversion, characterise::ComponentKind::engine,
-                 characterise::ComponentKind::reference_port};
+  query.kinds = {measured::ComponentKind::lane, measured::ComponentKind::segment,
+                 measured::ComponentKind::conversion, measured::ComponentKind::engine,
+                 measured::ComponentKind::reference_port};
   const Found found = find(engine_scene, query);
-  EXPECT_EQ(found.count(characterise::ComponentKind::lane), 1);
-  EXPECT_EQ(found.count(characterise::ComponentKind::segment), 1);
-  EXPECT_EQ(found.count(characterise::ComponentKind::conversion), 1);
-  EXPECT_EQ(found.count(characterise::ComponentKind::reference_port), 1);
-  EXPECT_EQ(found.count(characterise::ComponentKind::engine), 2);
+  EXPECT_EQ(found.count(measured::ComponentKind::lane), 1);
+  EXPECT_EQ(found.count(measured::ComponentKind::segment), 1);
+  EXPECT_EQ(found.count(measured::ComponentKind::conversion), 1);
+  EXPECT_EQ(found.count(measured::ComponentKind::reference_port), 1);
+  EXPECT_EQ(found.count(measured::ComponentKind::engine), 2);
   const auto written_of = [](const components::Component& component) {
     return from_ports(source(component, component.job.top + ".v"));
   };
   for (const auto& [key, component] : found.components) {
-    if (key.kind == characterise::ComponentKind::lane) {
+    if (key.kind == measured::ComponentKind::lane) {
       EXPECT_EQ(written_of(component), from_ports(generated(*system, "_pair_lane_q12_l5")));
     }
-    if (key.kind == characterise::ComponentKind::segment) {
+    if (key.kind == measured::ComponentKind::segment) {
       EXPECT_EQ(key.ports, 8);
       const std::regex lane("engine_pair_lane");  // components have no scene's name
       EXPECT_EQ(std::regex_replace(written_of(component), lane, "spheres_pair_lane"),
                 from_ports(generated(*system, "_segment_of_8")));
     }
-    if (key.kind == characterise::ComponentKind::conversion) {
+    if (key.kind == measured::ComponentKind::conversion) {
       EXPECT_EQ(written_of(component), from_ports(generated(*system, "_item_l")));
     }
-    if (key.kind == characterise::ComponentKind::engine) {
+    if (key.kind == measured::ComponentKind::engine) {
       const std::string parameter = fmt::format("parameter SEGMENTS = {},", key.ports);
       EXPECT_NE(source(component, "pairwise_engine.v").find(parameter), std::string::npos);
       EXPECT_NE(source(component, "pairwise_engine.v").find("parameter STREAMS = 2,"),
@@ -219,11 +219,10 @@ const std::string one_chain =
     "[engine]\nkind = \"arg_min\"\n";
 
 components::ComponentQuery parts_of_a_chain() {
-  return {.kinds = {characterise::ComponentKind::lane, characterise::ComponentKind::segment,
-                    characterise::ComponentKind::conversion, characterise::ComponentKind::engine,
-                    characterise::ComponentKind::operand_memory,
-                    characterise::ComponentKind::crossbar, characterise::ComponentKind::reference,
-                    characterise::ComponentKind::reference_port},
+  return {.kinds = {measured::ComponentKind::lane, measured::ComponentKind::segment,
+                    measured::ComponentKind::conversion, measured::ComponentKind::engine,
+                    measured::ComponentKind::operand_memory, measured::ComponentKind::crossbar,
+                    measured::ComponentKind::reference, measured::ComponentKind::reference_port},
           .precisions = {9},
           .bounds = {settings::parse_bound("fixed_norm").value()},
           .multipliers = {scene::Multipliers::embedded},
@@ -240,13 +239,13 @@ TEST_F(Components, OfAChainAreWhatGenerateWrites) {
     return std::regex_replace(from_ports(source(component, component.job.top + ".v")), scene_name,
                               "nearest_$1");
   };
-  std::map<characterise::ComponentKind, std::vector<int>> ports;
+  std::map<measured::ComponentKind, std::vector<int>> ports;
   for (const auto& [key, component] : found.components) {
     ports[key.kind].push_back(key.ports);
-    if (key.kind == characterise::ComponentKind::lane) {
+    if (key.kind == measured::ComponentKind::lane) {
       EXPECT_EQ(written_of(component), from_ports(generated(*system, "_pair_lane_q9")));
     }
-    if (key.kind == characterise::ComponentKind::segment) {
+    if (key.kind == measured::ComponentKind::segment) {
       const auto channel = std::find_if(
           system->files.begin(), system->files.end(), [](const emit::GeneratedFile& file) {
             return file.name.find("_pair_lane_q9") != std::string::npos &&
@@ -255,21 +254,21 @@ TEST_F(Components, OfAChainAreWhatGenerateWrites) {
       ASSERT_NE(channel, system->files.end());
       EXPECT_EQ(written_of(component), from_ports(components::without_comments(channel->text)));
     }
-    if (key.kind == characterise::ComponentKind::engine) {
+    if (key.kind == measured::ComponentKind::engine) {
       const std::string parameter = fmt::format("parameter CANDIDATES = {},", key.ports + 1);
       EXPECT_NE(source(component, "arg_min_engine.v").find(parameter), std::string::npos);
     }
-    if (key.kind == characterise::ComponentKind::conversion) {
+    if (key.kind == measured::ComponentKind::conversion) {
       EXPECT_NE(source(component, component.job.top + ".v").find("row_conversion"),
                 std::string::npos);
     }
   }
-  EXPECT_EQ(ports[characterise::ComponentKind::segment], std::vector<int>{1});
-  EXPECT_EQ(ports[characterise::ComponentKind::engine], (std::vector<int>{1, 6}));
-  EXPECT_EQ(ports[characterise::ComponentKind::operand_memory], (std::vector<int>{1, 4}));
-  EXPECT_EQ(ports[characterise::ComponentKind::crossbar], (std::vector<int>{1, 6}));
-  EXPECT_EQ(ports[characterise::ComponentKind::conversion].size(), 1u);
-  EXPECT_EQ(ports[characterise::ComponentKind::reference_port].size(), 1u);
+  EXPECT_EQ(ports[measured::ComponentKind::segment], std::vector<int>{1});
+  EXPECT_EQ(ports[measured::ComponentKind::engine], (std::vector<int>{1, 6}));
+  EXPECT_EQ(ports[measured::ComponentKind::operand_memory], (std::vector<int>{1, 4}));
+  EXPECT_EQ(ports[measured::ComponentKind::crossbar], (std::vector<int>{1, 6}));
+  EXPECT_EQ(ports[measured::ComponentKind::conversion].size(), 1u);
+  EXPECT_EQ(ports[measured::ComponentKind::reference_port].size(), 1u);
 }
 
 TEST_F(Components, OfAChainNeedItsNumberOfLanes) {
@@ -282,17 +281,17 @@ TEST_F(Components, OfAChainNeedItsNumberOfLanes) {
 
 TEST_F(Components, TheLaneOfASecondTierIsOne) {
   components::ComponentQuery query = lanes({12}, {"fixed_norm"});
-  query.kinds = {characterise::ComponentKind::lane};
+  query.kinds = {measured::ComponentKind::lane};
   const Found found = find(scene(one_engine + "[second_tier]\nformat = \"q15\"\n"), query);
   EXPECT_EQ(found.formats("fixed_norm"), (std::vector<std::string>{"q12", "q15"}));
 }
 
 TEST_F(Components, LanesInFloatingPointHaveNoConversion) {
   components::ComponentQuery query = lanes({12}, {"relative"});
-  query.kinds = {characterise::ComponentKind::segment, characterise::ComponentKind::conversion};
+  query.kinds = {measured::ComponentKind::segment, measured::ComponentKind::conversion};
   const Found found = find(scene("[system]\nlanes = 8\n[engine]\nkind = \"pairwise\"\n"), query);
-  EXPECT_EQ(found.count(characterise::ComponentKind::segment), 1);
-  EXPECT_EQ(found.count(characterise::ComponentKind::conversion), 0);
+  EXPECT_EQ(found.count(measured::ComponentKind::segment), 1);
+  EXPECT_EQ(found.count(measured::ComponentKind::conversion), 0);
 }
 
 TEST_F(Components, ExponentBitsFollowTheScene) {
@@ -337,12 +336,12 @@ TEST_F(Components, LanesInFixedPointAreWhatGenerateWritesOnceForAllInputs) {
 
 TEST_F(Components, OnlyLanesInFixedPointHaveMemoriesOfSquares) {
   components::ComponentQuery query = lanes({12, 16}, {"running_4", "fixed_norm"});
-  query.kinds.insert(characterise::ComponentKind::reference);
+  query.kinds.insert(measured::ComponentKind::reference);
   query.multipliers = {scene::Multipliers::memory};
   const Found found = find(scene("[reduced]\nformat = \"auto\"\n"), query);
   ASSERT_EQ(found.components.size(), 2u);
   for (const auto& [key, component] : found.components) {
-    const bool lane = key.kind == characterise::ComponentKind::lane;
+    const bool lane = key.kind == measured::ComponentKind::lane;
     EXPECT_EQ(key.format, lane ? "q12" : "s24e8");
     EXPECT_EQ(key.multipliers, lane ? "memory" : "embedded");
   }
@@ -412,12 +411,12 @@ TEST_F(Components, WithoutProductsThereIsOneKindOfMultipliers) {
       "[comparison]\nname = \"sums\"\nf = \"a + b\"\ng = \"c\"\n"
       "[reference]\nformat = \"s24e8\"\n[reduced]\nformat = \"auto\"\n";
   components::ComponentQuery query = lanes({12}, {"running_4"});
-  query.kinds.insert(characterise::ComponentKind::reference);
+  query.kinds.insert(measured::ComponentKind::reference);
   query.multipliers = {scene::Multipliers::embedded, scene::Multipliers::logic};
   const Found found = find(scene("", sums), query);
   EXPECT_EQ(found.components.size(), 2u);
   for (const auto& [key, component] : found.components) EXPECT_EQ(key.multipliers, "");
-  EXPECT_EQ(find(scene(one_system), query).count(characterise::ComponentKind::reference), 2);
+  EXPECT_EQ(find(scene(one_system), query).count(measured::ComponentKind::reference), 2);
 }
 
 TEST_F(Components, FifosHaveTheSlotsThatTheLanesNeed) {
@@ -426,7 +425,7 @@ TEST_F(Components, FifosHaveTheSlotsThatTheLanesNeed) {
   for (const auto& [key, lane] : find(scene(one_system), query).components) {
     needed.insert(design::slots_for(lane.latency_cycles, true));
   }
-  query.kinds = {characterise::ComponentKind::fifo};
+  query.kinds = {measured::ComponentKind::fifo};
   std::set<int> built;
   for (const auto& [key, fifo] : find(scene(one_system), query).components) {
     built.insert(key.ports);
@@ -440,12 +439,12 @@ TEST_F(Components, FifosHaveTheSlotsThatTheLanesNeed) {
 }
 
 TEST_F(Components, CrossbarsTakeTheirPortsAndThePayload) {
-  components::ComponentQuery query{.kinds = {characterise::ComponentKind::crossbar},
+  components::ComponentQuery query{.kinds = {measured::ComponentKind::crossbar},
                                    .ports = {1, 5, 17}};
   const Found carried = find(scene(one_system), query);
   ASSERT_EQ(carried.components.size(), 3u);
   const components::Component& five =
-      carried.components.at({.kind = characterise::ComponentKind::crossbar, .ports = 5});
+      carried.components.at({.kind = measured::ComponentKind::crossbar, .ports = 5});
   EXPECT_NE(source(five, "stream_crossbar.v").find("parameter LANES = 5,"), std::string::npos);
   EXPECT_NE(source(five, "stream_crossbar.v").find("parameter PAYLOAD_BITS = 192,"),
             std::string::npos)
@@ -453,7 +452,7 @@ TEST_F(Components, CrossbarsTakeTheirPortsAndThePayload) {
   EXPECT_EQ(five.latency_cycles, 4);
   const Found in_beats = find(scene(one_system + "request_beats = 4\n"), query);
   const components::Component& narrow =
-      in_beats.components.at({.kind = characterise::ComponentKind::crossbar, .ports = 5});
+      in_beats.components.at({.kind = measured::ComponentKind::crossbar, .ports = 5});
   EXPECT_NE(source(narrow, "stream_crossbar.v").find("parameter PAYLOAD_BITS = 48,"),
             std::string::npos);
   EXPECT_NE(source(narrow, "stream_crossbar.v").find("parameter BEAT_BITS = 2\n"),
@@ -461,18 +460,18 @@ TEST_F(Components, CrossbarsTakeTheirPortsAndThePayload) {
   EXPECT_EQ(narrow.latency_cycles, 6);
   const Found refetched = find(scene(one_system + "operands = \"refetched\"\n"), query);
   const components::Component& tags =
-      refetched.components.at({.kind = characterise::ComponentKind::crossbar, .ports = 5});
+      refetched.components.at({.kind = measured::ComponentKind::crossbar, .ports = 5});
   EXPECT_NE(source(tags, "stream_crossbar.v").find("parameter PAYLOAD_BITS = 32,"),
             std::string::npos);
 }
 
 TEST_F(Components, UnitsAreMadeFromTheirNamesAlone) {
   components::ComponentQuery query = lanes({12}, {"relative", "running_4"});
-  query.kinds = {characterise::ComponentKind::unit};
+  query.kinds = {measured::ComponentKind::unit};
   const Found found = find(scene(one_system), query);
   EXPECT_GT(found.components.size(), 4u);
   for (const auto& [key, unit] : found.components) {
-    EXPECT_EQ(key.kind, characterise::ComponentKind::unit);
+    EXPECT_EQ(key.kind, measured::ComponentKind::unit);
     const auto again = components::job_of_instance_name(key.name);
     ASSERT_TRUE(again.ok()) << key.name;
     EXPECT_EQ(again->top, unit.job.top);
@@ -507,13 +506,13 @@ TEST_F(Components, ATableIsCurrentUntilTheSceneChanges) {
   const scene::Scene before = scene(one_system);
   const devices::Device device = devices::find_device("ice40-hx8k").value();
   components::ComponentQuery query = lanes({8, 12}, {"relative"});
-  query.kinds = {characterise::ComponentKind::lane, characterise::ComponentKind::reference,
-                 characterise::ComponentKind::crossbar};
+  query.kinds = {measured::ComponentKind::lane, measured::ComponentKind::reference,
+                 measured::ComponentKind::crossbar};
   query.ports = {2};
-  characterise::Characterisation table;
+  measured::Characterisation table;
   for (const auto& [key, component] : find(before, query).components) {
-    characterise::Measurement row{.key = key, .hash = "", .tools = "Yosys of another machine"};
-    row.timing_seeds = key.kind == characterise::ComponentKind::lane ? 3 : 0;
+    measured::Measurement row{.key = key, .hash = "", .tools = "Yosys of another machine"};
+    row.timing_seeds = key.kind == measured::ComponentKind::lane ? 3 : 0;
     const characterise::SynthesisOptions options =
         row.timing_seeds == 0
             ? characterise::SynthesisOptions{.effort = characterise::TimingEffort::area_only}
@@ -568,7 +567,7 @@ TEST_F(Components, TheShortlistHasTheBestPrecisionsOfTheBestKinds) {
     const auto found = components::shortlist(maker, query, device, rates_of(halving));
     EXPECT_TRUE(found.ok()) << found.error().to_string();
     std::map<std::string, std::vector<int>> precisions;
-    for (const characterise::ComponentKey& key : found->lanes) {
+    for (const measured::ComponentKey& key : found->lanes) {
       precisions[to_string(key.bound)].push_back(LaneFormat::parse(key.format)->precision());
     }
     EXPECT_GT(found->seconds, 0);

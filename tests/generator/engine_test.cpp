@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "generator/emit/system.hpp"
-#include "model/expression/parser.hpp"
+#include "generator/hardware/emit/system.hpp"
+#include "model/comparison/expression/parser.hpp"
 #include "tests/support/scratch_directory.hpp"
 #include "tests/support/sphere.hpp"
 

@@ -1,11 +1,11 @@
-#include "generator/datapath/fold.hpp"
+#include "generator/hardware/datapath/fold.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "generator/datapath/delays.hpp"
+#include "generator/hardware/datapath/delays.hpp"
 #include "tests/support/graphs.hpp"
 #include "tests/support/sphere.hpp"
 

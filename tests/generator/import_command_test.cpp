@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/characterise/measurement.hpp"
+#include "model/cost/measured/measurement.hpp"
 #include "tests/generator/characterise_fixture.hpp"
 
 /// `characterise --import`: reports of Vivado and Quartus, written by hand in their form, become
@@ -12,9 +12,9 @@
 namespace mixcmp::test::import_command_test {
 namespace {
 
-using characterise::AreaStage;
-using characterise::ComponentKind;
-using characterise::Measurement;
+using measured::AreaStage;
+using measured::ComponentKind;
+using measured::Measurement;
 
 /// One instance in the vendor's report by instance: its depth, name and area.
 struct Instance {
@@ -127,7 +127,7 @@ protected:
   }
 
   Measurement row(ComponentKind kind) {
-    const auto table = characterise::read_characterisation(path("t.csv"));
+    const auto table = measured::read_characterisation(path("t.csv"));
     EXPECT_TRUE(table.ok()) << table.error().to_string();
     for (const Measurement& each : table->rows) {
       if (each.key.kind == kind) return each;
@@ -175,7 +175,7 @@ TEST_F(Import, VivadosInstancesBecomeRowsOfTheirMeans) {
   EXPECT_EQ(row(ComponentKind::crossbar).key.ports, 2);
   ASSERT_TRUE(lane.clock.has_value());
   EXPECT_NEAR(lane.clock->mhz, 1000 / 5.25, 0.01);
-  EXPECT_EQ(lane.clock->source, characterise::ClockSource::routed);
+  EXPECT_EQ(lane.clock->source, measured::ClockSource::routed);
   EXPECT_EQ(lane.stage, AreaStage::routed);
   EXPECT_EQ(lane.tools, "Vivado v.2019.2 Build 2708876, xc7a200tfbg676-2");
 }

@@ -1,4 +1,4 @@
-#include "generator/rtl/lane_module.hpp"
+#include "generator/hardware/rtl/lane_module.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,12 +7,12 @@
 #include <optional>
 #include <set>
 
-#include "generator/datapath/delays.hpp"
-#include "generator/emit/template_ports.hpp"
-#include "generator/emit/verilog.hpp"
-#include "generator/rtl/reference_module.hpp"
-#include "generator/rtl/unread_bits.hpp"
-#include "model/error/certified_lane.hpp"
+#include "generator/hardware/datapath/delays.hpp"
+#include "generator/hardware/emit/template_ports.hpp"
+#include "generator/hardware/emit/verilog.hpp"
+#include "generator/hardware/rtl/reference_module.hpp"
+#include "generator/hardware/rtl/unread_bits.hpp"
+#include "model/lane/error/certified_lane.hpp"
 #include "tests/support/graphs.hpp"
 #include "tests/support/sphere.hpp"
 

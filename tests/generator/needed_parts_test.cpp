@@ -1,10 +1,10 @@
-#include "generator/components/needed_parts.hpp"
+#include "generator/synthesis/components/needed_parts.hpp"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include "generator/components/synthesis_jobs.hpp"
-#include "model/characterise/tools.hpp"
+#include "generator/synthesis/characterise/tools.hpp"
+#include "generator/synthesis/components/synthesis_jobs.hpp"
 #include "tests/support/scratch_directory.hpp"
 
 namespace mixcmp::test::needed_parts_test {

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "generator/page/axis.hpp"
-#include "generator/page/chart.hpp"
-#include "generator/page/html_page.hpp"
-#include "generator/page/pipeline_columns.hpp"
-#include "generator/page/waveform.hpp"
+#include "generator/present/page/axis.hpp"
+#include "generator/present/page/chart.hpp"
+#include "generator/present/page/html_page.hpp"
+#include "generator/present/page/pipeline_columns.hpp"
+#include "generator/present/page/waveform.hpp"
 #include "tests/support/well_formed.hpp"
 
 /// Elements, axes, charts and layouts of pages.

@@ -1,4 +1,4 @@
-#include "generator/datapath/schedule.hpp"
+#include "generator/hardware/datapath/schedule.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,13 +10,13 @@
 #include <tuple>
 #include <utility>
 
-#include "generator/datapath/delays.hpp"
-#include "generator/datapath/embedded_square.hpp"
-#include "generator/datapath/scheduler.hpp"
-#include "generator/datapath/squared_sum.hpp"
-#include "generator/datapath/stage_list.hpp"
-#include "model/error/certified_lane.hpp"
-#include "model/expression/parser.hpp"
+#include "generator/hardware/datapath/delays.hpp"
+#include "generator/hardware/datapath/embedded_square.hpp"
+#include "generator/hardware/datapath/scheduler.hpp"
+#include "generator/hardware/datapath/squared_sum.hpp"
+#include "generator/hardware/datapath/stage_list.hpp"
+#include "model/comparison/expression/parser.hpp"
+#include "model/lane/error/certified_lane.hpp"
 #include "tests/support/graphs.hpp"
 #include "tests/support/sphere.hpp"
 

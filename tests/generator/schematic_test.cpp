@@ -3,16 +3,16 @@
 
 #include <algorithm>
 
-#include "generator/datapath/delays.hpp"
-#include "generator/datapath/schedule.hpp"
-#include "generator/emit/scheduled_system.hpp"
-#include "generator/emit/system.hpp"
-#include "generator/rtl/item_words.hpp"
-#include "generator/rtl/lane_module.hpp"
-#include "generator/rtl/reference_module.hpp"
-#include "generator/schematic/datapath_pipeline.hpp"
-#include "generator/schematic/system_picture.hpp"
-#include "model/error/certified_lane.hpp"
+#include "generator/hardware/datapath/delays.hpp"
+#include "generator/hardware/datapath/schedule.hpp"
+#include "generator/hardware/emit/scheduled_system.hpp"
+#include "generator/hardware/emit/system.hpp"
+#include "generator/hardware/rtl/item_words.hpp"
+#include "generator/hardware/rtl/lane_module.hpp"
+#include "generator/hardware/rtl/reference_module.hpp"
+#include "generator/present/schematic/datapath_pipeline.hpp"
+#include "generator/present/schematic/system_picture.hpp"
+#include "model/lane/error/certified_lane.hpp"
 #include "tests/support/sphere.hpp"
 #include "tests/support/well_formed.hpp"
 

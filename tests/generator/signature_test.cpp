@@ -1,4 +1,4 @@
-#include "generator/emit/signature.hpp"
+#include "generator/hardware/emit/signature.hpp"
 
 #include <gtest/gtest.h>
 

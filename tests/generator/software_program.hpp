@@ -6,7 +6,7 @@
 #include <string>
 
 #include "generator/software/program.hpp"
-#include "model/golden/evaluate.hpp"
+#include "model/judge/golden/evaluate.hpp"
 #include "tests/support/scratch_directory.hpp"
 
 namespace mixcmp::test {

@@ -5,12 +5,12 @@
 #include <random>
 
 #include "generator/software/source.hpp"
-#include "model/data/operand_source.hpp"
-#include "model/data/sphere_family.hpp"
-#include "model/emulator/emulator.hpp"
-#include "model/error/certified_lane.hpp"
-#include "model/number/verdict.hpp"
-#include "model/workload/compare_by_reference.hpp"
+#include "model/base/number/verdict.hpp"
+#include "model/comparison/data/operand_source.hpp"
+#include "model/comparison/data/sphere_family.hpp"
+#include "model/judge/emulator/emulator.hpp"
+#include "model/judge/workload/compare_by_reference.hpp"
+#include "model/lane/error/certified_lane.hpp"
 #include "tests/generator/software_program.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/unproven_tie.hpp"

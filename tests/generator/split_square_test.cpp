@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "generator/datapath/delays.hpp"
-#include "generator/datapath/logic_product.hpp"
-#include "generator/datapath/scheduler.hpp"
-#include "generator/datapath/units.hpp"
+#include "generator/hardware/datapath/delays.hpp"
+#include "generator/hardware/datapath/logic_product.hpp"
+#include "generator/hardware/datapath/scheduler.hpp"
+#include "generator/hardware/datapath/units.hpp"
 #include "tests/support/graphs.hpp"
 
 /// Squares of logic whose late bits are added a cycle behind the others.

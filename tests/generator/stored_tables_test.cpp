@@ -4,14 +4,14 @@
 #include <filesystem>
 #include <sstream>
 
-#include "generator/components/characterise.hpp"
-#include "generator/components/component_maker.hpp"
+#include "generator/synthesis/components/characterise.hpp"
+#include "generator/synthesis/components/component_maker.hpp"
 
 namespace mixcmp::test::stored_tables_test {
 namespace {
 
 namespace fs = std::filesystem;
-using characterise::Characterisation;
+using measured::Characterisation;
 
 /// The scene that a table's command names, with the command's settings.
 scene::Scene scene_of(const Characterisation& table, const fs::path& path) {
@@ -30,10 +30,10 @@ TEST(StoredTables, HaveNoRowThatWouldBeRefused) {
   for (const auto& entry : fs::recursive_directory_iterator(MIXCMP_EXAMPLES)) {
     const fs::path& path = entry.path();
     if (path.extension() != ".csv" || path.parent_path().filename() != "characterisation") continue;
-    const Characterisation table = characterise::read_characterisation(path).value();
+    const Characterisation table = measured::read_characterisation(path).value();
     const devices::Device device = devices::find_device(table.device).value();
     components::ComponentMaker maker(scene_of(table, path), nullptr);
-    for (const characterise::Measurement& row : table.rows) {
+    for (const measured::Measurement& row : table.rows) {
       const auto component = maker.make(row.key);
       ASSERT_TRUE(component.ok()) << component.error().to_string();
       const auto checked = characterise::check_multipliers(row.area, component->job.needed, device);

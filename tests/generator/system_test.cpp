@@ -1,4 +1,4 @@
-#include "generator/emit/system.hpp"
+#include "generator/hardware/emit/system.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

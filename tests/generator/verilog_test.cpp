@@ -1,4 +1,4 @@
-#include "generator/emit/verilog.hpp"
+#include "generator/hardware/emit/verilog.hpp"
 
 #include <gtest/gtest.h>
 

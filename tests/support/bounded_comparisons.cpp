@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include "model/fixed/scale_degree.hpp"
+#include "model/lane/fixed/scale_degree.hpp"
 #include "tests/support/graphs.hpp"
 
 namespace mixcmp::test {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "model/expression/graph.hpp"
-#include "model/fixed/fixed_lane.hpp"
+#include "model/comparison/expression/graph.hpp"
+#include "model/lane/fixed/fixed_lane.hpp"
 
 namespace mixcmp::test {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "model/fixed/fixed_lane.hpp"
+#include "model/lane/fixed/fixed_lane.hpp"
 #include "tests/support/graphs.hpp"
 #include "tests/support/sphere.hpp"
 

@@ -3,7 +3,7 @@
 #include <random>
 #include <vector>
 
-#include "model/number/float_format.hpp"
+#include "model/base/number/float_format.hpp"
 
 namespace mixcmp::test {
 

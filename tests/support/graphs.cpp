@@ -1,6 +1,6 @@
 #include "tests/support/graphs.hpp"
 
-#include "model/expression/parser.hpp"
+#include "model/comparison/expression/parser.hpp"
 
 namespace mixcmp::test {
 

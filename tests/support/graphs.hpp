@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "model/error/certified_lane.hpp"
-#include "model/expression/graph.hpp"
+#include "model/comparison/expression/graph.hpp"
+#include "model/lane/error/certified_lane.hpp"
 
 namespace mixcmp::test {
 

@@ -2,8 +2,8 @@
 
 #include <fmt/core.h>
 
-#include "model/error/hazards.hpp"
-#include "model/golden/evaluate.hpp"
+#include "model/judge/golden/evaluate.hpp"
+#include "model/lane/error/hazards.hpp"
 
 namespace mixcmp::test {
 namespace {

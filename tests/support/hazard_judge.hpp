@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "model/error/lane.hpp"
+#include "model/lane/error/lane.hpp"
 
 namespace mixcmp::test {
 

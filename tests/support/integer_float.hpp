@@ -4,11 +4,11 @@
 
 #include <span>
 
-#include "model/golden/arithmetic.hpp"
-#include "model/number/verdict.hpp"
+#include "model/base/number/verdict.hpp"
+#include "model/judge/golden/arithmetic.hpp"
 
-/// The second judge of model/golden/arithmetic.hpp: the same rules on exact integers, rounded by
-/// hand. It shares the result type with the golden model and no arithmetic.
+/// The second judge of model/judge/golden/arithmetic.hpp: the same rules on exact integers, rounded
+/// by hand. It shares the result type with the golden model and no arithmetic.
 namespace mixcmp::test::integer_float {
 
 using golden::Rounded;

@@ -4,7 +4,7 @@
 #include <array>
 #include <random>
 
-#include "model/number/lane_inputs.hpp"
+#include "model/base/number/lane_inputs.hpp"
 
 namespace mixcmp::test {
 

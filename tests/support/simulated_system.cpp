@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "generator/emit/system.hpp"
+#include "generator/hardware/emit/system.hpp"
 
 namespace mixcmp::test {
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "model/comparison/expression/graph.hpp"
 #include "model/design/design.hpp"
-#include "model/expression/graph.hpp"
 #include "tests/support/graphs.hpp"
 
 /// The paper's comparison, built without the parser.

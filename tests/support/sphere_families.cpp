@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "model/data/sphere_family.hpp"
+#include "model/comparison/data/sphere_family.hpp"
 
 namespace mixcmp::test {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/data/comparisons.hpp"
+#include "model/comparison/data/comparisons.hpp"
 
 namespace mixcmp::test {
 

@@ -5,12 +5,12 @@
 #include <fstream>
 #include <iterator>
 
-#include "model/error/certified_lane.hpp"
-#include "model/expression/parser.hpp"
-#include "model/fixed/fixed_lane.hpp"
-#include "model/number/exact.hpp"
-#include "model/number/verdict.hpp"
-#include "model/workload/compare_by_reference.hpp"
+#include "model/base/number/exact.hpp"
+#include "model/base/number/verdict.hpp"
+#include "model/comparison/expression/parser.hpp"
+#include "model/judge/workload/compare_by_reference.hpp"
+#include "model/lane/error/certified_lane.hpp"
+#include "model/lane/fixed/fixed_lane.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
 

@@ -3,12 +3,12 @@
 
 #include <cstdlib>
 
-#include "model/expression/parser.hpp"
-#include "model/fixed/fixed_lane.hpp"
-#include "model/golden/fixed_evaluate.hpp"
-#include "model/number/exact.hpp"
-#include "model/workload/compare_by_reference.hpp"
-#include "model/workload/load_comparisons.hpp"
+#include "model/base/number/exact.hpp"
+#include "model/comparison/expression/parser.hpp"
+#include "model/judge/golden/fixed_evaluate.hpp"
+#include "model/judge/workload/compare_by_reference.hpp"
+#include "model/judge/workload/load_comparisons.hpp"
+#include "model/lane/fixed/fixed_lane.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
 #include "verilator_tb/engine_model.hpp"

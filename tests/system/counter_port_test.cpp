@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "model/data/uniform_spheres.hpp"
+#include "model/comparison/data/uniform_spheres.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "model/error/profiled_lane.hpp"
-#include "model/profile/profiled_error.hpp"
+#include "model/lane/error/profiled_lane.hpp"
+#include "model/plan/profile/profiled_error.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
 #include "tests/support/sphere_families.hpp"

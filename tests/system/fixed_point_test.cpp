@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "model/fixed/fixed_lane.hpp"
+#include "model/lane/fixed/fixed_lane.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 #include "tests/support/simulated_system.hpp"

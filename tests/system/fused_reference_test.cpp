@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "model/fixed/fixed_lane.hpp"
-#include "model/golden/evaluate.hpp"
+#include "model/judge/golden/evaluate.hpp"
+#include "model/lane/fixed/fixed_lane.hpp"
 #include "tests/support/graphs.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"

@@ -6,9 +6,9 @@
 #include <iterator>
 #include <regex>
 
-#include "model/common/file.hpp"
-#include "model/common/process.hpp"
-#include "model/data/uniform_spheres.hpp"
+#include "model/base/common/file.hpp"
+#include "model/base/common/process.hpp"
+#include "model/comparison/data/uniform_spheres.hpp"
 #include "tests/support/scratch_directory.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"

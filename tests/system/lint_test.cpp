@@ -5,8 +5,8 @@
 #include <fstream>
 #include <optional>
 
-#include "model/error/certified_lane.hpp"
-#include "model/expression/parser.hpp"
+#include "model/comparison/expression/parser.hpp"
+#include "model/lane/error/certified_lane.hpp"
 #include "tests/support/mixed_spheres.hpp"
 #include "tests/support/scratch_directory.hpp"
 #include "tests/support/simulated_system.hpp"

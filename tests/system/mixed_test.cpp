@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "generator/emit/system.hpp"
-#include "model/data/uniform_spheres.hpp"
+#include "generator/hardware/emit/system.hpp"
+#include "model/comparison/data/uniform_spheres.hpp"
 #include "tests/support/mixed_spheres.hpp"
 #include "tests/support/simulated_system.hpp"
 

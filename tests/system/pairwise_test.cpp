@@ -8,9 +8,9 @@
 #include <functional>
 #include <iterator>
 
-#include "model/data/uniform_spheres.hpp"
-#include "model/number/exact.hpp"
-#include "model/number/verdict.hpp"
+#include "model/base/number/exact.hpp"
+#include "model/base/number/verdict.hpp"
+#include "model/comparison/data/uniform_spheres.hpp"
 #include "tests/support/mixed_spheres.hpp"
 #include "tests/support/simulated_system.hpp"
 

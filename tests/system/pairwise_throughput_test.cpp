@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "model/data/uniform_spheres.hpp"
-#include "model/golden/fixed_evaluate.hpp"
+#include "model/comparison/data/uniform_spheres.hpp"
+#include "model/judge/golden/fixed_evaluate.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
 #include "verilator_tb/engine_model.hpp"

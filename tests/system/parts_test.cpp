@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "model/error/certified_lane.hpp"
+#include "model/lane/error/certified_lane.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 #include "tests/support/simulated_system.hpp"

@@ -4,10 +4,10 @@
 #include <fstream>
 #include <set>
 
-#include "model/golden/evaluate.hpp"
-#include "model/number/verdict.hpp"
+#include "model/base/number/verdict.hpp"
+#include "model/judge/golden/evaluate.hpp"
+#include "model/judge/workload/load_comparisons.hpp"
 #include "model/scene/scene.hpp"
-#include "model/workload/load_comparisons.hpp"
 #include "tests/support/simulated_system.hpp"
 
 /// The main job, as a user runs it: the clashes of 1A8O through the program itself.

@@ -3,8 +3,8 @@
 #include <bit>
 #include <random>
 
-#include "generator/emit/scheduled_system.hpp"
-#include "model/performance/performance.hpp"
+#include "generator/hardware/emit/scheduled_system.hpp"
+#include "model/cost/performance/performance.hpp"
 #include "tests/support/sphere.hpp"
 #include "tests/system/throughput_cases.hpp"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "model/data/uniform_spheres.hpp"
+#include "model/comparison/data/uniform_spheres.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
 

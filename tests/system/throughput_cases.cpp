@@ -6,8 +6,8 @@
 #include <bit>
 #include <random>
 
-#include "generator/emit/system.hpp"
-#include "model/performance/performance.hpp"
+#include "generator/hardware/emit/system.hpp"
+#include "model/cost/performance/performance.hpp"
 #include "tests/support/sphere.hpp"
 
 namespace mixcmp::test {

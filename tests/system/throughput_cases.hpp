@@ -4,7 +4,7 @@
 #include <ostream>
 #include <vector>
 
-#include "model/performance/streams.hpp"
+#include "model/cost/performance/streams.hpp"
 #include "tests/support/simulated_system.hpp"
 
 /// Sphere systems in simulation at full rate, with comparisons that are undecided by plan.

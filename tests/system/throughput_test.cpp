@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "model/performance/performance.hpp"
+#include "model/cost/performance/performance.hpp"
 #include "tests/system/throughput_cases.hpp"
 
 /// The analytical model against a generated system in simulation.

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/emit/system.hpp"
-#include "model/fixed/fixed_lane.hpp"
-#include "model/number/exact.hpp"
-#include "model/number/verdict.hpp"
-#include "model/workload/compare_by_reference.hpp"
+#include "generator/hardware/emit/system.hpp"
+#include "model/base/number/exact.hpp"
+#include "model/base/number/verdict.hpp"
+#include "model/judge/workload/compare_by_reference.hpp"
+#include "model/lane/fixed/fixed_lane.hpp"
 #include "tests/support/graphs.hpp"
 #include "tests/support/sphere.hpp"
 

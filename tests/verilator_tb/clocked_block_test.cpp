@@ -6,9 +6,9 @@
 #include <fstream>
 #include <set>
 
-#include "generator/emit/system.hpp"
-#include "model/common/file.hpp"
-#include "model/number/exact.hpp"
+#include "generator/hardware/emit/system.hpp"
+#include "model/base/common/file.hpp"
+#include "model/base/number/exact.hpp"
 #include "tests/support/sphere.hpp"
 #include "tests/verilator_tb/fake_system.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "model/number/decimal.hpp"
-#include "model/number/verdict.hpp"
+#include "model/base/number/decimal.hpp"
+#include "model/base/number/verdict.hpp"
 #include "tests/support/graphs.hpp"
 #include "tests/support/unproven_tie.hpp"
 #include "tests/verilator_tb/fake_system.hpp"

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "generator/emit/system.hpp"
-#include "model/number/decimal.hpp"
-#include "model/number/exact.hpp"
+#include "generator/hardware/emit/system.hpp"
+#include "model/base/number/decimal.hpp"
+#include "model/base/number/exact.hpp"
 #include "tests/support/sphere.hpp"
 #include "tests/verilator_tb/fake_system.hpp"
 

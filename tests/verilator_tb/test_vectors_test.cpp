@@ -8,9 +8,9 @@
 #include <set>
 #include <vector>
 
-#include "generator/emit/system.hpp"
-#include "model/error/certified_lane.hpp"
-#include "model/golden/evaluate.hpp"
+#include "generator/hardware/emit/system.hpp"
+#include "model/judge/golden/evaluate.hpp"
+#include "model/lane/error/certified_lane.hpp"
 #include "tests/support/graphs.hpp"
 #include "tests/support/mixed_spheres.hpp"
 #include "verilator_tb/engine_verify.hpp"
@@ -46,7 +46,7 @@ data::Comparisons spheres_that_meet_twice() {
 }
 
 /// The operands of 32 bits in a vector.
-std::vector<Bits> operands_of(const project::TestVector& vector) {
+std::vector<Bits> operands_of(const emit::TestVector& vector) {
   std::vector<Bits> operands;
   for (std::size_t at = 0; at + 4 <= vector.tdata.size(); at += 4) {
     std::uint32_t operand = 0;
@@ -58,7 +58,7 @@ std::vector<Bits> operands_of(const project::TestVector& vector) {
 
 class TestVectors : public testing::Test {
 protected:
-  std::vector<project::TestVector> pick(std::uint64_t count) const {
+  std::vector<emit::TestVector> pick(std::uint64_t count) const {
     return verilator_tb::test_vectors(design_, comparisons_, signature_, count);
   }
 
@@ -68,7 +68,7 @@ protected:
 };
 
 TEST_F(TestVectors, OneComparisonIn4000ThatIsRecomputedIsFound) {
-  const std::vector<project::TestVector> vectors = pick(64);
+  const std::vector<emit::TestVector> vectors = pick(64);
   EXPECT_EQ(vectors.size(), 64u);
   int recomputed = 0;
   for (std::size_t k = 0; k < 64 - 64 / 8; ++k) recomputed += vectors[k].expected.is_recomputed();
@@ -76,7 +76,7 @@ TEST_F(TestVectors, OneComparisonIn4000ThatIsRecomputedIsFound) {
 }
 
 TEST_F(TestVectors, OneComparisonIn4000WithAnotherVerdictIsFound) {
-  const std::vector<project::TestVector> vectors = pick(64);
+  const std::vector<emit::TestVector> vectors = pick(64);
   const ResultWord less = ResultWord::decided(Verdict::less);
   EXPECT_TRUE(std::any_of(vectors.begin(), vectors.end(),
                           [&](const auto& vector) { return vector.expected == less; }));
@@ -92,7 +92,7 @@ TEST_F(TestVectors, EndWithSpecialValuesInEveryInput) {
   const FloatFormat binary32 = format("s24e8");
   std::set<std::size_t> nan_inputs;
   std::set<Verdict> verdicts;
-  for (const project::TestVector& vector : pick(2 * row_count)) {
+  for (const emit::TestVector& vector : pick(2 * row_count)) {
     if (vector.expected.is_recomputed()) verdicts.insert(vector.expected.verdict());
     const std::vector<Bits> operands = operands_of(vector);
     const auto is_nan = [&](Bits operand) { return binary32.is_nan(operand); };
@@ -108,7 +108,7 @@ TEST_F(TestVectors, EndWithSpecialValuesInEveryInput) {
 TEST_F(TestVectors, HaveTheWordOfTheLaneThatTheyGoTo) {
   comparisons_ =
       spheres_at(std::vector<float>(50, 2.06F));  // decided with nine digits, not with six
-  const std::vector<project::TestVector> vectors = pick(50);
+  const std::vector<emit::TestVector> vectors = pick(50);
   int recomputed = 0;
   for (std::size_t k = 0; k < vectors.size(); ++k) {
     recomputed += vectors[k].expected.is_recomputed();
@@ -125,9 +125,9 @@ TEST_F(TestVectors, HaveTheWordOfTheLaneThatTheyGoTo) {
 TEST_F(TestVectors, FillTheLastWordOfAGroupWithItsFirstComparison) {
   design_.lanes.erase(design_.lanes.begin() + 1, design_.lanes.end());
   design_.lanes[0].count = signature_.lanes = 8;
-  const std::vector<project::TestVector> single = pick(62);
+  const std::vector<emit::TestVector> single = pick(62);
   signature_.lanes_per_group = 4;
-  const std::vector<project::TestVector> vectors = pick(62);
+  const std::vector<emit::TestVector> vectors = pick(62);
   ASSERT_EQ(vectors.size(), 64u);
   EXPECT_EQ(vectors[60].tdata, single[60].tdata);
   EXPECT_EQ(vectors[61].tdata, single[61].tdata);

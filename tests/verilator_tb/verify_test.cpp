@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
-#include "generator/emit/system.hpp"
-#include "model/number/verdict.hpp"
+#include "generator/hardware/emit/system.hpp"
+#include "model/base/number/verdict.hpp"
 #include "tests/support/sphere.hpp"
 #include "tests/verilator_tb/fake_system.hpp"
 

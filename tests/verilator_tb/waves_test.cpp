@@ -7,7 +7,7 @@
 #include <regex>
 #include <set>
 
-#include "generator/emit/system.hpp"
+#include "generator/hardware/emit/system.hpp"
 #include "tests/support/sphere.hpp"
 #include "tests/verilator_tb/fake_system.hpp"
 

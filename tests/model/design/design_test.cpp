@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "model/number/decimal.hpp"
-#include "model/number/exact.hpp"
-#include "model/profile/profiled_error.hpp"
-#include "model/workload/compare_by_reference.hpp"
+#include "model/base/number/decimal.hpp"
+#include "model/base/number/exact.hpp"
+#include "model/judge/workload/compare_by_reference.hpp"
+#include "model/plan/profile/profiled_error.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 

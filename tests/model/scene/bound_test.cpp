@@ -1,11 +1,11 @@
-#include "model/number/bound.hpp"
+#include "model/base/number/bound.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "model/base/settings/bound_name.hpp"
 #include "model/scene/lane_bound.hpp"
-#include "model/settings/bound_name.hpp"
 
 /// Bounds, their names, and the order of tables.
 namespace mixcmp::test::bound_test {

@@ -1,4 +1,4 @@
-#include "model/settings/limits.hpp"
+#include "model/base/settings/limits.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "model/expression/parser.hpp"
+#include "model/comparison/expression/parser.hpp"
 
 namespace mixcmp::test::pairing_notes_test {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <fstream>
 
-#include "generator/report/summary_report.hpp"
-#include "model/golden/evaluate.hpp"
-#include "model/number/exact.hpp"
-#include "model/number/verdict.hpp"
+#include "generator/present/report/summary_report.hpp"
+#include "model/base/number/exact.hpp"
+#include "model/base/number/verdict.hpp"
+#include "model/judge/golden/evaluate.hpp"
 #include "tests/support/scratch_directory.hpp"
 
 /// [comparison] of several parts.

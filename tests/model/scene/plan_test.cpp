@@ -2,8 +2,8 @@
 
 #include <fstream>
 
+#include "model/judge/workload/load_comparisons.hpp"
 #include "model/scene/scene.hpp"
-#include "model/workload/load_comparisons.hpp"
 #include "tests/support/scratch_directory.hpp"
 
 /// A plan: a scene with other sections laid over it.

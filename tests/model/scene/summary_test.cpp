@@ -3,8 +3,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "generator/report/summary_report.hpp"
-#include "model/workload/load_comparisons.hpp"
+#include "generator/present/report/summary_report.hpp"
+#include "model/judge/workload/load_comparisons.hpp"
 #include "tests/support/scratch_directory.hpp"
 
 namespace mixcmp::test::summary_test {

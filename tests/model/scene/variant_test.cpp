@@ -3,8 +3,8 @@
 #include <bit>
 #include <fstream>
 
-#include "model/number/verdict.hpp"
-#include "model/profile/variant_check.hpp"
+#include "model/base/number/verdict.hpp"
+#include "model/plan/profile/variant_check.hpp"
 #include "model/scene/scene.hpp"
 #include "tests/support/scratch_directory.hpp"
 

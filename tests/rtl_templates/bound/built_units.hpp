@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/common/bits.hpp"
+#include "model/base/common/bits.hpp"
 
 /// The interface of the tests, which are compiled once, to the model of one format.
 namespace mixcmp::test {

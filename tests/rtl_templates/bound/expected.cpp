@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "model/common/check.hpp"
-#include "model/golden/bound_arithmetic.hpp"
-#include "model/golden/evaluate.hpp"
+#include "model/base/common/check.hpp"
+#include "model/judge/golden/bound_arithmetic.hpp"
+#include "model/judge/golden/evaluate.hpp"
 
 namespace mixcmp::test {
 namespace {

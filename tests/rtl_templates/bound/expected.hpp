@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "model/error/bound_graph.hpp"
-#include "model/error/range_check.hpp"
-#include "model/number/float_format.hpp"
+#include "model/base/number/float_format.hpp"
+#include "model/lane/error/bound_graph.hpp"
+#include "model/lane/error/range_check.hpp"
 #include "tests/rtl_templates/bound/built_units.hpp"
 
 namespace mixcmp::test {

@@ -9,8 +9,8 @@
 
 #include "Vfixed_operands.h"
 #include "Vfixed_operands___024root.h"
-#include "model/golden/fixed_evaluate.hpp"
-#include "model/number/exact.hpp"
+#include "model/base/number/exact.hpp"
+#include "model/judge/golden/fixed_evaluate.hpp"
 #include "tests/support/float_samples.hpp"
 
 /// fixed_operand at some tops and widths, one operand a cycle, each answer in the very cycle that

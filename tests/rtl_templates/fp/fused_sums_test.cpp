@@ -9,8 +9,8 @@
 
 #include "Vfused_sums.h"
 #include "Vfused_sums___024root.h"
-#include "model/golden/arithmetic.hpp"
-#include "model/number/decimal.hpp"
+#include "model/base/number/decimal.hpp"
+#include "model/judge/golden/arithmetic.hpp"
 #include "tests/support/fused_operands.hpp"
 
 /// fp_fused_sum and fp_fused_comparison against the golden model. Shapes and slots are those of

@@ -11,7 +11,7 @@
 
 #include "Vproducts.h"
 #include "Vproducts___024root.h"
-#include "model/common/bits.hpp"
+#include "model/base/common/bits.hpp"
 
 /// Products of logic and of multipliers against GMP, at every precision that is built in one cycle,
 /// each at the latency that its mask of cuts names.

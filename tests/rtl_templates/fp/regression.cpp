@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "model/number/decimal.hpp"
+#include "model/base/number/decimal.hpp"
 
 namespace mixcmp::test {
 namespace {

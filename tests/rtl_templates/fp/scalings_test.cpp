@@ -4,7 +4,7 @@
 
 #include "Vscalings.h"
 #include "Vscalings___024root.h"
-#include "model/golden/arithmetic.hpp"
+#include "model/judge/golden/arithmetic.hpp"
 
 /// Conversions that scale against the golden model's products with powers of two, every operand.
 namespace mixcmp::test::scalings_test {

@@ -12,8 +12,8 @@
 
 #include "Vserial_squares.h"
 #include "Vserial_squares___024root.h"
-#include "model/golden/arithmetic.hpp"
-#include "model/number/decimal.hpp"
+#include "model/base/number/decimal.hpp"
+#include "model/judge/golden/arithmetic.hpp"
 #include "tests/support/float_samples.hpp"
 
 /// fp_serial_square against the golden model's square, in the very cycle that its latency names.

@@ -12,8 +12,8 @@
 
 #include "Vsquared_sums.h"
 #include "Vsquared_sums___024root.h"
-#include "model/golden/arithmetic.hpp"
-#include "model/number/decimal.hpp"
+#include "model/base/number/decimal.hpp"
+#include "model/judge/golden/arithmetic.hpp"
 #include "tests/support/float_samples.hpp"
 
 /// fp_squared_sum against the golden model's sum and the square of that. Slots are those of

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "model/common/bits.hpp"
+#include "model/base/common/bits.hpp"
 
 namespace mixcmp::test {
 

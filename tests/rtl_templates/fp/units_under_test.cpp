@@ -6,8 +6,8 @@
 #include <bit>
 #include <string_view>
 
-#include "model/golden/arithmetic.hpp"
-#include "model/number/verdict.hpp"
+#include "model/base/number/verdict.hpp"
+#include "model/judge/golden/arithmetic.hpp"
 
 namespace mixcmp::test {
 namespace {

@@ -3,8 +3,8 @@
 #include <array>
 #include <string>
 
-#include "generator/datapath/units.hpp"
-#include "model/number/float_format.hpp"
+#include "generator/hardware/datapath/units.hpp"
+#include "model/base/number/float_format.hpp"
 #include "tests/rtl_templates/fp/units_program.hpp"
 
 namespace mixcmp::test {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "model/number/float_format.hpp"
+#include "model/base/number/float_format.hpp"
 #include "tests/rtl_templates/fp/units_under_test.hpp"
 
 namespace mixcmp::test {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <iterator>
 
-#include "model/performance/performance.hpp"
-#include "model/performance/streams.hpp"
+#include "model/cost/performance/performance.hpp"
+#include "model/cost/performance/streams.hpp"
 #include "system_models.inc"
 #include "tests/rtl_templates/stream/stream_system_run.hpp"
 

@@ -8,8 +8,8 @@
 #include "VCombination2_1.h"
 #include "VCombination3_0.h"
 #include "VCombination3_1.h"
-#include "model/golden/evaluate.hpp"
-#include "model/number/verdict.hpp"
+#include "model/base/number/verdict.hpp"
+#include "model/judge/golden/evaluate.hpp"
 
 namespace mixcmp::test::verdict_combination_test {
 namespace {

@@ -1,0 +1,106 @@
+#include <fmt/core.h>
+
+#include <utility>
+
+#include "generator/faces/api/state.hpp"
+#include "generator/present/report/plan_report.hpp"
+#include "generator/synthesis/components/planning.hpp"
+#include "model/cost/devices/device.hpp"
+#include "model/design/design.hpp"
+#include "model/plan/optimise/plan_inputs.hpp"
+#include "model/plan/optimise/plan_summary.hpp"
+
+namespace mixcmp::api {
+namespace {
+
+namespace fs = std::filesystem;
+
+components::Planning load_planning(const SceneState& state, const PlanOptions& options) {
+  const data::Comparisons* data = state.data ? &*state.data : nullptr;
+  const scene::Scene scene = value_or_throw(design::with_chain_lanes(state.scene, data), state);
+  const devices::Device device =
+      value_or_throw(devices::find_device(state.scene.system.device), state);
+  if (options.table.empty() && state.source.text) {
+    fail({.field = "table",
+          .message = "a scene from a text has no table beside it",
+          .received = "nothing",
+          .accepted = "the path of a table that mixcmp characterise wrote"});
+  }
+  const fs::path table = options.table.empty()
+                             ? optimise::default_table(state.source.path, state.scene, device.name)
+                             : options.table;
+  return value_or_throw(
+      components::load_planning(scene, data, device, table,
+                                {.field = "table", .accepted = "what mixcmp characterise writes"}));
+}
+
+/// Refuses clocks and precisions that no plan can have. The members of both options have the same
+/// names.
+optimise::OptimiseOptions internal_options(const PlanOptions& options) {
+  optimise::OptimiseOptions choice;
+  if (options.first_precision) choice.first_precision = *options.first_precision;
+  if (options.last_precision) choice.last_precision = *options.last_precision;
+  choice.clocks.lane_mhz = options.lane_mhz;
+  choice.clocks.reference_mhz = options.reference_mhz;
+  value_or_throw(optimise::check_options(choice));
+  return choice;
+}
+
+PlanPoint public_point(const optimise::PrecisionPlan& plan) {
+  const optimise::PlanSummary summary = optimise::summary_of(plan);
+  return {.precision = plan.precision,
+          .lanes = summary.lanes,
+          .references = summary.references,
+          .clock_mhz = summary.clock_mhz,
+          .recomputation_rate = summary.recomputation_rate,
+          .throughput_per_s = summary.throughput_per_s,
+          .kinds = summary.kinds};
+}
+
+/// The origin that the plan states: the command that makes it again or, if the caller gave the
+/// operands, the library.
+std::string origin_of_plan(const SceneState& state) {
+  if (state.scene.data) return origin("optimise", state);
+  return fmt::format("the library of mixcmp, on {} comparisons that its caller gave",
+                     state.data->size());
+}
+
+/// The text of a plan file; empty for a scene that no file could name.
+std::string plan_file_text(const optimise::Optimisation& found, const SceneState& state,
+                           const PlanOptions& options) {
+  if (state.source.text) return "";
+  const fs::path place =
+      options.plan_file.empty() ? state.source.path.parent_path() / "plan.toml" : options.plan_file;
+  const optimise::PlanSource source = value_or_throw(optimise::make_plan_source(
+      state.source.path, state.settings, state.scene.system.device, place, origin_of_plan(state)));
+  return optimise::plan_toml(found, *found.best(), source);
+}
+
+}  // namespace
+
+Plan plan(const Scene& scene, const PlanOptions& options) {
+  const SceneState& state = Access::state(scene);
+  const optimise::OptimiseOptions choice = internal_options(options);
+  const components::Planning planning = load_planning(state, options);
+  const data::Comparisons& data = data_of(state, "recomputation rates are measured on data");
+  const auto rates = value_or_throw(
+      optimise::measure_rates(planning.scene, data, optimise::inputs_of_lanes(planning.table),
+                              choice, options.progress),
+      state);
+  const optimise::Optimisation found =
+      value_or_throw(optimise::optimise(planning.scene, planning.device, planning.table,
+                                        optimise::Rates::of(rates), choice),
+                     state);
+  Plan result{.baseline_per_s = optimise::baseline_per_s(found),
+              .notes = planning.notes,
+              .text = report::to_text(found)};
+  result.notes.insert(result.notes.end(), found.notes.begin(), found.notes.end());
+  for (const auto& each : found.plans) result.points.push_back(public_point(each));
+  if (found.best() != nullptr) {
+    result.best = public_point(*found.best());
+    result.toml = plan_file_text(found, state, options);
+  }
+  return result;
+}
+
+}  // namespace mixcmp::api

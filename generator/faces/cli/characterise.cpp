@@ -1,0 +1,127 @@
+#include "generator/synthesis/components/characterise.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "generator/faces/cli/characterise_import.hpp"
+#include "generator/faces/cli/characterise_table.hpp"
+#include "generator/faces/cli/exit.hpp"
+#include "generator/faces/cli/output.hpp"
+#include "generator/faces/cli/verbs.hpp"
+#include "generator/present/report/json_text.hpp"
+#include "model/base/common/file.hpp"
+
+namespace mixcmp::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using components::CharacteriseReport;
+
+/// Lanes of one bound and one kind of inputs that do not exist, with the reason of one of them.
+struct MissingKind {
+  std::string what;
+  std::string first, last;  ///< formats
+  int count = 0;
+  std::string reason;
+};
+
+std::vector<MissingKind> missing_kinds(const std::vector<components::MissingLane>& missing) {
+  std::vector<MissingKind> found;
+  for (const components::MissingLane& lane : missing) {
+    const std::string what = to_string(lane.key.bound) + " " + to_string(lane.key.inputs);
+    auto kind = std::find_if(found.begin(), found.end(),
+                             [&](const MissingKind& known) { return known.what == what; });
+    if (kind == found.end()) kind = found.insert(kind, {.what = what, .first = lane.key.format});
+    kind->last = lane.key.format;
+    ++kind->count;
+    kind->reason = lane.reason.to_string();
+  }
+  return found;
+}
+
+void print_text(const CharacteriseReport& report, const fs::path& table) {
+  print(fmt::format("{} on {}: {} components, {} jobs run, {} failed\n", report.table.scene,
+                    report.table.device, report.components, report.synthesised,
+                    report.failed.size()));
+  for (const MissingKind& kind : missing_kinds(report.missing)) {
+    print(fmt::format("no lane: {} {} .. {} ({}): {}\n", kind.what, kind.first, kind.last,
+                      kind.count, kind.reason));
+  }
+  for (const auto& [reason, components] : report.no_clock) {
+    const std::string more =
+        components.size() == 1 ? "" : fmt::format(" and {} more", components.size() - 1);
+    print(fmt::format("no clock: {}{}: {}\n", components.front(), more, reason));
+  }
+  if (report.interrupted_by != 0) return;
+  if (nothing_measured(report)) {
+    const char* const left = path_exists(table) ? "is as it was" : "is not written";
+    return print(fmt::format("{} {}\n", table.string(), left));
+  }
+  print(fmt::format("{} rows in {}", report.table.rows.size(), table.string()));
+  if (report.kept > 0) print(fmt::format(", {} of them kept from before", report.kept));
+  if (report.imported > 0) {
+    print(fmt::format(", {} imported ones not measured anew", report.imported));
+  }
+  if (report.dropped > 0) print(fmt::format("; {} outdated rows dropped", report.dropped));
+  print("\n");
+}
+
+void print_json(const CharacteriseReport& report, const fs::path& table) {
+  nlohmann::ordered_json json = {{"scene", report.table.scene},
+                                 {"device", report.table.device},
+                                 {"table", table.string()},
+                                 {"components", report.components},
+                                 {"synthesised", report.synthesised},
+                                 {"kept", report.kept},
+                                 {"imported", report.imported},
+                                 {"dropped", report.dropped},
+                                 {"interrupted", report.interrupted_by != 0},
+                                 {"failed", nlohmann::ordered_json::array()},
+                                 {"missing", nlohmann::ordered_json::array()},
+                                 {"no_clock", report.no_clock},
+                                 {"rows", nlohmann::ordered_json::array()}};
+  for (const characterise::FailedJob& job : report.failed) {
+    json["failed"].push_back({{"component", job.label},
+                              {"message", job.message},
+                              {"directory", job.directory.string()}});
+  }
+  for (const MissingKind& kind : missing_kinds(report.missing)) {
+    json["missing"].push_back({{"lanes", kind.what},
+                               {"first", kind.first},
+                               {"last", kind.last},
+                               {"count", kind.count},
+                               {"reason", kind.reason}});
+  }
+  for (const measured::Measurement& row : report.table.rows)
+    json["rows"].push_back(json_of_row(row));
+  print(report::json_text(json));
+}
+
+void run(const CharacteriseCommand& command) {
+  if (!command.reports.empty()) return import_reports(command);
+  const LoadedScene loaded = value_or_exit(load(command.scene));
+  const devices::Device device = value_or_exit(devices::find_device(loaded.scene.system.device));
+  const CharacteriseReport report = measure_table(command, loaded);
+  const fs::path path = table_of(command, loaded.scene, device);
+  command.scene.json ? print_json(report, path) : print_text(report, path);
+  end_if_unfinished(report);
+  if (report.components == 0) {
+    tell("nothing was measured: no component that was asked for exists");
+    throw Exit(ExitCode::mistake);
+  }
+  if (!command.area_only) end_if_router_is_missing(device);
+}
+
+}  // namespace
+
+void add_characterise(CLI::App& app) {
+  const Verb verb(app, "characterise",
+                  "measure area and clock of a scene's components on a device");
+  auto command = std::make_shared<CharacteriseCommand>();
+  add_characterise_options(verb, *command);
+  verb.when_chosen([command] { run(*command); });
+}
+
+}  // namespace mixcmp::cli

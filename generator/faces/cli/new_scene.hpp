@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "generator/faces/cli/options.hpp"
+#include "model/comparison/data/pairing.hpp"
+
+namespace mixcmp::cli {
+
+/// The answers from which `mixcmp new` makes a scene.
+struct NewScene {
+  std::filesystem::path path;  ///< of the scene file, which need not exist
+  std::string name;
+  std::string f;
+  std::string g;
+  std::string reference;
+  std::string device;
+  std::string file;  ///< of data, as seen from the scene's folder; empty: no data
+  std::string with;  ///< the second file, where the pairing has two; as seen from there
+  data::Pairing pairing = data::Pairing::rows;
+  /// A column with another name than its input: the scene's name, and the file's name or number of
+  /// the column. Several columns have commas between them.
+  using Column = std::pair<std::string, std::string>;
+  std::vector<Column> columns;
+  std::vector<Column> with_columns;
+};
+
+/// Reads the scene with its data, as `mixcmp check` would read its file. Errors name the option of
+/// `mixcmp new` from which a value came.
+Result<LoadedScene> load_new(const NewScene& scene);
+
+/// The text of the scene file: every key with a sentence, and the commands that come next. An input
+/// has the range of its data, if it has finite ones.
+std::string scene_text(const NewScene& scene, const LoadedScene& loaded);
+
+/// The commands that come next, each with its purpose. `file` names the scene as seen from the
+/// folder in which they will be typed; the plan is made beside it.
+std::vector<std::pair<std::string, std::string>> next_commands(const NewScene& scene,
+                                                               const std::filesystem::path& file);
+
+}  // namespace mixcmp::cli

@@ -1,0 +1,157 @@
+#include "generator/faces/cli/planning.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "generator/faces/cli/exit.hpp"
+#include "generator/faces/cli/output.hpp"
+#include "model/base/common/quote.hpp"
+#include "model/base/number/bound.hpp"
+#include "model/base/settings/bound_name.hpp"
+#include "model/scene/plan.hpp"
+
+namespace mixcmp::cli {
+namespace {
+
+components::TableAdvice advice(const PlanningOptions& options, const scene::Scene& scene,
+                               const devices::Device& device, const std::filesystem::path& table) {
+  std::string chosen = scene.variant.empty() ? "" : " --variant " + scene.variant;
+  if (scene.leaves_out_second_tier) chosen += " --set second_tier.format=none";
+  return {.field = "--table",
+          .accepted = fmt::format("what this makes: mixcmp characterise {}{} --device {} -o {}",
+                                  quoted(options.scene.scene.string()), chosen, device.name,
+                                  quoted(table.string()))};
+}
+
+/// Tells of a target_mhz that is set and is not the one for which the table was measured.
+void tell_of_other_target(const scene::Scene& given, const Planning& planning,
+                          const SceneOptions& options) {
+  const double measured = planning.scene.system.target_mhz;
+  if (given.system.target_mhz == measured || !is_set(options, "system.target_mhz")) return;
+  tell_note(fmt::format("registers are placed for {} MHz, which {} was measured for", measured,
+                        planning.table_path.filename().string()));
+}
+
+}  // namespace
+
+bool is_set(const SceneOptions& options, const std::string& key) {
+  return std::any_of(options.settings.begin(), options.settings.end(),
+                     [&](const std::string& setting) { return setting.starts_with(key + "="); });
+}
+
+void add_planning_options(const Verb& verb, PlanningOptions& options) {
+  add_scene_options(verb, options.scene, {"--format", "--inputs", "--lanes", "--references"});
+  optimise::OptimiseOptions& choice = options.choice;
+  verb.option("--table", options.table,
+              "areas and clocks, made by mixcmp characterise (default: "
+              "characterisation/SCENE-DEVICE.csv beside the scene)");
+  verb.option("--first", choice.first_precision, "the lowest L (default: the lowest there is)")
+      .check(within(settings::limits::lane_precision));
+  verb.option("--last", choice.last_precision, "the highest L (default: the highest there is)")
+      .check(within(settings::limits::lane_precision));
+  verb.list_option(
+          "--use-inputs",
+          [&choice](const std::vector<std::string>& words) {
+            choice.inputs = value_or_exit(
+                parse_inputs("--use-inputs", words, settings::limits::reference_precision.most));
+          },
+          "lanes to choose from: exact,rounded,20 (default: all that the table has)")
+      .separated_by(',');
+  verb.list_option(
+          "--use-bounds",
+          [&choice](const std::vector<std::string>& names) {
+            choice.bounds = value_or_exit(parse_bounds("--use-bounds", names));
+          },
+          fmt::format("error bounds to choose from: {} (default: all)", settings::bound_names()))
+      .separated_by(',');
+  verb.option("--use-multipliers", choice.multipliers,
+              "multipliers to choose from: embedded,logic,memory (default: all)")
+      .separated_by(',')
+      .one_of({"embedded", "logic", "memory"});
+  verb.option("--lane-mhz", choice.clocks.lane_mhz, "clock of the lanes, in place of the table's")
+      .check(between(optimise::least_mhz, optimise::most_mhz, "MHZ"));
+  verb.option("--reference-mhz", choice.clocks.reference_mhz,
+              "clock of the references, in place of the table's")
+      .check(between(optimise::least_mhz, optimise::most_mhz, "MHZ"));
+  verb.flag(
+      "--separate-clocks", [&choice] { choice.clocks.domains = optimise::ClockDomains::separate; },
+      "count lanes and references at clocks of their own, as the paper does; what generate "
+      "writes has one clock");
+}
+
+std::string planning_command_line(const std::string& verb, const PlanningOptions& options) {
+  const optimise::OptimiseOptions usual;
+  const optimise::OptimiseOptions& choice = options.choice;
+  std::string line = command_line(verb, options.scene);
+  const auto add = [&](const char* option, const std::string& value) {
+    line += fmt::format(" {} {}", option, quoted(value));
+  };
+  const auto add_words = [&](const char* option, const std::vector<std::string>& words) {
+    if (!words.empty()) add(option, fmt::format("{}", fmt::join(words, ",")));
+  };
+  if (!options.table.empty()) add("--table", options.table.string());
+  if (choice.first_precision != usual.first_precision) {
+    add("--first", std::to_string(choice.first_precision));
+  }
+  if (choice.last_precision != usual.last_precision) {
+    add("--last", std::to_string(choice.last_precision));
+  }
+  std::vector<std::string> inputs;
+  for (const LaneInputs each : choice.inputs) inputs.push_back(to_string(each));
+  add_words("--use-inputs", inputs);
+  std::vector<std::string> bounds;
+  for (const Bound& bound : choice.bounds) bounds.push_back(to_string(bound));
+  add_words("--use-bounds", bounds);
+  add_words("--use-multipliers", choice.multipliers);
+  if (choice.clocks.lane_mhz) add("--lane-mhz", fmt::format("{}", *choice.clocks.lane_mhz));
+  if (choice.clocks.reference_mhz) {
+    add("--reference-mhz", fmt::format("{}", *choice.clocks.reference_mhz));
+  }
+  const bool separate = choice.clocks.domains == optimise::ClockDomains::separate;
+  return separate ? line + " --separate-clocks" : line;
+}
+
+optimise::PlanSource plan_source(const PlanningOptions& options, const std::string& device,
+                                 const std::filesystem::path& plan, std::string command) {
+  return value_or_exit(optimise::make_plan_source(options.scene.scene, options.scene.settings,
+                                                  device, plan, std::move(command)));
+}
+
+std::filesystem::path table_of(const PlanningOptions& options, const scene::Scene& scene) {
+  if (!options.table.empty()) return options.table;
+  const Result<devices::Device> device = devices::find_device(scene.system.device);
+  return optimise::default_table(options.scene.scene, scene,
+                                 device.ok() ? device->name : scene.system.device);
+}
+
+Result<Planning> load_planning(const PlanningOptions& options, const scene::Scene& scene,
+                               const data::Comparisons* data) {
+  MIXCMP_DO(check_options(options.choice, {.first_precision = "--first",
+                                           .last_precision = "--last",
+                                           .lane_mhz = "--lane-mhz",
+                                           .reference_mhz = "--reference-mhz"}));
+  MIXCMP_TRY(chain, with_chain_lanes(scene, data, options.scene));
+  MIXCMP_TRY(device, devices::find_device(scene.system.device));
+  const std::filesystem::path table = table_of(options, scene);
+  MIXCMP_TRY(planning, components::load_planning(chain, data, device, table,
+                                                 advice(options, scene, device, table)));
+  tell_of_other_target(scene, planning, options.scene);
+  for (const std::string& note : planning.notes) tell_note(note);
+  return planning;
+}
+
+Result<std::vector<profile::RateProfile>> measure_rates(const LoadedScene& loaded,
+                                                        const std::set<LaneInputs>& inputs,
+                                                        const optimise::OptimiseOptions& choice) {
+  MIXCMP_DO(check_has_data(loaded, "recomputation rates are measured on data"));
+  auto rates = optimise::measure_rates(
+      loaded.scene, *loaded.data, inputs, choice, [](const std::string& what, double share) {
+        show_progress(fmt::format("{}: {:.0f} %", what, share * 100));
+      });
+  show_progress("");
+  return rates;
+}
+
+}  // namespace mixcmp::cli

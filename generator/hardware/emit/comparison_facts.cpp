@@ -1,0 +1,60 @@
+#include "generator/hardware/emit/comparison_facts.hpp"
+
+#include <fmt/core.h>
+
+namespace mixcmp::emit {
+namespace {
+
+constexpr std::size_t fact_length = 97;  // behind "// "
+
+/// Puts items on as few indented lines as hold them, commas between.
+std::vector<std::string> in_lines(const std::vector<std::string>& items) {
+  const std::string indent = "  ";
+  std::vector<std::string> lines = {indent};
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    const std::string item = items[k] + (k + 1 < items.size() ? "," : "");
+    if (lines.back().size() + 1 + item.size() > fact_length) lines.push_back(indent);
+    lines.back() += (lines.back() == indent ? "" : " ") + item;
+  }
+  return lines;
+}
+
+/// "the sign of f - g", or the words for several parts.
+std::string verdict_of(const design::Design& design) {
+  if (design.parts.size() == 1) return "the sign of f - g";
+  return fmt::format("that of {} of {} parts, the signs of f[k] - g[k]",
+                     to_string(design.reference.combination), design.parts.size());
+}
+
+}  // namespace
+
+std::vector<std::string> formula_facts(const design::Design& design,
+                                       const std::string& introduction) {
+  if (design.parts.empty()) return {};
+  std::vector<std::string> facts = {introduction + verdict_of(design) + ":"};
+  for (std::size_t k = 0; k < design.parts.size(); ++k) {
+    const std::string index = design.parts.size() == 1 ? "" : fmt::format("[{}]", k);
+    facts.push_back(fmt::format("  f{} = {}", index, design.parts[k].f));
+    facts.push_back(fmt::format("  g{} = {}", index, design.parts[k].g));
+  }
+  for (const LetDefinition& let : design.lets) {
+    facts.push_back(fmt::format("  let {} = {}", let.name, let.text));
+  }
+  return facts;
+}
+
+std::vector<std::string> layout_facts(const std::vector<std::string>& names, FloatFormat format) {
+  std::vector<std::string> fields;
+  int low = 0;
+  for (const std::string& name : names) {
+    fields.push_back(fmt::format("{} [{}:{}]", name, low + format.width() - 1, low));
+    low += format.width();
+  }
+  std::vector<std::string> facts = in_lines(fields);
+  facts.push_back(fmt::format("  each in {}: sign [{}], exponent + {} [{}:{}], fraction [{}:0].",
+                              format.name(), format.width() - 1, format.bias(), format.width() - 2,
+                              format.fraction_bits(), format.fraction_bits() - 1));
+  return facts;
+}
+
+}  // namespace mixcmp::emit

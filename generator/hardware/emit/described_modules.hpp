@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/hardware/emit/scheduled_system.hpp"
+
+namespace mixcmp::emit {
+
+/// A module and the facts that its header comment states.
+struct Described {
+  rtl::Module module;
+  std::vector<std::string> facts;
+};
+
+/// Every module of a system once: lanes, references and their channels, then the top module, then
+/// an arg-min engine, if there is one. A pairwise engine is a system of its own: the conversion of
+/// items, lanes and their segments, references and their channels, then the engine. Groups of the
+/// same hardware share their modules.
+std::vector<Described> describe_modules(const design::Design& design,
+                                        const ScheduledSystem& scheduled);
+
+}  // namespace mixcmp::emit

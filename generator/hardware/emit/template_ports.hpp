@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/hardware/rtl/checked_modules.hpp"
+#include "model/base/common/result.hpp"
+
+namespace mixcmp::emit {
+
+/// The ports of the template that `instance` names, with the widths that the instance's parameters
+/// give them. They are read from the head of the template's Verilog. An error where there is no
+/// such template or parameter, or where a parameter's literal has another width than its
+/// declaration.
+Result<std::vector<rtl::Port>> template_ports(const rtl::Instance& instance);
+
+/// The value of a parameter of the template that `instance` names: the instance's, or else the
+/// default in the head of the template's Verilog. Nullopt where the template has no such parameter.
+///
+///     template_parameter({"fp_multiply", "product", {{"PRECISION", 53}}, {}}, "EMBEDDED")  // 1
+std::optional<long long> template_parameter(const rtl::Instance& instance, const std::string& name);
+
+/// Checks a tree of modules that instantiate each other and templates.
+rtl::CheckedModules checked(std::vector<rtl::Module> modules);
+
+}  // namespace mixcmp::emit

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "generator/hardware/datapath/schedule.hpp"
+#include "generator/hardware/rtl/datapath_builder.hpp"
+#include "model/lane/fixed/fixed_lane.hpp"
+
+namespace mixcmp::rtl {
+
+/// An integer as a literal of `width` bits in two's complement.
+Literal twos_complement(int width, const mpz_class& value);
+
+/// Adds the operations of a lane in fixed point to a datapath.
+class FixedNodes {
+public:
+  /// Reserves the names.
+  FixedNodes(DatapathBuilder& datapath, const fixed::FixedLane& lane,
+             const datapath::Schedule& schedule);
+
+  /// Builds every operation, with the delays that balance its operands.
+  void build();
+
+  const Signal& value(NodeId node) const { return values_[node]; }
+  /// The `most` bits of an integer above the `kept` low ones, and its sign, in `cycle`.
+  Operand excess_bits(NodeId id, int kept, int most, int cycle);
+  /// A node's value in `cycle`, in two's complement whatever its format.
+  Operand signed_value(NodeId node, int cycle) { return operand(node, 0, cycle); }
+  /// A flag that is set where an operand or a limited value that the node depends on does not fit.
+  Signal out_of_range(NodeId node);
+  /// A flag that is set where a number that the node is computed from is beyond its reach.
+  Signal beyond_reach(NodeId node);
+
+private:
+  void build_largest_exponent();
+  void build_input(NodeId id);
+  void build_operand(NodeId id);
+  void build_loaded(NodeId id);
+  void build_aligned_operand(NodeId id);
+  Signal leading_bits(int input);
+  void build_constant(NodeId id);
+  void build_common_drop();
+  void build_common_cut(NodeId id);
+  void build_conversion(NodeId id);
+  void consume_low_bits(const std::string& name, int count);
+  void build_check(NodeId id);
+  std::vector<Parameter> check_parameters(NodeId id) const;
+  Signal any_of(const char* name, const std::vector<Signal>& flags);
+  void build_unit(NodeId id);
+  void build_memory_square(NodeId id, const fixed::SquareTable& table);
+  Operand operand(NodeId node, int shift, int cycle);
+  std::vector<Connection> operands(NodeId id, int cycle);
+  std::vector<Parameter> parameters(NodeId id) const;
+  void append_positive_factors(NodeId id, std::vector<Parameter>& parameters) const;
+  void describe(NodeId id, const std::string& more = {});
+  void declare(NodeId id);
+  Operand declare_misfit(NodeId id, const std::string& name, const datapath::Step& step);
+
+  DatapathBuilder& datapath_;
+  const fixed::FixedLane& lane_;
+  const datapath::Schedule& schedule_;
+  std::vector<std::string> names_;
+  std::vector<Signal> values_;
+  /// [input, limit or reach]: set where its number does not fit; none where all do.
+  std::map<NodeId, Signal> misfits_;
+  Signal largest_exponent_;  ///< of block floating point
+  Signal not_finite_;        ///< of block floating point: some operand is infinite or a NaN
+  Signal common_drop_;       ///< of common cuts
+  std::size_t checks_built_ = 0;
+  std::map<std::vector<std::string>, Signal> gathered_;  ///< [names of flags]: any of them
+};
+
+}  // namespace mixcmp::rtl

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/hardware/rtl/module.hpp"
+#include "generator/hardware/rtl/net_names.hpp"
+
+namespace mixcmp::rtl {
+
+/// Bits of a net.
+struct BitRange {
+  int low;
+  int width;
+};
+
+/// Consumes the other bits of a net of `bits` bits, of which `read` are read.
+void consume_unread(const std::string& name, int bits, const std::vector<BitRange>& read,
+                    std::vector<ModuleItem>& items);
+
+/// Consumes the bits of delayed values that nothing reads. A delay line takes a whole value, and
+/// the units behind it may read only some of its bits.
+void consume_unread_delays(std::vector<ModuleItem>& items, NamePool& pool);
+
+}  // namespace mixcmp::rtl

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/present/page/html_page.hpp"
+#include "model/plan/optimise/exploration.hpp"
+#include "model/plan/optimise/published.hpp"
+
+namespace mixcmp::report {
+
+/// The throughput of software in comparisons per second, for the normalised speed-ups of Table IV.
+struct SoftwareThroughput {
+  std::string title;  ///< "AMD EPYC ..., 2 cores, double"
+  double one_core_per_s = 0;
+  double all_cores_per_s = 0;
+};
+
+/// Tables III and IV, the paper's column first where `published` is given.
+page::Table table3(const optimise::Exploration& exploration,
+                   const std::optional<optimise::PublishedFigures>& published);
+page::Table table4(const optimise::Exploration& exploration,
+                   const std::optional<optimise::PublishedFigures>& published,
+                   const std::vector<SoftwareThroughput>& software);
+
+/// A table as Markdown.
+std::string markdown(const page::Table& table);
+
+}  // namespace mixcmp::report

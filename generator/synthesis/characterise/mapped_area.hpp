@@ -1,0 +1,19 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+#include "model/base/common/result.hpp"
+#include "model/cost/devices/area.hpp"
+
+namespace mixcmp::characterise {
+
+/// The area of one cell of Yosys' technology libraries (docs/devices.md). An unknown cell is an
+/// error, since without it a design would look smaller.
+Result<devices::Area> area_of_cell(std::string_view cell);
+
+/// The area of a design, summed over the cells that `stat -json` (Yosys 0.23 to 0.52) counts.
+Result<devices::Area> area_of_statistics(const nlohmann::json& statistics);
+
+}  // namespace mixcmp::characterise

@@ -1,0 +1,450 @@
+#include "generator/synthesis/components/component_maker.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "generator/hardware/datapath/delays.hpp"
+#include "generator/hardware/datapath/schedule.hpp"
+#include "generator/hardware/rtl/arg_min_module.hpp"
+#include "generator/hardware/rtl/channel_modules.hpp"
+#include "generator/hardware/rtl/datapath_builder.hpp"
+#include "generator/hardware/rtl/lane_module.hpp"
+#include "generator/hardware/rtl/reference_module.hpp"
+#include "generator/hardware/rtl/system_modules.hpp"
+#include "generator/synthesis/components/engine_components.hpp"
+#include "generator/synthesis/components/synthesis_jobs.hpp"
+#include "model/base/common/cases.hpp"
+#include "model/base/common/quote.hpp"
+#include "model/base/number/lane_format.hpp"
+#include "model/design/design.hpp"
+#include "model/design/request_beats.hpp"
+#include "model/design/slots.hpp"
+#include "model/plan/profile/profile.hpp"
+#include "model/scene/lane_bound.hpp"
+
+namespace mixcmp::components {
+namespace {
+
+using measured::ComponentKey;
+using measured::ComponentKind;
+using scene::Multipliers;
+
+/// The number of comparisons on which the constants of profiled lanes are measured, as for
+/// `generate`.
+constexpr std::uint64_t constant_samples = 100'000;
+/// The slots of lanes with 11 to 42 cycles. For other lanes a request is a bit narrower or wider.
+constexpr int crossbar_slot_bits = 6;
+constexpr int crossbar_radix = 4;
+constexpr int answer_cycles = 2;
+
+template <class Choice>
+Result<Choice> choice(const std::string& word, std::initializer_list<Choice> choices) {
+  std::string accepted;
+  for (const Choice each : choices) {
+    if (word == to_string(each)) return each;
+    accepted += (accepted.empty() ? "" : ", ") + std::string(to_string(each));
+  }
+  return Error{.message = "not a choice", .received = in_quotes(word), .accepted = accepted};
+}
+
+/// The kind of multipliers that a lane's key names; a key without one is of a datapath without
+/// products.
+Result<Multipliers> multipliers_of(const ComponentKey& key) {
+  if (key.multipliers.empty()) return Multipliers::embedded;
+  return choice(key.multipliers, {Multipliers::embedded, Multipliers::logic, Multipliers::memory});
+}
+
+Result<Multipliers> reference_multipliers_of(const ComponentKey& key) {
+  if (key.multipliers.empty()) return Multipliers::embedded;
+  return choice(key.multipliers, {Multipliers::embedded, Multipliers::logic});
+}
+
+template <class Nodes>
+bool any_product(const Nodes& nodes) {
+  return std::any_of(nodes.begin(), nodes.end(), [](const auto& node) {
+    return node.operation == Operation::multiply || node.operation == Operation::square;
+  });
+}
+
+bool has_product(const TypedGraph& reference) {
+  return any_product(reference.nodes) ||
+         std::any_of(reference.nodes.begin(), reference.nodes.end(), [](const TypedNode& node) {
+           return std::any_of(node.terms.begin(), node.terms.end(),
+                              [](const FusedTerm& term) { return term.is_product(); });
+         });
+}
+
+bool has_product(const design::Lane& lane) {
+  return std::visit(Cases{[](const error::Lane& made) { return any_product(made.graph.nodes); },
+                          [](const fixed::FixedLane& made) { return any_product(made.nodes); }},
+                    lane);
+}
+
+/// The units of a module, each once. Delay lines are left out: their area is known without
+/// synthesis.
+std::vector<ComponentKey> units_of(const rtl::Module& module) {
+  std::vector<ComponentKey> units;
+  for (const rtl::Instance* instance : instances(module)) {
+    if (instance->module == "delay_line") continue;
+    units.push_back({.kind = ComponentKind::unit,
+                     .name = instance_name({instance->module, instance->parameters})});
+  }
+  std::sort(units.begin(), units.end());
+  units.erase(std::unique(units.begin(), units.end()), units.end());
+  return units;
+}
+
+Component datapath(ComponentKey key, int latency_cycles, const rtl::Module& module,
+                   bool has_product) {
+  if (!has_product) key.multipliers.clear();
+  return {std::move(key), latency_cycles, module_job(module), units_of(module)};
+}
+
+/// The slowest lane that these slots serve at full rate: the one with the longest delays.
+std::optional<int> slowest_lane(int slots, const rtl::SystemShape& shape) {
+  std::optional<int> slowest;
+  for (int cycles = 1;; ++cycles) {
+    const int needed = design::slots_for(cycles + shape.input_registers, shape.recomputes());
+    if (needed > slots) return slowest;
+    if (needed == slots) slowest = cycles;
+  }
+}
+
+int tree_levels(int inputs) {
+  int levels = 1;
+  for (int reach = crossbar_radix; reach < inputs; reach *= crossbar_radix) ++levels;
+  return levels;
+}
+
+Error out_of_range(const std::string& field, int received, const std::string& accepted) {
+  return {.field = field,
+          .message = "out of range",
+          .received = fmt::format("{}", received),
+          .accepted = accepted};
+}
+
+}  // namespace
+
+Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs, const design::Lane& lane,
+                         Multipliers multipliers, const scene::SystemSpec& system) {
+  MIXCMP_TRY(delays, datapath::delays_of(system.device));
+  const datapath::Schedule schedule =
+      datapath::schedule_lane(lane, multipliers, delays, system.target_mhz);
+  return LaneRtl{schedule.latency_cycles, rtl::lane_module("lane", inputs, lane, schedule)};
+}
+
+ComponentKey reference_key(const scene::Scene& scene, const design::ReferenceStructure& structure) {
+  const Arithmetic& arithmetic = scene.reference;
+  return {.kind = ComponentKind::reference,
+          .format = arithmetic.format.name(),
+          .multipliers = std::string(to_string(structure.multipliers)),
+          .sums = arithmetic.sums,
+          .initiation_interval = structure.initiation_interval,
+          .target_mhz = structure.own_target_mhz(scene.system.target_mhz)};
+}
+
+ComponentMaker::ComponentMaker(scene::Scene scene, const data::Comparisons* data)
+    : scene_(std::move(scene)), data_(data) {}
+
+Result<Component> ComponentMaker::make(const ComponentKey& key) {
+  switch (key.kind) {
+    case ComponentKind::unit: {
+      MIXCMP_TRY(job, job_of_instance_name(key.name));
+      return Component{key, 0, std::move(job), {}};
+    }
+    case ComponentKind::lane: return make_lane(key);
+    case ComponentKind::reference: return make_reference(key);
+    case ComponentKind::fifo: return make_fifo(key);
+    case ComponentKind::crossbar: return make_crossbar(key);
+    case ComponentKind::reference_port: return make_reference_port(key);
+    case ComponentKind::second_lane: return make_second_lane(key);
+    case ComponentKind::segment: return make_segment(key);
+    case ComponentKind::conversion: return make_conversion(key);
+    case ComponentKind::engine: return make_engine(key);
+    case ComponentKind::operand_memory: return make_operand_memory(key);
+  }
+  MIXCMP_CHECK(false);
+}
+
+Result<design::Lane> ComponentMaker::lane(const ComponentKey& key) {
+  const Bound& bound = *key.bound;
+  MIXCMP_TRY(format, LaneFormat::parse(key.format));
+  MIXCMP_TRY(multipliers, multipliers_of(key));
+  scene::ReducedSpec reduced = scene::with_bound(scene_.reduced, bound);
+  reduced.format = format.floating;
+  reduced.fixed_point = format.fixed_point;
+  if (format.floating) {
+    MIXCMP_CHECK(key.inputs.has_value());
+    reduced.inputs = *key.inputs;
+  }
+  reduced.multipliers = multipliers;
+  if (bound.is_profiled()) {
+    MIXCMP_DO(give_constants(reduced));
+  }
+  MIXCMP_TRY(made, design::design_lane(scene_, reduced, nullptr));
+  MIXCMP_DO(design::check_multipliers(made, multipliers));
+  return made;
+}
+
+Result<Component> ComponentMaker::make_lane(const ComponentKey& key) {
+  if (has_engine()) return make_word_lane(key);
+  MIXCMP_TRY(multipliers, multipliers_of(key));
+  MIXCMP_TRY(lane, this->lane(key));
+  MIXCMP_TRY(built, lane_rtl(scene_.graph.inputs(), lane, multipliers, scene_.system));
+  return datapath(key, built.latency_cycles, built.module, has_product(lane));
+}
+
+Result<Component> ComponentMaker::make_word_lane(const ComponentKey& key) {
+  MIXCMP_TRY(lane, this->lane(key));
+  MIXCMP_TRY(parts, engine_parts(key));
+  return datapath(key, parts.lane_latency_cycles(), parts.lane(), has_product(lane));
+}
+
+Result<Done> ComponentMaker::check_reference(const ComponentKey& key) const {
+  if (key.format != scene_.reference.format.name()) {
+    return Error{.field = "reference.format",
+                 .message = "not the scene's",
+                 .received = in_quotes(key.format),
+                 .accepted = scene_.reference.format.name()};
+  }
+  if (key.sums != scene_.reference.sums) {
+    return Error{.field = "reference.sums",
+                 .message = "not the scene's",
+                 .received = in_quotes(std::string(to_string(key.sums))),
+                 .accepted = std::string(to_string(scene_.reference.sums))};
+  }
+  return Done{};
+}
+
+Result<datapath::Schedule> ComponentMaker::reference_schedule(const ComponentKey& key,
+                                                              const TypedGraph& graph) const {
+  MIXCMP_DO(check_reference(key));
+  MIXCMP_TRY(multipliers, reference_multipliers_of(key));
+  MIXCMP_TRY(delays, datapath::delays_of(scene_.system.device));
+  return datapath::schedule_reference(
+      graph, {multipliers, key.initiation_interval}, delays,
+      key.target_mhz == 0 ? scene_.system.target_mhz : key.target_mhz);
+}
+
+Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {
+  const TypedGraph graph = reference_graph(scene_.graph, scene_.reference);
+  MIXCMP_TRY(schedule, reference_schedule(key, graph));
+  const rtl::Module module =
+      rtl::reference_module("reference", scene_.graph.inputs(), graph, schedule);
+  return datapath(key, schedule.latency_cycles, module, has_product(graph));
+}
+
+Result<Component> ComponentMaker::make_reference_port(const ComponentKey& key) {
+  const TypedGraph graph = reference_graph(scene_.graph, scene_.reference);
+  MIXCMP_TRY(schedule, reference_schedule(key, graph));
+  MIXCMP_TRY(shape, request_shape());
+  Component port{key, 0, template_job(rtl::reference_port_template(shape, schedule)), {}};
+  if (!has_product(graph)) port.key.multipliers.clear();
+  return port;
+}
+
+Result<Component> ComponentMaker::make_second_lane(const ComponentKey& key) {
+  constexpr settings::Limits slots = {8, 4096};
+  if (!slots.allow(key.ports) || !std::has_single_bit(static_cast<unsigned>(key.ports))) {
+    return out_of_range("ports", key.ports, "a power of two, " + to_string(slots));
+  }
+  MIXCMP_TRY(multipliers, multipliers_of(key));
+  MIXCMP_TRY(lane, this->lane(key));
+  MIXCMP_TRY(delays, datapath::delays_of(scene_.system.device));
+  MIXCMP_TRY(shape, request_shape());
+  datapath::Schedule schedule =
+      datapath::schedule_lane(lane, multipliers, delays, scene_.system.target_mhz);
+  const int latency_cycles = schedule.latency_cycles;
+  shape.second_tier_slot_bits = std::countr_zero(static_cast<unsigned>(key.ports));
+  shape.second_tier = rtl::DatapathGroup{.datapath = "lane",
+                                         .operands = shape.operand_ports(),
+                                         .channel = "second_lane",
+                                         .label = {},
+                                         .schedule = std::move(schedule),
+                                         .count = settings::limits::lanes.most};  // widest numbers
+  const rtl::Module datapath =
+      rtl::lane_module("lane", scene_.graph.inputs(), lane, shape.second_tier->schedule);
+  Component second{
+      key, latency_cycles, modules_job({datapath, rtl::second_tier_channel_module(shape)}), {}};
+  if (!has_product(lane)) second.key.multipliers.clear();
+  return second;
+}
+
+rtl::SystemShape ComponentMaker::stream_shape() const {
+  scene::SystemSpec system = scene_.system;
+  const FloatFormat format = scene_.reference.format;
+  const int operand_bits = static_cast<int>(scene_.graph.inputs().size()) * format.width();
+  const std::optional<int> interval = scene_.reference_structure.initiation_interval;
+  system.request_beats = design::request_beats(system, operand_bits, interval.value_or(1));
+  rtl::SystemShape shape = emit::stream_shape(scene_.graph.inputs(), format, system);
+  shape.lanes = shape.lanes_per_group;
+  shape.references = scene_.system.references.value_or(1) > 0 ? 1 : 0;
+  return shape;
+}
+
+Result<rtl::SystemShape> ComponentMaker::request_shape() const {
+  rtl::SystemShape shape = stream_shape();
+  shape.references = 1;
+  if (!has_crossbar()) return rtl::reference_shape(shape);
+  // Numbered as in the largest system: a few bits more than most.
+  const int most = settings::limits::lanes_in_groups(shape.lanes_per_group).most;
+  shape.lanes = most / shape.lanes_per_group * shape.lanes_per_group;
+  shape.slot_bits = crossbar_slot_bits;
+  if (has_engine()) {
+    MIXCMP_TRY(chain, this->chain());
+    shape.lanes = chain.engine.capacity - 1;
+    shape.asking_bits = rtl::asking_bits(chain.engine, chain.place_bits);
+  }
+  return shape;
+}
+
+Result<ComponentMaker::Chain> ComponentMaker::chain() const {
+  MIXCMP_TRY(scene, design::with_chain_lanes(scene_, data_));
+  rtl::SystemShape shape = stream_shape();
+  shape.lanes = *scene.lane_count();
+  return Chain{.engine = *rtl::engine_shape(shape, scene.graph.inputs(), scene.system.engine),
+               .place_bits = rtl::place_bits(shape.lanes, crossbar_slot_bits, 0)};
+}
+
+Result<std::vector<int>> ComponentMaker::engine_sizes() const {
+  MIXCMP_TRY(scene, design::with_chain_lanes(scene_, data_));
+  return measured_segments(scene);
+}
+
+Result<EngineParts> ComponentMaker::engine_parts(const ComponentKey& key) {
+  MIXCMP_TRY(scene, design::with_chain_lanes(scene_, data_));
+  const bool is_chain = engine().kind == scene::EngineKind::arg_min;
+  const int own = is_chain ? *scene.lane_count() : engine().lanes_per_segment();
+  const bool is_engine = key.kind == ComponentKind::engine;
+  const int count = is_engine ? key.ports * engine().lanes_per_segment() : own;
+  MIXCMP_TRY(lanes, lane_group(key, count));
+  return EngineParts::make(scene_, lanes);
+}
+
+Result<Component> ComponentMaker::make_fifo(const ComponentKey& key) {
+  rtl::SystemShape shape = stream_shape();
+  const std::optional<int> slowest = slowest_lane(key.ports, shape);
+  if (!slowest) return out_of_range("slots", key.ports, "a power of two that some lane needs");
+  shape.slot_bits = std::countr_zero(static_cast<unsigned>(key.ports));
+  return Component{key,
+                   shape.channel_latency_cycles(),
+                   template_job(rtl::tracker_template(shape, *slowest)),
+                   {}};
+}
+
+Result<Component> ComponentMaker::make_crossbar(const ComponentKey& key) {
+  if (!measured_ports.allow(key.ports)) {
+    return out_of_range("ports", key.ports, to_string(measured_ports));
+  }
+  MIXCMP_TRY(shape, request_shape());
+  rtl::TemplateInstance crossbar = rtl::crossbar_template(shape, shape.references);
+  for (rtl::Parameter& parameter : crossbar.parameters) {
+    if (parameter.name == "LANES") parameter.value = key.ports;
+  }
+  const int beat_latency = shape.beat_bits == 0 ? 1 : 2;  // of the first beat, at each level
+  return Component{
+      key, beat_latency * tree_levels(key.ports) + answer_cycles, template_job(crossbar), {}};
+}
+
+Result<design::LaneGroup> ComponentMaker::lane_group(const ComponentKey& key, int count) {
+  MIXCMP_TRY(multipliers, multipliers_of(key));
+  MIXCMP_TRY(lane, this->lane(key));
+  return design::LaneGroup{.lane = std::move(lane),
+                           .inputs = key.inputs.value_or(LaneInputs::exact),
+                           .multipliers = multipliers,
+                           .count = count};
+}
+
+Result<Component> ComponentMaker::make_segment(const ComponentKey& key) {
+  if (key.ports != engine().lanes_per_segment()) {
+    const char* const reason = engine().kind == scene::EngineKind::pairwise
+                                   ? ", as engine.lanes_per_group says"
+                                   : ": each lane of the chain by itself";
+    return out_of_range("ports", key.ports,
+                        fmt::format("{}{}", engine().lanes_per_segment(), reason));
+  }
+  MIXCMP_TRY(lane, this->lane(key));
+  MIXCMP_TRY(parts, engine_parts(key));
+  Component segment{key, parts.lane_latency_cycles(), parts.segment(), {}};
+  if (!has_product(lane)) segment.key.multipliers.clear();
+  return segment;
+}
+
+Result<Component> ComponentMaker::make_conversion(const ComponentKey& key) {
+  MIXCMP_TRY(lane, this->lane(key));
+  MIXCMP_TRY(parts, engine_parts(key));
+  if (!parts.converts()) {
+    return Error{.field = "format",
+                 .message = "lanes of this format take items as they arrive",
+                 .received = in_quotes(key.format),
+                 .accepted = "lanes in fixed point, such as q13"};
+  }
+  Component conversion{key, parts.conversion_latency_cycles(), parts.conversion(), {}};
+  if (!has_product(lane)) conversion.key.multipliers.clear();
+  return conversion;
+}
+
+Result<Component> ComponentMaker::make_engine(const ComponentKey& key) {
+  MIXCMP_TRY(lane, this->lane(key));
+  MIXCMP_TRY(parts, engine_parts(key));
+  Component engine{key, 0, parts.engine(), {}};
+  if (!has_product(lane)) engine.key.multipliers.clear();
+  return engine;
+}
+
+Result<Component> ComponentMaker::make_operand_memory(const ComponentKey& key) const {
+  if (!settings::limits::references.allow(key.ports) || key.ports < 1) {
+    return out_of_range("ports", key.ports, fmt::format("1..{}", scene::max_references));
+  }
+  MIXCMP_TRY(chain, this->chain());
+  return Component{
+      key,
+      0,
+      template_job(rtl::operand_memory_template(chain.engine, chain.place_bits, key.ports)),
+      {}};
+}
+
+Result<Done> ComponentMaker::give_constants(scene::ReducedSpec& lane) {
+  if (lane.relative_error_f && lane.relative_error_g) return Done{};
+  if (!constants_.contains(lane.inputs)) {
+    MIXCMP_TRY(measured, measure_constants(lane.inputs));
+  }
+  const auto& of_inputs = constants_.at(lane.inputs);
+  const auto found = of_inputs.find(lane.format->precision());
+  if (found == of_inputs.end()) {
+    return out_of_range("precision", lane.format->precision(), "what a profile measures");
+  }
+  if (!lane.relative_error_f) lane.relative_error_f = found->second.first;
+  if (!lane.relative_error_g) lane.relative_error_g = found->second.second;
+  if (lane.relative_error_f && lane.relative_error_g) return Done{};
+  return Error{
+      .field = lane.relative_error_f ? "reduced.relative_error_g" : "reduced.relative_error_f",
+      .message = "cannot be measured: no comparison of the data has a relative error",
+      .received = fmt::format("lanes of {} digits", lane.format->precision()),
+      .accepted = "other data, or the constant itself"};
+}
+
+Result<Done> ComponentMaker::measure_constants(LaneInputs inputs) {
+  if (data_ == nullptr) {
+    return Error{.field = "reduced.relative_error_f, reduced.relative_error_g",
+                 .message = "a profiled bound needs its constants, or data to measure them on",
+                 .received = "neither",
+                 .accepted = "both constants, or a [data] section"};
+  }
+  scene::Scene scene = scene_;
+  // A profiled lane checks no range: its exponents reach as far as the reference's.
+  if (scene.reduced.exponent_bits_from_ranges) scene.reduced.format.reset();
+  const profile::ProfileOptions options{
+      .last_precision = settings::lane_precisions(scene.reference.format).most,
+      .error_samples = constant_samples};
+  MIXCMP_DO(check_profile(scene, options));
+  const auto measured = profile_errors(scene, *data_, {inputs}, options);
+  for (const profile::ErrorAtPrecision& error : measured.front().precisions) {
+    constants_[inputs][error.precision] = {error.f, error.g};
+  }
+  return Done{};
+}
+
+}  // namespace mixcmp::components

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <gmpxx.h>
+
+#include "model/base/number/float_format.hpp"
+
+/// Exact conversions between encodings and numbers, in GMP integers. The golden model has its own,
+/// in MPFR, so that each can judge the other.
+namespace mixcmp::inline number {
+
+/// The value of a finite encoding.
+mpq_class to_rational(FloatFormat format, Bits bits);
+
+/// The encoding nearest to `value`: ties to even, gradual subnormals, infinity from the midpoint
+/// above the largest number on. Zero becomes +0.
+Bits from_rational(FloatFormat format, const mpq_class& value);
+
+/// The encoding nearest to numerator / denominator, for denominator > 0 and any common factors.
+Bits from_ratio(FloatFormat format, const mpz_class& numerator, const mpz_class& denominator);
+
+/// The encoding of the smallest number of the format that is at least `value` >= 0, subnormals
+/// included; infinity above the largest.
+Bits from_rational_up(FloatFormat format, const mpq_class& value);
+
+/// The low 128 bits of a non-negative integer.
+Bits to_bits(const mpz_class& value);
+mpz_class to_integer(Bits bits);
+
+}  // namespace mixcmp::inline number

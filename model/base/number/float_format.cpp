@@ -1,0 +1,101 @@
+#include "model/base/number/float_format.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <charconv>
+#include <utility>
+
+namespace mixcmp::inline number {
+namespace {
+
+struct NamedFormat {
+  std::string_view name;
+  int precision;
+  int exponent_bits;
+};
+
+constexpr std::array<NamedFormat, 5> named_formats = {{
+    {"binary16", 11, 5},
+    {"bfloat16", 8, 8},
+    {"binary32", 24, 8},
+    {"binary64", 53, 11},
+    {"binary128", 113, 15},
+}};
+
+Error format_error(std::string received) {
+  return {.message = "not a floating-point format",
+          .received = std::move(received),
+          .accepted = FloatFormat::accepted()};
+}
+
+/// Reads a decimal integer that fills `text`; -1 if `text` is none.
+int parse_whole(std::string_view text) {
+  int value = -1;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return status == std::errc{} && end == text.data() + text.size() ? value : -1;
+}
+
+}  // namespace
+
+Result<FloatFormat> FloatFormat::make(int precision, int exponent_bits) {
+  const bool valid = min_precision <= precision && precision <= max_precision &&
+                     min_exponent_bits <= exponent_bits && exponent_bits <= max_exponent_bits;
+  if (!valid) return format_error(fmt::format("s{}e{}", precision, exponent_bits));
+  return FloatFormat(precision, exponent_bits);
+}
+
+std::string FloatFormat::accepted(int least, int most) {
+  std::string names;
+  for (const NamedFormat& named : named_formats) {
+    if (named.precision < least || named.precision > most) continue;
+    names += fmt::format("{}{}", names.empty() ? ", or " : ", ", named.name);
+  }
+  return fmt::format("sPeE with P {}..{} and E {}..{}{}", least, most, min_exponent_bits,
+                     max_exponent_bits, names);
+}
+
+Result<FloatFormat> FloatFormat::parse(std::string_view text) {
+  for (const NamedFormat& named : named_formats) {
+    if (text == named.name) return make(named.precision, named.exponent_bits);
+  }
+  const size_t e = text.find('e');
+  if (text.empty() || text[0] != 's' || e == std::string_view::npos) {
+    return format_error(fmt::format("\"{}\"", text));
+  }
+  const int precision = parse_whole(text.substr(1, e - 1));
+  const int exponent_bits = parse_whole(text.substr(e + 1));
+  Result<FloatFormat> format = make(precision, exponent_bits);
+  if (!format.ok() || format->name() != text) return format_error(fmt::format("\"{}\"", text));
+  return format;
+}
+
+std::string FloatFormat::name() const {
+  return fmt::format("s{}e{}", precision_, exponent_bits_);
+}
+
+std::string_view to_string(Rounding rounding) {
+  switch (rounding) {
+    case Rounding::nearest_even: return "nearest_even";
+    case Rounding::toward_zero: return "toward_zero";
+  }
+  MIXCMP_CHECK(false);
+}
+
+std::string_view to_string(Subnormals subnormals) {
+  switch (subnormals) {
+    case Subnormals::flush: return "flush";
+    case Subnormals::gradual: return "gradual";
+  }
+  MIXCMP_CHECK(false);
+}
+
+std::string_view to_string(Sums sums) {
+  switch (sums) {
+    case Sums::composed: return "composed";
+    case Sums::fused: return "fused";
+  }
+  MIXCMP_CHECK(false);
+}
+
+}  // namespace mixcmp::inline number

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "model/base/common/bits.hpp"
+#include "model/base/common/result.hpp"
+
+namespace mixcmp::inline number {
+
+/// One binary floating-point layout, packed like the interchange formats of IEEE 754: sign, biased
+/// exponent, trailing fraction. Written sPeE with P digits of significand, including the leading
+/// one, and E exponent bits (the paper's notation).
+class FloatFormat {
+public:
+  static constexpr int min_precision = 2, max_precision = 113;
+  static constexpr int min_exponent_bits = 2, max_exponent_bits = 15;
+
+  static Result<FloatFormat> make(int precision, int exponent_bits);
+
+  /// The formats that `parse` accepts, with precisions from `least` to `most`, in a message's
+  /// words.
+  static std::string accepted(int least = min_precision, int most = max_precision);
+
+  /// Reads "s17e8", or one of binary16, bfloat16, binary32, binary64, binary128.
+  static Result<FloatFormat> parse(std::string_view text);
+
+  constexpr int precision() const { return precision_; }
+  constexpr int exponent_bits() const { return exponent_bits_; }
+  constexpr int fraction_bits() const { return precision_ - 1; }
+  constexpr int width() const { return precision_ + exponent_bits_; }
+  constexpr int bias() const { return (1 << (exponent_bits_ - 1)) - 1; }
+  /// Exponent of the smallest normal number, 2^min_exponent.
+  constexpr int min_exponent() const { return 1 - bias(); }
+  /// Exponent of the largest finite number, (2 - 2^(1-P)) * 2^max_exponent.
+  constexpr int max_exponent() const { return bias(); }
+  constexpr int max_biased_exponent() const { return (1 << exponent_bits_) - 1; }
+
+  constexpr Bits pack(bool negative, int biased_exponent, Bits fraction) const {
+    return (Bits{negative} << (width() - 1)) | (Bits(biased_exponent) << fraction_bits()) |
+           fraction;
+  }
+  constexpr bool sign(Bits bits) const { return (bits >> (width() - 1) & 1) != 0; }
+  constexpr int biased_exponent(Bits bits) const {
+    return static_cast<int>(bits >> fraction_bits()) & max_biased_exponent();
+  }
+  constexpr Bits fraction(Bits bits) const { return bits & low_mask(fraction_bits()); }
+  constexpr Bits magnitude(Bits bits) const { return bits & low_mask(width() - 1); }
+
+  constexpr Bits zero(bool negative) const { return pack(negative, 0, 0); }
+  constexpr Bits infinity(bool negative) const { return pack(negative, max_biased_exponent(), 0); }
+  /// The one NaN our units produce: positive, quiet, no payload.
+  constexpr Bits quiet_nan() const {
+    return pack(false, max_biased_exponent(), Bits{1} << (fraction_bits() - 1));
+  }
+  constexpr Bits largest_finite(bool negative) const {
+    return pack(negative, max_biased_exponent() - 1, low_mask(fraction_bits()));
+  }
+  constexpr Bits smallest_normal(bool negative) const { return pack(negative, 1, 0); }
+
+  constexpr bool is_nan(Bits bits) const {
+    return biased_exponent(bits) == max_biased_exponent() && fraction(bits) != 0;
+  }
+  constexpr bool is_infinite(Bits bits) const {
+    return biased_exponent(bits) == max_biased_exponent() && fraction(bits) == 0;
+  }
+  constexpr bool is_zero(Bits bits) const { return magnitude(bits) == 0; }
+  constexpr bool is_subnormal(Bits bits) const {
+    return biased_exponent(bits) == 0 && fraction(bits) != 0;
+  }
+
+  /// "s17e8".
+  std::string name() const;
+
+  friend constexpr bool operator==(const FloatFormat&, const FloatFormat&) = default;
+
+private:
+  constexpr FloatFormat(int precision, int exponent_bits)
+      : precision_(precision), exponent_bits_(exponent_bits) {}
+
+  int precision_;
+  int exponent_bits_;
+};
+
+enum class Rounding {
+  nearest_even,
+  toward_zero,
+};
+
+/// The treatment of numbers below the smallest normal number.
+enum class Subnormals {
+  flush,    ///< operands and results below it become a zero of the same sign, as in vendor cores
+  gradual,  ///< IEEE 754
+};
+
+/// The rounding of sums of several terms.
+enum class Sums {
+  composed,  ///< each product and each sum of two is rounded
+  fused,     ///< the sum of all products is rounded once
+};
+
+/// A format, and how results are rounded into it.
+struct Arithmetic {
+  FloatFormat format;
+  Rounding rounding = Rounding::nearest_even;
+  Subnormals subnormals = Subnormals::gradual;
+  Sums sums = Sums::composed;
+
+  friend bool operator==(const Arithmetic&, const Arithmetic&) = default;
+};
+
+std::string_view to_string(Rounding rounding);
+std::string_view to_string(Subnormals subnormals);
+std::string_view to_string(Sums sums);
+
+}  // namespace mixcmp::inline number

@@ -1,0 +1,33 @@
+#include "model/comparison/data/number.hpp"
+
+#include <fmt/core.h>
+
+#include "model/base/common/quote.hpp"
+#include "model/base/number/decimal.hpp"
+
+namespace mixcmp::data {
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r";
+  const std::size_t begin = text.find_first_not_of(blanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+}
+
+Result<Bits> read_number(FloatFormat format, std::string_view text) {
+  const std::string_view number = trimmed(text);
+  Result<Bits> bits = from_text(format, number);
+  if (!bits.ok()) {
+    Error error = bits.error();
+    error.received = in_quotes(text);
+    return error;
+  }
+  if (format.is_infinite(*bits) && !number.ends_with("inf")) {
+    return Error{.message = fmt::format("beyond the largest number of {}", format.name()),
+                 .received = in_quotes(number),
+                 .accepted = "a smaller number, or a reference format with more exponent bits"};
+  }
+  return bits;
+}
+
+}  // namespace mixcmp::data

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "model/base/number/float_format.hpp"
+
+namespace mixcmp::data {
+
+/// A column's number and name in its file.
+struct FileColumn {
+  std::uint64_t number;  ///< counted from 0
+  std::string name;      ///< empty if the file has no names
+
+  /// `width`, or `column 2` if there is no name.
+  std::string shown() const { return name.empty() ? "column " + std::to_string(number) : name; }
+};
+
+/// Rows of numbers in one format: spheres, atoms, points, or whole comparisons.
+struct Table {
+  FloatFormat format;
+  std::vector<std::string> columns;
+  std::vector<Bits> values = {};  ///< row-major, rows() * columns.size()
+  /// The name of row i in reports ("A 151 MET CA" for an atom). Empty: the row's line or number is
+  /// used.
+  std::vector<std::string> labels = {};
+  std::vector<int> lines = {};           ///< the file's line in which row i begins; empty: no lines
+  std::string source = {};               ///< name of the file or of the generator
+  std::vector<FileColumn> origins = {};  ///< one per column if there is a source
+
+  std::size_t rows() const { return columns.empty() ? 0 : values.size() / columns.size(); }
+  Bits at(std::size_t row, std::size_t column) const {
+    return values[row * columns.size() + column];
+  }
+  /// The label, "of line 7", or the number counted from 0.
+  std::string label(std::size_t row) const {
+    if (!labels.empty()) return labels[row];
+    if (!lines.empty()) return "of line " + std::to_string(lines[row]);
+    return std::to_string(row);
+  }
+};
+
+}  // namespace mixcmp::data

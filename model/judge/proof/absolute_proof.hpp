@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "model/judge/proof/lane_proof.hpp"
+#include "model/lane/error/error_analysis.hpp"
+#include "model/lane/error/lane.hpp"
+
+namespace mixcmp::proof {
+
+/// A script that bounds |(true f - true g) - (computed f - computed g)| wherever every operand
+/// passes its check, for the whole expression at once, from the ranges that the checks enforce.
+/// If there is none, `obstacle` says why. The `bound` of `range_script` is a dyadic rational.
+struct RangeScript {
+  std::optional<std::string> script;
+  std::string obstacle;
+};
+RangeScript range_script(const error::Lane& lane, NodeId f, NodeId g, const mpq_class& bound);
+
+/// Proves a running or a constant bound; `analysis` is that of the lane's graph. Effort::whole
+/// first tries one script for the whole expression of a constant, then one for each operation.
+LaneProof prove_absolute(const error::Lane& lane, const error::ErrorAnalysis& analysis,
+                         const Prove& prove, Effort effort);
+
+}  // namespace mixcmp::proof

@@ -1,0 +1,263 @@
+#include "model/lane/fixed/fixed_lane.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "model/base/number/dyadic.hpp"
+#include "model/lane/fixed/graph_builder.hpp"
+#include "model/lane/fixed/norm_part.hpp"
+#include "model/lane/fixed/running_bound.hpp"
+#include "model/lane/fixed/scale_degree.hpp"
+
+namespace mixcmp::fixed {
+namespace {
+
+/// The thresholds beyond which the difference, less its error, has a certain sign. Proof:
+/// docs/fixed_point.md, theorem 3.
+ConstantThresholds constant_thresholds(const FixedNode& difference) {
+  const mpq_class unit = difference.format.unit();
+  const Range& error = difference.error;
+  return {.greater_from = floor_of(error.high / unit) + 1,
+          .less_to = ceiling_of(error.low / unit) - 1,
+          .exact = error.low == 0 && error.high == 0};
+}
+
+Result<FixedPart> make_part(FixedGraphBuilder& builder, const Sides& sides,
+                            const FixedOptions& options) {
+  MIXCMP_TRY(f, builder.side(sides, sides.f));
+  MIXCMP_TRY(g, builder.side(sides, sides.g));
+  if (!options.bound || options.bound == BoundKind::norm) {
+    if (auto part = norm_part(builder, f, g)) return *part;
+  }
+  const NodeId difference = builder.difference(f, g);
+  if (options.bound == BoundKind::running) {
+    auto running = running_thresholds(builder.nodes(), options.format.bits, difference,
+                                      builder.nodes_in_products(sides));
+    if (running) return FixedPart{.difference = difference, .criterion = std::move(*running)};
+  }
+  return FixedPart{.difference = difference,
+                   .criterion = constant_thresholds(builder.nodes()[difference])};
+}
+
+/// The nodes on which any criterion depends.
+std::set<NodeId> nodes_read(const FixedLane& lane) {
+  std::set<NodeId> read;
+  for (const FixedPart& part : lane.parts) {
+    read.merge(fan_in(lane, part.difference));
+    for (const NodeId id : read_by(part.criterion)) read.merge(fan_in(lane, id));
+  }
+  return read;
+}
+
+/// Removes the nodes that attempts at a norm left behind.
+void remove_unread(FixedLane& lane) {
+  const std::set<NodeId> read = nodes_read(lane);
+  std::vector<NodeId> new_id(lane.nodes.size(), -1);
+  std::vector<FixedNode> kept;
+  for (std::size_t id = 0; id < lane.nodes.size(); ++id) {
+    if (!read.contains(static_cast<NodeId>(id))) continue;
+    FixedNode& node = kept.emplace_back(std::move(lane.nodes[id]));
+    for (int k = 0; k < arity(node.operation); ++k) node.operands[k] = new_id[node.operands[k]];
+    new_id[id] = static_cast<NodeId>(kept.size()) - 1;
+  }
+  lane.nodes = std::move(kept);
+  for (FixedPart& part : lane.parts) {
+    part.difference = new_id[part.difference];
+    if (auto* norm = std::get_if<NormThresholds>(&part.criterion)) {
+      norm->radius = new_id[norm->radius];
+    }
+    if (auto* running = std::get_if<RunningThresholds>(&part.criterion)) {
+      for (NodeId& id : running->watched) id = new_id[id];
+    }
+  }
+}
+
+Error no_norm() {
+  return {.field = "reduced.error_bound",
+          .message =
+              "no norm bound: it needs sums of squares on both sides, none of them too wide to be "
+              "exact",
+          .received = "norm",
+          .accepted = "constant"};
+}
+
+Error no_running() {
+  return {.field = "reduced.error_bound",
+          .message = "no running bound: no error grows with what f and g multiply",
+          .received = "running",
+          .accepted = "constant, or norm for sums of squares"};
+}
+
+Error received(Error error, const FixedPoint& format) {
+  error.received = format.name();
+  return error;
+}
+
+std::string shown(const mpq_class& value) {
+  return fmt::format("{:.3g}", value.get_d());
+}
+
+std::string describe(const ConstantThresholds& thresholds, const FixedPart& part,
+                     const std::vector<FixedNode>& nodes) {
+  if (thresholds.exact) return "certified: everywhere, nothing is rounded";
+  const mpq_class unit = nodes[part.difference].format.unit();
+  return fmt::format("certified: where f - g is {} or more, or {} or less",
+                     shown(thresholds.greater_from * unit), shown(thresholds.less_to * unit));
+}
+
+std::string describe(const NormThresholds& thresholds, const FixedPart& part,
+                     const std::vector<FixedNode>& nodes) {
+  const mpq_class unit = nodes[part.difference].format.unit();
+  const mpq_class per_radius = unit / power_of_two(thresholds.unit_exponent(nodes));
+  return fmt::format("certified: where {} is {} s + {} or more, or below {} s, with {}",
+                     part.swapped ? "g - f" : "f - g",
+                     shown(power_of_two(thresholds.shift_above) * per_radius),
+                     shown(thresholds.offset_above * unit),
+                     shown(-power_of_two(thresholds.shift_below) * per_radius),
+                     thresholds.radius_is_squared ? "s the power of two above the root of g"
+                     : part.swapped               ? "f = s^2"
+                                                  : "g = s^2");
+}
+
+std::string describe(const RunningThresholds& thresholds, const FixedPart& part,
+                     const std::vector<FixedNode>& nodes) {
+  const mpq_class unit = nodes[part.difference].format.unit();
+  return fmt::format(
+      "certified: where f - g is {0} or more, or below -{0}, up to {1} as what is "
+      "multiplied is larger",
+      shown(thresholds.of_steps.front() * unit), shown(thresholds.of_steps.back() * unit));
+}
+
+std::string describe(const FixedLane& lane, const FixedPart& part) {
+  return std::visit([&](const auto& thresholds) { return describe(thresholds, part, lane.nodes); },
+                    part.criterion);
+}
+
+template <class Thresholds>
+bool has_criterion(const FixedLane& lane) {
+  return std::any_of(lane.parts.begin(), lane.parts.end(), [](const FixedPart& part) {
+    return std::holds_alternative<Thresholds>(part.criterion);
+  });
+}
+
+/// One per part; 0 if operands are neither divided by their unit nor cut in common.
+Result<std::vector<mpq_class>> degrees_of(const Graph& graph, const FixedPoint& format) {
+  std::vector<mpq_class> degrees(graph.parts().size());
+  if (format.guard_digits > 0) {
+    auto found = cut_degrees(graph);
+    if (!found.ok()) return received(found.error(), format);
+    degrees = std::move(found).value();
+  }
+  if (format.is_block) {
+    auto found = scale_degrees(graph);
+    if (!found.ok()) return received(found.error(), format);
+    degrees = std::move(found).value();
+  }
+  return degrees;
+}
+
+}  // namespace
+
+bool is_limit(const FixedNode& node) {
+  return node.conversion == Conversion::limit;
+}
+
+bool is_common_cut(const FixedNode& node) {
+  return node.conversion == Conversion::common_cut;
+}
+
+bool is_reach(const FixedNode& node) {
+  return node.conversion == Conversion::reach;
+}
+
+bool is_checked(const FixedNode& node) {
+  return is_limit(node) || is_reach(node);
+}
+
+Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
+                             const FixedOptions& options) {
+  MIXCMP_TRY(degrees, degrees_of(graph, options.format));
+  FixedGraphBuilder builder(graph, input_format, options);
+  MIXCMP_DO(builder.cut_in_common());
+  FixedLane lane{.format = options.format,
+                 .nodes = {},
+                 .input_names = graph.inputs(),
+                 .input_format = input_format,
+                 .parts = {},
+                 .combination = graph.combination()};
+  for (std::size_t k = 0; k < graph.parts().size(); ++k) {
+    MIXCMP_TRY(part, make_part(builder, graph.parts()[k], options));
+    lane.parts.push_back(std::move(part));
+    lane.parts.back().degree = degrees[k];
+  }
+  lane.nodes = std::move(builder.nodes());
+  remove_unread(lane);
+  if (options.bound == BoundKind::norm && !has_norm(lane)) return no_norm();
+  if (options.bound == BoundKind::running && !has_running(lane)) return no_running();
+  return lane;
+}
+
+std::vector<int> inputs_read(const FixedLane& lane) {
+  std::vector<int> inputs;
+  for (const FixedNode& node : lane.nodes) {
+    if (node.operation == Operation::input) inputs.push_back(node.input);
+  }
+  return inputs;
+}
+
+std::vector<NodeId> cut_in_common(const FixedLane& lane) {
+  std::vector<NodeId> operands;
+  for (const FixedNode& node : lane.nodes) {
+    if (is_common_cut(node)) operands.push_back(node.operands[0]);
+  }
+  return operands;
+}
+
+int most_dropped_in_common(const FixedLane& lane) {
+  int most = 0;
+  for (const FixedNode& node : lane.nodes) most = std::max(most, node.most_dropped);
+  return most;
+}
+
+std::set<NodeId> fan_in(const FixedLane& lane, NodeId node) {
+  const std::vector<NodeId> cut = cut_in_common(lane);
+  std::set<NodeId> found, open = {node};
+  while (!open.empty()) {
+    const NodeId id = open.extract(std::prev(open.end())).value();
+    const FixedNode& next = lane.nodes[id];
+    found.insert(id);
+    open.insert(next.operands.begin(), next.operands.begin() + arity(next.operation));
+    if (is_common_cut(next)) open.insert(cut.begin(), cut.end());
+  }
+  return found;
+}
+
+int least_block_exponent(FloatFormat input_format) {
+  return input_format.min_exponent() + 1;
+}
+
+std::vector<NodeId> read_by(const Criterion& criterion) {
+  if (const auto* norm = std::get_if<NormThresholds>(&criterion)) return {norm->radius};
+  const auto* running = std::get_if<RunningThresholds>(&criterion);
+  return running == nullptr ? std::vector<NodeId>() : running->watched;
+}
+
+bool has_norm(const FixedLane& lane) {
+  return has_criterion<NormThresholds>(lane);
+}
+
+bool has_running(const FixedLane& lane) {
+  return has_criterion<RunningThresholds>(lane);
+}
+
+std::string describe_criterion(const FixedLane& lane) {
+  std::vector<std::string> texts;
+  for (const FixedPart& part : lane.parts) texts.push_back(describe(lane, part));
+  if (texts.size() == 1) return texts.front();
+  std::string text = fmt::format("{} of {} parts", to_string(lane.combination), texts.size());
+  for (std::size_t k = 0; k < texts.size(); ++k) text += fmt::format("; part {} {}", k, texts[k]);
+  return text;
+}
+
+}  // namespace mixcmp::fixed

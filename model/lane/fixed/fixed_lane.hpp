@@ -1,0 +1,206 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "model/base/common/result.hpp"
+#include "model/base/number/bound.hpp"
+#include "model/base/number/fixed_format.hpp"
+#include "model/base/number/float_format.hpp"
+#include "model/base/number/lane_format.hpp"
+#include "model/comparison/expression/graph.hpp"
+#include "model/comparison/expression/range.hpp"
+
+/// Lanes in fixed point: operands that the scene bounds become integers when they arrive, and all
+/// further arithmetic is on integers. Proofs: docs/fixed_point.md.
+namespace mixcmp::fixed {
+
+/// The kinds of Operation::convert, which has one operand and computes nothing new.
+enum class Conversion {
+  /// Drops low bits, the same number in every comparison.
+  cut,
+  /// Drops as many low bits as every other common cut in the same comparison: the fewest with which
+  /// each of them fits a magnitude of W bits. Its result counts units of the operand's format, so
+  /// it stands for the operand divided by a power of two.
+  common_cut,
+  /// Leaves the comparison undecided if the operand is outside `value`.
+  limit,
+  /// Keeps the low bits that hold a number within `value`. A number outside has a square that
+  /// decides the part by itself, so hardware need not compute the rest of the difference.
+  reach,
+};
+
+/// One operation. Its result is an integer of `format`, in that format's units.
+///
+/// An input is an operand that arrives in floating point. Its magnitude is truncated to the unit
+/// and, if its sign bit is set, every bit is inverted. Both round down, to within a unit. Some
+/// operands leave the comparison undecided: NaN, infinity, a magnitude or sign that the format does
+/// not have, and a negative zero if the format is unsigned. The operands of an addition, a
+/// subtraction, a minimum and a maximum are aligned to the finer unit of the two. A square root is
+/// rounded down to its own unit, whatever its operand's unit is.
+struct FixedNode {
+  Operation operation;
+  std::array<NodeId, 2> operands = {-1, -1};
+  int input = -1;      ///< for Operation::input
+  mpz_class constant;  ///< for Operation::constant: in units
+  FixedFormat format;
+  std::optional<Conversion> conversion = {};  ///< for Operation::convert
+  int dropped_bits = 0;  ///< low bits of the exact result that are dropped: it is rounded down
+  int most_dropped = 0;  ///< for Conversion::common_cut: the most bits that it drops
+  Range value;           ///< encloses the computed number: the result times its unit
+  Range error;           ///< encloses the computed number less the real one
+
+  friend bool operator==(const FixedNode&, const FixedNode&) = default;
+};
+
+bool is_limit(const FixedNode& node);
+bool is_common_cut(const FixedNode& node);
+bool is_reach(const FixedNode& node);
+/// Whether hardware checks that the node's operand is within its `value`.
+bool is_checked(const FixedNode& node);
+
+/// Decides by constants: greater iff n >= greater_from, less iff n <= less_to, where n is the
+/// difference in its units; equal iff neither holds and nothing was rounded.
+struct ConstantThresholds {
+  mpz_class greater_from;
+  mpz_class less_to;
+  /// The difference has no error: comparisons whose operands fit are decided, equal ones too.
+  bool exact = false;
+
+  friend bool operator==(const ConstantThresholds&, const ConstantThresholds&) = default;
+};
+
+/// Decides by the norm of the errors. Let n be the difference, and n and s in their units: greater
+/// iff n >= 2^shift_above s + offset_above, less iff n < -2^shift_below s.
+///
+/// The difference is one of two kinds. Either it is |x|^2 - s^2, a sum of squares less a square,
+/// with s >= 0 as computed. Or it is |x|^2 - |y|^2, the difference of two sums of squares, and s is
+/// the least power of two above |y| as computed.
+struct NormThresholds {
+  NodeId radius;  ///< s, or |y|^2
+  /// `radius` is |y|^2: s is 2^k for the least k with |y|^2 < 4^k, both in their units.
+  bool radius_is_squared = false;
+  int shift_above;
+  mpz_class offset_above;
+  int shift_below;
+
+  /// The exponent of s's unit, which is a power of two.
+  int unit_exponent(const std::vector<FixedNode>& nodes) const;
+
+  friend bool operator==(const NormThresholds&, const NormThresholds&) = default;
+};
+
+/// Decides by one of several constants, which is smaller if the factors of products are small:
+/// greater iff n >= t, less iff n < -t, where t is the threshold of the comparison's step. With S +
+/// 1 steps, the step is the least k >= 0 with -2^(m - S + k) <= w < 2^(m - S + k) for every watched
+/// integer w, where m is the number of magnitude bits of its format.
+struct RunningThresholds {
+  std::vector<NodeId> watched;
+  std::vector<mpz_class> of_steps;  ///< [step]: t, in units of the difference
+
+  friend bool operator==(const RunningThresholds&, const RunningThresholds&) = default;
+};
+
+using Criterion = std::variant<ConstantThresholds, NormThresholds, RunningThresholds>;
+
+/// When a lane decides one part.
+struct FixedPart {
+  NodeId difference;     ///< f - g, or g - f if `swapped`
+  bool swapped = false;  ///< `greater` and `less` of the decision change places
+  Criterion criterion;
+  /// In block floating point: if operands are multiplied by t > 0, f and g are multiplied by
+  /// t^degree. In fixed point with guard digits, the same for the numbers that are cut in common. 0
+  /// elsewhere.
+  mpq_class degree = 0;
+
+  friend bool operator==(const FixedPart&, const FixedPart&) = default;
+};
+
+/// The owner of an operand of a comparison: one of its two items, or the row that is compared with
+/// both.
+enum class ItemRole { first, second, row };
+
+/// An input of a lane whose operands were loaded before (see ItemSplit). It is an integer of its
+/// node's format: a field of an item's or the row's word, or the upper bits of one.
+struct LoadedInput {
+  ItemRole role;                   ///< whose word
+  std::size_t field;               ///< of the word
+  int dropped_bits;                ///< low bits of the field that are not part of the input
+  std::vector<std::size_t> flags;  ///< of the word; if any is set, the field's operands do not fit
+
+  friend bool operator==(const LoadedInput&, const LoadedInput&) = default;
+};
+
+/// In q13 an input in [0, 100], below 2^7, counts units of 2^(7 - 13). In block13 the lane computes
+/// on x / 2^e instead of each operand x that it reads. 2^e is the least power of two above all
+/// their magnitudes, but e is at least `least_block_exponent`. So all are below 1 and count units
+/// of 2^-13. If one operand is infinite or a NaN, the comparison is left undecided. With guard
+/// digits, as in q13g3, operands have 13 + 3 bits, and affine nodes are cut to 13 bits in common
+/// before any other operation reads them.
+struct FixedLane {
+  FixedPoint format;
+  std::vector<FixedNode> nodes;  ///< in topological order
+  std::vector<std::string> input_names;
+  FloatFormat input_format;  ///< the format of arriving operands
+  std::vector<FixedPart> parts;
+  Combination combination = Combination::all;  ///< valid only if there are several parts
+  /// One per input of a lane that was split by item. Empty otherwise: operands arrive in
+  /// `input_format`.
+  std::vector<LoadedInput> loaded_inputs = {};
+  /// The results of a graph without parts; empty elsewhere.
+  std::vector<NodeId> outputs = {};
+
+  friend bool operator==(const FixedLane&, const FixedLane&) = default;
+};
+
+struct FixedOptions {
+  FixedPoint format = {.bits = 13};
+  /// None: norms if there are any, else constants. `norm` is for parts of the form of theorem 4,
+  /// `running` for parts with products. With either, at least one part must have that form; other
+  /// parts have constants.
+  std::optional<BoundKind> bound = {};
+  /// One per input; a lane needs them all. In block floating point they are optional: an input
+  /// whose range has no negative numbers needs no sign.
+  std::vector<std::optional<Range>> ranges;
+};
+
+/// Makes the lane of a comparison whose operands arrive in `input_format`. Errors name the input
+/// without a range, the operation that fixed point does not have, the reason why f and g are not
+/// homogeneous, or the requested bound that no part has.
+Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
+                             const FixedOptions& options);
+
+/// The inputs that the lane reads, in the order of its nodes.
+std::vector<int> inputs_read(const FixedLane& lane);
+
+/// The operands of the common cuts, in the order of the cuts. All of them precede all common cuts.
+std::vector<NodeId> cut_in_common(const FixedLane& lane);
+
+/// The most bits that the common cuts drop; 0 if there are none.
+int most_dropped_in_common(const FixedLane& lane);
+
+/// A node and all nodes that it depends on. A common cut depends on the operands of all common
+/// cuts.
+std::set<NodeId> fan_in(const FixedLane& lane, NodeId node);
+
+/// In block floating point, the least e by whose power 2^e operands are divided: a binade above the
+/// smallest normal number.
+int least_block_exponent(FloatFormat input_format);
+
+/// The nodes that a criterion reads besides the difference.
+std::vector<NodeId> read_by(const Criterion& criterion);
+
+/// Whether any part is decided by a norm.
+bool has_norm(const FixedLane& lane);
+
+/// Whether any part is decided by thresholds that follow magnitudes.
+bool has_running(const FixedLane& lane);
+
+/// When the lane decides, for a report: "certified: where f - g >= 8 s + 14 or ...".
+std::string describe_criterion(const FixedLane& lane);
+
+}  // namespace mixcmp::fixed

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "model/lane/fixed/fixed_lane.hpp"
+
+namespace mixcmp::fixed {
+
+/// Turns the nodes of an expression into fixed-point nodes, operands first. Each gets a format, an
+/// enclosure and an error.
+class FixedGraphBuilder {
+public:
+  FixedGraphBuilder(const Graph& graph, FloatFormat input_format, const FixedOptions& options);
+
+  /// With guard digits, makes the affine nodes and their common cuts. To be called before all
+  /// others.
+  Result<Done> cut_in_common();
+  /// The fixed-point node of `id`, which is f or g of a part.
+  Result<NodeId> side(const Sides& sides, NodeId id);
+  /// The cut affine nodes from which products of a part are computed.
+  std::vector<NodeId> nodes_in_products(const Sides& sides);
+  /// a - b.
+  NodeId difference(NodeId a, NodeId b);
+  /// abs(a).
+  NodeId magnitude(NodeId a);
+  /// A node without its `count` low bits, but with at least one bit of magnitude; the node itself
+  /// if `count` is 0 or less.
+  NodeId without_low_bits(NodeId a, int count);
+  /// A node limited to the reach of `bits` bits of magnitude; the node itself if it has no more
+  /// bits, or if it is always beyond that reach.
+  NodeId within_reach(NodeId a, int bits);
+  /// The sum of squares `sum` with other elements: `others[element]` replaces each element.
+  NodeId with_squared(NodeId sum, const std::map<NodeId, NodeId>& others);
+
+  std::vector<FixedNode>& nodes() { return nodes_; }
+
+private:
+  /// The fixed-point node of an expression's node.
+  Result<NodeId> node(NodeId id);
+  /// The operand of a node of the expression as that node reads it: affine nodes read it before its
+  /// common cut, other nodes after it.
+  NodeId operand(NodeId reader, int k);
+  NodeId read(NodeId id, bool by_affine);
+  void align_norms();
+  FixedNode conversion(Conversion conversion, NodeId id) const;
+  FixedNode common_cut(NodeId id, int most) const;
+  Error nothing_to_cut() const;
+  /// The error that names a node of the expression and says why fixed point does not support it.
+  Error refused(NodeId id, std::string_view why, const char* accepted) const;
+  Result<FixedNode> make(NodeId id);  ///< the operands exist already
+  Result<FixedNode> input(const Node& node) const;
+  FixedNode input_below(int top, bool nonnegative, int index) const;
+  FixedNode constant(const mpq_class& value, int bits) const;
+  Result<FixedNode> square_root(NodeId id);
+  Result<FixedNode> quotient(NodeId id);
+  std::optional<FixedNode> multiple_of_square(const mpq_class& coefficient, NodeId square);
+  FixedNode product(NodeId a, NodeId b);
+  Result<NodeId> limited(NodeId id, const Range& limits);
+  NodeId factor(NodeId id);
+  FixedNode operation(Operation operation, NodeId a, NodeId b = -1) const;
+  NodeId add(FixedNode node);
+
+  const Graph& graph_;
+  FloatFormat input_format_;
+  const FixedOptions& options_;
+  std::vector<bool> affine_;   ///< [node of the expression]
+  std::vector<NodeId> known_;  ///< [node of the expression]: its node here, or -1
+  std::vector<NodeId> cut_;    ///< [node of the expression]: the node after the cut, or -1
+  std::vector<FixedNode> nodes_;
+};
+
+}  // namespace mixcmp::fixed

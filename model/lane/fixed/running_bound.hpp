@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "model/lane/fixed/fixed_lane.hpp"
+
+namespace mixcmp::fixed {
+
+/// Eight steps are three bits in hardware. With one bit of a threshold they fit one table of a LUT.
+inline constexpr int most_last_step = 7;
+
+/// The thresholds of `difference` by steps of the magnitudes of `watched`, from which it is
+/// computed; none if no step would have a smaller threshold. `bits`: those of the lane's format.
+/// Proof: docs/fixed_point.md, theorem 9.
+std::optional<RunningThresholds> running_thresholds(const std::vector<FixedNode>& nodes, int bits,
+                                                    NodeId difference, std::vector<NodeId> watched);
+
+/// The limit of a watched number's magnitude in this step: it is below the limit, or exactly the
+/// negative of it.
+mpq_class magnitude_in_step(const FixedNode& watched, int step, int last_step);
+
+}  // namespace mixcmp::fixed

@@ -1,0 +1,293 @@
+#include "model/plan/optimise/allocation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "model/base/common/check.hpp"
+#include "model/cost/performance/performance.hpp"
+#include "model/plan/optimise/allocation_program.hpp"
+#include "model/plan/optimise/feasibility.hpp"
+#include "model/plan/optimise/kinds_at_clock.hpp"
+#include "model/plan/optimise/shortage.hpp"
+
+namespace mixcmp::optimise {
+namespace {
+
+using Relation = IntegerProgram::Relation;
+
+template <class Kind>
+bool is_possible(const Kind& kind) {
+  return kind.clock_hz > 0 && std::isfinite(kind.clock_hz) && kind.initiation_interval >= 1;
+}
+
+void check(const AllocationProblem& problem) {
+  for (const LaneKind& lane : problem.lanes) {
+    MIXCMP_CHECK(is_possible(lane));
+    MIXCMP_CHECK(problem.min_lanes == 1 || problem.min_lanes % lane.group == 0);
+    MIXCMP_CHECK(lane.recomputation_rate >= 0 && lane.recomputation_rate <= 1);
+    MIXCMP_CHECK(problem.sharing == ReferenceSharing::pooled ||
+                 lane.group == problem.lanes.front().group);
+  }
+  for (const ReferenceKind& reference : problem.references) {
+    MIXCMP_CHECK(is_possible(reference));
+  }
+}
+
+/// Clocks that the system may run at, the highest first; only 0 if each kind has its own clock.
+std::set<double, std::greater<>> candidate_clocks(const AllocationProblem& problem) {
+  if (problem.clocks == ClockDomains::separate) return {0.0};
+  std::set<double, std::greater<>> clocks;
+  for (const LaneKind& lane : problem.lanes) clocks.insert(lane.clock_hz);
+  for (const ReferenceKind& reference : problem.references) clocks.insert(reference.clock_hz);
+  return clocks;
+}
+
+/// The clock of a plan: the lowest of the kinds it uses, bit for bit one of `candidate_clocks`; 0
+/// if each kind has its own clock.
+double clock_of(const AllocationProblem& problem, const Allocation& plan) {
+  if (problem.clocks == ClockDomains::separate) return 0;
+  double clock = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < plan.lanes.size(); ++k) {
+    if (plan.lanes[k] > 0) clock = std::min(clock, problem.lanes[k].clock_hz);
+  }
+  for (std::size_t k = 0; k < plan.references.size(); ++k) {
+    if (plan.references[k] > 0) clock = std::min(clock, problem.references[k].clock_hz);
+  }
+  return clock;
+}
+
+/// Adds a row that excludes plans of lower throughput.
+void ask_for(AllocationProgram& wanted, double throughput_per_s) {
+  if (throughput_per_s <= 0) return;
+  wanted.program.add_row("at_least", wanted.program.objective, Relation::at_least,
+                         throughput_per_s / wanted.objective_per_s);
+}
+
+/// Splits a program into parts that together have all of its points except `point`. Each of the
+/// first columns gives a part with smaller and a part with larger values than the point's. In both,
+/// the previous columns have the point's values.
+std::vector<IntegerProgram> around(const IntegerProgram& program, const std::vector<int>& point,
+                                   std::size_t columns) {
+  std::vector<IntegerProgram> parts;
+  IntegerProgram held = program;
+  for (std::size_t k = 0; k < columns; ++k) {
+    IntegerProgram::Column& column = held.columns[k];
+    const IntegerProgram::Column all = column;
+    if (all.lower < point[k]) {
+      column.upper = point[k] - 1;
+      parts.push_back(held);
+    }
+    if (point[k] < all.upper) {
+      column = {all.name, point[k] + 1, all.upper};
+      parts.push_back(held);
+    }
+    column = {all.name, point[k], point[k]};
+  }
+  return parts;
+}
+
+double value_of(const IntegerProgram::Sum& sum, const std::vector<int>& point) {
+  double value = 0;
+  for (const auto& [column, coefficient] : sum) value += coefficient * point[column];
+  return value;
+}
+
+IntegerProgram::Sum negated(IntegerProgram::Sum sum) {
+  for (IntegerProgram::Term& term : sum) term.coefficient = -term.coefficient;
+  return sum;
+}
+
+/// The search for the best plan of one problem.
+class Search {
+public:
+  explicit Search(const AllocationProblem& problem) : problem_(problem) {}
+
+  /// Finds the highest throughput over all clocks, then the cheapest plan that reaches it.
+  std::optional<Allocation> run() {
+    for (const double clock : candidate_clocks(problem_)) try_clock(clock);
+    std::optional<Allocation> best;
+    for (const auto& [clock, found] : best_) {
+      const Allocation plan = cheapest(clock, found);
+      if (!best || is_better(plan, *best)) best = plan;
+    }
+    return best;
+  }
+
+private:
+  struct Found {
+    Allocation plan;
+    double value;  ///< of the objective
+  };
+
+  int most_references() const { return problem_.references.empty() ? 0 : problem_.max_references; }
+
+  bool some_lane_needs_no_reference() const {
+    return std::any_of(problem_.lanes.begin(), problem_.lanes.end(),
+                       [](const LaneKind& lane) { return lane.recomputation_rate == 0; });
+  }
+
+  /// If the optimum of the relaxation is a feasible plan, no plan with references is better at this
+  /// clock; otherwise each p_H is tried.
+  void try_clock(double clock) {
+    if (some_lane_needs_no_reference()) try_exactly({clock, 0, {}});
+    if (most_references() == 0) return;
+    if (!try_relaxed({clock, {}, {}})) return;
+    for (int references = 1; references <= most_references(); ++references) {
+      const FixedCounts fixed{clock, references, {}};
+      if (const auto relaxed = try_relaxed(fixed)) try_below(fixed, *relaxed);
+    }
+  }
+
+  /// Solves the relaxation for plans no worse than the best so far. If its optimum is a feasible
+  /// plan, notes that plan and returns none; otherwise returns the optimum. Also returns none if
+  /// the relaxation is infeasible.
+  std::optional<Counts> try_relaxed(const FixedCounts& fixed) {
+    AllocationProgram relaxed = relaxed_program(problem_, fixed);
+    ask_for(relaxed, best_per_s_);
+    const auto point = solve(relaxed.program);
+    if (!point) return std::nullopt;
+    const Counts counts = relaxed.counts(problem_, *point);
+    const auto plan = plan_of(problem_, counts);
+    if (!plan) return counts;
+    note(fixed.clock_per_s, *plan);
+    return std::nullopt;
+  }
+
+  /// Finds the best plan for a fixed p_H. If all lanes are equally fast, throughput depends only on
+  /// their number: it is tried from the relaxation's number downwards to the first with a plan.
+  void try_below(FixedCounts fixed, const Counts& relaxed) {
+    const auto alike = KindsAtClock(problem_, fixed.clock_per_s).common_throughput_per_s();
+    if (!alike) {
+      try_exactly(fixed);
+      return;
+    }
+    fixed.lanes = std::accumulate(relaxed.lanes.begin(), relaxed.lanes.end(), 0);
+    while (*fixed.lanes >= problem_.min_lanes &&
+           performance::is_within(best_per_s_, *fixed.lanes * *alike)) {
+      if (try_exactly(fixed)) return;
+      --*fixed.lanes;
+    }
+  }
+
+  bool try_exactly(const FixedCounts& fixed) {
+    AllocationProgram wanted = exact_program(problem_, fixed);
+    ask_for(wanted, best_per_s_);
+    const auto found = best_of(wanted, 0);
+    if (found) note(fixed.clock_per_s, found->plan);
+    return found.has_value();
+  }
+
+  void note(double clock, const Allocation& plan) {
+    if (plan.throughput_per_s < best_per_s_) return;
+    if (plan.throughput_per_s > best_per_s_) best_.clear();
+    best_per_s_ = plan.throughput_per_s;
+    const auto [place, added] = best_.emplace(clock, plan);
+    if (!added && is_better(plan, place->second)) place->second = plan;
+  }
+
+  /// The best point that is a feasible plan without CBC's tolerances and has at least this
+  /// throughput. If CBC's optimum is no such point, the program is split around it.
+  std::optional<Found> best_of(const AllocationProgram& wanted, double least_per_s) const {
+    const std::size_t kinds = problem_.lanes.size() + problem_.references.size();
+    std::vector<IntegerProgram> parts{wanted.program};
+    std::optional<Found> best;
+    while (!parts.empty()) {
+      const IntegerProgram part = std::move(parts.back());
+      parts.pop_back();
+      const auto point = solve(part);
+      if (!point) continue;
+      const double value = value_of(part.objective, *point);
+      if (best && value <= best->value) continue;
+      const auto plan = plan_of(problem_, wanted.counts(problem_, *point));
+      if (plan && performance::is_within(least_per_s, plan->throughput_per_s)) {
+        best = Found{*plan, value};
+        continue;
+      }
+      for (IntegerProgram& rest : around(part, *point, kinds)) parts.push_back(std::move(rest));
+    }
+    return best;
+  }
+
+  /// The best plan, by `is_better`, of those with the best throughput at this clock. If lanes are
+  /// not equally fast, two mixes hardly ever have the same throughput. The lanes of `found` are
+  /// then kept, and only its references are chosen anew.
+  Allocation cheapest(double clock, const Allocation& found) const {
+    const auto alike = KindsAtClock(problem_, clock).common_throughput_per_s();
+    const int lanes =
+        alike ? static_cast<int>(std::lround(best_per_s_ / *alike)) : found.lane_count();
+    for (int references = 0; references <= found.reference_count(); ++references) {
+      AllocationProgram wanted = exact_program(problem_, {clock, references, lanes});
+      for (std::size_t k = 0; !alike && k < found.lanes.size(); ++k) {
+        const int groups = found.lanes[k] / problem_.lanes[k].group;
+        wanted.program.columns[k].lower = wanted.program.columns[k].upper = groups;
+      }
+      if (const auto plan = cheapest(wanted)) return *plan;
+    }
+    return found;
+  }
+
+  std::optional<Allocation> cheapest(AllocationProgram wanted) const {
+    std::optional<Found> found;
+    for (const IntegerProgram::Sum& cost : wanted.costs) {
+      wanted.program.objective = negated(cost);
+      found = best_of(wanted, best_per_s_);
+      if (!found) return std::nullopt;
+      wanted.program.add_row("cheapest", cost, Relation::at_most, -found->value);
+    }
+    return found->plan;
+  }
+
+  const AllocationProblem& problem_;
+  double best_per_s_ = 0;
+  /// by clock, for clocks that reach best_per_s_
+  std::map<double, Allocation, std::greater<>> best_;
+};
+
+}  // namespace
+
+devices::Area area_of(const LaneKind& kind, int lanes) {
+  return lanes / kind.group * kind.area;
+}
+
+double asked_per_cycle(const LaneKind& lane) {
+  return lane.recomputation_rate / lane.initiation_interval;
+}
+
+int lanes_per_port(const AllocationProblem& problem) {
+  const bool has_ports = problem.sharing == ReferenceSharing::round_robin;
+  return has_ports && !problem.lanes.empty() ? problem.lanes.front().group : 1;
+}
+
+int Allocation::lane_count() const {
+  return std::accumulate(lanes.begin(), lanes.end(), 0);
+}
+
+int Allocation::reference_count() const {
+  return std::accumulate(references.begin(), references.end(), 0);
+}
+
+AllocationResult allocate(const AllocationProblem& problem) {
+  check(problem);
+  if (problem.lanes.empty() || !fixed_fits(problem)) return explain_infeasible(problem);
+  const std::optional<Allocation> plan = Search(problem).run();
+  if (!plan) return explain_infeasible(problem);
+  return *plan;
+}
+
+std::string to_lp(const AllocationProblem& problem) {
+  const AllocationResult result = allocate(problem);
+  const auto* plan = std::get_if<Allocation>(&result);
+  if (plan == nullptr) {
+    const double lowest = *candidate_clocks(problem).rbegin();
+    return to_lp(relaxed_program(problem, {lowest, {}, {}}).program);
+  }
+  return to_lp(
+      exact_program(problem, {clock_of(problem, *plan), plan->reference_count(), {}}).program);
+}
+
+}  // namespace mixcmp::optimise

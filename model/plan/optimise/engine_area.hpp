@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+
+#include "model/cost/measured/measurement.hpp"
+#include "model/scene/engine.hpp"
+
+namespace mixcmp::optimise {
+
+/// The area of an engine without its references.
+struct EngineArea {
+  /// Conversion, loading, recomputation and reports, whatever the number of lanes. In an arg-min
+  /// engine without the part that belongs to its references.
+  devices::Area own;
+  devices::Area group;        ///< a segment, its second tier, and its share of the connections
+  devices::Area lane;         ///< a lane with its share of both, rounded up
+  std::optional<double> mhz;  ///< the lowest clock of these parts; none if none was measured
+};
+
+/// The area of an engine whose lanes are those of `segment`, a row of that kind. The connections of
+/// segments (the merge of a pairwise engine, the stages of a chain) grow with their number: the
+/// slope is that between the smallest and the largest engine of the table. Parts that the table
+/// lacks are added to `missing`, in words. If it lacks the engine itself, there is no area.
+std::optional<EngineArea> engine_area(const measured::Characterisation& table,
+                                      const measured::Measurement& segment, scene::EngineKind kind,
+                                      std::set<std::string>& missing);
+
+/// A reference's share of an arg-min engine's operand memory: its register, and its part of the
+/// tree of arbiters, by the smallest and the largest memory of the table. Zero for other engines.
+devices::Area memory_share(const measured::Characterisation& table, scene::EngineKind kind,
+                           std::set<std::string>& missing);
+
+/// Recomputations that an engine can start per cycle: its memory gives the operands of one pair.
+inline constexpr double engine_recomputations_per_cycle = 1;
+
+/// The area of one of `parts` equal parts of `area`, rounded up.
+devices::Area share(const devices::Area& area, int parts);
+
+}  // namespace mixcmp::optimise

@@ -1,0 +1,253 @@
+#include "model/plan/optimise/footprint.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "model/base/common/check.hpp"
+#include "model/cost/estimated/cost_model.hpp"
+#include "model/cost/performance/performance.hpp"
+#include "model/design/slots.hpp"
+#include "model/plan/optimise/engine_area.hpp"
+#include "model/scene/lane_bound.hpp"
+
+namespace mixcmp::optimise {
+namespace {
+
+/// A design may fit if its rough estimate is at most this multiple of the device.
+constexpr double rough_margin = 1.5;
+
+/// Finds the row of a datapath with these multipliers. The row of a datapath without products names
+/// no multipliers.
+const measured::Measurement* find(const measured::Characterisation& table,
+                                  measured::ComponentKey key, scene::Multipliers multipliers) {
+  const measured::Measurement* plain = table.find(key);
+  if (plain != nullptr) return plain;
+  key.multipliers = to_string(multipliers);
+  return table.find(key);
+}
+
+std::optional<Bound> bound_of(const design::Lane& lane) {
+  return std::visit([](const auto& made) -> std::optional<Bound> { return scene::bound_of(made); },
+                    lane);
+}
+
+/// Lanes in fixed point have no choice of inputs.
+std::optional<LaneInputs> inputs_of(const design::LaneGroup& group) {
+  const bool floating = std::holds_alternative<error::Lane>(group.lane);
+  return floating ? std::optional(group.inputs) : std::nullopt;
+}
+
+bool has_engine(const design::Design& design) {
+  return design.system.engine.kind != scene::EngineKind::none;
+}
+
+/// The row of a lane, or in an engine of the segment that contains it.
+const measured::Measurement* row_of(const measured::Characterisation& table,
+                                    const design::Design& design, const design::LaneGroup& group) {
+  const bool in_segment = has_engine(design);
+  return find(
+      table,
+      {.kind = in_segment ? measured::ComponentKind::segment : measured::ComponentKind::lane,
+       .name = {},
+       .format = design::format_name(group.lane),
+       .inputs = inputs_of(group),
+       .bound = bound_of(group.lane),
+       .multipliers = {},
+       .ports = in_segment ? design.system.engine.lanes_per_segment() : 0},
+      group.multipliers);
+}
+
+const measured::Measurement* row_of(const measured::Characterisation& table,
+                                    const design::Design& design,
+                                    const design::ReferenceGroup& group) {
+  const Arithmetic& arithmetic = design.reference.arithmetic;
+  return find(table,
+              {.kind = measured::ComponentKind::reference,
+               .name = {},
+               .format = arithmetic.format.name(),
+               .inputs = {},
+               .bound = {},
+               .multipliers = {},
+               .sums = arithmetic.sums,
+               .initiation_interval = group.structure.initiation_interval,
+               .target_mhz = group.structure.own_target_mhz(design.system.target_mhz),
+               .ports = 0},
+              group.structure.multipliers);
+}
+
+/// The row of a kind with the most ports, but at most `ports`.
+const measured::Measurement* largest(const measured::Characterisation& table,
+                                     measured::ComponentKind kind, int ports) {
+  const measured::Measurement* found = nullptr;
+  for (const measured::Measurement& row : table.rows) {
+    const bool fits = row.key.kind == kind && row.key.ports <= ports;
+    if (fits && (found == nullptr || row.key.ports > found->key.ports)) found = &row;
+  }
+  return found;
+}
+
+/// Adds the references, and the streams around them if the table has these; false if it lacks a
+/// reference.
+bool add_references(Amounts& sum, const design::Design& design,
+                    const measured::Characterisation& table) {
+  for (const design::ReferenceGroup& group : design.references) {
+    const measured::Measurement* row = row_of(table, design, group);
+    if (row == nullptr) return false;
+    add(sum, group.count, row->area);
+    measured::ComponentKey port = row->key;
+    port.kind = measured::ComponentKind::reference_port;
+    if (const auto* measured = table.find(port)) add(sum, group.count, measured->area);
+  }
+  return true;
+}
+
+/// Adds the crossbar between `asking` and `asked` ports; nothing if the table has none.
+void add_crossbar(Amounts& sum, int asking, int asked, const measured::Characterisation& table) {
+  for (const int served : performance::lanes_of_references(asking, asked)) {
+    const measured::Measurement* share = largest(table, measured::ComponentKind::crossbar, served);
+    if (share != nullptr) add(sum, 1, share->area);
+  }
+}
+
+/// Adds the lanes of a second tier, with the most slots of any such lane in the table; false if it
+/// has none of this format.
+bool add_second_lanes(Amounts& sum, const design::LaneGroup& tier,
+                      const measured::Characterisation& table) {
+  const measured::Measurement* found = nullptr;
+  for (const measured::Measurement& row : table.rows) {
+    const bool is_one = row.key.kind == measured::ComponentKind::second_lane &&
+                        row.key.format == design::format_name(tier.lane);
+    if (is_one && (found == nullptr || row.key.ports > found->key.ports)) found = &row;
+  }
+  if (found != nullptr) add(sum, tier.count, found->area);
+  return found != nullptr;
+}
+
+/// Adds all crossbars of a system, and the second lanes between them; false if a second lane has no
+/// row.
+bool add_recomputation(Amounts& sum, const design::Design& design,
+                       const measured::Characterisation& table) {
+  const int groups = design.lane_count() / design.system.lanes_per_group;
+  if (!design.has_second_lanes()) {
+    add_crossbar(sum, groups, design.reference_count(), table);
+    return true;
+  }
+  add_crossbar(sum, groups, design.second_tier->count, table);
+  add_crossbar(sum, design.second_tier->count, design.reference_count(), table);
+  return add_second_lanes(sum, *design.second_tier, table);
+}
+
+std::optional<Amounts> measured_engine(const design::Design& design,
+                                       const measured::Characterisation& table) {
+  Amounts lanes{}, own{};
+  for (const design::LaneGroup& group : design.lanes) {
+    const measured::Measurement* segment = row_of(table, design, group);
+    if (segment == nullptr) return std::nullopt;
+    std::set<std::string> missing;
+    const std::optional<EngineArea> engine =
+        engine_area(table, *segment, design.system.engine.kind, missing);
+    if (!engine) return std::nullopt;
+    const int groups = (group.count + segment->key.ports - 1) / segment->key.ports;
+    add(lanes, groups, engine->group);
+    const Amounts needed = amounts_of(engine->own);
+    for (std::size_t r = 0; r < own.size(); ++r) own[r] = std::max(own[r], needed[r]);
+  }
+  for (std::size_t r = 0; r < own.size(); ++r) lanes[r] += own[r];
+  if (!add_references(lanes, design, table)) return std::nullopt;
+  std::set<std::string> missing;
+  add(lanes, design.reference_count(), memory_share(table, design.system.engine.kind, missing));
+  add_crossbar(lanes, design.lane_count() / design.system.lanes_per_group, design.reference_count(),
+               table);
+  return lanes;
+}
+
+std::optional<Amounts> measured_system(const design::Design& design,
+                                       const measured::Characterisation& table) {
+  Amounts sum{};
+  int slowest = 0;
+  for (const design::LaneGroup& group : design.lanes) {
+    const measured::Measurement* row = row_of(table, design, group);
+    if (row == nullptr) return std::nullopt;
+    add(sum, group.count, row->area);
+    slowest = std::max(slowest, row->latency_cycles);
+  }
+  if (!add_references(sum, design, table)) return std::nullopt;
+  const int slots =
+      design::slots_for(slowest + design.system.input_registers, design.reference_count() > 0);
+  const measured::Measurement* fifo = largest(table, measured::ComponentKind::fifo, slots);
+  if (fifo != nullptr) {
+    add(sum, design.lane_count() / design.system.lanes_per_group, fifo->area);
+  }
+  if (!add_recomputation(sum, design, table)) return std::nullopt;
+  return sum;
+}
+
+std::optional<Amounts> measured_amounts(const design::Design& design,
+                                        const measured::Characterisation& table) {
+  return has_engine(design) ? measured_engine(design, table) : measured_system(design, table);
+}
+
+/// Products cost no LUTs if embedded multipliers may compute them.
+estimated::Products products_of(scene::Multipliers multipliers, const devices::Device& device) {
+  switch (multipliers) {
+    case scene::Multipliers::embedded:
+      return device.available.dsps > 0 ? estimated::Products::left_out
+                                       : estimated::Products::in_luts;
+    case scene::Multipliers::logic: return estimated::Products::in_luts;
+    case scene::Multipliers::memory: return estimated::Products::squares_in_memory;
+  }
+  MIXCMP_CHECK(false);
+}
+
+double rough_luts(const design::Design& design, const devices::Device& device) {
+  double luts = 0;
+  for (const design::LaneGroup& group : design.lanes) {
+    const estimated::Products products = products_of(group.multipliers, device);
+    luts += group.count *
+            std::visit([&](const auto& lane) { return estimated::lane_luts(lane, products); },
+                       group.lane);
+  }
+  // An upper bound: a folded reference costs less.
+  for (const design::ReferenceGroup& group : design.references) {
+    luts += group.count * estimated::reference_luts(
+                              design.reference, products_of(group.structure.multipliers, device));
+  }
+  return luts;
+}
+
+std::string counted(int count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+Footprint footprint_of(const design::Design& design, const measured::Characterisation* table,
+                       const devices::Device& device) {
+  const auto measured = table == nullptr ? std::nullopt : measured_amounts(design, *table);
+  if (measured) return {.amounts = *measured, .measured = true};
+  return {.amounts = {std::llround(rough_luts(design, device))}, .measured = false};
+}
+
+std::optional<std::string> excess_of(const Footprint& footprint, const design::Design& design,
+                                     const devices::Device& device, const std::string& source) {
+  const Amounts room = amounts_of(device.available);
+  const double margin = footprint.measured ? 1 : rough_margin;
+  std::string excess;
+  for (std::size_t r = 0; r < room.size(); ++r) {
+    const auto needed = footprint.amounts[r];
+    if (static_cast<double>(needed) <= margin * static_cast<double>(room[r])) continue;
+    excess += fmt::format("{}{} {} of {}", excess.empty() ? "" : ", ", needed,
+                          devices::bounded_resources[r].name, room[r]);
+  }
+  if (excess.empty()) return std::nullopt;
+  return fmt::format(
+      "{} and {} do not fit {}: {} {}; {}", counted(design.lane_count(), "lane"),
+      counted(design.reference_count(), "reference"), device.name,
+      footprint.measured ? "at least" : "about", excess,
+      footprint.measured ? "areas measured, " + source : "a rough estimate before synthesis");
+}
+
+}  // namespace mixcmp::optimise

@@ -1,0 +1,152 @@
+#include "model/plan/optimise/plan_inputs.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <utility>
+
+#include "model/base/common/output_file.hpp"
+#include "model/base/common/quote.hpp"
+#include "model/scene/plan.hpp"
+
+namespace mixcmp::optimise {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Replaces measured errors by the constants that the scene gives: lanes of a plan have these at
+/// every precision.
+void use_given_constants(const scene::ReducedSpec& reduced, profile::ErrorProfile& errors) {
+  for (profile::ErrorAtPrecision& error : errors.precisions) {
+    if (reduced.relative_error_f) error.f = reduced.relative_error_f;
+    if (reduced.relative_error_g) error.g = reduced.relative_error_g;
+  }
+}
+
+/// Checks that a plan can name the path: it must be one line of UTF-8.
+Result<std::string> named_in(const fs::path& plan, const std::string& path) {
+  if (is_one_line(path)) return path;
+  return Error{.file = plan.string(),
+               .message = "cannot be written: it would name a path that is not one line of UTF-8",
+               .received = in_quotes(path),
+               .accepted = "folders with names in UTF-8"};
+}
+
+/// The positive number that fills `text`; none for any other text.
+std::optional<double> positive_number(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  const bool is_whole = !text.empty() && *end == '\0';
+  return is_whole && value > 0 ? std::optional(value) : std::nullopt;
+}
+
+Error of_another(const fs::path& path, const char* field, const std::string& received,
+                 const std::string& accepted) {
+  return Error{.file = path.string(),
+               .field = field,
+               .message = fmt::format("the table is of another {}", field),
+               .received = received,
+               .accepted = accepted};
+}
+
+}  // namespace
+
+fs::path default_table(const fs::path& file, const scene::Scene& scene, const std::string& device) {
+  const std::string variant = scene.variant.empty() ? "" : "-" + scene.variant;
+  // A segment's area depends on the tier, so it needs its own table. A table of streams has rows
+  // for both.
+  const bool has_own_table =
+      scene.leaves_out_second_tier && scene.system.engine.kind == scene::EngineKind::pairwise;
+  const std::string tiers = has_own_table ? "-one-tier" : "";
+  return file.parent_path() / "characterisation" /
+         fmt::format("{}{}{}-{}.csv", file.stem().string(), variant, tiers, device);
+}
+
+Result<measured::Characterisation> read_table(const fs::path& path, const scene::Scene& scene,
+                                              const devices::Device& device) {
+  MIXCMP_TRY(table, measured::read_characterisation(path));
+  if (table.device != device.name) return of_another(path, "device", table.device, device.name);
+  if (table.scene != scene.name) return of_another(path, "scene", table.scene, scene.name);
+  const std::string wanted = measured::engine_text(scene);
+  for (const auto& [name, text] : table.spec) {
+    if (name != "engine" || wanted.empty()) continue;
+    if (text != wanted) return of_another(path, "engine", text, wanted);
+  }
+  MIXCMP_DO(measured::check_groups(table, path, scene));
+  return table;
+}
+
+Result<scene::Scene> with_target_of(const measured::Characterisation& table, const fs::path& path,
+                                    scene::Scene scene) {
+  for (const auto& [name, text] : table.spec) {
+    if (name != "target_mhz") continue;
+    const std::optional<double> measured = positive_number(text);
+    if (!measured) {
+      return Error{.file = path.string(),
+                   .field = "target_mhz",
+                   .message = "cannot be read",
+                   .received = text,
+                   .accepted = "a clock in MHz"};
+    }
+    scene.system.target_mhz = *measured;
+    break;
+  }
+  return scene;
+}
+
+std::set<LaneInputs> inputs_of_lanes(const measured::Characterisation& table) {
+  std::set<LaneInputs> inputs = {LaneInputs::exact, LaneInputs::rounded};
+  for (const measured::Measurement& row : table.rows) {
+    if (row.key.inputs) inputs.insert(*row.key.inputs);
+  }
+  return inputs;
+}
+
+Result<std::vector<profile::RateProfile>> measure_rates(
+    const scene::Scene& scene, const data::Comparisons& data, const std::set<LaneInputs>& inputs,
+    const OptimiseOptions& choice,
+    const std::function<void(const std::string&, double)>& progress) {
+  profile::ProfileOptions options{.first_precision = choice.first_precision,
+                                  .last_precision = choice.last_precision};
+  // Lane precisions that the reference does not allow are left out; check_profile refuses a first
+  // one that is.
+  const int most = settings::lane_precisions(scene.reference.format).most;
+  if (options.first_precision <= most) {
+    options.last_precision = std::min(options.last_precision, most);
+  }
+  options.progress = progress;
+  MIXCMP_DO(check_profile(scene, options));
+  auto errors = profile_errors(scene, data, {inputs.begin(), inputs.end()}, options);
+  std::vector<profile::RateProfile> rates;
+  for (profile::ErrorProfile& each : errors) {
+    use_given_constants(scene.reduced, each);
+    rates.push_back(profile_rates(scene, data, each, options));
+  }
+  return rates;
+}
+
+Result<PlanSource> make_plan_source(const fs::path& scene, std::span<const std::string> overrides,
+                                    const std::string& device, const fs::path& plan,
+                                    std::string command) {
+  // Symbolic links of folders and of the plan are followed, since names in the plan are relative to
+  // the folder that contains it. A link that is the scene itself is not followed: the scene finds
+  // its data beside the link. In a plan that goes to a pipe, names are relative to the working
+  // directory.
+  MIXCMP_TRY(target, follow_links(plan));
+  std::error_code failed;
+  const fs::path place = fs::weakly_canonical(fs::absolute(target), failed);
+  const fs::path folder = failed ? fs::current_path() : place.parent_path();
+  const fs::path file = fs::canonical(fs::absolute(scene).parent_path()) / scene.filename();
+  const bool device_is_file = device.ends_with(".toml");
+  MIXCMP_TRY(read, scene::read_scene_settings(scene, overrides));
+  MIXCMP_TRY(scene_name, named_in(plan, file.lexically_relative(folder).generic_string()));
+  MIXCMP_TRY(device_name, named_in(plan, device_is_file ? fs::canonical(device).string() : device));
+  return PlanSource{.scene_file = scene_name,
+                    .overrides = settings::overridden_entries(read.settings.root, overrides),
+                    .device = device_name,
+                    .command = std::move(command)};
+}
+
+}  // namespace mixcmp::optimise

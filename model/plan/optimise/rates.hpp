@@ -1,0 +1,64 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/plan/profile/profile.hpp"
+
+namespace mixcmp::optimise {
+
+/// The properties of a lane on which its recomputation rate R_R depends.
+struct RateKey {
+  LaneInputs inputs = LaneInputs::exact;
+  Bound bound;
+  int precision = 0;  ///< L, or W of fixed point
+
+  friend auto operator<=>(const RateKey&, const RateKey&) = default;
+};
+
+/// A recomputation rate R_R as counted on data.
+struct Rate {
+  std::uint64_t undecided = 0;
+  std::uint64_t comparisons = 0;
+
+  /// undecided / comparisons. If none of n comparisons was undecided, it is 3 / n, at most 1. The
+  /// true rate is below 3 / n with 95 % confidence (rule of three), and no plan should rely on a
+  /// lower one.
+  double value() const;
+};
+
+/// Recomputation rates of every kind of lane, by precision.
+class Rates {
+public:
+  /// The reference and the data that rates were counted with.
+  struct Origin {
+    int reference_precision = 0;
+    std::uint64_t comparisons = 0;
+  };
+
+  static Rates of(const std::vector<profile::RateProfile>& profiles);
+  /// Reads figure5.csv as written by `mixcmp profile`. Errors name the line and the column.
+  static Result<Rates> read(const std::filesystem::path& path);
+
+  /// Raises each rate to the larger of the two, for scenario II. A rate that only one of the two
+  /// has is used unchanged.
+  void raise_to(const Rates& other);
+
+  /// Lanes in fixed point have one rate for all kinds of inputs.
+  std::optional<Rate> find(const RateKey& key) const;
+  /// From the file's row of the reference, if it has one.
+  const std::optional<Origin>& origin() const { return origin_; }
+  bool empty() const { return rates_.empty(); }
+  std::vector<RateKey> keys() const;
+
+private:
+  std::map<RateKey, Rate> rates_;
+  std::optional<Origin> origin_;
+};
+
+}  // namespace mixcmp::optimise

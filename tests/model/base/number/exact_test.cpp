@@ -1,0 +1,124 @@
+#include "model/base/number/exact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+
+#include "model/base/number/double.hpp"
+#include "model/base/number/dyadic.hpp"
+#include "tests/support/float_samples.hpp"
+
+/// Conversions in GMP integers against the golden model's, which go through MPFR.
+namespace mixcmp::test::exact_test {
+namespace {
+
+std::string shown(FloatFormat format, Bits bits) {
+  return format.name() + " " + to_hex(bits, format.width());
+}
+
+/// The number itself, numbers a hair beside it and the midpoint to its neighbour.
+void judge_around(FloatFormat format, Bits bits) {
+  const mpq_class value = to_rational(format, bits);
+  EXPECT_EQ(value, to_rational(format, bits)) << shown(format, bits);
+  if (value != 0) {
+    EXPECT_EQ(from_rational(format, value), bits) << shown(format, bits);
+  }
+  const long place = std::max(format.biased_exponent(bits), 1) - format.bias();
+  const mpq_class half = power_of_two(place - format.fraction_bits() - 1);
+  for (const mpq_class& offset : {mpq_class(half / 3), half, mpq_class(half * 5 / 4)}) {
+    for (const mpq_class& near : {mpq_class(value + offset), mpq_class(value - offset)}) {
+      EXPECT_EQ(from_rational(format, near), from_rational(format, near))
+          << near << " in " << format.name();
+    }
+  }
+}
+
+bool is_finite(FloatFormat format, Bits bits) {
+  return format.biased_exponent(bits) != format.max_biased_exponent();
+}
+
+TEST(Exact, AgreesWithTheGoldenModelAroundEveryNumberOfSmallFormats) {
+  for (const FloatFormat format : {format_of(2, 2), format_of(3, 4), format_of(5, 3)}) {
+    for (Bits bits = 0; bits >> format.width() == 0; ++bits) {
+      if (is_finite(format, bits)) judge_around(format, bits);
+    }
+  }
+}
+
+TEST(Exact, AgreesWithTheGoldenModelInWideFormats) {
+  std::mt19937_64 random(1);
+  for (const FloatFormat format :
+       {format_of(24, 8), format_of(53, 11), format_of(64, 15), format_of(113, 15)}) {
+    for (const Bits bits : special_encodings(format)) {
+      if (is_finite(format, bits)) judge_around(format, bits);
+    }
+    for (int trial = 0; trial < 500; ++trial) {
+      const Bits bits = random_encoding(format, random);
+      if (is_finite(format, bits)) judge_around(format, bits);
+    }
+  }
+}
+
+TEST(Exact, OverflowsFromTheMidpointBeyondTheLargestOn) {
+  const FloatFormat format = format_of(4, 3);  // largest 15, infinity from 15.5
+  EXPECT_EQ(from_rational(format, mpq_class(15499, 1000)), format.largest_finite(false));
+  EXPECT_EQ(from_rational(format, mpq_class(-31, 2)), format.infinity(true));
+  EXPECT_EQ(from_rational(format, power_of_two(100'000)), format.infinity(false));
+  EXPECT_EQ(from_rational(format, -power_of_two(-100'000)), format.zero(true));
+  EXPECT_EQ(from_rational(format, 0), format.zero(false));
+}
+
+TEST(Exact, ARatioNeedsNoLowestTerms) {
+  const FloatFormat format = format_of(4, 3);
+  for (const int factor : {1, 2, 3, 1000}) {
+    EXPECT_EQ(from_ratio(format, 9 * factor, 16 * factor), from_rational(format, mpq_class(9, 16)));
+  }
+}
+
+TEST(Exact, RoundsUpToTheLeastNumberNotBelow) {
+  for (const FloatFormat format : {format_of(3, 3), format_of(4, 4)}) {
+    for (Bits bits = 0; bits <= format.largest_finite(false); ++bits) {
+      const mpq_class value = to_rational(format, bits);
+      EXPECT_EQ(from_rational_up(format, value), bits);
+      EXPECT_EQ(from_rational_up(format, value + power_of_two(-100)), bits + 1);
+    }
+    EXPECT_EQ(from_rational_up(format, power_of_two(100)), format.infinity(false));
+  }
+}
+
+TEST(Double, HoldsEveryNumberOfFormatsThatFit) {
+  std::mt19937_64 random(2);
+  for (const FloatFormat format : {format_of(11, 5), format_of(53, 8), format_of(53, 11)}) {
+    for (int trial = 0; trial < 2'000; ++trial) {
+      const Bits bits = random_encoding(format, random);
+      const double value = to_double(format, bits);
+      if (format.is_nan(bits)) {
+        EXPECT_NE(value, value);
+        continue;
+      }
+      EXPECT_EQ(from_double(format, value), bits) << shown(format, bits);
+      if (is_finite(format, bits)) {
+        EXPECT_EQ(mpq_class(value), to_rational(format, bits));
+      }
+    }
+  }
+}
+
+TEST(Double, OfAWiderFormatIsTheNearest) {
+  const FloatFormat format = format_of(113, 15);
+  const auto nearest = [&](const mpq_class& value) {
+    return to_double(format, from_rational(format, value));
+  };
+  EXPECT_EQ(nearest(1 + power_of_two(-53)), 1) << "a tie goes to even";
+  EXPECT_EQ(nearest(1 + power_of_two(-53) + power_of_two(-100)), 1 + 0x1p-52);
+  EXPECT_EQ(nearest(-power_of_two(2000)), -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(nearest(power_of_two(-1074) * 3 / 4), 0x1p-1074);
+  EXPECT_TRUE(std::signbit(to_double(format, format.zero(true))));
+}
+
+}  // namespace
+}  // namespace mixcmp::test::exact_test

@@ -1,0 +1,142 @@
+#include "model/cost/devices/device_file.hpp"
+
+#include <gtest/gtest.h>
+
+/// Every mistake in a device file is told with its file, line and field.
+namespace mixcmp::test::device_file_test {
+namespace {
+
+constexpr std::string_view valid = R"([device]
+name = "d"
+luts = 10
+registers = 20
+dsps = 0
+memories = 1
+[synthesis]
+command = "synth_ecp5 -abc9"
+[timing]
+tool = "nextpnr_ecp5"
+arguments = ["--85k", "--speed", "8"]
+[delays]
+lut_ns = 1
+carry_start_ns = 1
+carry_ns_per_bit = 0.1
+multiplier_ns = 4
+multiplier_add_ns = 2
+register_ns = 1
+[sources]
+luts = "a data sheet"
+)";
+
+Result<devices::Device> with(std::string_view from, std::string_view to) {
+  std::string text(valid);
+  const std::size_t at = text.find(from);
+  MIXCMP_CHECK(at != std::string::npos);
+  return devices::read_device(text.replace(at, from.size(), to), "d.toml");
+}
+
+struct Mistake {
+  const char* name;
+  const char* from;
+  const char* to;
+  int line;
+  const char* field;
+  const char* received;
+};
+
+void PrintTo(const Mistake& mistake, std::ostream* stream) {
+  *stream << mistake.name;
+}
+
+class DeviceFile : public testing::TestWithParam<Mistake> {};
+
+TEST_P(DeviceFile, TellsTheMistakesPlace) {
+  const Mistake& mistake = GetParam();
+  const auto device = with(mistake.from, mistake.to);
+  ASSERT_FALSE(device.ok());
+  EXPECT_EQ(device.error().file, "d.toml");
+  EXPECT_EQ(device.error().line, mistake.line) << device.error().to_string();
+  EXPECT_EQ(device.error().field, mistake.field) << device.error().to_string();
+  EXPECT_EQ(device.error().received, mistake.received) << device.error().to_string();
+  EXPECT_FALSE(device.error().accepted.empty()) << device.error().to_string();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Mistakes, DeviceFile,
+    testing::Values(
+        Mistake{"NoLuts", "luts = 10\n", "", 1, "device.luts", "nothing"},
+        Mistake{"NameOfAFolder", "name = \"d\"", "name = \"../d\"", 2, "device.name", "\"../d\""},
+        Mistake{"PartThatIsTcl", "luts = 10\n", "luts = 10\nvivado_part = \"a [exit]\"\n", 4,
+                "device.vivado_part", "\"a [exit]\""},
+        Mistake{"EmptyName", "name = \"d\"", "name = \"\"", 2, "device.name", "\"\""},
+        Mistake{"NoDsps", "dsps = 0\n", "", 1, "device.dsps", "nothing"},
+        Mistake{"DspsOfUnknownSize", "dsps = 0", "dsps = 1", 1, "device.multiplier_a_bits",
+                "nothing"},
+        Mistake{"NegativeDsps", "dsps = 0", "dsps = -1", 5, "device.dsps", "-1"},
+        Mistake{"MemoryOfThreeReaders", "dsps = 0", "dsps = 0\nmemory_read_ports = 3", 6,
+                "device.memory_read_ports", "3"},
+        Mistake{"ThreeSelections", "dsps = 0", "dsps = 0\nsum_selects = 3", 6, "device.sum_selects",
+                "3"},
+        Mistake{"EmptyMemory", "dsps = 0", "dsps = 0\nmemory_bits = 0", 6, "device.memory_bits",
+                "0"},
+        Mistake{"ZeroLuts", "luts = 10", "luts = 0", 3, "device.luts", "0"},
+        Mistake{"FractionOfALut", "luts = 10", "luts = 1.5", 3, "device.luts", "1.5 (a number)"},
+        Mistake{"TooManyRegisters", "registers = 20", "registers = 3000000000", 4,
+                "device.registers", "3000000000"},
+        Mistake{"UnknownKey", "dsps = 0", "dsp = 0", 5, "device.dsp", "dsp"},
+        Mistake{"UnknownSection", "[delays]", "[delay]", 12, "delay", "delay"},
+        Mistake{"NoDelay", "lut_ns = 1\n", "", 12, "delays.lut_ns", "nothing"},
+        Mistake{"InfiniteDelay", "lut_ns = 1", "lut_ns = inf", 13, "delays.lut_ns", "inf"},
+        Mistake{"NoSynthesis", "command = \"synth_ecp5 -abc9\"\n", "", 7, "synthesis.command",
+                "nothing"},
+        Mistake{"ScriptAsCommand", "synth_ecp5 -abc9", "synth_ecp5; !reboot", 8,
+                "synthesis.command", "\"synth_ecp5; !reboot\""},
+        Mistake{"OtherCommand", "synth_ecp5 -abc9", "write_verilog x.v", 8, "synthesis.command",
+                "\"write_verilog x.v\""},
+        Mistake{"UnknownCells", "-abc9\"", "-abc9\"\ncells = \"ice50\"", 9, "synthesis.cells",
+                "\"ice50\""},
+        Mistake{"UnknownTool", "nextpnr_ecp5", "nextpnr_ecp6", 10, "timing.tool",
+                "\"nextpnr_ecp6\""},
+        Mistake{"SynthesisForARouter", "arguments", "synthesis = \"synth_ecp5\"\narguments", 11,
+                "timing.synthesis", "\"synth_ecp5\""},
+        Mistake{"EstimateWithoutSynthesis", "nextpnr_ecp5", "yosys_sta", 9, "timing.synthesis",
+                "nothing"},
+        Mistake{"EstimateOfAnotherVendor", "\"nextpnr_ecp5\"",
+                "\"yosys_sta\"\nsynthesis = \"synth_ecp5\"", 11, "timing.synthesis",
+                "\"synth_ecp5\""},
+        Mistake{"ArgumentsAsOneString", "[\"--85k\", \"--speed\", \"8\"]", "\"--85k\"", 11,
+                "timing.arguments", "\"--85k\""},
+        Mistake{"ArgumentAsANumber", "\"8\"", "8", 11, "timing.arguments", "8"},
+        Mistake{"SourceAsANumber", "\"a data sheet\"", "10", 20, "sources.luts",
+                "10 (an integer)"}),
+    [](const auto& instance) { return instance.param.name; });
+
+TEST(DeviceFile, IsReadAsWritten) {
+  const auto device = with("luts", "luts");
+  ASSERT_TRUE(device.ok()) << device.error().to_string();
+  EXPECT_EQ(device->available,
+            (devices::Area{.luts = 10, .registers = 20, .dsps = 0, .memories = 1}));
+  EXPECT_EQ(device->synthesis, "synth_ecp5 -abc9");
+  EXPECT_EQ(device->timing, devices::TimingTool::nextpnr_ecp5);
+  EXPECT_EQ(device->timing_arguments, (std::vector<std::string>{"--85k", "--speed", "8"}));
+  EXPECT_EQ(device->delays.carry_ns_per_bit, 0.1);
+  EXPECT_EQ(device->sources, std::vector<std::string>{"luts: a data sheet"});
+}
+
+/// A table of six inputs has room for two bits that select. A table of four has none, unless the
+/// file says so.
+TEST(DeviceFile, SelectionsFollowTheTablesInputsUnlessGiven) {
+  EXPECT_EQ(with("luts", "luts")->delays.sum_selects, 2);
+  EXPECT_EQ(with("dsps = 0", "dsps = 0\nlut_inputs = 4")->delays.sum_selects, 0);
+  EXPECT_EQ(with("dsps = 0", "dsps = 0\nsum_selects = 1\nlut_inputs = 4")->delays.sum_selects, 1);
+}
+
+TEST(DeviceFile, BrokenSyntaxIsToldWithItsLine) {
+  const auto device = with("luts = 10", "luts = ");
+  ASSERT_FALSE(device.ok());
+  EXPECT_EQ(device.error().line, 3);
+  EXPECT_EQ(device.error().field, "TOML syntax");
+}
+
+}  // namespace
+}  // namespace mixcmp::test::device_file_test

@@ -1,0 +1,220 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "model/plan/optimise/engine_area.hpp"
+#include "model/plan/optimise/footprint.hpp"
+#include "tests/model/plan/optimise/planning_case.hpp"
+
+namespace mixcmp::test::chain_plan_test {
+namespace {
+
+using measured::ComponentKind;
+using optimise::Allocation;
+using optimise::Infeasible;
+using optimise::Optimisation;
+using optimise::PrecisionPlan;
+
+/// An arg-min engine of 13 candidates: 12 lanes. Engines with 3 and 12 lanes, memories for one and
+/// four references, and a crossbar of up to 16 lanes were measured.
+class ChainPlan : public PlanningTest {
+protected:
+  static constexpr int lanes = 12;
+  static constexpr int engine_luts = 500, stage_luts = 20;  ///< of 3 lanes; of each further one
+  static constexpr int memory_luts = 90,
+                       register_luts = 30;  ///< of one reference; of a further one
+  static constexpr int port_luts = 70, crossbar_luts = 111;
+
+  ChainPlan() {
+    scene_.system = with_engine(scene_.system, {.kind = scene::EngineKind::arg_min});
+    scene_.system.lanes = lanes;
+    std::erase_if(table_.rows,
+                  [](const auto& row) { return !measured::depends_on_reference(row.key.kind); });
+    for (const auto& [precision, luts] : {std::pair(8, 120), std::pair(10, 100)}) {
+      add(ComponentKind::segment, precision, 1, luts, 2);
+      add(ComponentKind::engine, precision, 3, engine_luts);
+      add(ComponentKind::engine, precision, lanes, engine_luts + 9 * stage_luts);
+    }
+    for (const char* multipliers : {"embedded", "logic"}) {
+      table_.rows.push_back(reference_row(multipliers, port_luts, 0));
+      table_.rows.back().key.kind = ComponentKind::reference_port;
+    }
+    table_.rows.push_back(stream_row(ComponentKind::operand_memory, 1, memory_luts));
+    table_.rows.push_back(
+        stream_row(ComponentKind::operand_memory, 4, memory_luts + 3 * register_luts));
+    table_.rows.push_back(stream_row(ComponentKind::crossbar, 1, crossbar_luts));
+    table_.rows.push_back(stream_row(ComponentKind::crossbar, 16, crossbar_luts));
+    sort();
+  }
+
+  void add(ComponentKind kind, int precision, int ports, int luts, int dsps = 0) {
+    const std::string format = "s" + std::to_string(precision) + "e8";
+    table_.rows.push_back(lane_row(format, "exact", "relative", "embedded", luts, dsps));
+    table_.rows.back().key.kind = kind;
+    table_.rows.back().key.ports = ports;
+  }
+
+  void sort() {
+    std::sort(table_.rows.begin(), table_.rows.end(),
+              [](const auto& a, const auto& b) { return a.key < b.key; });
+  }
+
+  /// The LUTs of a chain with such lanes and so many embedded references, row by row.
+  static int luts_of_chain(int lane_luts, int references) {
+    const int engine = engine_luts + 9 * stage_luts + (references - 1) * register_luts;
+    return lanes * lane_luts + engine + references * (3000 + port_luts + crossbar_luts);
+  }
+
+  Result<Optimisation> attempt() const {
+    return optimise::optimise(scene_, device_, table_, rates_, options_);
+  }
+  std::string refusal() const {
+    const auto found = attempt();
+    return found.ok() ? "nothing" : found.error().to_string();
+  }
+};
+
+TEST_F(ChainPlan, HasALaneForEachCandidateButTheFirst) {
+  for (const int luts : {10'000, 1'000'000}) {
+    device_.available = {.luts = luts, .registers = 1'000'000, .dsps = 10'000};
+    const Optimisation found = optimise_now();
+    for (const PrecisionPlan& plan : found.plans) {
+      ASSERT_NE(plan.allocation(), nullptr) << luts;
+      EXPECT_EQ(plan.allocation()->lane_count(), lanes);
+    }
+  }
+}
+
+TEST_F(ChainPlan, TakesWhatItsRowsTakeTogether) {
+  device_.available.dsps = 60;
+  const Optimisation found = optimise_now();
+  const PrecisionPlan& plan = found.plans.front();
+  EXPECT_EQ(plan.precision, 8);
+  ASSERT_NE(plan.allocation(), nullptr);
+  EXPECT_EQ(plan.allocation()->reference_count(), 1);
+  EXPECT_EQ(plan.allocation()->used.luts, luts_of_chain(120, 1));
+  EXPECT_EQ(plan.allocation()->used.dsps, lanes * 2 + 20);
+}
+
+TEST_F(ChainPlan, EachFurtherReferenceHasAPortAPartOfTheMemoryAndOfTheCrossbar) {
+  rates_ = rates_of({{8, 80'000}, {10, 80'000}});  // 12 x 0.08 keep one reference busy, not two
+  for (auto& row : table_.rows) {
+    if (measured::depends_on_reference(row.key.kind)) row.key.initiation_interval = 2;
+  }
+  sort();
+  scene_.reference_structure.initiation_interval = 2;
+  device_.available = {.luts = 30'000, .registers = 30'000, .dsps = 200};
+  const Optimisation found = optimise_now();
+  const PrecisionPlan& plan = found.plans.front();
+  ASSERT_NE(plan.allocation(), nullptr);
+  EXPECT_EQ(plan.allocation()->reference_count(), 2);
+  EXPECT_EQ(plan.allocation()->used.luts, luts_of_chain(120, 2));
+}
+
+TEST_F(ChainPlan, OfEquallyFastPrecisionsTheSmallestIsBest) {
+  EXPECT_EQ(optimise_now().best()->precision, 10) << "120 LUTs a lane at 8 digits, 100 at 10";
+}
+
+TEST_F(ChainPlan, IsNeverShort) {
+  device_.available.dsps = 60;
+  device_.available.luts = (luts_of_chain(100, 1) * 5 + 3) / 4;  // a fifth is slack
+  const Optimisation fits = optimise_now();
+  ASSERT_NE(fits.best(), nullptr);
+  EXPECT_EQ(fits.best()->precision, 10);
+  device_.available.luts -= 2;
+  const Optimisation found = optimise_now();
+  EXPECT_EQ(found.best(), nullptr);
+  const auto& why = std::get<Infeasible>(found.plans.back().result);
+  ASSERT_EQ(why.shortages.size(), 1u);
+  EXPECT_EQ(why.shortages.front().resource, "lut");
+  EXPECT_EQ(why.shortages.front().needed, luts_of_chain(100, 1));
+}
+
+TEST_F(ChainPlan, AsksForNoMoreRecomputationsThanTheMemoryStarts) {
+  rates_ = rates_of({{8, 84'000}, {10, 84'000}});  // 12 x 0.084 > 1
+  device_.available = {.luts = 1'000'000, .registers = 1'000'000, .dsps = 10'000};
+  EXPECT_EQ(optimise_now().best(), nullptr);
+  rates_ = rates_of({{8, 83'000}, {10, 83'000}});
+  EXPECT_NE(optimise_now().best(), nullptr);
+}
+
+TEST_F(ChainPlan, ReferencesAloneAreNoMoreThanItsLanes) {
+  device_.available = {.luts = 1'000'000, .registers = 1'000'000, .dsps = 10'000};
+  EXPECT_EQ(std::get<Allocation>(optimise_now().reference_only).lane_count(), lanes);
+}
+
+TEST_F(ChainPlan, TellsHowManyTheDeviceHasRoomFor) {
+  device_.available = {.luts = 100'000, .registers = 100'000, .dsps = 10'000};
+  const int room = 80'000 / luts_of_chain(100, 1);
+  const auto notes = optimise_now().notes;
+  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [&](const std::string& note) {
+    return note.find("room for " + std::to_string(room) + " such engines") != std::string::npos;
+  }));
+}
+
+/// Lanes of 20 cycles have 64 slots, those of 30 have 128. All lanes of a chain have the slots of
+/// the slowest, and each row was measured with its own.
+TEST_F(ChainPlan, DoesNotMixLanesOfDifferentBuffers) {
+  measured::Measurement slow = lane_row("s8e8", "exact", "relative", "logic", 130);
+  slow.latency_cycles = 30;
+  for (const auto& [kind, ports] :
+       {std::pair(ComponentKind::segment, 1), std::pair(ComponentKind::engine, 3),
+        std::pair(ComponentKind::engine, lanes)}) {
+    slow.key.kind = kind;
+    slow.key.ports = ports;
+    table_.rows.push_back(slow);
+  }
+  sort();
+  device_.available.dsps = 40;  // for 6 embedded lanes beside an embedded reference
+  const PrecisionPlan plan = optimise_now().plans.front();
+  ASSERT_NE(plan.allocation(), nullptr);
+  ASSERT_EQ(plan.lanes.size(), 1u);
+  EXPECT_EQ(plan.lanes.front().measured.latency_cycles, 30);
+}
+
+TEST_F(ChainPlan, ATableWithoutAPartIsRefused) {
+  const auto all = table_.rows;
+  for (const auto& [kind, words] :
+       {std::pair(ComponentKind::engine, "engines of two sizes"),
+        std::pair(ComponentKind::operand_memory, "operand memories of two sizes"),
+        std::pair(ComponentKind::crossbar, "a crossbar"),
+        std::pair(ComponentKind::reference_port, "the port of a reference")}) {
+    table_.rows = all;
+    std::erase_if(table_.rows, [&](const auto& row) { return row.key.kind == kind; });
+    EXPECT_NE(refusal().find(words), std::string::npos) << refusal();
+  }
+}
+
+TEST_F(ChainPlan, NeedsItsNumberOfLanes) {
+  scene_.system.lanes.reset();
+  const auto found = attempt();
+  ASSERT_FALSE(found.ok());
+  EXPECT_EQ(found.error().field, "system.lanes");
+}
+
+TEST_F(ChainPlan, AnEngineToBeGeneratedIsHeldAgainstTheSameAreas) {
+  design::Design design = sphere_design(format_of(8, 8), format_of(53, 8), lanes, 2);
+  design.system.engine = scene_.system.engine;
+  const optimise::Footprint footprint = optimise::footprint_of(design, &table_, device_);
+  EXPECT_TRUE(footprint.measured);
+  EXPECT_EQ(footprint.amounts[0], luts_of_chain(120, 2));
+}
+
+/// Memories that grow with the number of candidates make a chain's area bend upwards.
+TEST_F(ChainPlan, TakesWhatTheLargerEngineTakesHoweverLittleTheSmallerDoes) {
+  measured::Measurement segment;
+  for (auto& row : table_.rows) {
+    if (row.key.kind == ComponentKind::engine && row.key.ports == 3) row.area.luts = 30;
+    if (row.key.kind == ComponentKind::operand_memory) row.area.luts = 0;
+    if (row.key.kind == ComponentKind::segment) segment = row;
+  }
+  std::set<std::string> missing;
+  const auto area =
+      optimise::engine_area(table_, segment, scene::EngineKind::arg_min, missing).value();
+  EXPECT_GE(area.own.luts, 0);
+  EXPECT_EQ(area.own.luts + lanes * (area.group.luts - segment.area.luts),
+            engine_luts + 9 * stage_luts);
+}
+
+}  // namespace
+}  // namespace mixcmp::test::chain_plan_test

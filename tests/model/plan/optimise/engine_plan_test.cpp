@@ -1,0 +1,230 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "model/base/settings/bound_name.hpp"
+#include "model/plan/optimise/engine_area.hpp"
+#include "model/plan/optimise/footprint.hpp"
+#include "tests/model/plan/optimise/planning_case.hpp"
+
+namespace mixcmp::test::engine_plan_test {
+namespace {
+
+using measured::ComponentKind;
+using optimise::Allocation;
+using optimise::Optimisation;
+
+/// The small device with a pairwise engine: segments of eight lanes, engines of 4 and 16 segments.
+class EnginePlan : public PlanningTest {
+protected:
+  static constexpr int lanes = 8;
+
+  EnginePlan() {
+    scene_.system.engine.kind = scene::EngineKind::pairwise;
+    scene_.system.engine.lanes_per_group = lanes;
+    std::erase_if(table_.rows,
+                  [](const auto& row) { return !measured::depends_on_reference(row.key.kind); });
+    for (const auto& [precision, luts] : {std::pair(8, 801), std::pair(10, 1000)}) {
+      add(ComponentKind::segment, precision, lanes, luts, 2 * lanes);
+      add(ComponentKind::engine, precision, 4, 500);
+      add(ComponentKind::engine, precision, 16, 500 + 12 * 20);
+    }
+    for (const char* multipliers : {"embedded", "logic"}) {
+      table_.rows.push_back(reference_row(multipliers, 70, 0));
+      table_.rows.back().key.kind = ComponentKind::reference_port;
+    }
+    sort();
+  }
+
+  void add(ComponentKind kind, int precision, int ports, int luts, int dsps = 0) {
+    const std::string format = "s" + std::to_string(precision) + "e8";
+    table_.rows.push_back(lane_row(format, "exact", "relative", "embedded", luts, dsps));
+    table_.rows.back().key.kind = kind;
+    table_.rows.back().key.ports = ports;
+  }
+
+  void sort() {
+    std::sort(table_.rows.begin(), table_.rows.end(),
+              [](const auto& a, const auto& b) { return a.key < b.key; });
+  }
+
+  void give_second_tier() {
+    scene_.ranges.assign(8, Range{0, 100});
+    scene_.second_tier = scene::ReducedSpec{.fixed_point = FixedPoint{.bits = 13}};
+  }
+
+  /// Undecided of a million: by lanes of 8 and 10 digits, and by the second tier of 13.
+  static optimise::Rates rates_of_tiers(const std::map<int, std::uint64_t>& undecided) {
+    optimise::Rates rates = rates_of(undecided);
+    profile::RateProfile tier{.comparisons = 1'000'000};
+    tier.schemes.push_back({.name = "fixed_norm",
+                            .bound = settings::parse_bound("fixed_norm").value(),
+                            .kind = profile::SchemeKind::certified,
+                            .counts = {},
+                            .reason = {}});
+    for (int precision = 4; precision <= 16; ++precision) {
+      tier.schemes.back().counts.push_back(
+          {.exists = precision == 13, .undecided = undecided.at(13)});
+    }
+    rates.raise_to(optimise::Rates::of({tier}));
+    return rates;
+  }
+
+  std::string refusal() const {
+    const auto found = optimise::optimise(scene_, device_, table_, rates_, options_);
+    return found.ok() ? "nothing" : found.error().to_string();
+  }
+};
+
+TEST_F(EnginePlan, ALaneTakesItsShareOfASegmentAndOfTheMergeBehindIt) {
+  const Optimisation found = optimise_now();
+  const auto& plan = found.plans.front();
+  EXPECT_EQ(plan.lanes.front().kind.area.luts, 801 + 20) << "of a whole group";
+  EXPECT_EQ(plan.lanes.front().with_streams.luts, (801 + 20 + lanes - 1) / lanes);
+  EXPECT_EQ(plan.lanes.front().with_streams.dsps, 2);
+}
+
+TEST_F(EnginePlan, WhatTheEngineTakesByItselfIsCountedOnce) {
+  const Optimisation found = optimise_now();
+  const auto& plan = found.plans.front();
+  EXPECT_EQ(plan.problem.communication.fixed.luts, 500 - 4 * 20);
+  EXPECT_TRUE(plan.problem.communication.crossbar.empty());
+  const Allocation& chosen = *plan.allocation();
+  int sum = 500 - 4 * 20;
+  for (std::size_t k = 0; k < plan.lanes.size(); ++k) {
+    EXPECT_EQ(chosen.lanes[k] % lanes, 0) << "whole groups";
+    sum += chosen.lanes[k] / lanes * plan.lanes[k].kind.area.luts;
+  }
+  for (std::size_t k = 0; k < chosen.references.size(); ++k) {
+    sum += chosen.references[k] * plan.problem.references[k].area.luts;
+  }
+  EXPECT_EQ(chosen.used.luts, sum);
+}
+
+TEST_F(EnginePlan, TheLargestOfSeveralKindsOfLanesSizesTheEngine) {
+  table_.rows.push_back(lane_row("s8e8", "exact", "relative", "logic", 1600));
+  table_.rows.back().key.kind = ComponentKind::segment;
+  table_.rows.back().key.ports = lanes;
+  for (const auto& [segments, luts] : {std::pair(4, 700), std::pair(16, 700)}) {
+    table_.rows.push_back(lane_row("s8e8", "exact", "relative", "logic", luts));
+    table_.rows.back().key.kind = ComponentKind::engine;
+    table_.rows.back().key.ports = segments;
+  }
+  sort();
+  EXPECT_EQ(optimise_now().plans.front().problem.communication.fixed.luts, 700);
+}
+
+TEST_F(EnginePlan, ReferencesHaveTheirPortsAndAloneHaveNone) {
+  const Optimisation found = optimise_now();
+  for (const auto& reference : found.references) {
+    EXPECT_EQ(reference.kind.area.luts, reference.measured.area.luts + 70);
+  }
+  EXPECT_EQ(std::get<Allocation>(found.reference_only).used.luts, 2 * 3000);
+}
+
+TEST_F(EnginePlan, LanesAskForNoMoreRecomputationsThanTheMemoryStarts) {
+  rates_ = rates_of({{8, 40'000}, {10, 100}});
+  device_.available = {.luts = 1'000'000, .registers = 1'000'000, .dsps = 10'000};
+  const Optimisation found = optimise_now();
+  const auto& plan = found.plans.front();
+  ASSERT_NE(plan.allocation(), nullptr);
+  EXPECT_EQ(plan.allocation()->lane_count(), 24);  // 24 x 0.04 <= 1 < 32 x 0.04
+}
+
+TEST_F(EnginePlan, MayHaveMoreLanesThanASystemOfStreams) {
+  device_.available = {.luts = 1'000'000, .registers = 1'000'000, .dsps = 10'000};
+  EXPECT_GT(optimise_now().best()->allocation()->lane_count(), settings::limits::lanes.most);
+}
+
+TEST_F(EnginePlan, EachStreamOfReportsHasAGroupOfLanes) {
+  device_.available.luts = 6000;  // a group and a reference, but not three groups
+  EXPECT_NE(optimise_now().best(), nullptr);
+  scene_.system.engine.report_streams = 3;
+  EXPECT_EQ(optimise_now().best(), nullptr);
+}
+
+TEST_F(EnginePlan, AnEngineToBeGeneratedIsHeldAgainstTheSameAreas) {
+  design::Design design = sphere_design(format_of(8, 8), format_of(53, 8), 17, 2);
+  design.system.engine = scene_.system.engine;
+  const optimise::Footprint footprint = optimise::footprint_of(design, &table_, device_);
+  EXPECT_TRUE(footprint.measured);
+  EXPECT_EQ(footprint.amounts[0], 3 * (801 + 20) + 500 - 4 * 20 + 2 * (3000 + 70))
+      << "the third group has one lane, and is counted whole";
+}
+
+TEST_F(EnginePlan, SegmentsOfOtherSizesAreNotTaken) {
+  scene_.system.engine.lanes_per_group = lanes / 2;
+  EXPECT_NE(refusal().find("no lane"), std::string::npos) << refusal();
+}
+
+TEST_F(EnginePlan, ATableWithoutAPartIsRefused) {
+  const auto all = table_.rows;
+  for (const auto& [kind, words] :
+       {std::pair(ComponentKind::engine, "engines of two sizes"),
+        std::pair(ComponentKind::reference_port, "the port of a reference")}) {
+    table_.rows = all;
+    std::erase_if(table_.rows, [&](const auto& row) { return row.key.kind == kind; });
+    EXPECT_NE(refusal().find(words), std::string::npos) << refusal();
+  }
+}
+
+/// The second tier asks references for one pair in a million, whatever its first lanes leave.
+TEST_F(EnginePlan, ReferencesAreAskedAtTheRateOfTheSecondTier) {
+  give_second_tier();
+  rates_ = rates_of_tiers({{8, 20'000}, {10, 100}, {13, 1}});
+  device_.available = {.luts = 1'000'000, .registers = 1'000'000, .dsps = 10'000};
+  const Optimisation found = optimise_now();
+  const optimise::PrecisionPlan& plan = *found.best();
+  EXPECT_EQ(plan.precision, 8) << "its lanes are the smaller ones";
+  EXPECT_DOUBLE_EQ(plan.recomputation_rate(), 1e-6);
+  EXPECT_GT(plan.allocation()->lane_count(), 1000) << "50 would ask for a pair a cycle";
+}
+
+TEST_F(EnginePlan, AFirstTierThatLeavesTooMuchIsLeftOut) {
+  give_second_tier();
+  rates_ = rates_of_tiers({{8, 101'000}, {10, 99'000}, {13, 1}});
+  const Optimisation found = optimise_now();
+  EXPECT_EQ(found.best()->precision, 10) << "8 x 0.099 < 0.8 < 8 x 0.101";
+}
+
+TEST_F(EnginePlan, ASecondTierNeedsAKnownRate) {
+  give_second_tier();
+  rates_ = rates_of({{8, 20'000}, {10, 100}});
+  EXPECT_NE(refusal(), "nothing");
+}
+
+TEST_F(EnginePlan, TheEnginesClockLimitsItsLanes) {
+  for (auto& row : table_.rows) {
+    if (row.key.kind == ComponentKind::engine && row.key.ports == 16) row.clock->mhz = 140;
+  }
+  EXPECT_DOUBLE_EQ(optimise_now().best()->clock_mhz(), 140);
+}
+
+TEST_F(EnginePlan, LanesInFixedPointNeedTheirConversion) {
+  std::set<std::string> missing;
+  measured::Measurement segment = lane_row("q9", "", "fixed_norm", "embedded", 800);
+  segment.key.kind = ComponentKind::segment;
+  segment.key.ports = lanes;
+  table_.rows.push_back(segment);
+  for (const int segments : {4, 16}) {
+    table_.rows.push_back(segment);
+    table_.rows.back().key.kind = ComponentKind::engine;
+    table_.rows.back().key.ports = segments;
+  }
+  sort();
+  ASSERT_TRUE(
+      optimise::engine_area(table_, segment, scene::EngineKind::pairwise, missing).has_value());
+  EXPECT_EQ(missing, std::set<std::string>{"a conversion to q9"});
+  table_.rows.push_back(segment);
+  table_.rows.back().key.kind = ComponentKind::conversion;
+  table_.rows.back().key.ports = 0;
+  table_.rows.back().area.luts = 99;
+  sort();
+  missing.clear();
+  EXPECT_EQ(optimise::engine_area(table_, segment, scene::EngineKind::pairwise, missing)->own.luts,
+            800 + 99);
+  EXPECT_TRUE(missing.empty());
+}
+
+}  // namespace
+}  // namespace mixcmp::test::engine_plan_test

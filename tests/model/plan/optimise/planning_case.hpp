@@ -1,0 +1,109 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "model/base/settings/bound_name.hpp"
+#include "model/plan/optimise/optimise.hpp"
+#include "tests/model/plan/profile/profile_cases.hpp"
+#include "tests/support/sphere.hpp"
+
+namespace mixcmp::test {
+
+/// A small device with a table that was made up: lanes of 8, 10 and 12 digits with two kinds of
+/// multipliers, two kinds of references.
+class PlanningTest : public testing::Test {
+protected:
+  static constexpr int fifo_64_luts = 20;
+
+  PlanningTest() {
+    scene_.name = "made_up";
+    scene_.system.slack = 0.2;
+    device_.name = "small";
+    device_.available = {.luts = 10000, .registers = 20000, .dsps = 50};
+    for (const int precision : {8, 10, 12}) {
+      const std::string format = "s" + std::to_string(precision) + "e8";
+      table_.rows.push_back(lane_row(format, "exact", "relative", "embedded", 30 * precision, 2));
+      table_.rows.push_back(lane_row(format, "exact", "relative", "logic", 45 * precision));
+      table_.rows.push_back(lane_row(format, "exact", "profiled", "embedded", 40 * precision, 3));
+    }
+    table_.rows.push_back(reference_row("embedded", 3000, 20));
+    table_.rows.push_back(reference_row("logic", 5000, 0));
+    table_.rows.push_back(stream_row(measured::ComponentKind::fifo, 32, 10));
+    table_.rows.push_back(stream_row(measured::ComponentKind::fifo, 64, fifo_64_luts));
+    table_.rows.push_back(stream_row(measured::ComponentKind::crossbar, 1, 10));
+    table_.rows.push_back(stream_row(measured::ComponentKind::crossbar, 8, 111));
+    rates_ = rates_of({{8, 5000}, {10, 200}, {12, 10}});
+  }
+
+  static measured::Measurement lane_row(const std::string& format, const std::string& inputs,
+                                        const std::string& bound, const std::string& multipliers,
+                                        int luts, int dsps = 0) {
+    return {
+        .key = {.kind = measured::ComponentKind::lane,
+                .name = {},
+                .format = format,
+                .inputs = inputs.empty() ? std::nullopt
+                                         : std::optional(LaneInputs::parse(inputs, 4, 52).value()),
+                .bound = bound.empty() ? std::nullopt
+                                       : std::optional(settings::parse_bound(bound).value()),
+                .multipliers = multipliers},
+        .latency_cycles = 20,
+        .area = {.luts = luts, .registers = luts, .dsps = dsps},
+        .clock = measured::Clock{.mhz = 300, .low_mhz = 300, .high_mhz = 300},
+        .hash = {},
+        .tools = {}};
+  }
+
+  static measured::Measurement reference_row(const std::string& multipliers, int luts, int dsps) {
+    measured::Measurement row = lane_row("s53e8", "", "", multipliers, luts, dsps);
+    row.key.kind = measured::ComponentKind::reference;
+    row.key.initiation_interval = 1;
+    row.clock->mhz = 150;
+    return row;
+  }
+
+  static measured::Measurement stream_row(measured::ComponentKind kind, int ports, int luts) {
+    measured::Measurement row = lane_row("", "", "", "", luts);
+    row.key.kind = kind;
+    row.key.ports = ports;
+    return row;
+  }
+
+  /// Undecided of a million, by precision, for exact inputs; profiled lanes the same.
+  static optimise::Rates rates_of(const std::map<int, std::uint64_t>& undecided) {
+    profile::RateProfile profile{.comparisons = 1'000'000};
+    for (const auto& [name, kind] : {std::pair("relative", profile::SchemeKind::certified),
+                                     std::pair("profiled", profile::SchemeKind::profiled)}) {
+      profile.schemes.push_back({.name = name,
+                                 .bound = settings::parse_bound(name).value(),
+                                 .kind = kind,
+                                 .counts = {},
+                                 .reason = {}});
+      for (int precision = 4; precision <= 16; ++precision) {
+        const auto found = undecided.find(precision);
+        const bool exists = found != undecided.end();
+        profile.schemes.back().counts.push_back(
+            {.exists = exists, .undecided = exists ? found->second : 0});
+      }
+    }
+    return optimise::Rates::of({profile});
+  }
+
+  optimise::Optimisation optimise_now() const {
+    auto found = optimise::optimise(scene_, device_, table_, rates_, options_);
+    if (!found.ok()) throw std::runtime_error(found.error().to_string());
+    return std::move(found).value();
+  }
+
+  scene::Scene scene_ = scene_of(sphere_graph(), format_of(53, 8), {format_of(8, 8)});
+  devices::Device device_;
+  measured::Characterisation table_{.device = "small", .scene = {}, .command = {}, .rows = {}};
+  optimise::Rates rates_;
+  optimise::OptimiseOptions options_;
+};
+
+}  // namespace mixcmp::test

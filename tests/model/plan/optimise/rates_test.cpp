@@ -1,0 +1,94 @@
+#include "model/plan/optimise/rates.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/support/scratch_directory.hpp"
+
+namespace mixcmp::test::rates_test {
+namespace {
+
+using optimise::Rate;
+using optimise::RateKey;
+using optimise::Rates;
+
+constexpr const char* header =
+    "inputs,precision,scheme,comparisons,undecided,rate,wrong,wrong_by_lane\n";
+
+class RatesFile : public testing::Test {
+protected:
+  Result<Rates> read(const std::string& text) {
+    const auto path = directory_.path() / "figure5.csv";
+    std::ofstream(path) << text;
+    return Rates::read(path);
+  }
+
+  void expect_refused(const std::string& text, const std::string& words) {
+    const auto rates = read(text);
+    ASSERT_FALSE(rates.ok());
+    EXPECT_NE(rates.error().to_string().find(words), std::string::npos)
+        << rates.error().to_string();
+  }
+
+  ScratchDirectory directory_;
+};
+
+TEST(RateValue, IsTheShareThatWasUndecided) {
+  EXPECT_DOUBLE_EQ((Rate{5, 1000}).value(), 0.005);
+}
+
+TEST(RateValue, NoneUndecidedIsNotTakenForNever) {
+  EXPECT_DOUBLE_EQ((Rate{0, 1000}).value(), 0.003);
+  EXPECT_DOUBLE_EQ((Rate{0, 2}).value(), 1);
+}
+
+TEST_F(RatesFile, GivesWhatAProfileCounted) {
+  const auto rates = read(std::string(header) + "exact,8,relative,1000,5,5e-3,0,0\n" +
+                          "rounded,9,running_4,1000,7,7e-3,0,0\n" +
+                          "exact,8,lanes_alone,1000,0,0,3,3\nexact,53,reference,1000,0,0,0,0\n");
+  ASSERT_TRUE(rates.ok()) << rates.error().to_string();
+  EXPECT_EQ(rates->keys().size(), 2u);
+  EXPECT_EQ(rates->find({LaneInputs::rounded, {{}, BoundKind::running, 4}, 9})->undecided, 7u);
+  EXPECT_FALSE(rates->find({LaneInputs::exact, {{}, BoundKind::running, 4}, 9}));
+}
+
+TEST_F(RatesFile, KnowsInputsByTheirDigits) {
+  const auto rates = read(std::string(header) + "20,8,relative,1000,5,5e-3,0,0\n" +
+                          "rounded,8,relative,1000,7,7e-3,0,0\n");
+  ASSERT_TRUE(rates.ok()) << rates.error().to_string();
+  const Bound relative;
+  EXPECT_EQ(rates->find({LaneInputs::of_digits(20), relative, 8})->undecided, 5u);
+  EXPECT_FALSE(rates->find({LaneInputs::of_digits(21), relative, 8}));
+  expect_refused(std::string(header) + "2,8,relative,1000,5,5e-3,0,0\n", ":2: inputs");
+}
+
+TEST_F(RatesFile, RatesInFixedPointAreThoseOfAnyInputs) {
+  const auto rates = read(std::string(header) + "20,8,fixed_norm,1000,5,5e-3,0,0\n");
+  ASSERT_TRUE(rates.ok()) << rates.error().to_string();
+  const Bound norm{NumberSystem::fixed, BoundKind::norm};
+  EXPECT_EQ(rates->find({LaneInputs::exact, norm, 8})->undecided, 5u);
+  EXPECT_EQ(rates->find({LaneInputs::rounded, norm, 8})->undecided, 5u);
+  EXPECT_FALSE(rates->find({LaneInputs::exact, norm, 9}));
+}
+
+TEST_F(RatesFile, OtherFilesAreRefused) {
+  expect_refused("a,b,c\n1,2,3\n", "not a table of recomputation rates");
+}
+
+TEST_F(RatesFile, TwoRowsForTheSameAreRefused) {
+  const std::string row = "exact,8,relative,1000,5,5e-3,0,0\n";
+  expect_refused(std::string(header) + row + "exact,9,relative,1000,0,0,0,0\n" + row,
+                 ":4: a second row for the same");
+}
+
+TEST_F(RatesFile, AMistakeIsNamedByLineAndColumn) {
+  expect_refused(std::string(header) + "exact,8,relative,1000,5,5e-3,0,0\nexact,x,relative,1,1\n",
+                 ":3: precision");
+  expect_refused(std::string(header) + "exact,8,relative,1000,1001,1,0,0\n", ":2: undecided");
+  expect_refused(std::string(header) + "exact,8,relative,0,0,0,0,0\n", ":2: comparisons");
+  expect_refused(std::string(header) + "both,8,relative,1,0,0,0,0\n", ":2: inputs");
+}
+
+}  // namespace
+}  // namespace mixcmp::test::rates_test
