@@ -1,6 +1,6 @@
 // bound_add: a + b, rounded up.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
-// Infinite if an operand is infinite or the sum leaves the format.
+// The result is infinite if an operand is infinite or the sum leaves the format.
 `default_nettype none
 
 module bound_add #(
@@ -61,8 +61,8 @@ module bound_add #(
     .q   ({s1_exponent, s1_larger, s1_shifted, s1_adds})
   );
 
-  // Stage sum: a carry gives the next power of two, at last infinity. The 1 that rounding up adds
-  // is a carry out of an extra last place.
+  // Stage sum: a carry out of the fraction gives the next power of two, or infinity above the
+  // largest one. The 1 that rounding up adds enters as the carry out of an extra last place.
   wire [BOUND_PRECISION-1:0] s1_sum;
   wire                       s1_carry;
   wire                       s1_unused_place;

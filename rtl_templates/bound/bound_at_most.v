@@ -1,6 +1,6 @@
 // bound_at_most: 1 if bound <= |x|.
 // Latency: CUTS; initiation interval 1; no reset.
-// Undefined for NaNs, which must come with `exceptional`.
+// The result is undefined for a NaN, which must raise `exceptional` of the decision.
 `default_nettype none
 
 module bound_at_most #(

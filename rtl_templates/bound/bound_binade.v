@@ -1,6 +1,6 @@
-// bound_binade: the largest power of two that is at most |x|, by its exponent. Zero for zeros.
+// bound_binade: the largest power of two that is at most |x|, from x's exponent; 0 if x is zero.
 // Latency: CUTS; initiation interval 1; no reset.
-// For subnormal x it is the smallest bound, for infinities and NaNs infinite.
+// The result is the smallest bound if x is subnormal, and infinite if x is an infinity or a NaN.
 `default_nettype none
 
 module bound_binade #(

@@ -1,6 +1,6 @@
 // bound_decision: decides the sign of a difference: less (0) or greater (2). It decides iff the
-// difference's magnitude is more than GUARD_ULP above the bound of its error, and nothing that led
-// to either was exceptional.
+// difference's magnitude is more than GUARD_ULP above the bound of its error, and no operation
+// behind the difference or the bound was exceptional.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
 // A verdict is valid where `decided` is 1. NaNs must come with `exceptional`. No finite difference
 // exceeds an infinite bound.
@@ -61,8 +61,8 @@ module bound_decision #(
     .q   ({s1_leading, s1_limit, s1_beyond, s1_less, s1_exceptional})
   );
 
-  // Stage compare: leading + ~limit carries if leading > limit. s1_beyond is a carry out of an
-  // extra last place, with which leading = limit carries as well.
+  // Stage compare: leading + ~limit carries if leading > limit. s1_beyond enters as the carry out
+  // of an extra last place; with it, the sum carries even if leading = limit.
   wire             s1_exceeds;
   wire [BOUND+2:0] s1_unused_places;
 

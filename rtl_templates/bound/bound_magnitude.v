@@ -1,7 +1,7 @@
 // bound_magnitude: an upper bound of |x|: its leading digits, rounded up.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
-// Infinite if rounding leaves the format. y is undefined for NaNs, which must come with
-// `exceptional`.
+// y is infinite if rounding leaves the format. It is undefined for a NaN, which must raise
+// `exceptional` of the decision.
 `default_nettype none
 
 module bound_magnitude #(
@@ -33,8 +33,9 @@ module bound_magnitude #(
       begin : g_refused_more_digits BOUND_PRECISION_is_above_PRECISION refused (); end
   endgenerate
 
-  // Stage reduce: an extra place below the last leaves a rest even if BOUND_PRECISION = PRECISION.
-  // A subnormal number rounds up to the smallest bound, as if its leading digits were ones.
+  // Stage reduce: with an extra place below the last one, s0_rest has a bit even if BOUND_PRECISION
+  // = PRECISION. A subnormal number rounds up to the smallest bound, as if its leading digits were
+  // ones.
   wire             unused_sign  = x[SIGN];
   wire [BOUND-1:0] s0_leading;
   wire [REST-1:0]  s0_rest;
@@ -54,7 +55,8 @@ module bound_magnitude #(
     .q   ({s1_leading, s1_round_up})
   );
 
-  // Stage round: a carry out of the fraction gives the next power of two, at last infinity.
+  // Stage round: a carry out of the fraction gives the next power of two, or infinity above the
+  // largest one.
   fp_rank #(
     .WIDTH     (BOUND),
     .REGISTERED(CUTS[1])

@@ -22,7 +22,7 @@ module bound_maximum #(
       begin : g_refused_bound_precision BOUND_PRECISION_is_below_1 refused (); end
   endgenerate
 
-  // Stage select: packed bounds order as integers.
+  // Stage select: the packed encodings of bounds have the order of the bounds, as integers.
   fp_rank #(
     .WIDTH     (BOUND),
     .REGISTERED(CUTS[0])

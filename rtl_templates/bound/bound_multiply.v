@@ -1,7 +1,7 @@
 // bound_multiply: a * b, rounded up.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
-// Infinite if an operand is infinite (even times zero) or the product leaves the format. Never
-// below the smallest bound unless an operand is zero.
+// The result is infinite if an operand is infinite (even times zero) or the product leaves the
+// format. It is at least the smallest bound unless an operand is zero.
 `default_nettype none
 
 module bound_multiply #(
@@ -26,7 +26,7 @@ module bound_multiply #(
   localparam [BOUND-1:0]           SMALLEST    = FRACTION + 1'b1;
   localparam [BOUND_PRECISION-1:0] ONE         = 1;
 
-  // Rows of additions: `*` would use an embedded multiplier for a few bits.
+  // The product as rows of additions. `*` would use an embedded multiplier for a few bits.
   function [PRODUCT-1:0] multiplied(input [BOUND_PRECISION-1:0] first,
                                     input [BOUND_PRECISION-1:0] second);
     reg [PRODUCT-1:0] row;
@@ -48,8 +48,8 @@ module bound_multiply #(
   endgenerate
 
   // Stage multiply: the product of two significands in [1, 2) lies in [1, 4). The bias is 2^(E-1) -
-  // 1. Inverting the first exponent's leading bit, as a sign, subtracts 2^(E-1); the 1 is a carry
-  // out of an extra last place.
+  // 1. Inverting the first exponent's leading bit and reading it as a sign subtracts 2^(E-1). The 1
+  // enters as the carry out of an extra last place.
   wire [EXPONENT_BITS-1:0] s0_a_exponent = a[BOUND-1:EXPONENT];
   wire [EXPONENT_BITS-1:0] s0_b_exponent = b[BOUND-1:EXPONENT];
   wire [PRODUCT-1:0]       s0_product    = multiplied(a[BOUND_PRECISION-1:0] | LEADING_ONE,
@@ -77,8 +77,9 @@ module bound_multiply #(
     .q   ({s1_product, s1_exponent, s1_infinite, s1_zero})
   );
 
-  // Stage round: a product of 2 or more increments the exponent, in the leading one's place. The 1
-  // of rounding up comes out of an extra last place, and its carry gives the next power of two.
+  // Stage round: exponent and fraction are one number. If the product is 2 or more, the leading one
+  // of s1_stepped increments the exponent. The 1 that rounding up adds enters as the carry out of
+  // an extra last place. If it carries out of the fraction, the result is the next power of two.
   wire                       s1_high = s1_product[PRODUCT-1];
   wire [BOUND_PRECISION-1:0] s1_kept;
   wire [BOUND_PRECISION-1:0] s1_rest;

@@ -1,6 +1,6 @@
-// bound_reciprocal: a power of two at or above 1 / |x|: the exponent negated.
+// bound_reciprocal: a power of two at or above 1 / |x|, which has x's exponent negated.
 // Latency: CUTS; initiation interval 1; no reset.
-// Infinite for zeros, subnormal x, infinities and NaNs.
+// The result is infinite if x is zero, subnormal, infinite or a NaN.
 `default_nettype none
 
 module bound_reciprocal #(

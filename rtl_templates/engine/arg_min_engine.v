@@ -8,15 +8,15 @@
 //
 // Lane k - 1 compares candidate k with the best of candidates 0 to k - 1. It must return one result
 // {6'b0, verdict} for each pair, in order and with the pair's tag, and must decide all pairs. Lanes
-// see words: `candidate_word` and `row_word` come WORD_LATENCY cycles behind `candidate` and
-// s_axis_tdata.
+// see words, which the conversion outside this module makes: `candidate_word` and `row_word` come
+// WORD_LATENCY cycles behind `candidate` and s_axis_tdata.
 //
-// Full candidates and rows stay in memories. References ask these for a pair by the low bits of its
-// tag, {index of its own candidate, index of the best, place of the row}.
+// Full candidates and rows stay in memories. References ask the memories for a pair by the low bits
+// of the pair's tag, {index of its own candidate, index of the best, place of the row}.
 //
-// The next load is taken when no row is inside; while it is offered, no row enters. Interval 1;
-// latency WORD_LATENCY + 2, and for each of the CANDIDATES - 1 lanes its latency plus one. Rows
-// enter 2 cycles after the last candidate or later.
+// The next load is taken when no row is inside; while it is offered, no row enters. Interval 1. The
+// latency is WORD_LATENCY + 2, plus the latency of each of the CANDIDATES - 1 lanes and one cycle
+// for each lane. Rows enter 2 cycles after the last candidate or later.
 //
 // Two counters: `rows` that have left, and `stalled_cycles`, in which a row was offered and not
 // taken although the candidates were complete and no load was on offer. Reset forgets all; lanes
@@ -32,7 +32,7 @@ module arg_min_engine #(
   parameter WORD_LATENCY = 0,     // latency of the words in cycles, 0 or more
   parameter TAG_BITS = 8,         // bits of a tag (m_axis_tuser), 1 or more
   parameter INDEX_BITS = 2,       // bits of a candidate's index, 1 to 30
-  parameter PLACE_BITS = 6,       // 1 to 30: 2^PLACE_BITS rows may be inside
+  parameter PLACE_BITS = 6,       // bits of a row's place, 1 to 30: 2^PLACE_BITS rows may be inside
   parameter REFERENCES = 1,       // number of references, 1 or more
   parameter COUNTER_BITS = 32     // bits of a counter, which wraps; 0: no counters
 ) (
@@ -82,7 +82,8 @@ module arg_min_engine #(
   localparam [PLACE_BITS:0]   ONE_ROW   = 1;
   localparam [PLACE_BITS-1:0] ONE_PLACE = 1;
 
-  // Rows that may be inside the conversion when their queue has no more room, and some to spare.
+  // The rows that may be inside the conversion when their queue has no more room, and some to
+  // spare.
   localparam MAY_COME   = WORD_LATENCY + 2;
   localparam QUEUE_BITS = bits_for(MAY_COME + 4);
 
@@ -201,8 +202,8 @@ module arg_min_engine #(
     end
   end
 
-  // A free place is written in every cycle, whatever is offered: the last write is the row that
-  // takes it.
+  // In every cycle the next free place is written with whatever is offered. The last write is the
+  // row that takes the place.
   operand_memory #(
     .REFERENCES    (REFERENCES),
     .CANDIDATE_BITS(CANDIDATE_BITS),
@@ -228,7 +229,7 @@ module arg_min_engine #(
 
   // The conversion of rows cannot wait, so a queue follows it.
   wire                     converted;
-  reg  [PLACE_BITS-1:0]    next_place_q;  // of the row that the chain takes next
+  reg  [PLACE_BITS-1:0]    next_place_q;  // the place of the row that the chain takes next
   wire [ROW_WORD_BITS-1:0] next_word;
 
   valid_delay_line #(
@@ -313,7 +314,7 @@ module arg_min_engine #(
   wire unused_word = &{word_valid[0], word_index[INDEX_BITS-1:0], word_data[WORD_BITS-1:0]};
   wire unused_row  = &row_data[STAGES*ROW_LINK_BITS +: ROW_LINK_BITS];
 
-  // Output. A row's tag waits here for the row.
+  // The output. A row's tag waits here for the row.
   wire                  unused_tag_ready;
   wire                  unused_tag_valid;
   reg  [FIELD_BITS-1:0] tdata;

@@ -8,8 +8,8 @@
 //
 // Candidates enter at the last stage, in the order of their indices, and move towards stage 1. Each
 // stage passes them on until candidate STAGE arrives, which it keeps. So all stages are complete in
-// the same cycle, 1 after the last word entered the last stage. Interval 1; latency 1 and the
-// lane's. Reset empties the stage but keeps the candidates.
+// the same cycle, one cycle after the last word entered the last stage. Interval 1; the latency is
+// the lane's plus 1. Reset empties the stage but keeps the candidates.
 `default_nettype none
 
 module arg_min_stage #(
@@ -68,7 +68,7 @@ module arg_min_stage #(
       begin : g_refused_longer_best BEST_BITS_is_above_INDEX_BITS refused (); end
   endgenerate
 
-  // Candidates.
+  // The candidates: those on their way, and the one that stays here.
   reg                   moving_q;  // a word came in the previous cycle
   reg  [INDEX_BITS-1:0] index_q;
   reg  [WORD_BITS-1:0]  word_q;

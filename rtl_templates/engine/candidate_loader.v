@@ -1,8 +1,8 @@
 // candidate_loader: numbers the candidates of one load and sends them on, one a cycle.
-// Exactly CANDIDATES words leave for a load. If fewer come, the last is repeated, which as a tie
-// never wins. Surplus ones are accepted but not sent, and raise `overrun`, which the next load
-// clears. `complete`: all have left. The next load enters once nothing is inside; while it waits,
-// `waiting` keeps rows out. Latency 1. Reset forgets the load.
+// Exactly CANDIDATES words leave for a load. If fewer come, the last one is repeated; it ties with
+// itself, so it never wins. Surplus ones are accepted but not sent, and raise `overrun`, which the
+// next load clears. `complete` says that all words have left. The next load enters once nothing is
+// inside; while it waits, `waiting` keeps rows out. Latency 1. Reset forgets the load.
 `default_nettype none
 
 module candidate_loader #(
@@ -40,7 +40,7 @@ module candidate_loader #(
   endgenerate
 
   reg  [INDEX_BITS:0] sent_q;      // words of this load
-  reg                 ended_q;     // its last candidate has come
+  reg                 ended_q;     // the load's last candidate has come
   reg                 complete_q;
   reg                 waiting_q;
   reg                 overrun_q;
@@ -73,7 +73,7 @@ module candidate_loader #(
 
   reg                      word_valid_q;
   reg [INDEX_BITS-1:0]     word_index_q;
-  reg [CANDIDATE_BITS-1:0] word_data_q;  // stays while it is repeated
+  reg [CANDIDATE_BITS-1:0] word_data_q;  // keeps its value while it is repeated
 
   always @(posedge aclk) begin
     if (!aresetn) begin

@@ -54,8 +54,8 @@ module exception_queue #(
     .m_axis_tdata (m_axis_tdata)
   );
 
-  // A beat that leaves is counted one cycle later: whether it leaves is known late in a cycle. It
-  // does no harm to count a place as taken for too long.
+  // A beat that leaves is counted one cycle later, since it is known late in a cycle whether it
+  // leaves. A place may count as taken for a cycle too long without harm.
   reg [DEPTH_BITS+1:0] queued_q;
   reg                  popped_q;
   reg                  room_q;

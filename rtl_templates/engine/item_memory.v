@@ -1,9 +1,9 @@
 // item_memory: the items of one set. Port i writes or reads, port j reads, so both items of a pair
-// are read at once. Latency 1; an output holds its word until its port's next read. No reset, so
-// that it becomes block RAM. A read on port j of the address that is written in the same cycle
-// returns no word. No user reads so, and simulation answers with unknown bits. Attributes stop
-// the synthesis tool from building logic that would answer (Yosys: no_rw_check, Quartus: ramstyle,
-// Vivado: rw_addr_collision).
+// are read at once. Latency 1; an output holds its word until its port's next read. There is no
+// reset, so that synthesis can use block RAM. A read on port j of the address that is written in
+// the same cycle returns no word. No module reads like that, and simulation answers with unknown
+// bits. Attributes stop the synthesis tool from building logic that would answer (Yosys:
+// no_rw_check, Quartus: ramstyle, Vivado: rw_addr_collision).
 `default_nettype none
 
 module item_memory #(

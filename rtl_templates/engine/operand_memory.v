@@ -1,10 +1,11 @@
-// operand_memory: full rows and candidates. The references of an arg-min engine ask it for the
-// operands of undecided pairs. A request is the pair's tag {index of its own candidate, index of
-// the best, place of the row}. The answer is the three of them, in the order of a reference's
-// requests. All references together get one answer per cycle. Each has a register for its answer,
-// which comes 2 cycles after the request at the earliest, and one more for each level of the tree
-// of arbiters if there are several references. Rows may be written at any time, in places that no
-// request names; candidates only while there is no request. Reset forgets the requests.
+// operand_memory: a memory of full rows and one of full candidates. The references of an arg-min
+// engine ask it for the operands of undecided pairs. A request is the pair's tag {index of its own
+// candidate, index of the best, place of the row}. The answer is that candidate, the best one and
+// the row, in the order of a reference's requests. All references together get one answer per
+// cycle. Each has a register for its answer, which comes 2 cycles after the request at the
+// earliest, and one more for each level of the tree of arbiters if there are several references.
+// Rows may be written at any time, in places that no request names; candidates only while there is
+// no request. Reset forgets the requests.
 `default_nettype none
 
 module operand_memory #(
@@ -12,7 +13,7 @@ module operand_memory #(
   parameter CANDIDATE_BITS = 32,  // bits of a candidate, 1 or more
   parameter ROW_BITS = 32,        // bits of a row, 1 or more
   parameter INDEX_BITS = 2,       // bits of a candidate's index, 1 to 30
-  parameter PLACE_BITS = 6        // 1 to 30: the memory has 2^PLACE_BITS rows
+  parameter PLACE_BITS = 6        // bits of a row's place, 1 to 30; there are 2^PLACE_BITS rows
 ) (
   input  wire                                           aclk,
   input  wire                                           aresetn,
@@ -38,7 +39,7 @@ module operand_memory #(
     if (REFERENCES < 1) begin : g_refused_references REFERENCES_is_below_1 refused (); end
   endgenerate
 
-  // The requests one after the other, each with one bit per reference that says which one asks.
+  // All requests as one stream; each carries one bit per reference, which says who asks.
   wire [REFERENCES*(REFERENCES+ASK_BITS)-1:0] asks;
   wire                                        ask_valid;
   wire [REFERENCES-1:0]                       asker;

@@ -60,8 +60,8 @@ module pair_expander #(
   // The current beat, with the codes of the lanes that have not left.
   reg                        valid_q;
   reg                        last_q;
-  reg                        report_sent_q;  // of the beat with tlast
-  reg                        pair_sent_q;    // of the beat with tlast
+  reg                        report_sent_q;  // the beat with tlast has left on m_report
+  reg                        pair_sent_q;    // the beat with tlast has left on m_pair
   reg  [LANES*CODE_BITS-1:0] codes_q;
   reg  [INDEX_BITS-1:0]      base_q;
   reg  [INDEX_BITS-1:0]      index_j_q;
@@ -70,7 +70,8 @@ module pair_expander #(
   wire [LANES-1:0]           undecided;
   wire                       reports = (reported != {LANES{1'b0}});
 
-  // The lowest lane of either kind. Which kind leaves is known when both lanes are.
+  // The lowest lane with a reported pair, and the lowest with an undecided one. Both are found
+  // before it is known which kind leaves.
   reg  [INDEX_BITS-1:0] lane_reported;
   reg  [INDEX_BITS-1:0] lane_undecided;
   integer               l;

@@ -61,7 +61,7 @@ module pair_recomputation #(
     if (QUEUE_BITS < 1) begin : g_refused_queue_bits QUEUE_BITS_is_below_1 refused (); end
   endgenerate
 
-  // Pairs that wait.
+  // The queue of pairs that wait.
   wire                pair_valid;
   wire                pair_ready;
   wire                pair_last;
@@ -81,13 +81,13 @@ module pair_recomputation #(
     .m_axis_tdata ({pair_last, pair_tag})
   );
 
-  // Cycle 0 reads the items, which arrive in cycle 1 and are offered from cycle 2 on. All of it
-  // stalls while the chosen reference does not take the request.
+  // Cycle 0 reads the items, which arrive in cycle 1 and are offered from cycle 2 on. Both cycles
+  // stall while the chosen reference does not take the request.
   reg  [OUTSTANDING_BITS:0] outstanding_q;
   reg                       comes_q;
   reg                       offered_q;
   reg                       closes_q;      // only the closing beat is left
-  reg  [REFERENCES-1:0]     turn_q;        // one bit: the reference chosen last
+  reg  [REFERENCES-1:0]     turn_q;        // one-hot: the reference chosen last
   reg  [TAG_BITS-1:0]       coming_tag_q;
   reg  [TAG_BITS-1:0]       tag_q;
   reg  [2*ITEM_BITS-1:0]    items_q;
@@ -145,7 +145,7 @@ module pair_recomputation #(
   assign m_request_tag    = tag_q;
   assign m_request_items  = items_q;
 
-  // Verdicts. The queue of each reference has room for all pairs in progress.
+  // The verdicts. Each reference has a queue for its verdicts, with room for all pairs in progress.
   wire [REFERENCES-1:0]             answer_valid;
   wire [REFERENCES-1:0]             answer_ready;
   wire [REFERENCES-1:0]             unused_room;

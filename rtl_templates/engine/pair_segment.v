@@ -1,9 +1,9 @@
-// pair_segment: a link of the chain that carries words past the lanes, with LANES lanes in lock
-// step. A word is the part of an item that the lanes need.
+// pair_segment: a link of the chain that carries words past the lanes. It serves LANES lanes in
+// lock step. A word is the part of an item that the lanes need.
 //
-// The first words of a block that may stay do so, one in each lane, on held_words. A later word
-// that meets them is on passing_word one cycle after it was taken. LANE_LATENCY cycles later the
-// lanes answer for all of its pairs at once. Words that did not stay go on to the next segment,
+// The first LANES words of a block that may stay do so, one in each lane, on held_words. A later
+// word that meets them is on passing_word one cycle after it was taken. LANE_LATENCY cycles later
+// the lanes answer for all of its pairs at once. Words that did not stay go on to the next segment,
 // which does the same. So the lanes of the whole chain hold the words base, base + 1, ..., and each
 // later word meets each of them once.
 //
@@ -17,7 +17,7 @@
 // the last.
 //
 // Lanes never wait: no word is taken unless the queue has room for all beats that may still come.
-// For a word on offer to the next segment room is reserved, and the word stays on offer. Interval
+// Room is reserved for a word on offer to the next segment, and the word stays on offer. Interval
 // 1, latency 3 to the next segment. Reset forgets all.
 `default_nettype none
 
@@ -54,7 +54,7 @@ module pair_segment #(
 
   localparam TAG_BITS    = 2 * INDEX_BITS;
   localparam CODES_BITS  = LANES * CODE_BITS;
-  localparam NUMBER_BITS = LANE_BITS + 1;  // of a count of lanes
+  localparam NUMBER_BITS = LANE_BITS + 1;  // bits of a count of lanes
   localparam WORD_PART   = (TIERED != 0) ? NUMBER_BITS + WORD_BITS + 2 : 0;
 
   // Invalid parameters instantiate a module that does not exist: elaboration fails.
@@ -75,7 +75,7 @@ module pair_segment #(
   // The current word.
   wire                  word_valid;
   wire                  word_close;
-  wire                  word_first;  // of its block, in this segment
+  wire                  word_first;  // the first of its block in this segment
   wire                  word_stays;
   wire                  word_meets;
   wire [INDEX_BITS-1:0] word_index;
@@ -99,7 +99,7 @@ module pair_segment #(
   // Lanes are filled from the lowest up.
   reg  [LANES-1:0] holds_q;
   reg              passed_q;  // the previous word went on to the next segment
-  wire             room;      // in the queue
+  wire             room;      // the queue has room for one more word
   wire [LANES-1:0] holds  = holds_q & {LANES{!word_first}};
   wire [LANES:0]   filled = {holds, 1'b1};  // bit k: all lanes below k hold a word
   wire             stays  = word_stays && !word_close && !filled[LANES];
@@ -189,7 +189,7 @@ module pair_segment #(
     .q   ({closes, starts, met, index})
   );
 
-  // The first word of a block stays in the lowest lane.
+  // The index of a block's first word, which stays in the lowest lane.
   reg [INDEX_BITS-1:0] base_q;
 
   always @(posedge aclk) begin
@@ -198,7 +198,7 @@ module pair_segment #(
     end
   end
 
-  // Exceptions.
+  // The exceptions: the code of each lane's pair.
   wire [LANES-1:0]      reported;
   wire [CODES_BITS-1:0] codes;
 
@@ -305,8 +305,9 @@ module pair_segment #(
     end
   endgenerate
 
-  // Words whose beats may not be counted yet: LANE_LATENCY words in the lanes, the word before
-  // them, the one that is taken, and the one whose beat was pushed in the previous cycle.
+  // The beats of LANE_LATENCY + 3 words may not be counted yet: those of LANE_LATENCY words in the
+  // lanes, of the word before them, of the one that is taken, and the beat that was pushed in the
+  // previous cycle.
   exception_queue #(
     .WIDTH     (1 + CODES_BITS + TAG_BITS + WORD_PART),
     .DEPTH_BITS(QUEUE_BITS),

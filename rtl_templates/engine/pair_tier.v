@@ -5,8 +5,9 @@
 // Beats stay in order, so only the words in the lanes have to be stored. The beat of a word that
 // stays has the flag `stays`, that of the first word of a block the flag `first`. A beat passes the
 // lane once for each of its undecided pairs, or once if it has none. After each pass a beat may
-// leave. The first of these beats has the reported pairs. Each has the pair that passed: as
-// reported if it is, as undecided if it is still undecided.
+// leave. The first of these beats has the pairs that the segment reported. Each of them also has
+// the pair that passed: as reported if its verdict is reported, as undecided if the tier left it
+// undecided.
 //
 // Latency LANE_LATENCY + 4, interval 1 for each pair. Reset forgets all.
 `default_nettype none
@@ -132,7 +133,7 @@ module pair_tier #(
   reg  [LANES-1:0]      s1_pair_q;
   reg  [LANE_BITS-1:0]  s1_picked_q;
   reg  [LANE_BITS-1:0]  s1_place_q;
-  reg  [LANE_BITS-1:0]  places_q;     // taken in the current block
+  reg  [LANE_BITS-1:0]  places_q;     // places that the current block has taken
   reg  [WORD_BITS-1:0]  s1_word_q;
   reg  [CODES_BITS-1:0] s1_reports_q;
   reg  [TAG_BITS-1:0]   s1_tag_q;
@@ -176,7 +177,7 @@ module pair_tier #(
     .read_data    (item_i)
   );
 
-  // Stage 2: both words at the lane, and beside them the data that its answer needs.
+  // Stage 2: both words are at the lane, and beside them the data that the lane's answer needs.
   reg                   s2_valid_q;
   reg                   s2_close_q;
   reg  [LANES-1:0]      s2_pair_q;
@@ -226,7 +227,7 @@ module pair_tier #(
     .q   ({closes, pair, first_codes, answered_tag})
   );
 
-  // The code that was found for the pair replaces that of the pair's lane.
+  // The code that the tier found for the pair replaces the code of the pair's lane in the beat.
   wire                  reported;
   wire [CODE_BITS-1:0]  found;
   wire [CODES_BITS-1:0] leaving_codes;

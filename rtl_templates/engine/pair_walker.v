@@ -5,8 +5,9 @@
 // meets all words that follow. A block of one word has no pair and is left out.
 //
 // A set that begins with targets makes only pairs of a target with another item. Block b is LANES
-// targets, which stay and meet nothing, and then all other items, which meet and do not stay. Its
-// blocks begin once the first of the other items has come; a later target counts as one of these.
+// targets, which stay and meet nothing, and then all other items, which meet and do not stay. The
+// blocks begin once the first of the other items has come; a target that comes later counts as one
+// of the other items.
 //
 // Words are read as soon as they are stored, one a cycle, without a gap between blocks. After the
 // last word comes one with `close`. Words: latency 1 from the address. Reset and `set_closed`
@@ -22,7 +23,7 @@ module pair_walker #(
   input  wire                  aresetn,
   input  wire                  stored,         // the set's next word is written in this cycle
   input  wire                  stored_target,
-  input  wire                  ended,          // and it is the last one
+  input  wire                  ended,          // that word is the set's last one
   input  wire                  set_closed,
   output wire                  read_enable,
   output wire [INDEX_BITS-1:0] read_address,
@@ -87,11 +88,11 @@ module pair_walker #(
   // one, so it waits. A set that has only targets so far waits as well.
   reg  [INDEX_BITS:0] next_q;       // the word to be read
   reg  [INDEX_BITS:0] following_q;  // next_q + 1: no adder in front of the comparisons
-  reg                 first_q;      // it starts a block
-  reg                 targets_done_q;  // of this block
+  reg                 first_q;      // that word starts a block
+  reg                 targets_done_q;  // the targets of this block have been read
   reg  [INDEX_BITS:0] next_base_q;  // the word that starts the next block
   reg                 walked_q;     // every block has been read
-  reg                 closed_q;     // and the word with `close` has been sent
+  reg                 closed_q;     // the word with `close` has been sent
 
   wire                in_targets   = has_targets_q && !targets_done_q;
   wire                last_target  =

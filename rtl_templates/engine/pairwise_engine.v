@@ -204,7 +204,7 @@ module pairwise_engine #(
 
   assign m_word_tdata = {word_close, word_first, word_stays, word_meets, word_index, read_word};
 
-  // Exceptions of each stream's segments, one pair after the other.
+  // The exceptions of each stream's segments become pairs, one after the other.
   wire [STREAMS-1:0]             report_valid;
   wire [STREAMS-1:0]             report_ready;
   wire [STREAMS*REPORT_BITS-1:0] report_data;
@@ -303,7 +303,7 @@ module pairwise_engine #(
       assign undecided_pair[s*PAIR_BITS +: PAIR_BITS] = {undecided_lane, undecided_tag};
 
       // A verdict's arrival has no effect on the expander in the same cycle. Index i is added up
-      // behind the queue. Both are because the expander takes most of a cycle.
+      // behind the queue. Both hold because the expander takes most of a cycle.
       wire [FLAG_BITS+3:0]  report_kind;
       wire [INDEX_BITS-1:0] report_lane;
       wire [INDEX_BITS-1:0] report_j;
@@ -369,8 +369,8 @@ module pairwise_engine #(
       wire [REPORT_BITS-1:0] verdict_data =
           {ONE_FLAG, 2'b01, verdict[1:0], verdict[2 +: TAG_BITS]};
 
-      // A place that no item has taken is written in every cycle that does not read, whatever is
-      // offered: the last write is the item that takes it. So the memory does not depend on
+      // In every cycle that does not read, the first free place is written with whatever is
+      // offered. The last write is the item that takes the place. So the memory does not depend on
       // s_axis_tready.
       item_memory #(
         .WIDTH       (ITEM_BITS),
@@ -474,7 +474,7 @@ module pairwise_engine #(
     end
   endgenerate
 
-  // Output. The set is over when every stream has given its closing beat.
+  // The output. The set is over when every stream has given its closing beat.
   reg  [STREAMS-1:0] closed_q;
   wire [STREAMS-1:0] closes = m_axis_tvalid & m_axis_tready & m_axis_tlast;
 

@@ -6,8 +6,8 @@
 module report_output #(
   parameter INDEX_BITS = 10,  // bits of an item's index, 1 or more
   parameter FLAG_BITS = 0,    // flags of a report, 0 or more; 0: tdata has no flags
-  // 1: no report leaves, all are counted, and the tag of the beat with tlast is the number of pairs
-  // that did not come as reports.
+  // 1: no report leaves; all are counted, and the tag of the beat with tlast is the number of pairs
+  // that did not come as reports. 0: reports leave.
   parameter COUNT = 0
 ) (
   input  wire                                                       aclk,
@@ -46,7 +46,7 @@ module report_output #(
 
   assign {flags, undecided, recomputed, verdict, index_j, index_i} = s_axis_tdata;
 
-  // Reports of the set so far, and the closing beat's number.
+  // The number of the set's reports so far, which the closing beat sends.
   reg  [TAG_BITS-1:0] count_q;
   wire [TAG_BITS-1:0] count = (COUNT != 0) ? count_q + {index_j, index_i} : count_q;
   wire                take  = s_axis_tvalid && s_axis_tready;

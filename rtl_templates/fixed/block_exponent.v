@@ -1,5 +1,5 @@
 // block_exponent: the largest of COUNT biased exponents, by a tree of LEVELS comparisons. If all
-// are 0 it is 1, since subnormal numbers have the exponent of the smallest normal ones.
+// are 0 the result is 1, since subnormal numbers have the exponent of the smallest normal ones.
 // not_finite: the largest is the exponent of infinities and NaNs.
 // Latency: the population count of CUTS (LEVELS bits); initiation interval 1; no reset.
 `default_nettype none
@@ -26,7 +26,7 @@ module block_exponent #(
     if (EXPONENT_BITS < 2) begin : g_refused_exponent EXPONENT_BITS_is_below_2 refused (); end
   endgenerate
 
-  // Stages level 0 to DEPTH - 1: the larger exponent of each two goes on.
+  // Stages level 0 to DEPTH - 1: the larger exponent of each pair goes on.
   genvar level, k;
   generate
     for (level = 0; level < DEPTH; level = level + 1) begin : g_level

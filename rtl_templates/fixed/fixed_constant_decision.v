@@ -10,7 +10,7 @@ module fixed_constant_decision #(
   parameter [WIDTH:0] GREATER_FROM = 1,    // the least difference that is greater
   // the greatest difference that is less, below GREATER_FROM
   parameter [WIDTH:0] LESS_TO      = {(WIDTH + 1) {1'b1}},
-  parameter           EXACT        = 0,    // 1: differences between are equal (1); 0: undecided
+  parameter           EXACT        = 0,    // 1: differences in between are equal (1); 0: undecided
   parameter [0:0]     CUTS         = 1'b0  // 1: a register behind the stage
 ) (
   input  wire             aclk,

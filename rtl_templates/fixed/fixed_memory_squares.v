@@ -1,13 +1,13 @@
 // fixed_memory_squares: the squares of a and b, each less its DROPPED low bits, read at the two
 // ports of one memory.
-// Latency: the population count of CUTS (three bits); initiation interval 1; no reset. A block
-// memory is read into a register.
+// Latency: the population count of CUTS (three bits); initiation interval 1; no reset. CUTS[1] is
+// 1, since a block memory is read into a register.
 // Operands are in two's complement.
 //
 // The memory has a word for each magnitude below 2^ADDRESS_BITS. The two lowest bits of a square
 // take no memory: bit 0 is that of the operand, bit 1 is 0. Only the most negative operand has the
-// magnitude 2^ADDRESS_BITS. It reads word 0, as its low bits say, and sets a single one above all
-// words.
+// magnitude 2^ADDRESS_BITS. Its low bits address word 0, which is 0, and its square is a single one
+// above the bits of all words.
 `default_nettype none
 
 module fixed_memory_squares #(

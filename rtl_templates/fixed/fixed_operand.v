@@ -20,7 +20,7 @@ module fixed_operand #(
   output wire                               out_of_range
 );
 
-  localparam integer EXPONENT = TOP;  // some tools give a negative TOP without its sign
+  localparam integer EXPONENT = TOP;  // signed: some tools pass a negative TOP as unsigned
   // The biased exponent of 2^TOP.
   localparam integer LIMIT    = (1 << (EXPONENT_BITS - 1)) - 1 + EXPONENT;
   localparam integer LARGEST  = LIMIT - 1;

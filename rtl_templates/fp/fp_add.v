@@ -5,10 +5,10 @@
 `default_nettype none
 
 module fp_add #(
-  parameter        EXPONENT_BITS        = 8,              // of the operands, 2 to 30
+  parameter        EXPONENT_BITS        = 8,              // bits of an operand's exponent, 2 to 30
   parameter        PRECISION            = 24,             // digits with the leading one, 2 or more
-  parameter        RESULT_EXPONENT_BITS = EXPONENT_BITS,  // of the result, 2 to 30
-  parameter        RESULT_PRECISION     = PRECISION,      // of the result, 2 or more
+  parameter        RESULT_EXPONENT_BITS = EXPONENT_BITS,  // bits of the result's exponent, 2 to 30
+  parameter        RESULT_PRECISION     = PRECISION,      // digits of the result, 2 or more
   parameter        SUBTRACT             = 0,              // 1: a - b; 0: a + b
   parameter        SPECIAL_OPERANDS     = 1,              // 0 promises no NaN and no infinity
   parameter        OVERFLOW             = 1,              // 0 promises that no result overflows

@@ -4,7 +4,7 @@
 `default_nettype none
 
 module fp_aligned_operands #(
-  parameter       EXPONENT_BITS    = 8,       // of the operands, 2 or more
+  parameter       EXPONENT_BITS    = 8,       // bits of an operand's exponent, 2 or more
   parameter       PRECISION        = 24,      // digits with the leading one, 2 or more
   parameter       ALIGNED          = 26,      // places of the smaller operand, PRECISION or more
   parameter       SUBTRACT         = 0,       // 1: a - b; 0: a + b
@@ -27,17 +27,17 @@ module fp_aligned_operands #(
   input  wire                               aclk,
   input  wire [EXPONENT_BITS+PRECISION-1:0] a,
   input  wire [EXPONENT_BITS+PRECISION-1:0] b,
-  output wire [EXPONENT_BITS-1:0]           exponent,  // of `larger`, biased
+  output wire [EXPONENT_BITS-1:0]           exponent,  // biased, of `larger`
   output wire [PRECISION-1:0]               larger,    // arbitrary if both are zero
-  output wire                               moves,     // the smaller operand is `moved`
-  output wire [ALIGNED:0]                   smaller,   // otherwise; the last bit of both is sticky
+  output wire                               moves,     // 1: the smaller operand is `moved`
+  output wire [ALIGNED:0]                   smaller,   // if `moves` is 0; its last bit is sticky
   output wire [ALIGNED:0]                   moved,
   output wire                               sign,
   output wire                               cancel,    // the signs are unlike
   output wire                               nan,
   output wire                               infinite,
   output wire                               zero,      // both operands are zero
-  output wire                               suspect    // exceptional already
+  output wire                               suspect    // an operand is exceptional
 );
 
   // Named unlike the units' own function: Verilator 5.006 warns if one of them hides the other.

@@ -9,8 +9,8 @@ module fp_booth_digit #(
 ) (
   input  wire [2:0] digit,
   output wire       single,   // the digit is 1 or -1
-  output wire       doubled,  // 2 or -2
-  output wire       negative  // -1 or -2
+  output wire       doubled,  // the digit is 2 or -2
+  output wire       negative  // the digit is -1 or -2
 );
 
   // An invalid parameter instantiates a module that does not exist: elaboration fails.

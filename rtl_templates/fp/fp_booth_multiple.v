@@ -8,8 +8,8 @@ module fp_booth_multiple #(
   parameter SIGNED = 0    // 1: the value is in two's complement; 0: unsigned
 ) (
   input  wire             single,    // the digit is 1 or -1
-  input  wire             doubled,   // 2 or -2
-  input  wire             negative,  // -1 or -2
+  input  wire             doubled,   // the digit is 2 or -2
+  input  wire             negative,  // the digit is -1 or -2
   input  wire [WIDTH-1:0] value,
   output wire [WIDTH:0]   multiple
 );

@@ -4,7 +4,7 @@
 `default_nettype none
 
 module fp_compare #(
-  parameter       EXPONENT_BITS = 8,     // of the operands, 2 or more
+  parameter       EXPONENT_BITS = 8,     // bits of an operand's exponent, 2 or more
   parameter       PRECISION     = 24,    // digits with the leading one, 2 or more
   parameter       GRADUAL       = 0,     // 1: subnormals; 0: flushed to zero
   parameter [1:0] CUTS          = 2'b00  // a register behind stage k if bit k is 1
@@ -60,7 +60,8 @@ module fp_compare #(
            s1_a_all_ones, s1_b_all_ones, s1_not_below, s1_same_upper, s1_same_lower})
   );
 
-  // Stage decide: unlike signs give the order; two negative numbers order against their magnitudes.
+  // Stage decide: unlike signs give the order; the order of two negative numbers is that of their
+  // magnitudes, reversed.
   wire s1_fraction  = (GRADUAL != 0) && (s1_a_fraction || s1_b_fraction);
   wire s1_both_zero = !s1_a_field && !s1_b_field && !s1_fraction;
   wire s1_unordered = (s1_a_all_ones && s1_a_fraction) || (s1_b_all_ones && s1_b_fraction);

@@ -5,10 +5,10 @@
 `default_nettype none
 
 module fp_convert #(
-  parameter       EXPONENT_BITS        = 8,              // of the operand, 2 to 29
+  parameter       EXPONENT_BITS        = 8,              // bits of the operand's exponent, 2 to 29
   parameter       PRECISION            = 53,             // digits with the leading one, 2 or more
-  parameter       RESULT_EXPONENT_BITS = EXPONENT_BITS,  // of the result, 2 to 29
-  parameter       RESULT_PRECISION     = PRECISION,      // of the result, 2 or more
+  parameter       RESULT_EXPONENT_BITS = EXPONENT_BITS,  // bits of the result's exponent, 2 to 29
+  parameter       RESULT_PRECISION     = PRECISION,      // digits of the result, 2 or more
   parameter       SCALE                = 0,              // power of two, |SCALE| < 2^EXPONENT_BITS
   parameter       SPECIAL_OPERANDS     = 1,              // 0 promises no NaN and no infinity
   parameter       OVERFLOW             = 1,              // 0 promises that no result overflows

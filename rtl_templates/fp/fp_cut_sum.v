@@ -1,8 +1,8 @@
 // fp_cut_sum: the sum of TERMS products, each cut below a common place; no rounding.
 // Latency: the population count of CUTS (24 bits); initiation interval 1; no reset.
 // Term k is a_k * b_k, unless bit k of SQUARES, PLAIN, SUMS or DIFFERENCES is 1. At most one of
-// these bits is 1. The inner sum or difference is rounded to nearest, ties to even. It needs
-// PRECISION 3 or more.
+// these bits is 1. The sum or the difference inside a square is rounded to nearest, ties to even;
+// it needs a PRECISION of 3 or more.
 // Each term is cut toward zero, WINDOW - 2 bits below the largest exponent. A term's exponent is
 // the sum of its factors' exponents. With GRADUAL the largest is at least that of the smallest
 // normal number.
@@ -11,7 +11,7 @@
 `default_nettype none
 
 module fp_cut_sum #(
-  parameter             EXPONENT_BITS  = 8,     // of the operands, 2 to 28
+  parameter             EXPONENT_BITS  = 8,     // bits of an operand's exponent, 2 to 28
   parameter             PRECISION      = 24,    // digits with the leading one, 2 or more
   parameter             TERMS          = 3,     // number of terms, 2 to 63
   parameter [TERMS-1:0] SQUARES        = 0,     // bit k: term k is a_k * a_k
@@ -23,13 +23,13 @@ module fp_cut_sum #(
   parameter             GRADUAL        = 0,     // 1: subnormals; 0: flushed to zero
   // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, to PRECISION 127.
   parameter             EMBEDDED       = 1,
-  parameter             SUM_SELECTS    = 2,     // bits that select, 0 to 2; see fp_add
+  parameter             SUM_SELECTS    = 2,     // bits that may select, 0 to 2; see fp_add
   parameter             FACTOR_A       = 24,    // first factor of `*`, 1 bit or more
   parameter             FACTOR_B       = 17,    // second factor of `*`, 1 bit or more
   // Bits of a cut term, two of them in front of its point; PRECISION or more.
   parameter             WINDOW         = 33,
   parameter             ADDEND         = 36,    // bits of `sum`, WINDOW or more
-  parameter             EXPONENT_WIDTH = 10,    // of `largest`, enough for 4 BIAS + 2 + OFFSET
+  parameter             EXPONENT_WIDTH = 10,    // bits of `largest`, enough for 4 BIAS + 2 + OFFSET
   // Added to the exponents; even, 2 * PRECISION + WINDOW or more.
   parameter             OFFSET         = 82,
   parameter [23:0]      CUTS           = 24'b0  // a register behind stage k if bit k is 1
@@ -38,14 +38,15 @@ module fp_cut_sum #(
   input  wire [TERMS*(EXPONENT_BITS+PRECISION)-1:0] a,  // term 0 in the lowest bits
   input  wire [TERMS*(EXPONENT_BITS+PRECISION)-1:0] b,
   output wire [ADDEND-1:0]                          sum,
-  output wire [EXPONENT_WIDTH-1:0]                  largest,     // exponent, plus OFFSET + 2 BIAS
+  output wire [EXPONENT_WIDTH-1:0]                  largest,     // exponent + OFFSET + 2 BIAS
   output wire                                       nan,
   output wire                                       infinite,
   output wire                                       zero,        // all terms are zero
-  output wire                                       suspect,     // exceptional already
-  output wire                                       zero_sign,   // of a sum that is zero
-  output wire                                       known_sign,  // if infinite or CANCELLATION = 0
-  output wire                                       first_sign   // of term 0
+  output wire                                       suspect,     // an operand is exceptional
+  output wire                                       zero_sign,   // the sign if the sum is zero
+  // The sign of the sum if the sum is infinite or CANCELLATION is 0.
+  output wire                                       known_sign,
+  output wire                                       first_sign   // the sign of term 0
 );
 
   function integer width_of(input integer value);
@@ -58,7 +59,7 @@ module fp_cut_sum #(
 
   localparam PACKED  = EXPONENT_BITS + PRECISION;
   localparam PRODUCT = 2 * PRECISION;
-  localparam LEVELS  = 6;   // of the trees: for 63 terms and one exponent more
+  localparam LEVELS  = 6;   // levels of the trees: enough for 63 terms and one more exponent
 
   localparam integer BIAS     = (1 << (EXPONENT_BITS - 1)) - 1;
   localparam integer SMALLEST = OFFSET + BIAS + 1;  // the exponent of 1 * 2^(1 - BIAS)
@@ -99,7 +100,8 @@ module fp_cut_sum #(
     if (FACTOR_B < 1) begin : g_refused_factor_b FACTOR_B_is_below_1 refused (); end
   endgenerate
 
-  // Stages of sums that are squared, count, normalise, and those of the product, for each term.
+  // For each term: the stages of a sum that is squared, stages count and normalise, and the stages
+  // of the product.
   wire [TERMS*EXPONENT_WIDTH-1:0] s9_exponents;
   wire [TERMS*EXPONENT_WIDTH-1:0] s9_places;
   wire [TERMS-1:0]                s9_signs;

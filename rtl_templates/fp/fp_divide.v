@@ -6,16 +6,16 @@
 `default_nettype none
 
 module fp_divide #(
-  parameter EXPONENT_BITS        = 8,              // of the operands, 2 to 30
+  parameter EXPONENT_BITS        = 8,              // bits of an operand's exponent, 2 to 30
   parameter PRECISION            = 24,             // digits with the leading one, 2 or more
-  parameter RESULT_EXPONENT_BITS = EXPONENT_BITS,  // of the result, 2 to 30
-  parameter RESULT_PRECISION     = PRECISION,      // of the result, 2 or more
+  parameter RESULT_EXPONENT_BITS = EXPONENT_BITS,  // bits of the result's exponent, 2 to 30
+  parameter RESULT_PRECISION     = PRECISION,      // digits of the result, 2 or more
   parameter SPECIAL_OPERANDS     = 1,              // 0 promises no NaN and no infinity
   parameter OVERFLOW             = 1,              // 0 promises no overflow, no zero divisor
   parameter UNDERFLOW            = 1,              // 0 promises no tiny operand or result
   parameter GRADUAL              = 0,              // 1: subnormals; 0: flushed to zero
   parameter TOWARD_ZERO          = 0,              // 1: rounds toward zero; 0: nearest even
-  parameter SUM_SELECTS          = 2,              // bits that select, 0 to 2; see fp_add
+  parameter SUM_SELECTS          = 2,              // bits that may select, 0 to 2; see fp_add
   parameter [RESULT_PRECISION+8:0] CUTS = 0        // a register behind stage k if bit k is 1
 ) (
   input  wire                                             aclk,

@@ -55,8 +55,8 @@ module fp_embedded_square #(
   localparam CUT_LINKS  = 4;
   localparam LAST_PLACE = 2 * PARTS - 3;
 
-  // A sum of products: at most PARTS / 2 products of one place, and less than one from the places
-  // below.
+  // Bits of the sum of a link. It is less than PARTS / 2 + 1 products: at most PARTS / 2 are of one
+  // place, and the places below add less than one.
   localparam WIDTH = FACTOR_B + WIDEST + bits_of(PARTS / 2);
 
   // The pairs of parts i < j whose places i + j are `place`: the first i, and how many.

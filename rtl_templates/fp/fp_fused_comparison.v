@@ -8,7 +8,7 @@
 `default_nettype none
 
 module fp_fused_comparison #(
-  parameter             EXPONENT_BITS = 8,     // of the operands, 2 to 28
+  parameter             EXPONENT_BITS = 8,     // bits of an operand's exponent, 2 to 28
   parameter             PRECISION     = 24,    // digits with the leading one, 2 or more
   parameter             TERMS         = 3,     // number of terms, 2 to 63
   parameter [TERMS-1:0] SQUARES       = 0,     // bit k: term k is a_k * a_k
@@ -19,7 +19,7 @@ module fp_fused_comparison #(
   parameter             GRADUAL       = 0,     // 1: subnormals; 0: flushed to zero
   // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, to PRECISION 127.
   parameter             EMBEDDED      = 1,
-  parameter             SUM_SELECTS   = 2,     // bits that select, 0 to 2; see fp_add
+  parameter             SUM_SELECTS   = 2,     // bits that may select, 0 to 2; see fp_add
   parameter             FACTOR_A      = 24,    // first factor of `*`, 1 bit or more
   parameter             FACTOR_B      = 17,    // second factor of `*`, 1 bit or more
   parameter [24:0]      CUTS          = 25'b0  // a register behind stage k if bit k is 1

@@ -10,15 +10,15 @@
 `default_nettype none
 
 module fp_fused_squared_sum #(
-  parameter        EXPONENT_BITS  = 8,     // of the operands, 2 to 28
+  parameter        EXPONENT_BITS  = 8,     // bits of an operand's exponent, 2 to 28
   parameter        PRECISION      = 24,    // digits with the leading one, 3 or more
-  parameter        EXPONENT_WIDTH = 10,    // of the exponents, enough for 4 BIAS + 2 + OFFSET
+  parameter        EXPONENT_WIDTH = 10,    // bits of the exponents, enough for 4 BIAS + 2 + OFFSET
   parameter        OFFSET         = 80,    // added to the exponents; even, 2 * PRECISION or more
   parameter        SUBTRACT       = 0,     // 1: a - b; 0: a + b
   parameter        GRADUAL        = 0,     // 1: subnormals; 0: flushed to zero
   // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, to PRECISION 127.
   parameter        EMBEDDED       = 1,
-  parameter        SUM_SELECTS    = 2,     // bits that select, 0 to 2; see fp_add
+  parameter        SUM_SELECTS    = 2,     // bits that may select, 0 to 2; see fp_add
   parameter        FACTOR_A       = 24,    // first factor of `*`, 1 bit or more
   parameter        FACTOR_B       = 17,    // second factor of `*`, 1 bit or more
   parameter [15:0] CUTS           = 16'b0  // a register behind stage k if bit k is 1

@@ -7,9 +7,9 @@
 `default_nettype none
 
 module fp_fused_term #(
-  parameter       EXPONENT_BITS  = 8,    // of the operands, 2 to 28
+  parameter       EXPONENT_BITS  = 8,    // bits of an operand's exponent, 2 to 28
   parameter       PRECISION      = 24,   // digits with the leading one, 2 or more
-  parameter       EXPONENT_WIDTH = 10,   // of `exponent`, enough for 4 BIAS + 2 + OFFSET
+  parameter       EXPONENT_WIDTH = 10,   // bits of `exponent`, enough for 4 BIAS + 2 + OFFSET
   parameter       OFFSET         = 80,   // added to the exponent, 2 * PRECISION or more
   parameter       SQUARE         = 0,    // 1: the term is a * a; b is not read
   parameter       PLAIN          = 0,    // 1: the term is a; b is not read; not with SQUARE

@@ -5,7 +5,7 @@
 `default_nettype none
 
 module fp_interval_decision #(
-  parameter       EXPONENT_BITS = 8,    // of the bounds, 2 or more
+  parameter       EXPONENT_BITS = 8,    // bits of a bound's exponent, 2 or more
   parameter       PRECISION     = 24,   // digits with the leading one, 2 or more
   parameter [0:0] CUTS          = 1'b0  // 1: a register behind the only stage
 ) (

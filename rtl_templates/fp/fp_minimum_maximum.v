@@ -5,11 +5,11 @@
 `default_nettype none
 
 module fp_minimum_maximum #(
-  parameter       EXPONENT_BITS    = 8,     // of the operands, 2 or more
+  parameter       EXPONENT_BITS    = 8,     // bits of an operand's exponent, 2 or more
   parameter       PRECISION        = 24,    // digits with the leading one, 2 or more
   parameter       MAXIMUM          = 0,     // 1: the larger; 0: the smaller
   parameter       SPECIAL_OPERANDS = 1,     // 0 promises no NaN and no infinity
-  parameter       OVERFLOW         = 1,     // no effect: for uniformity
+  parameter       OVERFLOW         = 1,     // not read; other units have it
   parameter       UNDERFLOW        = 1,     // 0 promises that no operand is subnormal
   parameter       GRADUAL          = 0,     // 1: subnormals; 0: flushed to zero
   parameter [1:0] CUTS             = 2'b00  // a register behind stage k if bit k is 1

@@ -5,10 +5,10 @@
 `default_nettype none
 
 module fp_multiply #(
-  parameter        EXPONENT_BITS        = 8,              // of the operands, 2 to 30
+  parameter        EXPONENT_BITS        = 8,              // bits of an operand's exponent, 2 to 30
   parameter        PRECISION            = 24,             // digits with the leading one, 2 or more
-  parameter        RESULT_EXPONENT_BITS = EXPONENT_BITS,  // of the result, 2 to 30
-  parameter        RESULT_PRECISION     = PRECISION,      // of the result, 2 or more
+  parameter        RESULT_EXPONENT_BITS = EXPONENT_BITS,  // bits of the result's exponent, 2 to 30
+  parameter        RESULT_PRECISION     = PRECISION,      // digits of the result, 2 or more
   parameter        SPECIAL_OPERANDS     = 1,              // 0 promises no NaN and no infinity
   parameter        OVERFLOW             = 1,              // 0 promises that no result overflows
   parameter        UNDERFLOW            = 1,              // 0 promises no tiny operand or result
@@ -55,7 +55,7 @@ module fp_multiply #(
 
   localparam integer BIAS        = (1 << (EXPONENT_BITS - 1)) - 1;
   localparam integer RESULT_BIAS = (1 << (RESULT_EXPONENT_BITS - 1)) - 1;
-  // The value is one too small and therefore ends in zeros. The carry into the sum of the exponents
+  // REBIAS is one too small and therefore ends in zeros. The carry into the sum of the exponents
   // adds the one.
   localparam integer REBIAS      = RESULT_BIAS - 2 * BIAS - 1;
 

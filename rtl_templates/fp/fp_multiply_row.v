@@ -1,10 +1,10 @@
 // fp_multiply_row: one row of a product: b times one of a's digits (fp_booth_multiple).
 // Combinational. The row's first place is that of the previous digit, and the row adds a 1 there if
-// that digit was negative (`owed`). Signs: -s is (1 - s) - 1. The constants -1 of all rows add up
-// to a one above each row and one more in the first row's sign. After the last digit of a signed
-// factor no row follows that could add its 1, which is four of the row's first places: the row
-// itself adds three of them, the caller one. That digit is -1 only if the previous digit is not
-// negative.
+// that digit was negative (`owed`). A sign bit s is worth -s, which is (1 - s) - 1. The constants
+// -1 of all rows add up to a one above each row and one more in the first row's sign. No row
+// follows the last digit of a signed factor, so none could add that digit's 1. This 1 is worth four
+// times the row's first place: the row itself adds three of the four, the caller one. That digit is
+// -1 only if the previous digit is not negative.
 `default_nettype none
 
 module fp_multiply_row #(
@@ -14,8 +14,8 @@ module fp_multiply_row #(
   parameter LAST      = 0    // 1: the last digit's row, with a signed factor; 0: another
 ) (
   input  wire                 single,    // the digit is 1 or -1
-  input  wire                 doubled,   // 2 or -2
-  input  wire                 negative,  // -1 or -2
+  input  wire                 doubled,   // the digit is 2 or -2
+  input  wire                 negative,  // the digit is -1 or -2
   input  wire                 owed,      // the previous digit is negative
   input  wire [PRECISION-1:0] b,
   output wire [PRECISION+5:0] row

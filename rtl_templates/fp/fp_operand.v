@@ -4,7 +4,7 @@
 `default_nettype none
 
 module fp_operand #(
-  parameter       EXPONENT_BITS    = 8,     // of the operand, 2 or more
+  parameter       EXPONENT_BITS    = 8,     // bits of the operand's exponent, 2 or more
   parameter       PRECISION        = 24,    // digits with the leading one, 2 or more
   // Bits of `exponent`: more than EXPONENT_BITS, and more than PRECISION has in binary.
   parameter       EXPONENT_WIDTH   = 10,

@@ -4,9 +4,9 @@
 
 module fp_product_row #(
   parameter PRECISION = 24,  // bits of a factor, 2 or more
-  parameter SQUARE    = 0,   // 1: of a square; 0: of a product
+  parameter SQUARE    = 0,   // 1: the row of a square; 0: of a product
   parameter SIGNED    = 0,   // 1: factors in two's complement; 0: unsigned
-  parameter CODE      = 0,   // of the digits, 0 to 2, as in fp_booth_digit
+  parameter CODE      = 0,   // code of the digits, 0 to 2, as in fp_booth_digit
   // Number of the row: 0 to PRECISION / 2, in a square to PRECISION / 2 - 1.
   parameter ROW       = 0,
   // Bits of `row`: PRECISION + 6, in a square 2 * ROW + PRECISION % 2 + 4; no other value.

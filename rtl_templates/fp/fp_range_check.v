@@ -5,7 +5,7 @@
 `default_nettype none
 
 module fp_range_check #(
-  parameter       EXPONENT_BITS = 8,    // of the operand, 2 or more
+  parameter       EXPONENT_BITS = 8,    // bits of the operand's exponent, 2 or more
   parameter       PRECISION     = 24,   // digits with the leading one, 2 or more
   parameter       SIGN          = 0,    // promised sign: 0 any, 1 non-negative, 2 non-positive
   parameter       LEADING_BITS  = 0,    // magnitude bits that are compared, at most all; 0: none

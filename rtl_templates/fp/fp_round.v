@@ -1,6 +1,6 @@
 // fp_round: rounds an exact result, given by its leading bits and a sticky bit, and packs it.
 // Four cuts, initiation interval 1, no reset. Special values: `nan`, `infinite` and `zero` say that
-// the result is one, whatever exponent and significand are. The first of them that is 1 wins.
+// the result is one, whatever `exponent` and `value` are. The first of them that is 1 wins.
 // The promises of OVERFLOW and UNDERFLOW are about all other results.
 // The value moves down by `amount`, and its low bits are rounded. Up to SUM_SELECTS bits of
 // `amount` take effect in the look-up tables of the rounding's carry chain.
@@ -10,8 +10,8 @@ module fp_round #(
   // Bits of `exponent`: more than RESULT_EXPONENT_BITS + 1, and with DENORMALISE more than
   // RESULT_PRECISION + 2 has in binary.
   parameter       EXPONENT_WIDTH       = 10,
-  parameter       RESULT_EXPONENT_BITS = 8,       // of the result, 2 or more
-  parameter       RESULT_PRECISION     = 24,      // of the result, 2 or more
+  parameter       RESULT_EXPONENT_BITS = 8,       // bits of the result's exponent, 2 or more
+  parameter       RESULT_PRECISION     = 24,      // digits of the result, 2 or more
   parameter       OVERFLOW             = 1,       // 0 promises that no result overflows
   parameter       UNDERFLOW            = 1,       // 0 promises that no result is tiny
   parameter       GRADUAL              = 0,       // 1: subnormals, only with UNDERFLOW; 0: flushed
@@ -19,21 +19,22 @@ module fp_round #(
   // exponents do not occur, but a significand of exponent 1 may have leading zeros.
   parameter       DENORMALISE          = GRADUAL,
   parameter       TOWARD_ZERO          = 0,       // 1: rounds toward zero; 0: nearest even
-  parameter       AMOUNT_BITS          = 0,       // read of `amount`, 0 to 2; 0 with DENORMALISE
-  parameter       SUM_SELECTS          = 2,       // bits that select, 0 to 2; see fp_add
+  // Bits of `amount` that are read, 0 to 2; 0 with DENORMALISE.
+  parameter       AMOUNT_BITS          = 0,
+  parameter       SUM_SELECTS          = 2,       // bits that may select, 0 to 2; see fp_add
   parameter [3:0] CUTS                 = 4'b0000  // a register behind stage k if bit k is 1
 ) (
   input  wire                                             aclk,
   input  wire                                             sign,
   input  wire [EXPONENT_WIDTH-1:0]                        exponent,  // biased and signed
-  // Once it has moved, its low RESULT_PRECISION + 2 bits are rounded.
+  // The significand. Once it has moved down, its low RESULT_PRECISION + 2 bits are rounded.
   input  wire [RESULT_PRECISION+(1<<AMOUNT_BITS):0]       value,
   input  wire [1:0]                                       amount,    // the low AMOUNT_BITS are read
   input  wire                                             sticky,
   input  wire                                             nan,
   input  wire                                             infinite,
   input  wire                                             zero,
-  input  wire                                             suspect,   // exceptional already
+  input  wire                                             suspect,   // an operand was exceptional
   output wire [RESULT_EXPONENT_BITS+RESULT_PRECISION-1:0] y,
   output wire                                             exceptional
 );
@@ -302,7 +303,7 @@ module fp_round #(
   wire s3_overflow_to_largest = s3_overflow && (TOWARD_ZERO != 0);
   wire s3_all_ones            = (!SPECIAL_FIRST && (s3_nan || s3_infinite)) || s3_overflow;
   wire s3_all_zeros           = (!SPECIAL_FIRST && s3_zero) || s3_vanished;
-  // Few gates deep: this may become the reset of the result's register.
+  // This condition is few gates deep, since it may become the reset of the result's register.
   wire s3_replaces            = !SPECIAL_FIRST && (!s3_finite || s3_too_large || s3_too_small);
 
   wire [RESULT_EXPONENT_BITS-1:0] s3_y_field =

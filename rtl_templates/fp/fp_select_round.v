@@ -1,21 +1,21 @@
 // fp_select_round: rounds and packs a result whose leading one is in the first or second place.
 // Five cuts, initiation interval 1, no reset. Special values and promises as in fp_round.
 // `exponent`, `tiny` and `amount` are outputs of fp_subnormal_shift for the exponent of the second
-// place. The shift of a subnormal result and the selection of another's leading one share their
-// gates.
+// place. The shift of a subnormal result and the selection of the leading one of any other result
+// share their gates.
 `default_nettype none
 
 module fp_select_round #(
   parameter       WIDTH                = 48,   // bits of `value`, 2 or more
-  parameter       EXPONENT_WIDTH       = 10,   // of `exponent`, above RESULT_EXPONENT_BITS + 1
-  parameter       AMOUNT_BITS          = 5,    // of `amount`, enough for RESULT_PRECISION + 3
-  parameter       RESULT_EXPONENT_BITS = 8,    // of the result, 2 or more
-  parameter       RESULT_PRECISION     = 24,   // of the result, 2 or more
+  parameter       EXPONENT_WIDTH       = 10,   // bits of `exponent`, above RESULT_EXPONENT_BITS + 1
+  parameter       AMOUNT_BITS          = 5,    // bits of `amount`, enough for RESULT_PRECISION + 3
+  parameter       RESULT_EXPONENT_BITS = 8,    // bits of the result's exponent, 2 or more
+  parameter       RESULT_PRECISION     = 24,   // digits of the result, 2 or more
   parameter       OVERFLOW             = 1,    // 0 promises that no result overflows
   parameter       UNDERFLOW            = 1,    // 0 promises that no result is tiny
   parameter       GRADUAL              = 0,    // 1: subnormals, only with UNDERFLOW; 0: flushed
   parameter       TOWARD_ZERO          = 0,    // 1: rounds toward zero; 0: nearest even
-  parameter       SUM_SELECTS          = 2,    // bits that select, 0 to 2; see fp_add
+  parameter       SUM_SELECTS          = 2,    // bits that may select, 0 to 2; see fp_add
   parameter [4:0] CUTS                 = 5'b0  // a register behind stage k if bit k is 1
 ) (
   input  wire                                             aclk,

@@ -1,23 +1,23 @@
 // fp_serial_square: a * a, rounded once to the result format. Each cycle multiplies by six bits of
 // the operand, in logic on any device.
-// Latency: the population count of CUTS as it is read. Initiation interval CYCLES: `start` says
-// that an operand is there, and comes again after CYCLES cycles or later. No reset: `start` ends an
-// unfinished square.
+// Latency: the population count of CUTS, with bits 2 to CYCLES + 4 taken as 1. Initiation interval
+// CYCLES: `start` says that an operand is there, and comes again after CYCLES cycles or later. No
+// reset: `start` ends an unfinished square.
 // Special values as IEEE 754.
 // rtl_templates/fp/README.md states the promises in full.
 `default_nettype none
 
 module fp_serial_square #(
-  parameter EXPONENT_BITS        = 8,                    // of the operand, 2 to 30
+  parameter EXPONENT_BITS        = 8,                    // bits of the operand's exponent, 2 to 30
   parameter PRECISION            = 24,                   // digits with the leading one, 13 or more
-  parameter RESULT_EXPONENT_BITS = EXPONENT_BITS,        // of the result, 2 to 30
-  parameter RESULT_PRECISION     = PRECISION,            // of the result, 2 to PRECISION + 3
+  parameter RESULT_EXPONENT_BITS = EXPONENT_BITS,        // bits of the result's exponent, 2 to 30
+  parameter RESULT_PRECISION     = PRECISION,            // digits of the result, 2 to PRECISION + 3
   parameter SPECIAL_OPERANDS     = 1,                    // 0 promises no NaN and no infinity
   parameter OVERFLOW             = 1,                    // 0 promises that no result overflows
   parameter UNDERFLOW            = 1,                    // 0 promises no tiny operand or result
   parameter GRADUAL              = 0,                    // 1: subnormals; 0: flushed to zero
   parameter TOWARD_ZERO          = 0,                    // 1: rounds toward zero; 0: nearest even
-  parameter SUM_SELECTS          = 2,                    // bits that select, 0 to 2; see fp_add
+  parameter SUM_SELECTS          = 2,                    // bits that may select, 0 to 2; see fp_add
   parameter CYCLES               = (PRECISION + 5) / 6,  // derived; no other value is legal
   // A register behind stage k if bit k is 1; bits 2 to CYCLES + 4 are read as 1.
   parameter [CYCLES+9:0] CUTS = 0

@@ -6,7 +6,7 @@
 module fp_shift_left #(
   parameter WIDTH       = 27,  // bits of `value`, KEPT or more
   parameter KEPT        = 26,  // bits of `shifted`, 1 or more
-  parameter AMOUNT_BITS = 5,   // of `amount`, 1 to 30
+  parameter AMOUNT_BITS = 5,   // bits of `amount`, 1 to 30
   parameter STEP        = 1    // places of one step, 1 or more
 ) (
   input  wire [WIDTH-1:0]       value,

@@ -5,7 +5,7 @@
 
 module fp_shift_right #(
   parameter WIDTH       = 24,  // bits of `value`, 1 or more
-  parameter AMOUNT_BITS = 5    // of `amount`, 1 to 30
+  parameter AMOUNT_BITS = 5    // bits of `amount`, 1 to 30
 ) (
   input  wire [WIDTH-1:0]       value,
   input  wire [AMOUNT_BITS-1:0] amount,

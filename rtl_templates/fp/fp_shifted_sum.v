@@ -5,7 +5,7 @@
 
 module fp_shifted_sum #(
   parameter LOW   = 26,  // bits of `low`, SHIFT + 1 to HIGH + SHIFT - 1
-  parameter HIGH  = 26,  // bits of `high`
+  parameter HIGH  = 26,  // bits of `high`, LOW - SHIFT + 1 or more
   parameter SHIFT = 2,   // places of `high` above `low`, 1 or more
   parameter CARRY = 0    // 1: `carry` is added; 0: it is not read
 ) (

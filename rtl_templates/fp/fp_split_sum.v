@@ -7,7 +7,7 @@
 
 module fp_split_sum #(
   parameter LOW       = 26,  // bits of `low`, SHIFT + 1 to HIGH + SHIFT - 1
-  parameter HIGH      = 26,  // bits of `high`
+  parameter HIGH      = 26,  // bits of `high`, LOW - SHIFT + 1 or more
   parameter SHIFT     = 2,   // places of `high` above `low`, 1 or more
   parameter CARRY     = 0,   // 1: `carry` is added, if no bit is late; 0: it is not read
   parameter LATE_FROM = 28   // lowest late bit, above SHIFT; HIGH + SHIFT or more: no bit is late
@@ -54,7 +54,7 @@ module fp_split_sum #(
       wire            late_carry;
       wire [LATE-1:0] late_low;
 
-      // One bit more than it keeps: that bit is the carry.
+      // This sum has one bit more than the early bits: the carry into the late ones.
       fp_shifted_sum #(
         .LOW  (EARLY_LOW),
         .HIGH (LATE_FROM - SHIFT + 1),

@@ -3,18 +3,18 @@
 // Combinational. The digits below place p are x = a[p-1:0] in two's complement. A digit d adds d (2
 // x + d 2^p) 2^p to the square. That is never negative, and its term d 2^p cancels the sign of 2 x.
 // The row's first place is p - 1, and the row adds a 1 there if the previous digit was negative
-// (`owed`). After the last digit of a signed number no row follows that could add its 1, which is
-// four of the row's first places: the row itself adds three of them, the caller one. That digit is
-// -1 only if the previous digit is not negative.
+// (`owed`). No row follows the last digit of a signed number, so none could add that digit's 1.
+// This 1 is worth four times the row's first place: the row itself adds three of the four, the
+// caller one. That digit is -1 only if the previous digit is not negative.
 `default_nettype none
 
 module fp_square_row #(
-  parameter PLACE = 3,  // of the digit's middle bit, 1 or more; 1 or 2 in the first row
-  parameter LAST  = 0   // 1: the last digit of a signed number, if it is not the first; 0: another
+  parameter PLACE = 3,  // place of the digit's middle bit, 1 or more; 1 or 2 in the first row
+  parameter LAST  = 0   // 1: the last digit of a signed number, and not the first; 0: another
 ) (
   input  wire             single,    // the digit is 1 or -1
-  input  wire             doubled,   // 2 or -2
-  input  wire             negative,  // -1 or -2
+  input  wire             doubled,   // the digit is 2 or -2
+  input  wire             negative,  // the digit is -1 or -2
   input  wire             owed,      // the previous digit is negative
   input  wire [PLACE-1:0] a,         // bits below the digit's middle bit
   output wire [PLACE+2:0] row

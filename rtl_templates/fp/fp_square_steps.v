@@ -129,9 +129,9 @@ module fp_square_steps #(
     end
   endgenerate
 
-  // The second row is added to the first one, the third row a cycle later. The 1 that such a row
-  // lacks enters as a carry out of an extra last place. The 1 that the first row lacks is added in
-  // the last sum.
+  // The second row is added to the first one, the third row a cycle later. If the second or the
+  // third row is negative, the 1 that it lacks enters as the carry out of an extra last place. The
+  // 1 that the first row lacks is added in the last sum.
   reg  [TWO-1:0] two_q;
   reg  [ROW-1:0] row_2_q;
   reg            two_lacks_q;

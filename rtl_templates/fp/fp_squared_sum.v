@@ -8,7 +8,7 @@
 `default_nettype none
 
 module fp_squared_sum #(
-  parameter        EXPONENT_BITS = 8,     // of the operands, 2 to 30
+  parameter        EXPONENT_BITS = 8,     // bits of an operand's exponent, 2 to 30
   parameter        PRECISION     = 24,    // digits with the leading one, 3 or more
   parameter        SUBTRACT      = 0,     // 1: a - b; 0: a + b
   parameter        GRADUAL       = 0,     // 1: subnormals; 0: flushed to zero
@@ -18,7 +18,7 @@ module fp_squared_sum #(
   parameter        DIGIT_STAGE   = 0,
   // 1: in logic, the highest quarter of the bits is late, as in fp_logic_product; needs CUTS[16].
   parameter        SPLIT         = 0,
-  parameter        SUM_SELECTS   = 2,     // bits that select, 0 to 2; see fp_add
+  parameter        SUM_SELECTS   = 2,     // bits that may select, 0 to 2; see fp_add
   parameter        FACTOR_A      = 24,    // first factor of `*`, 1 bit or more
   parameter        FACTOR_B      = 17,    // second factor of `*`, 1 bit or more
   parameter [22:0] CUTS          = 23'b0  // a register behind stage k if bit k is 1

@@ -4,8 +4,8 @@
 `default_nettype none
 
 module fp_subnormal_shift #(
-  parameter EXPONENT_WIDTH = 10,  // of `exponent`, above AMOUNT_BITS
-  parameter AMOUNT_BITS    = 6,   // of `amount`, 1 or more
+  parameter EXPONENT_WIDTH = 10,  // bits of `exponent`, above AMOUNT_BITS
+  parameter AMOUNT_BITS    = 6,   // bits of `amount`, 1 or more
   // 1: subnormals; 0: `amount` and `tiny` are 0, `limited` is `exponent`.
   parameter GRADUAL        = 1
 ) (

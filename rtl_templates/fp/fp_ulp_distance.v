@@ -5,7 +5,7 @@
 `default_nettype none
 
 module fp_ulp_distance #(
-  parameter EXPONENT_BITS = 8,     // of f and g, 2 or more
+  parameter EXPONENT_BITS = 8,     // bits of the exponents of f and g, 2 or more
   parameter PRECISION     = 24,    // digits with the leading one, 2 or more
   // Least distance in ulp that decides the order; 0: equality is decided as well.
   parameter [EXPONENT_BITS+PRECISION-1:0] GUARD_ULP = 8,
@@ -52,8 +52,8 @@ module fp_ulp_distance #(
     .q   ({s1_difference, s1_f_negative, s1_exceptional})
   );
 
-  // Stage decide: the guard has few bits. If the difference is near, all bits above them are its
-  // sign.
+  // Stage decide: the guard has few bits. If the difference is below 2^k for these k bits, all its
+  // higher bits equal its sign.
   wire s1_less = s1_difference[DIFFERENCE-1] ^ s1_f_negative;
   wire s1_near;
   wire s1_equal;

@@ -8,12 +8,12 @@
 `default_nettype none
 
 module fp_unnormalised_sum #(
-  parameter       EXPONENT_BITS  = 8,    // of the operands, 2 or more
+  parameter       EXPONENT_BITS  = 8,    // bits of an operand's exponent, 2 or more
   parameter       PRECISION      = 24,   // digits with the leading one, 3 or more
-  parameter       EXPONENT_WIDTH = 10,   // of `exponent`, EXPONENT_BITS + 2 or more
+  parameter       EXPONENT_WIDTH = 10,   // bits of `exponent`, EXPONENT_BITS + 2 or more
   parameter       SUBTRACT       = 0,    // 1: a - b; 0: a + b
   parameter       GRADUAL        = 0,    // 1: subnormals; 0: operands are flushed, the sum is not
-  parameter       SUM_SELECTS    = 2,    // bits that select, 0 to 2; see fp_add
+  parameter       SUM_SELECTS    = 2,    // bits that may select, 0 to 2; see fp_add
   parameter [8:0] CUTS           = 9'b0  // a register behind stage k if bit k is 1
 ) (
   input  wire                               aclk,

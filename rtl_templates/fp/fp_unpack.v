@@ -5,7 +5,7 @@
 `default_nettype none
 
 module fp_unpack #(
-  parameter       EXPONENT_BITS    = 8,   // of the operand, 2 or more
+  parameter       EXPONENT_BITS    = 8,   // bits of the operand's exponent, 2 or more
   parameter       PRECISION        = 24,  // digits with the leading one, 2 or more
   parameter       SPECIAL_OPERANDS = 1,   // 0 promises no NaN and no infinity
   parameter       UNDERFLOW        = 1,   // 0 promises that no operand is subnormal

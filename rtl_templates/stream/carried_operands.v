@@ -33,7 +33,7 @@ module carried_operands #(
   localparam PART_BITS  = ((OPERAND_BITS - 1) >> BEAT_BITS) + 1;
   localparam LANE_BITS  = (LANES > 32) ? 6 : (LANES > 16) ? 5 : (LANES > 8) ? 4 : (LANES > 4) ? 3
                         : (LANES > 2)  ? 2 : (LANES > 1)  ? 1 : 0;
-  localparam PLACE_BITS = LANE_BITS + BEAT_BITS;     // of a beat in a slot: {its lane, its number}
+  localparam PLACE_BITS = LANE_BITS + BEAT_BITS;     // names a beat of a slot: {lane, beat}
   localparam MARKS      = (LANES == 1) ? 0 : LANES;  // a slot of one lane needs no mark
 
   // Invalid parameters instantiate a module that does not exist: elaboration fails.
@@ -47,7 +47,7 @@ module carried_operands #(
 
   wire                              waiting_valid;
   wire                              waiting_ready;
-  wire [MARKS+SLOT_BITS-1:0]        waiting;  // {its lanes, a slot}
+  wire [MARKS+SLOT_BITS-1:0]        waiting;  // {the marks of its lanes, a slot}
   wire [SLOT_BITS-1:0]              waiting_slot = waiting[SLOT_BITS-1:0];
   wire                              unused_ready;
   wire [MARKS+SLOT_BITS-1:0]        undecided;
@@ -59,7 +59,7 @@ module carried_operands #(
   reg                               request_last_q;
   wire [PART_BITS-1:0]              request_part;
   wire                              load = lane_valid && !request_valid_q;
-  wire [SLOT_BITS+PLACE_BITS-1:0]   beat_address;  // of the beat that is read next
+  wire [SLOT_BITS+PLACE_BITS-1:0]   beat_address;  // the address of the beat that is read next
   wire                              last_beat;
   wire [(PART_BITS<<PLACE_BITS)-1:0] whole_operands;
 

@@ -1,5 +1,6 @@
 // delay_line: q is d delayed by LENGTH cycles.
-// Latency LENGTH. No reset, so that it becomes shift registers: for data, never for valid bits.
+// Latency LENGTH. There is no reset, so that synthesis can use shift registers. It is for data,
+// never for valid bits.
 `default_nettype none
 
 module delay_line #(

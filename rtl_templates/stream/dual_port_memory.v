@@ -1,8 +1,8 @@
 // dual_port_memory: one write port, one synchronous read port with an enable.
-// Latency 1. No reset, so that it becomes LUT or block RAM. A read of the address that is written
-// in the same cycle returns no word. No user reads so, and simulation answers with unknown bits.
-// Attributes keep synthesis from building logic that would answer (Yosys: no_rw_check, Quartus:
-// ramstyle, Vivado: rw_addr_collision).
+// Latency 1. There is no reset, so that synthesis can use LUT RAM or block RAM. A read of the
+// address that is written in the same cycle returns no word. No module reads like that, and
+// simulation answers with unknown bits. Attributes keep synthesis from building logic that would
+// answer (Yosys: no_rw_check, Quartus: ramstyle, Vivado: rw_addr_collision).
 `default_nettype none
 
 module dual_port_memory #(

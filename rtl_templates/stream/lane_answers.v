@@ -30,7 +30,7 @@ module lane_answers #(
 );
 
   localparam SLOTS_KEPT = (WITH_SLOT != 0) ? SLOT_BITS : 0;
-  localparam FLAGS      = (LANES == 1) ? 0 : LANES;  // the one lane of a word was recomputed
+  localparam FLAGS      = (LANES == 1) ? 0 : LANES;  // one lane needs no flag: it was recomputed
   localparam WIDTH      = SLOTS_KEPT + FLAGS + 2 * LANES;
 
   // Invalid parameters instantiate a module that does not exist: elaboration fails.
@@ -88,7 +88,7 @@ module lane_answers #(
       wire [LANES-1:0]   next     = left & (~left + ONE);
       wire               complete = s_answer_valid && (left == next);
       reg                complete_q;
-      reg  [2*LANES-1:0] verdict_q;   // of answered lanes; of all in a complete word
+      reg  [2*LANES-1:0] verdict_q;   // verdicts of answered lanes; in a complete word of all lanes
       reg  [LANES-1:0]   recomputed_q;
 
       assign word[3*LANES-1:0] = {s_word_undecided, s_word_verdict};

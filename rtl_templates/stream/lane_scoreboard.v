@@ -54,8 +54,8 @@ module lane_scoreboard #(
   localparam PART_BITS      = ((OPERAND_BITS - 1) >> BEAT_BITS) + 1;
   localparam REQUEST_BITS   = SLOT_BITS + ((CARRIED != 0) ? PART_BITS : TAG_BITS);
   // SENDS_OPERANDS: the operands of an undecided comparison leave at once. Otherwise the comparison
-  // waits among the results until its tag is read, which is its request with SENDS_TAG and else its
-  // result.
+  // waits among the results until its tag is read. With SENDS_TAG the tag then leaves as a request,
+  // without it the comparison leaves as a result.
   localparam SENDS_OPERANDS = ((RECOMPUTE != 0) && (CARRIED != 0)) ? 1 : 0;
   localparam SENDS_TAG      = ((RECOMPUTE != 0) && (CARRIED == 0)) ? 1 : 0;
 

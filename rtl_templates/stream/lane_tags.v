@@ -3,10 +3,10 @@
 // If `s_result_asks` marks a lane, the word leaves on m_request instead, as {slot, tag + lane} for
 // each marked lane, latency 2 (with LANES > 1: 4), and its tag stays in the memory.
 //
-// Both use the one read port. So a result waits while a word that asks does: the second one (with
-// LANES > 1: the third). At most one word leaves in a cycle, and one request in two: the request
-// register loads only when empty, so no path leads on from m_request_tready in the same cycle.
-// Reset forgets the words that were read.
+// Results and requests share the one read port. While requests are not taken, the second word that
+// asks (with LANES > 1: the third) waits at the port, and results wait behind it. At most one word
+// leaves in a cycle, and one request in two: the request register loads only when empty, so no path
+// leads on from m_request_tready in the same cycle. Reset forgets the words that were read.
 `default_nettype none
 
 module lane_tags #(

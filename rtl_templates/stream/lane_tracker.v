@@ -1,6 +1,6 @@
-// lane_tracker: knows to which slot the verdicts belong that leave LANES free-running lanes side by
-// side. A word of comparisons enters with `start`; LANE_LATENCY + 1 cycles later it leaves with
-// `exit` and its verdicts. One word per cycle. Reset forgets all.
+// lane_tracker: keeps the slot of each word inside LANES free-running lanes, and gives the slot out
+// when the word's verdicts leave the lanes. A word of comparisons enters with `start`; LANE_LATENCY
+// + 1 cycles later it leaves with `exit` and its verdicts. One word per cycle. Reset forgets all.
 `default_nettype none
 
 module lane_tracker #(

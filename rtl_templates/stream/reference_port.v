@@ -132,7 +132,7 @@ module reference_port #(
     end else begin : g_folded
       localparam LAST_PHASE   = INITIATION_INTERVAL - 1;
       localparam ANSWER_PHASE = REFERENCE_LATENCY % INITIATION_INTERVAL;
-      // This is how many comparisons may be inside. Each moves on by one place when the next may
+      // The number of comparisons that may be inside. Each moves on by one place when the next may
       // start.
       localparam PLACES       = (REFERENCE_LATENCY + INITIATION_INTERVAL - 1) / INITIATION_INTERVAL;
 

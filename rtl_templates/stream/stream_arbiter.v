@@ -23,7 +23,7 @@ module stream_arbiter #(
   output wire [WIDTH-1:0]        m_axis_tdata
 );
 
-  function integer bits_to_count;  // at least 1
+  function integer bits_to_count;  // the bits that count to values - 1, at least 1
     input integer values;
     begin
       bits_to_count = 1;

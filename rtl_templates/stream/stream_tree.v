@@ -21,7 +21,7 @@ module stream_tree #(
   output wire [WIDTH-1:0]        m_axis_tdata
 );
 
-  function integer streams_after;  // after `levels` levels of arbiters
+  function integer streams_after;  // streams that are left after `levels` levels of arbiters
     input integer levels;
     integer k;
     begin

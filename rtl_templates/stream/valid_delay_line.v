@@ -1,5 +1,5 @@
-// valid_delay_line: q is d delayed by LENGTH cycles. Latency LENGTH. Reset forgets all bits inside:
-// for valid bits.
+// valid_delay_line: q is d delayed by LENGTH cycles. Latency LENGTH. It is for valid bits: reset
+// forgets all bits inside.
 `default_nettype none
 
 module valid_delay_line #(

@@ -1,6 +1,7 @@
-// A techmap file for Yosys: shift registers give their last register to a flip-flop, which is three
-// times as fast. The vendor's tools do so where a path begins in one (Xilinx UG904, "Shift Register
-// Optimization"); Yosys leaves it inside. Longer ones than 32 are chains, of which the last is split.
+// A techmap file for Yosys. It makes the last register of each shift register a flip-flop, whose
+// output is three times as fast. The vendor's tools do so if a path begins in the shift register
+// (Xilinx UG904, "Shift Register Optimization"); Yosys does not. Yosys makes chains of shift
+// registers of more than 32 bits, and only the last one of a chain is split.
 
 (* techmap_celltype = "SRL16E" *)
 module shift_register_of_16 (
@@ -25,7 +26,9 @@ module shift_register_of_16 (
   parameter        _TECHMAP_CONSTVAL_A2_ = 1'b0;
   parameter        _TECHMAP_CONSTVAL_A3_ = 1'b0;
 
-  // The address counts the registers in front of the one that is read.
+  // Yosys sets bit k of _TECHMAP_CONSTMSK_ if bit k of the address is constant, and then gives the
+  // constant in _TECHMAP_CONSTVAL_. The address is the number of registers in front of the one that
+  // is read.
   localparam       IS_FIXED = _TECHMAP_CONSTMSK_A0_ && _TECHMAP_CONSTMSK_A1_
                               && _TECHMAP_CONSTMSK_A2_ && _TECHMAP_CONSTMSK_A3_;
   localparam [3:0] ADDRESS  = {_TECHMAP_CONSTVAL_A3_, _TECHMAP_CONSTVAL_A2_,

@@ -1,4 +1,5 @@
-// embedded_multiplier, as a cell of ECP5 with its registers, which Yosys does not use by itself.
+// embedded_multiplier: a * b, by a multiplier cell of ECP5 with the cell's registers, which Yosys
+// does not use by itself.
 // Latency: the population count of CUTS (three bits); initiation interval 1; no reset.
 // Multipliers with a factor of more than 18 bits, or without a register, are left to synthesis.
 `default_nettype none

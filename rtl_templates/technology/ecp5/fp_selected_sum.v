@@ -1,4 +1,5 @@
-// fp_selected_sum, in carry cells of ECP5 that select as well, which Yosys does not make by itself.
+// fp_selected_sum: a + (select ? c : b) + carry, modulo 2^WIDTH, with the cut of fp_halved_sum. Its
+// carry cells of ECP5 also select, which Yosys does not make them do by itself.
 // Latency: CUTS; initiation interval 1; no reset.
 `default_nettype none
 

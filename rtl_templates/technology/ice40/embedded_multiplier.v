@@ -1,6 +1,6 @@
-// embedded_multiplier, as a cell of iCE40 UltraPlus with its registers. Yosys can find such cells
-// itself (synth_ice40 -dsp), but also moves adders into the cell that are too wide for it, and
-// fails.
+// embedded_multiplier: a * b, by a multiplier cell of iCE40 UltraPlus with the cell's registers.
+// Yosys can find such cells itself (synth_ice40 -dsp), but it also moves adders into the cell that
+// are too wide for it, and fails.
 // Latency: the population count of CUTS (three bits); initiation interval 1; no reset.
 // Multipliers with factors of more than 16 bits become logic.
 `default_nettype none
@@ -30,7 +30,7 @@ module embedded_multiplier #(
 
   generate
     if ((A_WIDTH <= 16) && (B_WIDTH <= 16)) begin : g_cell
-      // One bit more, which is not read, so that no repetition is empty.
+      // Each factor gets one bit more, which is not read, so that no repetition is empty.
       wire [16:0] a_extended  = {{(17 - A_WIDTH) {a_negative}}, a};
       wire [16:0] b_extended  = {{(17 - B_WIDTH) {b_negative}}, b};
       wire [31:0] whole;
