@@ -69,8 +69,8 @@ std::vector<error::ProfiledError> profile_parts(const scene::Scene& scene, const
   return parts;
 }
 
-/// The key of a constant that the scene does not give and that the data do not determine: in some
-/// part no comparison has such a relative error.
+/// The key of a constant that the scene does not give and that the data do not determine, because
+/// in some part no comparison has that relative error.
 std::optional<std::string> unmeasured_constant(const scene::ReducedSpec& reduced,
                                                const std::vector<error::ProfiledError>& parts) {
   for (const error::ProfiledError& part : parts) {

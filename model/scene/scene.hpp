@@ -115,11 +115,11 @@ struct SystemSpec {
   double slack = 0.2;             ///< R_S: share of the device that is left unused
   double target_mhz = 200;
   int lanes_per_group = 1;  ///< lanes in lock step, 1..64; in an engine 1: it has its own groups
-  int input_registers = 0;  ///< between the ports of operands and a lane, 0..2; none in an engine
+  int input_registers = 0;  ///< between the operands' ports and a lane, 0..2; 0 in an engine
   ResultOrder order = ResultOrder::tagged;
   OperandStore operands = OperandStore::carried;
   OperandMemory operand_memory = OperandMemory::logic;  ///< of carried operands
-  /// Beats of a request of carried operands, a power of two; none: "auto"
+  /// Beats of a request for carried operands, a power of two; none: "auto"
   std::optional<int> request_beats;
   int tag_bits = 32;                              ///< 1..64
   int counter_bits = 32;                          ///< 0 (no counters) or 8..64; 16..64 for axi_lite
@@ -162,7 +162,7 @@ struct Scene {
   std::vector<std::optional<mpq_class>> grids;  ///< one per graph input: a power of two
   std::vector<bool> data_ranges;  ///< one per graph input: its range is that of its data
   Arithmetic reference;           ///< rounds to nearest even
-  ReferenceStructureSpec reference_structure;  ///< of the references without [[references]]
+  ReferenceStructureSpec reference_structure;  ///< used if there is no [[references]]
   ReducedSpec reduced;
   std::vector<LaneGroupSpec> lanes;  ///< [[lanes]]; empty: system.lanes times `reduced`
   /// [second_tier]: the lanes that are asked before a reference is. None: undecided comparisons go

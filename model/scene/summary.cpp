@@ -54,7 +54,8 @@ bool knows(const TypedGraph& graph, error::Event event) {
 /// `possible`.
 void add_way(RangeQuestion& finding, const TypedGraph& graph, NodeId node,
              const error::NodeRange& range) {
-  // Two nodes may have the same text: a minimum in two formats, or two long texts that are cut.
+  // Two nodes may have the same text: a minimum in two formats, or two long expressions that are
+  // cut short.
   const std::string text = to_text(graph.nodes, graph.input_names, node, max_expression_length);
   auto& operations = finding.operations;
   if (std::find(operations.begin(), operations.end(), text) == operations.end()) {

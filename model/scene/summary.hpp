@@ -35,7 +35,7 @@ struct RangeQuestion {
 struct SideSummary {
   std::string name;
   std::string text;
-  Range value;  ///< of the reference's results, infinities aside
+  Range value;  ///< the reference's finite results
   RangeQuestion negative;
   RangeQuestion zero;
 };

@@ -29,8 +29,8 @@ std::string_view to_string(BoundKind kind);
 
 /// A way to bound the errors of a lane, whatever its precision. In profiles, tables and options it
 /// is named "relative", "running_4" (digits), "constant" or "profiled". Fixed-point lanes have
-/// "fixed_constant", "fixed_norm" or "fixed_running", in block floating point "block_constant" and
-/// so on; with guard digits "fixed_norm_g3".
+/// "fixed_constant", "fixed_norm" or "fixed_running". In block floating point the names are
+/// "block_constant" and so on. With guard digits they are like "fixed_norm_g3".
 struct Bound {
   NumberSystem system = NumberSystem::floating;
   BoundKind kind = BoundKind::relative;

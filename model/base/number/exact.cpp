@@ -36,8 +36,8 @@ long last_place(FloatFormat format, long floor_log2) {
 }
 
 /// The encoding of quotient * 2^place, where place = last_place of the value before rounding. If
-/// rounding carried the quotient to the next power of two, it carries into the exponent field, at
-/// last to infinity.
+/// rounding carried the quotient to the next power of two, it carries into the exponent field;
+/// beyond the largest number that gives infinity.
 Bits assemble(FloatFormat format, long place, const mpz_class& quotient) {
   const long binade = place + format.fraction_bits() - format.min_exponent();
   return (Bits(binade) << format.fraction_bits()) + to_bits(quotient);

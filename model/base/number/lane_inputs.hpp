@@ -29,7 +29,8 @@ public:
 
   /// N in a lane of one precision with a reference of another precision.
   int digits(int lane_precision, int reference_precision) const;
-  /// The name of this choice in such a lane. A number may stand for `rounded` or `exact`.
+  /// The name of this choice in a lane of one precision with a reference of another precision. A
+  /// number may stand for `rounded` or `exact`.
   LaneInputs in_lane(int lane_precision, int reference_precision) const;
   /// The requested number; none for `rounded` and `exact`.
   std::optional<int> number() const;

@@ -28,7 +28,8 @@ bool explains(const ColumnNames& names, const std::string& wanted) {
   return names.is_list ? subscript_in(wanted, names.name).has_value() : wanted == names.name;
 }
 
-/// An error in the scene's key of `key`, which is a ColumnNames or a WantedColumn.
+/// An error at the key of the scene that `key` comes from. `key` is a ColumnNames or a
+/// WantedColumn.
 template <class Key>
 Error mistake_of(const Key& key, std::string message, std::string received, std::string accepted) {
   return {.file = key.place.file,

@@ -12,8 +12,8 @@
 namespace mixcmp::data {
 namespace {
 
-/// Index of the first pair (i, i + 1) of item i: the sum of (count - 1) + (count - 2) + ... Below
-/// 2^63 for up to 2^31 items, so exact.
+/// Index of the first pair (i, i + 1) of item i: the sum of (count - 1) + (count - 2) + ... It is
+/// below 2^63 for up to 2^31 items, so it is exact.
 std::uint64_t first_pair_of(std::uint64_t i, std::uint64_t count) {
   return i * (2 * count - i - 1) / 2;
 }

@@ -146,8 +146,8 @@ Error two_columns(const std::string& name, std::span<const std::string> names) {
                                   first - names.begin(), second - names.begin())};
 }
 
-/// Finds a wanted column of the file. The name of one that is chosen by number must not be a
-/// number: such a file has no header, and its first row would be lost.
+/// Finds a wanted column of the file. The name of a column that is chosen by number must not be a
+/// number: then the file has no header, and its first row would be lost.
 Result<FileColumn> locate_column(const WantedColumn& wanted, std::span<const std::string> names,
                                  const Record& header, FloatFormat format,
                                  const std::string& source) {

@@ -26,7 +26,7 @@ std::string name_spelling(std::string name);
 /// is none.
 std::string subscript_problem(std::string_view key);
 
-/// The accepted subscripts, for an error about such a key.
+/// The accepted subscripts, for an error about the brackets of a key.
 std::string_view accepted_subscripts();
 
 }  // namespace mixcmp::inline expression

@@ -102,8 +102,8 @@ TypedGraph reference_graph(const Graph& graph, Arithmetic reference);
 TypedGraph sides_graph(const Graph& graph, Arithmetic reference);
 
 /// The graph in a lane's reduced format, with the conversions that `inputs` asks for. f and g are
-/// in the lane's format and are never inputs themselves. A conversion follows such an input,
-/// because an operation has to report an infinity or a NaN as exceptional.
+/// in the lane's format and are never inputs themselves. If a side is an input, a conversion
+/// follows it, because an operation has to report an infinity or a NaN as exceptional.
 TypedGraph lane_graph(const Graph& graph, FloatFormat reference, Arithmetic reduced,
                       LaneInputs inputs);
 

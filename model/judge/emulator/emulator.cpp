@@ -57,7 +57,8 @@ Decision lane_decision(const golden::LaneResult& result) {
   return result.decided ? decision_of(result.verdict) : Decision::undecided;
 }
 
-/// Runs the code and decides; `doubtful` decides those for which double cannot be trusted.
+/// Runs the code and decides; `doubtful` decides the comparisons for which double cannot be
+/// trusted.
 template <class Doubtful>
 void run(const Code& code, const FloatCriterion& criterion, Execution::Scope scope,
          OperandColumns operands, std::span<Decision> decisions, Doubtful doubtful) {

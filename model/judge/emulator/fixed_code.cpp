@@ -338,7 +338,7 @@ private:
     criterion.slope_below = power(thresholds.shift_below) * unit / radius_unit;
   }
 
-  /// The threshold is a column, read with a slope of 1.
+  /// The threshold of a running bound is a column, which the criterion reads with a slope of 1.
   void set(FixedCriterion& criterion, const fixed::RunningThresholds& thresholds, double unit) {
     const int column = code_.layout.columns++;
     FixedInstruction& threshold = code_.instructions.emplace_back(

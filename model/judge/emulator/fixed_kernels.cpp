@@ -204,7 +204,8 @@ HWY_INLINE void execute_conversion(const FixedInstruction& instruction, const Bl
   const Words words;
   for (std::size_t i = 0; i < block.size; i += hn::Lanes(Tag())) {
     const Vec x = hn::LoadU(Tag(), operands + i);
-    // Bits of doubles without a sign are ordered like the doubles; those with a sign are beyond.
+    // The bits of nonnegative doubles have the order of the doubles; the bits of negative ones are
+    // larger.
     auto taken = hn::RebindMask(Tag(), hn::Lt(hn::BitCast(words, x), hn::BitCast(words, limit)));
     Vec units = hn::Mul(x, per_unit);
     if constexpr (is_signed) {

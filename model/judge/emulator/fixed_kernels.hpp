@@ -31,7 +31,7 @@ enum class FixedKernel : std::uint8_t {
   /// `beyond` are taken, and by convert_unsigned no sign; others become NaNs.
   convert_signed,
   convert_unsigned,
-  sum,  ///< of `terms`; the others have the operands a and b
+  sum,  ///< the sum of `terms`; the next ones have operands a and b
   absolute,
   minimum,
   maximum,
@@ -69,9 +69,9 @@ struct FixedInstruction {
   double low = 0, high = 0;
   FixedSum terms = {};
   std::vector<FixedCut> cuts = {};
-  std::vector<FixedWatched> watched = {};  ///< of a running threshold
+  std::vector<FixedWatched> watched = {};  ///< for running_threshold
   std::vector<double> of_steps = {};       ///< [step]: its threshold, a number
-  double beyond = 0;  ///< of common cuts: 2^W, above all their results' magnitudes, in units
+  double beyond = 0;  ///< for common_cut: 2^W, above all results' magnitudes, in units
   int least_exponent = 0;
 };
 

@@ -119,7 +119,7 @@ constexpr mpfr_prec_t product_precision = 2 * encoding_precision;
 /// A term of a fused sum as a number.
 struct Term {
   BigFloat value{product_precision};
-  mpfr_exp_t exponent = 0;  ///< the sum of its factors'; valid if it is finite and not zero
+  mpfr_exp_t exponent = 0;  ///< sum of its factors' exponents; if it is finite and not 0
   bool exceptional = false;
 
   bool is_zero() const { return mpfr_zero_p(value.get()) != 0; }

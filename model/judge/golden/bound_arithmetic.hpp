@@ -2,8 +2,8 @@
 
 #include "model/lane/error/bound_graph.hpp"
 
-/// The golden model of rtl_templates/bound: MPFR, rounded up. Rules in
-/// model/lane/error/bound_graph.hpp.
+/// The golden model of rtl_templates/bound, by MPFR with results rounded up.
+/// model/lane/error/bound_graph.hpp has the rules.
 namespace mixcmp::golden {
 
 Bits bound_constant(BoundFormat format, const mpq_class& value);

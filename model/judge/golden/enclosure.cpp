@@ -187,7 +187,7 @@ Separation Enclosure::find_separation(NodeId id) {
     case Operation::square_root: return separation_of_root(a(), id);
     case Operation::minimum:
     case Operation::maximum: return separation_of_either(a(), b());
-    case Operation::input:  // always a point
+    case Operation::input:  // an input's interval is a point
     case Operation::convert:
     case Operation::fused_sum: break;
   }

@@ -17,7 +17,7 @@ public:
 
   BoundSample(const TypedGraph& graph, std::uint64_t seed);
 
-  /// The magnitude |x| of a node: random, but of a finite constant the true one.
+  /// The magnitude |x| of a node. It is random unless the node is a finite constant.
   const mpq_class& magnitude(NodeId id) const { return magnitudes_[id]; }
   const mpq_class& binade(NodeId id) const { return binades_[id]; }
   const mpq_class& reciprocal(NodeId id) const { return reciprocals_[id]; }

@@ -14,10 +14,10 @@ namespace {
 /// Larger than the ratio of any two numbers of any format.
 constexpr const char* huge = "1b40000";
 
-/// magnitude of the computed choice against the other operand's
+/// how its magnitude compares with the other operand's
 enum class ComputedIs { smaller, larger };
 
-/// s is true / computed of the operand that is chosen, t that of the other one.
+/// s is true / computed for the operand that is chosen, t is the same for the other one.
 std::string choice_script(ComputedIs computed, const error::RelativeBound& s,
                           const error::RelativeBound& t, const error::RelativeBound& result) {
   const bool smaller = computed == ComputedIs::smaller;

@@ -25,16 +25,16 @@ struct NodeClaim {
 /// checks.
 std::vector<NodeClaim> relative_claims(const error::Lane& lane);
 
-/// Whether a check keeps the lane from deciding where this input's sign bit is set.
+/// Whether a check keeps the lane from deciding if this input's sign bit is set.
 bool is_checked_nonnegative(const std::vector<error::RangeCheck>& checks, int input);
 
 /// Moves the ends of `bound` outward by a relative 2^(2 depth - 400) and shortens them to dyadic
 /// rationals of some 460 binary digits; [1, 1] stays as it is. Gappa's own interval ends are dyadic
-/// and rounded outward, so that it could not prove an end like 1/3, nor a chain of them, to the
+/// and rounded outward. So it could not prove an end like 1/3, nor a chain of such ends, to the
 /// last digit.
 error::RelativeBound provable(const error::RelativeBound& bound, int depth);
 
-/// These round a value >= 0 to some 460 binary digits.
+/// Both functions round a value >= 0 to some 460 binary digits.
 mpq_class rounded_down(const mpq_class& value);
 mpq_class rounded_up(const mpq_class& value);
 

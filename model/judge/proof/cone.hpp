@@ -36,21 +36,22 @@ std::vector<NodeId> nodes_of(const Cone& cone);
 /// The number of operations on the longest path from an input or constant.
 int depth_of(const TypedGraph& graph, NodeId id);
 
-/// Whether a node's operation rounds its result. Conversions, products and squares of few digits do
-/// not, which Gappa proves (exactness_script). Multiplying or dividing by a constant power of two
-/// does not, either, which is proven by hand (docs/error_bounds.md, theorem 1): Gappa counts the
-/// digits of a product as those of both factors.
+/// Whether a node's operation rounds its result. Conversions, products and squares of few digits
+/// round nothing, and Gappa proves that (exactness_script). A multiplication or division by a
+/// constant power of two rounds nothing, and that is proven by hand (docs/error_bounds.md, theorem
+/// 1): Gappa counts the digits of a product as those of both factors.
 enum class OwnRounding { rounds, exact_by_digits, exact_by_hand, never_rounds };
 OwnRounding own_rounding(const TypedGraph& graph, const TypedNode& node);
 
 /// The script for one combination of nodes that are zero.
 struct ConeCase {
-  std::string zeros;  ///< which expressions are zero, for a reader; may be empty
+  std::string zeros;  ///< the expressions that are zero, for a reader; may be empty
   std::string script;
 };
 
-/// Gappa's relative errors say nothing of zero, so there is one script per combination of zeros
-/// that may matter; no scripts where there may be more than 2^max_zero_nodes combinations.
+/// Gappa's relative errors say nothing about zero, so each combination of zeros that may matter has
+/// a script of its own. There are no scripts if there may be more than 2^max_zero_nodes
+/// combinations.
 constexpr std::size_t max_zero_nodes = 6;
 std::optional<std::vector<ConeCase>> cases_of(const Cone& cone);
 

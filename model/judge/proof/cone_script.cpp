@@ -118,8 +118,9 @@ void CaseScript::add_leaf(NodeId id, int number) {
   add_magnitude(id);
 }
 
-/// Assumes a leaf's sign and magnitude; of an input's sign no more than the lane checks. Both are
-/// one fact: from two facts Gappa would discard the conclusion as too small an improvement.
+/// Assumes a leaf's sign and magnitude. An input's sign is assumed only if the lane checks it. Sign
+/// and magnitude are one fact: from two facts Gappa would discard the conclusion as too small an
+/// improvement.
 void CaseScript::add_magnitude(NodeId id) {
   const bool is_input = graph_.nodes[id].operation == Operation::input;
   const bool nonnegative = is_input ? is_checked_nonnegative(*cone_.checks, graph_.nodes[id].input)

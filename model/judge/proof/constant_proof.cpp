@@ -97,9 +97,9 @@ void ConstantProof::prove_at_most(std::string what, error::BoundId bound, const 
   nodes_.add(nodes_.run_scripts(std::move(what), {{"", script.text()}}));
 }
 
-/// Defines a bound, its operands first. A maximum becomes a variable up to a limit that, as the
-/// script also concludes, neither operand exceeds. The operands do not depend on the variable, so
-/// that the limit holds for the true maximum.
+/// Defines a bound, its operands first. A maximum becomes a variable with an upper limit. The
+/// script also concludes that neither operand exceeds this limit. The operands do not depend on the
+/// variable, so the limit holds for the true maximum.
 void ConstantProof::add_bound(Script& script, error::BoundId id, std::set<std::string>& known) {
   if (!known.insert(name(id)).second) return;
   const error::BoundNode& node = analysis_.bounds[id];
@@ -167,7 +167,7 @@ mpq_class ConstantProof::greatest_binade(NodeId id) {
 }
 
 /// An upper limit of the bound, a little too large, which Gappa checks. The reciprocal of a value
-/// that may be zero has no limit; the result is then 0, which Gappa cannot prove.
+/// that may be zero has no limit. The result is then 0, and Gappa cannot prove that.
 mpq_class ConstantProof::greatest(error::BoundId id) {
   const error::BoundNode& node = analysis_.bounds[id];
   const auto operand = [&](int k) { return greatest(node.operands[k]); };
@@ -198,8 +198,8 @@ bool is_constant(const error::AbsoluteBoundCriterion& criterion) {
          nodes.front().operation == error::BoundOperation::constant;
 }
 
-/// Numbers of P digits are more than one part in 2^P apart, and an f - g less than half a step
-/// beyond the constant is still rounded to it.
+/// Numbers of P digits are more than one part in 2^P apart. A difference f - g that exceeds the
+/// constant by less than half a step is still rounded to the constant.
 std::optional<mpq_class> decided_beyond(const error::Lane& lane) {
   const auto& criterion = std::get<error::AbsoluteBoundCriterion>(lane.criterion());
   MIXCMP_CHECK(is_constant(criterion));

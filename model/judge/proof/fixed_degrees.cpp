@@ -10,7 +10,7 @@ using fixed::FixedNode;
 /// None: zero, which has every degree.
 using Degree = std::optional<mpq_class>;
 
-/// The degree of a result; none where its operands differ in theirs.
+/// The degree of a result; none if its operands differ in degree.
 std::optional<Degree> degree_of(const FixedNode& node, const std::vector<Degree>& degrees) {
   const auto degree = [&](int k) { return degrees[node.operands[k]]; };
   switch (node.operation) {

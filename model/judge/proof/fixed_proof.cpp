@@ -23,8 +23,8 @@ namespace {
 using fixed::FixedLane;
 using fixed::FixedNode;
 
-/// Gappa reads dyadic numbers: where a constant is none, errors are rounded outward to this many
-/// places below the unit.
+/// Gappa reads only dyadic numbers. If a constant is not dyadic, errors are rounded outward to this
+/// many places below the unit.
 constexpr int places = 128;
 
 constexpr std::size_t most_characters = 60;
@@ -96,7 +96,7 @@ private:
     return to_text(typed_, lane_.input_names, id, most_characters);
   }
 
-  /// The number computed, and its error; the number that it stands for is their difference.
+  /// The computed number, and its error. The real number that it stands for is their difference.
   static std::string computed(NodeId id) { return fmt::format("x{}", id); }
   static std::string error(NodeId id) { return fmt::format("e{}", id); }
   static std::string truth(NodeId id) { return fmt::format("(x{0} - e{0})", id); }
@@ -132,8 +132,8 @@ private:
     units_are_right_ = units_are_right_ && has_right_unit(nodes_[id]);
   }
 
-  /// Whether the format counts the unit that the operation's hardware has, bits dropped. Inputs of
-  /// fixed point, constants and roots have units of their own.
+  /// Whether the format's unit is the one that the operation's hardware has once bits are dropped.
+  /// Inputs (except in block floating point), constants and roots may have any unit.
   bool has_right_unit(const FixedNode& node) const {
     const auto unit = [&](int k) { return nodes_[node.operands[k]].format.unit_exponent; };
     const int own = node.format.unit_exponent - node.dropped_bits;
@@ -161,7 +161,7 @@ private:
     MIXCMP_CHECK(false);
   }
 
-  /// Whether the format holds all that the result can be.
+  /// Whether the format holds every possible result.
   static bool fits(const FixedNode& node) {
     return in_format(node.value, node.format) == node.value;
   }
@@ -208,8 +208,8 @@ private:
     node.value = fixed::rounded_down(node.value, node.format.unit());
   }
 
-  /// The ends of a limit that hardware checks: those inside the range that the lane states for the
-  /// operand. The other ends are the operand's.
+  /// The range of a limit's result. Hardware checks an end of the limit if it lies inside the range
+  /// that the lane states for the operand. Any other end is that of the operand.
   Range within_limits(const FixedNode& limit, const Range& operand) const {
     const Range& said = lane_.nodes[limit.operands[0]].value;
     return {limit.value.low > said.low ? limit.value.low : operand.low,
@@ -223,7 +223,8 @@ private:
             std::min<mpq_class>(value.high, format.largest() * unit)};
   }
 
-  /// Cuts and limits: theorem 2, by hand; common cuts: theorem 7; reaches: theorem 8.
+  /// Derives the value and error of a conversion: a cut or a limit by theorem 2, by hand; a common
+  /// cut by theorem 7; a reach by theorem 8.
   void convert(FixedNode& node) {
     const FixedNode& operand = nodes_[node.operands[0]];
     switch (*node.conversion) {
@@ -247,8 +248,8 @@ private:
     MIXCMP_CHECK(false);
   }
 
-  /// Whether the operands of all common cuts have at most `most_dropped` bits more than W, and that
-  /// is the same number for all of them.
+  /// Whether the operand of each common cut has at most `most_dropped` bits more than W, and
+  /// `most_dropped` is the same for all common cuts.
   bool cuts_drop_enough() const {
     const int most = fixed::most_dropped_in_common(lane_);
     return std::all_of(nodes_.begin(), nodes_.end(), [&](const FixedNode& node) {
@@ -338,7 +339,8 @@ private:
     }
   }
 
-  /// Whether a difference between the constants is 0, and that of the real numbers.
+  /// Whether a difference that lies between the constants is 0, and the real difference is 0 as
+  /// well.
   static bool is_exact(const FixedNode& difference, const fixed::ConstantThresholds& thresholds) {
     return difference.error.low == 0 && difference.error.high == 0 &&
            thresholds.greater_from == 1 && thresholds.less_to == -1;
@@ -368,8 +370,8 @@ private:
     add_exact("the threshold of each step lies beyond the error of f - g there", suffice);
   }
 
-  /// Whether hardware has such steps: as many as there are, each with a bit of every watched
-  /// number, all of which the difference is computed from.
+  /// Whether hardware can have these steps: their number is allowed, every watched number has a bit
+  /// left in each step, and the difference is computed from all watched numbers.
   bool steps_are_right(const fixed::RunningThresholds& thresholds,
                        const fixed::FixedPart& part) const {
     const auto last = static_cast<int>(thresholds.of_steps.size()) - 1;
@@ -410,8 +412,8 @@ private:
     add_exact("what is beyond reach decides", decide);
   }
 
-  /// Whether an element of x computes with no number that is beyond a reach, but its own; and the
-  /// square of one beyond that is `far` or more.
+  /// Whether an element of x depends on no reach except its own, and the square of an element
+  /// beyond its reach is `far` or more.
   bool decides_beyond(NodeId element, const mpq_class& far) const {
     const FixedNode& node = nodes_[element];
     if (!fixed::is_reach(node)) return !depends_on_reach(element);

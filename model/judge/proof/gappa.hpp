@@ -26,8 +26,8 @@ struct GappaRun {
   std::string certificate;  ///< empty unless proven and asked for
 };
 
-/// "1.4.1" of the gappa that PATH finds; an error where it finds none that runs, or one that proves
-/// a statement which is false.
+/// "1.4.1" of the gappa that PATH finds; an error if no gappa there runs, or if it proves a
+/// statement that is false.
 Result<std::string> gappa_version();
 
 /// Runs the gappa that PATH finds on a script, for at most `seconds` of wall time.

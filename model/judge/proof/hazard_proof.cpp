@@ -99,7 +99,7 @@ void HazardProof::add_unbuilt(NodeId id, const std::string& left_out, const std:
        doubtful.empty() ? "by exact arithmetic, from these ranges" : doubtful + " may occur"});
 }
 
-/// Whether a node is neither a NaN nor an infinity without help from any flag.
+/// Whether a node can be neither a NaN nor an infinity, even if no flag is looked at.
 bool HazardProof::is_finite(NodeId id) {
   switch (node(id).operation) {
     case Operation::input: return checked_[static_cast<std::size_t>(node(id).input)].has_value();
@@ -122,8 +122,8 @@ bool HazardProof::is_finite(NodeId id) {
   return never_overflows(id) && all_operands(id, [&](NodeId k) { return is_finite(k); });
 }
 
-/// Whether a node's range lies within its format. Not if the node has the flag, since its range may
-/// then assume a finite result. A selection never overflows.
+/// Whether a node's range lies within its format. False if the node has the flag for overflow,
+/// since its range may then assume a finite result. A selection never overflows.
 bool HazardProof::never_overflows(NodeId id) {
   if (is_choice(node(id).operation)) return true;
   const bool divides = node(id).operation == Operation::divide;
@@ -144,7 +144,8 @@ bool HazardProof::never_subnormal(NodeId id) {
   return (flushes && is_flushed(id)) || is_apart_from_zero(id);
 }
 
-/// Whether a node is the result of a unit that flushes subnormal numbers, up to sign and selection.
+/// Whether a node is the result of a unit that flushes subnormal numbers, or a sign change or a
+/// selection of such results.
 bool HazardProof::is_flushed(NodeId id) {
   switch (node(id).operation) {
     case Operation::input:

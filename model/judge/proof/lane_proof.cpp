@@ -25,8 +25,9 @@ void add_once(std::vector<ByHand>& list, ByHand step) {
   if (std::find(list.begin(), list.end(), step) == list.end()) list.push_back(std::move(step));
 }
 
-/// Appends the findings that are not listed yet; a node's range may come twice. Long expressions
-/// are told cut short: the scripts tell them apart.
+/// Appends the findings that are not listed yet; a node's range may come twice. Findings about
+/// different long expressions may have the same text, because it is cut short, but they have
+/// different scripts.
 void add_new(std::vector<Finding>& findings, std::vector<Finding> more) {
   for (Finding& finding : more) {
     const bool known = std::any_of(findings.begin(), findings.end(), [&](const Finding& other) {

@@ -11,7 +11,7 @@
 namespace mixcmp::proof {
 
 enum class Outcome {
-  proven,      ///< by Gappa, or by exact arithmetic where the finding says so
+  proven,      ///< by Gappa, or by exact arithmetic if the finding says so
   not_proven,  ///< within Gappa's theory, but without a proof: the bound is refused
   out_of_time,
   not_expressible,  ///< outside Gappa's theory; the proof by hand stands
@@ -21,7 +21,7 @@ std::string_view to_string(Outcome outcome);
 
 struct ScriptResult {
   Outcome outcome;
-  std::string detail;  ///< Gappa's words where it is not proven
+  std::string detail;  ///< Gappa's words if it is not proven
   std::string file;    ///< of the kept script, if any
 };
 /// Has Gappa prove one script, or returns the result that is known from before.
@@ -55,7 +55,7 @@ struct ByHand {
 
 struct LaneProof {
   std::string lane;  ///< "s17e8, nearest_even"
-  std::string kind;  ///< of the error bound
+  std::string kind;  ///< the kind of error bound
   std::vector<Finding> findings;
   std::vector<ByHand> by_hand;
 
@@ -63,8 +63,8 @@ struct LaneProof {
   bool machine_checked() const;
   /// Something within Gappa's theory is not proven: the bound must not be called certified.
   bool refused() const;
-  /// "machine-checked but for theorems 7 and 8, by hand" with every such step, "refused: ...",
-  /// "not machine-checked: ...".
+  /// "machine-checked but for theorems 7 and 8, by hand", which names all steps by hand; "refused:
+  /// ..."; or "not machine-checked: ...".
   std::string verdict() const;
 };
 
@@ -72,8 +72,8 @@ struct LaneProof {
 ByHand scaling_by_hand();
 
 /// Proves the statements on which the lane's decision rests, and that hazards without hardware
-/// cannot occur; see docs/error_bounds.md. A lane of several parts is proven part by part: that the
-/// parts' decisions give the lane's is theorem 11, by hand.
+/// cannot occur; see docs/error_bounds.md. A lane of several parts is proven part by part. Theorem
+/// 11, by hand, says that the parts' decisions give the lane's.
 LaneProof prove_lane(const error::Lane& lane, const Prove& prove, Effort effort);
 
 /// Proves a lane in fixed point, operation by operation; docs/fixed_point.md has the theorems.

@@ -138,8 +138,8 @@ Range NodeRanges::given(NodeId id) const {
   return {value, value};
 }
 
-/// Whether nothing is known of a node but that it is finite, or flagged: a quotient whose divisor
-/// lies on both sides of zero. There is nothing to prove of it.
+/// Whether a node is only known to be finite or flagged: a quotient whose divisor may lie on either
+/// side of zero. There is nothing to prove about it.
 bool NodeRanges::is_any_finite_quotient(NodeId id) const {
   const TypedNode& node = graph_.nodes[id];
   if (node.operation != Operation::divide || !flags_overflow(lane_, id)) return false;

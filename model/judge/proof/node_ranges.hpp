@@ -30,16 +30,16 @@ mpq_class binade(const mpq_class& value);
 mpq_class least_magnitude(const Range& range);
 mpq_class greatest_magnitude(const Range& range);
 
-/// Intervals of the values that a lane computes wherever every operand passes its check and no
-/// operation is exceptional. Interval analysis proposes an interval, and Gappa proves it from those
-/// of the node's operands, with one script per operation. The intervals of inputs are those that
-/// their checks enforce.
+/// Intervals of the values that a lane computes if every operand passes its check and no operation
+/// is exceptional. Interval analysis proposes an interval, and Gappa proves it from those of the
+/// node's operands, with one script per operation. The intervals of inputs are those that their
+/// checks enforce.
 class NodeRanges {
 public:
   NodeRanges(const error::Lane& lane, NodeProver& nodes);
 
   /// Proves the ranges of the node and of all nodes that it depends on, each once. Returns the
-  /// range even if the proof fails; whether it is proven stands in the findings of the NodeProver.
+  /// range even if the proof fails. The findings of the NodeProver say whether it is proven.
   const Range& prove_range(NodeId id);
 
 private:

@@ -20,7 +20,7 @@ public:
   NodeId other_side() const { return difference_.operands[1]; }      ///< s^2 or |y|^2
   const std::vector<NodeId>& elements() const { return elements_; }  ///< of x
 
-  /// At least G + H of theorem 8.
+  /// An upper limit of G + H of theorem 8.
   mpq_class far_square() const;
 
 private:

@@ -31,11 +31,11 @@ private:
 ///   HASH.g        the input of Gappa
 ///   HASH.v        the proof, for coqc with the library of Gappa
 ///   HASH.verdict  Gappa's version, verdict and output
-/// A verdict is written last, and each file whole or not at all, so that an interrupted run can be
-/// resumed. A script that the same version of Gappa has proven is not proven again.
+/// A verdict is written last, and each file is written whole or not at all, so an interrupted run
+/// can be resumed. A script that the same version of Gappa has proven is not proven again.
 class ProofDirectory {
 public:
-  /// Makes the directory and locks it until this object is destroyed; `waiting` is called where
+  /// Makes the directory and locks it until this object is destroyed; `waiting` is called if
   /// another run holds the lock. It is an error if the directory cannot be locked.
   static Result<ProofDirectory> open(const std::filesystem::path& path, double seconds_a_script,
                                      const Waiting& waiting = {});
@@ -48,7 +48,7 @@ public:
   /// The version of Gappa, or why there is none.
   const Result<std::string>& gappa() const { return version_; }
   int reused() const { return reused_; }
-  /// A file that could not be written, if any: scripts are proven all the same.
+  /// The error of a file that could not be written, if any. Scripts are proven all the same.
   const std::optional<Error>& failure() const { return failure_; }
   /// The first run of Gappa that ended without a verdict, if any.
   const std::optional<Error>& broken() const { return broken_; }

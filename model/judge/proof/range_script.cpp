@@ -74,7 +74,7 @@ std::string RangeWriter::rounded(const std::string& expression, int precision) {
   return fmt::format("{}({})", rounding, expression);
 }
 
-/// An input is exact by definition, so that both names stand for one number.
+/// An input is exact by definition, so both names stand for one number.
 void RangeWriter::add_input(NodeId id) {
   const int input = graph_.nodes[id].input;
   const std::optional<Range>& range = ranges_[input];

@@ -30,8 +30,7 @@ public:
 
 private:
   void prove_root(const std::string& name, NodeId root);
-  /// Tries one proof for the whole expression; false where its operations must be proven one by
-  /// one.
+  /// Tries one proof for the whole expression; false if its operations must be proven one by one.
   bool prove_whole(const std::string& name, const Cone& cone);
   void check_guard();
   Bits guard_from(Width width) const;
@@ -139,8 +138,8 @@ Bits RelativeProof::guard_from(Width width) const {
                                        before_rounding(graph_.g(), width), format.precision()));
 }
 
-/// Checks the guard against the proven bounds. Where f and g have the same constant factor, its
-/// error cancels exactly, but with any widening it does not: there the guard follows from the exact
+/// Checks the guard against the proven bounds. If f and g have the same constant factor, its error
+/// cancels exactly in exact bounds, but not in widened ones. The guard then follows from the exact
 /// bounds only.
 void RelativeProof::check_guard() {
   const auto& criterion = std::get<error::UlpDistanceCriterion>(lane_.criterion());

@@ -227,8 +227,8 @@ void RuleWriter::add_deviations() {
   add_largest(largest, deviation);
 }
 
-/// Adds the term of the larger magnitude. The bound gives it a weight of its own choice, which is
-/// derived from the first sample.
+/// Adds the term of the larger magnitude. The bound may choose the weight of this term, so the
+/// weight is derived from the first sample.
 void RuleWriter::add_largest(const Weight& largest, const std::string& deviation) {
   const BoundSample sample(graph_, 0);
   mpq_class rest = error(id_)(sample);

@@ -37,19 +37,19 @@ struct Rule {
   std::optional<Identity> identity;  ///< why the error is this sum; if none, by hand
 };
 
-/// A condition that a rule needs: `bound` <= |value|. It is met where the analysis has a condition
-/// on the same node whose bound is at least `bound` in every sample.
+/// A condition that a rule needs: `bound` <= |value|. It is met if the analysis has a condition on
+/// the same node whose bound is at least `bound` in every sample.
 struct RuleCondition {
   NodeId value;
   std::function<mpq_class(const BoundSample&)> bound;
 };
 
-/// The rules of one node; several where the error is one of several sums. They are written from
-/// theorem 7, independently of the analysis.
+/// The rules of one node. There are several if the error is one of several sums. They are written
+/// from theorem 7, independently of the analysis.
 struct NodeRules {
   std::vector<Rule> rules;
   std::vector<RuleCondition> conditions;
-  /// The factor before a sum's own rounding, where its operands may cancel.
+  /// The factor before a sum's own rounding, if its operands may cancel.
   std::optional<mpq_class> center;
 };
 NodeRules rules_of(const TypedGraph& graph, const error::ErrorAnalysis& analysis, NodeId id);

@@ -166,7 +166,7 @@ bool stands_for(const error::Lane& lane, int lane_bound, const error::ErrorAnaly
   });
 }
 
-/// Whether the guard covers the inflation. A guard of 0 suffices for one of the size of the
+/// Whether the guard covers the inflation. A guard of 0 suffices for an inflation as small as the
 /// proof's own widening, since numbers of P digits are further apart.
 bool guards(Bits guard, const mpq_class& inflation, int precision) {
   if (inflation <= 1 + power_of_two(-precision - 2)) return true;

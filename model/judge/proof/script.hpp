@@ -40,8 +40,8 @@ public:
   /// Has Gappa compute with at least this many digits.
   void ask_for_digits(int digits) { digits_ = std::max(digits_, digits); }
 
-  /// The script as Gappa reads it. Its options ask for enough digits and forbid bisection, which
-  /// would search for hours where a proof does not follow at once.
+  /// The script as Gappa reads it. Its options ask for enough digits, and forbid bisection, which
+  /// would search for hours if a proof does not follow at once.
   std::string text() const;
 
 private:
@@ -53,7 +53,7 @@ private:
 };
 
 /// Scripts that prove theorem 1 in the binades from 1 to 2 and from -2 to -1. Exponents are
-/// unbounded, so that every other binade is one of these times a power of two.
+/// unbounded, so every other binade is one of these times a power of two.
 std::vector<std::string> rounding_scripts(int precision, Rounding rounding);
 
 /// Scripts that bound the error of a rounding relative to the power of two at or below the rounded

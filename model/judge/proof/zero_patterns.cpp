@@ -12,8 +12,7 @@ bool is_inner(const Cone& cone, NodeId id) {
   return !cone.is_leaf[id] && arity(cone.graph->nodes[id].operation) > 0;
 }
 
-/// Whether the sum is zero only where both operands are. Operands may cancel only if both are
-/// exact.
+/// Whether the sum is zero only if both operands are. Operands may cancel only if both are exact.
 bool adds_one_sign(const Cone& cone, const TypedNode& node) {
   return !(*cone.claims)[node.operands[0]].is_exact() ||
          !(*cone.claims)[node.operands[1]].is_exact();

@@ -30,7 +30,7 @@ BoundId BoundGraphBuilder::add(BoundId a, BoundId b) {
   return intern({.operation = BoundOperation::add, .operands = {a, b}, .constant = {}});
 }
 
-/// A constant factor becomes the second operand; two in a row are folded into one.
+/// A constant factor becomes the second operand. Two constant factors in a row are folded into one.
 BoundId BoundGraphBuilder::multiply(BoundId a, BoundId b) {
   if (a == no_bound_node || b == no_bound_node) return no_bound_node;
   if (constant_of(a) != nullptr) std::swap(a, b);

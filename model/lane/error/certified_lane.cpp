@@ -24,7 +24,7 @@ std::vector<bool> nonnegative(const Ranges& ranges, int input_count) {
   return result;
 }
 
-/// Digits of a constant bound: with so many, rounding it up costs nothing measurable.
+/// Digits of a constant bound. With this number of digits, rounding it up costs nothing measurable.
 constexpr int constant_bound_digits = 16;
 
 /// The first node that has no bound although its operands have.

@@ -5,8 +5,8 @@
 namespace mixcmp::error {
 
 /// Checks that no divisor may be zero if every operand passes its check; an error names one that
-/// may. The quotient by such a divisor could be as large as the format allows, and a constant that
-/// bounds its error would be useless.
+/// may. A quotient whose divisor may be zero could be as large as the format allows, and a constant
+/// that bounds its error would be useless.
 Result<Done> check_divisors(const TypedGraph& graph, const std::vector<RangeCheck>& checks);
 
 /// The largest value of `bound` if every operand passes its check. Each computed value in it is

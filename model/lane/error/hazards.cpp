@@ -93,7 +93,8 @@ private:
   }
 
   /// Whether the value is always the result of an operation, never an input or a constant passed on
-  /// by a sign change or a selection. If subnormals are flushed, such a result is never subnormal.
+  /// by a sign change or a selection. If subnormals are flushed, the result of an operation is
+  /// never subnormal.
   bool is_computed(NodeId id) const {
     switch (node(id).operation) {
       case Operation::input:

@@ -67,7 +67,7 @@ struct Hazards {
   bool special_operand = true;  ///< a NaN or an infinity among the operands
   bool overflow = true;         ///< or a division by zero
   bool underflow = true;        ///< a subnormal result, exact or not, or a subnormal operand
-  bool cancellation = true;     ///< of an add or a subtract: the addends may have unlike signs
+  bool cancellation = true;     ///< the addends of a sum may have unlike signs
 
   friend bool operator==(const Hazards&, const Hazards&) = default;
 };

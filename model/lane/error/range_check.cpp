@@ -9,7 +9,6 @@ namespace mixcmp::error {
 namespace {
 
 /// Fraction bits of a limit: neighbouring limits are 12 % apart, and a limit costs three LUTs.
-/// LUTs.
 constexpr int checked_fraction_bits = 3;
 
 Bits finite_magnitude(FloatFormat format, const mpq_class& value) {

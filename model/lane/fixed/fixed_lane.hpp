@@ -68,7 +68,8 @@ bool is_checked(const FixedNode& node);
 struct ConstantThresholds {
   mpz_class greater_from;
   mpz_class less_to;
-  /// The difference has no error: comparisons whose operands fit are decided, equal ones too.
+  /// The difference has no error: all comparisons whose operands fit are decided, also those of
+  /// equal sides.
   bool exact = false;
 
   friend bool operator==(const ConstantThresholds&, const ConstantThresholds&) = default;
@@ -113,8 +114,8 @@ struct FixedPart {
   bool swapped = false;  ///< `greater` and `less` of the decision change places
   Criterion criterion;
   /// In block floating point: if operands are multiplied by t > 0, f and g are multiplied by
-  /// t^degree. In fixed point with guard digits, the same for the numbers that are cut in common. 0
-  /// elsewhere.
+  /// t^degree. In fixed point with guard digits, the same holds for the numbers that are cut in
+  /// common. In other lanes the degree is 0.
   mpq_class degree = 0;
 
   friend bool operator==(const FixedPart&, const FixedPart&) = default;
@@ -127,10 +128,10 @@ enum class ItemRole { first, second, row };
 /// An input of a lane whose operands were loaded before (see ItemSplit). It is an integer of its
 /// node's format: a field of an item's or the row's word, or the upper bits of one.
 struct LoadedInput {
-  ItemRole role;                   ///< whose word
+  ItemRole role;                   ///< the owner of the word
   std::size_t field;               ///< of the word
   int dropped_bits;                ///< low bits of the field that are not part of the input
-  std::vector<std::size_t> flags;  ///< of the word; if any is set, the field's operands do not fit
+  std::vector<std::size_t> flags;  ///< the word's; if one is set, the field's operands do not fit
 
   friend bool operator==(const LoadedInput&, const LoadedInput&) = default;
 };

@@ -128,8 +128,8 @@ private:
     return rest;
   }
 
-  /// A checked node counts as one of several roles, so it is left to the pair: its check belongs to
-  /// a part, not to an item.
+  /// A checked node counts as read by several roles, so it stays in the lane of the pair: its check
+  /// belongs to a part, not to an item.
   std::vector<Reads> reads_of(const FixedLane& lane) const {
     std::vector<Reads> reads;
     for (const FixedNode& node : lane.nodes) {

@@ -72,7 +72,7 @@ std::optional<SquaredNorm> squared_norm(const std::vector<FixedNode>& nodes, Nod
 
 int NormThresholds::unit_exponent(const std::vector<FixedNode>& nodes) const {
   const int own = nodes[radius].format.unit_exponent;
-  return radius_is_squared ? own / 2 : own;  // that of a square is even
+  return radius_is_squared ? own / 2 : own;  // the exponent of a square's unit is even
 }
 
 NormThresholds norm_thresholds(const std::vector<FixedNode>& nodes, const NormSides& sides,

@@ -55,8 +55,9 @@ private:
   std::vector<FixedNode> nodes_;
 };
 
-/// The least distance whose sign is certainly that of the real difference; at most the first
-/// distance that no difference has. Proof: docs/fixed_point.md, theorem 3.
+/// The least distance from zero at which the sign of a difference is certainly that of the real
+/// difference. It is at most the first distance that no difference has. Proof: docs/fixed_point.md,
+/// theorem 3.
 mpz_class threshold_of(const FixedNode& difference) {
   const mpq_class unit = difference.format.unit();
   const mpz_class threshold = std::max<mpz_class>(floor_of(difference.error.high / unit) + 1,

@@ -13,7 +13,7 @@ struct SumOfSquares {
 };
 
 /// A node of an expression or of a lane as a sum of squares, which may be a single square; none if
-/// it is not such a sum.
+/// the node is neither.
 template <class Node>
 std::optional<SumOfSquares> sum_of_squares(const std::vector<Node>& nodes, NodeId sum) {
   const auto& [first, second] = nodes[sum].operands;
