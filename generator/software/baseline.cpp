@@ -97,7 +97,7 @@ VerdictCounts count_letters(const std::string& letters) {
   return {count('<'), count('='), count('>'), count('u')};
 }
 
-/// The letter that every judge gives one comparison.
+/// The letters that the judges give one comparison.
 struct ExpectedLetters {
   char golden, reference, truth;
 };

@@ -27,8 +27,8 @@ struct VerdictCounts {
   friend bool operator==(const VerdictCounts&, const VerdictCounts&) = default;
 };
 
-/// Comparisons per second of one kernel over all rounds, summed over its threads. A second is one
-/// of the thread's processor time, which equals wall-clock time where nothing else runs.
+/// Comparisons per second of one kernel over all rounds, summed over its threads. Seconds are those
+/// of the thread's processor time, which equals wall-clock time if nothing else runs.
 struct MeasuredRate {
   unsigned threads = 1;
   double best_per_s = 0, median_per_s = 0;

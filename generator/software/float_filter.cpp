@@ -32,14 +32,13 @@ mpq_class inverse_of_roundings(int count) {
   return 1 / product;
 }
 
-/// How many roundings a path to each bound node passes at most; products add those of both
-/// operands.
+/// The most roundings on a path to each bound node. A product adds those of both operands.
 std::vector<int> bound_roundings(const error::BoundGraph& bound) {
   std::vector<int> roundings;
   for (const error::BoundNode& node : bound.nodes) {
     const auto of = [&](int k) { return roundings[static_cast<std::size_t>(node.operands[k])]; };
     switch (node.operation) {
-      case BoundOperation::constant:  // up, by rounded_up
+      case BoundOperation::constant:  // rounded up, by rounded_up
       case BoundOperation::magnitude:
       case BoundOperation::binade: roundings.push_back(0); break;
       case BoundOperation::reciprocal: roundings.push_back(1); break;
@@ -72,7 +71,7 @@ bool all_finite(const ThresholdCriterion& criterion) {
                      });
 }
 
-/// The criterion in binary32; nullopt where the guard has so many steps that binary32 cannot hold
+/// The criterion in binary32; nullopt if the guard has so many steps that binary32 cannot hold
 /// their factor.
 std::optional<ThresholdCriterion> threshold_of(const error::AbsoluteBoundCriterion& criterion) {
   constexpr Bits most_steps = Bits{1} << (float_digits + 6);

@@ -12,7 +12,7 @@ namespace mixcmp::software {
 /// The format of the software's operands, binary64: it must hold the scene's numbers exactly.
 FloatFormat software_format();
 
-/// The least normal binary32 that is not below `value` >= 0; infinite where there is none.
+/// The least normal binary32 that is not below `value` >= 0; infinite if there is none.
 float float_at_least(const mpq_class& value);
 
 /// Decides for f and g that are never negative: less iff f * ratio < g, greater iff g * ratio < f.
@@ -28,9 +28,9 @@ struct FloatCondition {
   float factor;
 };
 
-/// Decides, where every condition holds, less iff difference < -threshold, greater iff difference >
-/// threshold; threshold = factor * the last bound node. The factors make up for the roundings to
-/// nearest of the bound itself, and for the guard of theorem 8.
+/// Decides if every condition holds: less iff difference < -threshold, greater iff difference >
+/// threshold, where threshold = factor * the last bound node. The factors make up for the roundings
+/// to nearest of the bound itself, and for the guard of theorem 8.
 struct ThresholdCriterion {
   NodeId difference;
   error::BoundGraph bound;  ///< its nodes are computed in binary32; its own format is not used
@@ -38,9 +38,9 @@ struct ThresholdCriterion {
   std::vector<FloatCondition> conditions;
 };
 
-/// A certified criterion in binary32 as a CPU computes it, operands rounded first. It holds where
+/// A certified criterion in binary32 as a CPU computes it; operands are rounded first. It holds if
 /// no operation is exceptional (model/judge/golden/arithmetic.hpp) and every operand passes its
-/// check; docs/baseline.md proves it.
+/// check. docs/baseline.md proves it.
 struct PartFilter {
   TypedGraph graph;
   std::variant<RatioCriterion, ThresholdCriterion> criterion;
@@ -53,7 +53,7 @@ struct FloatFilter {
   std::vector<PartFilter> parts;
 };
 
-/// A kind of filter that a scene cannot have, and why.
+/// A kind of filter that a scene cannot have, and the reason.
 struct MissingFilter {
   BoundKind kind;
   std::string reason;

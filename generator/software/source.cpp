@@ -50,7 +50,8 @@ struct Body {
   }
 };
 
-/// The operation in C++. Inputs and conversions of inputs are loads: columns are rounded already.
+/// The operation of a node in C++. Inputs and conversions of inputs are loads, since columns are
+/// rounded already.
 std::string expression(const Body& body, NodeId id) {
   const TypedNode& node = body.graph.nodes[static_cast<std::size_t>(id)];
   const auto operand = [&](int k) {
@@ -71,7 +72,7 @@ std::string expression(const Body& body, NodeId id) {
     case Operation::square_root: return fmt::format("square_root({})", operand(0));
     case Operation::minimum: return fmt::format("minimum({}, {})", operand(0), operand(1));
     case Operation::maximum: return fmt::format("maximum({}, {})", operand(0), operand(1));
-    case Operation::fused_sum: break;  // software composes
+    case Operation::fused_sum: break;  // software has only composed sums
   }
   MIXCMP_CHECK(false);
 }
@@ -108,8 +109,8 @@ std::string over_parts(const Body& body, const std::vector<Sides>& parts, const 
   return text;
 }
 
-/// The call use(less, equal, greater). All three are false where a part is unordered and no other
-/// part outweighs it.
+/// The call use(less, equal, greater). All three are false if a part is unordered and no other part
+/// outweighs it.
 std::string exact_verdict(const Body& body, const TypedGraph& graph) {
   const std::vector<Sides>& parts = graph.parts;
   const auto any = [&](const char* relation) { return over_parts(body, parts, relation, " | "); };
@@ -210,8 +211,8 @@ int sign_code(error::RequiredSign sign) {
   MIXCMP_CHECK(false);
 }
 
-/// The range checks of all parts, each once. An operand that fails one is a NaN to every part that
-/// reads it.
+/// The range checks of all parts, each once. An operand that fails a check is a NaN in every part
+/// that reads it.
 std::string checks(const FloatFilter& filter) {
   std::vector<error::RangeCheck> all;
   for (const PartFilter& part : filter.parts) {

@@ -7,7 +7,7 @@
 
 namespace mixcmp::software {
 
-/// Which columns of the data the software reads, each once.
+/// The columns of the data that the software reads, each once.
 struct SoftwareColumns {
   std::vector<std::size_t> inputs;     ///< one per column of the data file: an input that reads it
   std::vector<std::size_t> of_inputs;  ///< one per input: index into the data file's columns
@@ -20,9 +20,9 @@ bool has_software_loops(data::Pairing pairing);
 
 /// Prints a program, one C++20 file for a POSIX system, that measures itself
 /// (generator/software/program/harness.hpp says how to call it). It computes the scene's comparison
-/// on doubles and, for each filter, on floats with doubles where the filter does not decide, in
-/// loops that a compiler vectorises. It must be compiled without contraction of multiply-adds and
-/// without -ffast-math.
+/// on doubles. For each filter it also computes it on floats, and on doubles if the filter does not
+/// decide. A compiler can vectorise its loops. It must be compiled without contraction of
+/// multiply-adds and without -ffast-math.
 std::string software_source(const scene::Scene& scene, const data::Comparisons& data,
                             const FloatFilters& filters);
 

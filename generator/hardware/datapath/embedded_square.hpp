@@ -6,8 +6,8 @@
 
 namespace mixcmp::datapath {
 
-/// Sizes in rtl_templates/fp/fp_embedded_square.v, and the condition on which fp_product.v
-/// instantiates it; this class repeats both.
+/// The sizes in rtl_templates/fp/fp_embedded_square.v, and the condition under which fp_product.v
+/// instantiates that template. This class repeats both.
 class EmbeddedSquare {
 public:
   /// The links of the chain of products that have a cut of their own behind them.
@@ -16,7 +16,7 @@ public:
   EmbeddedSquare(int precision, devices::MultiplierSize multiplier)
       : precision_(precision), multiplier_(multiplier) {}
 
-  /// Tells whether a square by its symmetry takes fewer multipliers than a product does.
+  /// Tells whether a square that uses its symmetry takes fewer multipliers than a product does.
   bool is_smaller() const {
     const int products =
         ceil_div(precision_, multiplier_.a_bits) * ceil_div(precision_, multiplier_.b_bits);

@@ -16,12 +16,14 @@ bool aligns_operands(Operation operation) {
   return operation == Operation::add || operation == Operation::subtract || is_choice(operation);
 }
 
-/// Bits in two's complement: a format without a sign takes one more.
+/// The bits that hold a number of the format in two's complement. A format without a sign takes one
+/// bit more than it has.
 int signed_bits(const FixedFormat& format) {
   return format.width + (format.is_signed ? 0 : 1);
 }
 
-/// Aligns an operand to its range or, in block floating point, to the largest operand.
+/// The unit that converts an operand: aligned to its range or, in block floating point, to the
+/// largest operand.
 Unit operand_unit(const FixedLane& lane, const FixedFormat& to, const DelayTable& delays) {
   const FloatFormat from = lane.input_format;
   StageList stages(delays);
@@ -85,7 +87,8 @@ Unit decision_unit(const FixedLane&, const fixed::ConstantThresholds&,
   return std::move(stages).unit("fixed_constant_decision");
 }
 
-/// A decision by thresholds of `threshold` bits that take `root_ns` and then `threshold_ns`.
+/// The unit of a decision by thresholds of `threshold` bits. They take `root_ns` and then
+/// `threshold_ns`.
 Unit norm_decision_unit(double root_ns, double threshold_ns, int threshold,
                         const FixedFormat& difference, const DelayTable& delays) {
   StageList stages(delays);
@@ -106,7 +109,7 @@ Unit decision_unit(const FixedLane& lane, const fixed::NormThresholds& threshold
   return norm_decision_unit(root_ns, stages.carry(threshold), threshold, difference, delays);
 }
 
-/// The threshold arrives as it is: a slope of 1 and no offset.
+/// The threshold is an operand, used as it is: the slope is 1 and there is no offset.
 Unit decision_unit(const FixedLane&, const fixed::RunningThresholds& thresholds,
                    const FixedFormat& difference, const DelayTable& delays) {
   return norm_decision_unit(0, 0, threshold_bits(thresholds), difference, delays);
@@ -127,7 +130,7 @@ int operand_bits(const std::vector<FixedNode>& nodes, const FixedNode& node, int
 
 Unit fixed_unit(const FixedLane& lane, const FixedNode& node, scene::Multipliers multipliers,
                 const DelayTable& delays) {
-  // There is no table of the products of two operands.
+  // Multipliers::memory has no table of the products of two operands, so products are logic.
   const bool of_logic = multipliers != scene::Multipliers::embedded;
   const auto bits = [&](int operand) { return operand_bits(lane.nodes, node, operand); };
   switch (node.operation) {

@@ -14,10 +14,10 @@ namespace {
 /// Operations with the same key can share a unit.
 struct UnitKey {
   Operation operation;
-  int exponent;  ///< of a scaling by a power of two
+  int exponent;  ///< for a scaling by a power of two
   FloatFormat operands;
   FloatFormat result;
-  NodeId alone = -1;  ///< of an operation that shares its unit with no other
+  NodeId alone = -1;  ///< an operation that shares its unit with no other
 
   auto fields() const {
     return std::tuple(operation, exponent, operands.exponent_bits(), operands.precision(),
@@ -51,7 +51,8 @@ private:
 
   UnitKey key_of(NodeId id) const {
     const TypedNode& node = graph_.nodes[id];
-    // The terms of a fused sum are all there at once, so sharing it would take a register for each.
+    // A fused sum needs all its terms at once, so a shared unit would take a register for each
+    // term.
     if (node.operation == Operation::fused_sum) {
       return {node.operation, 0, node.operand_format, node.format, id};
     }
@@ -65,8 +66,8 @@ private:
     return {operation, 0, node.operand_format, node.format};
   }
 
-  /// Chooses the squares that multipliers compute: only where that saves squarers, and no more than
-  /// fit into the cycles that products leave free. Each multiplier therefore has a product: a
+  /// Chooses the squares that multipliers compute: only squares that save squarers, and no more
+  /// than fit into the cycles that products leave free. So each multiplier has a product. A
   /// multiplier for squares only would be larger than a squarer.
   void give_squares_to_multipliers() {
     std::map<UnitKey, std::vector<NodeId>> squares, products;
@@ -132,7 +133,8 @@ private:
 
   std::vector<UnitClass>& classes() { return folded_.classes; }
 
-  /// The operation whose unit computes all of the class: a multiplication where there is one.
+  /// The operation whose unit can compute all operations of the class: a multiplication if there is
+  /// one.
   NodeId representative(const UnitClass& shared) const {
     const auto product =
         std::find_if(shared.operations.begin(), shared.operations.end(),
@@ -161,8 +163,9 @@ private:
     return FoldedNode::Kind::wires;
   }
 
-  /// A unit with several operations reads its operands through registers. If all of them come out
-  /// of one other unit, they are read where they come out, if the plan allows that.
+  /// A unit with several operations reads its operands through registers. If all of them are
+  /// results of one other unit, they are read directly from that unit's output, if the plan allows
+  /// it.
   void plan() {
     for (UnitClass& shared : classes()) shared.reads_results = may_read_results(shared);
     if (try_plan()) return;
@@ -184,7 +187,8 @@ private:
 
   /// Tells whether a value that waits in a register costs a logic cell. In a cell of one four-input
   /// table and one register, a register occupies the whole cell. Devices with wider tables have
-  /// registers to spare, so waiting costs less there than reading a result where it comes out.
+  /// registers to spare, so waiting costs less there than reading a result directly from a unit's
+  /// output.
   bool waiting_takes_cells() const { return !scheduler_.delays().has_wide_tables(); }
 
   static bool selects(const UnitClass& shared) {
@@ -195,7 +199,8 @@ private:
     if (shared.units > 1 || shared.operations.size() == 1) return false;
     const NodeId first = graph_.nodes[shared.operations.front()].operands.front();
     return std::all_of(shared.operations.begin(), shared.operations.end(), [&](NodeId id) {
-      // Subtractions change a sign on the way into their unit, products with constants have one.
+      // Only squares can: a subtraction changes a sign in front of its unit, and an operand of a
+      // product may be a constant.
       const Operation operation = graph_.nodes[id].operation;
       return operation == Operation::square && is_result_of(id, class_of_[first], shared);
     });
@@ -239,7 +244,7 @@ private:
   FoldedGraph folded_ = {};
   std::set<NodeId> by_multiplier_;     ///< squares
   std::vector<std::size_t> class_of_;  ///< of each operation
-  std::vector<Step> units_;            ///< of each class, if started in cycle 0
+  std::vector<Step> units_;            ///< each class's unit, if started in cycle 0
   FoldPlan plan_;
 };
 

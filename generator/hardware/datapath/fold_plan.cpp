@@ -186,7 +186,7 @@ public:
   }
 
 private:
-  /// Bounds the time: some milliseconds.
+  /// Limits the time of a search to some milliseconds.
   static constexpr int most_trials = 5'000;
   /// A bit that waits takes a flip-flop, and often a cell of its own. Each further source of an
   /// operand takes about half a cell per bit.
@@ -353,8 +353,8 @@ private:
   std::vector<std::size_t> units_;
   std::vector<NodeId> operations_;                 ///< the last one first
   std::vector<std::vector<NodeId>> readers_;       ///< the operations that read each value
-  std::vector<int> deadlines_;                     ///< of compared values
-  std::vector<std::pair<NodeId, int>> last_read_;  ///< compared values, and when
+  std::vector<int> deadlines_;                     ///< [node]: for compared values
+  std::vector<std::pair<NodeId, int>> last_read_;  ///< compared values, and the cycles
   std::vector<int> earliest_;
   Occupancy occupancy_;
   int trials_ = 0;

@@ -16,7 +16,7 @@ using scene::Multipliers;
 /// Which kinds of terms a fused sum has.
 struct Kinds {
   bool squared_sums = false;  ///< sums that the sum's own unit squares
-  bool squares = false;       ///< of operands
+  bool squares = false;       ///< squares of operands
   bool products = false;
 };
 
@@ -32,7 +32,7 @@ Kinds kinds_of(const TypedGraph& graph, const TypedNode& node, SquaredSums squar
   return kinds;
 }
 
-/// The stages of fp_unnormalised_sum, which are only wires where no sum is squared.
+/// Adds the stages of fp_unnormalised_sum; they are only wires if no sum is squared.
 void add_sums(StageList& stages, FloatFormat format, Subnormals subnormals, const Kinds& kinds) {
   if (kinds.squared_sums) return add_unnormalised_sum(stages, format, subnormals);
   for (const char* stage :
@@ -41,8 +41,8 @@ void add_sums(StageList& stages, FloatFormat format, Subnormals subnormals, cons
   }
 }
 
-/// The stages "count" and "normalise" of a squared sum, of which only the exponent is normalised.
-/// During "normalise" its significand goes to the multipliers.
+/// The stages "count" and "normalise" of a squared sum. Only its exponent is normalised. During
+/// "normalise" its significand goes to the multipliers.
 StageList count_of_squared_sum(const FusedSum& sum, FloatFormat format, Multipliers multipliers,
                                const DelayTable& delays) {
   StageList stages(delays);

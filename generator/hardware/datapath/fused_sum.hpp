@@ -9,7 +9,7 @@
 
 namespace mixcmp::datapath {
 
-/// Sizes in rtl_templates/fp/fp_fused_sum.v and fp_cut_sum.v, which this class repeats.
+/// The sizes in rtl_templates/fp/fp_fused_sum.v and fp_cut_sum.v. This class repeats them.
 class FusedSum {
 public:
   /// The levels of the tree that finds the largest exponent, and of the tree that adds.
@@ -21,14 +21,14 @@ public:
   /// Tells whether a level of a tree over this many branches has anything to do.
   static bool is_used(int level, int branches) { return (1 << level) < branches; }
 
-  /// Places that a sum of all terms may need in front of the largest one's.
+  /// The places that a sum of all terms may need in front of those of the largest term.
   int growth_bits() const { return length_of(terms_ - 1); }
   int window_bits() const { return format_.precision() + guard_bits() + 2; }
   int sum_bits() const { return window_bits() + growth_bits(); }
   int exponent_bits() const {
     return length_of(4 * format_.bias() + 2 + 2 * (format_.precision() + (window_bits() + 1) / 2));
   }
-  /// Bits of the distance by which a product moves into the window; the last ones are left to the
+  /// The low bits of the distance by which a product moves into the window. They are left to the
   /// second step.
   static constexpr int low_amount_bits = 3;
   int amount_bits() const {

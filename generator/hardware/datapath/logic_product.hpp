@@ -11,10 +11,11 @@ namespace mixcmp::datapath {
 class LogicProduct {
 public:
   static constexpr int levels = 7;
-  /// The widest factors whose sums leave the last level unused, which the stage of the digits
-  /// replaces.
+  /// The widest factors whose sums leave the last level unused. The stage of the digits replaces
+  /// that level.
   static constexpr int most_bits_behind_digits = 63;
-  /// The widest squares that leave the last level unused, at whose cut bits wait for the late ones.
+  /// The widest squares that leave the last level unused. At the cut of that level, the other bits
+  /// wait for the late ones.
   static constexpr int most_bits_of_a_split_square = 65;
 
   enum class Kind { product, square };
@@ -34,15 +35,15 @@ public:
 
   Form form() const { return form_; }
 
-  /// Bits of the carry chain that finds the digits; 0 where they are decoded by gates.
+  /// Bits of the carry chain that finds the digits; 0 if gates decode them.
   int digits_chain_bits() const { return kind_ == Kind::square ? 0 : 2 * rows(); }
 
-  /// Bits of carry chains; 0 where nothing is added.
+  /// Bits of carry chains; 0 if nothing is added.
   struct Chains {
     int early = 0;
-    int late = 0;  ///< of bits that are a cycle late
+    int late = 0;  ///< for the bits that are a cycle late
   };
-  /// The longest ones of a level.
+  /// The longest chains of a level.
   Chains longest_chains(int level) const {
     Chains longest;
     for (int first = 0; first + rows_below(level) < rows(); first += pitch(level)) {

@@ -189,7 +189,7 @@ private:
                                      is_input ? schedule().largest_exponent.ready_cycle : 0));
   }
 
-  /// All operands of common cuts are placed before the first of these.
+  /// Places a common cut. All operands of common cuts are placed before the first cut.
   void place_common_cut(const FixedNode& node) {
     Step& drop = schedule().common_drop;
     if (drop.unit.module.empty()) {
@@ -278,7 +278,7 @@ private:
 
   const FixedLane& lane_;
   scene::Multipliers multipliers_;
-  int outputs_cycle_ = 0;  ///< in which all outputs are read
+  int outputs_cycle_ = 0;  ///< the cycle in which all outputs are read
 };
 
 Schedule scheduled(const error::Lane& lane, scene::Multipliers multipliers,

@@ -14,10 +14,10 @@ namespace mixcmp::datapath {
 /// One operation bound to a unit and placed in time. Cycle 0 is the cycle in which the operands of
 /// a comparison are at the datapath's inputs.
 struct Step {
-  /// unit.module is empty where the operation is only wires, and for a sum that the unit of its
-  /// square computes.
+  /// unit.module is empty if the operation is only wires, or is a sum that the unit of its square
+  /// computes.
   Unit unit;
-  std::vector<bool> cuts;          ///< which cut points are registered; the last always is
+  std::vector<bool> cuts;          ///< which cut points are registers; the last always is
   int start_cycle = 0;             ///< the cycle in which the operands are read
   int ready_cycle = 0;             ///< the cycle in which the result is at the output
   std::vector<NodeId> reads = {};  ///< nodes of the graph, each once
@@ -37,8 +37,9 @@ struct SharedUnit {
   Unit unit;
   std::vector<bool> cuts;
   std::vector<NodeId> operations;  ///< by their start cycles
-  /// Operands are read through registers, since they come from several places. A unit without them
-  /// has one operation, or reads all from one other unit in the cycles in which they come.
+  /// Operands are read through registers, since they come from several places. A unit without these
+  /// registers has one operation, or reads all operands from one other unit in the cycles in which
+  /// they leave it.
   bool selects = false;
 };
 
@@ -51,18 +52,20 @@ struct Schedule {
   int initiation_interval = 1;
   std::vector<SharedUnit> shared_units;
   int last_operand_phase = 0;  ///< operands of the comparison have to stay until then
-  /// In block floating point: finds the largest exponent of the operands. No unit elsewhere.
+  /// Finds the largest exponent of the operands in block floating point. Without block floating
+  /// point it has no unit.
   Step largest_exponent;
-  /// With guard digits: finds how many bits the common cuts drop. No unit elsewhere.
+  /// Finds how many bits the common cuts drop, with guard digits. Without guard digits it has no
+  /// unit.
   Step common_drop;
   std::vector<Step> steps;  ///< one per node of the graph that all parts share
-  /// In floating point one step per range check; a check of only the sign is wires. In fixed point
-  /// one per limit and reach.
+  /// In floating point there is one step per range check; a check of only the sign is wires. In
+  /// fixed point there is one step per limit and reach.
   std::vector<Step> checks;
   /// The squares of a lane in fixed point that are read from memories; each also has a step.
   std::vector<fixed::SquareTable> square_tables;
   std::vector<PartSchedule> parts;
-  Step combination;        ///< of the verdicts of several parts; no unit if there is one part
+  Step combination;        ///< combines the verdicts of several parts; no unit for one part
   int latency_cycles = 0;  ///< from operands to verdict
   /// Stages that no cut can bring under the period, as estimated from the delay table.
   std::vector<std::string> slow_stages;

@@ -38,12 +38,12 @@ private:
 };
 
 /// Finds the fewest cuts, the output's included, with at most `logic_ns` of logic between two cuts.
-/// A longer stage has a cut at either end. Among equals the search prefers fewer halved sums, then
-/// later cuts. It is dynamic programming: the best cuts in front of a stage extend those of an
-/// earlier one.
+/// A longer stage has a cut at either end. Among choices with equally many cuts the search prefers
+/// fewer halved sums, then later cuts. It is dynamic programming: the best cuts in front of a stage
+/// extend those of an earlier one.
 class CutSearch {
 public:
-  /// forced: a stage that ends in a cut whatever the period is.
+  /// `forced`: a stage that ends in a cut whatever the period is.
   CutSearch(const std::vector<Stage>& stages, double logic_ns, std::optional<int> forced = {})
       : stages_(stages), logic_ns_(logic_ns), forced_(forced), best_(stages.size() + 1) {
     MIXCMP_CHECK(!stages.empty());

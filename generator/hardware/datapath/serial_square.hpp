@@ -5,11 +5,11 @@ namespace mixcmp::datapath {
 /// The steps of rtl_templates/fp/fp_square_steps.v and the lengths of their carry chains.
 class SerialSquare {
 public:
-  static constexpr int step_bits = 6;  ///< of the operand
+  static constexpr int step_bits = 6;  ///< bits of the operand in a step
 
   explicit SerialSquare(int precision) : precision_(precision) {}
 
-  /// Steps of a square, and cycles between two squares.
+  /// The steps of a square, which is also the number of cycles from one square to the next.
   int cycles() const { return (precision_ + step_bits - 1) / step_bits; }
   /// Tells whether the templates take an operand of this precision and round to that of the result.
   bool fits(int result_precision) const {

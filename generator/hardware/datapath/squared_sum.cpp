@@ -32,8 +32,8 @@ std::ptrdiff_t squares_of(const TypedNode& reader, NodeId node) {
          is_square;
 }
 
-/// The search for leading zeros and for the shift, which runs beside the first stages of the
-/// product behind its factors.
+/// The stages of the search for leading zeros and for the shift. It runs beside the first stages of
+/// the product behind its factors.
 StageList exponent_stages(FloatFormat format, int product_stages, const DelayTable& delays) {
   StageList stages(delays);
   const int exponent_bits = std::max(format.exponent_bits(), bits_for(format.precision() + 3)) + 2;

@@ -30,8 +30,8 @@ inline int shift_levels(int amount_bits) {
   return (amount_bits + 1) / 2;
 }
 
-/// Depth in LUTs of a leading-zero counter of `bits` bits: a binary tree, of which three levels are
-/// two LUTs deep.
+/// Depth in LUTs of a leading-zero counter of `bits` bits. It is a binary tree, and three of its
+/// levels are two LUTs deep.
 inline int count_levels(int bits) {
   return (2 * bits_for(bits) + 2) / 3;
 }
@@ -63,13 +63,13 @@ public:
     stages_.push_back({.name = std::move(name), .delay_ns = delay_ns, .registered = true});
   }
 
-  /// A stage that begins while the one before is still at work for `overlap_ns`.
+  /// A stage that begins `overlap_ns` before the end of the stage before it.
   void add_overlapping(std::string name, double delay_ns, double overlap_ns) {
     stages_.push_back({.name = std::move(name), .delay_ns = delay_ns, .overlap_ns = overlap_ns});
   }
 
-  /// A sum whose operands are there `operands_ns` after the start: two stages where it is halved.
-  /// overlap_ns: as in add_overlapping.
+  /// A sum whose operands are there `operands_ns` after the start; two stages if it is halved.
+  /// `overlap_ns` is as in add_overlapping.
   void add_wide_sum(const std::string& name, double operands_ns, int bits, double overlap_ns = 0);
 
   /// Adds stages that are cut at the same places as each of `lists`, which work side by side.
@@ -165,7 +165,7 @@ inline void StageList::add_aligned_operands(FloatFormat operands, int aligned,
   add("align", lut_delay_ns(shift_levels(2) + (has_wide_tables() ? 0 : 1)));
 }
 
-/// The stages of fp_operand; they are only wires where subnormals are flushed.
+/// The stages of fp_operand; they are only wires if subnormals are flushed.
 inline void StageList::add_operand(FloatFormat operands, Subnormals subnormals) {
   const bool normalises = subnormals == Subnormals::gradual;
   const int precision = operands.precision();
@@ -176,8 +176,9 @@ inline void StageList::add_operand(FloatFormat operands, Subnormals subnormals) 
 
 /// The stages of fp_embedded_product behind its factors. A cut between two rows delays the operands
 /// of the rows above it. Without a register behind the multipliers, those rows would then multiply
-/// and add in one cycle, so such a cut needs the cut behind "multiply". Rows above the fourth and
-/// columns after the third have no cut of their own; their delays are part of the two last stages.
+/// and add in one cycle, so a cut between rows needs the cut behind "multiply". Rows above the
+/// fourth and columns after the third have no cut of their own; their delays are part of the two
+/// last stages.
 inline void StageList::add_embedded_product(int precision) {
   constexpr int cut_rows = 4;
   const auto [a_bits, b_bits] = delays_.multiplier_size;
@@ -196,10 +197,11 @@ inline void StageList::add_embedded_product(int precision) {
   add("other sums", std::max(0, columns - 2) * sum);
 }
 
-/// The stages of fp_embedded_square behind its factors, where fp_product takes it. The squares of
-/// the parts are multiplied behind the cuts of the first three links, and the later links' products
-/// behind those of the links before them. Without a register behind the multipliers they would then
-/// multiply and add in one cycle, so such a cut needs the cut behind "multiply".
+/// The stages of fp_embedded_square behind its factors, for a square that fp_product gives to it.
+/// The squares of the parts are multiplied behind the cuts of the first three links. A later link's
+/// product is multiplied behind the cuts of the links before it. Without a register behind the
+/// multipliers they would then multiply and add in one cycle, so a cut of a link needs the cut
+/// behind "multiply".
 inline void StageList::add_embedded_square(int precision) {
   constexpr int cut_links = EmbeddedSquare::cut_links;
   const EmbeddedSquare square(precision, delays_.multiplier_size);
@@ -228,8 +230,9 @@ inline void StageList::add_logic_product(LogicProduct product) {
       add("digits", digits_bits > 0 ? carry(digits_bits) : lut_delay_ns(1));
       return add_levels(product, LogicProduct::levels - 1);
     case LogicProduct::Form::split:
-      // At the last cut, bits wait for the late ones, which have no register there. Without a
-      // register at the cut before it, the chain of the late bits would go on into the next stage.
+      // At the last cut, the other bits wait for the late ones, which have no register there.
+      // Without a register at the cut before it, the chain of the late bits would go on into the
+      // next stage.
       add_levels(product, LogicProduct::levels - 1);
       stages_.back().registered = true;
       return add_registered("level 6", 0);
@@ -316,7 +319,8 @@ inline void StageList::add_select_round(FloatFormat result, Subnormals subnormal
   add_round_and_pack(result);
 }
 
-/// The stages of fp_squared_sum from "select" on: the last step, then where the leading one is.
+/// The stages of fp_squared_sum from "select" on: the last step of the shift, then the selection by
+/// the place of the leading one.
 inline void StageList::add_last_selection(FloatFormat result) {
   add("select square", lut_delay_ns(2) + deciding_ns());
   add_round_and_pack(result);
@@ -328,8 +332,9 @@ inline void StageList::add_round_and_pack(FloatFormat result) {
 }
 
 /// Builds the unit of a product in the form that suits the device: tables of five inputs or more
-/// decode a digit and add its row at once, smaller ones take a stage for the digits. Where a square
-/// could be split, that is its faster form. make: builds the unit in a given LogicProduct::Form.
+/// decode a digit and add its row at once, smaller tables take a stage for the digits. If a square
+/// can be split, the split form is its faster form. `make` builds the unit in a given
+/// LogicProduct::Form.
 template <typename Make>
 Unit unit_of_product(LogicProduct::Kind kind, int precision, scene::Multipliers multipliers,
                      const DelayTable& delays, Make make) {

@@ -53,7 +53,8 @@ Unit add_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals,
   Normalisation normalisation = gradual ? Normalisation::limited_by_room : Normalisation::unlimited;
   if (grows) normalisation = Normalisation::by_one_place;
   add_normalisation(stages, operands, normalisation);
-  // fp_round moves by the places left, unless it denormalises: then fp_add does in front of it.
+  // fp_round moves by the remaining places. If fp_round denormalises, fp_add moves by them instead,
+  // in front of it.
   const bool denormalises = gradual && result.exponent_bits() < operands.exponent_bits();
   const double last_places = stages.lut_delay_ns(grows || stages.selects_in_sums() ? 1 : 2);
   stages.add("normalise", denormalises ? last_places : 0);
@@ -128,7 +129,7 @@ Unit convert_unit(FloatFormat operands, FloatFormat result, Subnormals subnormal
   return std::move(stages).unit("fp_convert");
 }
 
-/// The unit that multiplies by a power of two. It adds to the exponent; it rounds only where digits
+/// The unit that multiplies by a power of two. It adds to the exponent, and rounds only if digits
 /// are dropped.
 Unit scale_unit(FloatFormat operands, FloatFormat result, Subnormals subnormals, int scale,
                 const DelayTable& delays) {

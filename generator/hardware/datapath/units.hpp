@@ -25,11 +25,12 @@ struct Stage {
   std::string name;  ///< as in the comment of the template
   double delay_ns;
   /// The part of delay_ns that passes while the stage before is still at work, if no register is
-  /// between the two: one carry chain runs along another. At most the delay of the stage before.
+  /// between the two: one carry chain runs along another. It is at most the delay of the stage
+  /// before.
   double overlap_ns = 0;
   /// Index of an earlier stage that must end in a cut if this one does; -1: no such stage.
   int cut_needs = -1;
-  /// The stage ends in a register whatever the period is, as that of a block memory does.
+  /// The stage ends in a register whatever the period is, like a stage that reads a block memory.
   bool registered = false;
   /// The upper half of the sum that the stage before begins. A register between the two halves its
   /// carry chain.
@@ -60,19 +61,19 @@ struct Unit {
   std::vector<Unit> faster_form = {};
 };
 
-/// A multiplication of the node `operand` by 2^exponent, or by -2^exponent.
+/// A multiplication of the node `operand` by 2^exponent or, if `negated`, by -2^exponent.
 struct Scaling {
   NodeId operand;
   int exponent;
   bool negated;
 };
 /// Recognises a multiplication by a constant power of two of either sign, else nullopt. The
-/// constant must be one that multipliers do not flush. Such a node takes no multiplier: its unit is
-/// a conversion, of the operand with its sign changed where `negated`, that adds to the exponent.
+/// constant must be one that multipliers do not flush. The node then takes no multiplier. Its unit
+/// is a conversion that adds to the exponent, behind a change of the operand's sign if `negated`.
 std::optional<Scaling> scaling_of(const TypedGraph& graph, const TypedNode& node);
 
-/// Tells whether a unit computes the node: it is not only wires, nor the sign of a sum, which the
-/// comparison of that sum with zero finds.
+/// Tells whether a unit computes the node. There is none for wires, nor for the sign of a sum,
+/// which the comparison of the sum with zero finds.
 bool has_unit(const TypedNode& node);
 
 /// The unit that computes `node` of `graph`, for which has_unit(node) holds.
@@ -82,7 +83,7 @@ Unit unit_for(const TypedGraph& graph, const TypedNode& node, const error::Hazar
 /// multiplication by a power of two takes a multiplier here. Not for fused sums.
 Unit unit_for(const TypedNode& node, Subnormals subnormals, const error::Hazards& hazards,
               scene::Multipliers multipliers, const DelayTable& delays);
-/// The unit of logic that takes several cycles for a square, where there is one. There is none for
+/// The unit of logic that takes several cycles for a square, if there is one. There is none for
 /// operands of few bits, nor for devices with look-up tables of five inputs or more, where rows
 /// cost nothing beside the sums that they are added to.
 std::optional<Unit> serial_square_unit(const TypedNode& square, Subnormals subnormals,
@@ -97,13 +98,13 @@ Unit interval_decision_unit(FloatFormat format, const DelayTable& delays);
 /// The unit that combines the verdicts of several parts.
 Unit combination_unit(std::size_t parts, const DelayTable& delays);
 
-/// The unit of a node of a lane's error bound (not for a constant: that is a literal). `value` is
-/// the format of the number that a magnitude, a binade or a reciprocal is of.
+/// The unit of a node of a lane's error bound. The node is no constant, which is a literal. `value`
+/// is the format of the number whose magnitude, binade or reciprocal the unit computes.
 Unit bound_unit(error::BoundOperation operation, FloatFormat value, BoundFormat bound,
                 const DelayTable& delays);
 Unit bound_at_most_unit(BoundFormat bound, const DelayTable& delays);
 Unit bound_decision_unit(FloatFormat lane, BoundFormat bound, const DelayTable& delays);
-/// The unit of a range check (not for a check of only the sign: that is a wire).
+/// The unit of a range check. A check of only the sign has none, since it is a wire.
 Unit range_check_unit(const error::RangeCheck& check, const DelayTable& delays);
 
 }  // namespace mixcmp::datapath

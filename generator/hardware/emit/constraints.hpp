@@ -8,7 +8,7 @@
 
 namespace mixcmp::emit {
 
-/// The ports of the module to build: the engine's where there is one.
+/// The ports of the module to build: the engine's if there is one.
 const std::vector<SignaturePort>& ports_to_build(const Signature& signature);
 
 /// The surroundings of the ports, in lines of SDC (Synopsys Design Constraints, which Vivado and

@@ -272,7 +272,7 @@ std::vector<std::string> describe_arg_min(const Design& design, const rtl::ArgMi
   return facts;
 }
 
-/// "a beat a pair that is less or undecided": every pair is decided where there is a reference.
+/// "a beat a pair that is less or undecided". With a reference every pair is decided.
 std::string report_fact(const rtl::PairwiseShape& shape, int references) {
   const scene::EngineSpec& spec = shape.engine.spec;
   const std::string reported = fmt::format("{}", fmt::join(reported_verdicts(spec), " or "));

@@ -70,8 +70,8 @@ std::vector<rtl::DatapathGroup> lane_groups(const design::Design& design,
   return groups;
 }
 
-/// The lanes of the second tier. In an engine they stand behind the segments, one each, and also
-/// read `words`.
+/// The lanes of the second tier. In an engine there is one behind each segment, and they also read
+/// `words`.
 std::optional<rtl::DatapathGroup> second_tier(const design::Design& design,
                                               const rtl::SystemShape& shape,
                                               const std::optional<rtl::ItemWords>& words,

@@ -23,7 +23,7 @@ struct ScheduledSystem {
   /// The parts of an arg-min engine around the system. Its lanes also begin behind the conversion.
   std::optional<rtl::ArgMinShape> arg_min;
 
-  /// The words of an engine's items, which its lanes read; null where there is no engine.
+  /// The words of an engine's items, which its lanes read; null if there is no engine.
   const rtl::ItemWords* words() const;
 
   /// The counters of the outermost module.
@@ -31,7 +31,7 @@ struct ScheduledSystem {
 };
 
 /// The part of a SystemShape that depends only on the streams; names, counts and latencies are left
-/// to the caller. `format`: of the operands that arrive.
+/// to the caller. `format` is that of the operands that arrive.
 rtl::SystemShape stream_shape(const std::vector<std::string>& inputs, FloatFormat format,
                               const scene::SystemSpec& system);
 

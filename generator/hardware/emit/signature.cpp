@@ -145,7 +145,7 @@ public:
     return groups;
   }
 
-  /// Reads an object by `read_part`; nullopt where the field is absent.
+  /// Reads an object by `read_part`; nullopt if the field is absent.
   template <class Part>
   std::optional<Part> part(const char* field, Part (*read_part)(Reader&)) {
     if (!object_.is_object() || !object_.contains(field)) return std::nullopt;

@@ -77,7 +77,7 @@ struct SignatureEngine {
   int report_streams = 1;                     ///< pairwise: streams m_axis side by side
   int report_lanes = 1;                       ///< pairwise: flags of a beat of a bitmap
   int report_bytes = 0;                       ///< pairwise: tdata of one stream
-  std::vector<std::string> row_columns = {};  ///< arg_min: of a row, packed as `columns`
+  std::vector<std::string> row_columns = {};  ///< arg_min: a row's, packed like `columns`
   int row_bytes = 0;                          ///< arg_min: bytes of a row, padded
   int tag_bits = 0;                           ///< arg_min: width of a row's tag
   std::vector<SignaturePort> ports;
@@ -99,9 +99,9 @@ struct Signature {
   std::string spec_hash;  ///< hash of everything that decides the output's bytes
   FloatFormat reference_format;
   Sums reference_sums = Sums::composed;
-  bool certified = false;                      ///< all lanes are
+  bool certified = false;                      ///< whether all lanes are
   std::vector<scene::PartText> parts = {};     ///< f and g of each part, as the scene writes them
-  Combination combination = Combination::all;  ///< meaningful only where there are several parts
+  Combination combination = Combination::all;  ///< meaningful only if there are several parts
   std::vector<LetDefinition> lets = {};        ///< those that f and g need
   std::vector<std::string> inputs;             ///< input k is tdata[k * width +: width]
   int lanes = 0;  ///< p_L: every per-lane port is a vector of `lanes` fields, lane 0 lowest
@@ -110,16 +110,16 @@ struct Signature {
   int references = 0;  ///< p_H
   /// Lanes are numbered through their groups, in order. References are numbered in the same way.
   std::vector<SignatureLanes> lane_groups;
-  std::vector<SignatureReferences> reference_groups;  ///< none where p_H = 0
+  std::vector<SignatureReferences> reference_groups;  ///< empty: p_H = 0
   int tdata_bytes = 0;  ///< operands of one comparison, padded to whole bytes
   int tag_bits = 0;
   int counter_bits = 0;
-  /// The address map of the counters on the AXI4-Lite port s_axi; empty where they are ports, or
-  /// where there are none.
+  /// The address map of the counters on the AXI4-Lite port s_axi; empty if the counters are ports,
+  /// or if there are none.
   std::vector<SignatureCounters> counter_map = {};
   int slots = 0;            ///< comparisons that may be inside one lane's channel
   int input_registers = 0;  ///< between the ports of operands and each lane
-  int request_beats = 1;    ///< of a request of carried operands
+  int request_beats = 1;    ///< beats of a request of carried operands
   scene::ResultOrder order = scene::ResultOrder::tagged;
   scene::OperandStore operands = scene::OperandStore::carried;
   double target_mhz = 0;
@@ -144,7 +144,7 @@ inline int group_count(const Signature& signature) {
 }
 
 /// The number of streams m_refetch and s_refetch of a system: first those of its references, then
-/// those of its second tier. 0 where operands are carried.
+/// those of its second tier. 0 if operands are carried.
 int refetch_streams(const Signature& signature);
 
 /// Whether the counters are outputs of the top.

@@ -192,7 +192,7 @@ std::string spec_hash(const std::vector<std::string>& texts,
   return hash.hex().substr(0, 16);
 }
 
-/// `text`: the printed module.
+/// Makes the file of a module whose printed text is `text`.
 GeneratedFile verilog_file(const Described& described, const std::string& text,
                            const Signature& signature, const std::string& command) {
   return {described.module.name + ".v", to_comment(described.facts) + to_comment({""}) +
@@ -223,8 +223,8 @@ GeneratedFile cell_file(const TechnologyCell& cell, const std::string& prefix) {
 }
 
 /// The list of the Verilog files. Names are relative to the list's own folder: absolute ones would
-/// make other bytes in another place. Tools differ in how they read such a list, so its head gives
-/// a command for each; tests/system/lint_test.cpp runs these commands.
+/// make other bytes in another place. Tools differ in how they read a list of files, so its head
+/// gives a command for each; tests/system/lint_test.cpp runs these commands.
 GeneratedFile file_list(const Signature& signature, const devices::Device& device) {
   const std::string& top = signature.engine ? signature.engine->top : signature.top;
   std::string text = fmt::format(
@@ -277,7 +277,7 @@ void rewrite_signature_file(GeneratedSystem& system) {
   }
 }
 
-/// `planned_clock`: as in a design.
+/// Makes the file of constraints. `planned_clock` is as in a design.
 GeneratedFile constraint_file(const Signature& signature, const devices::Device& device,
                               const std::string& planned_clock) {
   const std::string expected =

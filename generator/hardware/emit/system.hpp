@@ -12,7 +12,7 @@ namespace mixcmp::emit {
 struct GeneratedFile {
   std::string name;  ///< relative to the output's folder, "yosys/run"; Verilog has no folders
   std::string text;
-  std::string cells = {};  ///< of a family with cells of its own; see TechnologyCell
+  std::string cells = {};  ///< the family whose cell it is; see TechnologyCell
   bool is_script = false;  ///< the file may be executed
 };
 

@@ -91,7 +91,7 @@ private:
 /// A declaration of a parameter or a port.
 struct Declaration {
   Token name;
-  Tokens high;   ///< the first end of a range [high:0]; empty where there is no range
+  Tokens high;   ///< the first end of a range [high:0]; empty: no range
   Tokens value;  ///< a parameter's default
   rtl::Direction direction = rtl::Direction::input;
 };

@@ -10,13 +10,14 @@
 namespace mixcmp::emit {
 
 /// The ports of the template that `instance` names, with the widths that the instance's parameters
-/// give them. They are read from the head of the template's Verilog. An error where there is no
-/// such template or parameter, or where a parameter's literal has another width than its
+/// give them. They are read from the head of the template's Verilog. It is an error if the template
+/// or a parameter does not exist, or if a parameter's literal has another width than its
 /// declaration.
 Result<std::vector<rtl::Port>> template_ports(const rtl::Instance& instance);
 
 /// The value of a parameter of the template that `instance` names: the instance's, or else the
-/// default in the head of the template's Verilog. Nullopt where the template has no such parameter.
+/// default in the head of the template's Verilog. Nullopt if the template does not have the
+/// parameter.
 ///
 ///     template_parameter({"fp_multiply", "product", {{"PRECISION", 53}}, {}}, "EMBEDDED")  // 1
 std::optional<long long> template_parameter(const rtl::Instance& instance, const std::string& name);

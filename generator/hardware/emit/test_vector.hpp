@@ -26,7 +26,7 @@ struct PairwiseVectors {
 struct RowVector {
   std::vector<std::uint8_t> tdata;
   std::uint32_t choice = 0;         ///< the candidate that must leave
-  std::vector<bool> is_recomputed;  ///< of each lane, its comparison
+  std::vector<bool> is_recomputed;  ///< [lane]: its comparison is recomputed
 };
 
 /// Candidates and rows for an arg-min engine.
@@ -35,7 +35,7 @@ struct ArgMinVectors {
   std::vector<RowVector> rows;
 };
 
-/// The vectors of an engine's test bench; nothing where there is no engine.
+/// The vectors of an engine's test bench; std::monostate without an engine.
 using EngineVectors = std::variant<std::monostate, PairwiseVectors, ArgMinVectors>;
 
 }  // namespace mixcmp::emit

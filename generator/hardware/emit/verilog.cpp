@@ -221,7 +221,7 @@ std::string declaration(const std::vector<ModuleItem>& items, std::size_t k,
   return declared ? "" : fmt::format("{}genvar {};\n", indent, loop->variable);
 }
 
-/// Breaks the text between words where a line would get too long.
+/// Prints a comment. The text is broken between words if a line would get too long.
 std::string print(const Comment& comment, const std::string& indent) {
   const std::string start = "\n" + indent + "//";
   std::string lines, line = start;

@@ -38,7 +38,7 @@ std::set<fs::path> files_of_previous_output(const fs::path& directory) {
   return names;
 }
 
-/// The folders, below that of the output, which these files are in.
+/// The folders below the output's folder that these files are in.
 std::set<fs::path> folders_of(const std::set<fs::path>& files) {
   std::set<fs::path> folders;
   for (const fs::path& file : files) {
@@ -119,7 +119,8 @@ Result<Done> make_executable(const fs::path& path) {
   return Done{};
 }
 
-/// Writes one file into the staged folder, in a folder below it where its name says so.
+/// Writes one file into the staged folder, or into a folder below it if the file's name has a
+/// folder.
 Result<Done> stage(const GeneratedFile& file, const fs::path& staged) {
   const fs::path path = staged / file.name;
   std::error_code failed;
@@ -154,7 +155,8 @@ Error in_place(Error error, const fs::path& path) {
 
 Result<Done> write_system(const GeneratedSystem& system, const fs::path& requested) {
   std::error_code failed;
-  // Resolve the path as the kernel does: ".." behind a symbolic link is the parent of its target.
+  // The path is resolved as the kernel does it: ".." behind a symbolic link is the parent of its
+  // target.
   const fs::path absolute = fs::absolute(requested, failed);  // fails for an empty path
   fs::path named = failed ? fs::path() : fs::weakly_canonical(absolute, failed);
   if (failed) return cannot_write(requested, failed.value());
@@ -169,7 +171,7 @@ Result<Done> write_system(const GeneratedSystem& system, const fs::path& request
     if (!written.ok()) return in_place(written.error(), directory / file.name);
   }
   MIXCMP_DO(set_permissions(staging.path(), directory));
-  // After an exchange the staging path holds the previous output, which then goes.
+  // After an exchange the staging path holds the previous output, which is then removed.
   return put_folder_in_place(staging.path(), directory);
 }
 

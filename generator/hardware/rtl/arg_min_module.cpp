@@ -35,8 +35,8 @@ std::vector<Port> arg_min_ports(const EngineShape& engine, const SystemShape& sy
   return ports;
 }
 
-/// The words of a comparison, as a lane gets them: that of the row lowest, then that of the best
-/// candidate, then that of the lane's own.
+/// The lowest bit of an item's word among the words that a lane gets. The row's word is lowest,
+/// then comes the best candidate's, then that of the lane's own candidate.
 int lowest_bit_of(data::Item item, const ItemWords& words) {
   switch (item) {
     case data::Item::row: return 0;
@@ -46,7 +46,8 @@ int lowest_bit_of(data::Item item, const ItemWords& words) {
   MIXCMP_CHECK(false);
 }
 
-/// Pairs from the engine to the lanes, as words; verdicts back. The row's word is in the tag.
+/// Declares the streams of pairs from the engine to the lanes, as words, and of verdicts back. The
+/// row's word is in the tag.
 void declare_lane_streams(const ArgMinShape& shape, const SystemShape& system,
                           std::vector<ModuleItem>& items) {
   const int word_bits = shape.words.items.bits();
@@ -77,7 +78,8 @@ void declare_lane_streams(const ArgMinShape& shape, const SystemShape& system,
   items.push_back(loop("lane", 0, system.lanes, "lane_words", std::move(mapping)));
 }
 
-/// Tags from the references to the engine; rows and candidates back, as operands.
+/// Declares the streams of tags from the references to the engine, and of rows and candidates back,
+/// as operands.
 void declare_refetch_streams(const ArgMinShape& shape, const SystemShape& system,
                              std::vector<ModuleItem>& items) {
   const EngineShape& engine = shape.engine;
@@ -145,7 +147,7 @@ Instance arg_min_instance(const ArgMinShape& shape, const SystemShape& system,
   return {around.module, "engine", std::move(around.parameters), std::move(connections)};
 }
 
-/// The system, between the streams to the lanes and to the references.
+/// The instance of the system, between the streams to the lanes and to the references.
 Instance system_instance(const SystemShape& system) {
   std::vector<Connection> connections = clock_and_reset();
   for (const auto& [port, name] :

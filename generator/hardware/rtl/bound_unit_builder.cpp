@@ -94,7 +94,8 @@ std::vector<Parameter> BoundUnitBuilder::parameters(const BoundNode& node) const
 
 /// Tells whether a value may be subnormal although no operation before it was exceptional. Under
 /// `flush` it may not, since an operation that reads a subnormal operand is exceptional. Otherwise
-/// inputs and constants may, and the result of an operation whose hazards include underflow.
+/// an input or a constant may be subnormal, and so may the result of an operation whose hazards
+/// include underflow.
 bool BoundUnitBuilder::may_be_subnormal(NodeId value) const {
   if (lane_.graph.arithmetic.subnormals == Subnormals::flush) return false;
   const bool is_result = arity(lane_.graph.nodes[value].operation) > 0;

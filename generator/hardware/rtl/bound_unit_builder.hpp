@@ -20,7 +20,7 @@ public:
 
   /// The bound that the difference must exceed.
   const Signal& bound() const { return bounds_.back(); }
-  /// One flag per condition; it is set where the condition does not hold.
+  /// One flag per condition; it is set if the condition does not hold.
   const std::vector<Signal>& failures() const { return failures_; }
 
 private:

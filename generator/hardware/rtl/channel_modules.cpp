@@ -91,7 +91,7 @@ std::vector<Port> lane_channel_ports(const SystemShape& shape) {
 }
 
 /// Connects the requests, answers and counters of a lane's tracker. Requests and answers are tied
-/// off where there is no reference, counters where none are wanted.
+/// off if there is no reference, counters if none are wanted.
 void tie_off(const SystemShape& shape, std::vector<ModuleItem>& items,
              std::vector<Connection>& connections) {
   if (shape.recomputes()) {
@@ -118,7 +118,7 @@ void tie_off(const SystemShape& shape, std::vector<ModuleItem>& items,
 }
 
 /// Connects the refetch streams of a reference_port or of requested_operands to the channel's
-/// ports, or ties them off where operands are carried.
+/// ports, or ties them off if operands are carried.
 void connect_refetch(const SystemShape& shape, std::vector<ModuleItem>& items,
                      std::vector<Connection>& connections) {
   if (shape.refetches()) {
@@ -166,8 +166,8 @@ Instance answer_counter(const SystemShape& shape) {
           std::move(connections)};
 }
 
-/// Operands that the first tier asks about, as a stream for the lane behind them; with each goes
-/// its sender and, for the references, the tag by which operands are fetched again.
+/// Adds the stream of operands that the first tier asks about, for the lane behind it. With each
+/// comparison go its sender and, for the references, the tag by which operands are fetched again.
 void add_requested_operands(const SystemShape& shape, const SystemShape& tier,
                             std::vector<ModuleItem>& items) {
   const int payload_bits = shape.payload_bits();
@@ -252,7 +252,7 @@ const std::vector<std::string>& channel_counters() {
 TemplateInstance tracker_template(const SystemShape& shape, int lane_latency_cycles) {
   const bool in_order = shape.order == scene::ResultOrder::in_order;
   const bool carries =
-      shape.operands == scene::OperandStore::carried || shape.asking_bits > 0;  // tags, at least
+      shape.operands == scene::OperandStore::carried || shape.asking_bits > 0;  // operands, or tags
   TemplateInstance tracker{in_order ? "lane_reorder" : "lane_scoreboard",
                            {{"OPERAND_BITS", shape.lane_operand_bits()},
                             {"TAG_BITS", shape.tag_bits},
@@ -301,7 +301,7 @@ Module second_tier_channel_module(const SystemShape& shape) {
   items.push_back(std::move(tracker));
 
   const int sender_bits = shape.channel_bits() + shape.slot_bits;
-  const int operand_tag_bits = tier.tag_bits - sender_bits;  // 0 where operands are carried
+  const int operand_tag_bits = tier.tag_bits - sender_bits;  // 0 if operands are carried
   consume_unread("result_tuser", tier.tag_bits, {{operand_tag_bits, sender_bits}}, items);
   items.push_back(Assignment{net("m_answer_valid"), net("result_tvalid")});
   items.push_back(

@@ -5,9 +5,9 @@
 /// Channels: modules that surround one datapath of a system with its streams.
 namespace mixcmp::rtl {
 
-/// The scoreboard or reorder buffer around a lane with this latency.
+/// The template of the scoreboard or reorder buffer around a lane with this latency.
 TemplateInstance tracker_template(const SystemShape& shape, int lane_latency_cycles);
-/// The streams around a reference with this schedule.
+/// The template of the streams around a reference with this schedule.
 TemplateInstance reference_port_template(const SystemShape& shape,
                                          const datapath::Schedule& reference);
 
@@ -37,8 +37,8 @@ const std::vector<std::string>& channel_counters();
 /// requests for recomputation.
 Module lane_channel_module(const SystemShape& shape, const DatapathGroup& lane);
 
-/// A lane of the second tier with its reorder buffer. It is asked as a reference is, and asks as a
-/// lane does; only for a shape with a second tier.
+/// A lane of the second tier with its reorder buffer. Lanes ask it as they ask a reference, and it
+/// asks references as a lane does. It exists only for a shape with a second tier.
 Module second_tier_channel_module(const SystemShape& shape);
 
 /// A reference datapath with the reference_port that feeds it; only for a shape that recomputes().

@@ -323,7 +323,7 @@ private:
   std::set<std::string>& faults_;
   std::vector<Scope> scopes_;  ///< the innermost last
   std::set<std::string> loop_variables_;
-  std::map<std::string, int> variables_;  ///< of the loops around, with their values in this round
+  std::map<std::string, int> variables_;  ///< variables of the loops around, and their values
   std::map<const Instance*, std::vector<Port>> ports_;
 };
 

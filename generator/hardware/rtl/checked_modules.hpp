@@ -10,7 +10,7 @@
 namespace mixcmp::rtl {
 
 /// The ports of a module outside of a tree, such as a template, with the widths that the parameters
-/// of an instance give them. An error where there is no such module or parameter.
+/// of an instance give them. It is an error if the module or a parameter does not exist.
 using OutsidePorts = std::function<Result<std::vector<Port>>(const Instance&)>;
 
 /// The faults of a tree of modules, in words that name module, net or instance, and bits:

@@ -9,7 +9,7 @@
 namespace mixcmp::rtl {
 
 inline constexpr int verdict_bits = 2;
-inline constexpr int result_bits = 8;  ///< a verdict with its flags, see ResultWord
+inline constexpr int result_bits = 8;  ///< bits of a verdict with its flags, see ResultWord
 
 inline void add_input(std::vector<Port>& ports, int width, const std::string& name,
                       bool vector = false) {

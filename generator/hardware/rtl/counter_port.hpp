@@ -27,12 +27,12 @@ std::vector<CounterOffset> counter_offsets(const std::vector<Counters>& counters
 /// Bits of an address on the port.
 int counter_address_bits(const std::vector<Counters>& counters);
 
-/// The width of counters that the port widens, where each counts `events_per_cycle` events in a
+/// The width of counters that the port widens, if each counts up to `events_per_cycle` events in a
 /// cycle. A counter may wrap once, but not twice, before the port looks at it again.
 int narrow_counter_bits(const std::vector<Counters>& counters, int events_per_cycle);
 
-/// The counters of a system's top: comparisons, recomputations and stalls of each lane. Where they
-/// are read on a port, the answers of each reference are also counted. None if the system does not
+/// The counters of a system's top: comparisons, recomputations and stalls of each lane. If they are
+/// read on a port, the answers of each reference are also counted. None if the system does not
 /// count.
 std::vector<Counters> system_counters(const SystemShape& shape);
 /// The answers of each reference, if they are counted; else none.
@@ -42,7 +42,8 @@ std::vector<Counters> answer_counters(const SystemShape& shape);
 void add_counters(const std::vector<Counters>& counters, const SystemShape& shape,
                   std::vector<Port>& ports);
 
-/// Makes wires of the ports `counters` of a top module, and reads them on an AXI4-Lite port.
+/// Turns the ports `counters` of a top module into wires, and adds an AXI4-Lite port that reads
+/// them.
 Module with_counter_port(Module top, const std::vector<Counters>& counters,
                          const SystemShape& shape);
 

@@ -125,8 +125,9 @@ Literal DatapathBuilder::phase(int cycle) const {
   return {phase_bits(initiation_interval_), static_cast<Bits>(cycle % initiation_interval_)};
 }
 
-/// A register takes the value in the last cycle in which it is there and keeps it for an interval;
-/// for longer, one register hands it to the next.
+/// The value held in registers until `cycle`. A register takes the value in the last cycle in which
+/// it is there and keeps it for an interval. If the value is needed for longer, one register hands
+/// it to the next.
 Operand DatapathBuilder::held(const Signal& signal, int cycle) {
   Operand source = signal.value;
   for (int taken = signal.cycle + signal.lasts; taken < cycle; taken += initiation_interval_) {

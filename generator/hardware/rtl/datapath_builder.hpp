@@ -44,7 +44,7 @@ class DatapathBuilder {
 public:
   DatapathBuilder(const std::vector<InputPort>& inputs, int initiation_interval, DelayPlan plan);
 
-  /// The ports aclk, phase where the datapath is folded, and one per operand.
+  /// The ports: aclk, phase if the datapath is folded, and one per operand.
   std::vector<Port> data_ports() const;
 
   const std::string& port(int input) const { return ports_[input]; }
@@ -56,7 +56,7 @@ public:
 
   /// `signal` delayed to `cycle`, which must not be earlier than signal.cycle.
   Operand at(const Signal& signal, int cycle);
-  /// One flag that is set where any of `signals` is, in `cycle`.
+  /// One flag that is set in `cycle` if any of `signals` is.
   Operand any_at(const std::vector<Signal>& signals, int cycle);
 
   void add(ModuleItem item) { items_.push_back(std::move(item)); }
@@ -102,7 +102,7 @@ std::vector<Port> lane_outputs();
 std::vector<std::string> input_ports(const std::vector<std::string>& inputs);
 
 /// Appends the parameters for the technology of a unit (multipliers, selections in front of carry
-/// chains), each where it is not the template's default.
+/// chains), each only if it is not the template's default.
 void append_technology_parameters(const datapath::Unit& unit, std::vector<Parameter>& parameters);
 
 /// An instance of a step's unit; see DatapathBuilder::add_unit.

@@ -18,7 +18,8 @@ using Nets = std::vector<std::pair<int, std::string>>;
 /// Adds vectors of `count` fields each, of these widths.
 void declare(const Nets& nets, int count, std::vector<ModuleItem>& items);
 
-/// The nets that hold the items of a comparison, by data::Item; empty where there is none.
+/// The nets that hold the items of a comparison, by data::Item; empty if the comparison has no such
+/// item.
 using ItemNets = std::array<std::string, 3>;
 
 /// The operands of a comparison of these items, the first lowest. Adds the nets that name them, and
@@ -35,7 +36,7 @@ struct ConvertedNets {
   std::string word;
   std::string instance;
 };
-/// Adds the datapath that computes the word of an item or a row, or wires where the word is
+/// Adds the datapath that computes the word of an item or a row, or wires if the word consists of
 /// columns.
 void add_conversion(const ItemWords& words, data::Item item, const EngineShape& engine,
                     const ConvertedNets& nets, std::vector<ModuleItem>& items);

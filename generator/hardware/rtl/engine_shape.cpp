@@ -7,7 +7,8 @@
 namespace mixcmp::rtl {
 namespace {
 
-/// Finds the column of the items or of the rows that holds this input; adds it where it is new.
+/// Finds the column of the items or of the rows that holds this input; adds the column if it is
+/// new.
 EngineShape::Source source_of(const std::string& input, EngineShape& engine) {
   const auto of_item = data::item_column(input);
   const bool pairwise = engine.spec.kind == scene::EngineKind::pairwise;

@@ -21,8 +21,8 @@ struct EngineShape {
   std::string top;
   scene::EngineSpec spec;
   int capacity = 0;                  ///< items of a set, or candidates
-  std::vector<std::string> columns;  ///< of an item, lowest bits first, in the order of first use
-  std::vector<std::string> row_columns;  ///< of a row, as `columns`; empty for a pairwise engine
+  std::vector<std::string> columns;  ///< an item's, lowest bits first, in the order of first use
+  std::vector<std::string> row_columns;  ///< a row's, like `columns`; empty for a pairwise engine
   std::vector<Source> sources;           ///< one per input
   int column_width = 0;                  ///< bits of one column
 

@@ -123,7 +123,7 @@ Signal FixedNodes::leading_bits(int input) {
   return {net(name), name, width, 0};
 }
 
-/// An operand of block floating point.
+/// Builds an operand of block floating point.
 void FixedNodes::build_aligned_operand(NodeId id) {
   const FixedNode& node = lane_.nodes[id];
   const datapath::Step& step = schedule_.steps[id];
@@ -259,7 +259,7 @@ void FixedNodes::build_conversion(NodeId id) {
   if (fixed::is_checked(node)) build_check(id);
 }
 
-/// Reads the `count` low bits of a net that may have no other reader.
+/// Consumes the `count` low bits of a net, which may have no other reader.
 void FixedNodes::consume_low_bits(const std::string& name, int count) {
   datapath_.add(Wire{1, datapath_.pool().unique("unused_" + name),
                      all_bits(concatenation({literal(1, 0), slice(name, count - 1, 0)}))});

@@ -28,9 +28,9 @@ public:
   Operand excess_bits(NodeId id, int kept, int most, int cycle);
   /// A node's value in `cycle`, in two's complement whatever its format.
   Operand signed_value(NodeId node, int cycle) { return operand(node, 0, cycle); }
-  /// A flag that is set where an operand or a limited value that the node depends on does not fit.
+  /// A flag that is set if an operand or a limited value that the node depends on does not fit.
   Signal out_of_range(NodeId node);
-  /// A flag that is set where a number that the node is computed from is beyond its reach.
+  /// A flag that is set if a number that the node is computed from is beyond its reach.
   Signal beyond_reach(NodeId node);
 
 private:
@@ -63,11 +63,11 @@ private:
   const datapath::Schedule& schedule_;
   std::vector<std::string> names_;
   std::vector<Signal> values_;
-  /// [input, limit or reach]: set where its number does not fit; none where all do.
+  /// [input, limit or reach]: set if its number does not fit. No entry if every number fits.
   std::map<NodeId, Signal> misfits_;
-  Signal largest_exponent_;  ///< of block floating point
-  Signal not_finite_;        ///< of block floating point: some operand is infinite or a NaN
-  Signal common_drop_;       ///< of common cuts
+  Signal largest_exponent_;  ///< in block floating point
+  Signal not_finite_;        ///< in block floating point: some operand is infinite or a NaN
+  Signal common_drop_;       ///< bits that common cuts drop
   std::size_t checks_built_ = 0;
   std::map<std::vector<std::string>, Signal> gathered_;  ///< [names of flags]: any of them
 };

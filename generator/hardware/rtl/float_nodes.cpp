@@ -74,7 +74,7 @@ Operand FloatNodes::build_start(const std::string& unit, std::vector<Literal> ph
   return net(name);
 }
 
-/// The phases in which the operands of a shared unit are there: where it selects them, a cycle
+/// The phases in which the operands of a shared unit are there. If it selects them, that is a cycle
 /// after they are read into its registers.
 std::vector<Literal> FloatNodes::start_phases(const SelectingUnits::Unit& unit,
                                               bool selects) const {
@@ -201,7 +201,7 @@ bool FloatNodes::is_inside_its_square(NodeId id) const {
   return adds && schedule_.steps[id].unit.module.empty();
 }
 
-/// Builds a square together with the sum that it is of.
+/// Builds a square together with the sum that it squares.
 void FloatNodes::build_squared_sum(NodeId id) {
   const TypedNode& node = graph_.nodes[id];
   const datapath::Step& step = schedule_.steps[id];
@@ -292,7 +292,7 @@ std::vector<Operand> FloatNodes::term_operands(const TypedNode& node, int cycle)
   return {concatenation(std::move(first)), any_second ? concatenation(std::move(second)) : unread};
 }
 
-/// The parameters of the terms. A mask of zeros is the default and left out.
+/// The parameters of the terms. A mask of zeros is the default, so it is left out.
 std::vector<Parameter> FloatNodes::term_parameters(const TypedNode& node) const {
   const int count = static_cast<int>(node.terms.size());
   std::vector<Parameter> parameters = {{"TERMS", count}};
@@ -337,8 +337,8 @@ Operand FloatNodes::flag_output(NodeId id) {
   return flags_[id].value;
 }
 
-/// Builds the flag that travels with the value: it is set where this operation or one before it
-/// was exceptional.
+/// Builds the flag that travels with the value: it is set if this operation or one before it was
+/// exceptional.
 void FloatNodes::gather_flags(NodeId id) {
   const TypedNode& node = graph_.nodes[id];
   const int cycle = schedule_.steps[id].ready_cycle;

@@ -10,7 +10,7 @@
 
 namespace mixcmp::rtl {
 
-/// EXPONENT_BITS and PRECISION.
+/// The parameters EXPONENT_BITS and PRECISION of a format.
 std::vector<Parameter> format_parameters(FloatFormat format);
 
 /// How a datapath uses the `exceptional` outputs of its units.
@@ -22,7 +22,7 @@ enum class ExceptionalFlags {
 /// Adds the operations of a graph in floating point to a datapath.
 class FloatNodes {
 public:
-  /// Reserves the names. `hazards`: one per node, or empty where nothing is ruled out.
+  /// Reserves the names. `hazards`: one per node, or empty if nothing is ruled out.
   FloatNodes(DatapathBuilder& datapath, const TypedGraph& graph,
              std::vector<error::Hazards> hazards, const datapath::Schedule& schedule,
              ExceptionalFlags exceptional);
@@ -31,8 +31,8 @@ public:
   void build();
 
   const Signal& value(NodeId node) const { return values_[node]; }
-  /// A flag that is set where the node or one before it was exceptional. It is constantly 0 where
-  /// flags are not gathered.
+  /// A flag that is set if the node or one before it was exceptional. It is constantly 0 if flags
+  /// are not gathered.
   const Signal& flag(NodeId node) const { return flags_[node]; }
   /// One name per node.
   const std::vector<std::string>& names() const { return names_; }
@@ -72,10 +72,10 @@ private:
   std::vector<error::Hazards> hazards_;
   const datapath::Schedule& schedule_;
   ExceptionalFlags exceptional_;
-  std::string unused_name_;  ///< of the wire that takes the flags which nothing reads
+  std::string unused_name_;  ///< the name of the wire that takes unread flags
   std::vector<std::string> names_;
   int unused_flags_ = 0;
-  SelectingUnits selecting_;  ///< of a folded datapath
+  SelectingUnits selecting_;  ///< units of a folded datapath
   std::vector<Signal> values_;
   std::vector<Signal> flags_;
 };

@@ -145,7 +145,7 @@ private:
     return made;
   }
 
-  /// The field that holds a column as it arrives; adds it where it is new.
+  /// The field that holds a column as it arrives; the field is added if it is new.
   std::size_t column_field(data::Item item, std::size_t column) {
     Word& word = word_of(item);
     const std::size_t converted = word.fields.size() - word.columns.size();
@@ -163,8 +163,8 @@ private:
   std::size_t next_split_ = 0;
 };
 
-/// The multipliers of the conversion: those of the first lanes that are split. It has one datapath
-/// for the whole engine, so that memories are left to the lanes.
+/// The multipliers of the conversion: those of the first lanes that are split. The whole engine has
+/// one conversion, so it leaves memories to the lanes.
 scene::Multipliers multipliers_of(const design::Design& design) {
   for (const design::LaneGroup& group : design.lanes) {
     if (splittable(group.lane) == nullptr) continue;

@@ -11,8 +11,8 @@
 #include "model/design/design.hpp"
 #include "model/lane/fixed/item_split.hpp"
 
-/// Words of an engine's items, and of its rows where it has any. They hold everything that lanes
-/// read of an item, and are computed once, when it is loaded.
+/// Words of an engine's items, and of its rows if it has any. They hold everything that lanes read
+/// of an item, and are computed once, when it is loaded.
 namespace mixcmp::rtl {
 
 /// A port of a lane: bits of the word of one of its items, or of the row.
@@ -39,10 +39,10 @@ struct Word {
     int width;
     int low;
   };
-  std::vector<Field> fields;         ///< none of a row in an engine without rows
-  std::vector<std::size_t> columns;  ///< those that the word holds as they arrive
+  std::vector<Field> fields;         ///< empty for a row in an engine without rows
+  std::vector<std::size_t> columns;  ///< columns that the word holds as they arrive
   datapath::Schedule schedule;
-  std::string module;  ///< computes it; empty where nothing is computed
+  std::string module;  ///< computes it; empty if nothing is computed
 
   int bits() const { return fields.empty() ? 0 : fields.back().low + fields.back().width; }
   bool converts() const { return !module.empty(); }
@@ -50,8 +50,8 @@ struct Word {
 
 struct ItemWords {
   Word items;
-  Word rows;                              ///< takes as long to compute as that of an item
-  std::optional<fixed::ItemSplit> split;  ///< none where nothing is computed
+  Word rows;                              ///< takes as long to compute as an item's word
+  std::optional<fixed::ItemSplit> split;  ///< none if nothing is computed
   std::vector<WordLane> lanes;            ///< one per group of the design's lanes
   std::optional<WordLane> second_tier;
 

@@ -116,7 +116,7 @@ public:
 private:
   DecisionUnit decision(std::size_t part, const fixed::ConstantThresholds& thresholds) {
     const int width = difference_bits(part);
-    // Constants beyond every difference decide as the nearest one does.
+    // A constant beyond every difference decides like the nearest constant that the unit can have.
     const mpz_class above = shifted_left(1, width - 1);
     const mpz_class greater_from = std::clamp<mpz_class>(thresholds.greater_from, -above, above);
     const mpz_class less_to = std::clamp<mpz_class>(thresholds.less_to, -above - 1, above - 1);
@@ -189,7 +189,7 @@ private:
     return threshold;
   }
 
-  /// The unit with the operands that all decisions have: `operands` are between them.
+  /// Builds the unit with the operands that all decisions have, and with `operands` between these.
   DecisionUnit unit(std::size_t part, std::string what, std::vector<Parameter> parameters,
                     std::vector<Connection> operands) {
     const NodeId difference = lane_.parts[part].difference;

@@ -20,8 +20,8 @@ using Operand = std::shared_ptr<const Expression>;
 struct Net {
   std::string name;
 };
-/// name[variable * width +: width], or name[variable] for width 1; with an offset its sum with the
-/// variable in the variable's place.
+/// The expression name[variable * width +: width], or name[variable] for width 1. With an offset,
+/// the sum of variable and offset stands in place of the variable.
 struct IndexedSlice {
   std::string name;
   std::string variable;
@@ -68,7 +68,7 @@ Operand literal(int width, Bits value);
 Operand zeros(int width);
 Operand concatenation(std::vector<Operand> parts);
 Operand inverted(Operand operand);
-/// The or of all operands; a single operand stays itself, none is 1'b0.
+/// The OR of all operands. One operand is returned as it is, and no operand gives 1'b0.
 Operand any_of(std::vector<Operand> operands);
 Operand all_bits(Operand operand);
 
@@ -117,7 +117,7 @@ struct Instance {
   std::vector<Connection> connections;
 };
 /// A register that takes `value` at the end of every cycle in which the port "phase" has this
-/// value, and keeps it else.
+/// value, and otherwise keeps its value.
 struct HeldValue {
   int width;
   std::string name;

@@ -32,12 +32,12 @@ std::vector<std::string> name_nodes(const TypedGraph& graph, const std::vector<s
 std::vector<std::string> name_nodes(const fixed::FixedLane& lane,
                                     const std::vector<std::string>& ports, NamePool& pool);
 
-/// The suffix of the nets that belong to one part: "_2"; empty where there is only one part.
+/// The suffix of the nets that belong to one part: "_2"; empty if there is only one part.
 std::string part_suffix(std::size_t part, std::size_t parts);
 
 /// The operation as a formula over its operands' names: "cxi - cxj".
 std::string formula(const TypedGraph& graph, NodeId node, const std::vector<std::string>& names);
-/// The formula of an operation whose operands read as given.
+/// The formula of an operation on operands with these texts.
 std::string formula(Operation operation, const std::string& a, const std::string& b);
 
 /// A name for every node of an error bound. The last is "error_bound" with its part's suffix; a

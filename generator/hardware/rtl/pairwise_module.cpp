@@ -36,7 +36,7 @@ std::vector<Port> pairwise_ports(const PairwiseShape& shape, const SystemShape& 
   return ports;
 }
 
-/// `wide` fields of a vector, the lowest but one up, with another net below them or above them.
+/// The fields of a vector, moved up by one field; `low` is the lowest one.
 Operand shifted_up(const std::string& vector, int count, int width, const std::string& lowest) {
   if (count == 1) return net(lowest);
   return concatenation({slice(vector, (count - 1) * width - 1, 0), net(lowest)});

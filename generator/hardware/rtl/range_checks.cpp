@@ -90,7 +90,7 @@ private:
     return {net(name), name, 1, cycle};
   }
 
-  /// Builds a flag that is set where an operand has a wrong sign, for checks of only the sign.
+  /// Builds a flag that is set if an operand has a wrong sign, for checks of only the sign.
   Signal build_signs(const std::vector<std::size_t>& checks, const std::string& suffix) {
     std::vector<Operand> wrong;
     for (const std::size_t index : checks) {

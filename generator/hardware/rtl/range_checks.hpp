@@ -5,8 +5,8 @@
 
 namespace mixcmp::rtl {
 
-/// Builds a flag for each part, which is set where an operand fails a check of that part. Where
-/// there is nothing to check it is never set.
+/// Builds a flag for each part. It is set if an operand fails a check of that part, and never set
+/// if there is nothing to check.
 std::vector<Signal> build_range_checks(DatapathBuilder& builder, const error::Lane& lane,
                                        const datapath::Schedule& schedule);
 

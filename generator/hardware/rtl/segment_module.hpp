@@ -10,9 +10,9 @@ namespace mixcmp::rtl {
 /// Equal segments of a pairwise engine that follow each other in its chain.
 struct SegmentGroup {
   std::string module;
-  std::string label;           ///< of the loop that instantiates them
+  std::string label;           ///< label of the loop that instantiates them
   std::size_t lane_group = 0;  ///< the group of the system's lanes that they hold
-  int lanes = 0;               ///< of each
+  int lanes = 0;               ///< lanes of each segment
   int first = 0;               ///< the number of the first segment
   int count = 0;
 };

@@ -16,15 +16,15 @@ class SelectingUnits {
 public:
   struct Unit {
     std::string name;
-    TypedNode node;  ///< the unit's operation: an addition where it also subtracts
+    TypedNode node;  ///< the unit's operation; an addition if it also subtracts
     std::vector<PhaseCase> cases;
   };
 
   SelectingUnits(const TypedGraph& graph, const datapath::Schedule& schedule, NamePool& pool);
 
-  /// The unit of a node; null where it does not share one.
+  /// The unit of a node; null if the node shares no unit.
   Unit* find(NodeId node);
-  /// By their indices in the schedule's shared_units.
+  /// The units by their indices in the schedule's shared_units.
   const std::map<std::size_t, Unit>& units() const { return units_; }
 
   /// Adds the operands that the unit of `node` reads when the node starts.

@@ -32,7 +32,7 @@ struct DatapathGroup {
 struct SystemShape {
   std::string top;
   std::vector<DatapathGroup> lane_groups;
-  std::vector<DatapathGroup> reference_groups;  ///< none where p_H = 0
+  std::vector<DatapathGroup> reference_groups;  ///< empty: p_H = 0
   /// The lanes that are asked before the references are: one behind each segment of a pairwise
   /// engine, or in a system of streams `count` of them behind the crossbar.
   std::optional<DatapathGroup> second_tier;
@@ -42,16 +42,15 @@ struct SystemShape {
   int lanes = 0;                         ///< p_L
   int lanes_per_group = 1;               ///< lanes in lock step, which share a channel
   int references = 0;                    ///< p_H
-  /// Bits of a comparison's words where lanes read words of an engine's items; 0: lanes read
-  /// operands.
+  /// Bits of a comparison's words if lanes read words of an engine's items; 0: lanes read operands.
   int word_bits = 0;
   int tag_bits = 0;
   /// The low bits of a tag by which a reference asks for operands; 0: the whole tag.
   int asking_bits = 0;
   int slot_bits = 0;
-  int input_registers = 0;    ///< between a port of operands and its lane
-  int counter_bits = 0;       ///< of each counter's output; 0: no counters
-  int read_counter_bits = 0;  ///< of counts that software reads on a port; 0: there is no such port
+  int input_registers = 0;    ///< registers between a port of operands and its lane
+  int counter_bits = 0;       ///< bits of each counter's output; 0: no counters
+  int read_counter_bits = 0;  ///< bits of counts that software reads on a port; 0: no port
   scene::ResultOrder order = scene::ResultOrder::tagged;
   scene::OperandStore operands = scene::OperandStore::carried;
   int beat_bits = 0;  ///< a request of carried operands has 2^beat_bits beats

@@ -14,7 +14,7 @@ struct BitRange {
   int width;
 };
 
-/// Consumes the other bits of a net of `bits` bits, of which `read` are read.
+/// Consumes the bits of a net that nothing reads. The net has `bits` bits, and `read` are read.
 void consume_unread(const std::string& name, int bits, const std::vector<BitRange>& read,
                     std::vector<ModuleItem>& items);
 

@@ -41,7 +41,7 @@ inline double square_root(double x) {
 }
 
 /// minimum of IEEE 754-2019: a NaN operand gives a NaN, and -0 < +0. Equal numbers have the same
-/// bits, but for the signs of zeros.
+/// bits, except for the signs of zeros.
 template <class Real>
 inline Real minimum(Real a, Real b) {
   using Bits = BitsOf<Real>;
@@ -60,8 +60,8 @@ inline Real maximum(Real a, Real b) {
   return a != a ? a : ordered;
 }
 
-/// 2^floor(log2 |x|) of a normal number. It is 0 of zeros and subnormal numbers, which are exact
-/// here: an inexact one is exceptional.
+/// 2^floor(log2 |x|) of a normal number. It is 0 for zeros and for subnormal numbers. Subnormal
+/// numbers are exact here, since an inexact one is exceptional.
 inline float binade(float x) {
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) & 0x7f800000u);
 }

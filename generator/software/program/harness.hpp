@@ -26,8 +26,8 @@ using Columns = std::vector<Column<double>>;
   std::exit(1);
 }
 
-/// The data of a run. Items i and items j are the same where both are of one table; where a
-/// comparison is a row, the rows are items j.
+/// The data of a run. Items i and items j are the same if both are of one table. If a comparison is
+/// a row, the rows are items j.
 struct Data {
   std::uint64_t first_items = 0, second_items = 0;
   Columns columns;
@@ -63,7 +63,7 @@ bool passes(const Check& check, double operand) {
   return check.least <= leading && leading <= check.greatest;
 }
 
-/// Rounds an operand to float. Where that is exceptional the result is NaN, which leaves the
+/// Rounds an operand to float. If that is exceptional the result is NaN, which leaves the
 /// comparison undecided.
 float rounded(double operand) {
   const float nearest = static_cast<float>(operand);
@@ -73,7 +73,7 @@ float rounded(double operand) {
   return exceptional ? std::numeric_limits<float>::quiet_NaN() : nearest;
 }
 
-/// One column per input, rounded for one filter. An operand that fails a check is NaN, too.
+/// One column per input, rounded for one filter. An operand that fails a check becomes a NaN.
 template <class Filter>
 std::vector<Column<float>> rounded_columns(const Columns& columns) {
   std::vector<Column<float>> inputs;
@@ -110,13 +110,13 @@ struct Tally {
   }
 };
 
-/// Comparisons [first, end) with item i (with nothing, where a comparison is a row); at most
+/// Comparisons [first, end) with item i, or rows [first, end) if a comparison is a row; at most
 /// longest_run.
 struct Run {
   std::size_t i, first, end;
   std::size_t size() const { return end - first; }
 };
-/// The longest run of which four columns of doubles fit the first-level cache.
+/// The longest run for which four columns of doubles fit into the first-level cache.
 constexpr std::size_t longest_run = 1024;
 
 template <class Kernel>
@@ -129,8 +129,9 @@ template <class Kernel>
   return equal;
 }
 
-/// Never inlined: all operations that raise floating-point flags are over when it returns. Equal
-/// comparisons are counted in a second pass, only where some are neither less nor greater.
+/// Counts the verdicts of a run. It is never inlined, so all operations that raise floating-point
+/// flags are over when it returns. Equal comparisons are counted in a second pass, and only if some
+/// are neither less nor greater.
 template <class Kernel>
 [[gnu::noinline]] Tally count_orders(const double* const* columns, Run run) {
   const Kernel compare{columns, run.i};
@@ -159,7 +160,7 @@ template <class Filter>
   return {less, 0, greater, 0, 0};
 }
 
-/// Sets open[k] to 1 where comparison run.first + k is undecided, else to 0.
+/// Sets open[k] to 1 if comparison run.first + k is undecided, else to 0.
 template <class Filter>
 [[gnu::noinline]] void mark_open(const float* const* columns, Run run, std::uint32_t* open) {
   const Filter decide{columns, run.i};
@@ -182,8 +183,8 @@ private:
   std::vector<const double*> inputs_;
 };
 
-/// Compares in floats where they decide, else in doubles. Floating-point flags are sticky, so one
-/// look after a run tells whether any operation in it was exceptional; then doubles compute the
+/// Compares in floats if they decide, else in doubles. Floating-point flags are sticky, so one look
+/// after a run tells whether any operation in it was exceptional. If one was, doubles compute the
 /// whole run.
 template <class Filter>
 class FilteredComparison {
@@ -344,7 +345,7 @@ void tally(const char* name, const Kernel& kernel, const Work& work, unsigned th
               number(all.greater), number(all.unordered), number(all.recomputed));
 }
 
-/// Prints one letter per comparison, in order: <, =, >, u; ? where the filter did not decide.
+/// Prints one letter per comparison, in order: <, =, >, u; ? if the filter did not decide.
 template <class Kernel>
 void print_verdicts(const char* name, const Kernel& kernel, const Data& data) {
   std::string letters;
@@ -361,7 +362,7 @@ void print_verdicts(const char* name, const Kernel& kernel, const Data& data) {
 }
 
 /// Checks what the filters' proofs rest on: gradual underflow, rounding to nearest, and flags that
-/// are raised by inexact underflow and overflow alone.
+/// only inexact underflow and overflow raise.
 bool arithmetic_is_ieee() {
   volatile float smallest = std::numeric_limits<float>::min(), one = 1;
   std::feclearexcept(FE_ALL_EXCEPT);
@@ -408,8 +409,8 @@ int end() {
 }  // namespace
 
 /// program DATA verdicts: prints the verdict of every comparison, for small data.
-/// program DATA measure THREADS ROUNDS SECONDS: tallies, then rates with one thread and with all;
-/// each kernel in turn, so that what disturbs a measurement disturbs all of them.
+/// program DATA measure THREADS ROUNDS SECONDS: prints tallies, then rates with one thread and with
+/// all. The kernels take turns, so that a disturbance affects all of them.
 int main(int argc, char** argv) {
   if (argc < 3) fail("DATA verdicts, or DATA measure THREADS ROUNDS SECONDS");
   if (!arithmetic_is_ieee()) fail("floating-point arithmetic is not that of IEEE 754");

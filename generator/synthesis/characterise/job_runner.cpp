@@ -66,7 +66,7 @@ public:
     }
     workers.clear();
     std::error_code kept;
-    fs::remove(work_, kept);  // unless something is kept in it
+    fs::remove(work_, kept);  // fails if something is kept in it
     return std::move(run_);
   }
 

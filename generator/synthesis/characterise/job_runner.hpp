@@ -12,12 +12,12 @@ namespace mixcmp::characterise {
 struct PendingJob {
   std::string hash;
   std::string label;                  ///< for messages: "lane s12e8 exact relative"
-  std::function<SynthesisJob()> job;  ///< called when the job starts: all jobs' sources are large
+  std::function<SynthesisJob()> job;  ///< called when the job starts, since sources are large
 };
 
 struct FailedJob {
   std::string label;
-  std::string message;              ///< of the tool, with the end of its log
+  std::string message;              ///< the tool's message, with the end of its log
   std::filesystem::path directory;  ///< where sources and logs are kept
 };
 

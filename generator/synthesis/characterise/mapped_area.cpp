@@ -23,7 +23,7 @@ constexpr devices::Area memory_luts(int luts) {
   return {.luts = luts, .shift_luts = luts};
 }
 
-/// Cells by their whole names.
+/// The areas of cells by their whole names.
 constexpr std::array cells = std::to_array<CellArea>({
     // Xilinx: UG190, UG364, UG474 and UG574 (the CLB user guides) say how many LUTs a memory takes.
     {"LUT1", lut},
@@ -77,7 +77,7 @@ constexpr std::array cells = std::to_array<CellArea>({
     {"$scopeinfo", free_of_charge},
 });
 
-/// Families of cells by the start of their names; the longest start comes first.
+/// The areas of families of cells by the start of their names. The longest start comes first.
 constexpr std::array prefixes = std::to_array<CellArea>({
     {"FD", {.registers = 1}},  // FDRE, FDSE_1, FDCPE
     {"LDCE", {.registers = 1}},
@@ -88,7 +88,7 @@ constexpr std::array prefixes = std::to_array<CellArea>({
     {"RAMB36", {.memories = 2}},  // a block of 36 Kb is two of 18 Kb
 });
 
-constexpr int most_cells = 10'000'000;  ///< of one type; no device has as many
+constexpr int most_cells = 10'000'000;  ///< cells of one type; no device has as many
 
 Error no_cell_count(const std::string& field, const nlohmann::json& received) {
   return {.field = field,

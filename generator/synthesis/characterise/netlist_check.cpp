@@ -18,9 +18,9 @@ bool maps_multipliers(const devices::Device& device) {
 }
 
 /// The number of a net's low bits that vary. A constant bit is a string ("0", "1", "x"), any other
-/// the number of a wire. Wires that nothing drives vary: a register that has become part of a shift
-/// register leaves such a wire. One that has become part of a multiplier leaves "x". Synthesis may
-/// have cut constant bits off a net's upper end.
+/// the number of a wire. A wire that nothing drives counts as varying: a register that has become
+/// part of a shift register leaves one. A register that has become part of a multiplier leaves "x".
+/// Synthesis may have cut constant bits off a net's upper end.
 int varying_bits(const nlohmann::json& bits, int low_bits, bool has_multipliers) {
   const std::size_t count = std::min(bits.size(), static_cast<std::size_t>(low_bits));
   int varying = 0;
@@ -39,7 +39,8 @@ Error too_few_bits(const NeededNet& net, int varying) {
           .accepted = fmt::format("at least {}", net.varying_bits)};
 }
 
-/// "g_lanes[0].lane" of the net "g_lanes[0].lane.sum"; empty for a net of the top itself.
+/// The instance that a net is in: "g_lanes[0].lane" for the net "g_lanes[0].lane.sum"; empty for a
+/// net of the top itself.
 std::string instance_of(const NeededNet& net) {
   const std::size_t dot = net.name.rfind('.');
   return dot == std::string::npos ? "" : net.name.substr(0, dot);

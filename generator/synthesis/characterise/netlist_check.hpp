@@ -9,7 +9,7 @@
 
 namespace mixcmp::characterise {
 
-/// A net of which synthesis must leave some bits that vary.
+/// A net in which synthesis must leave some bits that vary.
 struct NeededNet {
   std::string name;      ///< in the flattened netlist: "g_lanes[0].lane.sum"
   int low_bits = 0;      ///< the bits that are looked at, from the lowest up
@@ -19,7 +19,7 @@ struct NeededNet {
 /// The parts of a module that synthesis cannot do without.
 struct NeededParts {
   int dsps = 0;                 ///< embedded multipliers, as a lower bound
-  std::vector<NeededNet> nets;  ///< results of units and the like
+  std::vector<NeededNet> nets;  ///< the results of units
 };
 
 /// Refuses an area on `device` with fewer multipliers than `needed` has.
@@ -32,8 +32,8 @@ Result<Done> check_multipliers(const devices::Area& area, const NeededParts& nee
 /// joins to a shift register; a constant net keeps its name. But it is an error if an instance has
 /// none of its nets.
 ///
-/// Where the netlist has embedded multipliers, unknown bits ("x") count as varying: so look the
-/// registers that a multiplier has taken in, and check_multipliers counts the multipliers.
+/// If the netlist has embedded multipliers, unknown bits ("x") count as varying: registers inside a
+/// multiplier leave such bits, and check_multipliers counts the multipliers.
 ///
 ///     check_nets(netlist, "reference", {{"product", 52, 2}}, false)
 ///     // product: synthesis has found ...: received 0 of 52 bits that vary; accepted at least 2

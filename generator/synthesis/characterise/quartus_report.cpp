@@ -39,12 +39,14 @@ private:
   int first_;
 };
 
-/// "Quartus Prime Version", "Quartus II 64-Bit Version".
+/// Whether this is the name of a version, such as "Quartus Prime Version" or "Quartus II 64-Bit
+/// Version".
 bool is_version(const std::string& name) {
   return name.starts_with("Quartus") && name.ends_with("Version");
 }
 
-/// "18.1.0 Build 625 09/12/2018 SJ Lite Edition", after "Version " in timing reports.
+/// The tool of a version text such as "18.1.0 Build 625 09/12/2018 SJ Lite Edition", which follows
+/// "Version " in timing reports.
 std::string tool_of(const std::string& text) {
   const std::string prefix = "Version ";
   return "Quartus " + version_of(text.starts_with(prefix) ? text.substr(prefix.size()) : text);
@@ -71,7 +73,7 @@ std::string path_of(const std::string& full_name, const std::string& top) {
   return path;
 }
 
-/// "M9Ks", "M10Ks", "M20Ks".
+/// Whether a column of this name counts memories: "M9Ks", "M10Ks", "M20Ks".
 bool counts_memories(const std::string& name) {
   return name.size() > 3 && name.starts_with("M") && name.ends_with("Ks") &&
          std::isdigit(static_cast<unsigned char>(name[1])) != 0;

@@ -20,7 +20,7 @@ using measured::ClockSource;
 /// The differences between nextpnr's two architectures.
 struct Architecture {
   const char* allow_unconstrained;
-  const char* lut;  ///< in nextpnr's report of utilisation
+  const char* lut;  ///< the name of LUTs in nextpnr's report of utilisation
 };
 
 Architecture architecture_of(const devices::Device& device) {

@@ -11,7 +11,8 @@ namespace mixcmp::characterise {
 namespace {
 
 std::optional<std::string> untimed_cell(const std::string& text) {
-  // Yosys' two messages for it: no model at all, or one without delays.
+  // Yosys' two messages about a cell without known delays: it has no model, or a model without
+  // delays.
   static const std::regex untimed(
       "(?:Cell type '([^']+)' not recognised|Module '([^']+)' has no timing arcs)");
   std::smatch found;

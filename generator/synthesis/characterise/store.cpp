@@ -19,7 +19,7 @@ using measured::ClockSource;
 /// SQLite's application_id, which marks a file as ours: "mxcm".
 constexpr int application_id = 0x6d78636d;
 constexpr int layout_version = 1;
-/// How long to wait for another process, which locks the file for one insertion at a time.
+/// The time to wait for another process. It locks the file for one insertion at a time.
 constexpr int patience_ms = 60'000;
 
 constexpr const char* layout =

@@ -61,7 +61,7 @@ Result<Done> run_yosys(const Run& run, const std::string& name, const std::strin
 /// inverter is enough for all registers of a reset.
 constexpr const char* share_inverters = "opt_merge -share_all t:INV\nopt_clean\n";
 
-/// Maps the module by itself. Leaves map.json, the netlist, and map.il, the same for Yosys. A
+/// Maps the module by itself. Leaves the netlist in map.json and, in Yosys' own form, in map.il. A
 /// device's command need not flatten the design; the names in the netlist are those of a flat one.
 Result<devices::Area> map_alone(const Run& run) {
   const std::string& top = run.job.top;

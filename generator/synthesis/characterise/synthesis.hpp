@@ -39,7 +39,7 @@ enum class TimingEffort {
 
 struct SynthesisOptions {
   TimingEffort effort = TimingEffort::timing;
-  int seeds = 3;                             ///< of the router
+  int seeds = 3;                             ///< seeds of the router
   ToolLimits each_tool = {.seconds = 3600};  ///< for one run of Yosys or of the router
 };
 

@@ -61,7 +61,7 @@ Result<std::string> yosys_version(const devices::Device& device) {
 }
 
 Result<std::string> router_version(const devices::Device& device) {
-  // Asked once: a tool that answers only sometimes must not do both in one run.
+  // Each tool is asked once: one that answers only sometimes must not do both in one run.
   static std::mutex mutex;
   static std::map<std::pair<Command, std::string>, Result<std::string>> answers;
   const Command command = with(router_command(device), "--version");

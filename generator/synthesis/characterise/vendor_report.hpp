@@ -16,7 +16,7 @@ std::string_view to_string(Vendor vendor);
 struct InstanceArea {
   std::string path;  ///< below the top, "g_lanes[0].channel/lane"; empty: the whole design
   devices::Area area;
-  int line = 0;  ///< of the report
+  int line = 0;  ///< line of the report
 };
 
 /// The facts that one report of a vendor's tool states. A report has areas or a clock.

@@ -12,7 +12,7 @@ namespace {
 
 using measured::AreaStage;
 
-/// "| Design       : top" at the head of the report.
+/// The value of a field at the head of the report: "| Design       : top".
 Result<ReportField> head_field(const ReportText& report, std::string_view name) {
   constexpr int head_lines = 20;
   for (int line = 1; line <= std::min(head_lines, report.size()); ++line) {
@@ -51,7 +51,7 @@ Result<AreaStage> stage_of(const ReportText& report, const ReportField& state) {
 struct HierarchyColumns {
   std::size_t luts = 0, lut_memories = 0, shift_registers = 0, registers = 0;
   std::size_t blocks_36k = 0, blocks_18k = 0, dsps = 0;
-  std::optional<std::size_t> ultra_memories;  ///< of devices that have URAM
+  std::optional<std::size_t> ultra_memories;  ///< on devices that have URAM
 };
 
 Result<HierarchyColumns> hierarchy_columns(const ReportText& report, const ReportTable& table,

@@ -17,14 +17,15 @@ module bound_units #(
     input wire        exceptional
 );
 
-  // Read by hierarchical name: as one vector it would be most of the simulation's work.
+  // The answers, which the test reads by their hierarchical names: as one vector they would take
+  // most of the simulation's work.
   wire [SLOT-1:0] y[0:SLOTS-1]  /* verilator public_flat_rd */;
 
   localparam PACKED    = EXPONENT_BITS + PRECISION;
   localparam MAGNITUDE = PACKED - 1;
   localparam BOUND     = EXPONENT_BITS + BOUND_PRECISION - 1;
 
-  // Limits of the range checks, in as many leading bits as below.
+  // The limits of the range checks, in as many leading bits as the check below has.
   localparam [MAGNITUDE-1:0] FINITE_LEAST    = 1;
   localparam [MAGNITUDE-1:0] FINITE_GREATEST = (1 << EXPONENT_BITS) - 2;
   localparam [MAGNITUDE-1:0] INNER_LEAST     = 3;
@@ -138,7 +139,7 @@ module bound_units #(
       );
       assign y[4*8+mask] = holds;
 
-      // Guards that fit below the bound's digits, that do not, and that nothing exceeds.
+      // The guards: some fit below the bound's digits, some do not, and one is exceeded by nothing.
       for (guard = 0; guard < 4; guard = guard + 1) begin : with_guard
         localparam [PACKED-1:0] SMALL = guard ? 5 : 0;
         localparam [PACKED-1:0] LARGE = {PACKED{1'b1}} >> ((guard == 3) ? 0 : 4);

@@ -9,8 +9,8 @@
 #include "tests/rtl_templates/bound/built_units.hpp"
 #include "tests/rtl_templates/bound/expected.hpp"
 
-/// The bound units of one format under every mask of cuts, one stimulus a cycle, each answer in the
-/// very cycle its latency names.
+/// Tests the bound units of one format under every mask of cuts. Each cycle has one stimulus, and
+/// each answer is expected in the very cycle that its latency names.
 namespace mixcmp::test {
 
 inline const FloatFormat lane =

@@ -9,8 +9,8 @@ namespace {
 
 constexpr int random_stimuli = 30'000;
 
-/// Random by field: exponents uniform, at both ends, or close to `near`; fractions uniform, zeros
-/// or ones.
+/// A bound that is random by field. Its exponent is uniform, at either end, or close to `near`; its
+/// fraction is uniform, zeros or ones.
 Bits random_bound(int near, std::mt19937_64& random) {
   const int top = (1 << bound.exponent_bits) - 2;
   int exponent = 1 + static_cast<int>(random() % static_cast<unsigned>(top));

@@ -1,4 +1,5 @@
-// Only the code that reads the Verilated model: this source is compiled for each format.
+// The code that reads the Verilated model, and nothing else, since this source is compiled for each
+// format.
 #include "tests/rtl_templates/bound/built_units.hpp"
 
 #include "Vbound_units.h"

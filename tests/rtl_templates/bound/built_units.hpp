@@ -25,7 +25,7 @@ public:
 
 /// The parameters with which the units were built.
 struct BuiltUnits {
-  int precision, exponent_bits;  ///< of the lane
+  int precision, exponent_bits;  ///< the lane's
   int bound_precision;           ///< digits of a bound
 };
 

@@ -1,6 +1,6 @@
 #include "tests/rtl_templates/bound/bound_units_fixture.hpp"
 
-/// Every operand of formats that are small enough.
+/// Tests with every operand of formats that are small enough.
 namespace mixcmp::test::every_operand_test {
 namespace {
 

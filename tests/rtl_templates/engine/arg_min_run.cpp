@@ -91,7 +91,7 @@ void ArgMinRun::reset() {
   ++resets_;
 }
 
-/// Few different costs, so that many are alike.
+/// There are few different costs, so that many are alike.
 std::uint32_t ArgMinRun::cost(std::uint32_t row, std::uint32_t candidate) const {
   const std::uint32_t bits = mix(row, candidate);
   if ((bits >> 8) % 1024 < traffic_.nan * 1024) return nan_cost;
@@ -159,7 +159,7 @@ void ArgMinRun::cycle() {
   convert();
   dut_->eval();
   const bool loading = loading_;
-  // A departing row or candidate entered before this cycle.
+  // Results are taken first: a row or candidate that leaves entered before this cycle.
   take_result();
   take_candidate();
   take_row();
@@ -323,7 +323,7 @@ void ArgMinRun::ask(std::size_t r) {
   reference.asking.pop_front();
 }
 
-/// Holds the operands that a reference gets against the operands that its pair's words encode.
+/// Compares the operands that a reference gets with the operands that its pair's words encode.
 void ArgMinRun::recompute(std::size_t r) {
   Reference& reference = references_[r];
   const bool valid = dut_->refetched_tvalid.bit(r), ready = dut_->refetched_tready.bit(r);

@@ -45,11 +45,11 @@ inline void PrintTo(const ArgMinSpec& spec, std::ostream* stream) {
   *stream << spec.name;
 }
 
-/// Chances per cycle, and of a cost being NaN.
+/// The chances of events per cycle, and of a cost that is NaN.
 struct ArgMinTraffic {
   const char* name = "";
   double load = 1.0;       ///< that a candidate is offered
-  double offer = 1.0;      ///< that a row is
+  double offer = 1.0;      ///< that a row is offered
   double take = 1.0;       ///< that a lane takes a pair
   double give = 1.0;       ///< that a lane gives a result
   double accept = 1.0;     ///< that a result is taken
@@ -64,7 +64,7 @@ struct ArgMinTraffic {
 
 /// Puts model lanes and model references around an engine. The lanes know rows and candidates only
 /// by their words; the references get full operands for the pairs that lanes leave undecided.
-/// Results are held against a search that is made here, one candidate after the other.
+/// Results are compared with a search that is made here, one candidate after the other.
 class ArgMinRun {
 public:
   static constexpr int candidate_bits = 21;
@@ -77,8 +77,8 @@ public:
   ArgMinRun(const ArgMinSpec& spec, std::uint64_t seed) : ArgMinRun(spec, seed, {}) {}
   ArgMinRun(const ArgMinSpec& spec, std::uint64_t seed, ArgMinTraffic traffic);
 
-  /// Offers `candidates` candidates, while rows of the load before may be inside, and then
-  /// (impatient: at the same time) `rows` rows. Returns when all rows have been accepted; a reset
+  /// Offers `candidates` candidates while rows of the load before may be inside, and then (if
+  /// impatient, at the same time) `rows` rows. Returns when all rows have been accepted. A reset
   /// throws the load out and starts it again.
   void run_load(std::uint32_t candidates, std::uint32_t rows);
   /// Runs until everything has left, and a while longer.
@@ -89,7 +89,7 @@ public:
   const std::string& failure() const { return failure_; }
   std::uint64_t left() const { return left_; }
   std::uint64_t resets() const { return resets_; }
-  /// The chosen candidate of row `index` of all that left.
+  /// The candidate that was chosen for row `index`, counted over all rows that left.
   std::uint64_t chosen(std::uint32_t index) const { return chosen_[index]; }
   std::uint64_t ties() const { return ties_; }
   /// Pairs whose operands a reference got.
@@ -99,7 +99,7 @@ public:
   std::uint64_t latency() const { return latency_; }
   /// Cycles from the last candidate's acceptance to that of the first row behind it.
   std::uint64_t settling() const { return settling_; }
-  /// Between the departures of the last two rows.
+  /// Cycles between the departures of the last two rows.
   std::uint64_t interval() const { return interval_; }
   std::uint64_t stalled_cycles() const { return dut_->stalled_cycles.field(0, 32); }
 
@@ -107,14 +107,14 @@ private:
   struct Expected {
     std::uint32_t index, tag;
     bool last;
-    std::uint64_t accepted;  ///< in this cycle
+    std::uint64_t accepted;  ///< beats accepted in this cycle
   };
   /// A pair inside a lane, by the numbers that its words encode.
   struct Pair {
     std::uint32_t row, best, own;
     std::uint64_t tag;
     std::uint64_t due;  ///< no result before this cycle
-    bool undecided;     ///< until a reference has decided it
+    bool undecided;     ///< true until a reference has decided it
   };
   struct Lane {
     std::deque<Pair> inside;
@@ -158,13 +158,13 @@ private:
   std::vector<Reference> references_;
   /// The contents of the conversions, the newest first.
   std::deque<std::uint32_t> converting_candidates_, converting_rows_;
-  std::vector<std::uint32_t> candidates_;  ///< of this load, all that are offered
-  std::vector<std::uint32_t> held_;        ///< of the last whole load
-  std::size_t loaded_ = 0;                 ///< of them, accepted
-  std::uint32_t rows_left_ = 0;            ///< of this load, not accepted yet
+  std::vector<std::uint32_t> candidates_;  ///< all that this load offers
+  std::vector<std::uint32_t> held_;        ///< those of the last whole load
+  std::size_t loaded_ = 0;                 ///< candidates of this load that were accepted
+  std::uint32_t rows_left_ = 0;            ///< rows of this load that are not accepted yet
   bool loading_ = false;                   ///< a candidate is on offer
-  bool was_loading_ = false;               ///< in the cycle before
-  bool offering_ = false;                  ///< a row is
+  bool was_loading_ = false;               ///< a candidate was on offer in the cycle before
+  bool offering_ = false;                  ///< a row is on offer
   std::uint32_t row_ = 0, tag_ = 0;
   bool row_last_ = false;
   bool may_reset_ = false;
@@ -177,7 +177,7 @@ private:
   std::uint64_t latency_ = 0, settling_ = 0, interval_ = 0;
   std::uint32_t counted_ = 0;     ///< rows that left since reset
   std::uint32_t stalled_ = 0;     ///< cycles since reset in which a row waited only for room
-  std::uint32_t rows_taken_ = 0;  ///< of the last whole load's
+  std::uint32_t rows_taken_ = 0;  ///< accepted rows of the last whole load
   std::vector<std::uint64_t> chosen_;
   std::string failure_;
 };

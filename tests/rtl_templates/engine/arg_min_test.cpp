@@ -117,7 +117,7 @@ TEST_P(ArgMin, LoadsOfEveryLengthFollowOneAnother) {
   }
 }
 
-/// More rows than a power of two that the count of rows inside could wrap at.
+/// Sends more rows than any power of two at which the count of rows inside could wrap.
 TEST_P(ArgMin, ALoadWaitsUntilAFullChainIsEmpty) {
   const std::uint32_t candidates = GetParam().candidates;
   ArgMinRun run(GetParam(), 35, {.name = "SlowSink", .accept = 0.3});

@@ -19,11 +19,11 @@ module pairwise_bench #(
   parameter LANE_LATENCY = 5,
   parameter QUEUE_BITS = 4,
   parameter WORD_LATENCY = 3,
-  parameter UNDECIDED = 2,       // of 16 pairs
+  parameter UNDECIDED = 2,       // undecided pairs among 16
   parameter TIERED = 0,
   parameter LANE_BITS = 2,
   parameter TIER_LATENCY = 4,
-  parameter TIER_UNDECIDED = 2   // of 16 pairs that the segment left undecided
+  parameter TIER_UNDECIDED = 2   // undecided pairs among 16 that the segment left undecided
 ) (
   input  wire                                                       aclk,
   input  wire                                                       aresetn,

@@ -47,7 +47,7 @@ struct EngineSpec {
   int lane_latency;
   int word_latency;
   bool tiered;
-  unsigned tier_undecided;  ///< of 16 pairs that the segment left undecided
+  unsigned tier_undecided;  ///< pairs still undecided, of 16 that the segment left undecided
   int tier_latency;
 
   int lanes() const { return (segments - 1) * lanes_per_segment + last_lanes; }
@@ -57,7 +57,7 @@ inline void PrintTo(const EngineSpec& spec, std::ostream* stream) {
   *stream << spec.name;
 }
 
-/// Chances per cycle.
+/// The chances of events per cycle.
 struct EngineTraffic {
   const char* name = "";
   double offer = 1.0;   ///< that an item is offered
@@ -76,7 +76,7 @@ struct ItemSet {
   bool equal = false;  ///< all items are alike
 };
 
-/// Loads sets of random items and holds the reports against those that the items make due.
+/// Loads sets of random items and compares the reports with those that are due for the items.
 class EngineRun {
 public:
   static constexpr int item_bits = 20;
@@ -86,16 +86,16 @@ public:
   /// Loads a set and runs until its last closing beat has left. A reset throws the set out; it is
   /// loaded again, without resets.
   void run_set(const ItemSet& set, const EngineTraffic& traffic);
-  /// Some cycles without items: nothing may leave.
+  /// Runs some cycles without items, in which nothing may leave.
   void idle(int cycles);
-  /// Holds the counters against the events seen since reset.
+  /// Compares the counters with the events seen since reset.
   void check_counters();
 
   bool failed() const { return !failure_.empty(); }
   const std::string& failure() const { return failure_; }
   /// Cycles of the last set, from its first item to its closing beat.
   std::uint64_t set_cycles() const { return set_cycles_; }
-  /// Since reset, as the hardware counts them.
+  /// Stalled cycles since reset, as the hardware counts them.
   std::uint64_t stalled_cycles() const { return dut_->stalled_cycles.field(0, 32); }
   std::uint64_t recomputed() const { return recomputed_; }
   std::uint64_t reported() const { return reported_; }
@@ -107,7 +107,7 @@ private:
     bool held = false;  ///< a beat was offered and not taken in the last cycle
     std::vector<std::uint64_t> held_beat;
     bool closed = false;
-    std::uint64_t pairs = 0;      ///< of this set
+    std::uint64_t pairs = 0;      ///< pairs of this set
     std::uint64_t set_beats = 0;  ///< reports of this set
     std::uint32_t beats = 0;      ///< reports since reset
   };

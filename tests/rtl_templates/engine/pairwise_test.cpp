@@ -57,7 +57,8 @@ const std::vector<EngineTraffic> traffics = {
 
 class Pairwise : public ::testing::TestWithParam<EngineSpec> {};
 
-/// Sets of every size in one run, one after the other: the closing beats of one let the next in.
+/// Sends sets of every size in one run, one after the other: the closing beats of a set let the
+/// next one in.
 TEST_P(Pairwise, EveryPairMeetsOnceAndEveryReportLeavesOnce) {
   for (const EngineTraffic& traffic : traffics) {
     SCOPED_TRACE(traffic.name);
@@ -74,7 +75,7 @@ TEST_P(Pairwise, EveryPairMeetsOnceAndEveryReportLeavesOnce) {
   }
 }
 
-/// Every number of targets in sets of several sizes, none and all among them.
+/// Tries every number of targets, from none to all, in sets of several sizes.
 TEST_P(Pairwise, TargetsMeetTheOthersAlone) {
   for (const EngineTraffic& traffic : {traffics.front(), traffics.back()}) {
     SCOPED_TRACE(traffic.name);
@@ -128,14 +129,14 @@ TEST_P(Pairwise, AResetForgetsTheSet) {
   EXPECT_GT(run.resets(), 20u);
 }
 
-/// Words that a set takes: block by block from its first item to the last.
+/// The number of words that a set takes: each block from its first item to the last.
 std::uint64_t words_of(int items, int lanes) {
   std::uint64_t words = 0;
   for (int base = 0; base + 1 < items; base += lanes) words += items - base;
   return words;
 }
 
-/// Where nothing is reported, nothing holds the chain up.
+/// Engines that report nothing, so nothing holds up their chain.
 class QuietPairwise : public Pairwise {};
 
 TEST_P(QuietPairwise, TakesAWordACycleWithoutAGap) {
@@ -148,8 +149,8 @@ TEST_P(QuietPairwise, TakesAWordACycleWithoutAGap) {
     if (items == 2) beside = run.set_cycles() - words;
     EXPECT_EQ(run.set_cycles(), words + beside) << items;
   }
-  // Beside the words: the conversion, the walk, three cycles a segment, the lanes, the tier, the
-  // merges.
+  // Cycles besides those of the words: the conversion, the walk, three cycles a segment, the lanes,
+  // the tier, the merges.
   const int tier = spec.tiered ? spec.tier_latency + 4 : 0;
   EXPECT_LE(beside, static_cast<std::uint64_t>(3 * spec.segments + spec.lane_latency +
                                                spec.word_latency + tier + 20));

@@ -13,7 +13,8 @@ module block_units #(
     input wire [2:0]          largest
 );
 
-  // Read by hierarchical name: {not_finite, largest}; y, zero-extended.
+  // The answers, which the test reads by hierarchical name: {not_finite, largest}; y,
+  // zero-extended.
   wire [63:0] maxima[0:COUNTS-1]  /* verilator public_flat_rd */;
   wire [63:0] integers[0:2*WIDTHS-1]  /* verilator public_flat_rd */;
 

@@ -9,9 +9,9 @@
 #include "Vblock_units.h"
 #include "Vblock_units___024root.h"
 
-/// The units of block floating point at small widths, one set of operands a cycle, each answer in
-/// the very cycle that its mask of cuts names, against C++'s integers. block_units.v describes the
-/// slots.
+/// Tests the units of block floating point at small widths against C++'s integers. Each cycle has
+/// one set of operands, and each answer is expected in the very cycle that its mask of cuts names.
+/// block_units.v describes the slots.
 namespace mixcmp::test::block_units_test {
 namespace {
 
@@ -25,7 +25,7 @@ struct Operands {
   std::uint32_t largest = 1;
 };
 
-/// {not_finite, largest} of the first `count` exponents.
+/// The answer {not_finite, largest} for the first `count` exponents.
 std::uint64_t maximum(const Operands& operands, int count) {
   std::uint32_t largest = 1;
   for (int k = 0; k < count; ++k) {
@@ -34,7 +34,7 @@ std::uint64_t maximum(const Operands& operands, int count) {
   return (largest == most ? 8u : 0u) | largest;
 }
 
-/// The units of 2^(E+1-width) in the magnitude, all bits inverted after a set sign bit.
+/// The magnitude in units of 2^(E+1-width), with all bits inverted if the sign bit is set.
 std::uint64_t integer(const Operands& operands, int width, bool is_signed) {
   const std::uint32_t exponent = operands.x >> fraction_bits & most;
   const std::uint32_t fraction = operands.x & 7;
@@ -118,7 +118,7 @@ TEST_F(BlockUnits, FindTheLargestWhereverItStands) {
   }
 }
 
-/// Every operand below every largest exponent.
+/// Aligns every operand to every largest exponent that is not below its own.
 TEST_F(BlockUnits, AlignEveryOperand) {
   for (std::uint32_t largest = 1; largest < most; ++largest) {
     for (std::uint32_t x = 0; x < 128; ++x) {

@@ -1,8 +1,8 @@
 // common_cuts: the units of common cuts at small widths, only for the tests.
-// Slot k has COUNT = 1 + k / MOSTS integers of WIDTH + MOST bits and a sign, MOST = 1 + k % MOSTS:
-// the number of bits that they drop, and the first of them without these; also the lowest WIDTH + 1
-// bits of the first, an integer that is narrower than the others. The masks of cuts are the slots'
-// numbers.
+// Slot k has COUNT = 1 + k / MOSTS integers of WIDTH + MOST bits and a sign, where MOST = 1 + k %
+// MOSTS. `drops` is the number of bits that they drop, and `cut` the first integer without these
+// bits. `narrow_cut` is the same for the lowest WIDTH + 1 bits of the first, an integer that is
+// narrower than the others. The masks of cuts are the slots' numbers.
 `default_nettype none
 
 module common_cuts #(
@@ -14,7 +14,7 @@ module common_cuts #(
     input wire [COUNTS*(WIDTH+MOSTS+1)-1:0] integers  // in two's complement
 );
 
-  // Read by hierarchical name, zero-extended.
+  // The answers, which the test reads by hierarchical name, zero-extended.
   wire [63:0] drops[0:COUNTS*MOSTS-1]  /* verilator public_flat_rd */;
   wire [63:0] cut[0:COUNTS*MOSTS-1]  /* verilator public_flat_rd */;
   wire [63:0] narrow_cut[0:COUNTS*MOSTS-1]  /* verilator public_flat_rd */;
@@ -49,7 +49,7 @@ module common_cuts #(
           .drop  (drop)
       );
 
-      // Beside the number of bits, in the cycle after: the integer waits for it.
+      // The first integer waits here for the number of bits, which comes in a later cycle.
       reg [WIDTH+MOST:0] first[0:1];
       wire [WIDTH+MOST:0] waited =
           (CUTS == 3) ? first[1] : (CUTS == 0) ? integers[WIDTH+MOST:0] : first[0];

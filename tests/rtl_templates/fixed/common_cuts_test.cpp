@@ -9,8 +9,9 @@
 #include "Vcommon_cuts.h"
 #include "Vcommon_cuts___024root.h"
 
-/// The units of common cuts at small widths, one set of integers a cycle, each answer in the very
-/// cycle that its masks of cuts name, against C++'s integers. common_cuts.v describes the slots.
+/// Tests the units of common cuts at small widths against C++'s integers. Each cycle has one set of
+/// integers, and each answer is expected in the very cycle that its masks of cuts name.
+/// common_cuts.v describes the slots.
 namespace mixcmp::test::common_cuts_test {
 namespace {
 

@@ -19,7 +19,7 @@ module fixed_operands #(
 
   localparam SLOTS = 2 * TOPS * WIDTHS;
 
-  // Read by hierarchical name: {out_of_range, y}, y zero-extended.
+  // The answers, which the test reads by hierarchical name: {out_of_range, y}, y zero-extended.
   wire [63:0] answers[0:SLOTS-1]  /* verilator public_flat_rd */;
 
   genvar slot;

@@ -13,8 +13,8 @@
 #include "model/judge/golden/fixed_evaluate.hpp"
 #include "tests/support/float_samples.hpp"
 
-/// fixed_operand at some tops and widths, one operand a cycle, each answer in the very cycle that
-/// its mask of cuts names, against the golden model's inputs.
+/// Tests fixed_operand at some tops and widths against the golden model's inputs. Each cycle has
+/// one operand, and each answer is expected in the very cycle that its mask of cuts names.
 namespace mixcmp::test::fixed_operands_test {
 namespace {
 
@@ -116,7 +116,7 @@ TEST_F(FixedOperands, SpecialOperands) {
   for (const Bits x : special_encodings(format)) feed(x);
 }
 
-/// Powers of two and their neighbours: where a magnitude fits no more, and where a bit is lost.
+/// Powers of two and their neighbours: there a magnitude ceases to fit, or a bit is lost.
 TEST_F(FixedOperands, NeighboursOfPowersOfTwo) {
   for (int exponent = format.min_exponent(); exponent <= format.max_exponent(); ++exponent) {
     const Bits power = format.pack(false, exponent + format.bias(), 0);

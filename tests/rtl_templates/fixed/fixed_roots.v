@@ -16,7 +16,7 @@ module fixed_roots #(
     larger = (first > second) ? first : second;
   endfunction
 
-  // Read by hierarchical name.
+  // The answers, which the test reads by hierarchical name.
   wire [63:0] roots[0:SLOTS-1]  /* verilator public_flat_rd */;
 
   genvar slot;

@@ -9,8 +9,9 @@
 #include "Vfixed_roots.h"
 #include "Vfixed_roots___024root.h"
 
-/// fixed_square_root on every operand of small widths, one a cycle, each answer in the very cycle
-/// that its mask of cuts names. fixed_roots.v describes the slots.
+/// Tests fixed_square_root on every operand of small widths. Each cycle has one operand, and each
+/// answer is expected in the very cycle that its mask of cuts names. fixed_roots.v describes the
+/// slots.
 namespace mixcmp::test::fixed_roots_test {
 namespace {
 

@@ -4,8 +4,9 @@
 
 module fixed_units #(
     parameter WIDTHS    = 5,
-    // Sum, difference, product, square, minimum, maximum, absolute; then products by fixed_product
-    // with POSITIVE factors: both, that of a square, the first, the second.
+    // The number of kinds: sum, difference, product, square, minimum, maximum, absolute; then
+    // products by fixed_product with positive factors, which are both, that of a square, the first,
+    // or the second.
     parameter KINDS     = 11,
     parameter DECISIONS = 96,
     parameter CHECKS    = 80,
@@ -23,7 +24,7 @@ module fixed_units #(
     larger = (first > second) ? first : second;
   endfunction
 
-  // Bits of the whole result.
+  // The bits of the whole result of a kind.
   function integer whole(input integer kind, input integer a_width, input integer b_width);
     case (kind)
       2: whole = a_width + b_width;
@@ -36,7 +37,7 @@ module fixed_units #(
     endcase
   endfunction
 
-  // Read by hierarchical name.
+  // The answers, which the test reads by hierarchical name.
   wire [63:0] results[0:SLOTS-1]  /* verilator public_flat_rd */;
   wire [63:0] decisions[0:2*DECISIONS-1]  /* verilator public_flat_rd */;
   wire [63:0] checks[0:CHECKS-1]  /* verilator public_flat_rd */;
@@ -44,8 +45,8 @@ module fixed_units #(
 
   genvar slot;
 
-  // Slot {kind, a's width, b's width, variant}: variants 1 and 3 drop a bit, 2 and 3 leave the top
-  // bit out, as far as there is one.
+  // Slot {kind, a's width, b's width, variant}. Variants 1 and 3 drop the lowest bit, 2 and 3 leave
+  // out the top bit, if the result has enough bits.
   generate
     for (slot = 0; slot < SLOTS; slot = slot + 1) begin : g_results
       localparam       KIND    = slot / (4 * WIDTHS * WIDTHS);
@@ -143,8 +144,9 @@ module fixed_units #(
     end
   endgenerate
 
-  // Decisions by constants, on a difference of five bits. Decisions by a norm, on six bits and a
-  // radius of three; in every fifth slot the radius is a square of five bits.
+  // Decisions by constants, on a difference of five bits, and decisions by a norm, on a difference
+  // of six bits and a radius of three. In every fifth slot of the latter the radius is a square of
+  // five bits.
   generate
     for (slot = 0; slot < DECISIONS; slot = slot + 1) begin : g_constant
       localparam [5:0] LESS_TO      = slot % 16 - 13;
@@ -200,8 +202,8 @@ module fixed_units #(
     end
   endgenerate
 
-  // Whether four bits are beyond limits: the lower limit rises by one every five slots, the upper
-  // one lies 0, 1, 4, 9 and 16 above it, but at most at the end of the range of four bits.
+  // Checks of the range of four bits. The lower limit rises by one every five slots. The upper
+  // limit lies 0, 1, 4, 9 or 16 above it, but at most at the end of the range of four bits.
   generate
     for (slot = 0; slot < CHECKS; slot = slot + 1) begin : g_check
       localparam       LOW      = slot / 5 - 8;
@@ -226,7 +228,8 @@ module fixed_units #(
     end
   endgenerate
 
-  // Slot {operand's width, result's width}, both from 1 on: a's low bits, where they are more.
+  // Slot {operand's width, result's width}, both from 1 on: whether a's low bits do not fit the
+  // result. A slot whose result is as wide as the operand or wider has no unit.
   generate
     for (slot = 0; slot < OVERFLOWS; slot = slot + 1) begin : g_overflow
       localparam A     = 1 + slot / 6;

@@ -9,8 +9,9 @@
 #include "Vfixed_units.h"
 #include "Vfixed_units___024root.h"
 
-/// Every unit of fixed point at small widths on every operand, one a cycle, each answer in the very
-/// cycle that its mask of cuts names, against C++'s integers. fixed_units.v describes the slots.
+/// Tests every unit of fixed point at small widths on every operand against C++'s integers. Each
+/// cycle has one pair of operands, and each answer is expected in the very cycle that its mask of
+/// cuts names. fixed_units.v describes the slots.
 namespace mixcmp::test::fixed_units_test {
 namespace {
 
@@ -18,7 +19,7 @@ constexpr int widths = 5, kinds = 11, decisions = 96, checks = 80, overflows = 3
 constexpr int slots = kinds * widths * widths * 4;
 
 struct Operands {
-  int a, b;  ///< bits, of which each slot takes the lowest
+  int a, b;  ///< each slot takes the lowest bits
   bool flag;
 };
 
@@ -80,7 +81,8 @@ struct Slot {
   int kind, a_width, b_width, dropped, width, cuts;
 };
 
-/// {verdict, decided}; the verdict bits have their value even where a comparison is undecided.
+/// The answer {verdict, decided}. The verdict bits have their value even if the comparison is
+/// undecided.
 std::uint64_t answer(bool greater, bool equal, bool decided) {
   return (greater ? 4u : 0u) | (equal ? 2u : 0u) | (decided ? 1u : 0u);
 }

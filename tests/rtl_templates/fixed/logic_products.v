@@ -11,13 +11,13 @@ module logic_products #(
     input wire [31:0] b
 );
 
-  // Read by hierarchical name.
+  // The answers, which the test reads by hierarchical name.
   wire [63:0] results[0:SQUARES+PRODUCTS-1]  /* verilator public_flat_rd */;
 
   genvar slot;
 
-  // Squares of 1 to 22 bits. Products of 2, 5, 8, 11, 14 and 17 bits by 1, 4, 7, 10, 13 and 16. Every
-  // third drops two bits, as far as there are more.
+  // Squares of 1 to 22 bits. Products of 2, 5, 8, 11, 14 and 17 bits by 1, 4, 7, 10, 13 and 16.
+  // Every third result drops two bits, unless it has no more than these.
   generate
     for (slot = 0; slot < SQUARES + PRODUCTS; slot = slot + 1) begin : g_products
       localparam       SQUARE  = (slot < SQUARES) ? 1 : 0;

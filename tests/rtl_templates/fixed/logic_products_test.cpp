@@ -10,15 +10,16 @@
 #include "Vlogic_products.h"
 #include "Vlogic_products___024root.h"
 
-/// Products of logic of many widths, one a cycle, each in the very cycle that its mask of cuts
-/// names, against C++'s integers. logic_products.v describes the slots.
+/// Tests products of logic of many widths against C++'s integers. Each cycle has one pair of
+/// operands, and each product is expected in the very cycle that its mask of cuts names.
+/// logic_products.v describes the slots.
 namespace mixcmp::test::logic_products_test {
 namespace {
 
 constexpr int squares = 22, products = 36;
 
 struct Operands {
-  std::uint32_t a, b;  ///< bits, of which each slot takes the lowest
+  std::uint32_t a, b;  ///< each slot takes the lowest bits
 };
 
 std::int64_t low_signed(std::uint32_t bits, int width) {
@@ -83,7 +84,7 @@ private:
   std::size_t cycle_ = 0;
 };
 
-/// Every square of up to 13 bits, every product of up to 5 by 7 and 8 by 4.
+/// Computes every square of up to 13 bits, and every product of up to 5 by 7 and 8 by 4 bits.
 TEST_F(LogicProducts, EveryOperandOfSmallWidths) {
   for (std::uint32_t number = 0; number < 1 << 13 && !HasFatalFailure(); ++number) {
     feed({number, number >> 5});
@@ -91,7 +92,8 @@ TEST_F(LogicProducts, EveryOperandOfSmallWidths) {
   }
 }
 
-/// Long runs of equal digits and single ones among them, since digits depend on their neighbours.
+/// Operands with long runs of equal bits and single ones among them, since digits depend on their
+/// neighbours.
 TEST_F(LogicProducts, RandomOperands) {
   std::mt19937 random(1);
   const auto operand = [&] {

@@ -11,14 +11,14 @@ module memory_squares #(
     input wire [31:0] b
 );
 
-  // Read by hierarchical name: results of a, then of b.
+  // The answers, which the test reads by hierarchical name: results of a, then of b.
   wire [31:0] results[0:2*(SINGLES+PAIRS)-1]  /* verilator public_flat_rd */;
 
   genvar slot;
 
-  // Squares of 1 to 13 bits and of 15; pairs of 1 to 12 bits with 1, 5, 9 or 13. The low bits that a
-  // result drops go from 0 to 5, as far as there are more. Bits above those of the square of a
-  // symmetric range are left out every second time.
+  // Squares of 1 to 13 bits and of 15; pairs of 1 to 12 bits with 1, 5, 9 or 13. A result drops 0
+  // to 5 low bits, or none if its square is short. Every second result leaves out the bits that the
+  // square of a symmetric range does not need.
   generate
     for (slot = 0; slot < SINGLES; slot = slot + 1) begin : g_singles
       localparam       A       = (slot == 13) ? 15 : slot + 1;

@@ -1,5 +1,5 @@
-// fixed_memory_squares by Icarus: every operand of widths up to 10 bits at one port, others at the
-// other port, against `*`.
+// memory_squares_tb: fixed_memory_squares against `*`, by Icarus. Every operand of up to 10 bits
+// comes at one port, and others at the other port.
 `default_nettype none
 
 module memory_squares_tb;

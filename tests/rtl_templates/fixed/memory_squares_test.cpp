@@ -9,8 +9,9 @@
 #include "Vmemory_squares.h"
 #include "Vmemory_squares___024root.h"
 
-/// Squares read from memories, of many widths, one a cycle, each in the very cycle that its mask of
-/// cuts names, against C++'s integers. memory_squares.v describes the slots.
+/// Tests squares of many widths, read from memories, against C++'s integers. Each cycle has one
+/// pair of operands, and each square is expected in the very cycle that its mask of cuts names.
+/// memory_squares.v describes the slots.
 namespace mixcmp::test::memory_squares_test {
 namespace {
 
@@ -18,7 +19,7 @@ constexpr int singles = 14, pairs = 24;
 
 /// One result of a slot: the square of the operand's low bits.
 struct Square {
-  int width = 0;  ///< of the operand; 0: there is no such result
+  int width = 0;  ///< the operand's; 0: there is no such result
   int dropped = 0;
   int missing = 0;  ///< high bits of the whole square that are left out
 
@@ -52,7 +53,7 @@ struct Slot {
 };
 
 struct Operands {
-  std::uint32_t a, b;  ///< bits, of which each slot takes the lowest
+  std::uint32_t a, b;  ///< each slot takes the lowest bits
 };
 
 class MemorySquares : public testing::Test {
@@ -97,15 +98,16 @@ private:
   std::size_t cycle_ = 0;
 };
 
-/// Every operand of every slot. The ports read different words: one in order, one from the end.
+/// Squares every operand of every slot. The ports read different words: one in order, one from the
+/// end.
 TEST_F(MemorySquares, EveryOperand) {
   for (std::uint32_t number = 0; number < 1 << 15 && !HasFatalFailure(); ++number) {
     feed({number, ~number});
   }
 }
 
-/// Neighbours in time have nothing to do with each other, so that a word that comes a cycle too
-/// early or late is wrong.
+/// Operands of neighbouring cycles are unrelated, so a word that comes a cycle too early or too
+/// late is wrong.
 TEST_F(MemorySquares, RandomOperands) {
   std::mt19937 random(1);
   for (int k = 0; k < 20'000 && !HasFatalFailure(); ++k) {

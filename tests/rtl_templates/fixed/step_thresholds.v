@@ -14,7 +14,7 @@ module step_thresholds #(
     input wire [COUNTS*(KEPT+LASTS+1)-1:0] integers  // in two's complement
 );
 
-  // Read by hierarchical name, zero-extended.
+  // The answers, which the test reads by hierarchical name, zero-extended.
   wire [63:0] thresholds[0:COUNTS*LASTS-1]  /* verilator public_flat_rd */;
 
   genvar slot, k;

@@ -9,9 +9,9 @@
 #include "Vstep_thresholds.h"
 #include "Vstep_thresholds___024root.h"
 
-/// The thresholds of running bounds at small widths, one set of integers a cycle, each answer in
-/// the very cycle that its mask of cuts names, against C++'s integers. step_thresholds.v describes
-/// the slots.
+/// Tests the thresholds of running bounds at small widths against C++'s integers. Each cycle has
+/// one set of integers, and each answer is expected in the very cycle that its mask of cuts names.
+/// step_thresholds.v describes the slots.
 namespace mixcmp::test::step_thresholds_test {
 namespace {
 

@@ -1,9 +1,10 @@
-// fifo_view: the contents of a stream_fifo, read from its registers: `count` words, word 0 of
-// `contents` the next that leaves. Words from `count` on mean nothing. Where the order matters
-// little, `holds` is easier for a solver: bit 0 says that the output register holds a word, bit k +
-// 1 that place k of the memory does; `ranks` tells how many words leave before that one, 4 bits
-// each. From the cycle in which `started` is 1, this module asserts that no more words are stored
-// than there are places, and that a word is on offer where more than one is inside.
+// fifo_view: the contents of a stream_fifo, read from its registers: `count` words, and word 0 of
+// `contents` leaves next. Words from `count` on mean nothing. If the order matters little, `holds`
+// is easier for a solver. Its bit 0 says that the output register holds a word, bit k + 1 that
+// place k the memory's words does. `ranks` has 4 bits for each of these places: how many words
+// leave before the place's word. From the cycle in which `started` is 1, this module asserts that
+// no more words are stored than there are places, and that a word is on offer if more than one is
+// inside.
 `default_nettype none
 
 module fifo_view #(

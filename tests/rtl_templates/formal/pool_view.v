@@ -1,6 +1,6 @@
-// pool_view: the contents of a slot_pool of four slots, read from its registers: place 0 is its
-// output, place k + 1 is place k of its queue. From the cycle in which `started` is 1, this module
-// asserts where the queue's first lap ends.
+// pool_view: the contents of a slot_pool of four slots, read from its registers. Place 0 is the
+// pool's output, place k + 1 is place k of its queue. From the cycle in which `started` is 1, this
+// module asserts where the queue's first lap ends.
 `default_nettype none
 
 module pool_view (
@@ -9,7 +9,7 @@ module pool_view (
   input  wire [2:0] read_q,
   input  wire       valid_q,
   input  wire       first_lap_q,
-  input  wire [7:0] words,   // of the memory
+  input  wire [7:0] words,   // the memory's words
   input  wire [1:0] m_slot,
   output reg  [4:0] holds,
   output reg  [9:0] slots
@@ -29,7 +29,7 @@ module pool_view (
       pointer    = read_q + {1'b0, place};
       holds[k+1] = ({1'b0, place} < waiting);
       if (first_lap_q && !pointer[2]) begin
-        slots[2*(k+1) +: 2] = k;  // nothing was written there
+        slots[2*(k+1) +: 2] = k;  // nothing was written there: place k stands for slot k
       end
     end
     if (started) begin

@@ -1,8 +1,9 @@
 // reorder_inside: a lane_reorder of four slots, and lemmas about its registers that make the claims
 // of lane_proof hold by induction. The slots in use, the oldest first, are those in the queue of
-// the lane's verdicts, then those in its ranks. For each undecided one in that queue there is, in
-// the same order, an answer, a request at the reference or on its way, or a slot that waits. Only
-// its own slot in use has the tag of the watched comparison; the same holds for its follower.
+// the lane's verdicts, then those in its ranks. For each undecided slot in that queue there is, in
+// the same order, an answer, a request at the reference or on its way, or a slot that waits. Among
+// the slots in use only the watched comparison's own slot has its tag. The same holds for its
+// follower.
 `default_nettype none
 
 module reorder_inside #(
@@ -27,7 +28,8 @@ module reorder_inside #(
   output wire [7:0]              m_result,
   output wire [1:0]              m_tag,
   output wire [3:0]              comparisons,
-  // The bench gives the request at the reference and the watched comparison.
+  // The inputs from here on come from the proof: the request at the reference and the watched
+  // comparison.
   input  wire                    started,
   input  wire                    asked,
   input  wire [1:0]              asked_slot,
@@ -64,7 +66,8 @@ module reorder_inside #(
     .comparisons(comparisons), .recomputations(recomputations), .stalls(stalls)
   );
 
-  // Registers of the template; those of the forms that it does not have mean nothing.
+  // The template's registers that the lemmas read. Those of forms that this instance does not have
+  // mean nothing.
   (* hierconn *) wire [2:0] \dut.next_q ;
   (* hierconn *) wire [2:0] \dut.oldest_q ;
   (* hierconn *) wire [1:0] \dut.tracker.valid_beside_lane.g_shift.rank_q ;
@@ -234,8 +237,8 @@ module reorder_inside #(
   wire        is_asking     = (SENDS_TAG != 0) && \dut.tags.ask_valid_q ;
   wire [1:0]  request_slot  = request[PAYLOAD_BITS +: 2];
 
-  reg  [3:0]  undecided;       // in the queue of verdicts
-  reg  [3:0]  asking;          // answers, requests and waiting slots
+  reg  [3:0]  undecided;       // undecided entries in the queue of verdicts
+  reg  [3:0]  asking;          // number of answers, requests and waiting slots
   reg  [9:0]  undecided_slots; // the oldest lowest
   reg         order_right;
   reg         tags_right;

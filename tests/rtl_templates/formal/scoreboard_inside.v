@@ -27,7 +27,8 @@ module scoreboard_inside #(
   output wire [7:0]              m_result,
   output wire [1:0]              m_tag,
   output wire [3:0]              comparisons,
-  // The bench gives the request at the reference and the watched comparison.
+  // The inputs from here on come from the proof: the request at the reference and the watched
+  // comparison.
   input  wire                    started,
   input  wire                    asked,
   input  wire [1:0]              asked_slot,
@@ -61,7 +62,8 @@ module scoreboard_inside #(
     .comparisons(comparisons), .recomputations(recomputations), .stalls(stalls)
   );
 
-  // Registers of the template; those of the forms that it does not have mean nothing.
+  // The template's registers that the lemmas read. Those of forms that this instance does not have
+  // mean nothing.
   (* hierconn *) wire [2:0] \dut.slots.write_q ;
   (* hierconn *) wire [2:0] \dut.slots.read_q ;
   (* hierconn *) wire       \dut.slots.valid_q ;
@@ -118,7 +120,7 @@ module scoreboard_inside #(
   wire [4:0]  answers_holds;
   wire [4:0]  waiting_holds;
 
-  // Words of a queue, the one on offer lowest.
+  // The words of each queue; the word on offer is lowest.
   wire [24:0] direct_words  = {\dut.direct_results.memory.words[3] ,
                                \dut.direct_results.memory.words[2] ,
                                \dut.direct_results.memory.words[1] ,
@@ -196,10 +198,10 @@ module scoreboard_inside #(
     .ranks    ()
   );
 
-  // All places, each with its slot.
+  // All places where a slot may be, each with its slot.
   localparam LANE      = 0;   // both ranks
   localparam DIRECT    = 2;
-  localparam REFERENCE = 7;   // of the bench
+  localparam REFERENCE = 7;   // the proof's reference
   localparam REQUEST   = 8;
   localparam ASK       = 9;   // read from the tags, on its way to the request register
   localparam WAITING   = 10;
@@ -243,7 +245,7 @@ module scoreboard_inside #(
   // Results on their way out are {undecided, recomputed, verdict}.
   wire        decided = operands[0];
   wire [3:0]  answered = {2'b01, ~operands[2:1]};
-  wire [3:0]  said     = {!decided, 1'b0, operands[2:1]};  // by the lane
+  wire [3:0]  said     = {!decided, 1'b0, operands[2:1]};  // the lane's result
   wire [1:0]  ask_tag  = tags[2*\dut.tags.ask_slot_q +: 2];
 
   wire [2:0]  exit      = {\dut.tracker.exit_verdict_q , \dut.tracker.exit_decided_q };

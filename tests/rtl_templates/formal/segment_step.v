@@ -1,7 +1,7 @@
 // segment_step: the effect of one word on a pair_segment with LANES lanes, by definition. From the
-// state {gone, base, held, count} before the word it tells the state behind it, whether and as
-// which word it goes on, and which beat it causes. Lane l answers a pair of words with 3 bits of
-// `answers`. Combinational.
+// state {gone, base, held, count} before the word, it computes the state lanes that hold a word
+// behind this one, whether and as which word the word goes on, and the beat that it causes. Lane l
+// answers a pair of words with 3 bits of `answers`. Combinational.
 `default_nettype none
 
 module segment_step #(
@@ -15,12 +15,12 @@ module segment_step #(
   input  wire [6:0]                 word,       // {close, first, stays, meets, index, word}
   input  wire [LANES+6:0]           before,
   output wire [LANES+6:0]           after,
-  output wire                       stays,      // in a lane
+  output wire                       stays,      // the word stays in a lane
   output wire [6:0]                 goes_as,
-  output wire                       tells,      // a beat leaves, not the closing one
+  output wire                       tells,      // a beat leaves that is not the closing one
   output reg  [LANES*CODE_BITS-1:0] codes,
   output wire [2:0]                 tier,       // {first, stays, word}, where a tier reads them
-  output reg  [3:0]                 reported    // pairs
+  output reg  [3:0]                 reported    // number of reported pairs
 );
 
   localparam [3:0] NONE = 0;

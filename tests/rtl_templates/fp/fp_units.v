@@ -2,8 +2,8 @@
 // answers belongs to {unit, GRADUAL, TOWARD_ZERO, column}, the column counting fastest; the units
 // are in the order of `UnitSlot` in units_under_test.cpp. Columns 0 to 2 are masks: no cuts, all,
 // SOME_CUTS. Columns 3 to 11 are SOME_CUTS with 1 to 8 and 15 promised: bit 0 for SPECIAL_OPERANDS
-// = 0, 1 for OVERFLOW = 0, 2 for UNDERFLOW = 0, 3 for CANCELLATION = 0. Where a unit lacks a
-// parameter, another takes its place: see below.
+// = 0, 1 for OVERFLOW = 0, 2 for UNDERFLOW = 0, 3 for CANCELLATION = 0. If a unit lacks a
+// parameter, another one takes its place: see below.
 `default_nettype none
 
 module fp_units #(
@@ -12,7 +12,7 @@ module fp_units #(
     parameter         RESULT_EXPONENT_BITS = 4,
     parameter         RESULT_PRECISION     = 4,
     parameter [127:0] SOME_CUTS            = {64{2'b01}},
-    parameter         FIRST_COLUMN         = 0,    // others are not built, to take less time
+    parameter         FIRST_COLUMN         = 0,    // other columns are not built, which saves time
     parameter         LAST_COLUMN          = 2,
     parameter         SLOT                 = 128,  // width of a result, zero-extended
     parameter         SLOTS                = 624
@@ -20,10 +20,11 @@ module fp_units #(
     input wire         aclk,
     input wire [127:0] a,
     input wire [127:0] b,
-    input wire         exceptional  // of fp_ulp_distance
+    input wire         exceptional  // the input of fp_ulp_distance
 );
 
-  // Read by hierarchical name: as one vector it would be most of the simulation's work.
+  // The answers, which the test reads by hierarchical name: as one vector they would take most of
+  // the simulation's work.
   wire [SLOT-1:0] y    [0:SLOTS-1]  /* verilator public_flat_rd */;
   wire            flag [0:SLOTS-1]  /* verilator public_flat_rd */;  // exceptional or decided
 
@@ -229,7 +230,7 @@ module fp_units #(
           );
           assign y[UNIT*8+VARIANT] = logic_squared;
 
-          // Takes the rounding's place: minimum or maximum.
+          // Minimum or maximum takes the place of TOWARD_ZERO.
           wire [PACKED-1:0] extremum;
           fp_minimum_maximum #(
               .EXPONENT_BITS   (EXPONENT_BITS),
@@ -249,7 +250,7 @@ module fp_units #(
           );
           assign y[UNIT*9+VARIANT] = extremum;
 
-          // Takes the rounding's place: comparison or interval decision.
+          // Comparison or interval decision takes the place of TOWARD_ZERO.
           wire [1:0] verdict;
           if (toward_zero == 0) begin : compare
             fp_compare #(
@@ -279,7 +280,7 @@ module fp_units #(
           end
           assign y[UNIT*10+VARIANT] = verdict;
 
-          // Take the subnormals' and the rounding's place: NONNEGATIVE and four guards.
+          // NONNEGATIVE and four guards take the places of GRADUAL and TOWARD_ZERO.
           for (guard = 0; guard < 2; guard = guard + 1) begin : ulp_distance
             localparam [PACKED-1:0] SMALL = guard;
             localparam [PACKED-1:0] LARGE = guard ? ~({PACKED{1'b1}} >> 2) : 5;

@@ -1,6 +1,6 @@
-// fp_units_tb: the same units, the same answers, another simulator. Reads the files of `fp_...
-// write`: latencies.hex, one a slot; stimuli.hex, {exceptional, a, b} each 128 bits; answers.hex,
-// one a behaviour and stimulus, {y matters, flag matters, flag, y}. Verilog-2001.
+// fp_units_tb: the units of fp_units with the same answers, in another simulator. Reads the files
+// of `fp_... write`: latencies.hex, one a slot; stimuli.hex, {exceptional, a, b} each 128 bits;
+// answers.hex, one a behaviour and stimulus, {y matters, flag matters, flag, y}. Verilog-2001.
 `default_nettype none
 
 module fp_units_tb;
@@ -12,7 +12,7 @@ module fp_units_tb;
 
   localparam BEHAVIOURS = 52;
   localparam COLUMNS    = 12;
-  localparam MASKS      = 3;  // the columns that are built
+  localparam MASKS      = 3;  // number of columns that are built
   localparam SLOTS      = BEHAVIOURS * COLUMNS;
   localparam CHECKS     = COUNT * BEHAVIOURS * MASKS;
 
@@ -42,7 +42,7 @@ module fp_units_tb;
       .exceptional(stimulus[256])
   );
 
-  // `!==`: an unknown answer is a wrong one.
+  // Compares by `!==`, so an unknown answer is a wrong one.
   task check;
     begin
       then_cycle = cycle - latencies[slot];

@@ -1,5 +1,6 @@
-// Only the code that reads the Verilated model: this source is compiled for each pair of formats.
-// Usage: PROGRAM exhaustive | special | neighbours COUNT SEED | random COUNT SEED | pair A B [FLAG]
+// The code that reads the Verilated model, and nothing else, since this source is compiled for each
+// pair of formats. Usage: PROGRAM exhaustive | special | neighbours COUNT SEED | random COUNT SEED
+// | pair A B [FLAG]
 //        PROGRAM write FOLDER COUNT SEED: vectors and their answers for fp_units_tb.v
 #include "Vfp_units.h"
 #include "Vfp_units___024root.h"

@@ -1,7 +1,7 @@
 // fused_sums: fp_fused_sum and fp_fused_comparison in several shapes, only for the regression. The
 // slots are {shape, GRADUAL, variant}, the shapes counting slowest; with ALTERNATE they are {shape,
-// variant}, and GRADUAL turns from slot to slot. Variants: 0 without registers, of multipliers; 1
-// with SOME_CUTS, of logic, CANCELLATION = 1 whatever the shape is.
+// variant}, and GRADUAL turns from slot to slot. Variant 0 has multipliers and no registers.
+// Variant 1 has logic, SOME_CUTS, and CANCELLATION = 1 whatever the shape is.
 `default_nettype none
 
 module fused_sums #(
@@ -25,7 +25,7 @@ module fused_sums #(
 
   wire [PACKED-1:0] none = {PACKED{1'b0}};
 
-  // Read by hierarchical name, as in fp_units.
+  // The answers, which the test reads by hierarchical name, as in fp_units.
   wire [63:0] y   [0:SLOTS-1]  /* verilator public_flat_rd */;
   wire        flag[0:SLOTS-1]  /* verilator public_flat_rd */;
   wire [1:0]  order[0:SLOTS-1] /* verilator public_flat_rd */;
@@ -41,8 +41,8 @@ module fused_sums #(
       localparam ONE_SIGN = (SHAPE == 0) || (SHAPE == 5) || (SHAPE == 7);
 
       // The shapes: x0^2 + x1^2 + x2^2, x0 x1 - x2 x3, x0 x1 + x2, x0^2 - x1 x2 + x3,
-      // x0 + x1 - x2, -x0^2 - ... - x4^2, -x0 x1 + x2 x3 - x4^2 + x1; where sums are squared
-      // (x0 - x1)^2 + (x2 + x3)^2, (x0 - x1)^2 - (x2 + x3)^2, (x0 + x1)^2 + x2 x3 - x4.
+      // x0 + x1 - x2, -x0^2 - ... - x4^2, -x0 x1 + x2 x3 - x4^2 + x1; and, with squared sums, (x0 -
+      // x1)^2 + (x2 + x3)^2, (x0 - x1)^2 - (x2 + x3)^2, (x0 + x1)^2 + x2 x3 - x4.
       localparam TERMS = (SHAPE == 1) || (SHAPE == 2) || (SHAPE == 7) || (SHAPE == 8) ? 2
                          : (SHAPE == 5) ? 5 : (SHAPE == 6) ? 4 : 3;
       localparam [TERMS-1:0] SQUARES = (SHAPE == 0) ? 7 : (SHAPE == 3) ? 1 : (SHAPE == 5) ? 31

@@ -13,8 +13,8 @@
 #include "model/judge/golden/arithmetic.hpp"
 #include "tests/support/fused_operands.hpp"
 
-/// fp_fused_sum and fp_fused_comparison against the golden model. Shapes and slots are those of
-/// fused_sums.v.
+/// Tests fp_fused_sum and fp_fused_comparison against the golden model. Shapes and slots are those
+/// of fused_sums.v.
 namespace mixcmp::test::fused_sums_test {
 namespace {
 

@@ -1,10 +1,10 @@
 // products: fp_product at many precisions, only for the regression. Each precision has a product
 // and a square, of logic, of logic with a stage for the digits, and of multipliers whose sizes
 // differ from precision to precision; the slots are {precision, kind, SQUARE, complemented}, the
-// precisions counting slowest, three kinds each. Logic products of few digits have two masks of
-// cuts that complement each other, all others one of the two in turn. Squares of logic with the
-// last cut are split. Multipliers have fewer precisions: many small ones compile slowly.
-// products_test.cpp repeats which are built and with which masks.
+// precisions counting slowest, three kinds each. Logic products of few digits are built twice, with
+// masks of cuts that complement each other. All others have one of the two masks in turn. Squares
+// of logic with the last cut are split. Multipliers have fewer precisions: many small ones compile
+// slowly. products_test.cpp repeats the list of products and masks.
 `default_nettype none
 
 module products #(
@@ -12,11 +12,11 @@ module products #(
     parameter WIDEST = 113
 ) (
     input wire              aclk,
-    input wire [WIDEST-1:0] a,  // of each precision its last places, under a leading one
+    input wire [WIDEST-1:0] a,  // each precision takes the last places, below a leading one
     input wire [WIDEST-1:0] b
 );
 
-  // Read by hierarchical name, as in fp_units.
+  // The answers, which the test reads by hierarchical name, as in fp_units.
   wire [255:0] y[0:SLOTS-1]  /* verilator public_flat_rd */;
 
   genvar precision;
@@ -32,7 +32,8 @@ module products #(
         wire [precision-1:0] x0 = {1'b1, a[precision-2:0]};
         wire [precision-1:0] x1 = {1'b1, b[precision-2:0]};
 
-        // Few bits in many small parts, many bits in parts as devices have them.
+        // Factors of few bits have many small parts, factors of many bits have parts as devices
+        // have them.
         localparam FACTOR_A = (precision <= 12) ? 2 + precision % 5
                                                 : (precision % 2 == 0) ? 18 : 24;
         localparam FACTOR_B = (precision <= 12) ? 2 + precision % 4

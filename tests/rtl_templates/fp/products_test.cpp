@@ -13,8 +13,9 @@
 #include "Vproducts___024root.h"
 #include "model/base/common/bits.hpp"
 
-/// Products of logic and of multipliers against GMP, at every precision that is built in one cycle,
-/// each at the latency that its mask of cuts names.
+/// Tests products of logic and of multipliers against GMP. All precisions that are built get their
+/// factors in the same cycle, and each product is expected at the latency that its mask of cuts
+/// names.
 namespace mixcmp::test::products_test {
 namespace {
 
@@ -85,7 +86,7 @@ std::string hex(const Wide& value) {
 
 class Product : public testing::Test {
 protected:
-  /// Multiplies these in this cycle and judges every answer that is due.
+  /// Feeds these factors in one cycle and judges every answer that is due.
   void feed(const Factors& factors) {
     history_.push_front(factors);
     if (history_.size() > cuts + 1) history_.pop_back();
@@ -141,7 +142,7 @@ private:
   std::deque<Factors> history_;  ///< the latest first
 };
 
-/// Products up to 8 bits, squares up to 15.
+/// Multiplies every pair of up to 8 bits, and squares every number of up to 15.
 TEST_F(Product, EveryPairOfFewBitsIsMultipliedExactly) {
   for (unsigned i = 0; i < 1u << 14 && !HasFatalFailure(); ++i) feed({i, i >> 7});
   drain();
@@ -155,7 +156,7 @@ uint64_t drawn(uint64_t index) {
   return z ^ (z >> 31);
 }
 
-/// Patterns that drive the digits to one kind: every digit the same, runs of ones, single ones,
+/// A pattern that favours one kind of digits: every digit the same, runs of ones, single ones, or
 /// noise.
 Bits patterned(uint64_t index) {
   const Bits noise = Bits{drawn(2 * index)} << 64 | drawn(2 * index + 1);

@@ -21,11 +21,12 @@ struct ColumnRange {
   bool has_promises() const { return last >= UnitsUnderTest::masks; }
 };
 
-/// Feeds one stimulus a cycle and holds every slot's answer, in the very cycle its latency names,
-/// against the golden model.
+/// Feeds one stimulus a cycle, and compares every slot's answer with the golden model's in the very
+/// cycle that the slot's latency names.
 class Regression {
 public:
-  /// Other columns were not built. `program` is printed in the command that repeats a failure.
+  /// `columns` are the columns that were built. `program` is printed in the command that repeats a
+  /// failure.
   Regression(Simulation& simulation, const UnitsUnderTest& units, ColumnRange columns,
              std::string program);
 

@@ -16,7 +16,7 @@ module scalings #(
     input wire [EXPONENT_BITS+PRECISION-1:0] a
 );
 
-  // Read by hierarchical name, as in fp_units.
+  // The answers, which the test reads by hierarchical name, as in fp_units.
   wire [63:0] y   [0:SLOTS-1]  /* verilator public_flat_rd */;
   wire        flag[0:SLOTS-1]  /* verilator public_flat_rd */;
 

@@ -6,7 +6,8 @@
 #include "Vscalings___024root.h"
 #include "model/judge/golden/arithmetic.hpp"
 
-/// Conversions that scale against the golden model's products with powers of two, every operand.
+/// Tests conversions that scale, on every operand, against the golden model's products with powers
+/// of two.
 namespace mixcmp::test::scalings_test {
 namespace {
 
@@ -33,7 +34,7 @@ protected:
         .latency_cycles = (index & 1) != 0 ? 3 : 0};
   }
 
-  /// Whether the promise holds: zeros and normal numbers, in and out.
+  /// Whether the promise holds: operand and result are zeros or normal numbers.
   bool is_plain(FloatFormat format, Bits bits) const {
     return !format.is_nan(bits) && !format.is_infinite(bits) && !format.is_subnormal(bits);
   }

@@ -57,7 +57,7 @@ module serial_square_tb;
       a      = start ? cycle / CYCLES : $random;
       judged = (cycle - LATENCY) / CYCLES;
       #1;
-      // `!==`: an unknown answer is a wrong one.
+      // The comparison is by `!==`, so an unknown answer is a wrong one.
       if ((cycle >= LATENCY) && ((cycle - LATENCY) % CYCLES == 0)
           && ({exceptional, y} !== {square_exceptional, square})) begin
         wrong = wrong + 1;

@@ -1,6 +1,6 @@
 // serial_squares: fp_serial_square in ten variants, only for the regression. Slots 0 to 7 are
-// {TOWARD_ZERO, GRADUAL, cuts}, the cuts counting fastest: 0 none but those that the unit needs, 1
-// SOME_CUTS beside them. Slots 8 and 9 promise that nothing is special, overflows or underflows.
+// {TOWARD_ZERO, GRADUAL, cuts}, the cuts counting fastest: 0 for only the cuts that the unit needs,
+// 1 for SOME_CUTS besides. Slots 8 and 9 promise that nothing is special, overflows or underflows.
 `default_nettype none
 
 module serial_squares #(
@@ -8,7 +8,7 @@ module serial_squares #(
     parameter       PRECISION            = 13,
     parameter       RESULT_EXPONENT_BITS = EXPONENT_BITS,
     parameter       RESULT_PRECISION     = PRECISION,
-    parameter [6:0] SOME_CUTS            = 7'h0  // in front of the steps two, and five behind them
+    parameter [6:0] SOME_CUTS            = 7'h0  // two in front of the steps, five behind
 ) (
     input wire                               aclk,
     input wire                               start,
@@ -18,7 +18,7 @@ module serial_squares #(
   localparam CYCLES = (PRECISION + 5) / 6;
   localparam RESULT = RESULT_EXPONENT_BITS + RESULT_PRECISION;
 
-  // Read by hierarchical name, as in fp_units.
+  // The answers, which the test reads by hierarchical name, as in fp_units.
   wire [63:0] y   [0:9]  /* verilator public_flat_rd */;
   wire        flag[0:9]  /* verilator public_flat_rd */;
 

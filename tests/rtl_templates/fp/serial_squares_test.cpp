@@ -16,8 +16,8 @@
 #include "model/judge/golden/arithmetic.hpp"
 #include "tests/support/float_samples.hpp"
 
-/// fp_serial_square against the golden model's square, in the very cycle that its latency names.
-/// Slots are those of serial_squares.v.
+/// Tests fp_serial_square against the golden model's square, in the very cycle that its latency
+/// names. Slots are those of serial_squares.v.
 namespace mixcmp::test::serial_squares_test {
 namespace {
 
@@ -70,7 +70,7 @@ private:
     return made;
   }
 
-  /// One cycle, in which an operand comes or not. Without one, `a` is anything.
+  /// Runs one cycle. If no operand comes, the input `a` may be anything.
   void cycle(const std::optional<Expected>& expected) {
     history_.push_front(expected);
     if (history_.size() > 32) history_.pop_back();

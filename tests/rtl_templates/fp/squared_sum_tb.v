@@ -64,7 +64,7 @@ module squared_sum_tb;
     for (pair = 0; pair < COUNT * COUNT; pair = pair + 1) begin
       {a, b} = pair;
       #1;
-      // `!==`: an unknown answer is a wrong one.
+      // The comparison is by `!==`, so an unknown answer is a wrong one.
       if (y !== square) begin
         wrong = wrong + 1;
         if (wrong < 10) $display("WRONG a %h b %h: expected %h, got %h", a, b, square, y);

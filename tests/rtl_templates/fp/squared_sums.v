@@ -1,8 +1,8 @@
 // squared_sums: fp_squared_sum in eight variants, only for the regression. The slots are {SUBTRACT,
 // GRADUAL, cuts}, the cuts counting fastest: 0 none, 1 SOME_CUTS. Slots whose first and last bit
-// are alike have a product of multipliers, the others one of logic; among the latter, GRADUAL ones
-// find its digits in a stage of their own. Slots with an even number of ones have SUM_SELECTS = 2;
-// among the others slot 7 has 1 and the rest 0.
+// are alike have a product of multipliers, the others a product of logic. If a product of logic has
+// GRADUAL, a stage of its own finds its digits. Slots with an even number of ones have SUM_SELECTS
+// = 2; among the others slot 7 has 1 and the rest 0.
 `default_nettype none
 
 module squared_sums #(
@@ -17,7 +17,7 @@ module squared_sums #(
 
   localparam PACKED = EXPONENT_BITS + PRECISION;
 
-  // Read by hierarchical name, as in fp_units.
+  // The answers, which the test reads by hierarchical name, as in fp_units.
   wire [63:0] y[0:7]  /* verilator public_flat_rd */;
 
   genvar slot;

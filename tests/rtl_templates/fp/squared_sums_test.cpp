@@ -16,8 +16,8 @@
 #include "model/judge/golden/arithmetic.hpp"
 #include "tests/support/float_samples.hpp"
 
-/// fp_squared_sum against the golden model's sum and the square of that. Slots are those of
-/// squared_sums.v.
+/// Tests fp_squared_sum against the golden model's sum and the square of that sum. Slots are those
+/// of squared_sums.v.
 namespace mixcmp::test::squared_sums_test {
 namespace {
 

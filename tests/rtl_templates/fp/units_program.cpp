@@ -1,4 +1,4 @@
-// The programs of fp_units: which vectors they feed, by their command line.
+// The programs that test fp_units. The command line says which vectors a program feeds.
 #include "tests/rtl_templates/fp/units_program.hpp"
 
 #include <fmt/core.h>
@@ -71,7 +71,7 @@ void feed_random(Regression& regression, const UnitsUnderTest& units, Generator 
   }
 }
 
-/// fp_units_tb.v reads these three.
+/// Writes the three files that fp_units_tb.v reads.
 void write_vectors(const UnitsUnderTest& units, std::span<const std::string_view> arguments) {
   const std::filesystem::path folder = arguments[1];
   std::filesystem::create_directories(folder);
@@ -118,7 +118,8 @@ bool feed(Regression& regression, const UnitsUnderTest& units,
   return true;
 }
 
-/// Promises that every pair breaks would let anything pass.
+/// Whether some stimulus kept the promises of every slot. If every stimulus broke them, anything
+/// would pass.
 bool every_slot_tested(const Regression& regression, const UnitsUnderTest& units) {
   for (const int slot : regression.idle_slots()) {
     fmt::print("{}: every pair broke a promise\n", units.name(slot));

@@ -10,7 +10,7 @@ namespace mixcmp::test {
 struct Stimulus {
   Bits a;
   Bits b;
-  bool exceptional = false;  ///< only of fp_ulp_distance
+  bool exceptional = false;  ///< read only by fp_ulp_distance
 };
 
 /// The simulated fp_units: one clock cycle at a time.
@@ -26,8 +26,8 @@ public:
 
 /// The units that a program was built with, as the model's parameters have them.
 struct BuiltUnits {
-  int precision, exponent_bits;                ///< of the operands
-  int result_precision, result_exponent_bits;  ///< of results
+  int precision, exponent_bits;                ///< the operands'
+  int result_precision, result_exponent_bits;  ///< the results'
   const char* some_cuts;                       ///< in hexadecimal: the mask between none and all
   int first_column, last_column;               ///< of UnitsUnderTest
 };

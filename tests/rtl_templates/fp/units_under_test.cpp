@@ -69,8 +69,8 @@ Bits guard_of(FloatFormat format, const Behaviour& behaviour) {
   return behaviour.toward_zero ? widest : 1;
 }
 
-/// The packed encoding as an integer with a sign, -0 and +0 the same: 129 bits would be needed for
-/// the difference of two, so it is compared without being formed.
+/// The answer by the packed encodings as integers with a sign; -0 and +0 are the same. The
+/// difference of two would need 129 bits, so it is compared without being computed.
 Answer ulp_distance_answer(FloatFormat format, const Behaviour& behaviour,
                            const Stimulus& stimulus) {
   const Bits f = format.magnitude(stimulus.a), g = format.magnitude(stimulus.b);
@@ -133,7 +133,7 @@ HazardSet operand_hazards(FloatFormat format, Bits operand) {
   return {.special_operands = special, .underflow = format.is_subnormal(operand)};
 }
 
-/// The exponent range is so wide that nothing these formats give leaves it.
+/// A format whose exponent range is so wide that no result of these formats leaves it.
 FloatFormat with_unbounded_exponent(FloatFormat format) {
   return FloatFormat::make(format.precision(), FloatFormat::max_exponent_bits).value();
 }

@@ -9,7 +9,8 @@
 
 namespace mixcmp::test {
 
-/// Hazards that a unit was promised not to meet, or that a stimulus is: rtl_templates/fp/README.md.
+/// A set of hazards (rtl_templates/fp/README.md): those that a unit was promised not to meet, or
+/// those of a stimulus.
 struct HazardSet {
   bool special_operands = false;
   bool overflow = false;
@@ -47,7 +48,7 @@ public:
 
   int latency_cycles(int slot) const { return latencies_[slot]; }
   int max_latency_cycles() const;
-  /// The right answer where no promise is broken.
+  /// The right answer, if no promise is broken.
   Answer answer(int behaviour, const Stimulus& stimulus) const;
   HazardSet promised(int slot) const;
   HazardSet hazards(int behaviour, const Stimulus& stimulus) const;
@@ -55,7 +56,7 @@ public:
   /// exceptional case without a hazard.
   bool exceptional_by_hazards_alone(int behaviour) const;
   std::string name(int slot) const;
-  /// The format of a slot's answers: the result's, or the operands' where a unit has no result
+  /// The format of a slot's answers: the result's, or the operands' if the unit has no result
   /// format.
   FloatFormat format(int slot) const;
 

@@ -5,7 +5,8 @@
 namespace mixcmp::test {
 namespace {
 
-/// Counter-based: SplitMix64 of (seed, index, draw), so that each vector can be drawn by itself.
+/// The random numbers of one vector: SplitMix64 of (seed, index, draw). They are counter-based, so
+/// each vector can be drawn by itself.
 class Draw {
 public:
   Draw(uint64_t seed, uint64_t index) : state_(mix(mix(seed) + index)) {}
@@ -15,9 +16,9 @@ public:
     const Bits upper = word();
     return (upper << 64 | word()) & low_mask(width);
   }
-  /// 0 <= result < limit.
+  /// A random number from 0 to limit - 1.
   int below(int limit) { return static_cast<int>(word() % static_cast<uint64_t>(limit)); }
-  /// -distance <= result <= distance.
+  /// A random number from -distance to distance.
   int near(int distance) { return below(2 * distance + 1) - distance; }
   bool coin() { return (word() & 1) != 0; }
 
@@ -47,8 +48,8 @@ int highest_result(FloatFormat operands, FloatFormat result) {
   return result.max_exponent() + operands.bias();
 }
 
-/// The product of two short significands, its leading one dropped, at the top of the fraction: for
-/// exact products, quotients and roots.
+/// A fraction for exact products, quotients and roots: at its top is the product of two short
+/// significands without its leading one.
 Bits fraction_of_product(FloatFormat format, Bits first, Bits second) {
   Bits product = first * second;
   if (product == 0) return 0;
@@ -62,7 +63,8 @@ Bits draw_short_significand(FloatFormat format, Draw& draw) {
   return draw.bits(width) | Bits{1} << (width - 1);
 }
 
-/// Ones and zeros in a tail of random length, as at ties and one beside them.
+/// The fraction with a tail of random length in place of its last bits: that of a tie, one a step
+/// beside it, or all ones.
 Bits with_tie_tail(FloatFormat format, Bits fraction, Draw& draw) {
   const int tail = 1 + draw.below(format.fraction_bits());
   const Bits half = Bits{1} << (tail - 1);

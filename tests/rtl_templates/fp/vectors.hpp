@@ -8,15 +8,16 @@
 
 namespace mixcmp::test {
 
-/// Zeros, subnormals and normals at their ends, ones and their neighbours, the ends of the result
-/// format's range, infinities and NaNs, of both signs.
+/// Zeros, the ends of the subnormal and of the normal numbers, ones and their neighbours, the ends
+/// of the result format's range, infinities and NaNs, all with both signs.
 std::vector<Bits> special_values(FloatFormat operands, FloatFormat result);
 
-/// Vector `index` of the stream `seed`: drawn by field, so that near exponents, cancellations,
-/// ties, exact results, overflow and underflow are frequent. `result` sets where they lie.
+/// Vector `index` of the stream `seed`. It is drawn by field, so that near exponents,
+/// cancellations, ties, exact results, overflow and underflow are frequent. They depend on
+/// `result`.
 Stimulus random_stimulus(FloatFormat operands, FloatFormat result, uint64_t seed, uint64_t index);
 
-/// A random value against one of its neighbours within two ulps, of either sign.
+/// A random value and one of its neighbours within two ulps, with either sign.
 Stimulus neighbour_stimulus(FloatFormat operands, FloatFormat result, uint64_t seed,
                             uint64_t index);
 

@@ -58,7 +58,7 @@ TEST(DelayLine, ReturnsTheWordOfLengthCyclesAgo) {
 TEST(ValidDelayLine, DelaysAndForgetsOnReset) {
   Lines lines;
   RandomSource random(2);
-  std::vector<bool> history;  // of the cycles since the last reset
+  std::vector<bool> history;  // the inputs since the last reset
   reset(lines);
   for (int cycle = 0; cycle < 20000; ++cycle) {
     const bool step = random.chance(0.5);
@@ -112,7 +112,7 @@ TEST(DualPortMemory, ReadsWhatWasWrittenAndHoldsWithoutEnable) {
     const std::uint32_t read_address = random.below(32);
     const auto word = static_cast<std::uint16_t>(random.word());
     const bool write = random.chance(0.5);
-    // The same address in the same cycle is outside the contract.
+    // A read of the address that is written in the same cycle is outside the contract.
     const bool read = random.chance(0.5) && !(write && write_address == read_address);
     lines.model.d = word;
     lines.model.write_enable = write;

@@ -1,4 +1,4 @@
-// FIFO, arbiter and tree against one model: a queue per input.
+// Tests FIFO, arbiter and tree against one model, which has a queue per input.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -66,7 +66,7 @@ struct MergeSpec {
   std::uint32_t inputs;
   int latency_cycles;
   int one_input_interval;   ///< cycles per word when only one input is busy
-  int all_inputs_interval;  ///< cycles per word when all are
+  int all_inputs_interval;  ///< cycles per word when all inputs are busy
   int capacity;             ///< words held when nothing leaves; -1: not stated
   std::uint32_t round;      ///< words in which each busy input is served at least once
 };
@@ -103,8 +103,8 @@ const std::vector<Traffic> traffics = {
     {"ResetMidStream", 0.7, 0.7, 0.01},
 };
 
-/// Drives one device cycle by cycle and holds its output against a queue per input. A word is
-/// {input, number of the word}, so a lost, doubled, stale or misplaced one is recognised.
+/// Drives one device cycle by cycle and compares its output with a queue per input. A word is
+/// {input, number of the word}, so a lost, doubled, stale or misplaced word is recognised.
 class MergeRun {
 public:
   MergeRun(const MergeSpec& spec, std::uint64_t seed)
@@ -126,7 +126,7 @@ public:
     ++cycles_;
   }
 
-  /// One cycle; inputs outside `mask` stay idle.
+  /// Runs one cycle; inputs outside `mask` stay idle.
   void cycle(const Traffic& traffic, std::uint32_t mask = ~0u) {
     if (random_.chance(traffic.reset)) return reset();
     offer(traffic, mask);

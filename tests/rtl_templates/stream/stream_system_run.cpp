@@ -23,8 +23,9 @@ std::string hex(std::uint32_t value) {
   return text;
 }
 
-/// An odd multiplier permutes the 32-bit numbers: every tag is new, and all its bits are used. The
-/// lanes of a group have the numbers from its tag on, which is odd, so that the sum carries.
+/// The tag of comparison n. An odd multiplier permutes the 32-bit numbers, so every tag is new and
+/// all its bits are used. The lanes of a group have consecutive numbers from the group's tag on.
+/// That tag is odd, so that the sum carries.
 std::uint32_t tag_number(std::uint32_t n, int group) {
   const std::uint32_t number = n * 2654435761u;
   return group == 1 ? number : number * 4 + 1;
@@ -60,7 +61,7 @@ void SystemRun::fail(const std::string& what) {
              std::to_string(seed_);
 }
 
-/// The tdata of the result that the operands demand.
+/// The tdata of the result that the operands must have.
 std::uint8_t SystemRun::expected_result(std::uint32_t word) const {
   const std::uint32_t lane_verdict = (word ^ (word >> 10)) & 3;
   const std::uint32_t reference_verdict = ((word >> 8) ^ (word >> 16)) & 3;
@@ -134,7 +135,7 @@ void SystemRun::drive_memories(const SystemTraffic& traffic) {
     Memory& memory = memories_[r];
     const bool ready = random_.chance(traffic.refetch);
     set_bit(*dut_->m_refetch_ready, r, ready);
-    // A memory may answer in the cycle in which it is asked: before the sender is known.
+    // A memory may answer in the cycle in which it is asked, even before the sender is known.
     const bool asked = ready && bit(*dut_->m_refetch_valid, r);
     if (asked) memory.asked.push_back((*dut_->m_refetch_tags)[r]);
     const bool at_once = asked && memory.asked.size() == 1;

@@ -45,15 +45,15 @@ public:
 struct SystemSpec {
   std::string name;
   std::function<std::unique_ptr<SystemDut>()> make;
-  int lanes;  ///< or groups of lanes
+  int lanes;  ///< number of lanes, or of groups of lanes
   int references;
   bool in_order;
   bool carried;
   int lane_latency_cycles;
   int reference_latency_cycles;
   int slot_bits;
-  int initiation_interval;  ///< of the references
-  int beat_bits;            ///< of a request: it has 2^beat_bits beats
+  int initiation_interval;  ///< the references'
+  int beat_bits;            ///< a request has 2^beat_bits beats
   int group;                ///< lanes in lock step; 1: each by itself
 };
 
@@ -61,7 +61,7 @@ inline void PrintTo(const SystemSpec& spec, std::ostream* stream) {
   *stream << spec.name;
 }
 
-/// Chances per cycle, and of a comparison being undecided.
+/// The chances of events per cycle, and of an undecided comparison.
 struct SystemTraffic {
   const char* name = "";
   double offer = 1.0;
@@ -71,17 +71,17 @@ struct SystemTraffic {
   double refetch = 1.0;  ///< that the user's memory takes a tag; that it gives operands
 };
 
-/// Drives a system and holds every result against the one that its operands determine. Knows
-/// nothing of slots, queues or requests: a comparison is outstanding from acceptance until its
-/// result. In a system of groups each group counts as a lane, and a word of one comparison for each
-/// lane of the group as a comparison.
+/// Drives a system and compares every result with the one that its operands determine. The class
+/// knows nothing of slots, queues or requests: a comparison is outstanding from acceptance until
+/// its result. In a system of groups each group counts as a lane, and a word of one comparison for
+/// each lane of the group as a comparison.
 class SystemRun {
 public:
   SystemRun(const SystemSpec& spec, std::uint64_t seed);
 
   void reset();
   void cycle(const SystemTraffic& traffic);
-  /// Cycles until nothing is outstanding, at most `limit`.
+  /// Runs until nothing is outstanding, for at most `limit` cycles. Returns the number of cycles.
   int drain(int limit);
 
   bool failed() const { return !failure_.empty(); }
@@ -93,7 +93,8 @@ public:
   std::uint64_t overtaken() const { return overtaken_; }
   std::uint64_t cycles() const { return cycles_; }
   const std::vector<std::uint64_t>& received_of_lane() const { return received_of_lane_; }
-  /// Holds the counters against the events seen since reset; call when nothing is outstanding.
+  /// Compares the counters with the events seen since reset. To be called when nothing is
+  /// outstanding.
   void check_counters();
 
 private:
@@ -112,7 +113,7 @@ private:
     std::uint32_t undecided = 0;
     std::uint32_t stalls = 0;
   };
-  struct Memory {  ///< the user's, one port per reference
+  struct Memory {  ///< the user's memory: one port per reference
     std::deque<std::uint32_t> asked;
     bool giving = false;
     bool held = false;
@@ -139,8 +140,8 @@ private:
   RandomSource random_;
   std::vector<Lane> lanes_;
   std::vector<Memory> memories_;
-  std::unordered_map<std::uint32_t, std::uint32_t> word_of_tag_;      ///< of all outstanding
-  std::unordered_map<std::uint32_t, std::uint32_t> operands_of_tag_;  ///< of each lane's comparison
+  std::unordered_map<std::uint32_t, std::uint32_t> word_of_tag_;      ///< outstanding words
+  std::unordered_map<std::uint32_t, std::uint32_t> operands_of_tag_;  ///< one per comparison
   std::uint32_t issued_ = 0;
   std::uint64_t accepted_ = 0;
   std::uint64_t received_ = 0;

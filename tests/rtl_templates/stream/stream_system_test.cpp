@@ -105,7 +105,7 @@ int service_cycles(const SystemSpec& spec) {
   return std::max(spec.initiation_interval, arrival);
 }
 
-/// Comparisons per cycle by the analytical model where this part is undecided, at random.
+/// Comparisons per cycle by the analytical model, if this share of them, at random, is undecided.
 double predicted_per_cycle(const SystemSpec& spec, double undecided) {
   performance::LaneStreams streams = {
       .order = spec.in_order ? scene::ResultOrder::in_order : scene::ResultOrder::tagged,
@@ -236,8 +236,8 @@ TEST_P(System, ThroughputIsWhatTheSlotsAllow) {
 TEST_P(CarriedSystem, ThroughputUnderRandomRecomputationIsTheModels) {
   const SystemSpec& spec = GetParam();
   // The generator builds 22 slots more than the lane's latency. With fewer, chance costs more than
-  // the model's mean waits say. A lane that stalls then falls in step with a folded reference, so
-  // that it waits less for its first phase, or with requests that take long.
+  // the model's mean waits say. A lane that stalls then falls in step with a folded reference, and
+  // so waits less for its first phase, or it falls in step with requests that take long.
   const int spare = (1 << spec.slot_bits) - spec.lane_latency_cycles;
   const int beats = spec.beat_bits == 0 ? 0 : 2 << spec.beat_bits;
   const bool roomy = spare >= (service_cycles(spec) == 1 ? 10 : 22 + beats);
@@ -280,7 +280,7 @@ TEST_P(System, NoSlotIsLostOverTime) {
   const std::uint64_t before = run.accepted();
   const SystemTraffic blocked{"Blocked", 1.0, 0.0, 0.0};
   for (int cycle = 0; cycle < 2000; ++cycle) run.cycle(blocked);
-  // Every slot, and the result in the output register, whose slot is free again.
+  // Every slot holds a comparison, and so does the output register, whose slot is free again.
   const std::uint64_t inside_a_lane = (std::uint64_t{1} << GetParam().slot_bits) + 1;
   EXPECT_EQ(run.accepted() - before, inside_a_lane * GetParam().lanes);
   run.drain(patience);

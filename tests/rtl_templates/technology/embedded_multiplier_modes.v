@@ -1,4 +1,5 @@
-// The template with all signs and all cuts side by side, its factors of A_WIDTH and B_WIDTH bits.
+// embedded_multiplier_modes: instances of embedded_multiplier with all signs and all cuts, side by
+// side. Factors have A_WIDTH and B_WIDTH bits.
 `default_nettype none
 
 module embedded_multiplier_modes #(

@@ -1,9 +1,10 @@
-// The cell of a family, named embedded_multiplier_cell here, beside the template that it stands for,
-// at widths around those of one multiplier: corners, powers of two and random factors.
+// embedded_multiplier_tb: the cell of a family, here named embedded_multiplier_cell, against the
+// template that it replaces, at widths around those of one multiplier. Factors are corners, powers
+// of two and random numbers.
 `default_nettype none
 
 module embedded_multiplier_tb #(
-  parameter WIDEST = 18  // of the factors of one multiplier
+  parameter WIDEST = 18  // bits of the widest factor of one multiplier
 );
 
   reg aclk = 0;

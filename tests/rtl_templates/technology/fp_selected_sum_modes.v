@@ -1,4 +1,4 @@
-// The template without its cut and with it, side by side.
+// fp_selected_sum_modes: fp_selected_sum without its cut and with it, side by side.
 `default_nettype none
 
 module fp_selected_sum_modes #(

@@ -1,5 +1,6 @@
-// The cell of a family, named fp_selected_sum_cell here, beside the template that it stands for, at
-// the fewest places, both parities and many places: random numbers and carries through all places.
+// fp_selected_sum_tb: the cell of a family, here named fp_selected_sum_cell, against the template
+// that it replaces, at the fewest places, both parities and many places. Operands are random
+// numbers, and numbers whose carries go through all places.
 `default_nettype none
 
 module fp_selected_sum_tb #(

@@ -33,7 +33,7 @@ Expected expected_of(Combination combination, const std::vector<Verdict>& verdic
   return {every, all};
 }
 
-/// Every verdict of every part, each known or not, through one registered cut.
+/// Sends every verdict of every part, each known or not, through one registered cut.
 template <class Model>
 void expect_combined(unsigned parts, Combination combination) {
   VerilatedContext context;

@@ -22,7 +22,7 @@ module arg_min_proof (
   input wire       m_ready,
   input wire [1:0] willing,    // a lane without a pair takes one
   input wire [1:0] finishing,  // a lane with a pair offers its verdict
-  input wire [3:0] verdicts    // and this is it
+  input wire [3:0] verdicts    // the verdict of each lane
 );
 
   localparam [3:0] NONE = 0;
@@ -52,7 +52,7 @@ module arg_min_proof (
   reg         watching = 1'b0;
   wire        chosen   = choose && !watching;
 
-  // Conversions: a cycle, and other bits.
+  // The conversions take a cycle, and change the bits.
   reg  [1:0]  candidate_word;
   reg         row_word;
 
@@ -61,7 +61,7 @@ module arg_min_proof (
     row_word       <= !s_data;
   end
 
-  // Lanes.
+  // The lanes.
   reg  [1:0] holds   = 2'b00;
   reg  [1:0] offered = 2'b00;
   reg  [6:0] tag_1_q;
@@ -121,7 +121,7 @@ module arg_min_proof (
     .stalled_cycles    ()
   );
 
-  // Candidates as they were offered. In a short load the last one stands for each missing one.
+  // The candidates as they were offered. In a short load the last one stands for each missing one.
   reg  [1:0] candidate_0;
   reg  [1:0] candidate_1;
   reg  [1:0] candidate_2;
@@ -155,7 +155,7 @@ module arg_min_proof (
     end
   end
 
-  // Rows: how many are inside, and how many of these ahead of the watched one.
+  // The rows: how many are inside, and how many of these are ahead of the watched one.
   reg  [3:0] inside   = NONE;
   reg  [3:0] ahead;
   reg        meets_1  = 1'b0;  // the watched row has to meet lane 1
@@ -168,7 +168,7 @@ module arg_min_proof (
   reg        last;
   reg        user;
   reg        better_1;  // candidate 1 costs the watched row less than candidate 0
-  reg        better_2;  // and candidate 2 less than the better of them
+  reg        better_2;  // candidate 2 costs it less than the better of these two
   wire       enters  = s_valid && s_ready;
   wire       leaves  = m_valid && m_ready;
   wire [1:0] takes   = pair_valid & pair_ready;
@@ -257,7 +257,7 @@ module arg_min_proof (
     held_result <= {m_data, m_user, m_last};
   end
 
-  // Registers of the template.
+  // The template's registers that the lemmas read.
   (* hierconn *) wire [2:0] \dut.loader.sent_q ;
   (* hierconn *) wire       \dut.loader.ended_q ;
   (* hierconn *) wire       \dut.loader.complete_q ;
@@ -374,13 +374,13 @@ module arg_min_proof (
   wire [2:0] stored_2   = at_2 - {2'b00, passes_2};
   wire [2:0] at_1       = (stored_2 > 3'd2) ? 3'd2 : stored_2;
   wire [2:0] stored_1   = at_1 - {2'b00, passes_1};
-  wire       is_next    = ended && !\dut.loader.ended_q ;  // nothing of the next load has come
+  wire       is_next    = ended && !\dut.loader.ended_q ;  // no candidate of the next load has come
   wire [7:0] in_full    = {\dut.operands.candidates.words[3] , \dut.operands.candidates.words[2] ,
                            \dut.operands.candidates.words[1] , \dut.operands.candidates.words[0] };
   wire [3:0] full_rows  = {\dut.operands.rows.words[3] , \dut.operands.rows.words[2] ,
                            \dut.operands.rows.words[1] , \dut.operands.rows.words[0] };
 
-  // Rows, {best, word, place}: in lane 2, before it, in lane 1, before it.
+  // The rows as {best, word, place}: in lane 2, in front of it, in lane 1, in front of it.
   wire        converting = \dut.row_beside_word.g_shift.rank_q ;
   wire [19:0] rows       = {1'b0, \dut.g_stage[0].stage.best_q , \dut.g_stage[0].stage.row_q ,
                             tag_1_q[3:2], tag_1_q[6], tag_1_q[1:0],
@@ -390,13 +390,13 @@ module arg_min_proof (
                             \dut.g_stage[1].stage.row_valid_q , holds[1]};
   wire [1:0]  oldest     = place_of_next - inside[1:0];
   wire [1:0]  from_next  = watched_place - \dut.next_place_q ;
-  reg  [3:0]  places;          // with a row, up to here
+  reg  [3:0]  places;          // the places of the chain so far that hold a row
   reg         in_order;
-  reg         in_chain;        // the watched row is
+  reg         in_chain;        // the watched row is in the chain
   reg         watched_right;
   reg         best_right;
   reg         is_watched;
-  reg  [3:0]  cycles_left;     // until a row enters a lane or leaves, if nobody stalls
+  reg  [3:0]  cycles_left;     // cycles until a row enters a lane or leaves, if no one stalls
   integer     w;
 
   always @* begin

@@ -2,7 +2,8 @@
 // its input. One closing beat leaves behind all of them, and its low bits are the sum of the
 // inputs'. A closing beat that does not leave does not wait for `m_ready`. One input is watched,
 // one word of it at a time. Words are {input, watched, data}. Behind its closing beat an input
-// sends nothing until the merged one has left, as in the engine, which takes the next set then.
+// sends nothing until the merged closing beat has left. The engine keeps to that: it takes the next
+// set only then.
 `default_nettype none
 
 module closing_tree_proof #(
@@ -21,7 +22,8 @@ module closing_tree_proof #(
 
   localparam [3:0] NONE = 0;
   localparam [3:0] ONE  = 1;
-  // Closing beats that are swallowed, one a cycle, and as many that wait below the root.
+  // The most quiet cycles: one for each closing beat that the tree swallows, and one for each
+  // level.
   localparam MOST_QUIET = LEVELS + INPUTS;
 
   (* anyconst *) reg [2:0] watched;
@@ -55,8 +57,8 @@ module closing_tree_proof #(
   );
 
   reg  [3:0]        total    = NONE;  // words inside, closing beats aside
-  reg  [3:0]        inside   = NONE;  // of the watched input
-  reg  [3:0]        ahead    = NONE;  // of the watched word
+  reg  [3:0]        inside   = NONE;  // words of the watched input
+  reg  [3:0]        ahead    = NONE;  // words ahead of the watched word
   reg               watching = 1'b0;
   reg  [1:0]        word;
   reg  [1:0]        sum      = 2'd0;

@@ -1,7 +1,7 @@
 // exception_queue_proof: no push meets a full FIFO in exception_queue; `room` stays while a word is
 // on offer, and comes back once the queue is empty. The FIFO's own proof covers that beats leave
-// once, in order and unchanged. Ahead of the queue stands a pipeline that cannot wait: a word
-// enters it only where there is room, and may be pushed MAY_COME - 2 cycles later.
+// once, in order and unchanged. A pipeline that cannot wait stands in front of the queue. A word
+// enters it only if there is room, and may be pushed MAY_COME - 2 cycles later.
 `default_nettype none
 
 module exception_queue_proof #(
@@ -12,7 +12,7 @@ module exception_queue_proof #(
   input wire aresetn_later,
   input wire enters,
   input wire on_offer,
-  input wire tells,  // something comes of the word that arrives at the queue
+  input wire tells,  // the word that arrives at the queue makes a beat
   input wire m_ready
 );
 
@@ -55,7 +55,7 @@ module exception_queue_proof #(
   );
 
   wire                  pop     = m_valid && m_ready;
-  reg  [DEPTH_BITS+1:0] queued  = NONE;  // in the FIFO's memory and its output register
+  reg  [DEPTH_BITS+1:0] queued  = NONE;  // beats in the FIFO's memory and its output register
   wire [DEPTH_BITS+1:0] stored  = queued - {{(DEPTH_BITS+1){1'b0}}, m_valid};
   reg                   offered = 1'b0;  // a word was on offer in the cycle before
   reg                   held    = 1'b0;

@@ -50,7 +50,7 @@ module item_loader_proof #(
     .overrun      (overrun)
   );
 
-  reg  [INDEX_BITS+1:0] taken = NONE;  // items of the set, FULL + 1 for all beyond the capacity
+  reg  [INDEX_BITS+1:0] taken = NONE;  // items of the set; FULL + 1 if there are more than fit
   reg                   again = 1'b0;  // a set was closed before
   wire                  take  = s_valid && s_ready;
 

@@ -1,8 +1,8 @@
 // operand_memory_proof: whatever stalls, each request of a reference is answered once, in the order
 // of its requests, with the row and the candidates that were written last at the places it names;
-// an offer stays until it is taken, and all keeps moving. One row place and one candidate, chosen
-// by the solver for good, are watched; the words at the others are anything. Reference 0 or 1,
-// chosen in the same way, is watched; up to two requests of it are inside.
+// an offer stays until it is taken, and everything keeps moving. One row place and one candidate,
+// chosen by the solver for good, are watched; the words at the others are anything. Reference 0 or
+// 1, chosen in the same way, is watched; up to two requests of it are inside.
 `default_nettype none
 
 module operand_memory_proof #(
@@ -19,7 +19,7 @@ module operand_memory_proof #(
   input wire [REFERENCES-1:0]   asks,
   input wire [3*REFERENCES-1:0] ask_tags,
   input wire [REFERENCES-1:0]   m_ready,
-  input wire                    any_place,      // in the first cycle
+  input wire                    any_place,      // read only in the first cycle
   input wire                    any_index,
   input wire [REFERENCES-1:0]   any_reference
 );
@@ -29,7 +29,7 @@ module operand_memory_proof #(
   reg  started = 1'b0;
   wire aresetn = started && aresetn_later;
 
-  // Chosen once: registers that keep their first value.
+  // The solver's choices: registers that keep their first value.
   reg                  place;
   reg                  index;
   reg [REFERENCES-1:0] watched;
@@ -92,7 +92,7 @@ module operand_memory_proof #(
     end
   end
 
-  // Its requests inside: the first one waits longest.
+  // The watched reference's requests inside; the first one has waited longest.
   reg  [1:0]  inside = 2'd0;
   reg  [2:0]  first;
   reg  [2:0]  second;
@@ -100,7 +100,7 @@ module operand_memory_proof #(
   wire        leaving = answered && ready;
   wire [1:0]  left    = inside - {1'b0, leaving};
   reg  [2:0]  quiet   = 3'd0;
-  reg  [3:0]  others  = 4'd0;   // all requests inside, of whomever
+  reg  [3:0]  others  = 4'd0;   // the requests inside of all references
   integer     k;
   reg  [3:0]  entered;
   reg  [3:0]  gone;
@@ -161,7 +161,7 @@ module operand_memory_proof #(
     held_data  <= m_data;
   end
 
-  reg     kept;  // an offer that was not taken stays
+  reg     kept;  // an offer that was not taken has stayed
   integer h;
 
   always @* begin

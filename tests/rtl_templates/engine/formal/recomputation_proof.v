@@ -19,7 +19,7 @@ module recomputation_proof #(
   input wire [1:0]              s_tag,        // j, i
   input wire [1:0]              willing,      // a reference without a pair takes one
   input wire [1:0]              finishing,    // a reference with a pair answers
-  input wire [3:0]              verdicts,     // this
+  input wire [3:0]              verdicts,     // the verdict of each reference
   input wire                    m_ready
 );
 
@@ -86,7 +86,7 @@ module recomputation_proof #(
   wire leave     = m_valid && m_ready;
   wire is_watched = (s_tag == watched);
 
-  // References.
+  // The references.
   reg  [REFERENCES-1:0]   busy  = {REFERENCES{1'b0}};
   reg  [2*REFERENCES-1:0] tags;
   wire [REFERENCES-1:0]   asked = request_valid & request_ready;
@@ -115,9 +115,9 @@ module recomputation_proof #(
   endgenerate
 
   // The watched pair comes once in a set; the closing beat comes last.
-  reg        waits     = 1'b0;  // taken, not yet asked
-  reg        computes  = 1'b0;  // asked, not yet answered
-  reg        due       = 1'b0;  // answered, has to leave
+  reg        waits     = 1'b0;  // taken and not yet asked of a reference
+  reg        computes  = 1'b0;  // asked and not yet answered
+  reg        due       = 1'b0;  // answered, and its verdict has to leave
   reg        seen      = 1'b0;
   reg  [1:0] verdict;
   reg  [4:0] open      = NONE;  // pairs taken and not yet answered
@@ -172,7 +172,7 @@ module recomputation_proof #(
     end
   end
 
-  // Registers of the template.
+  // The template's registers that the lemmas read.
   (* hierconn *) wire       \dut.comes_q ;
   (* hierconn *) wire       \dut.offered_q ;
   (* hierconn *) wire       \dut.closes_q ;
@@ -257,7 +257,7 @@ module recomputation_proof #(
     .ranks    ()
   );
 
-  // Verdicts in the queues and behind them.
+  // The pairs with verdicts in the queues and behind them.
   wire [27:0] answered_pairs = {\dut.verdict , answers_1, answers_0};
   wire [6:0]  answered_exist = {\dut.verdict_valid , (4'd2 < answers_1_count), (4'd1 < answers_1_count),
                                 (4'd0 < answers_1_count), (4'd2 < answers_0_count),
@@ -275,9 +275,9 @@ module recomputation_proof #(
   reg         verdict_right;
   reg         pair_waits;
   reg         closes;
-  reg         about;          // the watched pair
+  reg         about;          // the entry is about the watched pair
   reg         reports;
-  reg  [4:0]  cycles_left;    // until anything moves, if nobody stalls
+  reg  [4:0]  cycles_left;    // cycles until anything moves, if nobody stalls
   wire [4:0]  watched_places = watched_waits + watched_computes + watched_due + watched_unreported;
 
   always @* begin

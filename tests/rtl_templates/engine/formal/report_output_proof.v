@@ -50,7 +50,7 @@ module report_output_proof #(
   );
 
   wire                  take = s_valid && s_ready;
-  reg                   due  = 1'b0;  // a beat was taken that has to leave, and has not
+  reg                   due  = 1'b0;  // a beat was taken that has to leave and has not left
   reg                   last;
   reg  [1:0]            flags;
   reg  [3:0]            kind;
@@ -61,7 +61,7 @@ module report_output_proof #(
   reg                   held  = 1'b0;
   reg  [TDATA_BITS+8:0] held_beat;
 
-  // Fields as they have to stand.
+  // The fields as they have to be.
   wire [7:0]  told_flags = last ? 8'd0 : {6'd0, flags};
   wire [15:0] told_pair  = {6'd0, tag[3:2], 6'd0, tag[1:0]};
   wire [15:0] told       = last ? {12'd0, number} : told_pair;

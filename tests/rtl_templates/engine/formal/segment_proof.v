@@ -1,12 +1,12 @@
 // segment_proof: every word that pair_segment takes stays in a lane or goes on, once and in order;
 // each meeting of a held word with one behind it is answered once, in the beat of the latter;
-// nothing is lost for want of room in the queue; the closing beat leaves behind all others. The
+// nothing is lost because the queue has no room; the closing beat leaves behind all others. The
 // lanes are any function of their two words, chosen by the solver, LANE_LATENCY cycles long.
 // TIERED: the first word of a block and each that stays leave a beat as well, and a beat tells
 // which of the two its word is, the word, and the number of its undecided pairs. The lemmas read
 // registers of the template, and together hold by induction. They go over all words and beats
-// inside: those in the link, each as it will be told when it has left the link, the one at the
-// lanes, and those in the queue.
+// inside: the words in the link, each with the beat that it will cause, the word at the lanes, and
+// the beats in the queue.
 `default_nettype none
 
 module segment_proof #(
@@ -119,7 +119,7 @@ module segment_proof #(
     .m_axis_tlast (m_last)
   );
 
-  // Lanes.
+  // The lanes.
   wire             late_passing;
   wire [LANES-1:0] late_held;
 
@@ -132,15 +132,15 @@ module segment_proof #(
     .q   ({late_passing, late_held})
   );
 
-  // Words as they come: the words of the block that are held so far, and the report due of this
-  // one.
+  // The words as they come: those of the block that are held so far, and the report that is due for
+  // the current one.
   wire                  take       = s_valid && s_ready;
-  reg  [3:0]            count      = NONE;  // of words held
+  reg  [3:0]            count      = NONE;  // number of words held
   reg  [LANES-1:0]      held;
   reg  [1:0]            base;
   reg                   gone       = 1'b0;  // a word of the block went on
   reg                   stay_ended = 1'b0;  // a word of the block did not stay though it could
-  reg                   between    = 1'b1;  // sets
+  reg                   between    = 1'b1;  // no set has begun since the last one
   wire [6:0]            word       = {s_close, s_first, s_stays, s_meets, s_index, s_word};
   wire [LANES+6:0]      state      = {gone, base, held, count};
   wire [LANES+6:0]      next_state;
@@ -148,7 +148,7 @@ module segment_proof #(
   wire                  goes       = take && !stays;
   wire [6:0]            goes_as;
   wire                  tells;
-  wire [CODES_BITS-1:0] codes;              // of this word
+  wire [CODES_BITS-1:0] codes;              // the codes that are due for this word
   wire [2:0]            tier;
   wire                  comes_out  = take && tells && (s_index == watched_j);
   wire [3:0]            reported;
@@ -172,9 +172,9 @@ module segment_proof #(
     .reported(reported)
   );
 
-  // Words and beats on the way.
+  // The words and beats on their way.
   reg  [3:0]            on_way    = NONE;   // words that go on
-  reg  [3:0]            ahead     = NONE;   // of the watched one
+  reg  [3:0]            ahead     = NONE;   // words ahead of the watched one
   reg                   watching  = 1'b0;
   reg  [6:0]            watched_word;
   reg                   due       = 1'b0;   // a beat about watched_j
@@ -257,7 +257,7 @@ module segment_proof #(
     end
   end
 
-  // Registers of the template.
+  // The template's registers that the lemmas read.
   (* hierconn *) wire [1:0]           \dut.link.write_q ;
   (* hierconn *) wire [1:0]           \dut.link.read_q ;
   (* hierconn *) wire                 \dut.link.m_valid_q ;
@@ -370,15 +370,15 @@ module segment_proof #(
   wire [STATE_BITS-1:0] last_state = states[3*STATE_BITS +: STATE_BITS];
   reg  [LANES-1:0]      holding;        // lanes that hold a word behind all in the link
   reg  [3:0]            going;          // words in the link that go on
-  reg                   goes_right;     // the watched one among them
-  reg  [3:0]            beats_due;      // about the watched word
+  reg                   goes_right;     // the watched word is among them, in its place
+  reg  [3:0]            beats_due;      // beats about the watched word that are due
   reg                   beats_right;
   reg  [3:0]            beats_closing;
   reg                   closing_last;   // nothing is behind the closing word or beat
   reg                   closing_empty;
   reg                   counted_right;
   reg  [3:0]            found;          // pairs that will be counted
-  reg  [3:0]            cycles_left;    // until a beat is on offer, if nobody stalls
+  reg  [3:0]            cycles_left;    // cycles until a beat is on offer, if nobody stalls
   reg  [BEAT_BITS-1:0]  beat;
   reg                   exists;
   integer               w;
@@ -428,7 +428,7 @@ module segment_proof #(
         end
       end
     end
-    // Place 0 is at the lanes, the others are those of the queue.
+    // Place 0 is that at the lanes, the others are those of the queue.
     for (w = 0; w <= DEPTH + 1; w = w + 1) begin
       beat   = (w == 0) ? \dut.exceptions.beat : queue_beats[BEAT_BITS*(w-1) +: BEAT_BITS];
       exists = (w == 0) ? \dut.exceptions.push : (w <= queue_count);
@@ -478,8 +478,8 @@ module segment_proof #(
   end
 
   always @* begin
-    // A set: blocks that begin with `first`; those of a block that stay come before the others; then
-    // the word that closes, and nothing until its beat has left.
+    // A set consists of blocks that begin with `first`. The words of a block that stay come before
+    // its others. The word that closes comes last, and nothing comes until its beat has left.
     first_word_is_first: assume(!s_valid || s_first || !between);
     staying_ones_come_first: assume(!s_valid || s_first || s_close || !s_stays || !stay_ended);
     one_set_at_a_time: assume(!s_valid || !close_due);

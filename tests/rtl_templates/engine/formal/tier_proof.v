@@ -4,9 +4,9 @@
 // right count. Beats are those of a pair_segment: codes are about lanes that hold a word, and words
 // that stay fill the lanes from the lowest up. The lane is any function of its two words, chosen by
 // the solver, LANE_LATENCY cycles long, 0 or 1. The lemmas read registers of the template, and
-// together hold by induction. They go over all places where a beat may be, with the results of its
-// pairs that it has still to tell there: the queue, the beat at its input, both stages, and the
-// beat on offer.
+// together hold by induction. They go over all places where a beat may be: the queue, the beat at
+// its input, both stages, and the beat on offer. For each place they have the results of the beat's
+// pairs that are still due.
 `default_nettype none
 
 module tier_proof #(
@@ -95,34 +95,34 @@ module tier_proof #(
     .q   ({decided, verdict})
   );
 
-  // Beats as they come: the words of the block that the lanes hold so far, and the results due of
-  // this beat.
+  // The beats as they come: the words of the block that the lanes hold so far, and the results that
+  // are due for the current beat.
   wire                  take    = s_valid && s_ready;
   reg                   offered = 1'b0;  // the beat on offer was there in the cycle before
   wire                  comes   = s_valid && !offered;
-  reg  [3:0]            count   = NONE;  // of words held
+  reg  [3:0]            count   = NONE;  // number of words held
   reg  [LANES-1:0]      held;
-  reg                   between = 1'b1;  // sets
+  reg                   between = 1'b1;  // no set has begun since the last one
   wire [3:0]            counted = s_first ? NONE : count;
   reg  [CODES_BITS-1:0] expected;
   reg  [3:0]            found;           // pairs that the lane reports
   reg  [3:0]            found_later;     // those of them that have not gone through
   reg                   fits;            // the codes are those of a segment
-  reg  [LANE_BITS:0]    s_pairs;         // that the codes leave undecided
+  reg  [LANE_BITS:0]    s_pairs;         // pairs that the codes leave undecided
   reg  [LANE_BITS:0]    pairs_left;      // those of them that have not gone through
   reg  [CODE_BITS-1:0]  code;
   reg  [2:0]            answer;
 
-  // Beats on the way.
+  // The beats on their way.
   wire                  leaves        = m_valid && m_ready;
   wire                  about_watched = !m_last && (m_index == watched_j);
   wire                  about_later   = !m_last && (m_index == later_j);
   wire                  watched_comes = comes && !s_last && (s_index == watched_j);
   wire                  later_comes   = comes && !s_last && (s_index == later_j);
-  reg  [CODES_BITS-1:0] due           = NOTHING;  // of the watched beat
+  reg  [CODES_BITS-1:0] due           = NOTHING;  // results due for the watched beat
   reg  [1:0]            due_base;
   reg                   later_seen    = 1'b0;
-  reg                   later_behind  = 1'b0;     // the watched beat
+  reg                   later_behind  = 1'b0;     // the later beat came behind the watched beat
   reg                   close_due     = 1'b0;
   reg  [3:0]            close_tag;
   reg  [3:0]            total         = NONE;     // pairs reported
@@ -244,7 +244,7 @@ module tier_proof #(
     end
   end
 
-  // Registers of the template.
+  // The template's registers that the lemmas read.
   (* hierconn *) wire                   \dut.again_q ;
   (* hierconn *) wire                   \dut.last_q ;
   (* hierconn *) wire [LANE_BITS:0]     \dut.left_q ;
@@ -314,7 +314,7 @@ module tier_proof #(
     .ranks    (queue_ranks)
   );
 
-  // The places of a beat, in the order in which their beats leave.
+  // The places where a beat may be, in the order in which their beats leave.
   localparam PUSHED = DEPTH + 1;
   localparam STAGE2 = DEPTH + 2;  // the same as PUSHED if the lane has no latency
   localparam STAGE1 = DEPTH + 3;
@@ -329,7 +329,7 @@ module tier_proof #(
   reg  [CODES_BITS-1:0]  s2_codes;
   reg  [CODES_BITS-1:0]  offer_codes;
   reg  [LANES-1:0]       undecided;    // pairs of the beat on offer
-  reg  [LANES-1:0]       waiting;      // those that have not gone through
+  reg  [LANES-1:0]       waiting;      // undecided pairs that have not passed the lane
   reg                    held_right;
   reg                    picked_right;
   reg  [OFFER:0]         exists;
@@ -341,7 +341,7 @@ module tier_proof #(
        \dut.exceptions.beat , queue_words, m_last, m_codes, m_index, m_base};
   reg  [BEAT_BITS-1:0]   beat;
   reg  [CODE_BITS-1:0]   code_here;
-  reg  [CODES_BITS-1:0]  told;          // of the watched beat, from all places
+  reg  [CODES_BITS-1:0]  told;          // results of the watched beat, from all places
   reg                    told_once;
   reg                    told_right;
   reg  [3:0]             first_later;   // places of the later beat
@@ -356,11 +356,11 @@ module tier_proof #(
   reg                    closed_count;  // the closing beat waits in the queue
   reg                    closing_last;
   reg                    closing_right;
-  reg                    beats_tell;    // those that leave
+  reg                    beats_tell;    // each beat that leaves has something to tell
   reg  [3:0]             pending;       // words whose beats may come to the queue
   reg  [3:0]             to_count;
   reg  [4:0]             offer_left;    // cycles until the beat on offer is taken, if nobody stalls
-  reg  [4:0]             cycles_left;   // until any beat leaves or is taken
+  reg  [4:0]             cycles_left;   // cycles until any beat leaves or is taken
   integer                w;
 
   always @* begin

@@ -39,7 +39,7 @@ module walker_proof #(
   reg                   started = 1'b0;
   wire                  aresetn = started && aresetn_later;
 
-  // The set, and whether its closing word was taken.
+  // The set, and whether the chain has taken its closing word.
   reg  [3:0]            count    = NONE;
   reg  [3:0]            targets  = NONE;
   reg                   others   = 1'b0;
@@ -69,7 +69,7 @@ module walker_proof #(
     .m_word_index (m_index)
   );
 
-  // The chain.
+  // The chain of lanes.
   wire                  passes   = m_valid && m_ready;
   wire                  a_word   = passes && !m_close;
   reg  [3:0]            in_lanes = NONE;  // words of the block that stayed
@@ -82,7 +82,7 @@ module walker_proof #(
   wire                  meets    = a_word && m_meets && !m_first && is_j && holds_i;
   wire                  backward = a_word && m_meets && !m_first && is_i && holds_j;
   reg                   met      = 1'b0;
-  reg                   first_word = 1'b1;  // none of the set was taken
+  reg                   first_word = 1'b1;  // no word of the set was taken
   reg  [3:0]            quiet    = NONE;
   reg  [INDEX_BITS-1:0] read_last;
   reg                   held     = 1'b0;

@@ -1,8 +1,8 @@
 // rounding_proof: for every pair of operands fp_add (a sum or a difference), fp_multiply, fp_square
 // and fp_compare, with gradual underflow and no cuts, give the results of integers. A finite number
 // is an integer of units, of the smallest subnormal number each; so is a sum, and a product is an
-// integer of units / 2^FRACTION. Due is the nearest number of at most PRECISION digits, of two the
-// even one, and infinity where that is beyond the largest number.
+// integer of units / 2^FRACTION. The result must be the nearest number of at most PRECISION digits
+// (of two equally near ones the even one), or infinity if that is beyond the largest number.
 `default_nettype none
 
 module rounding_proof #(
@@ -18,13 +18,13 @@ module rounding_proof #(
   localparam PACKED    = EXPONENT_BITS + PRECISION;
   localparam MAGNITUDE = PACKED - 1;
   localparam FRACTION  = (1 << (EXPONENT_BITS - 1)) + PRECISION - 3;
-  localparam BITS      = (1 << EXPONENT_BITS) + PRECISION - 3;  // of the largest number
+  localparam BITS      = (1 << EXPONENT_BITS) + PRECISION - 3;  // bits of the largest number
   localparam EXACT     = 2 * BITS;
   localparam MULTIPLIES = (OPERATION == 2) || (OPERATION == 3);
 
   localparam [EXACT-1:0] LARGEST = ((1 << PRECISION) - 1) << (BITS - PRECISION);
 
-  // A number's size in units; of infinity and NaN it means nothing.
+  // A number's size in units. It means nothing for an infinity or a NaN.
   function [EXACT-1:0] size_of(input [PACKED-1:0] number);
     reg [EXPONENT_BITS-1:0] exponent;
     reg [EXACT-1:0]         significand;
@@ -39,7 +39,7 @@ module rounding_proof #(
   // The nearest number to exact / 2^FRACTION units, in units. Each quantum is tried: the right one
   // is the smallest that leaves PRECISION digits.
   function [EXACT:0] nearest(input [EXACT-1:0] exact);
-    integer         digits;  // dropped
+    integer         digits;  // number of dropped digits
     reg [EXACT-1:0] kept;
     reg [EXACT-1:0] rest;
     reg [EXACT-1:0] half;
@@ -99,7 +99,7 @@ module rounding_proof #(
         .verdict(verdict)
       );
 
-      // Infinity reads as a size above all others.
+      // The size of an infinity is above all others.
       wire equal = ((a_size == b_size) && ((a_sign == b_sign) || (a_size == 0)));
       wire less  = (a_sign != b_sign) ? a_sign : a_sign ? (a_size > b_size) : (a_size < b_size);
 
@@ -160,12 +160,12 @@ module rounding_proof #(
       wire [EXACT-1:0] exact = MULTIPLIES ? a_size * b_size : sum << FRACTION;
       wire [EXACT:0]   due   = nearest(exact);
 
-      // infinity - infinity, infinity * 0
+      // The result is a NaN: infinity - infinity, infinity * 0.
       wire invalid = MULTIPLIES ? some_infinite && ((a_size == 0) || (b_size == 0))
                                 : is_infinite(a) && is_infinite(second) && unlike;
       wire nan      = some_nan || invalid;
       wire infinite = some_infinite || (due > LARGEST);
-      // A sum has the sign of its larger operand, and + where unlike operands cancel.
+      // A sum has the sign of its larger operand, and + if unlike operands cancel.
       wire sign = MULTIPLIES    ? a_sign ^ b_sign
                 : (sum == 0)    ? a_sign && b_sign
                 : is_infinite(a) ? a_sign

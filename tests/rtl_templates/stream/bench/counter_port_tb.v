@@ -1,7 +1,7 @@
-// Counters behind counter_port, in any simulator. A count that the bus reads lies between the count
-// of a round ago and the count of now, and is exact when nothing has stepped for a round. Low and
-// high words belong together. Writes are refused. Resets come at random. Prints PASSED, or FAILED
-// and the first faults.
+// counter_port_tb: counters behind counter_port, in any simulator. A count that the bus reads lies
+// between the count of a round ago and the count of now, and is exact when nothing has stepped for
+// a round. Low and high words belong together. Writes are refused. Resets come at random. Prints
+// PASSED, or FAILED and the first faults.
 `default_nettype none
 
 module counter_port_tb #(
@@ -80,7 +80,7 @@ module counter_port_tb #(
     end
   endgenerate
 
-  // The counts since the reset: of this cycle, and of the cycles before.
+  // The counts since the reset, in this cycle and in the cycles before.
   reg [WIDTH-1:0] counted [0:COUNTERS-1];
   reg [WIDTH-1:0] history [0:HISTORY*COUNTERS-1];
 
@@ -168,7 +168,7 @@ module counter_port_tb #(
     end
   endtask
 
-  // Inputs of a cycle, while aclk is low.
+  // Sets the inputs of a cycle, while aclk is low.
   task drive;
     integer n;
     begin
@@ -292,8 +292,8 @@ module counter_port_tb #(
     end
   endtask
 
-  // Raises the stored digits above the narrow ones, which would take too long to count to. Nothing
-  // may step meanwhile.
+  // Raises the stored digits above the narrow ones, since counting that far would take too long.
+  // Nothing may step meanwhile.
   task raise(input [HIGH_BITS-1:0] high);
     integer n;
     integer round;
@@ -307,7 +307,7 @@ module counter_port_tb #(
         #2 aclk = 1'b0;
       end
       for (n = 0; n < COUNTERS; n = n + 1) counted[n][WIDTH-1:NARROW_BITS] = high;
-      reset_at = cycle;  // from which on the history is that of these counts
+      reset_at = cycle;  // from this cycle on the history has these counts
       low_known = 1'b0;
     end
   endtask

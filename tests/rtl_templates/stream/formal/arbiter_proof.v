@@ -30,7 +30,7 @@ module arbiter_proof #(
   reg  [1:0]        held_data;
   reg               loaded  = 1'b0;
   reg  [2:0]        beat    = 3'd0;  // the number of the word that is taken next
-  reg  [INPUTS-1:0] owner;           // who gave the packet's words before it
+  reg  [INPUTS-1:0] owner;           // the input that gave the packet's words before it
   reg               quiet   = 1'b0;  // a word was offered and could be taken, and none was
 
   localparam [2:0] LAST_BEAT = (1 << BEAT_BITS) - 1;

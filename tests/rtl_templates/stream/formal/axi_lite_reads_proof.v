@@ -1,6 +1,7 @@
 // axi_lite_reads_proof: each accepted read gets one word, the one that was found for its address,
 // and each write one refusal. Nothing is answered that was not asked. An offer stays until it is
-// taken, and nothing waits for ever. The answering logic behind the bus takes as long as it likes.
+// taken, and nothing waits for ever. The answering logic a read is under way behind the bus takes
+// as long as it likes.
 `default_nettype none
 
 module axi_lite_reads_proof (
@@ -14,7 +15,7 @@ module axi_lite_reads_proof (
   input wire       r_ready,
   input wire       readable,
   input wire       finishing,  // a read that is under way behind the bus ends
-  input wire [1:0] word        // with this word
+  input wire [1:0] word        // the word of that read
 );
 
   localparam [1:0] NONE = 0;
@@ -67,7 +68,7 @@ module axi_lite_reads_proof (
     .read_word    ({30'd0, word})
   );
 
-  // Reads that were taken and not answered yet; the word that was found.
+  // The reads that were taken and are not answered yet, and the word that was found.
   reg  [1:0] addresses = NONE;
   reg  [1:0] data      = NONE;
   reg  [1:0] reads     = NONE;
@@ -76,7 +77,7 @@ module axi_lite_reads_proof (
   reg  [1:0] found_word;
   reg        found_address;
   reg        was_unreadable = 1'b0;
-  // Channels that waited in the cycle before.
+  // The channels that waited in the cycle before.
   reg        aw_waited = 1'b0;
   reg        w_waited  = 1'b0;
   reg        ar_waited = 1'b0;

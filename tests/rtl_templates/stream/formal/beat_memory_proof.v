@@ -21,7 +21,7 @@ module beat_memory_proof #(
   wire [1:0] read_data;
   reg        written = 1'b0;
   reg  [1:0] stored;           // the watched beat
-  reg        shown   = 1'b0;   // the word that was read last is a watched beat
+  reg        shown   = 1'b0;   // the watched beat was read last
   reg  [1:0] expected;
   wire [1:0] beat_written;
 

@@ -2,8 +2,8 @@
 // at most MOST_LATE cycles ago, whenever anything steps and whenever it is reset. The counts have
 // one digit more than the narrow counters need, so a step too many or too few above the narrow
 // digits is MOST_LATE or more away. The lemmas read registers of the template, and together hold by
-// induction. They bound for each place where a count may be (the stages, the memory, its output)
-// how far it is behind the counter.
+// induction. For each place where a count may be (the stages, the memory, its output), they bound
+// how far the count is behind the counter.
 `default_nettype none
 
 module counter_memory_proof (
@@ -99,7 +99,7 @@ module counter_memory_proof (
     end
   end
 
-  // Registers of the template and wires that only pass them on.
+  // The template's registers that the lemmas read, and wires that only pass them on.
   (* hierconn *) wire [3:0] \dut.scan.token_q ;
   (* hierconn *) wire       \dut.scan.index_q ;
   (* hierconn *) wire       \dut.scan.at_counter_q ;
@@ -119,7 +119,7 @@ module counter_memory_proof (
   (* hierconn *) wire [4:0] \dut.memory.words[0] ;
   (* hierconn *) wire [4:0] \dut.memory.words[1] ;
 
-  // How far each place is behind the counter that it is about, as of now; narrow counts modulo 8.
+  // How far the count in each place is behind its counter's present count; narrow counts modulo 8.
   wire [4:0] s0_true     = \dut.s0_index   ? counted_1 : counted_0;
   wire [4:0] s1_true     = \dut.s1_index_q ? counted_1 : counted_0;
   wire [4:0] s2_true     = \dut.s2_index_q ? counted_1 : counted_0;

@@ -1,5 +1,5 @@
 // crossbar_proof: a request reaches the reference of its lane under its lane's number, none is lost
-// or doubled, its beats stay together, and an answer reaches the lane it names, and no other, two
+// or doubled, its beats stay together, and an answer reaches only the lane that it names, two
 // cycles later. The payload of lane i is i, and its slot bit alternates from beat to beat.
 `default_nettype none
 
@@ -114,7 +114,7 @@ module crossbar_proof #(
       localparam [1:0] LAST_BEAT = (1 << BEAT_BITS) - 1;
 
       reg  [1:0] beat = 2'd0;  // the number of the beat that leaves next
-      reg  [2:0] sender;       // of the request's beats before it
+      reg  [2:0] sender;       // the lane that sent the request's beats before it
       wire       leaves = aresetn && m_valid[i] && m_ready[i];
 
       always @(posedge aclk) begin

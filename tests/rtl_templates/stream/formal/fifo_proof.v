@@ -41,7 +41,7 @@ module fifo_proof #(
   wire                  enter = s_valid && s_ready;
   wire                  leave = m_valid && m_ready;
   reg  [DEPTH_BITS+1:0] inside   = NONE;
-  reg  [DEPTH_BITS+1:0] ahead    = NONE;  // of the watched word, and inside
+  reg  [DEPTH_BITS+1:0] ahead    = NONE;  // words inside that are ahead of the watched word
   reg                   watching = 1'b0;
   reg  [1:0]            watched_word;
   wire                  watched_leaves = watching && leave && (ahead == NONE);

@@ -45,19 +45,19 @@ module lane_answers_proof (
     .m_axis_verdict   (m_verdict)
   );
 
-  reg  [1:0] inside = 2'd0;        // words
-  reg  [2:0] asked = 3'd0;         // answers that will come, of words that entered two cycles ago
-  reg  [1:0] asked_late = 2'd0;    // of the word that entered in the cycle before
+  reg  [1:0] inside = 2'd0;        // words inside
+  reg  [2:0] asked = 3'd0;         // answers still to come for words that entered two cycles ago
+  reg  [1:0] asked_late = 2'd0;    // answers due for the word that entered one cycle ago
   reg        watching = 1'b0;
   reg  [1:0] ahead = 2'd0;         // words before the watched one
   reg  [2:0] answers_ahead = 3'd0; // answers before its own
   reg        slot;
   reg  [1:0] undecided;
   reg  [1:0] left;                 // its lanes that have no answer yet
-  reg  [3:0] verdict;              // with the answers so far
+  reg  [3:0] verdict;              // its verdicts, with the answers so far
   reg        held = 1'b0;
   reg  [6:0] held_word;
-  reg        answered = 1'b0;      // in the cycle before, of whichever word
+  reg        answered = 1'b0;      // an answer came in the cycle before
   reg        waited = 1'b0;        // every word inside was answered, and none was offered
   reg        waited_long = 1'b0;
   reg        waited_longer = 1'b0;

@@ -51,12 +51,12 @@ module lane_proof #(
   wire                   take_request = request_valid && request_ready && !asked;
   wire                   answer       = asked && answer_now;
 
-  reg        inside        = 1'b0;  // the watched one was accepted and has not left
+  reg        inside        = 1'b0;  // the watched comparison was accepted and has not left
   reg  [2:0] operands;
   reg        follower_in   = 1'b0;
   reg        follows       = 1'b0;  // the follower inside was accepted behind the watched one inside
   reg  [5:0] calm          = 6'd0;  // cycles that the watched one has been inside, all of them calm
-  reg        was_reset     = 1'b0;  // while it was inside
+  reg        was_reset     = 1'b0;  // a reset came while it was inside
   reg        held          = 1'b0;
   reg  [9:0] held_result;
 
@@ -105,7 +105,7 @@ module lane_proof #(
   wire       watched_leaves = leave && (m_tag == watched);
   wire       is_calm        = m_ready && request_ready && (answer_now || !asked);
 
-  // With the refetched form the reference gets the tag and looks the operands up.
+  // In the refetched form the reference gets the tag and looks up the operands.
   wire [2:0] looked_up = (request[1:0] == watched) ? operands : 3'd0;
   wire [2:0] request_operands;
   generate

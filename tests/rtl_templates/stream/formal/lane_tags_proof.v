@@ -5,7 +5,7 @@
 `default_nettype none
 
 module lane_tags_proof #(
-  parameter LANES = 2  // or 1
+  parameter LANES = 2  // 1 or 2
 ) (
   input wire       aclk,
   input wire       aresetn_later,
@@ -67,11 +67,11 @@ module lane_tags_proof #(
     .m_axis_tuser    (m_tag)
   );
 
-  reg  [1:0] tag;               // stored in the watched slot
-  reg        stored   = 1'b0;   // something is
-  reg  [2:0] results  = NONE;   // inside
-  reg  [2:0] requests = NONE;   // that will leave
-  reg        watching = 1'b0;   // a result
+  reg  [1:0] tag;               // the tag that is stored in the watched slot
+  reg        stored   = 1'b0;   // a tag is stored in the watched slot
+  reg  [2:0] results  = NONE;   // results inside
+  reg  [2:0] requests = NONE;   // requests that will leave
+  reg        watching = 1'b0;   // a result is watched
   reg  [2:0] ahead    = NONE;
   reg  [1:0] its_tag;
   reg  [1:0] its_result;

@@ -32,7 +32,7 @@ module marked_lanes_proof #(
     .m_lane      (m_lane)
   );
 
-  reg  [LANES-1:0] taken = 0;  // of the word on offer: lanes whose numbers have left
+  reg  [LANES-1:0] taken = 0;  // lanes of the word on offer whose numbers have left
   reg              offered = 1'b0;
   reg  [LANES-1:0] offered_lanes;
   reg              held = 1'b0;

@@ -21,8 +21,8 @@ module memory_proof #(
   reg        written  = 1'b0;
   reg  [1:0] stored;           // the watched word
   reg        shown    = 1'b0;  // the watched word was read last
-  reg        known;            // and had been written
-  reg        collided;         // and was written in the same cycle
+  reg        known;            // its address had been written before
+  reg        collided;         // its address was written in the same cycle
   reg  [1:0] old_word;
   reg  [1:0] new_word;
   wire       unpromised = shown && known && collided && (old_word != new_word);

@@ -7,7 +7,7 @@
 `default_nettype none
 
 module operands_proof #(
-  parameter LANES = 1,  // or 2
+  parameter LANES = 1,  // 1 or 2
   parameter BEAT_BITS = 1,
   parameter BLOCK = 0
 ) (
@@ -39,7 +39,7 @@ module operands_proof #(
   reg                  started = 1'b0;
   wire                 aresetn = started && aresetn_later;
 
-  // The one lane of a slot is always meant.
+  // With LANES = 1, `undecided` always marks the one lane of the slot.
   wire [1:0]           lanes   = (LANES == 1) ? 2'b01 : undecided_lanes;
 
   carried_operands #(
@@ -65,9 +65,9 @@ module operands_proof #(
 
   reg  [1:0]           stored  = 2'd0;  // slots with operands about which nothing is decided yet
   reg  [3:0]           asking  = 4'd0;  // slots, and lanes in them, whose request has not left
-  reg  [2:0]           operands;        // of the watched slot
+  reg  [2:0]           operands;        // the watched slot's operands
   reg  [2:0]           waiting = NONE;  // requests inside
-  reg  [2:0]           ahead   = NONE;  // of the watched one
+  reg  [2:0]           ahead   = NONE;  // requests ahead of the watched one
   reg                  watching = 1'b0;
   reg  [1:0]           beat    = 2'd0;  // the number of the beat that leaves next
   reg  [2:0]           quiet   = NONE;  // cycles without a beat although a request is inside
@@ -83,7 +83,7 @@ module operands_proof #(
   wire [1:0]           starts  = start ? (one << start_slot) : 2'd0;
   wire [1:0]           named   = undecided ? (one << undecided_slot) : 2'd0;
   wire [3:0]           asks    = undecided ? ({2'b00, lanes} << {undecided_slot, 1'b0}) : 4'd0;
-  wire [1:0]           left_of = asking[2*m_slot +: 2];  // of the slot of the request on offer
+  wire [1:0]           left_of = asking[2*m_slot +: 2];  // marks of the slot on offer
   wire [3:0]           first   = left_of[0] ? 4'd1 : 4'd2;
   wire [3:0]           done    = ends ? (first << {m_slot, 1'b0}) : 4'd0;
   wire [1:0]           busy    = {|asking[3:2], |asking[1:0]};

@@ -1,5 +1,5 @@
-// pool_proof: slot_pool never hands out a slot that is out, and never keeps one, whenever slots
-// come back: two cycles after a slot came back, a slot is offered, and it stays offered.
+// pool_proof: slot_pool never hands out a slot that is out, and never keeps one for ever, whenever
+// slots come back. Two cycles after a slot came back, a slot is offered, and it stays on offer.
 `default_nettype none
 
 module pool_proof #(

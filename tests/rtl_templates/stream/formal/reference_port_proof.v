@@ -48,7 +48,7 @@ module reference_port_proof #(
 
   reg        started = 1'b0;
   wire       aresetn = started && aresetn_later;
-  reg        second  = 1'b0;  // beat of the request that comes in
+  reg        second  = 1'b0;  // the next beat is the second of its request
   reg        first_bit;       // its first beat
   wire       last    = (BEAT_BITS == 0) || second;
   wire       enter   = s_valid && s_ready && last;
@@ -122,7 +122,7 @@ module reference_port_proof #(
     .m_axis_tdata (fetched_tag)
   );
 
-  // Requests inside.
+  // The requests inside.
   wire       takes_operands = (CARRIED != 0) ? enter && (BEAT_BITS == 0)
                                              : fetched_valid && grant && fetched_ready;
   reg  [3:0] inside  = NONE;
@@ -130,7 +130,7 @@ module reference_port_proof #(
   reg        lane;
   reg  [1:0] expected;
   reg  [4:0] quiet   = 5'd0;
-  reg  [1:0] first_operands;  // of the interval
+  reg  [1:0] first_operands;  // the operands at the start of the interval
   reg        held    = 1'b0;
   reg  [1:0] held_tag;
   reg        offered = 1'b0;

@@ -48,8 +48,8 @@ module tree_proof #(
   );
 
   reg  [3:0]        total    = NONE;  // words inside
-  reg  [3:0]        inside   = NONE;  // of the watched input
-  reg  [3:0]        ahead    = NONE;  // of the watched word
+  reg  [3:0]        inside   = NONE;  // words inside, of the watched input
+  reg  [3:0]        ahead    = NONE;  // words ahead of the watched word
   reg               watching = 1'b0;
   reg               word;
   reg  [3:0]        quiet    = NONE;  // cycles without a word to take although one is inside

@@ -1,6 +1,7 @@
 // upsizer_proof: stream_upsizer gives out each packet once, in order, with all of its words in
-// their places and the sideband that came beside the last. It takes the words of a packet but the
-// last at any time, and holds its offers. One packet at a time is watched, chosen by the solver.
+// their places and the sideband that came beside the last. At any time it takes all words of a
+// packet except the last, and its offers stay until they are taken. One packet at a time is
+// watched, chosen by the solver.
 `default_nettype none
 
 module upsizer_proof #(
