@@ -275,7 +275,7 @@ TEST(MakeDesign, TakesALaneThatIsOnlyEverCertainOfOneVerdict) {
   EXPECT_TRUE(design::make_design(scene, nullptr).ok());
 }
 
-/// The squares in fixed point.
+/// The scene of squares, in fixed point.
 Scene fixed_scene() {
   Scene scene = complete_scene();
   scene.reduced.format.reset();
@@ -392,7 +392,7 @@ TEST(MakeDesign, MeasuresMissingConstantsOnData) {
   EXPECT_EQ(criterion.relative_error_g, mpq_class(1, 2000));
 }
 
-/// 0, 1, 2, ...
+/// A table with one column, whose numbers are 0, 1, 2, ...
 data::Table line(const char* column, std::uint64_t count) {
   data::Table table{.format = format_of(53, 8), .columns = {column}};
   for (std::uint64_t k = 0; k < count; ++k) {
@@ -401,7 +401,7 @@ data::Table line(const char* column, std::uint64_t count) {
   return table;
 }
 
-/// Points on a line, f and g the squared distance of a row to a candidate.
+/// Comparisons of points on a line. f and g are the squared distances of a row from two candidates.
 Comparisons points(const Scene& scene, std::uint64_t candidates) {
   const auto reference = reference_graph(scene.graph, scene.reference);
   return Comparisons::arg_min(line("p", 1), line("c", candidates), scene.graph.inputs(),
@@ -425,7 +425,7 @@ TEST(MakeDesign, AChainHasALaneForEachCandidateOfTheDataButTheFirst) {
   EXPECT_EQ(refused.error().received, "514 candidates");
   EXPECT_EQ(error_of(scene).field, "system.lanes");
   EXPECT_EQ(error_of(scene).message.find("optimise"), std::string::npos);
-  scene.system.lanes = 8;  // two candidates fewer than it could
+  scene.system.lanes = 8;  // the chain could compare two candidates more
   EXPECT_EQ(design::make_design(scene, &few)->lane_count(), 8);
   scene.system.lanes = 6;
   EXPECT_TRUE(design::make_design(scene, &few).ok());

@@ -7,7 +7,7 @@
 #include "model/base/settings/bound_name.hpp"
 #include "model/scene/lane_bound.hpp"
 
-/// Bounds, their names, and the order of tables.
+/// Tests bounds, their names, and the order of tables.
 namespace mixcmp::test::bound_test {
 namespace {
 

@@ -13,7 +13,7 @@ const std::string data = "[data]\nitems = \"uniform_spheres\"\n";
 
 class EngineSection : public testing::Test {
 protected:
-  /// `more` stands behind the comparison, from line 7 on.
+  /// Loads a scene in which `more` stands behind the comparison, from line 7 on.
   Result<scene::Scene> load(const std::string& more, const std::string& comparison = spheres) {
     std::filesystem::remove(path_);
     std::ofstream(path_, std::ios::binary) << "[comparison]\nname = \"spheres\"\n"

@@ -5,7 +5,7 @@
 #include "model/scene/scene.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-/// [[lanes]] and [[references]]: lanes and references of several kinds.
+/// Tests [[lanes]] and [[references]]: lanes and references of several kinds.
 namespace mixcmp::test::groups_test {
 namespace {
 

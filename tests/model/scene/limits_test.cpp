@@ -8,7 +8,7 @@
 #include "model/scene/scene.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-/// Every limit is the same in the documentation, in messages and in the accepted values.
+/// Tests that every limit is the same in the documentation, in messages and in the accepted values.
 namespace mixcmp::test::limits_test {
 namespace {
 
@@ -67,7 +67,8 @@ protected:
     return scene::load_scene(path, settings);
   }
 
-  /// The last value in each direction is accepted, the next refused with the limits.
+  /// Checks that the last value in each direction is accepted, and that the next one is refused
+  /// with the limits.
   void expect_edges(const std::string& key, settings::Limits limits, const std::string& before = "",
                     const std::string& after = "") {
     const auto with = [&](int value) {

@@ -3,7 +3,7 @@
 namespace mixcmp::test::override_test {
 namespace {
 
-/// The error with the scene's path as "scene.toml".
+/// Loads scenes, and gives errors with "scene.toml" in place of the scene's path.
 class OverrideTest : public SceneTest {
 protected:
   std::string error(const std::vector<std::string>& overrides,

@@ -8,7 +8,7 @@
 #include "model/judge/golden/evaluate.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-/// [comparison] of several parts.
+/// Tests [comparison] with several parts.
 namespace mixcmp::test::parts_test {
 namespace {
 

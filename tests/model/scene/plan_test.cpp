@@ -6,7 +6,7 @@
 #include "model/scene/scene.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-/// A plan: a scene with other sections laid over it.
+/// Tests plans, which lay other sections over those of a scene.
 namespace mixcmp::test::plan_test {
 namespace {
 

@@ -129,7 +129,7 @@ TEST_F(SceneTest, RangesAreReadExactly) {
             mpq_class("12345678901234567890123456789012345678901/1000000000000000000000"));
 }
 
-/// Columns a, b and c of each row: numbers of either sign, infinities and NaNs.
+/// A file with columns a, b and c: numbers of either sign, infinities and NaNs.
 constexpr const char* some_rows =
     "a,b,c\n"
     "-0.5,nan,nan\n"
@@ -276,7 +276,7 @@ TEST_F(SceneTest, LetsAreShared) {
 struct Mistake {
   std::string from;
   std::string to;
-  std::string error;  ///< after the file's name
+  std::string error;  ///< the error behind the file's name
 };
 
 class SceneMistake : public SceneTest, public testing::WithParamInterface<Mistake> {};

@@ -11,7 +11,7 @@ namespace mixcmp::test::summary_test {
 namespace {
 
 const std::filesystem::path examples = MIXCMP_SOURCE_DIR "/examples";
-/// The examples' own choices may change.
+/// The choices with which the examples are read, since their own choices may change.
 const std::vector<std::string> choices = {"reference.format=s53e8",    "reduced.format=s17e8",
                                           "reduced.inputs=exact",      "system.lanes=8",
                                           "inputs.c*={range=[0,100]}", "inputs.r*={range=[1,100]}"};
@@ -72,7 +72,7 @@ TEST(Summary, TellsWhatTheRangesRuleOut) {
   EXPECT_EQ(summary.datapaths[0].events.size(), 2U);  // no division, no root
 }
 
-/// Where a * b overflows, the reference goes on with 1 / inf = 0, and divides by it.
+/// If a * b overflows, the reference goes on with 1 / inf = 0, and divides by it.
 TEST(Summary, FollowsTheReferencePastAnOverflow) {
   const test::ScratchDirectory directory;
   const auto path = directory.path() / "scene.toml";

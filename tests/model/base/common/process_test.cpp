@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using std::chrono::milliseconds;
 
-/// Neither there nor a zombie.
+/// Whether the process has ended: it is not there any more, or it is a zombie.
 bool is_gone(pid_t process) {
   std::ifstream stat(fs::path("/proc") / std::to_string(process) / "stat");
   std::string line;
@@ -33,7 +33,7 @@ bool is_gone_soon(pid_t process) {
   return false;
 }
 
-/// A number that a script writes into a file, once it has.
+/// The number that a script writes into a file. Waits until it is there.
 pid_t number_in(const fs::path& file) {
   for (int attempt = 0; attempt < 1000; ++attempt) {
     pid_t number = 0;
@@ -152,7 +152,7 @@ TEST_F(Processes, CapturesNoLongerThanItMay) {
   EXPECT_EQ(run->output, "begun\n");
 }
 
-/// The streams have ended, the program has not.
+/// The streams end while the program still runs.
 TEST_F(Processes, CapturesNoLongerThanItMayWhereStreamsAreClosed) {
   const auto start = std::chrono::steady_clock::now();
   const auto run = capture({"sh", "-c", "exec >&- 2>&-; exec sleep 1000"}, {.seconds = 0.3});

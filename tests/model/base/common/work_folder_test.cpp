@@ -125,7 +125,7 @@ TEST_F(WorkFolders, ALockOfAFolderThatWasReplacedIsTakenAnew) {
       EXPECT_TRUE(lock.ok());
       const auto third = fork();
       if (third == 0) {
-        alarm(1);  // ends this process where the lock is held, as it should be
+        alarm(1);  // ends this process if it waits for the lock, as it should
         signal(SIGALRM, [](int) { _exit(42); });
         const auto taken = FolderLock::take(folder);
         _exit(0);

@@ -39,7 +39,7 @@ TEST(EncodeBound, IsTheGoldenModels) {
   }
 }
 
-/// One digit more than a 64-bit word holds.
+/// Bounds of one digit more than a 64-bit word holds.
 TEST(EncodeBound, HasAsManyDigitsAsALane) {
   const BoundFormat format = {.precision = 65, .exponent_bits = 8};
   const Bits one = Bits{127} << 64;

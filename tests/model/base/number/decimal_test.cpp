@@ -42,7 +42,8 @@ Bits parse(FloatFormat format, const std::string& text) {
   return bits.ok() ? *bits : 0;
 }
 
-/// The midpoint of two neighbours, and texts a hair below and above it, round once.
+/// Checks that the midpoint of two neighbours, and texts a hair below and above it, are rounded
+/// once.
 void judge_midpoint(FloatFormat format, Bits low) {
   const mpq_class middle = (to_rational(format, low) + to_rational(format, low + 1)) / 2;
   const Bits even = low % 2 == 0 ? low : low + 1;

@@ -12,7 +12,7 @@
 #include "model/base/number/dyadic.hpp"
 #include "tests/support/float_samples.hpp"
 
-/// Conversions in GMP integers against the golden model's, which go through MPFR.
+/// Tests conversions in GMP integers against those of the golden model, which use MPFR.
 namespace mixcmp::test::exact_test {
 namespace {
 
@@ -20,7 +20,8 @@ std::string shown(FloatFormat format, Bits bits) {
   return format.name() + " " + to_hex(bits, format.width());
 }
 
-/// The number itself, numbers a hair beside it and the midpoint to its neighbour.
+/// Judges the number itself, numbers a hair beside it, and the midpoint between it and its
+/// neighbour.
 void judge_around(FloatFormat format, Bits bits) {
   const mpq_class value = to_rational(format, bits);
   EXPECT_EQ(value, to_rational(format, bits)) << shown(format, bits);

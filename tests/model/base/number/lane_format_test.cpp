@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-/// The names of lanes' formats.
+/// Tests the names of lanes' formats.
 namespace mixcmp::test::lane_format_test {
 namespace {
 

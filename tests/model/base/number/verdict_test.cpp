@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-/// The encodings of rtl_templates/stream/README.md, bit by bit.
+/// Tests the encodings that rtl_templates/stream/README.md states, bit by bit.
 namespace mixcmp::test::verdict_test {
 namespace {
 

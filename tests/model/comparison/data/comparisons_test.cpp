@@ -12,7 +12,7 @@ namespace {
 
 const FloatFormat binary32 = FloatFormat::parse("binary32").value();
 
-/// Columns a, b, ...; the number at row i, column k is 10 i + k.
+/// A table with columns a, b, ... The number at row i, column k is 10 i + k.
 data::Table counting_table(int rows, std::vector<std::string> columns) {
   data::Table table{.format = binary32, .columns = std::move(columns)};
   for (int row = 0; row < rows; ++row) {

@@ -41,7 +41,8 @@ TEST_F(CsvTest, InfinitiesAndNansAreData) {
 }
 
 TEST_F(CsvTest, RoundsOnce) {
-  // Between 1 and its successor in binary16, above the middle by less than binary64 can see.
+  // The number lies between 1 and its successor in binary16, above the middle by less than binary64
+  // can see.
   const auto table =
       data::read_csv(write("x,y\n1.000488281250000000000000001,1.00048828125\n"), binary16_, xy);
   ASSERT_TRUE(table.ok());

@@ -10,7 +10,7 @@
 
 namespace mixcmp::test {
 
-/// Writes data files and looks at the results of their readers.
+/// Writes data files and checks the results of their readers.
 class DataFileTest : public testing::Test {
 protected:
   const std::filesystem::path& write(const std::string& bytes) {

@@ -12,7 +12,7 @@ namespace {
 
 const FloatFormat binary32 = FloatFormat::parse("binary32").value();
 
-/// Columns as given; the number at row i, column k is 100 table + 10 i + k.
+/// A table with these columns. The number at row i, column k is 100 table + 10 i + k.
 data::Table numbered(int table_number, int rows, std::vector<std::string> columns) {
   data::Table table{.format = binary32, .columns = std::move(columns)};
   for (int row = 0; row < rows; ++row) {
@@ -75,7 +75,8 @@ TEST(Comparisons, CrossIsEveryRowOfBothTables) {
 }
 
 TEST(Comparisons, CandidatesOfArgMinMeetInOrder) {
-  // Candidate 2 beats all before it for even rows, candidate 1 candidate 0 for odd ones.
+  // For even rows candidate 2 beats the candidates before it. For odd rows candidate 1 beats
+  // candidate 0.
   const data::CompareItems compare = [](const data::Comparisons&,
                                         std::span<const data::Items> items,
                                         std::span<std::uint8_t> greater) {
@@ -96,7 +97,8 @@ TEST(Comparisons, CandidatesOfArgMinMeetInOrder) {
   EXPECT_EQ(describe(*data, 10), "row 3, candidates 1 and 2");
 }
 
-/// Holds run_length's promise, comparison by comparison, and that runs are as long as they can be.
+/// Checks the promise of run_length comparison by comparison, and that runs are as long as they can
+/// be.
 void expect_runs(const data::Comparisons& data) {
   const auto follows = [&](std::uint64_t index) {
     data::Items next = data.items(index);

@@ -179,7 +179,7 @@ struct Mistake {
   int column;
   std::string message;
   std::string received;
-  std::string accepted;  ///< a part of it
+  std::string accepted;  ///< a part of the accepted values
 };
 
 class ParserMistake : public testing::TestWithParam<Mistake> {};
@@ -318,7 +318,7 @@ TEST(Parser, MinimumAndMaximumTakeAnyNumberOfArguments) {
   EXPECT_EQ(value_of("sum(x, y, z) * product(x, 2, y)", xyz), 30);
 }
 
-/// Nodes below `id`, the longest way.
+/// The number of nodes on the longest way down from `id`.
 int depth(const Graph& graph, NodeId id) {
   const Node& node = graph.nodes()[static_cast<std::size_t>(id)];
   int deepest = 0;

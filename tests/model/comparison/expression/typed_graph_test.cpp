@@ -14,7 +14,8 @@ namespace {
 const FloatFormat wide = format_of(53, 8);
 const Arithmetic narrow{format_of(17, 8)};
 
-/// "operation operands' format > result's format", operands by position; one line a node.
+/// The nodes of a graph, one on each line: "operation operands' format > result's format", with
+/// operands by position.
 std::string describe(const TypedGraph& graph) {
   std::string text;
   for (const TypedNode& node : graph.nodes) {
@@ -45,8 +46,8 @@ TEST(ReferenceGraph, ConvertsNothing) {
 
 const Arithmetic fusing{.format = wide, .sums = Sums::fused};
 
-/// The terms of the fused sums in the order of their nodes, "+0*0 -1*2 +3", one sum a line; "sign
-/// of" before one that is only compared with 0.
+/// The fused sums of a graph in the order of their nodes, one on each line: "+0*0 -1*2 +3". "sign
+/// of" precedes a sum that is only compared with 0.
 std::string fused(const TypedGraph& graph) {
   std::string text;
   for (const TypedNode& node : graph.nodes) {
@@ -107,7 +108,8 @@ TEST(FusedSums, OfSidesWithAMinusBeforeThemHaveTermsOfOtherSigns) {
             "+a*b +c\nsign of +-(a * b + c) -a * b + c*d\n");
 }
 
-/// A difference a - b may cancel before c is subtracted: as a term of its own, c loses no digit.
+/// A difference a - b may cancel before c is subtracted. If c is a term of its own, it loses no
+/// digit.
 TEST(FusedSums, LeaveSidesThatAreRoundedOnceAsTheyAre) {
   EXPECT_EQ(compared("a - b", "c"), "");
   EXPECT_EQ(compared("a - b", "a * 2"), "");
@@ -194,8 +196,7 @@ TEST(LaneGraph, RoundsInputsToTheDigitsOfTheFirstOperation) {
             "f 5, g 6\n");
 }
 
-/// An operand that later operations take is rounded to the lane's digits from where it arrives:
-/// once.
+/// An operand that later operations read is rounded to the lane's digits once, where it arrives.
 TEST(LaneGraph, RoundsAnInputOnceForEachWidth) {
   EXPECT_EQ(lane("min(a, b) - 0.1", "(a * b) * min(a, b)", LaneInputs::of_digits(20)),
             "input a: s53e8\n"

@@ -21,7 +21,7 @@ using emulator::Emulator;
 struct Answer {
   Decision decision;
   Decision order;
-  std::uint64_t f, g;  ///< bits of doubles; one NaN
+  std::uint64_t f, g;  ///< bits of doubles; all NaNs are the same
   bool exceptional;
   friend bool operator==(const Answer&, const Answer&) = default;
 };

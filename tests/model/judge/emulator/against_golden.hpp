@@ -8,7 +8,7 @@
 /// Judges the emulator by the golden model, bit for bit, on every instruction set of this machine.
 namespace mixcmp::test {
 
-/// Operands of comparisons: one column an input, encodings of the graph's input format.
+/// The operands of comparisons: one column per input, of encodings in the graph's input format.
 using Operands = std::vector<std::vector<Bits>>;
 
 /// The operands of comparisons as doubles.
@@ -23,16 +23,16 @@ private:
   std::vector<const double*> pointers_;
 };
 
-/// Runs `test` once an instruction set, and leaves the best one chosen.
+/// Runs `test` once for each instruction set, and leaves the best one chosen.
 void for_each_instruction_set(const std::function<void()>& test);
 
-/// Holds decide, compare and compute against the golden model. One failure names the first
+/// Compares decide, compare and compute with the golden model. One failure names the first
 /// comparison that differs. Returns how many calls of the golden model the emulator made per
 /// instruction set and function.
 std::uint64_t expect_golden(const error::Lane& lane, const Operands& operands);
 std::uint64_t expect_golden(const TypedGraph& reference, const Operands& operands);
 
-/// Holds decide against the golden model, for all parts together.
+/// Compares decide with the golden model, for all parts together.
 void expect_golden_decisions(const error::Lane& lane, const Operands& operands);
 void expect_golden_decisions(const TypedGraph& reference, const Operands& operands);
 

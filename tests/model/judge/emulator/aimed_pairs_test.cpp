@@ -10,8 +10,9 @@
 #include "model/judge/emulator/emulator.hpp"
 #include "tests/support/sphere.hpp"
 
-/// Pairs of spheres that nearly touch, closer to a tie than a lane in fixed point can see or just
-/// beyond, by the million. Every decided verdict is the truth, which 64-bit integers know.
+/// Tests lanes in fixed point on millions of pairs of spheres that nearly touch. They are closer to
+/// a tie than a lane can see, or just beyond. Every decided verdict must be the truth, which 64-bit
+/// integers compute.
 namespace mixcmp::test::aimed_pairs_test {
 namespace {
 
@@ -41,7 +42,7 @@ private:
     return static_cast<std::int64_t>(random_() % static_cast<std::uint64_t>(end));
   }
 
-  /// Radii whose sum is the centres' distance and up to `reach_` steps more or less.
+  /// Makes radii whose sum differs from the centres' distance by at most `reach_` steps.
   void make(std::size_t k) {
     std::int64_t f = 0;
     for (std::size_t axis = 0; axis < 6; axis += 2) {

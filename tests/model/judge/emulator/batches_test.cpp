@@ -90,7 +90,7 @@ TEST(Batches, AnEmptyOneDoesNothing) {
 TEST(Fallbacks, AreNoneForOrdinaryData) {
   Random random(3);
   auto columns = plain_columns(2000, random);
-  for (std::size_t k = 0; k < 2000; k += 50) columns[0][k] = columns[1][k];  // zeros on the way
+  for (std::size_t k = 0; k < 2000; k += 50) columns[0][k] = columns[1][k];  // the difference is 0
   for (std::size_t k = 0; k < 2000; k += 70) columns[5][k] = 0;
   for (const int digits : {4, 17, 25, 40, 52}) {
     for (const Arithmetic& reduced : every_arithmetic(format_of(digits, 8))) {

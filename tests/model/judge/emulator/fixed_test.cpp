@@ -28,9 +28,9 @@ std::vector<const double*> pointers(const Columns& columns) {
   return pointers;
 }
 
-/// Operands where truncation, checks and thresholds turn: steps of the coarser units and their
-/// neighbours, both zeros, the ends of the range, numbers beyond it, infinities and NaNs; half of
-/// them anywhere in the range.
+/// An operand at which truncation, checks or thresholds may change. Half of the operands lie
+/// anywhere in the range. The others are steps of the coarser units and their neighbours, both
+/// zeros, the ends of the range, numbers beyond it, infinities and NaNs.
 double hard_operand(const Range& range, Random& random) {
   const double low = range.low.get_d(), high = range.high.get_d();
   const double inside = low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
@@ -103,8 +103,8 @@ TEST_P(FixedEmulation, IsTheGoldenModelsBitForBit) {
   for (const auto& [name, lane] : lanes) expect_golden(name, lane, columns);
 }
 
-/// Comparisons whose operands are multiplied by any power of two that double has; one in eight ends
-/// where double does.
+/// Multiplies the operands of each comparison by a power of two. Half of the comparisons then lie
+/// at either end of double's range. Afterwards one operand in eight is made smaller, by up to 2^39.
 void spread(Columns& columns, Random& random) {
   for (std::size_t k = 0; k < columns.front().size(); ++k) {
     const auto far = static_cast<int>(random() % 4);
@@ -148,8 +148,8 @@ FixedLane lane_of(const Graph& graph, int bits, const std::vector<std::optional<
       .value();
 }
 
-/// f and g: every kind of term with either sign, by itself, in sums of sums, and shared by two
-/// readers.
+/// Texts of f and g. They have every kind of term with either sign: by itself, in sums of sums, and
+/// shared by two readers.
 constexpr std::array<std::pair<const char*, const char*>, 17> sums = {
     {{"a + b", "c"},
      {"-a - b", "c - d"},
@@ -185,8 +185,8 @@ TEST(FixedSums, AreTheGoldenModels) {
   }
 }
 
-/// a + b needs 54 bits, but no node of a + (b - c) - d more than 53: the terms cannot be added one
-/// by one.
+/// a + b needs 54 bits, but no node of a + (b - c) - d needs more than 53. So the terms cannot be
+/// added one by one.
 TEST(FixedSums, OfTermsThatDoubleCannotAddAreAddedNodeByNode) {
   const Graph graph =
       graph_of("within(a, 2040, 2046) + (within(b, 1024, 1025) - within(c, 1024, 1025))",

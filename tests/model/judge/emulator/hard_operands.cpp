@@ -30,7 +30,7 @@ Bits rounded(FloatFormat format, double value) {
   return value == 0 ? Bits{0} : from_rational(format, mpq_class(value));
 }
 
-/// x + y lies half way, or off it by less than 53 digits show.
+/// Two numbers whose sum lies half way, or off it by less than 53 digits show.
 std::pair<double, double> hard_sum(int digits, Random& random) {
   const double middle = half_way(digits, random);
   switch (below(random, 3)) {
@@ -78,7 +78,8 @@ std::pair<Bits, Bits> hard_operands(Operation operation, FloatFormat format, int
   if (operation == Operation::add || operation == Operation::subtract) {
     y = std::ldexp(negative ? -y : y, exponent);
   }
-  // One in eight becomes a neighbour, so that half way in double is not quite half way.
+  // One operand in eight becomes a neighbour, so that the result is half way in double but not
+  // quite half way in truth.
   Bits first = rounded(format, x);
   if (below(random, 8) == 0) ++first;
   return {first, rounded(format, y)};

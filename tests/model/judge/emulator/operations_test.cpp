@@ -8,7 +8,7 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/lane_inputs.hpp"
 
-/// Single operations, each against every operand there is, or against those that are hard.
+/// Tests single operations on every operand there is, or on operands that are hard.
 namespace mixcmp::test::operations_test {
 namespace {
 
@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, SmallFormats,
                                          Formats{4, 3, 3, 3}, Formats{4, 3, 3, 4},
                                          Formats{4, 3, 2, 2}, Formats{3, 4, 5, 5}));
 
-/// Special values and their neighbours, all pairs. Some formats are as wide as double's.
+/// Tests all pairs of special values and their neighbours. Some formats are as wide as double's.
 class SpecialValues : public testing::TestWithParam<Formats> {};
 
 TEST_P(SpecialValues, EveryPairOfEveryOperation) {
@@ -109,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Formats{53, 11, 17, 5}, Formats{53, 5, 17, 11}, Formats{53, 2, 2, 2},
                     Formats{113, 15, 17, 8}, Formats{54, 8, 17, 8}, Formats{24, 12, 17, 8}));
 
-/// Half way between two numbers, and next to it: where rounding twice goes wrong.
+/// Tests results half way between two numbers, and next to that: there rounding twice goes wrong.
 class HalfWay : public testing::TestWithParam<int> {};
 
 TEST_P(HalfWay, IsRoundedOnce) {

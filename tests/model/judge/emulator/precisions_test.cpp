@@ -6,7 +6,7 @@
 #include "tests/support/sphere.hpp"
 #include "tests/support/sphere_families.hpp"
 
-/// The sphere comparison at every precision, on the families made to be hard.
+/// Tests the sphere comparison at every precision, on families that were made to be hard.
 namespace mixcmp::test::precisions_test {
 namespace {
 

@@ -3,7 +3,7 @@
 #include "tests/model/judge/emulator/random_lanes.hpp"
 #include "tests/support/float_samples.hpp"
 
-/// Random graphs in random formats with random decisions, checks and operands.
+/// Tests random graphs in random formats with random decisions, checks and operands.
 namespace mixcmp::test::random_graphs_test {
 namespace {
 

@@ -82,7 +82,7 @@ error::BoundNode random_leaf(const TypedGraph& graph, Random& random) {
   static constexpr std::array leaves = {BoundOperation::magnitude, BoundOperation::binade,
                                         BoundOperation::reciprocal};
   if (below(random, 4) == 0) {
-    // Constants go up to where products of two are beyond the format, and beyond double.
+    // Constants are so large that products of two are beyond the format, and beyond double.
     const int bias = graph.arithmetic.format.bias();
     const mpq_class scale =
         power_of_two(below(random, 3) == 0 ? below(random, 2 * bias) - bias : 0);

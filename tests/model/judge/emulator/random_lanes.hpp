@@ -5,17 +5,17 @@
 #include "model/lane/error/lane.hpp"
 #include "tests/model/judge/emulator/against_golden.hpp"
 
-/// Lanes of every kind, sound or not: the emulator must agree with the golden model on all.
+/// Random lanes of every kind, sound or not. The emulator must agree with the golden model on all.
 namespace mixcmp::test {
 
 using Random = std::mt19937_64;
 
 int below(Random& random, int end);
 
-/// One to four inputs, every operation, constants that fit and some that do not.
+/// A graph with one to four inputs, every operation, constants that fit and some that do not.
 Graph random_graph(Random& random);
 
-/// Two to four parts over the nodes of a random graph.
+/// A graph with two to four parts over the nodes of a random graph.
 Graph random_graph_of_parts(Random& random);
 
 LaneInputs random_inputs(Random& random);

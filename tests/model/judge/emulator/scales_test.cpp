@@ -7,14 +7,15 @@
 #include "tests/support/lane_inputs.hpp"
 #include "tests/support/sphere.hpp"
 
-/// Whole batches of one scale, from where results vanish to where they overflow. A statement about
-/// all operands at once has to hold for their neighbours as well.
+/// Tests whole batches of one scale, from the scale at which results vanish to that at which they
+/// overflow. A statement about all operands at once has to hold for their neighbours as well.
 namespace mixcmp::test::scales_test {
 namespace {
 
 using error::Lane;
 
-/// Both operands within two steps of each other, at the ends of binade `exponent` or at random.
+/// Pairs of operands within two steps of each other, at the ends of the binade `exponent` or at
+/// random in it.
 Operands neighbours(FloatFormat format, int exponent, std::mt19937_64& random) {
   Operands operands(2);
   for (int k = 0; k < 64; ++k) {

@@ -170,7 +170,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, WideArithmetic,
                                          format_of(113, 15)),
                          format_name);
 
-/// The processor's own arithmetic: nearest, gradual.
+/// Compares with the processor's own arithmetic: rounding to nearest, gradual underflow.
 template <class Real, class Word>
 struct Machine {
   FloatFormat format;

@@ -8,8 +8,8 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
-/// The combined verdict of several parts, from the two orders in the documentation of the scene
-/// file.
+/// Tests the combined verdict of several parts against the two orders in the documentation of the
+/// scene file.
 namespace mixcmp::test::combination_test {
 namespace {
 
@@ -48,7 +48,7 @@ Verdict of_parts(Combination combination, const std::vector<Verdict>& verdicts) 
              : *std::min_element(verdicts.begin(), verdicts.end(), before);
 }
 
-/// Every triple of encodings, NaNs and infinities among them, through three parts.
+/// Compares every triple of encodings, NaNs and infinities among them, in three parts.
 TEST(Combination, OfTruthAndReferenceIsThatOfTheirParts) {
   const FloatFormat format = format_of(3, 2);
   for (const Combination combination : {Combination::all, Combination::any}) {

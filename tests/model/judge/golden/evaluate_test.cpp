@@ -144,7 +144,7 @@ TEST(UlpDistance, IsNeverDecidedWhereAnInputBreaksItsRange) {
   EXPECT_FALSE(decided(40, sign));
 }
 
-/// Equations 1-3 by hand: f = a, g = b; both constants are 1/8 by default.
+/// The decision by equations 1-3 with f = a and g = b; both constants are 1/8 by default.
 LaneResult decide_by_interval(const std::string& a, const std::string& b,
                               const mpq_class& relative_error_f = mpq_class(1, 8)) {
   const FloatFormat format = format_of(8, 6);
@@ -204,7 +204,7 @@ std::optional<Verdict> truth(const std::string& f, const std::string& g,
   return true_verdict(graph_of(f, g), binary64, encode(binary64, values));
 }
 
-/// The interval of few digits contains that of many, and neither is empty.
+/// Checks that the interval of few digits contains that of many, and that neither is empty.
 void expect_nested(const golden::Interval& outer, const golden::Interval& inner) {
   EXPECT_TRUE(mpfr_lessequal_p(outer.low.get(), inner.low.get()));
   EXPECT_TRUE(mpfr_lessequal_p(inner.low.get(), inner.high.get()));

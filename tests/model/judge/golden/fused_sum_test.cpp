@@ -10,7 +10,8 @@
 #include "tests/support/fused_operands.hpp"
 #include "tests/support/integer_float.hpp"
 
-/// Fused sums of the golden model against integers, and against their bound on exact rationals.
+/// Tests fused sums of the golden model against integers, and against their bound by exact
+/// rationals.
 namespace mixcmp::test::fused_sum_test {
 namespace {
 
@@ -43,7 +44,8 @@ struct ExactSum {
   mpq_class cut;
 };
 
-/// None where an operand is not finite, or where the theorem does not cover the arithmetic.
+/// The exact sum; none if an operand is not finite, or if the theorem does not cover the
+/// arithmetic.
 std::optional<ExactSum> exact_sum(const Arithmetic& result, const Terms& terms) {
   const FloatFormat format = result.format;
   if (result.rounding != Rounding::nearest_even || result.subnormals != Subnormals::gradual) {
@@ -73,7 +75,8 @@ void expect_within_bound(const Arithmetic& result, const Terms& terms, Bits y) {
   ADD_FAILURE() << describe(result, terms) << " gives " << to_text(format, y);
 }
 
-/// Integers agree, and so does the exact sum where it is further from zero than the cuts.
+/// Checks that the verdict is that of integers, and that of the exact sum if the sum is further
+/// from zero than the cuts.
 void judge_comparison(const Arithmetic& result, const Terms& terms) {
   const Verdict got = golden::fused_comparison(result, result.format, terms);
   const Verdict expected = integer_float::fused_comparison(result, result.format, terms);
@@ -95,7 +98,7 @@ void judge(const Arithmetic& result, const Terms& terms) {
   judge_comparison(result, terms);
 }
 
-/// Two products, three squares, and a product between two plain terms.
+/// Judges sums of two products, of three squares, and of a product between two plain terms.
 void judge_shapes(const Arithmetic& result, const FusedOperandMaker::Operands& x) {
   const Bits unit = one(result.format);
   judge(result, {{x[0], x[1]}, {x[2], x[3], true}});

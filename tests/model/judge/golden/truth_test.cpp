@@ -11,8 +11,9 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
-/// golden::true_verdict where intervals cannot decide by themselves: ties and zeros behind roots
-/// and roundoff, the ends of wide formats, and comparisons that stay undetermined.
+/// Tests golden::true_verdict on comparisons that intervals cannot decide by themselves: ties and
+/// zeros behind roots and roundoff, the ends of wide formats, and comparisons that stay
+/// undetermined.
 namespace mixcmp::test::truth_test {
 namespace {
 
@@ -97,8 +98,8 @@ TEST(Truth, TellsADifferenceAsSmallAsItsConjugateIsLarge) {
   EXPECT_EQ(truth("sqrt(" + g + " - " + f + ")", "0", {}), "unordered");
 }
 
-/// sqrt((t^2 - 1) / 4) + sqrt((9 t^2 + 3) / 4) falls short of 2 t by 1 / (12 t^3), nearly as little
-/// as two such roots can; 128, 256 and 512 digits do not tell it from a tie.
+/// sqrt((t^2 - 1) / 4) + sqrt((9 t^2 + 3) / 4) falls short of 2 t by 1 / (12 t^3), which is nearly
+/// the least that two roots of this size can. 128, 256 and 512 digits do not tell it from a tie.
 TEST(Truth, TellsTheSmallestDifferenceOfTwoRoots) {
   for (const char* t : {"1000000000000000000000000000000000000000000000000000000000000000001", "3",
                         "1000000000000001"}) {
@@ -245,7 +246,7 @@ TEST(Truth, IsUnorderedBesideAnythingUndetermined) {
   EXPECT_EQ(true_verdict(graph, binary64, odd_operands(14)), Verdict::unordered);
 }
 
-/// A proven verdict of another part decides only where it dominates.
+/// A proven verdict of another part decides only if it dominates.
 TEST(Truth, OfSeveralPartsIsThatOfADominatingPartAlone) {
   for (const Combination combination : {Combination::all, Combination::any}) {
     const Verdict dominating = golden::dominating_verdict(combination);
@@ -269,7 +270,7 @@ TEST(Truth, WithinFewBitsIsNeverAGuess) {
   EXPECT_EQ(verdict_within(graph, binary64, inputs, 8192), Verdict::greater);
 }
 
-/// A random rational expression over the inputs, made to cancel: quotients and products that are
+/// Makes random rational expressions over the inputs that cancel: quotients and products that are
 /// undone again, with differences, minima, magnitudes and roots of squares between them.
 class Cancelling {
 public:
@@ -309,7 +310,7 @@ private:
   int below(int end) { return static_cast<int>(random_() % static_cast<unsigned>(end)); }
   NodeId any() { return nodes_[below(static_cast<int>(nodes_.size()))]; }
 
-  /// Equal to x wherever it has a value, or, of an even root, to |x|.
+  /// A node that equals x wherever it has a value (behind an even root: |x|).
   NodeId undone(NodeId x, NodeId y) {
     switch (below(4)) {
       case 0: return graph_.apply(Operation::multiply, graph_.apply(Operation::divide, x, y), y);

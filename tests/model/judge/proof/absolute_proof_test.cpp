@@ -9,7 +9,7 @@
 #include "tests/model/judge/proof/proof_support.hpp"
 #include "tests/model/judge/proof/random_lanes.hpp"
 
-/// Running and constant bounds: the true ones are proven, wrong ones are refused.
+/// Tests running and constant bounds: true bounds are proven, wrong ones are refused.
 namespace mixcmp::test::absolute_proof_test {
 namespace {
 
@@ -79,7 +79,7 @@ TEST_F(AbsoluteProof, EveryOperationIsProven) {
     for (const Rounding rounding : both_roundings) {
       for (const BoundKind kind : {BoundKind::running, BoundKind::constant}) {
         const auto lane = absolute_lane(graph, kind, rounding);
-        if (!lane.ok()) continue;  // no constant bound where a divisor may be zero
+        if (!lane.ok()) continue;  // there is no constant bound if a divisor may be zero
         ++lanes;
         const LaneProof proof = prove(*lane);
         EXPECT_TRUE(proof.machine_checked()) << f << " : " << g << "\n"

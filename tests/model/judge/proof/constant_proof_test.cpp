@@ -20,8 +20,8 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/lane_inputs.hpp"
 
-/// Claims about ranges that Gappa checks: constants that bound errors, and the parts that lanes
-/// leave unbuilt.
+/// Tests claims about ranges that Gappa checks: constants that bound errors, and hardware that
+/// lanes leave out.
 namespace mixcmp::test::constant_proof_test {
 namespace {
 
@@ -35,7 +35,7 @@ struct Ranged {
   const char* f;
   const char* g;
   const char* format;
-  Ranges ranges;  ///< of inputs in the order in which f and g name them
+  Ranges ranges;  ///< one per input, in the order in which f and g name them
 };
 
 Result<Lane> lane_of(const Ranged& ranged, LaneInputs inputs, Rounding rounding,
@@ -46,7 +46,8 @@ Result<Lane> lane_of(const Ranged& ranged, LaneInputs inputs, Rounding rounding,
                                {.kind = kind, .ranges = ranged.ranges});
 }
 
-/// The constant of the first leaves a magnitude nearly twice its binade.
+/// Comparisons whose bounds have every kind of term. In the first, a constant leaves a magnitude of
+/// nearly twice its binade.
 const std::vector<Ranged>& every_term() {
   static const Range wide = {1, mpq_class(15, 4)}, small = {1, mpq_class(7, 4)};
   static const std::vector<Ranged> terms = {
@@ -166,7 +167,8 @@ TEST_F(ConstantProof, TheVerdictNamesWhatIsByHand) {
   EXPECT_EQ(report.at("by_hand").at(1).at("theorem"), "2 to 4");
 }
 
-/// Every promise of every unit in turn: it is proven, or a lane that makes it is refused.
+/// Makes every promise of every unit in turn. Either it is proven, or a lane that makes it is
+/// refused.
 TEST_F(ConstantProof, HazardsAreLeftOutWhereGappaSaysSoAndNowhereElse) {
   const Ranged ranged = {"(a * b - d) / e",
                          "sqrt(c * a)",
@@ -231,7 +233,7 @@ TEST_F(ConstantProof, RandomLanesWithRangesAreProven) {
   EXPECT_GE(lanes, 12);
 }
 
-/// Read off the bits: as wide as the passing values, and no wider.
+/// The range that is read off the bits is as wide as the passing values, and no wider.
 TEST(EnforcedRange, EnclosesWhatPassesTightly) {
   const FloatFormat format = format_of(6, 5);
   for (const Range& range : {Range{0, 100}, Range{1, 3}, Range{-4, 4}, Range{-9, -1}, Range{0, 0},

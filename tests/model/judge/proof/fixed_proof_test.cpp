@@ -10,7 +10,7 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
-/// Gappa's verdicts on lanes in fixed point, and on lanes whose thresholds are too close.
+/// Tests Gappa's verdicts on lanes in fixed point, and on lanes whose thresholds are too close.
 namespace mixcmp::test::fixed_proof_test {
 namespace {
 
@@ -177,7 +177,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 class TooClose : public testing::TestWithParam<int> {};
 
-/// Each number of a criterion, one step closer than the bound that it must exceed permits.
+/// Moves each number of a criterion one step closer than the bound that it must exceed permits.
 TEST_P(TooClose, IsRefused) {
   if (!proof::gappa_version().ok()) GTEST_SKIP() << "gappa is not installed";
   const auto bound = GetParam() < 3 ? BoundKind::norm : BoundKind::constant;
@@ -198,7 +198,7 @@ TEST_P(TooClose, IsRefused) {
 
 INSTANTIATE_TEST_SUITE_P(Thresholds, TooClose, testing::Range(0, 5));
 
-/// A lane of a sum of degrees 1 and 2, which says that it is in block floating point.
+/// A lane that claims to be in block floating point, but adds numbers of degrees 1 and 2.
 TEST(FixedProofOfBlocks, RefusesWhatDoesNotGrowAlike) {
   FixedLane lane = lane_of({"", {{"a + a^2", "b"}}, 9, {0, 1}, ""});
   EXPECT_FALSE(is_refused(lane));
@@ -206,7 +206,8 @@ TEST(FixedProofOfBlocks, RefusesWhatDoesNotGrowAlike) {
   EXPECT_TRUE(is_refused(lane));
 }
 
-/// A sum of a square, of degree 2, and of a number that was cut before squaring, of degree 1.
+/// A lane that adds a square, which has degree 2, to a number that was cut before squaring and has
+/// degree 1.
 TEST(FixedProofOfCuts, RefusesWhatDoesNotGrowAlike) {
   const Case guarded{"", {{"(a - b)^2 + c^2", "d^2"}}, 9,     {0, 1},
                      "", BoundKind::constant,          false, 3};
@@ -224,7 +225,8 @@ TEST(FixedProofOfCuts, RefusesWhatDoesNotGrowAlike) {
   }
 }
 
-/// Ranges of any ratio, so that units differ, low bits are dropped and high ones are beyond reach.
+/// Ranges have any ratio, so that units differ, low bits are dropped, and high bits are beyond
+/// reach.
 TEST(FixedProofOfNorms, FindsTheThresholdsOfTheorem4WhateverTheRanges) {
   for (const auto& [f, g] : {std::pair("(a - b)^2 + (c - b)^2", "d^2"),
                              {"d^2", "(a - b)^2 + c^2"},
@@ -246,7 +248,8 @@ TEST(FixedProofOfNorms, FindsTheThresholdsOfTheorem4WhateverTheRanges) {
   }
 }
 
-/// A reach of a bit less, upward, downward, or both; and thresholds that only nearer numbers pass.
+/// Makes a reach one bit shorter, which is too short upward, downward or both ways. Then makes the
+/// threshold so steep that numbers beyond the reach need not pass it.
 TEST(FixedProofOfReaches, RefusesOneThatIsTooShort) {
   for (const auto& [f, g] : {std::pair("(a - b)^2 + c^2", "(d / 16)^2"),
                              {"(a + b)^2 + c^2", "(d / 16)^2"},
@@ -277,7 +280,7 @@ TEST(FixedProofOfReaches, RefusesOneThatIsNotSquaredInTheSum) {
   EXPECT_TRUE(is_refused(lane));
 }
 
-/// A radius that is within its limits turned into one within reach.
+/// Turns the limit of a radius into a reach.
 TEST(FixedProofOfReaches, RefusesOneOfTheRadius) {
   FixedLane lane = lane_of({"", {{"(a - b)^2", "within(c - d, -0.125, 0.117)^2"}}, 9, {0, 3}, ""});
   EXPECT_FALSE(is_refused(lane));
@@ -287,7 +290,7 @@ TEST(FixedProofOfReaches, RefusesOneOfTheRadius) {
   EXPECT_TRUE(is_refused(lane));
 }
 
-/// A part that is decided by constants beyond all differences.
+/// Decides a part by constants beyond all differences.
 TEST(FixedProofOfReaches, RefusesConstantsOfWhatIsWithinReach) {
   FixedLane lane = lane_of({"", {{"(a - b)^2 + c^2", "(d / 16)^2"}}, 9, {0, 3}, ""});
   const mpz_class far = lane.nodes[lane.parts[0].difference].format.largest();
@@ -301,7 +304,7 @@ const Case lanes_of_all_kinds[] = {
     {"", {{"(a - b)^2 + c^2", "d^2"}}, 9, {0, 1}, "", BoundKind::norm, false, 3},
     {"", {{"(a - b)^2 + c^2", "a * d"}}, 9, {-1, 1}, "", BoundKind::constant, true, 3}};
 
-/// A unit of twice the size, where the operation sets it.
+/// Doubles the unit of each node whose operation sets the unit.
 TEST(FixedProofOfUnits, RefusesWhatTheHardwareDoesNotCount) {
   for (const Case& each : lanes_of_all_kinds) {
     const FixedLane lane = lane_of(each);
@@ -331,7 +334,7 @@ TEST(FixedProofOfNorms, RefusesASumInThePlaceOfTheDifference) {
   EXPECT_TRUE(is_refused(lane));
 }
 
-/// The lane encloses a limit's operand too narrowly, so that hardware checks one side too few.
+/// Encloses a limit's operand too narrowly, so that hardware would check one side too few.
 TEST(FixedProofOfLimits, RefusesASideThatIsNotChecked) {
   FixedLane lane = lane_of({"", {{"within(a - b, -2, 2) * c", "d"}}, 9, {0, 3}, ""});
   EXPECT_FALSE(is_refused(lane));
@@ -350,7 +353,7 @@ TEST(FixedProofOfNorms, RefusesARadiusThatIsNotTheOtherSides) {
   EXPECT_TRUE(is_refused(lane));
 }
 
-/// A format of a bit less, and a common cut that drops a bit less or more.
+/// Makes a format one bit narrower, and a common cut drop one bit less or more.
 TEST(FixedProofOfWidths, RefusesResultsThatDoNotFit) {
   for (const Case& each : lanes_of_all_kinds) {
     const FixedLane lane = lane_of(each);
@@ -371,7 +374,7 @@ TEST(FixedProofOfWidths, RefusesResultsThatDoNotFit) {
   }
 }
 
-/// Each threshold one unit lower; and a part that watches one factor less.
+/// Lowers each threshold by one unit, and has a part watch one factor less.
 TEST(FixedProofOfRunningBounds, RefusesThresholdsThatAreTooNear) {
   const FixedLane lane =
       lane_of({"", {{"a * b - c * d", "e"}}, 9, {-2, 3}, "", BoundKind::running});

@@ -15,7 +15,7 @@
 
 namespace mixcmp::test {
 
-/// A prover for one test, which is not to run into its limit.
+/// A prover for one test, with a time limit that no test reaches.
 inline proof::QuickProver patient_prover() {
   return proof::QuickProver(60);
 }

@@ -9,7 +9,7 @@
 #include "model/judge/proof/gappa.hpp"
 #include "tests/support/program.hpp"
 
-/// check --prove, generate's quick proof and doctor as a user calls them.
+/// Tests check --prove, generate's quick proof and doctor as a user calls them.
 namespace mixcmp::test::prove_command_test {
 namespace {
 

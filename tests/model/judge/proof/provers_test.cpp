@@ -12,7 +12,7 @@
 #include "tests/model/judge/proof/proof_support.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-/// Which proofs are kept, which are done again, and the effect of a missing or hanging Gappa.
+/// Tests which proofs are kept, which are done again, and the effect of a missing or hanging Gappa.
 namespace mixcmp::test::provers_test {
 namespace {
 
@@ -27,7 +27,7 @@ ProofDirectory opened(const fs::path& path, double seconds = 30) {
   return ProofDirectory::open(path, seconds).value();
 }
 
-/// The one file with this ending; its name without.
+/// The name, without its ending, of the only file with this ending.
 std::string only_stem(const fs::path& directory, const std::string& extension) {
   std::vector<std::string> stems;
   for (const auto& entry : fs::directory_iterator(directory)) {
@@ -41,7 +41,7 @@ void write(const fs::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
 }
 
-/// PATH for one test, with a program of one's own called gappa or none at all.
+/// Changes PATH for one test: it has the test's own program called gappa, or none at all.
 class OtherPath {
 public:
   explicit OtherPath(const std::string& path) : before_(getenv("PATH")) {
@@ -146,7 +146,8 @@ TEST_F(Provers, AnInterruptedRunResumes) {
   }
   ProofDirectory complete = opened(kept_);
   EXPECT_TRUE(prove_lane(lane, std::ref(complete), Effort::whole).machine_checked());
-  // One rounding in two binades, seven cases of f, one of g; squares and their sums have one sign.
+  // The scripts are one rounding in two binades, seven cases of f and one of g; squares and their
+  // sums have one sign.
   EXPECT_EQ(complete.reused(), 13);
 }
 

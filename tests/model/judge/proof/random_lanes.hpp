@@ -9,7 +9,7 @@
 
 namespace mixcmp::test {
 
-/// A random expression of every operation in inputs a, b, c and a few constants.
+/// A random expression over inputs a, b, c and a few constants, with every operation.
 inline NodeId random_expression(Graph& graph, std::mt19937_64& random, int depth) {
   static constexpr std::array operations = {
       Operation::add,    Operation::subtract,    Operation::multiply, Operation::square,

@@ -8,7 +8,8 @@
 #include "tests/model/judge/proof/proof_support.hpp"
 #include "tests/model/judge/proof/random_lanes.hpp"
 
-/// Gappa, which knows nothing of our rules, proves the claims of the analysis, and nothing tighter.
+/// Tests that Gappa, which does not know our rules, proves the claims of the analysis and nothing
+/// tighter.
 namespace mixcmp::test::relative_proof_test {
 namespace {
 
@@ -94,7 +95,7 @@ TEST_F(RelativeProof, EveryOperationIsProven) {
   }
 }
 
-/// Products of few digits, conversions to more, scaling by powers of two.
+/// Products of few digits, conversions to more digits and scalings by powers of two round nothing.
 TEST_F(RelativeProof, WhatRoundsNothingIsProvenToRoundNothing) {
   const Graph graph = graph_of("a * b", "b + c / 4");
   const Arithmetic reduced = {format("s24e8"), Rounding::toward_zero, Subnormals::flush};
@@ -162,7 +163,8 @@ TEST_F(RelativeProof, RandomLanesAreProvenWholeOrByTheirOperations) {
   }
 }
 
-/// The bound with one end 1/1024 of its way closer to the exact result, 1. The other end stays.
+/// The end of a bound that is moved towards the exact result, 1, by 1/1024 of its distance. The
+/// other end stays.
 enum class End { low, high };
 error::RelativeBound shrunken(const error::RelativeBound& bound, End end) {
   const mpq_class kept = 1 - mpq_class(1, 1 << 10);
@@ -253,7 +255,7 @@ TEST_F(RelativeProof, ASignThatTheLaneDoesNotCheckIsRefused) {
     Lane unchecked = lane;
     unchecked.checks.clear();
     EXPECT_TRUE(prove(unchecked, claims, effort).refused());
-    std::vector<NodeClaim> tacit = claims;  // used, but not claimed of the inputs
+    std::vector<NodeClaim> tacit = claims;  // used, but not claimed for the inputs
     for (std::size_t id = 0; id < tacit.size(); ++id) {
       const bool input = lane.graph.nodes[id].operation == Operation::input;
       if (input) tacit[id].nonnegative = false;

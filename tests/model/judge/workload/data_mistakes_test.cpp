@@ -7,7 +7,8 @@
 #include "model/judge/workload/load_comparisons.hpp"
 #include "tests/support/scratch_directory.hpp"
 
-/// Mistakes in [data] are those of a key, wherever it is set, and of a table.
+/// Tests the errors about mistakes in [data]: those of a key, wherever it is set, and those of a
+/// table.
 namespace mixcmp::test::data_mistakes_test {
 namespace {
 
@@ -25,7 +26,8 @@ protected:
     std::ofstream(directory_.path() / name, std::ios::binary) << text;
   }
 
-  /// A scene whose [data] is in line 6 and whose keys follow; with a plan, that one is read.
+  /// The error of a scene whose [data] is in line 6 and whose keys follow. If a plan is given, the
+  /// plan is read.
   std::string error(const std::string& f, const std::string& g, const std::string& data,
                     const std::vector<std::string>& settings = {},
                     const std::string& plan = {}) const {

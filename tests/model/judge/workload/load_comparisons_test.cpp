@@ -134,7 +134,7 @@ TEST_F(TwoTables, MistakesNameFileLineAndKey) {
             "columns or more");
 }
 
-/// Numbers of a small grid, so that costs tie; some are NaN or infinite.
+/// A file whose numbers lie on a small grid, so that costs tie. Some are NaN or infinite.
 std::string random_csv(int rows, const std::string& header, int columns, bool special,
                        std::mt19937& random) {
   std::string text = header + "\n";
@@ -169,7 +169,7 @@ double cost(const std::vector<double>& point, const std::vector<double>& centre)
   return centre[2] * (x * x + y * y);
 }
 
-/// The first least cost; one that has no order neither beats nor is beaten.
+/// The first candidate of least cost. A cost that has no order neither beats another nor is beaten.
 std::size_t least(const std::vector<double>& point, const std::vector<std::vector<double>>& all) {
   std::size_t best = 0;
   for (std::size_t k = 1; k < all.size(); ++k) {

@@ -21,9 +21,10 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
-/// Lanes whose bound is a constant, on operands aimed at that bound. c is placed close to the real
-/// number f that the other operands give, so that a lane with a bound below f's error decides
-/// wrongly. Real numbers are rationals here, computed by each comparison's own formula.
+/// Tests lanes whose bound is a constant, on operands that are aimed at that bound. c is placed
+/// close to the real number f that the other operands give, so that a lane with a bound below f's
+/// error decides wrongly. Real numbers are rationals here, computed by each comparison's own
+/// formula.
 namespace mixcmp::test::constant_bound_test {
 namespace {
 
@@ -32,7 +33,8 @@ using golden::evaluate_lane;
 
 using Rationals = std::vector<mpq_class>;
 
-/// f of the first inputs against c, the last one; f, or its square, is a rational number.
+/// A comparison of f, a function of the first inputs, with c, the last input. f or its square is a
+/// rational number.
 struct Aimed {
   const char* name;
   const char* f;
@@ -76,7 +78,7 @@ mpq_class f_of(const Aimed& aimed, const Rationals& operands) {
 
 struct Decisions {
   int wrong = 0;
-  mpq_class largest_error = 0;  ///< |f - c| as computed, where they differ by next to nothing
+  mpq_class largest_error = 0;  ///< |f - c| as computed, for c next to f
   std::string example;
 };
 
@@ -185,7 +187,7 @@ const Range up_to_two = {1, mpq_class(15, 8) - mpq_class(1, 256)};
 const Range short_of_two = {mpq_class(3, 2), mpq_class(13, 8) - mpq_class(1, 256)};
 const Range about_root_of_two = {mpq_class(11, 8), mpq_class(3, 2) - mpq_class(1, 256)};
 
-/// 2051 / 2048 lies between two numbers of 11 digits: six errors in one direction.
+/// 2051 / 2048 lies between two numbers of 11 digits, so all six errors have the same direction.
 constexpr const char* scaled_text =
     "a * 1.00146484375 * 1.00146484375 * 1.00146484375 * 1.00146484375 * 1.00146484375 * "
     "1.00146484375";

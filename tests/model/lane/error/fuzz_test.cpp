@@ -16,8 +16,8 @@
 #include "tests/support/hazard_judge.hpp"
 #include "tests/support/lane_inputs.hpp"
 
-/// Certified lanes of random graphs in random formats, on operands that are driven to where the
-/// lane is only just certain. Every decided verdict must be the order of the real numbers.
+/// Tests certified lanes of random graphs in random formats, on operands that are driven to where
+/// the lane is only just certain. Every decided verdict must be the order of the real numbers.
 namespace mixcmp::test::fuzz_test {
 namespace {
 
@@ -71,7 +71,8 @@ Operation random_operation(Random& random) {
   return any_of(operations, random);
 }
 
-/// Leaves first, then operations that mostly take one of the last nodes; f and g are late nodes.
+/// A random graph. Leaves come first, then operations that mostly take one of the last nodes; f and
+/// g are late nodes.
 Graph random_graph(Random& random) {
   Graph graph;
   const int input_count = 1 + below(random, 3);
@@ -121,7 +122,7 @@ Arithmetic random_reduced(Random& random, FloatFormat reference) {
   return any_of(every_arithmetic(format_of(precision, exponent_bits)), random);
 }
 
-/// The values of f and g where both are rational numbers.
+/// Computes the values of f and g if both are rational numbers.
 class Rationals {
 public:
   Rationals(const Graph& graph, FloatFormat format, const std::vector<Bits>& inputs) {
@@ -204,7 +205,7 @@ std::string describe(const Target& target, const std::vector<Bits>& inputs) {
   return description;
 }
 
-/// |key(f) - key(g)|.
+/// The distance |key(f) - key(g)| of two encodings.
 Bits distance(FloatFormat format, Bits f, Bits g) {
   const Bits f_magnitude = format.magnitude(f), g_magnitude = format.magnitude(g);
   if (format.sign(f) != format.sign(g)) return f_magnitude + g_magnitude;
@@ -244,7 +245,8 @@ Bits moved(FloatFormat format, Bits operand, Random& random) {
   }
 }
 
-/// Holds one decision against the real numbers, and their enclosure against rational arithmetic.
+/// Compares one decision with the order of the real numbers, and their enclosure with rational
+/// arithmetic.
 void hold(const Target& target, const std::vector<Bits>& inputs, Verdict decided) {
   const FloatFormat format = target.lane.graph.input_format;
   const auto truth = true_verdict(target.graph, format, inputs);
@@ -325,7 +327,7 @@ TEST_P(RandomGraphs, AreDecidedAsTheRealNumbersAre) {
   for (const auto& [kind, count] : lanes) EXPECT_GT(at_the_guard[kind], count / 8);
 }
 
-/// Two or three parts over the nodes of one graph.
+/// A graph with two or three parts over the nodes of one random graph.
 Graph random_parts(Random& random) {
   Graph graph = random_graph(random);
   const auto any = [&] { return below(random, static_cast<int>(graph.nodes().size())); };
@@ -423,8 +425,8 @@ Aimed random_aim(Random& random) {
   return aimed;
 }
 
-/// The middle of an interval of 200 digits around the true value of a node; none where there is no
-/// such value.
+/// The middle of an interval of 200 digits around the true value of a node; none if the node has no
+/// value.
 std::optional<mpq_class> true_value(const Graph& graph, NodeId node, FloatFormat format,
                                     const std::vector<Bits>& inputs) {
   golden::Enclosure enclosure(graph, Sides{node, node}, 200);
@@ -447,8 +449,8 @@ std::optional<mpq_class> computed_value(const Graph& graph, NodeId node, FloatFo
   return to_rational(format, bits);
 }
 
-/// Puts the solved operands where the lane is most likely to be wrong. False where a node that
-/// they are put beside has no value.
+/// Puts the solved operands where the lane is most likely to be wrong. False if a node that they
+/// are put beside has no value.
 bool aim(const Aimed& aimed, FloatFormat reference, const Arithmetic& reduced, LaneInputs how,
          std::vector<Bits>& inputs, Random& random) {
   for (const Aimed::Shot& shot : aimed.shots) {

@@ -8,8 +8,8 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
-/// Operands just beside the midpoints of the digits that a lane takes, at either end of the
-/// exponents: the lane's difference of them is off by as much as its bound says.
+/// Tests operands just beside the midpoints of the digits that a lane takes, at either end of the
+/// exponents. The lane's difference of them is off by as much as its bound says.
 namespace mixcmp::test::input_digits_test {
 namespace {
 

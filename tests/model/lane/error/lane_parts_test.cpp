@@ -12,7 +12,7 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
-/// Lanes of several parts: every operand tuple of a small format.
+/// Tests lanes of several parts on every operand tuple of a small format.
 namespace mixcmp::test::lane_parts_test {
 namespace {
 
@@ -26,7 +26,7 @@ using Parts = std::vector<std::pair<std::string, std::string>>;
 struct Comparison {
   const char* name;
   Parts parts;
-  std::optional<Range> range = {};  ///< of every input; many operand tuples break it
+  std::optional<Range> range = {};  ///< the range of every input; many operand tuples break it
 };
 
 void PrintTo(const Comparison& comparison, std::ostream* stream) {
@@ -92,7 +92,8 @@ private:
   std::vector<Judged> judged_;
 };
 
-/// The combination of the parts' own decisions. `alone`: a decided part decides for undecided ones.
+/// The combination of the parts' own decisions. `alone` says that a decided part decides for
+/// undecided ones.
 struct Expected {
   LaneResult result;
   bool alone;
@@ -116,7 +117,7 @@ Expected of_parts(const Judged& judged, const std::vector<Bits>& inputs) {
   return {{every, equal ? Verdict::equal : rest}, false};
 }
 
-/// Holds the decisions of lanes on every operand tuple against those of their parts and against the
+/// Compares the decisions of lanes on every operand tuple with those of their parts and with the
 /// real numbers.
 void hold_on_every_tuple(const Graph& graph, FloatFormat format, const std::vector<Judged>& lanes) {
   const std::size_t count = graph.inputs().size();

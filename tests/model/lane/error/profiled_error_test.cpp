@@ -22,7 +22,7 @@ using error::ProfiledError;
 const FloatFormat wide = format_of(53, 11);
 const FloatFormat narrow = format_of(5, 6);
 
-/// Rows of a, b.
+/// Comparisons whose rows have these a and b.
 Comparisons rows(const std::vector<std::pair<mpq_class, mpq_class>>& values) {
   data::Table table{.format = wide, .columns = {"a", "b"}};
   for (const auto& [a, b] : values) {

@@ -17,7 +17,7 @@ namespace {
 
 struct Case {
   std::string text;
-  std::vector<std::optional<Range>> ranges;  ///< of inputs in order of appearance
+  std::vector<std::optional<Range>> ranges;  ///< one per input, in order of appearance
 };
 
 TypedGraph typed(const std::string& text, Arithmetic arithmetic) {
@@ -128,7 +128,7 @@ Bits draw(FloatFormat format, const std::optional<Range>& range, std::mt19937_64
     Bits bits = random() & static_cast<std::uint64_t>(low_mask(format.width()));
     if (format.is_nan(bits) || format.is_infinite(bits)) continue;
     if (!range) return bits;
-    if (random() % 2 == 0) {  // near an end of the range or at it
+    if (random() % 2 == 0) {  // at an end of the range or near it
       bits = from_rational(format, random() % 2 == 0 ? range->low : range->high);
     }
     const mpq_class value = to_rational(format, bits);
@@ -136,7 +136,7 @@ Bits draw(FloatFormat format, const std::optional<Range>& range, std::mt19937_64
   }
 }
 
-/// Holds all finite values of one evaluation by the golden model against an analysis that follows
+/// Compares all finite values of one evaluation by the golden model with an analysis that follows
 /// infinities.
 void check_followed(const TypedGraph& graph, const std::vector<error::NodeRange>& ranges,
                     const std::vector<golden::Rounded>& results, const std::string& text) {
@@ -166,7 +166,7 @@ void check_followed(const TypedGraph& graph, const std::vector<error::NodeRange>
   }
 }
 
-/// Holds one evaluation by the golden model against the analysis.
+/// Compares one evaluation by the golden model with the analysis.
 void check_evaluation(const TypedGraph& graph, const std::vector<error::NodeRange>& ranges,
                       const std::vector<golden::Rounded>& results, const std::string& text) {
   std::vector<bool> exceptional_below(results.size());
@@ -266,8 +266,8 @@ TEST(RangeAnalysis, NothingTheGoldenModelComputesEscapesIt) {
   }
 }
 
-/// Every pair of operands. A lane rounds sums of operands that have more digits than it: subnormal
-/// ones are inexact, other than in an operation whose operands have its own format.
+/// Evaluates every pair of operands. A lane rounds sums of operands that have more digits than the
+/// lane, so subnormal sums are inexact. They are exact if operands and result have one format.
 TEST(RangeAnalysis, SumsOfMoreDigitsThanTheResultMayUnderflowGradually) {
   const FloatFormat arrives = format_of(4, 3);
   const std::vector<std::optional<Range>> ranges(2, Range{0, 1});

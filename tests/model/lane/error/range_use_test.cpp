@@ -14,7 +14,7 @@
 #include "tests/support/hazard_judge.hpp"
 #include "tests/support/sphere.hpp"
 
-/// Effects of ranges and grids: checks, hazards, exponent bits, exactness.
+/// Tests the effects of ranges and grids: checks, hazards, exponent bits, exactness.
 namespace mixcmp::test::range_use_test {
 namespace {
 
@@ -34,8 +34,8 @@ bool is_finite(FloatFormat format, Bits bits) {
 const std::vector<Range> some_ranges = {
     {0, 100}, {1, 3}, {-4, 4}, {-9, -1}, {mpq_class(1, 3), mpq_class(10, 3)}, {0, 0}, {-7, 1000}};
 
-/// Everything in the range passes, all that passes is in the checked range, no NaN or infinity
-/// does.
+/// Every number in the range passes, every number that passes is in the checked range, and no NaN
+/// or infinity passes.
 TEST(RangeCheck, IsCoarserThanTheRangeAndAsWideAsItSays) {
   for (const FloatFormat format : {format_of(4, 4), format_of(6, 5), format_of(3, 3)}) {
     for (const Range& range : some_ranges) {
@@ -74,7 +74,8 @@ TEST(RangeCheck, ThatChecksSignsAloneLetsNansPass) {
   EXPECT_FALSE(passes(check, format, format.zero(true)));
 }
 
-/// Every operand pair that passes the checks: no operation meets a hazard that was ruled out.
+/// Checks, on every operand pair that passes the checks, that no operation meets a hazard that was
+/// ruled out.
 void hold_hazards(const std::string& f, const Ranges& ranges, FloatFormat reference,
                   const Arithmetic& reduced, LaneInputs inputs) {
   const Graph graph = graph_of(f, "b");
@@ -138,8 +139,8 @@ TEST(Hazards, AreRuledOutWhereTheRangesDoSo) {
   EXPECT_TRUE(hazards_of("a * b", {Range{2, 6}, std::nullopt}, format_of(8, 8)).special_operand);
 }
 
-/// A NaN or an infinity meets only units that are built for it, even behind an exceptional
-/// operation: every operand pair that passes the checks.
+/// On every operand pair that passes the checks, a NaN or an infinity meets only units that are
+/// built for it, even behind an exceptional operation.
 TEST(Hazards, NansAndInfinitiesReachOnlyWhatIsBuiltForThem) {
   const FloatFormat reference = format_of(3, 3);
   const Ranges ranges = {Range{mpq_class(1, 2), 6}, Range{1, 3}};
@@ -199,7 +200,7 @@ TEST(LaneExponentBits, ServeEveryPart) {
   EXPECT_EQ(bits({{"a^3", "1"}, {"a", "1"}}), 6);
 }
 
-/// All operands on the grid: a node that is called exact holds the real value.
+/// For all operands on the grid, a node that is called exact holds the real value.
 TEST(ExactOnGrid, NodesAreExact) {
   const FloatFormat reference = format_of(12, 5);
   const mpq_class grid(1, 4);

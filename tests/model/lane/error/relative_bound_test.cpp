@@ -263,7 +263,7 @@ TEST(GuardUlp, NeverDecidesWhereTheBoundsAreBeyondAnyFormat) {
   EXPECT_EQ(error::guard_ulp_before_rounding({1, 1}, {1, huge}, 113), ~Bits{0});
 }
 
-/// x^80 and more: the bounds are worth more steps than so narrow a format has encodings.
+/// The bounds of x^80 and more are worth more steps than this narrow format has encodings.
 TEST(GuardUlp, FitsTheWidthOfTheFormat) {
   const FloatFormat narrow = format_of(4, 2);
   for (const char* f : {"(x^5)^16", "(x^13)^16", "(((x^16)^16)^16)^16"}) {

@@ -12,7 +12,8 @@
 #include "tests/support/graphs.hpp"
 #include "tests/support/lane_inputs.hpp"
 
-/// A certified lane decides as the real numbers do: every operand tuple of small formats.
+/// Tests that a certified lane decides as the real numbers do, on every operand tuple of small
+/// formats.
 namespace mixcmp::test::soundness_test {
 namespace {
 
@@ -25,7 +26,7 @@ struct Comparison {
   const char* name;
   const char* f;
   const char* g;
-  std::optional<Range> range = {};  ///< of every input; many operand tuples break it
+  std::optional<Range> range = {};  ///< the range of every input; many operand tuples break it
 };
 
 void PrintTo(const Comparison& comparison, std::ostream* stream) {
@@ -68,7 +69,7 @@ std::vector<Bits> unpack(Bits index, FloatFormat format, size_t count) {
   return inputs;
 }
 
-/// Holds every lane's decisions against the truth, on all tuples of `reference` encodings.
+/// Compares every lane's decisions with the truth, on all tuples of `reference` encodings.
 void judge(const Comparison& comparison, FloatFormat reference) {
   const Graph graph = graph_of(comparison.f, comparison.g);
   const size_t count = graph.inputs().size();
@@ -88,7 +89,7 @@ void judge(const Comparison& comparison, FloatFormat reference) {
     }
   }
   for (size_t k = 0; k < lanes.size(); ++k) {
-    // A bound of few digits may exceed all that so few digits of f and g can tell apart.
+    // A bound of few digits may exceed every difference that a lane of these digits can tell.
     const bool is_able =
         std::holds_alternative<error::UlpDistanceCriterion>(lanes[k].criterion()) ||
         lanes[k].graph.arithmetic.format.precision() > 3;

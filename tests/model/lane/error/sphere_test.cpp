@@ -14,7 +14,7 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
-/// The sphere comparison at every precision that matters, on inputs made to mislead it.
+/// Tests the sphere comparison at every precision that matters, on inputs made to mislead it.
 namespace mixcmp::test::sphere_test {
 namespace {
 
@@ -98,8 +98,8 @@ protected:
   double unit() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
   int whole(int end) { return static_cast<int>(random_() % static_cast<unsigned>(end)); }
 
-  /// A coordinate whose roundings err one way: just beside the midpoint of two numbers of the lane
-  /// with few digits, so that products round far as well.
+  /// A coordinate whose roundings err in one direction. It lies just beside the midpoint of two
+  /// numbers of the lane with few digits, so that products have large roundings as well.
   double misleading() {
     const int precision = GetParam();
     double significand = 1 + std::ldexp(whole(8), 1 - precision);

@@ -10,7 +10,7 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
-/// Values and errors of nodes beside the real numbers that they stand for.
+/// Tests the values and errors of nodes against the real numbers that they stand for.
 namespace mixcmp::test::enclosures_test {
 namespace {
 
@@ -60,7 +60,7 @@ std::vector<mpq_class> true_values(const FixedLane& lane, const std::vector<mpq_
   return values;
 }
 
-/// Holds each node's enclosures of its value and of its error.
+/// Checks each node's enclosures of its value and of its error.
 void expect_enclosed(const FixedLane& lane, const std::vector<mpq_class>& inputs) {
   std::vector<Bits> encodings;
   for (const mpq_class& input : inputs) {

@@ -115,7 +115,8 @@ Range in_eighths(int low, int high) {
   return range;
 }
 
-/// A factor may consist of little but its error. One unit finer would leave no bit beside the sign.
+/// A factor may consist of little besides its error. With one bit fewer it would have no bit
+/// besides the sign.
 TEST(FixedLane, ConversionsTakeBitsThatTheirOperandsHave) {
   for (const char* f : {"min(max(a - b, -1/4096), 1/4096) * c", "within(a - b, -1/4096, 1/4096)^2",
                         "within(a - b, -1/4096, 0) * c", "max(a - b, 0) * c"}) {
@@ -202,7 +203,7 @@ TEST(BlockLane, NeedsNoRangesAndTakesSignsFromThem) {
   EXPECT_EQ(lane.nodes[1].format.name(), "sfix10_En9");
 }
 
-/// 5 is the largest magnitude, so all are counted in units of 8 / 2^4.
+/// 5 is the largest magnitude, so all operands are counted in units of 8 / 2^4.
 TEST(BlockLane, CountsInUnitsOfTheLargestOperand) {
   const FixedLane lane = block_of(graph_of("a - b", "c"), 4);
   const auto values = integers_of(lane, {"-5", "1.7", "0.4"});

@@ -7,7 +7,7 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
-/// Lanes whose operands have guard digits.
+/// Tests lanes whose operands have guard digits.
 namespace mixcmp::test::guard_digits_test {
 namespace {
 
@@ -36,8 +36,9 @@ TEST(GuardDigits, OperandsHaveThemAndWhatIsMultipliedHasNot) {
                                       "subtract sfix20_En10"}));
 }
 
-/// A difference of 5 units is off by one at most; without its last bit, which may be worth a unit
-/// of before, by less than that: the thresholds are those of a lane without guard digits.
+/// A difference is off by at most one unit. In the units behind the cut it is off by less than one
+/// unit, even though the cut drops its last bit. So the thresholds are those of a lane without
+/// guard digits.
 TEST(GuardDigits, BoundsAreThoseOfTheUnitBehindTheCut) {
   const Graph graph = graph_of(spheres, "(ri + rj)^2");
   const FixedLane lane = guarded(graph, {.bits = 13, .guard_digits = 4}, {0, 100});
@@ -60,7 +61,7 @@ std::vector<std::optional<mpz_class>> cut_by(const FixedLane& lane,
   return cut;
 }
 
-/// In 4 + 3 bits of operands below 8, units of 1/16.
+/// Operands below 8 have 4 + 3 bits, in units of 1/16.
 TEST(GuardDigits, ACutDropsNoMoreThanTheLargestNeeds) {
   const FixedLane lane = guarded(graph_of("(a - b)^2", "(c - b)^2"), {.bits = 4, .guard_digits = 3},
                                  {0, mpq_class(15, 2)});
@@ -94,7 +95,8 @@ TEST(GuardDigits, NormsHaveOneUnit) {
   }
 }
 
-/// Operands go up to 100, but the factors up to 1 and have few bits: none of them has to be cut.
+/// Operands go up to 100. The factors only go up to 1 and have few bits, so none of them has to be
+/// cut.
 TEST(GuardDigits, NothingIsCutThatIsShortAlready) {
   const FixedLane lane = guarded(graph_of("within(a, 0, 1)^2", "within(b, 0, 1)^2"),
                                  {.bits = 9, .guard_digits = 3}, {0, 100});

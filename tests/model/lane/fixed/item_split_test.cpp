@@ -105,7 +105,8 @@ TEST(ItemSplit, LanesOfTwoFormatsShareAnOperand) {
 TEST(ItemSplit, EachSetOfPartsHasAFlag) {
   const Split made = split_of(
       graph_of({{"ai", "aj"}, {"bi", "bj"}, {"ai + ci", "bj"}}, Combination::any), 6, {0, 9});
-  // a of item i matters to parts 0 and 2, of item j to part 0; b: 1, and 1 and 2; c: 2.
+  // Column a of item i matters to parts 0 and 2, of item j to part 0. Column b of item i matters to
+  // part 1, of item j to parts 1 and 2. Column c matters to part 2.
   EXPECT_EQ(made.split.items.flags.size(), 3u);
 }
 
@@ -138,7 +139,8 @@ public:
     whole_ = golden::evaluate(made.lane, operands);
   }
 
-  /// Whether each part sees the operands that do not fit, and loaded values are those of the lane.
+  /// Checks that each part sees the operands that do not fit, and that loaded values are those of
+  /// the lane.
   void check() const {
     const FixedLane& rest = made_.split.lanes.front();
     for (std::size_t part = 0; part < rest.parts.size(); ++part) {
@@ -167,7 +169,7 @@ private:
     return false;
   }
 
-  /// The lane has a node with the value of the field.
+  /// Checks that the lane has a node with the value of the field.
   void check_loaded(const FixedLane& rest, const fixed::FixedNode& node) const {
     const fixed::LoadedInput& loaded = rest.loaded_inputs[node.input];
     const NodeId field = made_.split.of(loaded.role).lane.outputs[loaded.field];

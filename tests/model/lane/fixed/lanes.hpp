@@ -22,7 +22,7 @@ inline fixed::FixedLane lane_of(const Graph& graph, int bits, const Range& range
       .value();
 }
 
-/// "subtract sfix14_En6": [node].
+/// [node]: its operation and format, "subtract sfix14_En6".
 inline std::vector<std::string> formats_of(const fixed::FixedLane& lane) {
   std::vector<std::string> names;
   for (const fixed::FixedNode& node : lane.nodes) {

@@ -8,7 +8,7 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
-/// Lanes that the norm of the errors decides.
+/// Tests lanes that decide by the norm of the errors.
 namespace mixcmp::test::norms_test {
 namespace {
 
@@ -34,8 +34,8 @@ TEST(Norms, ARadiusMayErrUpward) {
   EXPECT_EQ(norm.shift_below, 3);
 }
 
-/// Whichever side is f: a radius that is an operand errs less than a difference, and only squares
-/// other than the radius have a reach.
+/// The result is the same whichever side is f. A radius that is an operand errs less than a
+/// difference, and only squares other than that of the radius have a reach.
 TEST(Norms, TheRadiusIsTheSquareThatGivesTheSmallerSlopes) {
   for (const bool swapped : {false, true}) {
     const char *near = "(a / 8)^2", *far = "(b - c)^2";
@@ -137,7 +137,7 @@ TEST(Norms, HaveThresholdsOfTheDifferenceWithinReach) {
   EXPECT_FALSE(golden::evaluate_lane(lane, inputs).decided) << "less, in truth";
 }
 
-/// All that a + 30 or a - 30 can be is beyond the reach of 2^m. The radius is c, as the other side
+/// Every possible a + 30 and a - 30 is beyond the reach of 2^m. The radius is c, as the other side
 /// has two squares.
 TEST(Norms, HaveNoReachThatNothingIsWithin) {
   for (const char* f : {"(a + 30)^2 + b^2", "(a - 30)^2 + b^2"}) {
@@ -151,7 +151,7 @@ TEST(Norms, HaveNoReachThatNothingIsWithin) {
   }
 }
 
-/// Radii that are zero are exceeded by every unit.
+/// Every unit exceeds a radius of zero.
 TEST(Norms, HaveReachesOfABitOrMore) {
   const Graph graph = graph_of("4 * (a - a)^2 + b^2 + (a - b)^2", "(c - c)^2");
   const FixedLane lane = lane_of(graph, 9, {0, 3}, BoundKind::norm);

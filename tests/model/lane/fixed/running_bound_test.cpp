@@ -8,7 +8,7 @@
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 
-/// Lanes whose thresholds follow the magnitudes of the factors.
+/// Tests lanes whose thresholds follow the magnitudes of the factors.
 namespace mixcmp::test::running_bound_test {
 namespace {
 
@@ -35,7 +35,7 @@ TEST(RunningBound, AProductErrsByItsFactors) {
   }
 }
 
-/// d enters no product.
+/// d enters no product, so it is not watched.
 TEST(RunningBound, WatchesWhatIsMultiplied) {
   const FixedLane lane = running("(a - b)^2 + d", "a * c", 6, {0, 1});
   const auto& watched = std::get<RunningThresholds>(lane.parts.front().criterion).watched;

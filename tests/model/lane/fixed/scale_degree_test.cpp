@@ -4,7 +4,7 @@
 
 #include "tests/support/graphs.hpp"
 
-/// The power by which f and g grow with their operands.
+/// Tests the power by which f and g grow with their operands.
 namespace mixcmp::test::scale_degree_test {
 namespace {
 

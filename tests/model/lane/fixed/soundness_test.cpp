@@ -12,8 +12,8 @@
 #include "tests/support/bounded_comparisons.hpp"
 #include "tests/support/float_samples.hpp"
 
-/// A fixed-point lane decides as the real numbers do, on every operand tuple of small formats. The
-/// judge is exact rationals or, where there are roots, intervals of as many digits as are needed.
+/// Tests that a fixed-point lane decides as the real numbers do, on every operand tuple of small
+/// formats. The judge is exact rationals or, with roots, intervals of as many digits as are needed.
 namespace mixcmp::test::soundness_test {
 namespace {
 
@@ -57,7 +57,7 @@ std::vector<Bits> unpack(Bits index, FloatFormat format, std::size_t count) {
   return inputs;
 }
 
-/// The operands' values; none where one is infinite or a NaN.
+/// The operands' values; none if one is infinite or a NaN.
 std::optional<std::vector<mpq_class>> values_of(FloatFormat format,
                                                 const std::vector<Bits>& inputs) {
   std::vector<mpq_class> values;
@@ -98,7 +98,7 @@ TEST_P(EveryTupleInFixedPoint, IsDecidedAsTheRealNumbersAre) {
   for (Bits index = 0; index < end && !HasFailure(); ++index) {
     const std::vector<Bits> inputs = unpack(index, format, count);
     const auto values = values_of(format, inputs);
-    std::optional<Verdict> truth;  // found where some lane decides
+    std::optional<Verdict> truth;  // computed once a lane decides
     for (std::size_t k = 0; k < lanes.size(); ++k) {
       const auto& [name, lane] = lanes[k];
       const LaneResult result = golden::evaluate_lane(lane, inputs);
