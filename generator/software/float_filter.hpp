@@ -21,7 +21,7 @@ struct RatioCriterion {
   float ratio;
 };
 
-/// A bound holds only where factor * bound node `bound` <= |value|.
+/// A condition of a bound: the bound holds only if factor * bound node `bound` <= |value|.
 struct FloatCondition {
   int bound;
   NodeId value;

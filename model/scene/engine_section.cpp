@@ -142,7 +142,7 @@ Result<Done> check_arg_min(const settings::Settings& settings, const settings::S
                     "the arg-min engine compares candidates for each row");
 }
 
-/// Refuses a form of reports where the reported verdicts belong: the two keys are easily confused.
+/// Refuses a form of reports in the key of the reported verdicts: the two keys are easily confused.
 void refuse_form_as_report(settings::Section& section) {
   const settings::Setting* setting = section.find("report");
   if (setting == nullptr) return;

@@ -2,8 +2,8 @@
 // difference's magnitude is more than GUARD_ULP above the bound of its error, and no operation
 // behind the difference or the bound was exceptional.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
-// A verdict is valid where `decided` is 1. NaNs must come with `exceptional`. No finite difference
-// exceeds an infinite bound.
+// A verdict is valid where `decided` is 1. `exceptional` must be 1 if the difference is a NaN.
+// No finite difference exceeds an infinite bound.
 `default_nettype none
 
 module bound_decision #(

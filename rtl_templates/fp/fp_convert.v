@@ -44,7 +44,7 @@ module fp_convert #(
       larger(larger(EXPONENT_BITS, RESULT_EXPONENT_BITS), bits_for(larger(PRECISION, KEPT))) +
       ((SCALE == 0) ? 2 : 3);
 
-  localparam integer SIGNED_SCALE = SCALE;  // even where a command line gave it without a sign
+  localparam integer SIGNED_SCALE = SCALE;  // signed: some tools pass a negative SCALE as unsigned
   localparam integer SCALE_LIMIT  = 1 << EXPONENT_BITS;
   localparam integer REBIAS       =
       (1 << (RESULT_EXPONENT_BITS - 1)) - (1 << (EXPONENT_BITS - 1)) + SCALE;

@@ -1,7 +1,7 @@
 // fp_ulp_distance: decides the order of f and g iff their packed encodings are at least GUARD_ULP
 // steps apart and nothing that led to them was exceptional: 0 less, 1 equal, 2 greater.
 // Latency: the population count of CUTS (two bits); initiation interval 1; no reset.
-// A verdict is valid where `decided` is 1. NaNs must come with `exceptional`.
+// A verdict is valid where `decided` is 1. `exceptional` must be 1 if f or g is a NaN.
 `default_nettype none
 
 module fp_ulp_distance #(

@@ -42,8 +42,8 @@ Operand shifted_up(const std::string& vector, int count, int width, const std::s
   return concatenation({slice(vector, (count - 1) * width - 1, 0), net(lowest)});
 }
 
-/// The chain of segments: a word that leaves one segment arrives at the next, and after the last it
-/// has met all others.
+/// Declares the chain of segments. A word that leaves one segment arrives at the next; after the
+/// last one it has met all other words.
 void declare_chain(const PairwiseShape& shape, std::vector<ModuleItem>& items) {
   const int count = shape.segment_count();
   const int bits = chain_bits(shape.engine, shape.words);
@@ -136,8 +136,9 @@ long long every_cycle_mask(const SystemShape& system) {
   return mask;
 }
 
-/// A register that keeps a request for a folded reference, which reads its operands over several
-/// cycles: the engine goes on with others. Returns the nets of its output stream.
+/// Adds a register that keeps a request for a folded reference. The reference reads its operands
+/// over several cycles, and the engine goes on with other requests meanwhile. Returns the nets of
+/// its output stream.
 std::vector<Connection> add_request_register(const std::vector<Connection>& request, int bits,
                                              std::vector<ModuleItem>& items) {
   items.push_back(Wire{1, "waiting_tvalid", nullptr});
@@ -165,9 +166,9 @@ std::string reset_phases_name(const DatapathGroup& group) {
 }
 
 /// Declares the phases in which the references of a folded group begin after reset, one field for
-/// each reference of the engine up to the last one of the group. Where operands are read late the
+/// each reference of the engine up to the last one of the group. If operands are read late, the
 /// phases are spread over the interval: requests come one by one, one per cycle, and a reference
-/// that takes its operands late has few cycles until it wants the next.
+/// that takes its operands late has few cycles until it needs the next ones.
 void declare_reset_phases(const DatapathGroup& group, std::vector<ModuleItem>& items) {
   const int interval = group.schedule.initiation_interval;
   const int bits = phase_bits(interval);

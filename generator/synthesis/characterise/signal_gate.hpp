@@ -6,7 +6,7 @@
 
 namespace mixcmp::characterise {
 
-/// Blocks SIGINT, SIGTERM and SIGHUP while it lives, so the program receives them where it calls
+/// Blocks SIGINT, SIGTERM and SIGHUP while it lives, so the program receives them when it calls
 /// `wait`. Threads that start meanwhile inherit the block. A signal that the program was told to
 /// ignore, as by nohup, stays ignored.
 class SignalGate {

@@ -6,7 +6,7 @@
 namespace mixcmp::emulator {
 namespace {
 
-/// The rank of each Decision: where parts are combined, the highest rank wins.
+/// The rank of each Decision. When parts are combined, the highest rank wins.
 constexpr std::array<std::uint8_t, 5> ranks_of_all = {0, 1, 4, 2, 3};
 constexpr std::array<std::uint8_t, 5> ranks_of_any = {4, 1, 0, 2, 3};
 

@@ -15,7 +15,8 @@ using fixed::FixedLane;
 using fixed::FixedNode;
 using fixed::FixedPart;
 
-/// Far from the exponents where doubles end, even for reciprocals and squares.
+/// The largest magnitude of exponents. It is far from the ends of double's exponents, even for
+/// reciprocals and squares.
 constexpr int largest_exponent = 400;
 
 double power(int exponent) {

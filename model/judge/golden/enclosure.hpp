@@ -11,7 +11,7 @@
 
 namespace mixcmp::golden {
 
-/// An interval that contains a real number; a single point where the arithmetic was exact.
+/// An interval that contains a real number; a single point if the arithmetic was exact.
 struct Interval {
   BigFloat low;
   BigFloat high;
@@ -38,7 +38,7 @@ public:
   Enclosure(const Graph& graph, mpfr_prec_t precision);
   Enclosure(const Graph& graph, Sides part, mpfr_prec_t precision);
 
-  /// `undefined` if any node is, even where another node is uncertain.
+  /// `undefined` if any node is undefined, even if another node is uncertain.
   Knowledge compute(FloatFormat format, std::span<const Bits> inputs);
 
   /// The intervals of f and g; valid after compute() has returned `enclosed`.

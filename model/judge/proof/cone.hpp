@@ -19,7 +19,7 @@ struct Cone {
 };
 
 /// Whether Gappa has no operation for this node: a minimum, a maximum, or the absolute value of an
-/// inexact operand. Such a node is a leaf of every cone and is proven by lemmas of its own
+/// inexact operand. This node is then a leaf of every cone, and lemmas of its own prove it
 /// (choice_scripts).
 bool is_inexpressible(const TypedGraph& graph, const std::vector<NodeClaim>& claims, NodeId id);
 

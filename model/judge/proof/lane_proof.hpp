@@ -40,8 +40,7 @@ struct Finding {
 
 enum class Effort {
   operations,  ///< a lemma per operation
-  whole,       ///< the whole expression, one script per combination of zeros; operations where that
-               ///< fails
+  whole,       ///< a script per combination of zeros for the whole expression, else `operations`
 };
 
 /// A step of the proof that no machine has checked. `statement` describes it and, in fixed point,

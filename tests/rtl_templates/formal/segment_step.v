@@ -19,7 +19,7 @@ module segment_step #(
   output wire [6:0]                 goes_as,
   output wire                       tells,      // a beat leaves that is not the closing one
   output reg  [LANES*CODE_BITS-1:0] codes,
-  output wire [2:0]                 tier,       // {first, stays, word}, where a tier reads them
+  output wire [2:0]                 tier,       // {first, stays, word}, as a tier reads them
   output reg  [3:0]                 reported    // number of reported pairs
 );
 

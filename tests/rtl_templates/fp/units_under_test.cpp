@@ -138,7 +138,8 @@ FloatFormat with_unbounded_exponent(FloatFormat format) {
   return FloatFormat::make(format.precision(), FloatFormat::max_exponent_bits).value();
 }
 
-/// Where `unbounded`, of the same precision, lies with respect to the format's range.
+/// The hazards of a result: whether `unbounded`, which has the same precision, lies above or below
+/// the format's range.
 HazardSet result_hazards(FloatFormat format, FloatFormat unbounded_format, Bits unbounded) {
   const int exponent = unbounded_format.biased_exponent(unbounded) - unbounded_format.bias();
   const bool finite =

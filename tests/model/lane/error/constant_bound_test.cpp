@@ -192,8 +192,8 @@ constexpr const char* scaled_text =
     "a * 1.00146484375 * 1.00146484375 * 1.00146484375 * 1.00146484375 * 1.00146484375 * "
     "1.00146484375";
 
-/// Ranges end where checks do. Roundings err most beside numbers just above a power of two; f is
-/// short of the next one, where a magnitude is nearly twice its binade.
+/// Ranges end at the limits of checks. Roundings err most beside numbers just above a power of two.
+/// f is just below the next power of two, so that its magnitude is nearly twice its binade.
 INSTANTIATE_TEST_SUITE_P(
     Aimed, ConstantBound,
     testing::Values(

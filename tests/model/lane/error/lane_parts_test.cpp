@@ -204,7 +204,7 @@ TEST(Lane, APartIsHarmedOnlyByWhatItDependsOn) {
   const FloatFormat format = format_of(24, 8);
   const auto number = [&](int value) { return from_rational(format, mpq_class(value)); };
   const Bits nan = format.quiet_nan(), far = number(1000);
-  // 2 + 2 > 1 * ... : part 0 is greater where a = b = 1; part 1 is undecided.
+  // Part 0 is greater, since 2 + 2 > 1; part 1 is undecided.
   for (const Bits bad : {nan, far, format.infinity(true)}) {
     const LaneResult result =
         evaluate_lane(lane, std::vector<Bits>{number(1), number(1), bad, number(2)});

@@ -146,8 +146,8 @@ TEST(Enclosures, HoldWhereTheyAreTight) {
   }
 }
 
-/// Operands a hair short of their next unit: the norm is off by all of its error and, where the sum
-/// drops bits of b's square, by more.
+/// Operands lie a hair below their next unit. The norm is off by all of its error, and by more if
+/// the sum drops bits of b's square.
 TEST(Enclosures, OfRootsHoldWhereSumsDropBits) {
   constexpr int bits = 3;
   const FixedLane lane = lane_of(graph_of("sqrt(a^2 + (b / 1024)^2)", "b"), bits, {0, 3});

@@ -257,7 +257,7 @@ TEST(FixedLane, MistakesNameWhatIsMissing) {
                                         {.ranges = {Range{0, 10}}});
   ASSERT_FALSE(beyond.ok());
   EXPECT_EQ(beyond.error().message, "the ranges allow no value that is within the limits: a");
-  // 0.2 becomes 0.25, and the difference 0 where in truth it is -0.05.
+  // 0.2 becomes 0.25, and the difference becomes 0 although in truth it is -0.05.
   const auto hidden = fixed::fixed_lane(graph_of("sqrt(a + 0.2 - 0.25)", "1"), format_of(53, 8),
                                         {.format = {1}, .ranges = {Range{0, 1}}});
   ASSERT_FALSE(hidden.ok());

@@ -1,6 +1,6 @@
-// expander_proof: each pair of each beat leaves pair_expander once, on the stream where it belongs
-// and with its verdict, reported ones first; the closing beat leaves once on both streams. A beat
-// has at least one pair, as the beats of pair_segment have.
+// expander_proof: each pair of each beat leaves pair_expander once, on its stream and with its
+// verdict, reported pairs first; the closing beat leaves once on both streams. A beat has at least
+// one pair, as the beats of pair_segment have.
 `default_nettype none
 
 module expander_proof #(

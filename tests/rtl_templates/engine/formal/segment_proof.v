@@ -56,7 +56,7 @@ module segment_proof #(
   wire [CODES_BITS-1:0] m_codes;
   wire [1:0]            m_index;
   wire [1:0]            m_base;
-  wire [2:0]            m_tier;  // {first, stays, word}, where a tier reads them
+  wire [2:0]            m_tier;  // {first, stays, word}, as a tier reads them
   wire [BEAT_BITS-2:0]  m_data;
   wire [LANE_BITS:0]    m_pairs;
   wire                  m_last;
