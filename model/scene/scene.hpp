@@ -118,7 +118,7 @@ struct SystemSpec {
   int input_registers = 0;  ///< between the operands' ports and a lane, 0..2; 0 in an engine
   ResultOrder order = ResultOrder::tagged;
   OperandStore operands = OperandStore::carried;
-  OperandMemory operand_memory = OperandMemory::logic;  ///< of carried operands
+  OperandMemory operand_memory = OperandMemory::logic;  ///< for carried operands
   /// Beats of a request for carried operands, a power of two; none: "auto"
   std::optional<int> request_beats;
   int tag_bits = 32;                              ///< 1..64

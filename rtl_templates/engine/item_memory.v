@@ -1,8 +1,8 @@
 // item_memory: the items of one set. Port i writes or reads, port j reads, so both items of a pair
 // are read at once. Latency 1; an output holds its word until its port's next read. There is no
 // reset, so that synthesis can use block RAM. A read on port j of the address that is written in
-// the same cycle returns no word. No module reads like that, and simulation answers with unknown
-// bits. Attributes stop the synthesis tool from building logic that would answer (Yosys:
+// the same cycle returns no word. No module here makes that read, and simulation answers it with
+// unknown bits. Attributes stop the synthesis tool from building logic that would answer (Yosys:
 // no_rw_check, Quartus: ramstyle, Vivado: rw_addr_collision).
 `default_nettype none
 

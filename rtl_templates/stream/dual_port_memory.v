@@ -1,7 +1,7 @@
 // dual_port_memory: one write port, one synchronous read port with an enable.
 // Latency 1. There is no reset, so that synthesis can use LUT RAM or block RAM. A read of the
-// address that is written in the same cycle returns no word. No module reads like that, and
-// simulation answers with unknown bits. Attributes keep synthesis from building logic that would
+// address that is written in the same cycle returns no word. No module here makes that read, and
+// simulation answers it with unknown bits. Attributes keep synthesis from building logic that would
 // answer (Yosys: no_rw_check, Quartus: ramstyle, Vivado: rw_addr_collision).
 `default_nettype none
 

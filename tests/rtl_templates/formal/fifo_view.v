@@ -1,10 +1,9 @@
 // fifo_view: the contents of a stream_fifo, read from its registers: `count` words, and word 0 of
 // `contents` leaves next. Words from `count` on mean nothing. If the order matters little, `holds`
 // is easier for a solver. Its bit 0 says that the output register holds a word, bit k + 1 that
-// place k the memory's words does. `ranks` has 4 bits for each of these places: how many words
-// leave before the place's word. From the cycle in which `started` is 1, this module asserts that
-// no more words are stored than there are places, and that a word is on offer if more than one is
-// inside.
+// place k of the memory does. `ranks` has 4 bits for each of these places: how many words leave
+// before the place's word. From the cycle in which `started` is 1, this module asserts that no more
+// words are stored than there are places, and that a word is on offer if more than one is inside.
 `default_nettype none
 
 module fifo_view #(
@@ -15,7 +14,7 @@ module fifo_view #(
   input  wire [DEPTH_BITS:0]                  write_q,
   input  wire [DEPTH_BITS:0]                  read_q,
   input  wire                                 m_valid_q,
-  input  wire [(1<<DEPTH_BITS)*WIDTH-1:0]     words,   // of the memory
+  input  wire [(1<<DEPTH_BITS)*WIDTH-1:0]     words,   // the memory's words
   input  wire [WIDTH-1:0]                     m_data,
   output wire [3:0]                           count,
   output reg  [((1<<DEPTH_BITS)+1)*WIDTH-1:0] contents,

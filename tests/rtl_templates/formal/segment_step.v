@@ -1,7 +1,7 @@
 // segment_step: the effect of one word on a pair_segment with LANES lanes, by definition. From the
-// state {gone, base, held, count} before the word, it computes the state lanes that hold a word
-// behind this one, whether and as which word the word goes on, and the beat that it causes. Lane l
-// answers a pair of words with 3 bits of `answers`. Combinational.
+// state {gone, base, held, count} before the word, it computes the state behind the word, whether
+// and as which word the word goes on, and the beat that it causes. Lane l answers a pair of words
+// with 3 bits of `answers`. Combinational.
 `default_nettype none
 
 module segment_step #(
@@ -34,7 +34,7 @@ module segment_step #(
   wire [1:0]       base    = first ? word[2:1] : before[LANES+5:LANES+4];
   wire [LANES-1:0] held    = before[LANES+3:4];
   wire [3:0]       count   = first ? NONE : before[3:0];
-  reg  [LANES-1:0] holds;  // behind the word
+  reg  [LANES-1:0] holds;  // lanes that hold a word behind this one
   reg  [2:0]       answer;
   integer          l;
 

@@ -1,7 +1,6 @@
 // axi_lite_reads_proof: each accepted read gets one word, the one that was found for its address,
 // and each write one refusal. Nothing is answered that was not asked. An offer stays until it is
-// taken, and nothing waits for ever. The answering logic a read is under way behind the bus takes
-// as long as it likes.
+// taken, and nothing waits for ever. The answering logic behind the bus takes as long as it likes.
 `default_nettype none
 
 module axi_lite_reads_proof (
@@ -34,7 +33,7 @@ module axi_lite_reads_proof (
 
   reg        started = 1'b0;
   wire       aresetn = started && aresetn_later;
-  reg        asked   = 1'b0;  // behind the bus
+  reg        asked   = 1'b0;  // a read is under way behind the bus
   wire       done    = asked && finishing;
 
   axi_lite_reads #(
