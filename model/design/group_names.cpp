@@ -61,8 +61,9 @@ RelativeErrors relative_errors_of(const LaneGroup& group) {
   return std::pair(interval->relative_error_f, interval->relative_error_g);
 }
 
-/// Numbers groups whose names are still equal by their relative errors, "_RE_1", "_RE_2": profiled
-/// lanes may differ in nothing else. They are numbers, since names become those of modules.
+/// Tells groups apart whose names are still equal: profiled lanes may differ only in RE_f and RE_g.
+/// Each pair of errors gets a number, "_RE_1", "_RE_2", since the errors themselves cannot be part
+/// of a module's name.
 void tell_errors_apart(std::vector<std::string>& names, const Design& design) {
   const std::vector<std::string> before = names;
   for (std::size_t k = 0; k < names.size(); ++k) {

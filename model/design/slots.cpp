@@ -15,8 +15,8 @@ constexpr int recomputation_slots = 16;
 /// as long as a reference takes (the paper's, about 30 cycles).
 constexpr int chain_slots = 32;
 
-/// Cycles by which a recomputed comparison stays longer in a lane in order than the reference
-/// takes, if nothing waits and the crossbar has one level: D_u - D_d in docs/theory.md.
+/// The cycles that a recomputed comparison stays in an in-order lane beyond those that the
+/// reference takes, if nothing waits and the crossbar has one level: D_u - D_d in docs/theory.md.
 constexpr int way_to_reference_cycles = 6;
 
 int slots_beside(int lane_latency_cycles, int waiting) {

@@ -62,8 +62,8 @@ module pair_tier #(
   endgenerate
 
   // The current beat, and those of its pairs that have not passed the lane. Flags say which pair is
-  // next. The number of pairs says whether it is the last, since the last one reads the next beat
-  // and the choice among the flags takes most of a cycle.
+  // next, but the choice among them takes most of a cycle. The next beat is taken with the last
+  // pair, so a number says early in the cycle whether the pair is the last.
   wire [LANE_BITS:0]    pairs;
   wire                  first;
   wire                  stays;

@@ -16,7 +16,7 @@ module block_exponent #(
   output wire                           not_finite
 );
 
-  localparam DEPTH = (LEVELS < 1) ? 1 : LEVELS;  // keeps a refused value legal
+  localparam DEPTH = (LEVELS < 1) ? 1 : LEVELS;  // 1 if LEVELS is refused
 
   // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate

@@ -15,7 +15,7 @@ module fixed_common_drop #(
   output wire [DROP_BITS-1:0]      drop
 );
 
-  localparam INTEGERS = (COUNT < 1) ? 1 : COUNT;  // keeps a refused value legal
+  localparam INTEGERS = (COUNT < 1) ? 1 : COUNT;  // 1 if COUNT is refused
 
   // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate

@@ -17,7 +17,7 @@ module fixed_square_root #(
 
   localparam UP       = (SHIFT > 0) ? SHIFT : 0;
   localparam DOWN     = (SHIFT < 0) ? -SHIFT : 0;
-  localparam ROOT     = (WIDTH < 1) ? 1 : WIDTH;  // keeps a refused value legal
+  localparam ROOT     = (WIDTH < 1) ? 1 : WIDTH;  // 1 if WIDTH is refused
   localparam RADICAND = 2 * ROOT;
 
   // Invalid parameters instantiate a module that does not exist: elaboration fails.

@@ -23,7 +23,7 @@ module fixed_step_threshold #(
   output wire [WIDTH-1:0]          threshold
 );
 
-  localparam MOST = ((LAST < 1) || (LAST > 7)) ? 1 : LAST;  // keeps a refused value legal
+  localparam MOST = ((LAST < 1) || (LAST > 7)) ? 1 : LAST;  // 1 if LAST is refused
 
   // Invalid parameters instantiate a module that does not exist: elaboration fails.
   generate

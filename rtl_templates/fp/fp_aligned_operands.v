@@ -40,7 +40,8 @@ module fp_aligned_operands #(
   output wire                               suspect    // an operand is exceptional
 );
 
-  // Named unlike the units' own function: Verilator 5.006 warns if one of them hides the other.
+  // The name differs from that of the units' own function, since Verilator 5.006 warns if one hides
+  // the other.
   function integer width_of(input integer value);
     integer rest;
     begin
@@ -62,8 +63,8 @@ module fp_aligned_operands #(
       begin : g_refused_gradual GRADUAL_without_UNDERFLOW refused (); end
   endgenerate
 
-  // Stage compare: packed magnitudes order as integers. Both exponent differences are computed
-  // while the order is found.
+  // Stage compare: packed magnitudes have the order of integers. Both exponent differences are
+  // computed while the order is found.
   wire                     s0_a_sign;
   wire [EXPONENT_BITS-1:0] s0_a_exponent;
   wire [PRECISION-1:0]     s0_a_significand;

@@ -25,8 +25,8 @@ module fp_compare #(
     if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
   endgenerate
 
-  // Stage compare: packed magnitudes order as integers, and fields of many bits are reduced to one.
-  // Stage "decide" combines these reductions.
+  // Stage compare: packed magnitudes have the order of integers. Fields of many bits are reduced to
+  // one bit each. Stage "decide" combines these reductions.
   wire s0_a_fraction  = |a[EXPONENT-1:0];
   wire s0_b_fraction  = |b[EXPONENT-1:0];
   wire s0_a_field     = |a[SIGN-1:EXPONENT];

@@ -21,7 +21,7 @@ module fp_cut_sum #(
   parameter [TERMS-1:0] NEGATED        = 0,     // bit k: term k is subtracted
   parameter             CANCELLATION   = 1,     // 0 promises like signs, except of zeros
   parameter             GRADUAL        = 0,     // 1: subnormals; 0: flushed to zero
-  // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, to PRECISION 127.
+  // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, if PRECISION is 127 or less.
   parameter             EMBEDDED       = 1,
   parameter             SUM_SELECTS    = 2,     // bits that may select, 0 to 2; see fp_add
   parameter             FACTOR_A       = 24,    // first factor of `*`, 1 bit or more

@@ -17,7 +17,7 @@ module fp_fused_comparison #(
   parameter [TERMS-1:0] DIFFERENCES   = 0,     // bit k: term k is (a_k - b_k)^2
   parameter [TERMS-1:0] NEGATED       = 0,     // bit k: term k is subtracted
   parameter             GRADUAL       = 0,     // 1: subnormals; 0: flushed to zero
-  // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, to PRECISION 127.
+  // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, if PRECISION is 127 or less.
   parameter             EMBEDDED      = 1,
   parameter             SUM_SELECTS   = 2,     // bits that may select, 0 to 2; see fp_add
   parameter             FACTOR_A      = 24,    // first factor of `*`, 1 bit or more

@@ -16,7 +16,7 @@ module fp_fused_squared_sum #(
   parameter        OFFSET         = 80,    // added to the exponents; even, 2 * PRECISION or more
   parameter        SUBTRACT       = 0,     // 1: a - b; 0: a + b
   parameter        GRADUAL        = 0,     // 1: subnormals; 0: flushed to zero
-  // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, to PRECISION 127.
+  // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, if PRECISION is 127 or less.
   parameter        EMBEDDED       = 1,
   parameter        SUM_SELECTS    = 2,     // bits that may select, 0 to 2; see fp_add
   parameter        FACTOR_A       = 24,    // first factor of `*`, 1 bit or more
@@ -34,7 +34,8 @@ module fp_fused_squared_sum #(
   output wire [2*PRECISION-1:0]             product
 );
 
-  // Named unlike the units' own function: Verilator 5.006 warns if one of them hides the other.
+  // The name differs from that of the units' own function, since Verilator 5.006 warns if one hides
+  // the other.
   function integer length_of(input integer value);
     integer rest;
     begin

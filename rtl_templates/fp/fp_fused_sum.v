@@ -19,7 +19,7 @@ module fp_fused_sum #(
   parameter             CANCELLATION  = 1,     // 0 promises like signs, except of zeros
   parameter             GRADUAL       = 0,     // 1: subnormals; 0: flushed to zero
   parameter             TOWARD_ZERO   = 0,     // 1: rounds toward zero; 0: nearest even
-  // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, to PRECISION 127.
+  // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, if PRECISION is 127 or less.
   parameter             EMBEDDED      = 1,
   parameter             SUM_SELECTS   = 2,     // bits that may select, 0 to 2; see fp_add
   parameter             FACTOR_A      = 24,    // first factor of `*`, 1 bit or more

@@ -16,7 +16,7 @@ module fp_fused_term #(
   parameter       NEGATED        = 0,    // 1: the term is subtracted
   parameter       GRADUAL        = 0,    // 1: subnormals; 0: flushed to zero
   parameter       VANISHING      = 0,    // 1: squares of subnormals are zeros; only with GRADUAL
-  // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, to PRECISION 127.
+  // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, if PRECISION is 127 or less.
   parameter       EMBEDDED       = 1,
   parameter       FACTOR_A       = 24,   // first factor of `*`, 1 bit or more
   parameter       FACTOR_B       = 17,   // second factor of `*`, 1 bit or more
@@ -34,7 +34,8 @@ module fp_fused_term #(
   output wire [2*PRECISION-1:0]             product
 );
 
-  // Named unlike the units' own function: Verilator 5.006 warns if one of them hides the other.
+  // The name differs from that of the units' own function, since Verilator 5.006 warns if one hides
+  // the other.
   function integer length_of(input integer value);
     integer rest;
     begin

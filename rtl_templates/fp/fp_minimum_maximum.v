@@ -37,8 +37,8 @@ module fp_minimum_maximum #(
     if (PRECISION < 2) begin : g_refused_precision PRECISION_is_below_2 refused (); end
   endgenerate
 
-  // Stage compare: packed magnitudes order as integers; if both are negative, the order is
-  // reversed.
+  // Stage compare: packed magnitudes have the order of integers. If both operands are negative, the
+  // order is reversed.
   wire s0_a_fraction = |a[EXPONENT-1:0];
   wire s0_b_fraction = |b[EXPONENT-1:0];
   wire s0_a_special  = (SPECIAL_OPERANDS != 0) && (&a[SIGN-1:EXPONENT]);

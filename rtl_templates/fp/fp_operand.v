@@ -24,7 +24,8 @@ module fp_operand #(
   output wire                               flushed
 );
 
-  // Named unlike the units' own function: Verilator 5.006 warns if one of them hides the other.
+  // The name differs from that of the units' own function, since Verilator 5.006 warns if one hides
+  // the other.
   function integer width_of(input integer value);
     integer rest;
     begin

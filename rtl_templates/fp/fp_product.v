@@ -5,9 +5,9 @@
 module fp_product #(
   parameter       PRECISION   = 24,  // digits of a significand, 2 or more
   parameter       SQUARE      = 0,   // 1: a * a, and b is not read; 0: a * b
-  // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, to PRECISION 127.
+  // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, if PRECISION is 127 or less.
   parameter       EMBEDDED    = 1,
-  // 1: in logic, a stage of its own finds the digits, but not above PRECISION 63.
+  // 1: in logic, a stage of its own finds the digits; only if PRECISION is 63 or less.
   parameter       DIGIT_STAGE = 0,
   // 1: in logic, the highest quarter of the bits is late, as in fp_logic_product; only with SQUARE
   // and CUTS[7].

@@ -38,7 +38,8 @@ module fp_range_check #(
     if (LEAST > GREATEST) begin : g_refused_least LEAST_is_above_GREATEST refused (); end
   endgenerate
 
-  // Stage check: magnitudes order as integers. Limits that no magnitude breaks have no comparison.
+  // Stage check: packed magnitudes have the order of integers. A limit that no magnitude breaks has
+  // no comparison.
   wire [MAGNITUDE-1:0] s0_leading    = x[MAGNITUDE-1:0] >> REST;
   wire                 s0_wrong_sign = (SIGN == 1) ? x[MAGNITUDE] : (SIGN == 2) && !x[MAGNITUDE];
   wire                 s0_below      = (LEAST != 0) && (s0_leading < LEAST);

@@ -39,7 +39,8 @@ module fp_round #(
   output wire                                             exceptional
 );
 
-  // Named unlike the units' own function: Verilator 5.006 warns if one of them hides the other.
+  // The name differs from that of the units' own function, since Verilator 5.006 warns if one hides
+  // the other.
   function integer width_of(input integer number);
     integer rest;
     begin

@@ -15,9 +15,9 @@ module fp_square #(
   parameter        GRADUAL              = 0,              // 1: subnormals; 0: flushed to zero
   parameter        TOWARD_ZERO          = 0,              // 1: rounds toward zero; 0: nearest even
   parameter        SUM_SELECTS          = 2,              // bits that select, 0 to 2; see fp_add
-  // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, to PRECISION 127.
+  // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, if PRECISION is 127 or less.
   parameter        EMBEDDED             = 1,
-  // 1: in logic, a stage of its own finds the digits, but not above PRECISION 63.
+  // 1: in logic, a stage of its own finds the digits; only if PRECISION is 63 or less.
   parameter        DIGIT_STAGE          = 0,
   // 1: in logic, the highest quarter of the bits is late, as in fp_logic_product; needs CUTS[9].
   parameter        SPLIT                = 0,

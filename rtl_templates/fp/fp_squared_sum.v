@@ -12,9 +12,9 @@ module fp_squared_sum #(
   parameter        PRECISION     = 24,    // digits with the leading one, 3 or more
   parameter        SUBTRACT      = 0,     // 1: a - b; 0: a + b
   parameter        GRADUAL       = 0,     // 1: subnormals; 0: flushed to zero
-  // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, to PRECISION 127.
+  // 1: multipliers, as `*` of FACTOR_A by FACTOR_B bits; 0: logic, if PRECISION is 127 or less.
   parameter        EMBEDDED      = 1,
-  // 1: in logic, a stage of its own finds the digits, but not above PRECISION 63.
+  // 1: in logic, a stage of its own finds the digits; only if PRECISION is 63 or less.
   parameter        DIGIT_STAGE   = 0,
   // 1: in logic, the highest quarter of the bits is late, as in fp_logic_product; needs CUTS[16].
   parameter        SPLIT         = 0,

@@ -18,7 +18,8 @@ module counter_scan #(
   output wire [WIDTH-1:0]          count
 );
 
-  // A LUT of six inputs holds a bit of three counts with their tokens, or of six gated counts.
+  // A LUT of six inputs ORs one bit of three counts, each gated by its token, or one bit of six
+  // words that are gated already.
   localparam LEAF_RADIX  = 3;
   localparam INNER_RADIX = 6;
 

@@ -16,8 +16,8 @@ int alignment_bits(const std::vector<fixed::FixedNode>& nodes, const fixed::Fixe
 int operand_bits(const std::vector<fixed::FixedNode>& nodes, const fixed::FixedNode& node,
                  int operand);
 
-/// The unit that computes `node` of a lane. The node is no constant, which is a literal, and no
-/// square that is read from a memory.
+/// The unit that computes `node` of a lane. The node must not be a constant, which is a literal in
+/// hardware, nor a square that is read from a memory.
 Unit fixed_unit(const fixed::FixedLane& lane, const fixed::FixedNode& node,
                 scene::Multipliers multipliers, const DelayTable& delays);
 /// The unit that reads one or two squares from a memory.

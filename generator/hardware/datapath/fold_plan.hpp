@@ -12,8 +12,7 @@ struct FoldedNode {
   enum class Kind {
     input,      ///< its value stays for a whole interval
     constant,   ///< its value is always there
-    wires,      ///< another sign of its operand, in the same cycle; or a sum that is compared
-                ///< with zero, of which no unit gives the value
+    wires,      ///< no unit: its operand with another sign, or a sum that is compared with zero
     operation,  ///< a unit computes it
   };
 
@@ -21,7 +20,7 @@ struct FoldedNode {
   std::vector<NodeId> operands;
   int width;                   ///< bits of the value
   int latency = 0;             ///< cycles from the operands to the value
-  std::size_t unit_class = 0;  ///< of an operation
+  std::size_t unit_class = 0;  ///< the class of an operation
 };
 
 /// Operations that compute the same function, and the units that they share.

@@ -10,7 +10,7 @@
 namespace mixcmp::datapath {
 namespace {
 
-/// Sums up, for each chain of logic behind a register, the time at which it ends.
+/// Adds up the delays of stages behind a register, separately for each chain of logic.
 class Path {
 public:
   explicit Path(const Stage& first) {

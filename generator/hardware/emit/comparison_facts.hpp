@@ -8,8 +8,8 @@
 namespace mixcmp::emit {
 
 /// Lines for the header of a top: `introduction`, then f, g and the lets that they need, as the
-/// scene writes them. The introduction ends where "the sign of f - g" may follow, or the words for
-/// several parts. The list is empty for a design that was made without a scene.
+/// scene writes them. "the sign of f - g", or the words for several parts, must be able to follow
+/// the introduction. The list is empty for a design that was made without a scene.
 std::vector<std::string> formula_facts(const design::Design& design,
                                        const std::string& introduction);
 

@@ -129,8 +129,9 @@ std::string hashed_list(const std::string& list, std::size_t formats) {
   return fmt::format("_{}kinds_{}", formats, ContentHash().add(list).hex().substr(0, 8));
 }
 
-/// The scene's name, the lanes of each format, a second tier's, p_H: sphere_s8e8_6_s12e8_2x1,
-/// sphere_q8_64xq13_2x1. The names of modules around the top are this name with a suffix.
+/// The name of the top: the scene's name, each format of lanes with their number, the same for a
+/// second tier, and p_H. Examples are sphere_s8e8_6_s12e8_2x1 and sphere_q8_64xq13_2x1. The names
+/// of modules around the top are this name with a suffix.
 std::string top_name(const design::Design& design) {
   std::vector<std::pair<std::string, int>> formats;
   for (const design::LaneGroup& group : design.lanes) {
@@ -205,7 +206,7 @@ std::vector<rtl::Counters> ScheduledSystem::counters() const {
 namespace {
 
 /// Whether the device's synthesis builds a memory whose write port is wider than its read port.
-/// Quartus makes registers of one that is written in Verilog-2001.
+/// Quartus makes registers of this memory if it is written in Verilog-2001.
 bool has_ports_of_two_widths(const scene::SystemSpec& system) {
   const auto device = devices::find_device(system.device);
   return device.ok() && device->quartus_part.empty();

@@ -30,8 +30,8 @@ BoundUnitBuilder::BoundUnitBuilder(DatapathBuilder& datapath, const FloatNodes& 
   const FloatFormat format = lane.graph.arithmetic.format;
   MIXCMP_CHECK(criterion.bound.format.exponent_bits == format.exponent_bits());
   MIXCMP_CHECK(criterion.bound.format.precision <= format.precision());
-  // A bound reads only values with the lane's exponent bits. An operand may have more digits, but
-  // one in the reference format may also have more exponent bits.
+  // A bound reads only values with the lane's exponent bits. The check finds operands in the
+  // reference format, which may have more exponent bits. More digits do no harm.
   for (const BoundNode& node : criterion.bound.nodes) {
     if (reads_value(node)) check_exponents(node.value);
   }

@@ -6,14 +6,14 @@
 
 #include "model/lane/fixed/fixed_lane.hpp"
 
-/// Comparisons of two items of one set, by a row or by each other, where each item and each row
-/// meets many others. Values that depend only on one item, or only on the row, are computed once,
-/// when it is loaded, and stored as its word.
+/// Lanes that compare two items of one set, with each other or with a row. Each item and each row
+/// takes part in many comparisons. Values that depend only on one item, or only on the row, are
+/// computed once, when the item or the row is loaded. They are stored as its word.
 namespace mixcmp::fixed {
 
 /// The source of an input's operand.
 struct ItemInput {
-  int column;  ///< of the item or of the row
+  int column;  ///< the item's column, or the row's
   ItemRole role;
 
   friend bool operator==(const ItemInput&, const ItemInput&) = default;
@@ -21,11 +21,11 @@ struct ItemInput {
 
 /// The computation of an item's word, or of a row's.
 struct ItemLoader {
-  /// Its inputs are the columns and its `outputs` the word's fields. Each field occurs once,
-  /// although pairs may read it of both items. The lane has no parts.
+  /// Its inputs are the columns and its `outputs` the word's fields. A field that pairs read of
+  /// both items occurs only once. The lane has no parts.
   FixedLane lane;
-  /// The word's flags, after its fields. Each lists the inputs of the lane whose misfits it
-  /// reports.
+  /// The word's flags, after its fields. A flag is set if an operand of the inputs that it lists
+  /// does not fit.
   std::vector<std::vector<NodeId>> flags;
 };
 

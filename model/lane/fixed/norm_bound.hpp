@@ -8,9 +8,9 @@ namespace mixcmp::fixed {
 
 /// |x|^2 and s^2, or |x|^2 and |y|^2; all exact in fixed point.
 struct NormSides {
-  std::vector<NodeId> elements;              ///< of x
+  std::vector<NodeId> elements;              ///< the elements of x
   NodeId radius;                             ///< s, never negative as computed; or |y|^2
-  std::vector<NodeId> radius_elements = {};  ///< of y; none: `radius` is s
+  std::vector<NodeId> radius_elements = {};  ///< the elements of y; none: `radius` is s
 
   bool radius_is_squared() const { return !radius_elements.empty(); }
 };
@@ -35,8 +35,8 @@ std::optional<SquaredNorm> squared_norm(const std::vector<FixedNode>& nodes, Nod
 NormThresholds norm_thresholds(const std::vector<FixedNode>& nodes, const NormSides& sides,
                                const FixedNode& difference);
 
-/// An element of x with at least this square decides the part by itself: |x|^2 exceeds the other
-/// side by the threshold. Proof: docs/fixed_point.md, theorem 8.
+/// An element of x with at least this square decides the part by itself: |x|^2 exceeds
+/// the other side by the threshold. Proof: docs/fixed_point.md, theorem 8.
 mpq_class far_square(const std::vector<FixedNode>& nodes, const FixedPart& part);
 
 }  // namespace mixcmp::fixed

@@ -101,9 +101,11 @@ TEST(SafeOperands, OfTheSphereComparisonAreLimitedBySquares) {
   const auto safe = emulator::safe_operands(
       lane_graph(sphere_graph(), format("s53e8"), {format("s17e8")}, LaneInputs::exact));
   ASSERT_TRUE(safe.has_value());
-  // Differences are multiples of 2^(low - 52): (2^-63)^2 is the smallest normal number.
+  // Differences are multiples of 2^(low - 52). That is 2^-63, whose square is the smallest normal
+  // number.
   EXPECT_EQ(safe->low, -11);
-  // Sums of three squares of differences: 2 (high + 1) + 2 < 128.
+  // The sum of three squares of differences is below 2^(2 (high + 1) + 2), which must be at most
+  // 2^127.
   EXPECT_EQ(safe->high, 61);
 }
 
