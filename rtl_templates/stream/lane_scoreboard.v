@@ -108,7 +108,7 @@ module lane_scoreboard #(
   wire [SLOT_BITS-1:0] exit_slot;
   wire [2*LANES-1:0]   exit_verdict;
   wire [LANES-1:0]     exit_decided;
-  wire                 exit_undecided = exit_valid && !(&exit_decided);  // at least one of them
+  wire                 exit_undecided = exit_valid && !(&exit_decided);  // in some lane
 
   lane_tracker #(
     .LANES       (LANES),

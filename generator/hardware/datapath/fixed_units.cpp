@@ -16,8 +16,8 @@ bool aligns_operands(Operation operation) {
   return operation == Operation::add || operation == Operation::subtract || is_choice(operation);
 }
 
-/// The bits that hold a number of the format in two's complement. A format without a sign takes one
-/// bit more than it has.
+/// The bits that hold a number of the format in two's complement. A format without a sign needs one
+/// bit more.
 int signed_bits(const FixedFormat& format) {
   return format.width + (format.is_signed ? 0 : 1);
 }
@@ -32,8 +32,8 @@ Unit operand_unit(const FixedLane& lane, const FixedFormat& to, const DelayTable
   return std::move(stages).unit(lane.format.is_block ? "fixed_alignment" : "fixed_operand");
 }
 
-/// `b_bits`: the width of the second factor. Bits beyond the multiplier's port become rows of
-/// gates.
+/// The unit of a product by an embedded multiplier. `b_bits` is the width of the second factor. Its
+/// bits beyond the multiplier's port become rows of gates.
 Unit product_unit(int b_bits, const DelayTable& delays) {
   const bool rows = b_bits - 1 > delays.multiplier_size.b_bits;
   StageList stages(delays);

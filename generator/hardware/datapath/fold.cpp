@@ -242,8 +242,8 @@ private:
   Scheduler& scheduler_;
   Schedule& schedule_;
   FoldedGraph folded_ = {};
-  std::set<NodeId> by_multiplier_;     ///< squares
-  std::vector<std::size_t> class_of_;  ///< of each operation
+  std::set<NodeId> by_multiplier_;     ///< the squares that multipliers compute
+  std::vector<std::size_t> class_of_;  ///< [node]: the class of an operation
   std::vector<Step> units_;            ///< each class's unit, if started in cycle 0
   FoldPlan plan_;
 };

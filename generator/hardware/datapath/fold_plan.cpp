@@ -14,9 +14,9 @@ using Kind = FoldedNode::Kind;
 
 /// The phases in which each unit begins an operation.
 ///
-/// If an operation keeps its unit for several cycles, the starts on that unit are whole multiples
-/// of this time apart from the first one. No phases are then lost between two operations, and a
-/// unit takes as many as the interval has room for.
+/// If an operation keeps its unit for several cycles, every start on that unit lies a whole
+/// multiple of this time behind the first one. No phases are then lost between two operations, and
+/// a unit takes as many as the interval has room for.
 class Occupancy {
 public:
   explicit Occupancy(const FoldedGraph& graph) : interval_(graph.interval) {

@@ -75,7 +75,7 @@ public:
   /// Adds stages that are cut at the same places as each of `lists`, which work side by side.
   void add_side_by_side(const std::vector<StageList>& lists);
 
-  /// Lets the first stage do something else before its own work.
+  /// Adds the delay of other logic in front of the first stage's own.
   void begin_with(double delay_ns) { stages_.front().delay_ns += delay_ns; }
 
   int count() const { return static_cast<int>(stages_.size()); }
@@ -251,7 +251,7 @@ inline void StageList::add_levels(LogicProduct product, int levels) {
     const int shift = LogicProduct::shift_bits(level);
     const double first_row = level == 0 ? lut_delay_ns(1) : 0;
     const int longest = std::max(bits.early, bits.late);
-    // The bits by which a chain outlasts the one before. Late chains all begin at one bit.
+    // The bits by which a chain outlasts the one before. All late chains begin at the same bit.
     const int early_rest =
         bits.early - std::clamp(before.early - (shift - shift_before), 0, bits.early);
     const int late_rest = bits.late - std::min(before.late, bits.late);

@@ -52,7 +52,7 @@ struct Unit {
   scene::Multipliers multipliers = scene::Multipliers::embedded;  ///< logic: print EMBEDDED = 0
   devices::MultiplierSize multiplier;  ///< embedded multipliers only: FACTOR_A, FACTOR_B
   LogicProduct::Form product_form = LogicProduct::Form::plain;
-  int sum_selects = default_sum_selects;  ///< SUM_SELECTS; as it is for units without it
+  int sum_selects = default_sum_selects;  ///< SUM_SELECTS; the default for units without it
   /// Cycles for which an operation keeps the unit; above 1 it has an input `start`, which is 1 when
   /// its operand is there.
   int initiation_interval = 1;
@@ -79,8 +79,8 @@ bool has_unit(const TypedNode& node);
 /// The unit that computes `node` of `graph`, for which has_unit(node) holds.
 Unit unit_for(const TypedGraph& graph, const TypedNode& node, const error::Hazards& hazards,
               scene::Multipliers multipliers, const DelayTable& delays);
-/// The unit that computes `node`, with no more known of its operands than `hazards` rules out: a
-/// multiplication by a power of two takes a multiplier here. Not for fused sums.
+/// The unit that computes `node` if nothing is known of its operands except the hazards that are
+/// ruled out. A multiplication by a power of two then takes a multiplier. Not for fused sums.
 Unit unit_for(const TypedNode& node, Subnormals subnormals, const error::Hazards& hazards,
               scene::Multipliers multipliers, const DelayTable& delays);
 /// The unit of logic that takes several cycles for a square, if there is one. There is none for
@@ -98,8 +98,8 @@ Unit interval_decision_unit(FloatFormat format, const DelayTable& delays);
 /// The unit that combines the verdicts of several parts.
 Unit combination_unit(std::size_t parts, const DelayTable& delays);
 
-/// The unit of a node of a lane's error bound. The node is no constant, which is a literal. `value`
-/// is the format of the number whose magnitude, binade or reciprocal the unit computes.
+/// The unit of a node of a lane's error bound. The node must not be a constant, which is a literal.
+/// `value` is the format of the number whose magnitude, binade or reciprocal the unit computes.
 Unit bound_unit(error::BoundOperation operation, FloatFormat value, BoundFormat bound,
                 const DelayTable& delays);
 Unit bound_at_most_unit(BoundFormat bound, const DelayTable& delays);

@@ -5,9 +5,9 @@
 namespace mixcmp::emit {
 namespace {
 
-constexpr std::size_t fact_length = 97;  // behind "// "
+constexpr std::size_t fact_length = 97;  // characters of a fact behind "// "
 
-/// Puts items on as few indented lines as hold them, commas between.
+/// Puts the items, with commas between them, on as few indented lines as possible.
 std::vector<std::string> in_lines(const std::vector<std::string>& items) {
   const std::string indent = "  ";
   std::vector<std::string> lines = {indent};
@@ -19,7 +19,7 @@ std::vector<std::string> in_lines(const std::vector<std::string>& items) {
   return lines;
 }
 
-/// "the sign of f - g", or the words for several parts.
+/// The words for the question of a comparison: "the sign of f - g", or others for several parts.
 std::string verdict_of(const design::Design& design) {
   if (design.parts.size() == 1) return "the sign of f - g";
   return fmt::format("that of {} of {} parts, the signs of f[k] - g[k]",

@@ -11,10 +11,10 @@ namespace mixcmp::emit {
 /// The ports of the module to build: the engine's if there is one.
 const std::vector<SignaturePort>& ports_to_build(const Signature& signature);
 
-/// The surroundings of the ports, in lines of SDC (Synopsys Design Constraints, which Vivado and
-/// Quartus read): a register for each port but the clock, and a wire to it, by the device's delay
-/// table. Without these lines no tool looks at the path between a port and the first register
-/// behind it.
+/// Lines of SDC (Synopsys Design Constraints, which Vivado and Quartus read) that describe the
+/// surroundings of the ports. Outside of each port except the clock are a register and a wire to
+/// it, with the delays of the device's table. Without these lines no tool looks at the path between
+/// a port and the first register behind it.
 std::vector<std::string> port_delays(const Signature& signature, const devices::Device& device);
 
 }  // namespace mixcmp::emit

@@ -13,10 +13,10 @@ struct Described {
   std::vector<std::string> facts;
 };
 
-/// Every module of a system once: lanes, references and their channels, then the top module, then
-/// an arg-min engine, if there is one. A pairwise engine is a system of its own: the conversion of
-/// items, lanes and their segments, references and their channels, then the engine. Groups of the
-/// same hardware share their modules.
+/// The modules of a system, each once: lanes, references and their channels, then the top module,
+/// then an arg-min engine if there is one. For a pairwise engine they are the conversion of items,
+/// lanes and their segments, references and their channels, then the engine. Groups of the same
+/// hardware share their modules.
 std::vector<Described> describe_modules(const design::Design& design,
                                         const ScheduledSystem& scheduled);
 

@@ -33,7 +33,7 @@ SignatureLanes signature_lanes(const design::LaneGroup& group, const std::string
 }
 
 std::vector<SignatureLanes> lanes_of(const Design& design, const rtl::SystemShape& shape) {
-  // A pairwise engine's lanes share a segment in the place of channels.
+  // The lanes of a pairwise engine share a segment instead of having channels.
   const bool in_channels = design.system.engine.kind != scene::EngineKind::pairwise;
   std::vector<SignatureLanes> lanes;
   for (std::size_t k = 0; k < design.lanes.size(); ++k) {
@@ -222,8 +222,8 @@ GeneratedFile cell_file(const TechnologyCell& cell, const std::string& prefix) {
   return {prefix + cell.module + ".v." + cell.cells, copied(cell.text, prefix), cell.cells};
 }
 
-/// The list of the Verilog files. Names are relative to the list's own folder: absolute ones would
-/// make other bytes in another place. Tools differ in how they read a list of files, so its head
+/// The list of the Verilog files. Names are relative to the list's own folder, since absolute names
+/// would differ from place to place. Tools differ in how they read a list of files, so its head
 /// gives a command for each; tests/system/lint_test.cpp runs these commands.
 GeneratedFile file_list(const Signature& signature, const devices::Device& device) {
   const std::string& top = signature.engine ? signature.engine->top : signature.top;

@@ -67,7 +67,7 @@ std::string range(int width, bool vector) {
   return width == 1 && !vector ? "" : fmt::format("[{}:0]", width - 1);
 }
 
-/// ".name(value)" lines with the values in one column.
+/// One of several lines ".name(value)" whose values stand in one column.
 struct Argument {
   std::string name;
   std::string value;

@@ -9,7 +9,8 @@
 /// them.
 namespace mixcmp::rtl {
 
-/// Counters of one kind, one output of a module: a field for each, the first in the lowest bits.
+/// Counters of one kind. They are one output of a module, with a field for each; the first is in
+/// the lowest bits.
 struct Counters {
   std::string name;
   int count = 1;

@@ -12,7 +12,8 @@ namespace mixcmp::rtl {
 namespace {
 
 /// Names that no input may take: the fixed ports and nets of a datapath.
-/// "lane" and "reference" are the instances' names, one level up, which Verilator warns of.
+/// "lane" and "reference" are names of instances one level up, and Verilator warns about a net with
+/// the name of one.
 const std::set<std::string> reserved_names = {"aclk",     "phase", "verdict",  "decided",
                                               "decision", "lane",  "reference"};
 

@@ -332,8 +332,8 @@ void FixedNodes::build_memory_square(NodeId id, const fixed::SquareTable& table)
                      std::move(connections));
 }
 
-/// A node's value in two's complement: a format without a sign gets a zero above, a shift zeros
-/// below.
+/// A node's value in two's complement. A value without a sign gets a zero above it, and a shift
+/// adds zeros below.
 Operand FixedNodes::operand(NodeId node, int shift, int cycle) {
   std::vector<Operand> parts;
   if (!lane_.nodes[node].format.is_signed) parts.push_back(literal(1, 0));

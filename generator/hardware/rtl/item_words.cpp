@@ -115,7 +115,8 @@ private:
             bits.width - dropped_bits};
   }
 
-  /// The lanes come in the order in which they were split.
+  /// Makes a lane that reads words. It must be called for the lanes in the order in which they were
+  /// split.
   WordLane word_lane(const design::Lane& lane) {
     return splittable(lane) != nullptr ? lane_of_fields(words_.split->lanes[next_split_++])
                                        : lane_of_columns(lane);

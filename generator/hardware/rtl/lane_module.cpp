@@ -95,7 +95,7 @@ private:
   const datapath::Schedule& schedule_;
   FloatNodes nodes_;
   FloatFormat format_;
-  std::vector<Signal> out_of_range_;  ///< [part]
+  std::vector<Signal> out_of_range_;  ///< [part]: an operand fails a check
 };
 
 /// The nodes, checks and decisions of a lane in fixed point.

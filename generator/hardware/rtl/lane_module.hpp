@@ -10,8 +10,9 @@
 
 namespace mixcmp::rtl {
 
-/// A lane: ports aclk, one per input, verdict[1:0], decided. Free-running, initiation interval 1,
-/// latency schedule.latency_cycles, no reset. `header` is left to the caller.
+/// A lane: ports aclk, one per input, verdict[1:0], decided. It is free-running, has no reset, an
+/// initiation interval of 1, and the latency schedule.latency_cycles. `header` is left to the
+/// caller.
 Module lane_module(std::string name, const std::vector<std::string>& inputs,
                    const design::Lane& lane, const datapath::Schedule& schedule);
 /// `ports`: one per input. For operands that were loaded: one per loaded input, then one per flag

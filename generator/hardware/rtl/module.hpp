@@ -13,7 +13,7 @@
 /// A structural RTL tree without syntax; emit/verilog.hpp prints it.
 namespace mixcmp::rtl {
 
-/// An expression over nets. Built by the functions below, immutable after.
+/// An expression over nets. The functions below build it, and nothing changes it afterwards.
 struct Expression;
 using Operand = std::shared_ptr<const Expression>;
 

@@ -87,7 +87,7 @@ std::string bound_role(BoundOperation operation, const std::string& value) {
   MIXCMP_CHECK(false);
 }
 
-/// "2^-17", or four digits of the significand: "1.205 * 2^-17".
+/// A number as text: "2^-17", or with four digits of the significand "1.205 * 2^-17".
 std::string binary_text(const mpq_class& value) {
   if (value == 0) return "0";
   const auto length = [](const mpz_class& x) {

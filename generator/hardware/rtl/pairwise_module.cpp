@@ -92,7 +92,7 @@ ModuleItem segment_loop(const PairwiseShape& shape, const SegmentGroup& segments
   const int common_bits = entry_bits(shape.engine, shape.lanes_per_segment());
   if (own_bits == common_bits) {
     connect("m_axis_tdata", "entry_tdata", common_bits);
-  } else {  // lanes that are not there have nothing to tell
+  } else {  // the codes of lanes that this segment lacks are 0
     items.push_back(Wire{own_bits, "entry", nullptr});
     items.push_back(Assignment{indexed("entry_tdata", "s", common_bits),
                                concatenation({zeros(common_bits - own_bits), net("entry")})});

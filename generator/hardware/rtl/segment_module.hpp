@@ -24,7 +24,7 @@ std::vector<SegmentGroup> segment_groups(const SystemShape& system, int lanes_pe
 int chain_bits(const EngineShape& engine, const ItemWords& words);
 /// Bits of the code with which a segment reports one pair.
 int code_bits(const scene::EngineSpec& engine);
-/// Bits of a beat of exceptions from segments of `lanes`.
+/// Bits of a beat of exceptions from segments of `lanes` lanes.
 int entry_bits(const EngineShape& engine, int lanes);
 
 /// A segment: the template pair_segment around its lanes.

@@ -288,7 +288,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The part of one thread: takes units until the time is over.
+/// The work of one thread, which takes units until the time is over.
 template <class Kernel>
 void take_units(const Kernel& kernel, const Work& work, std::atomic<std::uint64_t>& next,
                 double seconds, Measured& measured) {

@@ -146,7 +146,7 @@ void ConstantProof::prove_binade(NodeId id) {
   if (!proven_binades_.insert(id).second) return;
   const Range& range = ranges_.prove_range(id);
   const mpq_class most = greatest_binade(id);
-  if (most == 0) return;  // nothing but zero rounds to zero
+  if (most == 0) return;  // only zero rounds to zero
   const int precision = graph_.nodes[id].format.precision();
   const Rounding rounding = graph_.arithmetic.rounding;
   const std::string error = dyadic((rounding_interval(precision, rounding).high - 1) * most);
@@ -166,8 +166,8 @@ mpq_class ConstantProof::greatest_binade(NodeId id) {
   return most == 0 ? most : binade(most);
 }
 
-/// An upper limit of the bound, a little too large, which Gappa checks. The reciprocal of a value
-/// that may be zero has no limit. The result is then 0, and Gappa cannot prove that.
+/// An upper limit of the bound, raised a little so that Gappa can prove it. The reciprocal of a
+/// value that may be zero has no limit. The result is then 0, and Gappa cannot prove that.
 mpq_class ConstantProof::greatest(error::BoundId id) {
   const error::BoundNode& node = analysis_.bounds[id];
   const auto operand = [&](int k) { return greatest(node.operands[k]); };

@@ -26,7 +26,7 @@ GappaVerdict verdict_of(const Captured& outcome) {
   return searched(outcome.errors) ? GappaVerdict::not_proven : GappaVerdict::broken;
 }
 
-/// Whether a certificate for Coq is there to its end.
+/// Whether a certificate for Coq is complete.
 bool is_whole(std::string_view certificate) {
   const std::size_t last = certificate.find_last_not_of(" \n");
   return last != std::string_view::npos &&

@@ -10,10 +10,10 @@
 namespace mixcmp::proof {
 namespace {
 
-/// Which form of a bound is used.
+/// The form of a bound that is used.
 enum class Width {
   exact,     ///< as the analysis has it, in rationals
-  provable,  ///< as Gappa has proven it: wider, for its dyadic numbers
+  provable,  ///< as Gappa proves it: wider, since it needs dyadic numbers
 };
 
 class RelativeProof {

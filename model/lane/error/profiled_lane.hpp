@@ -11,7 +11,7 @@ namespace mixcmp::error {
 struct ProfiledError {
   mpq_class f;
   mpq_class g;
-  std::uint64_t comparisons = 0;  ///< those with a real f and g
+  std::uint64_t comparisons = 0;  ///< comparisons with a real f and g
   /// Comparisons left out of `f` (or `g`): the computed value is not finite, or it is not zero
   /// although the real value is.
   std::uint64_t f_unbounded = 0, g_unbounded = 0;

@@ -7,7 +7,8 @@
 
 namespace mixcmp::fixed {
 
-/// Eight steps are three bits in hardware. With one bit of a threshold they fit one table of a LUT.
+/// The last step at most. Eight steps are three bits in hardware, so a LUT of few inputs finds each
+/// bit of a threshold.
 inline constexpr int most_last_step = 7;
 
 /// The thresholds of `difference` by steps of the magnitudes of `watched`, from which it is
@@ -16,8 +17,7 @@ inline constexpr int most_last_step = 7;
 std::optional<RunningThresholds> running_thresholds(const std::vector<FixedNode>& nodes, int bits,
                                                     NodeId difference, std::vector<NodeId> watched);
 
-/// The limit of a watched number's magnitude in this step: it is below the limit, or exactly the
-/// negative of it.
+/// The limit of a watched number x in this step: -limit <= x < limit.
 mpq_class magnitude_in_step(const FixedNode& watched, int step, int last_step);
 
 }  // namespace mixcmp::fixed

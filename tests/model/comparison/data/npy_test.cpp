@@ -17,7 +17,7 @@ const std::vector<data::WantedColumn> xy = {{.name = "x", .column = std::uint64_
 const std::vector<data::WantedColumn> fields =
     data::columns_by_name(std::vector<std::string>{"x", "y"});
 
-/// As NumPy writes it: magic, version, length, dictionary padded to 64 bytes.
+/// A file as NumPy writes it: magic, version, length, and a dictionary padded to 64 bytes.
 std::string npy(const std::string& type, const std::string& order, const std::string& shape,
                 const std::string& data, int version = 1) {
   std::string dictionary =
