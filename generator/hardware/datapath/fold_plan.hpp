@@ -27,7 +27,7 @@ struct FoldedNode {
 struct UnitClass {
   std::vector<NodeId> operations;
   std::size_t units = 1;
-  int cycles = 1;  ///< for which an operation keeps its unit; at most the interval
+  int cycles = 1;  ///< cycles that an operation keeps its unit; at most the interval
   /// The units have no registers of their own for operands: an operation starts in the cycle in
   /// which its operands come out of another unit.
   bool reads_results = false;

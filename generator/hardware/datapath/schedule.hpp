@@ -27,8 +27,7 @@ struct Step {
 struct PartSchedule {
   std::vector<Step> bounds;      ///< one per node of a lane's absolute bound
   std::vector<Step> conditions;  ///< one per condition of that bound
-  Step threshold =
-      {};  ///< of a running bound in fixed point: finds the threshold. No unit elsewhere
+  Step threshold = {};  ///< finds the threshold of a running bound in fixed point; else no unit
   Step decision;
 };
 

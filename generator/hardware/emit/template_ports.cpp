@@ -215,7 +215,7 @@ private:
     return condition != 0 ? yes : no;
   }
 
-  /// Operators that bind at least as tightly as `precedence`.
+  /// Evaluates an operation whose operators bind at least as tightly as `precedence`.
   long long operation(Cursor& cursor, int precedence) {
     long long left = primary(cursor);
     for (;;) {

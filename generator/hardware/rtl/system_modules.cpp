@@ -33,8 +33,8 @@ void declare(std::vector<ModuleItem>& items, const std::vector<Bundle>& bundles,
   }
 }
 
-/// A generate loop over the group's channels, each of which has `width` of its lanes or references;
-/// an iteration holds `items` and one channel.
+/// A generate loop over the channels of a group. Each channel has `width` of the group's lanes or
+/// references. An iteration holds `items` and one channel.
 ModuleItem channel_loop(const std::string& variable, const DatapathGroup& group, int width,
                         std::vector<ModuleItem> items, std::vector<Connection> connections) {
   items.push_back(Instance{group.channel, "channel", {}, std::move(connections)});
@@ -92,8 +92,8 @@ ModuleItem lane_loop(const SystemShape& shape, const DatapathGroup& group) {
   return channel_loop(variable, group, width, std::move(items), std::move(connections));
 }
 
-/// Connects a channel that lanes of `shape` ask: the fields of number `variable` on the wires of
-/// `side`, and the stream of operands that is `first_stream` above that number.
+/// Connects a channel that lanes of `shape` ask to field `variable` of the wires of `side`, and to
+/// the stream of operands with the number `first_stream` + `variable`.
 void connect_asked(const SystemShape& shape, const std::string& variable, const std::string& side,
                    int first_stream, std::vector<ModuleItem>& items,
                    std::vector<Connection>& connections) {
@@ -139,14 +139,14 @@ ModuleItem second_tier_loop(const SystemShape& shape) {
   return channel_loop("lane", *shape.second_tier, 1, std::move(items), std::move(connections));
 }
 
-/// Connects a port of the crossbar, which mirrors the channel's: the channel's output is its input.
+/// Connects a port of the crossbar to a port of the channel, which has the opposite direction.
 Connection crossbar_connection(const Bundle& bundle, const std::string& side) {
   const std::string mirrored = bundle.port[0] == 'm' ? "s" : "m";
   return {mirrored + bundle.port.substr(1), net(bundle.wire(side))};
 }
 
-/// The crossbar between the lanes of `shape`, on whose side wires begin with `asking`, and the
-/// `count` channels that they ask.
+/// The crossbar between the lanes of `shape` and the `count` channels that they ask. On the side of
+/// the lanes, names of wires begin with `asking`.
 Instance crossbar(const SystemShape& shape, const std::string& asking, const std::string& asked,
                   int count, const std::string& name) {
   std::vector<Connection> connections = clock_and_reset();
@@ -160,7 +160,7 @@ Instance crossbar(const SystemShape& shape, const std::string& asking, const std
   return {crossbar.module, name, std::move(crossbar.parameters), std::move(connections)};
 }
 
-/// The second tier, between the crossbar in front of it and the wires of its lanes' requests.
+/// Adds the second tier, between the crossbar in front of it and the wires of its lanes' requests.
 void add_second_tier(const SystemShape& shape, std::vector<ModuleItem>& items) {
   items.push_back(
       Comment{"Requests at the second tier, with the number of the lane or group that asks."});
@@ -171,7 +171,7 @@ void add_second_tier(const SystemShape& shape, std::vector<ModuleItem>& items) {
   items.push_back(second_tier_loop(shape));
 }
 
-/// The references, and the crossbar from the lanes that ask them.
+/// Adds the references, and the crossbar from the lanes that ask them.
 void add_references(const SystemShape& asking, const std::string& side,
                     std::vector<ModuleItem>& items) {
   items.push_back(Comment{asking.lanes_per_group == 1

@@ -65,7 +65,8 @@ void RangeWriter::visit(NodeId id) {
   script_.define(name('t', id), expression(node, 't'));
 }
 
-/// The rounding of an expression to so many digits; its operator is defined where it is first used.
+/// The expression rounded to `precision` digits. The first use of a rounding operator also defines
+/// it.
 std::string RangeWriter::rounded(const std::string& expression, int precision) {
   const std::string rounding = fmt::format("rnd{}", precision);
   if (rounded_to_.insert(precision).second) {

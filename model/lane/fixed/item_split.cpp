@@ -225,7 +225,7 @@ private:
     return static_cast<NodeId>(nodes.size()) - 1;
   }
 
-  /// Notes for each loaded operand for which parts of this lane it matters.
+  /// Notes, for each loaded operand, the parts of this lane for which it matters.
   void note_affected(const FixedLane& lane) {
     const std::size_t number = split_.lanes.size();
     for (std::size_t part = 0; part < lane.parts.size(); ++part) {

@@ -12,8 +12,8 @@ double unit(Random& random) {
   return 1 + static_cast<double>(random() >> 12) * 0x1p-52;
 }
 
-/// A number in [1, 2) of digits + 1 digits, the last one 1; one in four is a number of `digits`
-/// digits.
+/// A number in [1, 2) of digits + 1 digits whose last digit is 1, so it lies half way. One in four
+/// has only `digits` digits.
 double half_way(int digits, Random& random) {
   const double scale = std::ldexp(1, digits - 1);
   const double significand = std::floor(unit(random) * scale);

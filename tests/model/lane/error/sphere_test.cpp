@@ -207,7 +207,7 @@ TEST_P(Sphere, IsMostlyDecided) {
     for (double& value : spheres) value = 100 * unit();
     judge.judge(spheres);
   }
-  // f and g within 8 ulp of each other: a few times 8 * 2^-L of random pairs.
+  // In a share of a few times 8 * 2^-L of random pairs, f and g lie within 8 ulp of each other.
   EXPECT_GT(judge.decided_share(), 1 - std::ldexp(20, -GetParam()));
   EXPECT_GT(judge.decided_share(), 0.2);
 }
@@ -215,8 +215,8 @@ TEST_P(Sphere, IsMostlyDecided) {
 INSTANTIATE_TEST_SUITE_P(Precisions, Sphere, testing::Values(4, 8, 11, 17, 24, 32, 52),
                          testing::PrintToStringParamName());
 
-/// RESEARCH.md, section 1: the truth is less, yet a bound that sampling would call generous lets
-/// a profiled lane of 24 digits decide greater.
+/// A pair of spheres whose true verdict is less. A profiled lane of 24 digits decides greater, with
+/// a bound that sampling would call generous.
 class Counterexample : public testing::Test {
 protected:
   const FloatFormat reference_ = format_of(53, 8);

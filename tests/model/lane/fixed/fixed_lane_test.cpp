@@ -76,7 +76,8 @@ TEST(FixedLane, WideResultsAreCut) {
   EXPECT_EQ(sum.format.name(), "sfix21_En19");
   const FixedLane narrow = lane_of(graph_of("a - b / 1048576", "c"), 4, {0, 1});
   const FixedNode& cut = narrow.nodes[4];
-  // a < 2 counts 2^-3 and is off by one, b / 2^20 2^-23; one of 25 bits is dropped, worth 2^-23.
+  // a < 2 counts 2^-3 and is off by one unit; b / 2^20 counts 2^-23. One of 25 bits is dropped,
+  // which is worth 2^-23.
   EXPECT_EQ(cut.format.name(), "sfix24_En22");
   EXPECT_EQ(cut.dropped_bits, 1);
   EXPECT_EQ(cut.error.low, mpq_class(-1, 8) - mpq_class(1, 1 << 23));

@@ -27,7 +27,8 @@ TEST(RunningBound, AProductErrsByItsFactors) {
   const auto& thresholds = std::get<RunningThresholds>(lane.parts.front().criterion).of_steps;
   ASSERT_EQ(thresholds.size(), 8U);
   EXPECT_EQ(lane.nodes[lane.parts.front().difference].format.unit_exponent, -14);
-  // c is off by up to 128 units of the product: the difference by -(2 n - 1)..128 for n.
+  // c is off by up to 128 units of the product. If factors have n units, the difference is off by
+  // -(2 n - 1) to 128 of these units.
   EXPECT_EQ(thresholds[0], 129);
   EXPECT_EQ(thresholds[7], 2 * 1023 + 1);
   for (std::size_t step = 1; step < thresholds.size(); ++step) {
@@ -65,7 +66,8 @@ TEST(RunningBound, SmallOperandsAreDecidedNearer) {
   EXPECT_FALSE(decided({large, small, large, 6 * unit})) << "1000 units apart";
 }
 
-/// A quotient errs by its reciprocal's rounding, in proportion to a; limits leave one bit of d.
+/// A quotient errs by its reciprocal's rounding, in proportion to a; The limits leave one bit of d,
+/// which is therefore not watched.
 TEST(RunningBound, WatchesQuotientsAndNothingOfOneBit) {
   const FixedLane quotient = running("a / 3", "b / 7", 9, {0, 8});
   EXPECT_EQ(std::get<RunningThresholds>(quotient.parts.front().criterion).watched.size(), 2U);

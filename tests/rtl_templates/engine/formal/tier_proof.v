@@ -106,10 +106,10 @@ module tier_proof #(
   wire [3:0]            counted = s_first ? NONE : count;
   reg  [CODES_BITS-1:0] expected;
   reg  [3:0]            found;           // pairs that the lane reports
-  reg  [3:0]            found_later;     // those of them that have not gone through
+  reg  [3:0]            found_later;     // those that have not passed the lane
   reg                   fits;            // the codes are those of a segment
   reg  [LANE_BITS:0]    s_pairs;         // pairs that the codes leave undecided
-  reg  [LANE_BITS:0]    pairs_left;      // those of them that have not gone through
+  reg  [LANE_BITS:0]    pairs_left;      // those that have not passed the lane
   reg  [CODE_BITS-1:0]  code;
   reg  [2:0]            answer;
 
@@ -328,7 +328,7 @@ module tier_proof #(
   reg  [CODES_BITS-1:0]  s1_codes;
   reg  [CODES_BITS-1:0]  s2_codes;
   reg  [CODES_BITS-1:0]  offer_codes;
-  reg  [LANES-1:0]       undecided;    // pairs of the beat on offer
+  reg  [LANES-1:0]       undecided;    // undecided pairs of the beat on offer
   reg  [LANES-1:0]       waiting;      // undecided pairs that have not passed the lane
   reg                    held_right;
   reg                    picked_right;
@@ -344,7 +344,7 @@ module tier_proof #(
   reg  [CODES_BITS-1:0]  told;          // results of the watched beat, from all places
   reg                    told_once;
   reg                    told_right;
-  reg  [3:0]             first_later;   // places of the later beat
+  reg  [3:0]             first_later;   // the first place of the later beat
   reg  [3:0]             last_watched;
   reg                    order_right;
   reg                    closes;
