@@ -39,7 +39,7 @@ struct MeasuredRate {
 
 struct BaselineKernel {
   std::optional<BoundKind> filter;  ///< nullopt: double throughout
-  VerdictCounts verdicts;           ///< of all comparisons
+  VerdictCounts verdicts;           ///< the verdicts of all comparisons
   std::uint64_t recomputed = 0;     ///< comparisons that a filter left to doubles
   MeasuredRate one_core, all_cores;
 };

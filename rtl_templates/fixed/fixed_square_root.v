@@ -46,7 +46,7 @@ module fixed_square_root #(
       wire [REMAINDER-1:0]      remainder =
           {above, radicand[RADICAND-2*k-1:RADICAND-2*k-2]} + change;
       wire                      next_bit  = !remainder[REMAINDER-1];
-      wire [k:0]                root;      // with the next bit
+      wire [k:0]                root;      // the root with its next bit
       wire [k:0]                next_root;
 
       if (k == 0) begin : g_first

@@ -361,8 +361,8 @@ void print_verdicts(const char* name, const Kernel& kernel, const Data& data) {
   std::printf("verdicts %s %s\n", name, letters.c_str());
 }
 
-/// Checks what the filters' proofs rest on: gradual underflow, rounding to nearest, and flags that
-/// only inexact underflow and overflow raise.
+/// Checks the facts that the filters' proofs rest on: gradual underflow, rounding to nearest, and
+/// flags that only inexact underflow and overflow raise.
 bool arithmetic_is_ieee() {
   volatile float smallest = std::numeric_limits<float>::min(), one = 1;
   std::feclearexcept(FE_ALL_EXCEPT);

@@ -34,7 +34,7 @@ std::string_view to_string(BoundKind kind);
 struct Bound {
   NumberSystem system = NumberSystem::floating;
   BoundKind kind = BoundKind::relative;
-  int digits = 0;  ///< of a running bound in floating point; guard digits in the other systems
+  int digits = 0;  ///< a running bound's in floating point; guard digits in the other systems
 
   bool is_profiled() const { return kind == BoundKind::profiled; }
   /// Whether the system is fixed point; that includes block floating point.

@@ -22,7 +22,7 @@ std::string_view to_string(Outcome outcome);
 struct ScriptResult {
   Outcome outcome;
   std::string detail;  ///< Gappa's words if it is not proven
-  std::string file;    ///< of the kept script, if any
+  std::string file;    ///< the kept script, if any
 };
 /// Has Gappa prove one script, or returns the result that is known from before.
 using Prove = std::function<ScriptResult(const std::string& script)>;

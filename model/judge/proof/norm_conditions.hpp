@@ -18,7 +18,7 @@ public:
   bool hold() const;
 
   NodeId other_side() const { return difference_.operands[1]; }      ///< s^2 or |y|^2
-  const std::vector<NodeId>& elements() const { return elements_; }  ///< of x
+  const std::vector<NodeId>& elements() const { return elements_; }  ///< the elements of x
 
   /// An upper limit of G + H of theorem 8.
   mpq_class far_square() const;

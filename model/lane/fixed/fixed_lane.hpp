@@ -129,7 +129,7 @@ enum class ItemRole { first, second, row };
 /// node's format: a field of an item's or the row's word, or the upper bits of one.
 struct LoadedInput {
   ItemRole role;                   ///< the owner of the word
-  std::size_t field;               ///< of the word
+  std::size_t field;               ///< index of the word's field
   int dropped_bits;                ///< low bits of the field that are not part of the input
   std::vector<std::size_t> flags;  ///< the word's; if one is set, the field's operands do not fit
 

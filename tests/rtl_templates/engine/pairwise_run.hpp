@@ -43,7 +43,7 @@ struct EngineSpec {
   int index_bits;
   unsigned report;  ///< bit v: verdict v leaves
   ReportForm form;
-  unsigned undecided;  ///< of 16 pairs
+  unsigned undecided;  ///< undecided pairs among 16
   int lane_latency;
   int word_latency;
   bool tiered;

@@ -29,7 +29,7 @@ struct BuiltUnits {
   int precision, exponent_bits;                ///< the operands'
   int result_precision, result_exponent_bits;  ///< the results'
   const char* some_cuts;                       ///< in hexadecimal: the mask between none and all
-  int first_column, last_column;               ///< of UnitsUnderTest
+  int first_column, last_column;               ///< columns of UnitsUnderTest
 };
 
 /// Feeds the vectors that the command line names and compares every answer. Returns the exit code.

@@ -235,7 +235,7 @@ TEST(FixedLane, DividesByConstants) {
       std::find_if(lane.nodes.begin(), lane.nodes.end(),
                    [](const FixedNode& node) { return node.operation == Operation::constant; });
   ASSERT_NE(constant, lane.nodes.end());
-  EXPECT_EQ(constant->constant, 43);  // of 2^-7
+  EXPECT_EQ(constant->constant, 43);  // in units of 2^-7
   EXPECT_EQ(constant->error.low, mpq_class(43, 128) - mpq_class(1, 3));
 }
 

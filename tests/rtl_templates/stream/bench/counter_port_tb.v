@@ -87,7 +87,7 @@ module counter_port_tb #(
   reg                  reading;     // a read was taken and its word has not left
   reg                  waited;      // its word was offered and not taken
   reg [31:0]           waited_data;
-  reg [INDEX_BITS+2:0] address;     // of that read
+  reg [INDEX_BITS+2:0] address;     // the address of that read
   integer              taken_at;
   reg                  writing;     // a write was taken and its answer has not left
   reg                  answer_waited;
