@@ -61,7 +61,7 @@ std::vector<std::string> decision_facts(const design::Lane& lane) {
                           : "Infinities, NaNs, overflow and underflow are left undecided."};
 }
 
-/// When a datapath starts and ends.
+/// The facts about the cycles in which a datapath starts and ends.
 std::vector<std::string> timing_facts(const datapath::Schedule& schedule) {
   std::vector<std::string> facts = {
       fmt::format("Latency {} cycles, initiation interval {}, no reset.", schedule.latency_cycles,
@@ -231,7 +231,7 @@ Described describe_top(const Design& design, const ScheduledSystem& scheduled) {
 
 std::vector<std::string> describe_arg_min(const Design& design, const rtl::ArgMinShape& arg_min,
                                           const rtl::SystemShape& shape) {
-  constexpr int queue_cycles = 2;  // behind the conversion of rows
+  constexpr int queue_cycles = 2;  // cycles of the queue behind the conversion of rows
   const rtl::EngineShape& engine = arg_min.engine;
   int latency_cycles = arg_min.words.latency_cycles() + queue_cycles;
   for (const rtl::DatapathGroup& lanes : shape.lane_groups) {
@@ -272,7 +272,8 @@ std::vector<std::string> describe_arg_min(const Design& design, const rtl::ArgMi
   return facts;
 }
 
-/// "a beat a pair that is less or undecided". With a reference every pair is decided.
+/// The fact about a report stream: "a beat a pair that is less or undecided". With a reference
+/// every pair is decided.
 std::string report_fact(const rtl::PairwiseShape& shape, int references) {
   const scene::EngineSpec& spec = shape.engine.spec;
   const std::string reported = fmt::format("{}", fmt::join(reported_verdicts(spec), " or "));

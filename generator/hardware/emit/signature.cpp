@@ -99,13 +99,13 @@ public:
     return value;
   }
 
-  /// "s17e8", "q13" or "block13".
+  /// The format of a lane: "s17e8", "q13" or "block13".
   std::string lane_format(const char* field) {
     std::string name = text(field);
     if (!LaneFormat::parse(name).ok()) refuse(field, "a format: \"s17e8\", \"q13\", \"block13\"");
     return name;
   }
-  /// "rounded", "exact" or a number of digits, "20".
+  /// The inputs of a lane: "rounded", "exact" or a number of digits, "20".
   LaneInputs lane_inputs(const char* field) {
     const auto inputs =
         LaneInputs::parse(text(field), FloatFormat::min_precision, FloatFormat::max_precision);

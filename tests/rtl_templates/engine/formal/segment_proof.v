@@ -1,12 +1,12 @@
 // segment_proof: every word that pair_segment takes stays in a lane or goes on, once and in order;
-// each meeting of a held word with one behind it is answered once, in the beat of the latter;
-// nothing is lost because the queue has no room; the closing beat leaves behind all others. The
-// lanes are any function of their two words, chosen by the solver, LANE_LATENCY cycles long.
-// TIERED: the first word of a block and each that stays leave a beat as well, and a beat tells
-// which of the two its word is, the word, and the number of its undecided pairs. The lemmas read
-// registers of the template, and together hold by induction. They go over all words and beats
-// inside: the words in the link, each with the beat that it will cause, the word at the lanes, and
-// the beats in the queue.
+// each meeting of a held word with a later word is answered once, in the beat of the later word;
+// the queue has room for every beat; the closing beat leaves behind all others. The lanes are any
+// function of their two words, chosen by the solver, LANE_LATENCY cycles long. TIERED: the first
+// word of a block and each word that stays leave a beat as well. A beat then also has its word, the
+// flags `first` and `stays`, and the number of its undecided pairs. The lemmas read registers of
+// the template, and together hold by induction. They go over all words and beats inside: the words
+// in the link, each with the beat that it will cause, the word at the lanes, and the beats in the
+// queue.
 `default_nettype none
 
 module segment_proof #(

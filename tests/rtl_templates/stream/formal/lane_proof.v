@@ -1,8 +1,8 @@
 // lane_proof: each comparison with a watched tag, one inside at a time, has exactly one result. The
-// result is the right one, and it does leave: at most MOST_CALM cycles in which nobody stalls pass
-// before. A comparison that a reset forgets does not leave. For lane_scoreboard and lane_reorder
-// around a lane of one rank, with a reference that answers when it likes, in order. With IN_ORDER =
-// 1 a follower is watched as well. The asserts lemma_* of scoreboard_inside and reorder_inside make
+// result is the right one. It leaves after at most MOST_CALM cycles in which nobody stalls. A
+// comparison that a reset forgets does not leave. The proof is for lane_scoreboard and lane_reorder
+// around a lane of one rank, with a reference that answers at any time, in order. With IN_ORDER = 1
+// a follower is watched as well. The asserts lemma_* of scoreboard_inside and reorder_inside make
 // all but not_lost hold by induction over one cycle, and not_lost over MOST_CALM of them. Operands:
 // {verdict, decided}; the reference's verdict is the complement of the lane's.
 `default_nettype none
