@@ -130,11 +130,11 @@ std::string arg_min_model(const emit::Signature& s, const emit::SignatureEngine&
 Bench bench_of(const emit::Signature& s) {
   const auto kind = s.engine ? s.engine->kind : scene::EngineKind::none;
   switch (kind) {
-    case scene::EngineKind::none: return {s.top, "simulator.cpp", stream_model(s)};
+    case scene::EngineKind::none: return {s.top, "simulator.cpp", stream_model(s), s.ports};
     case scene::EngineKind::pairwise:
-      return {s.engine->top, "pairwise.cpp", pairwise_model(s, *s.engine)};
+      return {s.engine->top, "pairwise.cpp", pairwise_model(s, *s.engine), s.engine->ports};
     case scene::EngineKind::arg_min:
-      return {s.engine->top, "arg_min.cpp", arg_min_model(s, *s.engine)};
+      return {s.engine->top, "arg_min.cpp", arg_min_model(s, *s.engine), s.engine->ports};
   }
   MIXCMP_CHECK(false);
 }

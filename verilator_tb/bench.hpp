@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "generator/hardware/emit/signature.hpp"
 
@@ -11,6 +12,7 @@ struct Bench {
   std::string top;
   const char* main;   ///< the harness's source with the function main
   std::string model;  ///< text of system_model.hpp: the top's numbers, and its ports in the model
+  std::vector<emit::SignaturePort> ports;
 };
 
 Bench bench_of(const emit::Signature& signature);

@@ -168,17 +168,6 @@ ModelBuild system_build(const Bench& bench, const SourceFiles& sources,
   return build;
 }
 
-/// Tells whether ccache is installed and can write its folders.
-bool is_ccache_usable() {
-  for (const char* setting : {"cache_dir", "temporary_dir"}) {
-    const auto folder = capture({"ccache", "--get-config", setting});
-    if (!folder.ok() || !folder->succeeded()) return false;
-    const std::string path = folder->output.substr(0, folder->output.find('\n'));
-    if (!fs::path(path).is_absolute() || !make_writable_folder(path).ok()) return false;
-  }
-  return true;
-}
-
 bool is_complete(const ModelBuild& build) {
   return fs::exists(build.folder / build_stamp) && fs::exists(build.folder / "obj" / build.product);
 }
@@ -209,6 +198,16 @@ std::optional<Error> missing_compiler() {
 }
 
 }  // namespace
+
+bool is_ccache_usable() {
+  for (const char* setting : {"cache_dir", "temporary_dir"}) {
+    const auto folder = capture({"ccache", "--get-config", setting});
+    if (!folder.ok() || !folder->succeeded()) return false;
+    const std::string path = folder->output.substr(0, folder->output.find('\n'));
+    if (!fs::path(path).is_absolute() || !make_writable_folder(path).ok()) return false;
+  }
+  return true;
+}
 
 std::vector<fs::path> System::sources() const {
   std::vector<fs::path> paths;

@@ -51,6 +51,9 @@ std::filesystem::path work_folder(const std::filesystem::path& work, const std::
                                   const std::string& version, const Command& command,
                                   const SourceFiles& inputs);
 
+/// Tells whether ccache is installed and can write its folders.
+bool is_ccache_usable();
+
 /// A folder in which a simulator, or a part of one, is built from `inputs`.
 struct ModelBuild {
   std::filesystem::path folder;

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <optional>
 
-#include "verilator_tb/icarus_engine.hpp"
+#include "verilator_tb/icarus.hpp"
 #include "verilator_tb/waves.hpp"
 
 namespace mixcmp::verilator_tb {
@@ -13,11 +13,11 @@ namespace {
 
 std::string save_file(const emit::SignatureEngine& engine, const VerifyOptions& options) {
   return gtkwave_save_file(
-      engine,
-      {.waves = options.waves,
-       .scope = options.simulator == SimulatorKind::icarus ? "bench.engine" : "TOP." + engine.top,
-       .time_per_cycle = 2,
-       .marked = {}});
+      engine, {.waves = options.waves,
+               .scope = options.simulator == SimulatorKind::icarus ? "testbench.system"
+                                                                   : "TOP." + engine.top,
+               .time_per_cycle = 2,
+               .marked = {}});
 }
 
 /// The places of these columns in a table. A table of "cross" lacks those that nothing reads of its
@@ -77,8 +77,7 @@ Result<VerifyReport> run_engine(const System& system, const VerifyOptions& optio
                            .progress = options.progress,
                            .waiting = options.waiting};
   const bool icarus = options.simulator == SimulatorKind::icarus;
-  MIXCMP_TRY(executable,
-             icarus ? build_engine_in_icarus(system, build) : build_simulator(system, build));
+  MIXCMP_TRY(executable, icarus ? build_in_icarus(system, build) : build_simulator(system, build));
   judge.report().build_seconds = executable.build_seconds;
   judge.report().simulator = icarus ? icarus_name : verilator_name;
   const auto start = std::chrono::steady_clock::now();

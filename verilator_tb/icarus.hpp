@@ -1,26 +1,16 @@
 #pragma once
 
-#include <cstdint>
-#include <string>
-
-#include "model/base/common/folder_lock.hpp"
-#include "verilator_tb/system_simulation.hpp"
+#include "verilator_tb/build.hpp"
 
 namespace mixcmp::verilator_tb {
 
-/// How many time units of the testbench's waves one clock cycle takes.
-inline constexpr std::uint64_t icarus_time_per_cycle = 4;
-
-/// Adds the Debian package to an error which says that a program of Icarus is missing, other than
-/// iverilog itself. Other errors stay as they are.
-Error naming_the_package(Error error, const std::string& program);
-
-/// Runs a block on an event-driven simulator, so that no result depends only on Verilator. It is
-/// meant for small systems and thousands of comparisons: the whole run is one block. Sources,
-/// stimulus, results and logs stay in a folder of `work_dir`.
-Result<Answer> simulate_in_icarus(const System& system, const Block& block,
-                                  const std::filesystem::path& work_dir,
-                                  const SimulationOptions& options, const Progress& progress,
-                                  const Waiting& waiting);
+/// Builds a program that simulates a system, or the engine around it, in Icarus Verilog, so that no
+/// result depends only on Verilator. The program has the same harness as the one of
+/// build_simulator(): it drives the hardware alike, makes the same checks and speaks with the host
+/// by the same protocol. In addition, Icarus simulates unknown bits (x). Such a bit is a violation
+/// in a tvalid or tready that the hardware drives, or in a payload that it sends with tvalid high.
+/// Counters and `overrun` are not looked at for unknown bits. Meant for small systems and sets of
+/// data, because Icarus is slow.
+Result<Executable> build_in_icarus(const System& system, const BuildOptions& options);
 
 }  // namespace mixcmp::verilator_tb

@@ -104,11 +104,8 @@ Result<Done> check_portion(const design::Design& design, const data::Comparisons
   Error error{.field = "--portion",
               .message = "the run is made in one piece",
               .received = fmt::format("{} portions", options.portion.count),
-              .accepted = "no portions with Icarus or an engine"};
-  if (options.simulator == SimulatorKind::icarus ||
-      design.system.engine.kind != scene::EngineKind::none) {
-    return error;
-  }
+              .accepted = "no portions with an engine"};
+  if (design.system.engine.kind != scene::EngineKind::none) return error;
   const std::uint64_t size = Selection(comparisons.size(), options.selection).size();
   const std::uint64_t simulations = (size + options.share_size - 1) / options.share_size;
   if (options.portion.count <= simulations) return Done{};
@@ -240,16 +237,17 @@ struct StopAtEnd {
 
 /// Runs the shares, options.jobs at a time, and adds their findings in order, up to and with the
 /// first that a fault of the hardware ended early.
-Result<ShareOutcome> run_verilator(const Run& run) {
+Result<ShareOutcome> run_shares(const Run& run) {
   ShareOutcome all{.report = empty_report(run.system.signature, run.design, run.options),
                    .first_undecided = {},
                    .results = {}};
-  MIXCMP_TRY(
-      executable,
-      build_simulator(run.system, {.work_dir = run.options.work_dir,
-                                   .waves = run.options.waves.empty() ? Waves::off : Waves::on,
-                                   .progress = run.options.progress,
-                                   .waiting = run.options.waiting}));
+  const BuildOptions build{.work_dir = run.options.work_dir,
+                           .waves = run.options.waves.empty() ? Waves::off : Waves::on,
+                           .progress = run.options.progress,
+                           .waiting = run.options.waiting};
+  const bool icarus = run.options.simulator == SimulatorKind::icarus;
+  MIXCMP_TRY(executable,
+             icarus ? build_in_icarus(run.system, build) : build_simulator(run.system, build));
   all.report.build_seconds = executable.build_seconds;
   const std::vector<Share> shares = shares_of_portion(run);
   Tally tally(run, comparisons_of(shares));
@@ -275,31 +273,13 @@ Result<ShareOutcome> run_verilator(const Run& run) {
   return all;
 }
 
-Result<ShareOutcome> run_icarus(const Run& run) {
-  const Block block{.comparisons = run.selection.size(),
-                    .operands = stimulus(run.comparisons, run.selection,
-                                         run.system.signature.reference_format.width(),
-                                         run.system.signature.tdata_bytes, 0, run.selection.size()),
-                    .resets = reset_positions(run),
-                    .last = true};
-  MIXCMP_TRY(answer, simulate_in_icarus(run.system, block, run.options.work_dir,
-                                        simulation_options(run.options), run.options.progress,
-                                        run.options.waiting));
-  Judge judge(run.system.signature, run.design, run.comparisons, run.selection, run.options,
-              run.emulator);
-  judge.announce(block.comparisons);
-  judge.take(answer);
-  Tally(run, block.comparisons).add(block.comparisons, judge.report().mismatch_count);
-  return ShareOutcome{std::move(judge.report()), judge.first_undecided(), {}};
-}
-
 std::string save_file(const Run& run, const std::optional<harness::wire::Result>& marked) {
   const bool icarus = run.options.simulator == SimulatorKind::icarus;
   return gtkwave_save_file(
       run.system.signature,
       {.waves = run.options.waves,
        .scope = icarus ? std::string("testbench.system") : "TOP." + run.system.signature.top,
-       .time_per_cycle = icarus ? icarus_time_per_cycle : 2,
+       .time_per_cycle = 2,
        .marked = marked});
 }
 
@@ -334,7 +314,7 @@ Result<VerifyReport> run_system(const System& system, const design::Design& desi
   const Run run{system, design, comparisons, selection, options, emulator ? &*emulator : nullptr};
   const auto start = Clock::now();
   const bool icarus = options.simulator == SimulatorKind::icarus;
-  MIXCMP_TRY(outcome, icarus ? run_icarus(run) : run_verilator(run));
+  MIXCMP_TRY(outcome, run_shares(run));
   outcome.report.simulator = icarus ? icarus_name : verilator_name;
   outcome.report.run_seconds = seconds_since(start) - outcome.report.build_seconds;
   if (options.wave_file != nullptr) {

@@ -1,5 +1,3 @@
-#include "verilator_tb/icarus_engine.hpp"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -12,6 +10,7 @@
 #include "tests/support/scratch_directory.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
+#include "verilator_tb/icarus.hpp"
 #include "verilator_tb/waves.hpp"
 
 /// Engines in Icarus Verilog: the built files, and the end of a run where something is wrong.
@@ -29,8 +28,7 @@ design::Design small_engine() {
 /// Builds the engine in a folder of the test's own.
 verilator_tb::Executable build(const std::string& test) {
   const auto system = verilator_tb::load_system(generate_to(small_engine(), test + "_rtl")).value();
-  const auto built =
-      verilator_tb::build_engine_in_icarus(system, {.work_dir = test_work_dir(test)});
+  const auto built = verilator_tb::build_in_icarus(system, {.work_dir = test_work_dir(test)});
   EXPECT_TRUE(built.ok()) << built.error().to_string();
   return *built;
 }
@@ -66,10 +64,10 @@ TEST(IcarusEngine, WritesWavesInAFolderOfAnyName) {
   ASSERT_TRUE(verilator_tb::is_whole_fst(waves));
   const auto vcd = capture({"fst2vcd", waves.string()});
   ASSERT_TRUE(vcd.ok() && vcd->succeeded());
-  EXPECT_NE(vcd->output.find("$scope module bench $end\n$scope module engine $end"),
+  EXPECT_NE(vcd->output.find("$scope module testbench $end\n$scope module system $end"),
             std::string::npos);
   const std::string save_file = read_file(verilator_tb::save_file_beside(waves)).value();
-  const std::regex signal(R"(bench\.engine\.(\w+))");
+  const std::regex signal(R"(testbench\.system\.(\w+))");
   int named = 0;
   for (std::sregex_iterator it(save_file.begin(), save_file.end(), signal), end; it != end; ++it) {
     EXPECT_NE(vcd->output.find(" " + it->str(1) + " "), std::string::npos) << it->str();
@@ -166,7 +164,10 @@ TEST(IcarusEngine, IsNotBuiltAnewInPlace) {
 TEST(IcarusEngine, FailsWhereTheHarnessFails) {
   const fs::path program = build("icarus_failing").path;
   const fs::path folder = program.parent_path().parent_path();
-  std::ofstream(folder / "pairwise.cpp") << "int main(int, char**) { return 3; }\n";
+  for (const auto& harness : fs::directory_iterator(folder.parent_path())) {
+    if (!harness.path().filename().string().starts_with("icarus-harness")) continue;
+    std::ofstream(harness.path() / "pairwise.cpp") << "int main(int, char**) { return 3; }\n";
+  }
   const auto made = run_tool({.command = {"make", "-B", "-f", "build.mk"},
                               .directory = folder,
                               .log = folder / "build.log"});
@@ -174,7 +175,7 @@ TEST(IcarusEngine, FailsWhereTheHarnessFails) {
   const auto run = capture({program.string()});
   ASSERT_TRUE(run.ok()) << run.error().to_string();
   EXPECT_EQ(how_it_ended(run->status), "failed with exit code 3");
-  fs::remove_all(folder);
+  fs::remove_all(folder.parent_path());
 }
 
 }  // namespace

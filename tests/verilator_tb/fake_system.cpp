@@ -45,6 +45,32 @@ std::vector<design::ReferenceGroup> references_of(const FakeSystem& fake) {
   return {{.count = fake.lanes}};
 }
 
+std::vector<emit::SignaturePort> fake_ports(const FakeSystem& fake) {
+  constexpr rtl::Direction in = rtl::Direction::input, out = rtl::Direction::output;
+  const int lanes = fake.lanes, tag_bytes = (fake.tag_bits + 7) / 8;
+  std::vector<emit::SignaturePort> ports = {{"aclk", in, 1},
+                                            {"aresetn", in, 1},
+                                            {"s_axis_tvalid", in, lanes},
+                                            {"s_axis_tready", out, lanes},
+                                            {"s_axis_tdata", in, 32 * lanes},
+                                            {"s_axis_tuser", in, fake.tag_bits * lanes},
+                                            {"m_axis_tvalid", out, lanes},
+                                            {"m_axis_tready", in, lanes},
+                                            {"m_axis_tdata", out, 8 * lanes},
+                                            {"m_axis_tuser", out, fake.tag_bits * lanes},
+                                            {"comparisons", out, 16 * lanes},
+                                            {"recomputations", out, 16 * lanes},
+                                            {"stalls", out, 16 * lanes}};
+  if (fake.operands != scene::OperandStore::refetched) return ports;
+  ports.insert(ports.end(), {{"m_refetch_tvalid", out, lanes},
+                             {"m_refetch_tready", in, lanes},
+                             {"m_refetch_tdata", out, 8 * tag_bytes * lanes},
+                             {"s_refetch_tvalid", in, lanes},
+                             {"s_refetch_tready", out, lanes},
+                             {"s_refetch_tdata", in, 32 * lanes}});
+  return ports;
+}
+
 emit::Signature fake_signature(const FakeSystem& fake) {
   return {
       .top = "fake_system",
@@ -64,6 +90,7 @@ emit::Signature fake_signature(const FakeSystem& fake) {
       .order = fake.route == FakeRoute::in_order ? scene::ResultOrder::in_order
                                                  : scene::ResultOrder::tagged,
       .operands = fake.operands,
+      .ports = fake_ports(fake),
       .files = {"fake_system.v", "fake_channel.v", "fake_reference.v", "fake_fifo.v"}};
 }
 

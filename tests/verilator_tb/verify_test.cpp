@@ -156,6 +156,29 @@ TEST(Verify, FindsUnknownHandshakesOfRefetchesInIcarus) {
   }
 }
 
+/// The harness is the same, so each cycle is the same.
+TEST(Verify, InIcarusAndInVerilatorTheReportIsTheSame) {
+  for (const int fault : {0, 1, 6}) {
+    nlohmann::ordered_json reports[2];
+    for (const verilator_tb::SimulatorKind simulator : simulators) {
+      const verilator_tb::VerifyReport report =
+          run({.name = "refetching", .lanes = 3, .operands = scene::OperandStore::refetched}, 1200,
+              {.simulator = simulator,
+               .traffic = verilator_tb::TrafficKind::stressed,
+               .resets = fault == 0 ? 3 : 0,
+               .hang_cycles = 3000,
+               .block_size = 100,
+               .share_size = 600,
+               .plusargs = {"fault=" + std::to_string(fault)}});
+      EXPECT_EQ(report.passed(), fault == 0) << to_text(report);
+      auto& json = reports[simulator == verilator_tb::SimulatorKind::icarus ? 1 : 0] =
+          to_json(report);
+      for (const char* key : {"simulator", "build_seconds", "run_seconds"}) json.erase(key);
+    }
+    EXPECT_EQ(reports[0], reports[1]);
+  }
+}
+
 /// The emulator judges all but a sample, the recomputed ones and the mismatches. Whichever judge is
 /// chosen, everything else in the report is the same.
 TEST_P(FakeSystems, BothJudgesFindTheSame) {

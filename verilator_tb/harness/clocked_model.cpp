@@ -49,8 +49,9 @@ system::TopPorts ClockedModel::ports() {
   return system::ports_of(*model_->top);
 }
 
-bool ClockedModel::has_unknown() const {
-  return false;
+const std::set<std::uint32_t>& ClockedModel::unknown_streams() const {
+  static const std::set<std::uint32_t> none;
+  return none;
 }
 
 void ClockedModel::settle(std::uint64_t cycle) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "settings.hpp"
@@ -18,8 +19,9 @@ public:
   /// The ports of the top, of the kind that it has (ports.hpp).
   template <class TopPorts>
   TopPorts ports();
-  /// Whether an output is neither 0 nor 1 where that matters. Verilator has no such values.
-  bool has_unknown() const;
+  /// The streams in which an output is neither 0 nor 1 where that matters. Verilator has no such
+  /// values.
+  const std::set<std::uint32_t>& unknown_streams() const;
 
   /// Lowers the clock. Inputs are changed while it is high, outputs are read while it is low.
   void settle(std::uint64_t cycle);

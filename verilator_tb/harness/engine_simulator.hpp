@@ -48,7 +48,7 @@ protected:
 
   void settle() {
     clocked_.settle(cycle_);
-    if (clocked_.has_unknown()) violate(wire::Fault::unknown_value, 0);
+    if (!clocked_.unknown_streams().empty()) violate(wire::Fault::unknown_value, 0);
   }
 
   void rise() {

@@ -1,4 +1,4 @@
-// The model of an engine in an event-driven simulator.
+// The model of a system in an event-driven simulator.
 
 #include "clocked_model.hpp"
 #include "system_model.hpp"
@@ -22,8 +22,8 @@ system::TopPorts ClockedModel::ports() {
   return system::ports_of(model_->top);
 }
 
-bool ClockedModel::has_unknown() const {
-  return model_->top.has_unknown();
+const std::set<std::uint32_t>& ClockedModel::unknown_streams() const {
+  return model_->top.unknown_streams();
 }
 
 void ClockedModel::settle(std::uint64_t) {

@@ -2,17 +2,15 @@
 
 #include "vpi_model.hpp"
 
+#include <ucontext.h>
 #include <vpi_user.h>
 
 #include <algorithm>
-#include <condition_variable>
 #include <cstdlib>
 #include <cstring>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <thread>
 
 /// The harness's main function, which the build renames.
 int harness_main(int count, char** words);
@@ -22,8 +20,7 @@ namespace mixcmp::harness {
 /// The simulator's side of the exchange.
 class VpiExchange {
 public:
-  /// It is never destroyed: std::exit, by which either thread ends the process where something is
-  /// wrong, would otherwise wait for ever until the other thread leaves the condition variable.
+  /// It is never destroyed: the harness may end the process on its own stack, which is in here.
   static VpiExchange& instance() {
     static auto& exchange = *new VpiExchange;
     return exchange;
@@ -31,15 +28,10 @@ public:
 
   /// Called by the simulator.
   void exchange() {
-    if (harness_.joinable()) {
-      if (model_ != nullptr) read_outputs();
-    } else {
-      start_harness();
-    }
-    pass_to(Turn::harness);
-    wait_for(Turn::simulator);
+    if (stack_.empty()) start_harness();
+    if (model_ != nullptr) read_outputs();
+    swapcontext(&simulator_, &harness_);
     if (status_) {
-      harness_.join();
       vpip_set_return_value(*status_);  // the exit code of vvp
       vpi_control(vpiFinish, 0);
     } else {
@@ -50,38 +42,30 @@ public:
   /// Called by the harness.
   void take_turn(VpiModel& model) {
     model_ = &model;
-    pass_to(Turn::simulator);
-    wait_for(Turn::harness);
+    swapcontext(&harness_, &simulator_);
   }
 
 private:
-  enum class Turn { simulator, harness };
+  static constexpr std::size_t stack_size = std::size_t{1} << 20;
 
   void start_harness() {
-    harness_ = std::thread([this] {
-      wait_for(Turn::harness);
-      s_vpi_vlog_info info{};
-      vpi_get_vlog_info(&info);
-      status_ = harness_main(info.argc, info.argv);
-      pass_to(Turn::simulator);
-    });
+    stack_.resize(stack_size);
+    getcontext(&harness_);
+    harness_.uc_stack.ss_sp = stack_.data();
+    harness_.uc_stack.ss_size = stack_.size();
+    harness_.uc_link = &simulator_;
+    makecontext(
+        &harness_, [] { instance().run_harness(); }, 0);
   }
 
-  void pass_to(Turn turn) {
-    {
-      const std::lock_guard lock(mutex_);
-      turn_ = turn;
-    }
-    changed_.notify_all();
-  }
-
-  void wait_for(Turn turn) {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return turn_ == turn; });
+  void run_harness() {
+    s_vpi_vlog_info info{};
+    vpi_get_vlog_info(&info);
+    status_ = harness_main(info.argc, info.argv);
   }
 
   static vpiHandle handle_of(const VpiModel::Port& port) {
-    const std::string name = std::string("bench.") + port.name;
+    const std::string name = std::string("testbench.") + port.name;
     const vpiHandle handle = vpi_handle_by_name(name.c_str(), nullptr);
     if (handle != nullptr) return handle;
     vpi_printf("no %s\n", name.c_str());
@@ -117,52 +101,65 @@ private:
 
   void read_outputs() {
     std::vector<BitNumbers> unknown(handles().size());
-    const VpiModel::Port* valid = nullptr;
     for (std::size_t k = 0; k < handles().size(); ++k) {
-      const VpiModel::Port& port = model_->ports_[k];
-      if (port.is_output) unknown[k] = read(port, handles_[k]);
-      if (port.name == std::string_view("m_axis_tvalid")) valid = &port;
+      if (model_->ports_[k].is_output) unknown[k] = read(model_->ports_[k], handles_[k]);
     }
-    model_->has_unknown_ = false;
+    model_->unknown_streams_.clear();
     for (std::size_t k = 0; k < unknown.size(); ++k) {
-      if (matters(model_->ports_[k], unknown[k], valid)) model_->has_unknown_ = true;
+      if (!unknown[k].empty()) note(model_->ports_[k], unknown[k]);
     }
   }
 
-  /// Tells whether one of a port's unknown bits is in a handshake, or in the payload of a stream
-  /// with a valid beat. Each stream has one bit of `valid`, and an equal share of a payload's bits.
-  static bool matters(const VpiModel::Port& port, const BitNumbers& unknown,
-                      const VpiModel::Port* valid) {
-    const std::string_view name = port.name;
-    if (name.ends_with("_tvalid") || name.ends_with("_tready")) return !unknown.empty();
-    if (!name.starts_with("m_axis_") || valid == nullptr) return false;
-    const int bits_of_a_stream = port.width / valid->width;
-    return std::any_of(unknown.begin(), unknown.end(), [&](int bit) {
-      const int stream = bit / bits_of_a_stream;
-      return (valid->bytes[stream / 8] >> stream % 8 & 1) != 0;
-    });
+  static bool is_handshake(std::string_view port) {
+    return port.ends_with("_tvalid") || port.ends_with("_tready");
   }
 
-  /// Reads an output, and returns which of its bits are neither 0 nor 1. An x reads as 1, a z as 0.
+  /// Notes the streams for which a port's unknown bits matter. A stream has one bit of each
+  /// handshake, and an equal share of a payload's bits.
+  void note(const VpiModel::Port& port, const BitNumbers& unknown) {
+    const VpiModel::Port* const valid = is_handshake(port.name) ? nullptr : valid_of(port);
+    if (valid == nullptr && !is_handshake(port.name)) return;
+    const int bits_of_a_stream = valid == nullptr ? 1 : port.width / valid->width;
+    for (const int bit : unknown) {
+      const int stream = bit / bits_of_a_stream;
+      if (valid != nullptr && (valid->bytes[stream / 8] >> stream % 8 & 1) == 0) continue;
+      model_->unknown_streams_.insert(static_cast<std::uint32_t>(stream));
+    }
+  }
+
+  /// The tvalid of an output that is a stream's payload; null for other outputs.
+  const VpiModel::Port* valid_of(const VpiModel::Port& output) const {
+    const std::string_view name = output.name;
+    const std::size_t payload = name.rfind("_t");
+    if (!name.starts_with("m_") || payload == std::string_view::npos) return nullptr;
+    const std::string valid = std::string(name.substr(0, payload)) + "_tvalid";
+    const auto found = std::find_if(model_->ports_.begin(), model_->ports_.end(),
+                                    [&](const VpiModel::Port& port) { return port.name == valid; });
+    return found == model_->ports_.end() ? nullptr : &*found;
+  }
+
+  /// Reads an output, and returns which of its bits are neither 0 nor 1.
   static BitNumbers read(const VpiModel::Port& port, vpiHandle handle) {
     s_vpi_value value{};
     value.format = vpiVectorVal;
     vpi_get_value(handle, &value);
     BitNumbers unknown;
     for (int word = 0; word < words_of(port); ++word) {
-      const auto bits = static_cast<std::uint32_t>(value.value.vector[word].bval);
-      for (int bit = 0; bit < 32 && bits >> bit != 0; ++bit) {
-        if ((bits >> bit & 1) != 0) unknown.push_back(32 * word + bit);
+      const s_vpi_vecval& bits = value.value.vector[word];
+      const auto x_or_z = static_cast<std::uint32_t>(bits.bval);
+      for (int bit = 0; bit < 32 && x_or_z >> bit != 0; ++bit) {
+        if ((x_or_z >> bit & 1) != 0) unknown.push_back(32 * word + bit);
       }
-      std::memcpy(port.bytes + 4 * word, &value.value.vector[word].aval, 4);
+      const auto ones = static_cast<std::uint32_t>(bits.aval);
+      const std::uint32_t read = is_handshake(port.name) ? ones & ~x_or_z : ones;
+      std::memcpy(port.bytes + 4 * word, &read, 4);
     }
     return unknown;
   }
 
-  std::thread harness_;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  Turn turn_ = Turn::simulator;
+  std::vector<char> stack_;  ///< of the harness
+  ucontext_t simulator_ = {};
+  ucontext_t harness_ = {};
   std::optional<int> status_;  ///< the harness's return value, once it has ended
   VpiModel* model_ = nullptr;
   std::vector<vpiHandle> handles_;

@@ -1,19 +1,20 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <vector>
 
 namespace mixcmp::harness {
 
 /// A model in an event-driven simulator, with the interface of a verilated one: its ports as bytes
-/// in memory, and eval(). The harness runs in a thread of its own. The simulator calls the system
-/// task $mixcmp_exchange in each time unit: it hands the outputs to the harness, waits until the
-/// harness calls eval(), and takes the inputs. One of the two always waits.
+/// in memory, and eval(). The simulator calls the system task $mixcmp_exchange in each time unit:
+/// it hands the outputs to the harness, which runs on a stack of its own until it calls eval(), and
+/// then takes the inputs.
 class VpiModel {
 public:
   /// Bits from the lowest byte up, in whole words of 32 bits.
   struct Port {
-    const char* name;  ///< a variable of the module `bench`, or a net that an output drives
+    const char* name;  ///< a variable of the module `testbench`, or a net that an output drives
     bool is_output;
     int width;
     std::uint8_t* bytes;
@@ -22,12 +23,14 @@ public:
   VpiModel(const VpiModel&) = delete;
   VpiModel& operator=(const VpiModel&) = delete;
 
-  /// Lets the simulator run for a time unit with the inputs as they are, and reads its outputs.
+  /// Lets the simulator run for a time unit with the inputs as they are, and reads its outputs. An
+  /// x reads as 1, a z as 0, but in a handshake each reads as 0.
   void eval();
 
-  /// Whether the last eval() left an unknown bit in a handshake, or in the payload of a stream of
-  /// m_axis whose tvalid is 1. Other outputs, counters among them, are not looked at.
-  bool has_unknown() const { return has_unknown_; }
+  /// The numbers of the streams in which the last eval() left an unknown bit in a handshake, or in
+  /// the payload of a stream that leaves with tvalid 1. Other outputs, counters among them, are not
+  /// looked at.
+  const std::set<std::uint32_t>& unknown_streams() const { return unknown_streams_; }
 
 protected:
   explicit VpiModel(std::vector<Port> ports);
@@ -37,7 +40,7 @@ private:
   friend class VpiExchange;
 
   std::vector<Port> ports_;
-  bool has_unknown_ = false;
+  std::set<std::uint32_t> unknown_streams_;
 };
 
 }  // namespace mixcmp::harness
