@@ -55,20 +55,20 @@ std::string model_text(const Ports& ports) {
       entries, members);
 }
 
-/// The call of the compiler in a makefile, up to its files.
+/// The call of the compiler in a makefile, up to its files. Without debug information, objects do
+/// not depend on their folder, and ccache finds them for each --work.
 std::string compiler_call(bool ccache) {
-  return fmt::format("{}g++ $$(iverilog-vpi --ccflags) -std=c++20 -Wall -O1",
+  return fmt::format("{}g++ $$(iverilog-vpi --ccflags) -g0 -std=c++20 -Wall -O1",
                      ccache ? "ccache " : "");
 }
 
 /// The harness of one kind, compiled once for all systems.
 ModelBuild harness_build(const char* main, const std::filesystem::path& work_dir,
                          const std::string& version) {
-  ModelBuild build{
-      .folder = {},
-      .product = "vpi_model.o",
-      .compile = {"-Dmain=harness_main", "-c", std::string("../") + main, "../vpi_model.cpp"},
-      .inputs = {}};
+  ModelBuild build{.folder = {},
+                   .product = "vpi_model.o",
+                   .compile = {"-Dmain=harness_main", "-c", std::string("../") + main},
+                   .inputs = {}};
   for (const EmbeddedFile& file : harness_files()) build.inputs.emplace_back(file.name, file.text);
   for (const EmbeddedFile& file : vpi_harness_files()) {
     build.inputs.emplace_back(file.name, file.text);
@@ -90,7 +90,8 @@ std::string makefile(const Command& compile, const ModelBuild& harness, bool cca
       "obj/harness.vpi: {1}/{2}\n"
       "\tmkdir -p obj && {3} -I. -I{1} -c -o obj/model.o {1}/vpi_clocked_model.cpp\n"
       "\tg++ -o $@ obj/model.o {1}/obj/*.o $$(iverilog-vpi --ldflags) $$(iverilog-vpi --ldlibs)\n\n"
-      "{1}/{2}:\n\tmkdir -p {1}/obj && cd {1}/obj && {3} {4}\n\ttouch $@\n",
+      "{1}/{2}:\n\tmkdir -p {1}/obj && cd {1}/obj && {3} {4} && {3} -c ../vpi_model.cpp\n"
+      "\ttouch $@\n",
       shell_line(compile), folder, build_stamp, compiler, shell_line(harness.compile));
 }
 

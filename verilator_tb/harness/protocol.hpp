@@ -50,10 +50,10 @@ enum class Fault : std::uint32_t {
   unknown_tag,
   duplicate_tag,      ///< a second result of one comparison
   stale_after_reset,  ///< a result of a comparison that a reset had discarded
-  valid_in_reset,     ///< or a handshake is x at the end of a reset
-  order_broken,       ///< results out of order, in a system that promises order
-  lost,               ///< never left, though its lane goes on
-  hung,               ///< never left, and its lane takes nothing more
+  valid_in_reset,
+  order_broken,  ///< results out of order, in a system that promises order
+  lost,          ///< never left, though its lane goes on
+  hung,          ///< never left, and its lane takes nothing more
   unknown_refetch,
   unknown_value,      ///< x in a handshake or a beat; only an event-driven simulator sees it
   after_the_end,      ///< pairwise engine: a report behind the closing beat

@@ -84,7 +84,7 @@ private:
     for (LaneDriver& lane : lanes_) lane.drive(feed_, traffic_, cycle_);
     for (RefetchMemory& memory : memories_) memory.drive(traffic_, cycle_);
     clocked_.settle(cycle_);
-    report_unknown(wire::Fault::unknown_value);
+    report_unknown();
     for (LaneDriver& lane : lanes_) lane.sample(cycle_);
     for (RefetchMemory& memory : memories_) memory.sample(lanes_, cycle_);
     clocked_.rise(cycle_);
@@ -92,10 +92,10 @@ private:
     if (cycle_ % 1024 == 0) check_overdue();
   }
 
-  void report_unknown(wire::Fault fault) {
+  void report_unknown() {
     for (const std::uint32_t stream : clocked_.unknown_streams()) {
       const auto lane = stream * static_cast<std::uint32_t>(system::lanes_per_group);
-      recorder_.violation({fault, lane, wire::no_position, 0, cycle_});
+      recorder_.violation({wire::Fault::unknown_value, lane, wire::no_position, 0, cycle_});
     }
   }
 
@@ -110,7 +110,6 @@ private:
       ++cycle_;
     }
     for (LaneDriver& lane : lanes_) lane.check_silent_in_reset(cycle_);
-    report_unknown(wire::Fault::valid_in_reset);
     ports_.aresetn.set_bit(0, true);
     if (feed_.taken() == 0) first_cycle_ = cycle_;
   }

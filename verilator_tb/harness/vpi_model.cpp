@@ -143,6 +143,7 @@ private:
     s_vpi_value value{};
     value.format = vpiVectorVal;
     vpi_get_value(handle, &value);
+    const bool is_zero = is_handshake(port.name) && port.name != std::string_view("m_axis_tvalid");
     BitNumbers unknown;
     for (int word = 0; word < words_of(port); ++word) {
       const s_vpi_vecval& bits = value.value.vector[word];
@@ -151,7 +152,7 @@ private:
         if ((x_or_z >> bit & 1) != 0) unknown.push_back(32 * word + bit);
       }
       const auto ones = static_cast<std::uint32_t>(bits.aval);
-      const std::uint32_t read = is_handshake(port.name) ? ones & ~x_or_z : ones;
+      const std::uint32_t read = is_zero ? ones & ~x_or_z : ones;
       std::memcpy(port.bytes + 4 * word, &read, 4);
     }
     return unknown;

@@ -24,7 +24,7 @@ public:
   VpiModel& operator=(const VpiModel&) = delete;
 
   /// Lets the simulator run for a time unit with the inputs as they are, and reads its outputs. An
-  /// x reads as 1, a z as 0, but in a handshake each reads as 0.
+  /// x reads as 1, a z as 0. In handshakes other than m_axis_tvalid each reads as 0: no transfer.
   void eval();
 
   /// The numbers of the streams in which the last eval() left an unknown bit in a handshake, or in
