@@ -5,15 +5,16 @@
 #include <string_view>
 
 #include "model/base/common/result.hpp"
-#include "model/cost/devices/area.hpp"
+#include "model/cost/devices/device.hpp"
 
 namespace mixcmp::characterise {
 
-/// The area of one cell of Yosys' technology libraries (docs/devices.md). An unknown cell is an
+/// The area of one cell of the device (docs/devices.md). An unknown cell is an
 /// error, since without it a design would look smaller.
-Result<devices::Area> area_of_cell(std::string_view cell);
+Result<devices::Area> area_of_cell(std::string_view cell, const devices::Device& device);
 
 /// The area of a design, summed over the cells that `stat -json` (Yosys 0.23 to 0.52) counts.
-Result<devices::Area> area_of_statistics(const nlohmann::json& statistics);
+Result<devices::Area> area_of_statistics(const nlohmann::json& statistics,
+                                         const devices::Device& device);
 
 }  // namespace mixcmp::characterise

@@ -71,7 +71,8 @@ Result<devices::Area> map_alone(const Run& run) {
       read_sources(run), run.device.synthesis, top, run.is_xilinx() ? share_inverters : "", top);
   MIXCMP_DO(run_yosys(run, "map", script));
   MIXCMP_TRY(statistics, read_json(run.directory / "area.json"));
-  MIXCMP_TRY(area, in_file(area_of_statistics(statistics), run.directory / "area.json"));
+  MIXCMP_TRY(area,
+             in_file(area_of_statistics(statistics, run.device), run.directory / "area.json"));
   if (run.is_ice40()) {
     MIXCMP_TRY(netlist, read_json(run.directory / "map.json"));
     area.luts = ice40_logic_cells(netlist, top);

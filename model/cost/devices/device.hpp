@@ -7,6 +7,7 @@
 
 #include "model/base/common/result.hpp"
 #include "model/cost/devices/area.hpp"
+#include "model/cost/devices/cell_areas.hpp"
 
 namespace mixcmp::devices {
 
@@ -67,6 +68,7 @@ struct Device {
   int technology_nm = 0;
   Area available;         ///< luts, registers, dsps, memories
   std::string synthesis;  ///< Yosys command without -top: "synth_xilinx -family xc6v ..."
+  CellAreas cell_areas;   ///< of the cells that `synthesis` maps to
   std::string cells;  ///< rtl_templates/technology/CELLS has modules for its Yosys; may be empty
   TimingTool timing = TimingTool::none;
   std::string timing_synthesis;               ///< `synthesis` for the timing run; may be empty

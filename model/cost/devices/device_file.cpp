@@ -15,8 +15,8 @@
 namespace mixcmp::devices {
 namespace {
 
-const std::vector<std::string> section_names = {"device", "synthesis", "timing", "delays",
-                                                "sources"};
+const std::vector<std::string> section_names = {"device", "synthesis", "areas",
+                                                "timing", "delays",    "sources"};
 
 Result<Done> check_section_names(const settings::Settings& settings) {
   for (const settings::Setting& entry : settings.root.entries) {
@@ -98,6 +98,18 @@ Result<Done> read_synthesis(const settings::Settings& settings, Device& device) 
   }
   if (const auto error = section.finish()) return *error;
   return Done{};
+}
+
+/// The areas of the cells that the command maps to, and those that the file adds or changes.
+Result<CellAreas> read_areas(const settings::Settings& settings, const std::string& synthesis) {
+  CellAreas areas = CellAreas::of(synthesis);
+  const settings::Setting* section = settings.root.find("areas");
+  if (section == nullptr) return areas;
+  if (!std::holds_alternative<settings::Setting::Table>(section->value)) {
+    return settings::mistake_at(*section, "areas", "not a section", section->shown(), "[areas]");
+  }
+  MIXCMP_DO(areas.add(*section));
+  return areas;
 }
 
 void read_arguments(settings::Section& section, std::vector<std::string>& arguments) {
@@ -190,6 +202,8 @@ Result<Device> read_device(std::string text, const std::filesystem::path& path) 
   Device device;
   MIXCMP_DO(read_figures(settings, device));
   MIXCMP_DO(read_synthesis(settings, device));
+  MIXCMP_TRY(areas, read_areas(settings, device.synthesis));
+  device.cell_areas = std::move(areas);
   MIXCMP_DO(read_timing(settings, device));
   MIXCMP_DO(read_delays(settings, device.delays));
   MIXCMP_DO(read_sources(settings, device.sources));

@@ -15,50 +15,69 @@ namespace {
 
 using nlohmann::json;
 
+Result<devices::Area> area_of(std::string_view cell, const std::string& device) {
+  return characterise::area_of_cell(cell, devices::find_device(device).value());
+}
+
 TEST(MappedArea, ACellNobodyCountedIsAnError) {
-  for (const char* cell : {"$add", "$_DFF_P_", "SB_SPRAM256KA", "my_black_box", "RAM512X1S"}) {
-    const auto area = characterise::area_of_cell(cell);
+  for (const char* cell : {"$add", "$_DFF_P_", "SB_SPRAM256KA", "my_black_box", "SB_LUT40", ""}) {
+    const auto area = area_of(cell, "ice40-up5k");
     ASSERT_FALSE(area.ok()) << cell;
     EXPECT_EQ(area.error().received, cell);
+    EXPECT_TRUE(area.error().accepted.starts_with("$scopeinfo, SB_CARRY, ")) << cell;
   }
+  EXPECT_FALSE(area_of("RAM512X1S", "virtex6-lx760").ok());
+  EXPECT_FALSE(area_of("SB_LUT4", "virtex6-lx760").ok()) << "a cell of another family";
 }
 
 TEST(MappedArea, MemoryInLutsCountsAsTheVendorsGuidesSay) {
-  const std::map<std::string, int> luts = {
-      {"SRL16E", 1}, {"SRLC32E", 1}, {"RAM32X1D", 2}, {"RAM64X1D", 2},       {"RAM128X1D", 4},
-      {"RAM32M", 4}, {"RAM64M", 4},  {"RAM32M16", 8}, {"TRELLIS_DPR16X4", 6}};
+  const std::map<std::string, int> luts = {{"SRL16E", 1},   {"SRLC32E", 1},   {"RAM32X1D", 2},
+                                           {"RAM64X1D", 2}, {"RAM128X1D", 4}, {"RAM32M", 4},
+                                           {"RAM64M", 4},   {"RAM32M16", 8}};
   for (const auto& [cell, count] : luts) {
-    const devices::Area area = characterise::area_of_cell(cell).value();
+    const devices::Area area = area_of(cell, "artix7-200t").value();
     EXPECT_EQ(area, (devices::Area{.luts = count, .shift_luts = count})) << cell;
   }
+  EXPECT_EQ(area_of("TRELLIS_DPR16X4", "ecp5-85k").value(),
+            (devices::Area{.luts = 6, .shift_luts = 6}));
 }
 
 TEST(MappedArea, ABlockOf36KbIsTwoOf18Kb) {
-  EXPECT_EQ(characterise::area_of_cell("RAMB18E1")->memories, 1);
-  EXPECT_EQ(characterise::area_of_cell("RAMB36E1")->memories, 2);
-  EXPECT_EQ(characterise::area_of_cell("RAMB36E2")->memories, 2);
+  EXPECT_EQ(area_of("RAMB18E1", "virtex6-lx760")->memories, 1);
+  EXPECT_EQ(area_of("RAMB36E1", "virtex6-lx760")->memories, 2);
+  EXPECT_EQ(area_of("RAMB36E2", "ultrascale+-vu9p")->memories, 2);
 }
 
 TEST(MappedArea, EveryFlipFlopAndMultiplierOfEveryFamilyCounts) {
-  for (const char* cell : {"FDRE", "FDSE", "FDRE_1", "FDCE", "TRELLIS_FF", "SB_DFF", "SB_DFFESR"}) {
-    EXPECT_EQ(characterise::area_of_cell(cell).value(), devices::Area{.registers = 1}) << cell;
+  const std::multimap<std::string, std::string> registers = {
+      {"virtex5-lx330t", "FDRE"}, {"virtex6-lx760", "FDSE"},  {"artix7-200t", "FDRE_1"},
+      {"artix7-200t", "FDCE"},    {"ecp5-85k", "TRELLIS_FF"}, {"ice40-hx8k", "SB_DFF"},
+      {"ice40-up5k", "SB_DFFESR"}};
+  for (const auto& [device, cell] : registers) {
+    EXPECT_EQ(area_of(cell, device).value(), devices::Area{.registers = 1}) << cell;
   }
-  for (const char* cell : {"DSP48E", "DSP48E1", "DSP48E2", "MULT18X18D", "SB_MAC16"}) {
-    EXPECT_EQ(characterise::area_of_cell(cell).value(), devices::Area{.dsps = 1}) << cell;
+  const std::multimap<std::string, std::string> multipliers = {{"virtex5-lx330t", "DSP48E"},
+                                                               {"artix7-200t", "DSP48E1"},
+                                                               {"ultrascale+-vu9p", "DSP48E2"},
+                                                               {"ecp5-85k", "MULT18X18D"},
+                                                               {"ice40-up5k", "SB_MAC16"}};
+  for (const auto& [device, cell] : multipliers) {
+    EXPECT_EQ(area_of(cell, device).value(), devices::Area{.dsps = 1}) << cell;
   }
 }
 
 TEST(MappedArea, StatisticsOfOldAndNewYosysAddUp) {
+  const devices::Device device = devices::find_device("artix7-200t").value();
   const json old_form = json::parse(R"({"creator": "Yosys 0.23", "modules": {"\\dut": {}},
       "design": {"num_cells": 88, "num_cells_by_type":
                  {"CARRY4": 4, "FDRE": 48, "LUT2": 16, "SRL16E": 8, "RAM32M": 3, "DSP48E1": 2}}})");
   const devices::Area expected = {
       .luts = 36, .registers = 48, .dsps = 2, .carries = 4, .shift_luts = 20};
-  EXPECT_EQ(characterise::area_of_statistics(old_form).value(), expected);
+  EXPECT_EQ(characterise::area_of_statistics(old_form, device).value(), expected);
   json new_form = old_form;
   new_form["design"]["num_ports"] = 4;
   new_form["design"]["num_cells_by_type"]["$scopeinfo"] = 12;
-  EXPECT_EQ(characterise::area_of_statistics(new_form).value(), expected);
+  EXPECT_EQ(characterise::area_of_statistics(new_form, device).value(), expected);
 }
 
 /// A netlist of iCE40 cells, their ports as nets.
@@ -187,16 +206,17 @@ TEST(Router, AReportOfAnotherFormIsAnError) {
 }
 
 TEST(MappedArea, NumbersOfCellsAreWholeAndWithinReason) {
-  const auto area = [](const char* counts) {
+  const devices::Device device = devices::find_device("artix7-200t").value();
+  const auto area = [&](const char* counts) {
     return characterise::area_of_statistics(
-        json::parse(fmt::format(R"({{"design": {{"num_cells_by_type": {}}}}})", counts)));
+        json::parse(fmt::format(R"({{"design": {{"num_cells_by_type": {}}}}})", counts)), device);
   };
   EXPECT_EQ(area(R"({"LUT1": 7})").value().luts, 7);
   for (const char* counts : {"{}", R"({"LUT1": -5})", R"({"LUT1": 99999999999})",
                              R"({"LUT1": 1.5})", R"({"LUT1": "7"})", "null", "[]"}) {
     EXPECT_FALSE(area(counts).ok()) << counts;
   }
-  EXPECT_FALSE(characterise::area_of_statistics(json::array()).ok());
+  EXPECT_FALSE(characterise::area_of_statistics(json::array(), device).ok());
 }
 
 TEST(Router, SeedsGiveMedianAndExtremes) {

@@ -95,6 +95,12 @@ INSTANTIATE_TEST_SUITE_P(
                 "\"write_verilog x.v\""},
         Mistake{"UnknownCells", "-abc9\"", "-abc9\"\ncells = \"ice50\"", 9, "synthesis.cells",
                 "\"ice50\""},
+        Mistake{"CellWithoutResources", "-abc9\"", "-abc9\"\n[areas]\nLUT4 = 1", 10, "areas.LUT4",
+                "1"},
+        Mistake{"CellOfAnUnknownResource", "-abc9\"", "-abc9\"\n[areas]\nLUT4 = { lut = 1 }", 10,
+                "areas.LUT4.lut", "lut"},
+        Mistake{"NegativeCell", "-abc9\"", "-abc9\"\n[areas]\nLUT4 = { luts = -1 }", 10,
+                "areas.LUT4.luts", "-1"},
         Mistake{"UnknownTool", "nextpnr_ecp5", "nextpnr_ecp6", 10, "timing.tool",
                 "\"nextpnr_ecp6\""},
         Mistake{"SynthesisForARouter", "arguments", "synthesis = \"synth_ecp5\"\narguments", 11,
@@ -121,6 +127,19 @@ TEST(DeviceFile, IsReadAsWritten) {
   EXPECT_EQ(device->timing_arguments, (std::vector<std::string>{"--85k", "--speed", "8"}));
   EXPECT_EQ(device->delays.carry_ns_per_bit, 0.1);
   EXPECT_EQ(device->sources, std::vector<std::string>{"luts: a data sheet"});
+}
+
+/// A device file's own areas come before those of the command's cells.
+TEST(DeviceFile, AreasAreThoseOfTheCommandUnlessGiven) {
+  const auto plain = with("luts", "luts");
+  EXPECT_EQ(plain->cell_areas.find("CCU2C"), (devices::Area{.luts = 2, .carries = 1}));
+  EXPECT_EQ(plain->cell_areas.find("SB_LUT4"), std::nullopt) << "a cell of another command";
+  const auto own = with("-abc9\"", "-abc9\"\n[areas]\nCCU2C = { luts = 3 }\n\"X*\" = { dsps = 2 }");
+  ASSERT_TRUE(own.ok()) << own.error().to_string();
+  EXPECT_EQ(own->cell_areas.find("CCU2C"), devices::Area{.luts = 3});
+  EXPECT_EQ(own->cell_areas.find("XYZ"), devices::Area{.dsps = 2});
+  EXPECT_EQ(own->cell_areas.find("LUT4"), devices::Area{.luts = 1});
+  EXPECT_EQ(own->cell_areas.find("LUT44"), std::nullopt) << "only a name with * is a start";
 }
 
 /// A table of six inputs has room for two bits that select. A table of four has none, unless the
