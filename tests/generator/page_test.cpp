@@ -9,6 +9,7 @@
 #include "generator/present/page/html_page.hpp"
 #include "generator/present/page/pipeline_columns.hpp"
 #include "generator/present/page/waveform.hpp"
+#include "generator/present/table/table.hpp"
 #include "tests/support/well_formed.hpp"
 
 /// Elements, axes, charts and layouts of pages.
@@ -68,13 +69,15 @@ TEST(Page, AWholePageIsWellFormed) {
 }
 
 TEST(Page, ATableAlignsColumnsOfNumbers) {
-  const std::string table =
-      draw(page::Table{{"L", "kind"}, {{"8", "s8e8"}, {"12", "-"}}}).to_text();
+  table::Table kinds = table::text_table({"L", "kind"});
+  kinds.rows = {{{8, "s8e8"}}, {{12, table::Json()}}};
+  const std::string table = page::draw(kinds).to_text();
   EXPECT_EQ(count(table, "<td class=\"number\">"), 2);
   EXPECT_NE(table.find("<td>s8e8</td>"), std::string::npos);
   const auto is_number = [](const char* cell) {
-    return draw(page::Table{{"column"}, {{cell}}}).to_text().find("\"number\"") !=
-           std::string::npos;
+    table::Table one = table::text_table({"column"});
+    one.rows = {{{table::Json(cell)}}};
+    return page::draw(one).to_text().find("\"number\"") != std::string::npos;
   };
   for (const char* cell : {"8", "-3.5", "1.25e-3", "3-4.5", "0.5-1", "250 MHz", "-", ""}) {
     EXPECT_TRUE(is_number(cell)) << cell;

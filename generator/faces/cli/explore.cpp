@@ -272,8 +272,8 @@ std::string tables_of(const optimise::Exploration& exploration,
                       const std::optional<optimise::PublishedFigures>& published,
                       const std::vector<report::SoftwareThroughput>& software) {
   return "## " + exploration.device.name + "\n\n" +
-         report::markdown(report::table3(exploration, published)) + "\n" +
-         report::markdown(report::table4(exploration, published, software));
+         to_markdown(report::table3(exploration, published)) + "\n" +
+         to_markdown(report::table4(exploration, published, software));
 }
 
 std::vector<optimise::DataSet> measure_sets(const ExploreCommand& command,

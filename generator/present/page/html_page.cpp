@@ -39,9 +39,11 @@ bool is_numeric(const std::string& cell) {
   return rest.empty() || rest.starts_with(' ');
 }
 
-std::vector<bool> numeric_columns(const Table& table) {
-  std::vector<bool> numeric(table.header.size(), !table.rows.empty());
-  for (const auto& row : table.rows) {
+using Cells = std::vector<std::string>;
+
+std::vector<bool> numeric_columns(const std::vector<Cells>& rows, std::size_t columns) {
+  std::vector<bool> numeric(columns, !rows.empty());
+  for (const Cells& row : rows) {
     for (std::size_t k = 0; k < row.size() && k < numeric.size(); ++k) {
       numeric[k] = numeric[k] && is_numeric(row[k]);
     }
@@ -49,8 +51,7 @@ std::vector<bool> numeric_columns(const Table& table) {
   return numeric;
 }
 
-Element row_of(const std::vector<std::string>& cells, const char* name,
-               const std::vector<bool>& numeric) {
+Element row_of(const Cells& cells, const char* name, const std::vector<bool>& numeric) {
   Element row("tr");
   for (std::size_t k = 0; k < cells.size(); ++k) {
     std::vector<Attribute> attributes;
@@ -162,11 +163,13 @@ Element details(std::string_view summary, const Element& content) {
   return element.add(text_element("summary", {}, summary)).add(content);
 }
 
-Element draw(const Table& table) {
-  const std::vector<bool> numeric = numeric_columns(table);
+Element draw(const table::Table& table) {
+  std::vector<Cells> rows;
+  for (const table::Row& row : table.rows) rows.push_back(shown_cells(table, row));
+  const std::vector<bool> numeric = numeric_columns(rows, table.columns.size());
   Element head("thead"), body("tbody");
-  head.add(row_of(table.header, "th", numeric));
-  for (const auto& row : table.rows) body.add(row_of(row, "td", numeric));
+  head.add(row_of(shown_titles(table), "th", numeric));
+  for (const Cells& row : rows) body.add(row_of(row, "td", numeric));
   Element element("table");
   element.add(head).add(body);
   Element scrolling("div", {{"class", "scroll"}, {"tabindex", "0"}});

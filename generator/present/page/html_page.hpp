@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "generator/present/page/element.hpp"
+#include "generator/present/table/table.hpp"
 
 namespace mixcmp::page {
 
@@ -28,12 +29,8 @@ Element key_figures(const std::vector<std::pair<std::string, std::string>>& entr
 /// A part of a page that a reader may open for more details.
 Element details(std::string_view summary, const Element& content);
 
-/// Rows of cells. Columns whose cells are all numbers are aligned to the right.
-struct Table {
-  std::vector<std::string> header;
-  std::vector<std::vector<std::string>> rows;
-};
-Element draw(const Table& table);
+/// A table as people read it. Columns whose cells are all numbers are aligned to the right.
+Element draw(const table::Table& table);
 
 struct Section {
   std::string id;  ///< letters and hyphens

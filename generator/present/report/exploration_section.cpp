@@ -69,9 +69,9 @@ void add_device(page::Section& section, const Exploration& exploration,
       page::gallery({ratio_figure(first), area_figure(first.example, published),
                      clock_figure(last.example, published), throughput_figure(first, published)}));
   section.content.push_back(page::heading("Table III: references"));
-  section.content.push_back(draw(table3(exploration, published)));
+  section.content.push_back(page::draw(table3(exploration, published)));
   section.content.push_back(page::heading("Table IV: systems"));
-  section.content.push_back(draw(table4(exploration, published, software)));
+  section.content.push_back(page::draw(table4(exploration, published, software)));
   for (const std::string& note : exploration.notes) {
     section.content.push_back(page::note("Note: " + note));
   }

@@ -1,7 +1,6 @@
 #include "generator/present/report/paper_tables.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
@@ -21,21 +20,20 @@ namespace {
 
 constexpr const char* nothing = "-";
 
-/// The range of a value over plans: "87-108", or "87" where both ends print alike.
+/// "87-108", or "87" where both ends print alike.
+std::string range_text(double low, double high, const char* format) {
+  const std::string from = fmt::format(fmt::runtime(format), low);
+  const std::string to = fmt::format(fmt::runtime(format), high);
+  return from == to ? from : from + "-" + to;
+}
+
+/// The range of a value over plans.
 std::string range_of(const std::vector<PlanSummary>& plans,
                      const std::function<double(const PlanSummary&)>& value, const char* format) {
   std::vector<double> values;
   for (const PlanSummary& plan : plans) values.push_back(value(plan));
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const std::string from = fmt::format(fmt::runtime(format), *low);
-  const std::string to = fmt::format(fmt::runtime(format), *high);
-  return from == to ? from : from + "-" + to;
-}
-
-std::string range_text(double low, double high, const char* format) {
-  const std::string from = fmt::format(fmt::runtime(format), low);
-  const std::string to = fmt::format(fmt::runtime(format), high);
-  return from == to ? from : from + "-" + to;
+  return range_text(*low, *high, format);
 }
 
 /// One line of Table IV: its name, the cell of the paper, and the cell of each column of ours.
@@ -45,12 +43,12 @@ struct TableLine {
   std::function<std::string(const ResultsAtClocks&)> of_column;
 };
 
-void add_line(page::Table& table, const Exploration& exploration,
+void add_line(table::Table& table, const Exploration& exploration,
               const std::optional<PublishedFigures>& published, const TableLine& line) {
-  std::vector<std::string> cells = {line.name};
+  std::vector<table::Json> cells = {line.name};
   if (published) cells.push_back(line.of_paper(*published));
   for (const ResultsAtClocks& column : exploration.columns) cells.push_back(line.of_column(column));
-  table.rows.push_back(std::move(cells));
+  table.rows.push_back({std::move(cells)});
 }
 
 std::string giga_text(double per_s) {
@@ -165,29 +163,30 @@ std::vector<std::string> headers(const Exploration& exploration, bool with_paper
 
 }  // namespace
 
-page::Table table3(const Exploration& exploration,
-                   const std::optional<PublishedFigures>& published) {
-  page::Table table{{exploration.device.name, "LUT", "registers", "DSP", "latency, cycles", "MHz"},
-                    {}};
+table::Table table3(const Exploration& exploration,
+                    const std::optional<PublishedFigures>& published) {
+  table::Table table = table::text_table(
+      {exploration.device.name, "LUT", "registers", "DSP", "latency, cycles", "MHz"});
   if (published) {
-    table.rows.push_back({"the paper, placed and routed",
-                          fmt::format("{} pairs", published->reference_luts), nothing,
-                          fmt::format("{}", published->reference_dsps), nothing,
-                          fmt::format("{:.0f}", published->reference_mhz)});
+    table.rows.push_back(
+        {{"the paper, placed and routed", fmt::format("{} pairs", published->reference_luts),
+          nothing, published->reference_dsps, nothing,
+          fmt::format("{:.0f}", published->reference_mhz)}});
   }
   for (const ReferenceImplementation& reference : exploration.columns.front().example.references) {
     const Measurement& m = reference.measured;
     table.rows.push_back(
-        {reference.kind.name, fmt::format("{}", m.area.luts), fmt::format("{}", m.area.registers),
-         fmt::format("{}", m.area.dsps), fmt::format("{}", m.latency_cycles),
-         m.clock ? fmt::format("{:.0f}, {}", m.clock->mhz, to_string(m.clock->source)) : nothing});
+        {{reference.kind.name, m.area.luts, m.area.registers, m.area.dsps, m.latency_cycles,
+          m.clock ? fmt::format("{:.0f}, {}", m.clock->mhz, to_string(m.clock->source))
+                  : nothing}});
   }
   return table;
 }
 
-page::Table table4(const Exploration& exploration, const std::optional<PublishedFigures>& published,
-                   const std::vector<SoftwareThroughput>& software) {
-  page::Table table{headers(exploration, published.has_value()), {}};
+table::Table table4(const Exploration& exploration,
+                    const std::optional<PublishedFigures>& published,
+                    const std::vector<SoftwareThroughput>& software) {
+  table::Table table = table::text_table(headers(exploration, published.has_value()));
   for (const auto& lines : {baseline_lines(), scenario_1_lines(), scenario_2_lines()}) {
     for (const TableLine& line : lines) add_line(table, exploration, published, line);
   }
@@ -212,14 +211,6 @@ page::Table table4(const Exploration& exploration, const std::optional<Published
              }));
   }
   return table;
-}
-
-std::string markdown(const page::Table& table) {
-  std::string text = fmt::format("| {} |\n|", fmt::join(table.header, " | "));
-  for (std::size_t cell = 0; cell < table.header.size(); ++cell) text += "---|";
-  text += "\n";
-  for (const auto& row : table.rows) text += fmt::format("| {} |\n", fmt::join(row, " | "));
-  return text;
 }
 
 }  // namespace mixcmp::report

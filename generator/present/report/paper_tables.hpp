@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/present/page/html_page.hpp"
+#include "generator/present/table/table.hpp"
 #include "model/plan/optimise/exploration.hpp"
 #include "model/plan/optimise/published.hpp"
 
@@ -18,13 +18,10 @@ struct SoftwareThroughput {
 };
 
 /// Tables III and IV, the paper's column first where `published` is given.
-page::Table table3(const optimise::Exploration& exploration,
-                   const std::optional<optimise::PublishedFigures>& published);
-page::Table table4(const optimise::Exploration& exploration,
-                   const std::optional<optimise::PublishedFigures>& published,
-                   const std::vector<SoftwareThroughput>& software);
-
-/// A table as Markdown.
-std::string markdown(const page::Table& table);
+table::Table table3(const optimise::Exploration& exploration,
+                    const std::optional<optimise::PublishedFigures>& published);
+table::Table table4(const optimise::Exploration& exploration,
+                    const std::optional<optimise::PublishedFigures>& published,
+                    const std::vector<SoftwareThroughput>& software);
 
 }  // namespace mixcmp::report

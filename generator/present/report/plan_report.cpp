@@ -2,13 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
-
+#include "generator/present/report/plan_fields.hpp"
 #include "generator/present/report/plan_shares.hpp"
 #include "generator/present/report/units.hpp"
 #include "model/cost/performance/performance.hpp"
-#include "model/plan/optimise/plan_summary.hpp"
 
 namespace mixcmp::report {
 
@@ -27,7 +24,9 @@ using optimise::PrecisionPlan;
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using table::Fields;
+using table::Json;
+using table::Table;
 
 std::string why_infeasible(const PrecisionPlan& plan) {
   return "infeasible: " + std::get<Infeasible>(plan.result).message;
@@ -45,14 +44,28 @@ std::string shares(const Area& used, const Optimisation& optimisation) {
   return text;
 }
 
-std::string row(const PrecisionPlan& plan, bool best) {
-  const PlanSummary s = summary_of(plan);
-  if (s.precision == 0) {
-    return fmt::format("  {:>2}  {}\n", plan.precision, why_infeasible(plan));
+/// The columns that people read, in their order.
+Fields<PlanSummary> shown_fields() {
+  return pick(plan_fields(), {"precision", "lanes", "references", "recomputation_rate", "clock_mhz",
+                              "throughput_per_s", "kinds"});
+}
+
+/// All columns of a plan, with those of its area before the kinds.
+Fields<PlanSummary> with_area(const Fields<PlanSummary>& area) {
+  return plan_figures() + area + pick(plan_fields(), {"kinds"});
+}
+
+/// The plan at every precision. Infeasible ones have only their precision, and say why.
+Table plans_by(const Fields<PlanSummary>& fields, const Optimisation& optimisation) {
+  Table table = table_of(fields, {});
+  table.remark_name = "infeasible";
+  for (const PrecisionPlan& plan : optimisation.plans) {
+    const bool feasible = plan.allocation() != nullptr;
+    table.rows.push_back(feasible
+                             ? row_of(fields, summary_of(plan))
+                             : row_of(fields, {.precision = plan.precision}, why_infeasible(plan)));
   }
-  return fmt::format("{} {:>2} {:>5} {:>4} {:>10.3e} {:>7.1f} {:>8.2f}  {}\n", best ? '*' : ' ',
-                     s.precision, s.lanes, s.references, s.recomputation_rate, s.clock_mhz,
-                     s.throughput_per_s / giga, s.kinds);
+  return table;
 }
 
 /// The areas that a plan of an engine counts, one line per part.
@@ -85,15 +98,7 @@ std::string best_text(const Optimisation& optimisation) {
                             alone.lane_count(), baseline / giga, s.throughput_per_s / baseline);
 }
 
-Json json_of(const Area& area) {
-  return {
-      {"lut", area.luts}, {"ff", area.registers}, {"dsp", area.dsps}, {"memory", area.memories}};
-}
-
-Json json_of(const PrecisionPlan& plan) {
-  const PlanSummary s = summary_of(plan);
-  if (s.precision == 0)
-    return {{"precision", plan.precision}, {"infeasible", why_infeasible(plan)}};
+Json json_of_kinds(const PrecisionPlan& plan) {
   Json kinds = Json::array();
   for (std::size_t k = 0; k < plan.lanes.size(); ++k) {
     const LaneImplementation& lane = plan.lanes[k];
@@ -101,41 +106,48 @@ Json json_of(const PrecisionPlan& plan) {
                      {"lanes", plan.allocation()->lanes[k]},
                      {"throughput_per_s", optimise::throughput_per_s(lane.kind)},
                      {"recomputation_rate", lane.kind.recomputation_rate},
-                     {"area", json_of(lane.with_streams)}});
+                     {"area", object_of(area_fields(), lane.with_streams)}});
   }
-  return {{"precision", s.precision},
-          {"lanes", s.lanes},
-          {"references", s.references},
-          {"clock_mhz", s.clock_mhz},
-          {"recomputation_rate", s.recomputation_rate},
-          {"throughput_per_s", s.throughput_per_s},
-          {"used", json_of(s.used)},
-          {"kinds", std::move(kinds)}};
+  return kinds;
+}
+
+Json json_of_plans(const Optimisation& optimisation) {
+  const Fields<PlanSummary> used = {
+      {{"used"}, [](const PlanSummary& s) { return object_of(area_fields(), s.used); }}};
+  Json plans = to_json(plans_by(with_area(used), optimisation));
+  for (std::size_t k = 0; k < plans.size(); ++k) {
+    Json& plan = plans[k];
+    if (plan.contains("kinds")) plan["kinds"] = json_of_kinds(optimisation.plans[k]);
+  }
+  return plans;
 }
 
 /// The areas that the plan counts, by the names of its parts.
 Json counted_json(const PrecisionPlan& plan) {
   Json parts = Json::array();
   for (const PartShare& part : shares_of(plan)) {
-    parts.push_back({{"part", part.name}, {"area", json_of(part.area)}});
+    parts.push_back({{"part", part.name}, {"area", object_of(area_fields(), part.area)}});
   }
   return parts;
 }
 
 }  // namespace
 
+table::Table plan_table(const Optimisation& optimisation) {
+  return plans_by(shown_fields(), optimisation);
+}
+
 std::string to_text(const Optimisation& optimisation) {
-  std::string text = fmt::format(
-      "{} on {}, slack {:g}, {}; clocks: {}\n"
-      "   L   p_L  p_H        R_R     MHz      G/s  lanes\n",
-      optimisation.scene, optimisation.device.name, optimisation.slack,
-      optimisation.clocks.domains == ClockDomains::single
-          ? "one clock domain"
-          : "lanes and references on clocks of their own",
-      describe_clocks(optimisation));
-  for (const PrecisionPlan& plan : optimisation.plans) {
-    text += row(plan, &plan == optimisation.best());
-  }
+  std::string text = fmt::format("{} on {}, slack {:g}, {}; clocks: {}\n", optimisation.scene,
+                                 optimisation.device.name, optimisation.slack,
+                                 optimisation.clocks.domains == ClockDomains::single
+                                     ? "one clock domain"
+                                     : "lanes and references on clocks of their own",
+                                 describe_clocks(optimisation));
+  const int best = summary_of(optimisation).precision;
+  const Fields<PlanSummary> mark = {
+      {{"", "", 1, 0}, [best](const PlanSummary& s) { return s.precision == best ? "*" : ""; }}};
+  text += to_text(plans_by(mark + shown_fields(), optimisation));
   text += best_text(optimisation);
   if (optimisation.crossover) {
     text +=
@@ -152,12 +164,11 @@ Json to_json(const Optimisation& optimisation) {
                  {"slack", optimisation.slack},
                  {"clock_basis", describe_clocks(optimisation)},
                  {"one_clock_domain", optimisation.clocks.domains == ClockDomains::single},
-                 {"plans", Json::array()},
+                 {"plans", json_of_plans(optimisation)},
                  {"best", nullptr},
                  {"reference_only_per_s", baseline_per_s(optimisation)},
                  {"crossover_precision", nullptr},
                  {"notes", optimisation.notes}};
-  for (const PrecisionPlan& plan : optimisation.plans) report["plans"].push_back(json_of(plan));
   if (const PrecisionPlan* best = optimisation.best()) {
     report["best"] = best->precision;
     report["counted"] = counted_json(*best);
@@ -167,34 +178,23 @@ Json to_json(const Optimisation& optimisation) {
 }
 
 std::string figure9_csv(const Optimisation& optimisation) {
-  std::string text =
-      "precision,lanes,references,clock_mhz,recomputation_rate,throughput_per_s,lut,ff,dsp,memory,"
-      "kinds\n";
-  for (const PrecisionPlan& plan : optimisation.plans) {
-    const PlanSummary s = summary_of(plan);
-    const std::string kinds = s.precision == 0 ? why_infeasible(plan) : s.kinds;
-    text +=
-        fmt::format("{},{},{},{:.6g},{:.6g},{:.6g},{},{},{},{},\"{}\"\n", plan.precision, s.lanes,
-                    s.references, s.clock_mhz, s.recomputation_rate, s.throughput_per_s,
-                    s.used.luts, s.used.registers, s.used.dsps, s.used.memories, kinds);
-  }
-  return text;
+  return to_csv(plans_by(with_area(within(area_fields(), &PlanSummary::used)), optimisation));
 }
 
 std::string figure7_csv(const Optimisation& optimisation) {
-  std::string text =
-      "precision,inputs,bound,multipliers,lut,ff,dsp,latency_cycles,clock_mhz,clock_source\n";
+  Table table = table::named_table({"precision", "inputs", "bound", "multipliers", "lut", "ff",
+                                    "dsp", "latency_cycles", "clock_mhz", "clock_source"});
+  table.columns[8].in_csv = "{:.2f}";
   for (const PrecisionPlan& plan : optimisation.plans) {
     for (const LaneImplementation& lane : plan.lanes) {
       const Measurement& m = lane.measured;
-      text += fmt::format("{},{},{},{},{},{},{},{},", plan.precision, to_string(m.key.inputs),
-                          to_string(m.key.bound), m.key.multipliers, m.area.luts, m.area.registers,
-                          m.area.dsps, m.latency_cycles);
-      text +=
-          m.clock ? fmt::format("{:.2f},{}\n", m.clock->mhz, to_string(m.clock->source)) : ",\n";
+      table.rows.push_back({{plan.precision, to_string(m.key.inputs), to_string(m.key.bound),
+                             m.key.multipliers, m.area.luts, m.area.registers, m.area.dsps,
+                             m.latency_cycles, m.clock ? Json(m.clock->mhz) : Json(),
+                             m.clock ? Json(to_string(m.clock->source)) : Json()}});
     }
   }
-  return text;
+  return to_csv(table);
 }
 
 }  // namespace mixcmp::report

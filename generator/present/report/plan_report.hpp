@@ -4,10 +4,13 @@
 #include <string>
 
 #include "generator/present/report/plot.hpp"
+#include "generator/present/table/table.hpp"
 #include "model/plan/optimise/optimise.hpp"
 
 namespace mixcmp::report {
 
+/// The plan at every precision, as people read it.
+table::Table plan_table(const optimise::Optimisation& optimisation);
 std::string to_text(const optimise::Optimisation& optimisation);
 nlohmann::ordered_json to_json(const optimise::Optimisation& optimisation);
 

@@ -78,25 +78,6 @@ page::Chart counts_chart(const Optimisation& plans,
   return chart;
 }
 
-page::Table table_of(const Optimisation& plans) {
-  page::Table table{{"L", "p_L", "p_H", "R_R", "MHz", "G/s", "lanes"}, {}};
-  for (const PrecisionPlan& plan : plans.plans) {
-    const PlanSummary s = summary_of(plan);
-    if (s.precision == 0) {
-      const auto& why = std::get<optimise::Infeasible>(plan.result);
-      table.rows.push_back(
-          {fmt::format("{}", plan.precision), "-", "-", "-", "-", "-", why.message});
-      continue;
-    }
-    table.rows.push_back({fmt::format("{}", s.precision), fmt::format("{}", s.lanes),
-                          fmt::format("{}", s.references),
-                          fmt::format("{:.3e}", s.recomputation_rate),
-                          fmt::format("{:.1f}", s.clock_mhz),
-                          fmt::format("{:.2f}", s.throughput_per_s / giga), s.kinds});
-  }
-  return table;
-}
-
 page::ShareBars bars_of(const Optimisation& plans, const PrecisionPlan& best) {
   page::ShareBars bars{.title = "What each part of the best plan takes of the device",
                        .usable_name = fmt::format("usable (slack {:g})", plans.slack),
@@ -193,7 +174,8 @@ page::Section plan_section(const scene::Scene& scene, const IfThere<Optimisation
                     "The best plan at each precision, by integer linear programming."),
        page::figure(draw(counts_chart(plans, published)),
                     "Its lanes and references; the axis is logarithmic.")}));
-  section.content.push_back(page::details("The plan at every precision", draw(table_of(plans))));
+  section.content.push_back(
+      page::details("The plan at every precision", page::draw(plan_table(plans))));
   for (const std::string& note : plans.notes)
     section.content.push_back(page::note("Note: " + note));
   return section;

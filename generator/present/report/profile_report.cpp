@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <iterator>
-#include <nlohmann/json.hpp>
+#include <functional>
 
 namespace mixcmp::report {
 
@@ -14,62 +12,126 @@ using profile::RateProfile;
 using profile::SchemeCounts;
 using profile::SchemeKind;
 using profile::SchemeProfile;
+using table::Field;
+using table::Fields;
+using table::Json;
+using table::Table;
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-/// Text that grows by formatted pieces.
-class FormattedText {
-public:
-  template <class... Arguments>
-  void add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);
-  }
-  std::string take() { return std::move(text_); }
-
-private:
-  std::string text_;
-};
 
 double rate_of(const SchemeCounts& counts, const RateProfile& profile) {
   return static_cast<double>(counts.undecided) / static_cast<double>(profile.comparisons);
 }
 
-/// "none" where no comparison has an error.
-std::string measured(const std::optional<mpq_class>& error) {
-  return error ? fmt::format("{:.3e}", error->get_d()) : "none";
+/// An error, rounded; missing where no comparison has one.
+auto measured(std::optional<mpq_class> ErrorAtPrecision::*error) {
+  return [error](const ErrorAtPrecision& row) {
+    return row.*error ? Json((row.*error)->get_d()) : Json();
+  };
+}
+
+auto bound(std::optional<double> ErrorAtPrecision::*error) {
+  return [error](const ErrorAtPrecision& row) { return table::cell(row.*error); };
+}
+
+/// A table whose first column names the inputs.
+template <class Row>
+Table with_inputs(const Fields<Row>& fields, const std::string& inputs,
+                  const std::vector<Row>& rows) {
+  return table_of(table::constant<Row>({"inputs"}, inputs) + fields, rows);
+}
+
+const Fields<ErrorAtPrecision>& error_fields() {
+  static const Fields<ErrorAtPrecision> fields = {
+      {{"precision", "L", 4, 0}, &ErrorAtPrecision::precision},
+      {{"f_error", "f", 10, 2, "{:.3e}"}, measured(&ErrorAtPrecision::f)},
+      {{"g_error", "g", 10, 2, "{:.3e}"}, measured(&ErrorAtPrecision::g)},
+      {{"f_unbounded"}, &ErrorAtPrecision::f_unbounded},
+      {{"g_unbounded"}, &ErrorAtPrecision::g_unbounded},
+      {{"f_bound", "f bound", 10, 2, "{:.3e}"}, bound(&ErrorAtPrecision::f_bound)},
+      {{"g_bound", "g bound", 10, 2, "{:.3e}"}, bound(&ErrorAtPrecision::g_bound)}};
+  return fields;
 }
 
 /// How many comparisons the errors of a row leave out; empty where they leave out none.
 std::string left_out(const ErrorAtPrecision& error) {
   if (error.f_unbounded + error.g_unbounded == 0) return "";
-  return fmt::format("  left out: {} of f, {} of g", error.f_unbounded, error.g_unbounded);
+  return fmt::format("left out: {} of f, {} of g", error.f_unbounded, error.g_unbounded);
 }
 
-std::string shown(const std::optional<double>& bound) {
-  return bound ? fmt::format("{:.3e}", *bound) : "none";
+std::string text_of(const ErrorProfile& profile) {
+  const Fields<ErrorAtPrecision> shown =
+      pick(error_fields(), {"precision", "f_error", "f_bound", "g_error", "g_bound"});
+  const Fields<ErrorAtPrecision> remark = {{{""}, left_out}};
+  Table table = table_of(shown + remark, profile.precisions);
+  table.missing = "none";
+  std::string text =
+      fmt::format("\nrelative error of f and g, {}: {}what is proven\n", describe(profile.inputs),
+                  profile.comparisons == 0
+                      ? "none was measured; "
+                      : fmt::format("the largest of {} comparisons, and ", profile.comparisons)) +
+      to_text(table);
+  if (!profile.no_f_bound.empty()) text += fmt::format("no bound for f: {}\n", profile.no_f_bound);
+  if (!profile.no_g_bound.empty()) text += fmt::format("no bound for g: {}\n", profile.no_g_bound);
+  return text;
 }
 
-void add_errors(FormattedText& page, const ErrorProfile& profile) {
-  page.add("\nrelative error of f and g, {}: {}what is proven\n", describe(profile.inputs),
-           profile.comparisons == 0
-               ? "none was measured; "
-               : fmt::format("the largest of {} comparisons, and ", profile.comparisons));
-  page.add("{:>4}  {:>10}  {:>10}  {:>10}  {:>10}\n", "L", "f", "f bound", "g", "g bound");
-  for (const ErrorAtPrecision& error : profile.precisions) {
-    page.add("{:>4}  {:>10}  {:>10}  {:>10}  {:>10}{}\n", error.precision, measured(error.f),
-             shown(error.f_bound), measured(error.g), shown(error.g_bound), left_out(error));
+/// The counts of one scheme at one precision.
+struct RateRow {
+  int precision;
+  std::string scheme;
+  std::uint64_t comparisons;
+  double rate;
+  SchemeCounts counts;
+};
+
+const Fields<RateRow>& rate_fields() {
+  static const Fields<RateRow> fields = {
+      {{"precision"}, &RateRow::precision},
+      {{"scheme"}, &RateRow::scheme},
+      {{"comparisons"}, &RateRow::comparisons},
+      {{"undecided"}, [](const RateRow& row) { return row.counts.undecided; }},
+      {{"rate"}, &RateRow::rate},
+      {{"wrong"}, [](const RateRow& row) { return row.counts.wrong; }},
+      {{"wrong_by_lane"}, [](const RateRow& row) { return row.counts.wrong_by_lane; }}};
+  return fields;
+}
+
+/// The precisions at which there is a lane of this scheme.
+std::vector<RateRow> rows_of(const SchemeProfile& scheme, const RateProfile& profile) {
+  std::vector<RateRow> rows;
+  for (std::size_t k = 0; k < scheme.counts.size(); ++k) {
+    const SchemeCounts& counts = scheme.counts[k];
+    if (!counts.exists) continue;
+    rows.push_back({profile.first_precision + static_cast<int>(k), scheme.name, profile.comparisons,
+                    rate_of(counts, profile), counts});
   }
-  if (!profile.no_f_bound.empty()) page.add("no bound for f: {}\n", profile.no_f_bound);
-  if (!profile.no_g_bound.empty()) page.add("no bound for g: {}\n", profile.no_g_bound);
+  return rows;
 }
 
-std::string cell(const SchemeProfile& scheme, std::size_t k, const RateProfile& profile) {
-  const SchemeCounts& counts = scheme.counts[k];
-  if (!counts.exists) return fmt::format("  {:>20}", "-");
-  if (scheme.kind == SchemeKind::lanes_alone) return fmt::format("  {:>12}", counts.wrong);
-  return fmt::format("  {:>9.2e} {:>10}", rate_of(counts, profile), counts.wrong);
+/// The first rows of counts, with the columns of each scheme beside each other. `columns`: those of
+/// a scheme. A scheme that does not exist at a precision has only its last cell, which is missing.
+Table by_precision(
+    const RateProfile& profile, std::size_t rows,
+    const std::function<Fields<SchemeCounts>(const SchemeProfile& scheme)>& columns) {
+  Table table{.columns = {{"precision", "L", 4, 0}}, .rows = {}};
+  for (std::size_t k = 0; k < rows; ++k) {
+    table.rows.push_back({{profile.first_precision + static_cast<int>(k)}});
+  }
+  for (const SchemeProfile& scheme : profile.schemes) {
+    if (!scheme.exists()) continue;
+    const Fields<SchemeCounts> fields = columns(scheme);
+    for (const Field<SchemeCounts>& field : fields) {
+      table.columns.push_back(field.column);
+      table.columns.back().group = scheme.name;
+      const Json none = &field == &fields.back() ? Json() : Json("");
+      for (std::size_t k = 0; k < rows; ++k) {
+        const SchemeCounts& counts = scheme.counts[k];
+        table.rows[k].cells.push_back(counts.exists ? field.value(counts) : none);
+      }
+    }
+  }
+  return table;
 }
 
 /// The number of rows up to the last precision at which some scheme recomputes or errs, or after
@@ -88,93 +150,63 @@ std::size_t interesting_rows(const RateProfile& profile) {
   return rows;
 }
 
-/// Adds the number of wrong verdicts that lanes decided, for each scheme over all L.
-void add_wrong_lanes(FormattedText& page, const RateProfile& profile) {
-  page.add("wrong verdicts that a lane decided, at all L together:");
+/// The number of wrong verdicts that lanes decided, for each scheme over all L.
+std::string wrong_lanes(const RateProfile& profile) {
+  std::string text = "wrong verdicts that a lane decided, at all L together:";
   for (const SchemeProfile& scheme : profile.schemes) {
     if (!scheme.exists()) continue;
     std::uint64_t wrong = 0;
     for (const SchemeCounts& counts : scheme.counts) wrong += counts.wrong_by_lane;
-    page.add(" {} {}", scheme.name, wrong);
+    text += fmt::format(" {} {}", scheme.name, wrong);
   }
-  page.add("\n");
+  return text + "\n";
 }
 
-void add_rates(FormattedText& page, const RateProfile& profile) {
-  page.add("\nrecomputation rate and wrong verdicts, {}, {} comparisons\n",
-           describe(profile.inputs), profile.comparisons);
-  page.add("the reference alone: {} wrong\n", profile.reference_wrong);
+std::string text_of(const RateProfile& profile) {
+  std::string text = fmt::format(
+      "\nrecomputation rate and wrong verdicts, {}, {} comparisons\n"
+      "the reference alone: {} wrong\n",
+      describe(profile.inputs), profile.comparisons, profile.reference_wrong);
   if (profile.undetermined > 0) {
-    page.add("the truth is undetermined of {}, which count as wrong of nobody\n",
-             profile.undetermined);
+    text += fmt::format("the truth is undetermined of {}, which count as wrong of nobody\n",
+                        profile.undetermined);
   }
-  page.add("{:>4}", "L");
-  std::string units = "    ";
-  for (const SchemeProfile& scheme : profile.schemes) {
-    if (!scheme.exists()) continue;
-    const bool alone = scheme.kind == SchemeKind::lanes_alone;
-    page.add("  {:>{}}", scheme.name, alone ? 12 : 20);
-    units +=
-        alone ? fmt::format("  {:>12}", "wrong") : fmt::format("  {:>9} {:>10}", "rate", "wrong");
-  }
-  page.add("\n{}\n", units);
   const std::size_t rows = profile.schemes.front().counts.size(), told = interesting_rows(profile);
-  for (std::size_t k = 0; k < told; ++k) {
-    page.add("{:>4}", profile.first_precision + static_cast<int>(k));
-    for (const SchemeProfile& scheme : profile.schemes) {
-      if (scheme.exists()) page.add("{}", cell(scheme, k, profile));
+  text += to_text(by_precision(profile, told, [&](const SchemeProfile& scheme) {
+    if (scheme.kind == SchemeKind::lanes_alone) {
+      return Fields<SchemeCounts>{{{"wrong", "wrong", 12}, &SchemeCounts::wrong}};
     }
-    page.add("\n");
-  }
+    return Fields<SchemeCounts>{
+        {{"rate", "rate", 9, 2, "{:.2e}"},
+         [&](const SchemeCounts& counts) { return rate_of(counts, profile); }},
+        {{"wrong", "wrong", 10, 1}, &SchemeCounts::wrong}};
+  }));
   if (told < rows) {
-    page.add("from L = {} on all of them decide everything, and rightly\n",
-             profile.first_precision + static_cast<int>(told));
+    text += fmt::format("from L = {} on all of them decide everything, and rightly\n",
+                        profile.first_precision + static_cast<int>(told));
   }
-  add_wrong_lanes(page, profile);
+  text += wrong_lanes(profile);
   for (const SchemeProfile& scheme : profile.schemes) {
-    if (!scheme.reason.empty()) page.add("{}: {}\n", scheme.name, scheme.reason);
+    if (!scheme.reason.empty()) text += fmt::format("{}: {}\n", scheme.name, scheme.reason);
   }
+  return text;
 }
 
 Json to_json(const ErrorProfile& profile) {
-  Json rows = Json::array();
-  const auto bound = [](const std::optional<double>& value) {
-    return value ? Json(*value) : Json();
-  };
-  const auto measured = [](const std::optional<mpq_class>& error) {
-    return error ? Json(error->get_d()) : Json();
-  };
-  for (const ErrorAtPrecision& error : profile.precisions) {
-    rows.push_back({{"precision", error.precision},
-                    {"f_error", measured(error.f)},
-                    {"g_error", measured(error.g)},
-                    {"f_unbounded", error.f_unbounded},
-                    {"g_unbounded", error.g_unbounded},
-                    {"f_bound", bound(error.f_bound)},
-                    {"g_bound", bound(error.g_bound)}});
-  }
   return {{"inputs", to_string(profile.inputs)},
           {"comparisons", profile.comparisons},
           {"no_f_bound", profile.no_f_bound},
           {"no_g_bound", profile.no_g_bound},
-          {"precisions", std::move(rows)}};
+          {"precisions", to_json(table_of(error_fields(), profile.precisions))}};
 }
 
 Json to_json(const SchemeProfile& scheme, const RateProfile& profile) {
-  Json rows = Json::array();
-  for (std::size_t k = 0; k < scheme.counts.size(); ++k) {
-    const SchemeCounts& counts = scheme.counts[k];
-    if (!counts.exists) continue;
-    rows.push_back({{"precision", profile.first_precision + static_cast<int>(k)},
-                    {"undecided", counts.undecided},
-                    {"rate", rate_of(counts, profile)},
-                    {"wrong", counts.wrong},
-                    {"wrong_by_lane", counts.wrong_by_lane}});
-  }
+  const Fields<RateRow> fields =
+      pick(rate_fields(), {"precision", "undecided", "rate", "wrong", "wrong_by_lane"});
   return {{"scheme", scheme.name},
           {"certified", scheme.kind == SchemeKind::certified},
           {"reason", scheme.reason},
-          {"precisions", std::move(rows)}};
+          {"precisions", to_json(table_of(fields, rows_of(scheme, profile)))}};
 }
 
 Json to_json(const RateProfile& profile) {
@@ -192,12 +224,19 @@ Json to_json(const RateProfile& profile) {
 }  // namespace
 
 std::string to_text(const ProfileReport& report) {
-  FormattedText page;
-  page.add("{}: {} comparisons, reference {}\n", report.scene, report.comparisons,
-           report.reference.name());
-  for (const ErrorProfile& errors : report.errors) add_errors(page, errors);
-  for (const RateProfile& rates : report.rates) add_rates(page, rates);
-  return page.take();
+  std::string text = fmt::format("{}: {} comparisons, reference {}\n", report.scene,
+                                 report.comparisons, report.reference.name());
+  for (const ErrorProfile& errors : report.errors) text += text_of(errors);
+  for (const RateProfile& rates : report.rates) text += text_of(rates);
+  return text;
+}
+
+Table undecided_counts(const RateProfile& rates) {
+  const std::size_t rows = rates.schemes.empty() ? 0 : rates.schemes.front().counts.size();
+  return by_precision(rates, rows, [](const SchemeProfile& scheme) {
+    if (scheme.kind == SchemeKind::lanes_alone) return Fields<SchemeCounts>{};
+    return Fields<SchemeCounts>{{{"undecided"}, &SchemeCounts::undecided}};
+  });
 }
 
 Json to_json(const ProfileReport& report) {
@@ -212,42 +251,29 @@ Json to_json(const ProfileReport& report) {
 }
 
 std::string figure4_csv(const ProfileReport& report) {
-  FormattedText page;
-  page.add("inputs,precision,f_error,g_error,f_bound,g_bound,f_unbounded,g_unbounded\n");
-  const auto bound = [](const std::optional<double>& value) {
-    return value ? fmt::format("{}", *value) : "";
-  };
-  const auto measured = [](const std::optional<mpq_class>& error) {
-    return error ? fmt::format("{}", error->get_d()) : "";
-  };
+  const Fields<ErrorAtPrecision> fields =
+      pick(error_fields(),
+           {"precision", "f_error", "g_error", "f_bound", "g_bound", "f_unbounded", "g_unbounded"});
+  Table table = with_inputs(fields, "", {});
   for (const ErrorProfile& profile : report.errors) {
-    for (const ErrorAtPrecision& error : profile.precisions) {
-      page.add("{},{},{},{},{},{},{},{}\n", to_string(profile.inputs), error.precision,
-               measured(error.f), measured(error.g), bound(error.f_bound), bound(error.g_bound),
-               error.f_unbounded, error.g_unbounded);
-    }
+    append(table, with_inputs(fields, to_string(profile.inputs), profile.precisions));
   }
-  return page.take();
+  return to_csv(table);
 }
 
 std::string figure5_csv(const ProfileReport& report) {
-  FormattedText page;
-  page.add("inputs,precision,scheme,comparisons,undecided,rate,wrong,wrong_by_lane\n");
+  Table table = with_inputs(rate_fields(), "", {});
   for (const RateProfile& profile : report.rates) {
-    const auto inputs = to_string(profile.inputs);
-    page.add("{},{},reference,{},0,0,{},0\n", inputs, report.reference.precision(),
-             profile.comparisons, profile.reference_wrong);
+    const std::string inputs = to_string(profile.inputs);
+    const SchemeCounts reference{.exists = true, .wrong = profile.reference_wrong};
+    append(table, with_inputs(rate_fields(), inputs,
+                              {{report.reference.precision(), "reference", profile.comparisons, 0,
+                                reference}}));
     for (const SchemeProfile& scheme : profile.schemes) {
-      for (std::size_t k = 0; k < scheme.counts.size(); ++k) {
-        const SchemeCounts& counts = scheme.counts[k];
-        if (!counts.exists) continue;
-        page.add("{},{},{},{},{},{},{},{}\n", inputs, profile.first_precision + static_cast<int>(k),
-                 scheme.name, profile.comparisons, counts.undecided, rate_of(counts, profile),
-                 counts.wrong, counts.wrong_by_lane);
-      }
+      append(table, with_inputs(rate_fields(), inputs, rows_of(scheme, profile)));
     }
   }
-  return page.take();
+  return to_csv(table);
 }
 
 }  // namespace mixcmp::report

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "generator/present/report/plot.hpp"
+#include "generator/present/table/table.hpp"
 #include "model/plan/profile/profile.hpp"
 
 namespace mixcmp::report {
@@ -20,6 +21,9 @@ struct ProfileReport {
 
 std::string to_text(const ProfileReport& report);
 nlohmann::ordered_json to_json(const ProfileReport& report);
+
+/// The undecided comparisons of each scheme with a bound, at every precision.
+table::Table undecided_counts(const profile::RateProfile& rates);
 
 /// CSV with the columns inputs, precision, f_error, g_error, f_bound, g_bound. A bound that does
 /// not exist is empty.

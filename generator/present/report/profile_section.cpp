@@ -26,30 +26,10 @@ ProfileReport with_counted_inputs(const ProfileReport& report) {
   return counted;
 }
 
-page::Table table_of(const RateProfile& rates) {
-  page::Table table{{"L"}, {}};
-  std::vector<const SchemeProfile*> schemes;
-  for (const SchemeProfile& scheme : rates.schemes) {
-    if (scheme.kind == SchemeKind::lanes_alone || !scheme.exists()) continue;
-    schemes.push_back(&scheme);
-    table.header.push_back(scheme.name);
-  }
-  const std::size_t rows = schemes.empty() ? 0 : schemes.front()->counts.size();
-  for (std::size_t k = 0; k < rows; ++k) {
-    std::vector<std::string> cells = {
-        fmt::format("{}", rates.first_precision + static_cast<int>(k))};
-    for (const SchemeProfile* scheme : schemes) {
-      const SchemeCounts& counts = scheme->counts[k];
-      cells.push_back(counts.exists ? fmt::format("{}", counts.undecided) : "-");
-    }
-    table.rows.push_back(std::move(cells));
-  }
-  return table;
-}
-
 /// The wrong verdicts of each scheme, at all precisions together.
-page::Table wrong_verdicts(const RateProfile& rates) {
-  page::Table table{{"scheme", "certified", "wrong verdicts of a lane", "at the worst L"}, {}};
+table::Table wrong_verdicts(const RateProfile& rates) {
+  table::Table table =
+      table::text_table({"scheme", "certified", "wrong verdicts of a lane", "at the worst L"});
   for (const SchemeProfile& scheme : rates.schemes) {
     if (!scheme.exists()) continue;
     std::uint64_t sum = 0, most = 0;
@@ -62,9 +42,8 @@ page::Table wrong_verdicts(const RateProfile& rates) {
       if (wrong > most) worst = rates.first_precision + static_cast<int>(k);
       most = std::max(most, wrong);
     }
-    table.rows.push_back({scheme.name, scheme.kind == SchemeKind::certified ? "yes" : "no",
-                          fmt::format("{}", sum),
-                          most == 0 ? "-" : fmt::format("{} at L = {}", most, worst)});
+    table.rows.push_back({{scheme.name, scheme.kind == SchemeKind::certified ? "yes" : "no", sum,
+                           most == 0 ? "-" : fmt::format("{} at L = {}", most, worst)}});
   }
   return table;
 }
@@ -77,14 +56,14 @@ void add_rates(page::Section& section, const RateProfile& rates) {
       "alone\" compare f and g as rounded, without any bound. The reference by itself is wrong on "
       "{}.",
       rates.comparisons, rates.reference_wrong)));
-  section.content.push_back(draw(wrong_verdicts(rates)));
+  section.content.push_back(page::draw(wrong_verdicts(rates)));
   for (const SchemeProfile& scheme : rates.schemes) {
     if (scheme.reason.empty()) continue;
     section.content.push_back(page::note(fmt::format("{}: {}", scheme.name, scheme.reason)));
   }
   section.content.push_back(
       page::details(fmt::format("Undecided comparisons of {}, at every L", rates.comparisons),
-                    draw(table_of(rates))));
+                    page::draw(undecided_counts(rates))));
 }
 
 }  // namespace

@@ -3,12 +3,14 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "generator/present/table/table.hpp"
 #include "model/judge/proof/lane_proof.hpp"
 
 namespace mixcmp::report {
 
-/// A line per finding, then the verdict and the steps that are proven only by hand. `gappa`: its
-/// version; empty if it is not installed.
+/// A row per finding, then one per step that is proven only by hand.
+table::Table findings_of(const proof::LaneProof& proof);
+/// The same as text, and the verdict. `gappa`: its version; empty if it is not installed.
 std::string to_text(const proof::LaneProof& proof, const std::string& gappa);
 nlohmann::ordered_json to_json(const proof::LaneProof& proof, const std::string& gappa);
 

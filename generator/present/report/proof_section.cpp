@@ -1,22 +1,10 @@
 #include <fmt/format.h>
 
+#include "generator/present/report/proof_report.hpp"
 #include "generator/present/report/report_sections.hpp"
 
 namespace mixcmp::report {
 namespace {
-
-page::Element findings_of(const proof::LaneProof& proof) {
-  page::Table table{{"outcome", "statement", "remark"}, {}};
-  for (const proof::Finding& finding : proof.findings) {
-    const std::string remark =
-        finding.detail + (finding.optional ? " (its operations one by one instead)" : "");
-    table.rows.push_back({std::string(to_string(finding.outcome)), finding.what, remark});
-  }
-  for (const proof::ByHand& step : proof.by_hand) {
-    table.rows.push_back({"by hand", step.statement, ""});
-  }
-  return draw(table);
-}
 
 std::size_t proven_by_machine(const proof::LaneProof& proof) {
   std::size_t count = 0;
@@ -43,7 +31,7 @@ void add_lanes(page::Section& section, const ProvenLanes& lanes) {
   section.content.push_back(
       page::details(fmt::format("{} statements proven by machine, {} by hand",
                                 proven_by_machine(lanes.proof), lanes.proof.by_hand.size()),
-                    findings_of(lanes.proof)));
+                    page::draw(findings_of(lanes.proof))));
 }
 
 }  // namespace

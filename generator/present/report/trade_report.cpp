@@ -4,21 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "generator/present/report/plot.hpp"
+#include "generator/present/table/table.hpp"
 
 namespace mixcmp::report {
 
 using profile::SchemeKind;
 using profile::Trade;
 using profile::TradePoint;
+using table::Fields;
+using table::Json;
+using table::Table;
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string_view to_string(SchemeKind kind) {
   switch (kind) {
@@ -43,17 +43,57 @@ std::string none_band(double floor) {
       floor / 500, tics, floor / 20, floor);
 }
 
-std::vector<std::string> schemes_of(const Trade& trade) {
-  std::vector<std::string> schemes;
-  for (const TradePoint& point : trade.points) {
-    if (schemes.empty() || schemes.back() != point.scheme) schemes.push_back(point.scheme);
-  }
-  return schemes;
+const char* source_of(bool measured) {
+  return measured ? "measured" : "model";
 }
 
-std::string cell(const TradePoint& point) {
-  return fmt::format("  {:>6.3f}{} {:>8.3g}", point.per_kiloluts, point.measured ? "*" : " ",
-                     point.wrong_per_million);
+const Fields<TradePoint>& point_fields() {
+  static const Fields<TradePoint> fields = {
+      {{"scheme"}, &TradePoint::scheme},
+      {{"kind"}, [](const TradePoint& point) { return to_string(point.kind); }},
+      {{"precision"}, &TradePoint::precision},
+      {{"wrong_per_million"}, &TradePoint::wrong_per_million},
+      {{"rate"}, &TradePoint::rate},
+      {{"lane_luts"}, &TradePoint::lane_luts},
+      {{"area"}, [](const TradePoint& point) { return source_of(point.measured); }},
+      {{"comparisons_per_kiloluts"}, &TradePoint::per_kiloluts}};
+  return fields;
+}
+
+/// The columns of the CSV, with those that all points have in common.
+Fields<TradePoint> csv_fields(const Trade& trade) {
+  const auto& fields = point_fields();
+  return table::constant<TradePoint>({"inputs"}, to_string(trade.inputs)) +
+         pick(fields, {"scheme", "precision", "wrong_per_million", "rate", "lane_luts"}) +
+         table::constant<TradePoint>({"reference_luts"}, trade.reference_luts) +
+         pick(fields, {"area", "comparisons_per_kiloluts"});
+}
+
+/// Adds cells of schemes without a point at this precision.
+void fill_to(std::vector<Json>& row, std::size_t columns) {
+  while (row.size() < columns) row.push_back(row.size() % 2 == 1 ? Json("") : Json());
+}
+
+/// A row for each precision, with two columns for each scheme.
+Table by_precision(const Trade& trade) {
+  Table table{.columns = {{"precision", "L", 4, 0}}, .rows = {}};
+  std::map<int, std::vector<Json>> rows;
+  for (const TradePoint& point : trade.points) {
+    if (table.columns.back().group != point.scheme) {
+      table.columns.push_back({.name = {}, .width = 7, .group = point.scheme});
+      table.columns.push_back({{}, "wrong", 8, 1, "{:.3g}", 1, "{}", point.scheme});
+    }
+    std::vector<Json>& row = rows[point.precision];
+    if (row.empty()) row.push_back(point.precision);
+    fill_to(row, table.columns.size() - 2);
+    row.push_back(fmt::format("{:.3f}{}", point.per_kiloluts, point.measured ? "*" : " "));
+    row.push_back(point.wrong_per_million);
+  }
+  for (auto& [precision, row] : rows) {
+    fill_to(row, table.columns.size());
+    table.rows.push_back({std::move(row)});
+  }
+  return table;
 }
 
 /// The upper edge of the band for points without a wrong verdict, in wrong verdicts per million: a
@@ -71,28 +111,14 @@ double floor_of(const std::vector<Trade>& trades) {
 }  // namespace
 
 std::string to_text(const Trade& trade) {
-  std::string text = fmt::format(
-      "\ntrade, {}: comparisons a cycle from 1000 LUTs, and wrong verdicts per million\n"
-      "reference: {:.0f} LUTs ({}), {:.3g} wrong per million; R_S = {}; * is a measured "
-      "area\n{:>4}",
-      describe(trade.inputs), trade.reference_luts,
-      trade.reference_measured ? "measured" : "cost model", trade.reference_wrong_per_million,
-      trade.slack, "L");
-  const std::vector<std::string> schemes = schemes_of(trade);
-  for (const std::string& scheme : schemes) text += fmt::format("  {:>16}", scheme);
-  text += "\n    ";
-  for (std::size_t k = 0; k < schemes.size(); ++k)
-    text += fmt::format("  {:>7} {:>8}", "", "wrong");
-  std::map<int, std::map<std::string, const TradePoint*>> rows;
-  for (const TradePoint& point : trade.points) rows[point.precision][point.scheme] = &point;
-  for (const auto& [precision, points] : rows) {
-    text += fmt::format("\n{:>4}", precision);
-    for (const std::string& scheme : schemes) {
-      const auto found = points.find(scheme);
-      text += found == points.end() ? fmt::format("  {:>16}", "-") : cell(*found->second);
-    }
-  }
-  return text + "\n";
+  return fmt::format(
+             "\ntrade, {}: comparisons a cycle from 1000 LUTs, and wrong verdicts per million\n"
+             "reference: {:.0f} LUTs ({}), {:.3g} wrong per million; R_S = {}; * is a measured "
+             "area\n",
+             describe(trade.inputs), trade.reference_luts,
+             trade.reference_measured ? "measured" : "cost model",
+             trade.reference_wrong_per_million, trade.slack) +
+         to_text(by_precision(trade));
 }
 
 std::string advice(const Trade& trade, double accepted_per_million) {
@@ -117,39 +143,19 @@ std::string advice(const Trade& trade, double accepted_per_million) {
 }
 
 Json to_json(const Trade& trade) {
-  Json points = Json::array();
-  for (const TradePoint& point : trade.points) {
-    points.push_back({{"scheme", point.scheme},
-                      {"kind", to_string(point.kind)},
-                      {"precision", point.precision},
-                      {"wrong_per_million", point.wrong_per_million},
-                      {"rate", point.rate},
-                      {"lane_luts", point.lane_luts},
-                      {"area", point.measured ? "measured" : "model"},
-                      {"comparisons_per_kiloluts", point.per_kiloluts}});
-  }
   return {{"inputs", to_string(trade.inputs)},
           {"slack", trade.slack},
           {"reference_luts", trade.reference_luts},
-          {"reference_area", trade.reference_measured ? "measured" : "model"},
+          {"reference_area", source_of(trade.reference_measured)},
           {"reference_wrong_per_million", trade.reference_wrong_per_million},
           {"undetermined_per_million", trade.undetermined_per_million},
-          {"points", std::move(points)}};
+          {"points", to_json(table_of(point_fields(), trade.points))}};
 }
 
 std::string trade_csv(const std::vector<Trade>& trades) {
-  std::string text =
-      "inputs,scheme,precision,wrong_per_million,rate,lane_luts,reference_luts,area,"
-      "comparisons_per_kiloluts\n";
-  for (const Trade& trade : trades) {
-    for (const TradePoint& point : trade.points) {
-      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{}\n",
-                     to_string(trade.inputs), point.scheme, point.precision,
-                     point.wrong_per_million, point.rate, point.lane_luts, trade.reference_luts,
-                     point.measured ? "measured" : "model", point.per_kiloluts);
-    }
-  }
-  return text;
+  Table table = table_of(csv_fields({}), {});
+  for (const Trade& trade : trades) append(table, table_of(csv_fields(trade), trade.points));
+  return to_csv(table);
 }
 
 std::string trade_script(const std::vector<Trade>& trades, const std::string& scene) {

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "generator/present/table/table.hpp"
+#include "model/plan/optimise/plan_summary.hpp"
+
+namespace mixcmp::report {
+
+/// The columns of a plan, for every table that has plans: precision, lanes, references, clock_mhz,
+/// recomputation_rate, throughput_per_s, kinds.
+const table::Fields<optimise::PlanSummary>& plan_fields();
+/// The same without the kinds: only numbers.
+table::Fields<optimise::PlanSummary> plan_figures();
+/// lut, ff, dsp, memory.
+const table::Fields<devices::Area>& area_fields();
+
+}  // namespace mixcmp::report
