@@ -12,9 +12,9 @@ struct ReferenceStructure {
   int initiation_interval = 1;    ///< cycles from one comparison to the next, 1..64
   std::optional<int> target_mhz;  ///< for placing its registers; none: the system's
 
-  /// The target if it differs from the system's; else 0, as in the keys of tables.
-  int own_target_mhz(double system_mhz) const {
-    return target_mhz && *target_mhz != system_mhz ? *target_mhz : 0;
+  /// The target if it differs from the system's.
+  std::optional<int> own_target_mhz(double system_mhz) const {
+    return target_mhz == system_mhz ? std::nullopt : target_mhz;
   }
 };
 

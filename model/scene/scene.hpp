@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -51,6 +52,8 @@ enum class Multipliers {
   logic,     ///< rows of carry chains, on any device
   memory,    ///< in fixed-point lanes: squares are read from block memories, products are logic
 };
+inline constexpr std::array all_multipliers = {Multipliers::embedded, Multipliers::logic,
+                                               Multipliers::memory};
 
 /// The words of scene files, options and reports.
 std::string_view to_string(ResultOrder order);
@@ -58,6 +61,8 @@ std::string_view to_string(OperandStore store);
 std::string_view to_string(OperandMemory memory);
 std::string_view to_string(CounterAccess access);
 std::string_view to_string(Multipliers multipliers);
+/// The word of `multipliers`; empty if there is no value.
+std::string_view to_string(const std::optional<Multipliers>& multipliers);
 
 struct ReducedSpec {
   std::optional<FloatFormat> format;      ///< none: "auto", or fixed point

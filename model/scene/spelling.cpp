@@ -52,4 +52,8 @@ std::string_view to_string(Multipliers multipliers) {
   MIXCMP_CHECK(false);
 }
 
+std::string_view to_string(const std::optional<Multipliers>& multipliers) {
+  return multipliers ? to_string(*multipliers) : std::string_view();
+}
+
 }  // namespace mixcmp::scene

@@ -32,7 +32,7 @@ components::CharacteriseOptions all_parts(const std::filesystem::path& store) {
                     .precisions = {9},
                     .bounds = {settings::parse_bound("fixed_norm").value()},
                     .multipliers = {scene::Multipliers::embedded},
-                    .ports = {6}},
+                    .crossbars = {6}},
           .synthesis = areas,
           .store = store};
 }

@@ -17,11 +17,9 @@ namespace {
 const std::string two_lanes = "--precisions 4,6 --components lane";
 
 measured::ComponentKey lane(const std::string& format) {
-  return {.kind = measured::ComponentKind::lane,
-          .format = format,
-          .inputs = LaneInputs::exact,
-          .bound = Bound{},
-          .multipliers = "logic"};
+  return measured::Lane{.format = LaneFormat::parse(format).value(),
+                        .inputs = LaneInputs::exact,
+                        .multipliers = scene::Multipliers::logic};
 }
 
 TEST_F(CharacteriseCommand, MeasuresOnceAndTheTableIsTheSame) {
@@ -94,9 +92,9 @@ TEST_F(CharacteriseCommand, MeasuresTheMemoriesOfSquares) {
   const auto table = measured::read_characterisation(path("table.csv"));
   ASSERT_TRUE(table.ok()) << table.error().to_string();
   ASSERT_EQ(table->rows.size(), 2u);
-  EXPECT_EQ(table->rows[0].key.multipliers, "logic");
+  EXPECT_EQ(lane_of(table->rows[0].key)->multipliers, scene::Multipliers::logic);
   EXPECT_EQ(table->rows[0].area.memories, 0);
-  EXPECT_EQ(table->rows[1].key.multipliers, "memory");
+  EXPECT_EQ(lane_of(table->rows[1].key)->multipliers, scene::Multipliers::memory);
   EXPECT_EQ(table->rows[1].area.memories, 1) << "both squares in one block";
   EXPECT_LT(table->rows[1].area.luts, table->rows[0].area.luts);
 }
@@ -173,7 +171,7 @@ TEST_F(CharacteriseCommand, AJobThatFailsIsNamedAndTheOthersGoOn) {
   EXPECT_NE(run.output.find("crossbar 2 ports: "), std::string::npos) << run.output;
   EXPECT_NE(run.output.find("something is wrong with"), std::string::npos) << run.output;
   ASSERT_EQ(read_table().rows.size(), 1u);
-  EXPECT_EQ(read_table().rows[0].key.kind, measured::ComponentKind::lane);
+  EXPECT_EQ(kind_of(read_table().rows[0].key), measured::ComponentKind::lane);
   int kept = 0;
   for (const auto& entry : fs::directory_iterator(store().string() + ".work")) {
     EXPECT_NE(run.output.find(entry.path().filename().string()), std::string::npos);
@@ -196,7 +194,7 @@ TEST_F(CharacteriseCommand, AnAreaOfConstantNetsIsRefused) {
     EXPECT_NE(run.output.find(words), std::string::npos) << words << ": " << run.output;
   }
   ASSERT_EQ(read_table().rows.size(), 1u) << "the other row is there";
-  EXPECT_EQ(read_table().rows[0].key.kind, measured::ComponentKind::crossbar);
+  EXPECT_EQ(kind_of(read_table().rows[0].key), measured::ComponentKind::crossbar);
   EXPECT_EQ(stored(), 1);
   EXPECT_EQ(characterise(both, fake("")).exit_code, 0);
   EXPECT_EQ(read_table().rows.size(), 2u);
@@ -351,7 +349,7 @@ TEST_F(CharacteriseCommand, NamesGuardDigitsAndRunningBounds) {
   ASSERT_TRUE(table.ok()) << table.error().to_string();
   std::vector<std::string> names;
   for (const auto& row : table->rows)
-    names.push_back(row.key.format + " " + to_string(row.key.bound));
+    names.push_back(lane_of(row.key)->format.name() + " " + to_string(lane_of(row.key)->bound));
   std::sort(names.begin(), names.end());
   EXPECT_EQ(names, (std::vector<std::string>{"block6g2 block_running_g2", "q6 fixed_running",
                                              "q6g3 fixed_norm_g3"}));

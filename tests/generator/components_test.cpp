@@ -15,6 +15,7 @@
 #include "model/base/number/lane_format.hpp"
 #include "model/base/settings/bound_name.hpp"
 #include "model/cost/devices/device.hpp"
+#include "model/cost/measured/component_cells.hpp"
 #include "model/design/slots.hpp"
 #include "model/judge/workload/load_comparisons.hpp"
 #include "model/plan/profile/profiled_error.hpp"
@@ -48,13 +49,15 @@ protected:
     int count(measured::ComponentKind kind) const {
       return static_cast<int>(
           std::count_if(components.begin(), components.end(),
-                        [&](const auto& entry) { return entry.first.kind == kind; }));
+                        [&](const auto& entry) { return kind_of(entry.first) == kind; }));
     }
     std::vector<std::string> formats(const std::string& bound) const {
       std::vector<std::string> names;
       for (const auto& [key, component] : components) {
-        if (key.kind == measured::ComponentKind::lane && to_string(key.bound) == bound)
-          names.push_back(key.format);
+        const auto* lane = std::get_if<measured::Lane>(&key);
+        if (lane != nullptr && to_string(lane->bound) == bound) {
+          names.push_back(lane->format.name());
+        }
       }
       return names;
     }
@@ -120,21 +123,21 @@ TEST_F(Components, AreWhatGenerateWrites) {
   components::ComponentQuery query = lanes({12}, {"relative"});
   query.kinds = {measured::ComponentKind::lane, measured::ComponentKind::reference,
                  measured::ComponentKind::fifo, measured::ComponentKind::crossbar};
-  query.ports = {1};
+  query.crossbars = {1};
   const Found found = find(spheres_scene, query);
   ASSERT_EQ(found.components.size(), 4u);
   for (const auto& [key, component] : found.components) {
-    if (key.kind == measured::ComponentKind::lane) {
+    if (kind_of(key) == measured::ComponentKind::lane) {
       EXPECT_EQ(component.latency_cycles, system->signature.lane_groups[0].latency_cycles);
       EXPECT_EQ(from_ports(source(component, "lane.v")), from_ports(generated(*system, "_lane_")));
     }
-    if (key.kind == measured::ComponentKind::reference) {
+    if (kind_of(key) == measured::ComponentKind::reference) {
       EXPECT_EQ(component.latency_cycles, system->signature.reference_groups[0].latency_cycles);
       EXPECT_EQ(from_ports(source(component, "reference.v")),
                 from_ports(generated(*system, "_reference_")));
     }
-    if (key.kind == measured::ComponentKind::fifo) {
-      EXPECT_EQ(key.ports, system->signature.slots);
+    if (kind_of(key) == measured::ComponentKind::fifo) {
+      EXPECT_EQ(count_of(key), system->signature.slots);
     }
   }
 }
@@ -159,9 +162,9 @@ TEST_F(Components, ReferencesArePlacedForTheirOwnTargets) {
   const Found found = find(scene(one_system), query);
   ASSERT_EQ(found.components.size(), 2u);
   for (const auto& [key, component] : found.components) {
-    EXPECT_TRUE(key.target_mhz == 0 || key.target_mhz == 400) << "200 is the system's";
-    EXPECT_EQ(from_ports(source(component, "reference.v")),
-              key.target_mhz == 0 ? usual.second : fast.second);
+    const std::optional<int> own = std::get<measured::Reference>(key).target_mhz;
+    EXPECT_TRUE(!own || *own == 400) << "200 is the system's";
+    EXPECT_EQ(from_ports(source(component, "reference.v")), own ? fast.second : usual.second);
   }
 }
 
@@ -187,20 +190,20 @@ TEST_F(Components, OfAnEngineAreWhatGenerateWrites) {
     return from_ports(source(component, component.job.top + ".v"));
   };
   for (const auto& [key, component] : found.components) {
-    if (key.kind == measured::ComponentKind::lane) {
+    if (kind_of(key) == measured::ComponentKind::lane) {
       EXPECT_EQ(written_of(component), from_ports(generated(*system, "_pair_lane_q12_l5")));
     }
-    if (key.kind == measured::ComponentKind::segment) {
-      EXPECT_EQ(key.ports, 8);
+    if (kind_of(key) == measured::ComponentKind::segment) {
+      EXPECT_EQ(count_of(key), 8);
       const std::regex lane("engine_pair_lane");  // components have no scene's name
       EXPECT_EQ(std::regex_replace(written_of(component), lane, "spheres_pair_lane"),
                 from_ports(generated(*system, "_segment_of_8")));
     }
-    if (key.kind == measured::ComponentKind::conversion) {
+    if (kind_of(key) == measured::ComponentKind::conversion) {
       EXPECT_EQ(written_of(component), from_ports(generated(*system, "_item_l")));
     }
-    if (key.kind == measured::ComponentKind::engine) {
-      const std::string parameter = fmt::format("parameter SEGMENTS = {},", key.ports);
+    if (kind_of(key) == measured::ComponentKind::engine) {
+      const std::string parameter = fmt::format("parameter SEGMENTS = {},", *count_of(key));
       EXPECT_NE(source(component, "pairwise_engine.v").find(parameter), std::string::npos);
       EXPECT_NE(source(component, "pairwise_engine.v").find("parameter STREAMS = 2,"),
                 std::string::npos);
@@ -226,7 +229,7 @@ components::ComponentQuery parts_of_a_chain() {
           .precisions = {9},
           .bounds = {settings::parse_bound("fixed_norm").value()},
           .multipliers = {scene::Multipliers::embedded},
-          .ports = {1, 6}};
+          .crossbars = {1, 6}};
 }
 
 TEST_F(Components, OfAChainAreWhatGenerateWrites) {
@@ -241,11 +244,11 @@ TEST_F(Components, OfAChainAreWhatGenerateWrites) {
   };
   std::map<measured::ComponentKind, std::vector<int>> ports;
   for (const auto& [key, component] : found.components) {
-    ports[key.kind].push_back(key.ports);
-    if (key.kind == measured::ComponentKind::lane) {
+    ports[kind_of(key)].push_back(count_of(key).value_or(0));
+    if (kind_of(key) == measured::ComponentKind::lane) {
       EXPECT_EQ(written_of(component), from_ports(generated(*system, "_pair_lane_q9")));
     }
-    if (key.kind == measured::ComponentKind::segment) {
+    if (kind_of(key) == measured::ComponentKind::segment) {
       const auto channel = std::find_if(
           system->files.begin(), system->files.end(), [](const emit::GeneratedFile& file) {
             return file.name.find("_pair_lane_q9") != std::string::npos &&
@@ -254,11 +257,11 @@ TEST_F(Components, OfAChainAreWhatGenerateWrites) {
       ASSERT_NE(channel, system->files.end());
       EXPECT_EQ(written_of(component), from_ports(components::without_comments(channel->text)));
     }
-    if (key.kind == measured::ComponentKind::engine) {
-      const std::string parameter = fmt::format("parameter CANDIDATES = {},", key.ports + 1);
+    if (kind_of(key) == measured::ComponentKind::engine) {
+      const std::string parameter = fmt::format("parameter CANDIDATES = {},", *count_of(key) + 1);
       EXPECT_NE(source(component, "arg_min_engine.v").find(parameter), std::string::npos);
     }
-    if (key.kind == measured::ComponentKind::conversion) {
+    if (kind_of(key) == measured::ComponentKind::conversion) {
       EXPECT_NE(source(component, component.job.top + ".v").find("row_conversion"),
                 std::string::npos);
     }
@@ -325,11 +328,12 @@ TEST_F(Components, LanesInFixedPointAreWhatGenerateWritesOnceForAllInputs) {
   const Found found = find(ranged, query);
   ASSERT_EQ(found.components.size(), 2u);  // none of 50 bits
   for (const auto& [key, component] : found.components) {
-    EXPECT_EQ(key.format, "q12");
-    EXPECT_FALSE(key.inputs.has_value());
+    const auto& lane = std::get<measured::Lane>(key);
+    EXPECT_EQ(lane.format.name(), "q12");
+    EXPECT_FALSE(lane.inputs.has_value());
     const bool same =
         from_ports(source(component, "lane.v")) == from_ports(generated(*system, "_lane_"));
-    EXPECT_EQ(same, key.multipliers == "embedded");
+    EXPECT_EQ(same, lane.multipliers == scene::Multipliers::embedded);
   }
   EXPECT_TRUE(found.missing.empty());
 }
@@ -341,12 +345,13 @@ TEST_F(Components, OnlyLanesInFixedPointHaveMemoriesOfSquares) {
   const Found found = find(scene("[reduced]\nformat = \"auto\"\n"), query);
   ASSERT_EQ(found.components.size(), 2u);
   for (const auto& [key, component] : found.components) {
-    const bool lane = key.kind == measured::ComponentKind::lane;
-    EXPECT_EQ(key.format, lane ? "q12" : "s24e8");
-    EXPECT_EQ(key.multipliers, lane ? "memory" : "embedded");
+    const bool lane = kind_of(key) == measured::ComponentKind::lane;
+    const measured::KeyCells cells = cells_of(key);
+    EXPECT_EQ(cells.format, lane ? "q12" : "s24e8");
+    EXPECT_EQ(cells.multipliers, lane ? "memory" : "embedded");
   }
   ASSERT_EQ(found.missing.size(), 1u);
-  EXPECT_EQ(found.missing[0].key.format, "q16");
+  EXPECT_EQ(found.missing[0].key.format.name(), "q16");
   EXPECT_EQ(found.missing[0].reason.field, "reduced.multipliers");
 }
 
@@ -357,7 +362,8 @@ TEST_F(Components, InputsOfSoManyDigitsAreThoseOfLanesWithFewer) {
   const Found found = find(scene("[reduced]\nformat = \"auto\"\n"), query);
   std::vector<std::string> names;
   for (const auto& [key, component] : found.components) {
-    names.push_back(key.format + " " + to_string(key.inputs));
+    const auto& lane = std::get<measured::Lane>(key);
+    names.push_back(lane.format.name() + " " + to_string(lane.inputs));
   }
   EXPECT_EQ(names, (std::vector<std::string>{"s11e8 12", "s11e8 rounded", "s12e8 rounded",
                                              "s13e8 rounded"}));
@@ -415,7 +421,7 @@ TEST_F(Components, WithoutProductsThereIsOneKindOfMultipliers) {
   query.multipliers = {scene::Multipliers::embedded, scene::Multipliers::logic};
   const Found found = find(scene("", sums), query);
   EXPECT_EQ(found.components.size(), 2u);
-  for (const auto& [key, component] : found.components) EXPECT_EQ(key.multipliers, "");
+  for (const auto& [key, component] : found.components) EXPECT_EQ(cells_of(key).multipliers, "");
   EXPECT_EQ(find(scene(one_system), query).count(measured::ComponentKind::reference), 2);
 }
 
@@ -428,7 +434,7 @@ TEST_F(Components, FifosHaveTheSlotsThatTheLanesNeed) {
   query.kinds = {measured::ComponentKind::fifo};
   std::set<int> built;
   for (const auto& [key, fifo] : find(scene(one_system), query).components) {
-    built.insert(key.ports);
+    built.insert(std::get<measured::Fifo>(key).slots);
     EXPECT_EQ(fifo.job.top, "lane_scoreboard");
   }
   EXPECT_EQ(built, needed);
@@ -440,27 +446,24 @@ TEST_F(Components, FifosHaveTheSlotsThatTheLanesNeed) {
 
 TEST_F(Components, CrossbarsTakeTheirPortsAndThePayload) {
   components::ComponentQuery query{.kinds = {measured::ComponentKind::crossbar},
-                                   .ports = {1, 5, 17}};
+                                   .crossbars = {1, 5, 17}};
   const Found carried = find(scene(one_system), query);
   ASSERT_EQ(carried.components.size(), 3u);
-  const components::Component& five =
-      carried.components.at({.kind = measured::ComponentKind::crossbar, .ports = 5});
+  const components::Component& five = carried.components.at(measured::Crossbar{5});
   EXPECT_NE(source(five, "stream_crossbar.v").find("parameter LANES = 5,"), std::string::npos);
   EXPECT_NE(source(five, "stream_crossbar.v").find("parameter PAYLOAD_BITS = 192,"),
             std::string::npos)
       << "six operands of 32 bits";
   EXPECT_EQ(five.latency_cycles, 4);
   const Found in_beats = find(scene(one_system + "request_beats = 4\n"), query);
-  const components::Component& narrow =
-      in_beats.components.at({.kind = measured::ComponentKind::crossbar, .ports = 5});
+  const components::Component& narrow = in_beats.components.at(measured::Crossbar{5});
   EXPECT_NE(source(narrow, "stream_crossbar.v").find("parameter PAYLOAD_BITS = 48,"),
             std::string::npos);
   EXPECT_NE(source(narrow, "stream_crossbar.v").find("parameter BEAT_BITS = 2\n"),
             std::string::npos);
   EXPECT_EQ(narrow.latency_cycles, 6);
   const Found refetched = find(scene(one_system + "operands = \"refetched\"\n"), query);
-  const components::Component& tags =
-      refetched.components.at({.kind = measured::ComponentKind::crossbar, .ports = 5});
+  const components::Component& tags = refetched.components.at(measured::Crossbar{5});
   EXPECT_NE(source(tags, "stream_crossbar.v").find("parameter PAYLOAD_BITS = 32,"),
             std::string::npos);
 }
@@ -471,17 +474,17 @@ TEST_F(Components, UnitsAreMadeFromTheirNamesAlone) {
   const Found found = find(scene(one_system), query);
   EXPECT_GT(found.components.size(), 4u);
   for (const auto& [key, unit] : found.components) {
-    EXPECT_EQ(key.kind, measured::ComponentKind::unit);
-    const auto again = components::job_of_instance_name(key.name);
-    ASSERT_TRUE(again.ok()) << key.name;
+    const std::string& name = std::get<measured::Unit>(key).name;
+    const auto again = components::job_of_instance_name(name);
+    ASSERT_TRUE(again.ok()) << name;
     EXPECT_EQ(again->top, unit.job.top);
     EXPECT_EQ(again->sources.back().text, unit.job.sources.back().text);
-    std::istringstream words(key.name);
+    std::istringstream words(name);
     std::string word;
     for (words >> word; words >> word;) {
       const std::string value = word.substr(word.find('=') + 1);
       const std::string text = source(unit, unit.job.top + ".v");
-      EXPECT_NE(text.find("= " + value), std::string::npos) << key.name << "\n" << text;
+      EXPECT_NE(text.find("= " + value), std::string::npos) << name << "\n" << text;
     }
   }
   EXPECT_TRUE(components::job_of_instance_name("fp_convert PRECISION=24 SCALE=-3").ok());
@@ -508,11 +511,11 @@ TEST_F(Components, ATableIsCurrentUntilTheSceneChanges) {
   components::ComponentQuery query = lanes({8, 12}, {"relative"});
   query.kinds = {measured::ComponentKind::lane, measured::ComponentKind::reference,
                  measured::ComponentKind::crossbar};
-  query.ports = {2};
+  query.crossbars = {2};
   measured::Characterisation table;
   for (const auto& [key, component] : find(before, query).components) {
     measured::Measurement row{.key = key, .hash = "", .tools = "Yosys of another machine"};
-    row.timing_seeds = key.kind == measured::ComponentKind::lane ? 3 : 0;
+    row.timing_seeds = kind_of(key) == measured::ComponentKind::lane ? 3 : 0;
     const characterise::SynthesisOptions options =
         row.timing_seeds == 0
             ? characterise::SynthesisOptions{.effort = characterise::TimingEffort::area_only}
@@ -537,7 +540,7 @@ TEST_F(Components, ATableIsCurrentUntilTheSceneChanges) {
 
   table.rows[0].timing_seeds = 5;
   EXPECT_EQ(components::count_rows(table, before, nullptr, device).outdated, 1);
-  table.rows[0].key.format = "no format";
+  lane_of(table.rows[0].key)->format = LaneFormat::parse("s9e8").value();
   EXPECT_EQ(components::count_rows(table, before, nullptr, device).outdated, 1);
 }
 
@@ -567,8 +570,8 @@ TEST_F(Components, TheShortlistHasTheBestPrecisionsOfTheBestKinds) {
     const auto found = components::shortlist(maker, query, device, rates_of(halving));
     EXPECT_TRUE(found.ok()) << found.error().to_string();
     std::map<std::string, std::vector<int>> precisions;
-    for (const measured::ComponentKey& key : found->lanes) {
-      precisions[to_string(key.bound)].push_back(LaneFormat::parse(key.format)->precision());
+    for (const measured::Lane& key : found->lanes) {
+      precisions[to_string(key.bound)].push_back(key.format.precision());
     }
     EXPECT_GT(found->seconds, 0);
     return precisions;

@@ -13,7 +13,7 @@ class PlanShares : public testing::Test {
 protected:
   PlanShares() {
     optimise::LaneImplementation lanes;
-    lanes.measured.key.kind = measured::ComponentKind::segment;
+    lanes.measured.key = measured::Segment{};
     lanes.kind = {.name = "q7", .area = {.luts = 100}, .group = 12};
     plan_.lanes.push_back(lanes);
     plan_.problem.references.push_back({.name = "s53e8", .area = {.luts = 40}});
@@ -55,7 +55,7 @@ TEST_F(PlanShares, AnEngineWithACrossbarTellsOfBoth) {
 }
 
 TEST_F(PlanShares, LanesOneByOneHaveScoreboards) {
-  plan_.lanes.front().measured.key.kind = measured::ComponentKind::lane;
+  plan_.lanes.front().measured.key = measured::Lane{};
   plan_.lanes.front().kind.group = 1;
   plan_.lanes.front().kind.area.luts = 10;
   plan_.lanes.front().datapath = Area{.luts = 6};

@@ -48,7 +48,8 @@ components::ComponentQuery query_of(const scene::Scene& scene,
 std::string kind_of(const LaneEstimate& lane) {
   std::string text = to_string(lane.key.bound);
   if (lane.key.inputs) text += " " + to_string(lane.key.inputs);
-  return lane.key.multipliers.empty() ? text : text + ", multipliers " + lane.key.multipliers;
+  const std::string multipliers(to_string(lane.key.multipliers));
+  return multipliers.empty() ? text : text + ", multipliers " + multipliers;
 }
 
 /// `mixcmp VERB SCENE` with those of the settings that the advised lane does not replace.
@@ -68,16 +69,15 @@ std::string command_of(const std::string& verb, const SceneOptions& options,
 
 /// The keys that make lanes of this kind; an empty value: the key keeps its default.
 std::map<std::string, std::string> keys_for(const LaneEstimate& lane) {
-  const scene::ReducedSpec reduced = scene::with_bound({}, *lane.key.bound);
-  const bool digits =
-      lane.key.bound->kind == BoundKind::running && !lane.key.bound->is_fixed_point();
+  const scene::ReducedSpec reduced = scene::with_bound({}, lane.key.bound);
+  const bool digits = lane.key.bound.kind == BoundKind::running && !lane.key.bound.is_fixed_point();
   return {
-      {"reduced.format", lane.key.format},
+      {"reduced.format", lane.key.format.name()},
       {"reduced.inputs", to_string(lane.key.inputs)},
       {"reduced.bound", std::string(reduced.bound_word())},
       {"reduced.error_bound", reduced.is_profiled ? "" : std::string(reduced.error_bound_word())},
       {"reduced.bound_digits", digits ? std::to_string(reduced.bound_digits) : ""},
-      {"reduced.multipliers", lane.key.multipliers},
+      {"reduced.multipliers", std::string(to_string(lane.key.multipliers))},
       {"system.lanes", "4"},
       {"system.references", "1"}};
 }
@@ -98,10 +98,14 @@ std::string verify_command(const LaneEstimate& lane, const SceneOptions& options
 }
 
 nlohmann::ordered_json to_json(const LaneEstimate& lane) {
-  return {{"format", lane.key.format},           {"precision", lane.precision},
-          {"bound", to_string(lane.key.bound)},  {"inputs", to_string(lane.key.inputs)},
-          {"multipliers", lane.key.multipliers}, {"recomputation_rate", lane.rate},
-          {"lane_luts", lane.area.luts},         {"lane_dsps", lane.area.dsps},
+  return {{"format", lane.key.format.name()},
+          {"precision", lane.precision},
+          {"bound", to_string(lane.key.bound)},
+          {"inputs", to_string(lane.key.inputs)},
+          {"multipliers", to_string(lane.key.multipliers)},
+          {"recomputation_rate", lane.rate},
+          {"lane_luts", lane.area.luts},
+          {"lane_dsps", lane.area.dsps},
           {"device_share", lane.share}};
 }
 
@@ -134,12 +138,12 @@ std::string to_text(const Advice& advice) {
   text += fmt::format(
       "  L = {} costs least: lanes in {} ({}) take about {:.3g} % of the device each,\n"
       "  recomputations included (one in {:.3g}); a reference takes {:.3g} times as much\n",
-      least.precision, least.key.format, kind_of(least), 100 * least.share, 1 / least.rate,
+      least.precision, least.key.format.name(), kind_of(least), 100 * least.share, 1 / least.rate,
       advice.reference_share / least.share);
   for (std::size_t k = 1; k < std::min(advice.best.size(), most_listed); ++k) {
     const LaneEstimate& other = advice.best[k];
     text += fmt::format("  {:.2f} times as much: L = {}, {} ({})\n", other.share / least.share,
-                        other.precision, other.key.format, kind_of(other));
+                        other.precision, other.key.format.name(), kind_of(other));
   }
   text += fmt::format("  try: {}\n", advice.try_first);
   return advice.try_now.empty() ? text : text + fmt::format("  or at once: {}\n", advice.try_now);

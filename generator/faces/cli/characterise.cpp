@@ -33,8 +33,9 @@ std::vector<MissingKind> missing_kinds(const std::vector<components::MissingLane
     const std::string what = to_string(lane.key.bound) + " " + to_string(lane.key.inputs);
     auto kind = std::find_if(found.begin(), found.end(),
                              [&](const MissingKind& known) { return known.what == what; });
-    if (kind == found.end()) kind = found.insert(kind, {.what = what, .first = lane.key.format});
-    kind->last = lane.key.format;
+    if (kind == found.end())
+      kind = found.insert(kind, {.what = what, .first = lane.key.format.name()});
+    kind->last = lane.key.format.name();
     ++kind->count;
     kind->reason = lane.reason.to_string();
   }

@@ -13,6 +13,7 @@
 #include "generator/synthesis/components/imported_rows.hpp"
 #include "model/base/common/file.hpp"
 #include "model/base/common/quote.hpp"
+#include "model/cost/measured/component_cells.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -174,16 +175,21 @@ void print_json(const std::vector<ImportedRow>& imported, const measured::Charac
 }  // namespace
 
 nlohmann::ordered_json json_of_row(const measured::Measurement& row) {
-  nlohmann::ordered_json json = {{"kind", to_string(row.key.kind)},
-                                 {"name", row.key.name},
-                                 {"format", row.key.format},
-                                 {"inputs", to_string(row.key.inputs)},
-                                 {"bound", to_string(row.key.bound)},
-                                 {"multipliers", row.key.multipliers},
-                                 {"sums", to_string(row.key.sums)},
-                                 {"initiation_interval", row.key.initiation_interval},
-                                 {"target_mhz", row.key.target_mhz},
-                                 {"ports", row.key.ports},
+  const measured::KeyCells key = cells_of(row.key);
+  const measured::Reference* reference = reference_of(row.key);
+  const bool is_fused = reference != nullptr && reference->sums == Sums::fused;
+  const int interval = reference == nullptr ? 0 : reference->initiation_interval;
+  const int target_mhz = reference == nullptr ? 0 : reference->target_mhz.value_or(0);
+  nlohmann::ordered_json json = {{"kind", key.kind},
+                                 {"name", reference == nullptr ? key.name : ""},
+                                 {"format", key.format},
+                                 {"inputs", key.inputs},
+                                 {"bound", key.bound},
+                                 {"multipliers", key.multipliers},
+                                 {"sums", to_string(is_fused ? Sums::fused : Sums::composed)},
+                                 {"initiation_interval", interval},
+                                 {"target_mhz", target_mhz},
+                                 {"ports", count_of(row.key).value_or(0)},
                                  {"latency_cycles", row.latency_cycles},
                                  {"luts", row.area.luts},
                                  {"registers", row.area.registers},

@@ -211,7 +211,7 @@ Result<components::ComponentQuery> query_of(const CharacteriseCommand& command,
   const bool few_ports = command.quick && command.ports == CharacteriseCommand().ports;
   MIXCMP_TRY(ports, number_list("--ports", few_ports ? std::string(quick_ports) : command.ports,
                                 components::measured_ports));
-  query.ports = ports;
+  query.crossbars = ports;
   MIXCMP_TRY(kinds, component_kinds(command.components, scene));
   query.kinds = kinds;
   MIXCMP_TRY(chosen, exponents(command.exponents));

@@ -155,12 +155,11 @@ void write_table(CharacteriseReport& report, const CharacteriseCommand& command,
 }
 
 /// "fixed_norm of 10, 11, 12; running_4 rounded of 9, 10": the precisions of each kind of lane.
-std::string kinds_of(const std::set<measured::ComponentKey>& lanes) {
+std::string kinds_of(const std::set<measured::Lane>& lanes) {
   std::map<std::string, std::set<int>> formats;
-  for (const measured::ComponentKey& lane : lanes) {
+  for (const measured::Lane& lane : lanes) {
     const std::string kind = to_string(lane.bound) + (lane.inputs ? " " : "");
-    formats[kind + to_string(lane.inputs)].insert(
-        LaneFormat::parse(lane.format).value().precision());
+    formats[kind + to_string(lane.inputs)].insert(lane.format.precision());
   }
   std::vector<std::string> kinds;
   for (const auto& [kind, precisions] : formats) {

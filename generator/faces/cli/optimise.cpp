@@ -70,8 +70,8 @@ std::string command_of(const OptimiseCommand& command) {
   return command.rates.empty() ? line : line + " --rates " + quoted(command.rates.string());
 }
 
-std::string word_of(const std::string& word) {
-  return word;
+std::string word_of(scene::Multipliers multipliers) {
+  return std::string(to_string(multipliers));
 }
 std::string word_of(const Bound& bound) {
   return to_string(bound);

@@ -66,8 +66,16 @@ void add_planning_options(const Verb& verb, PlanningOptions& options) {
           },
           fmt::format("error bounds to choose from: {} (default: all)", settings::bound_names()))
       .separated_by(',');
-  verb.option("--use-multipliers", choice.multipliers,
-              "multipliers to choose from: embedded,logic,memory (default: all)")
+  verb.list_option(
+          "--use-multipliers",
+          [&choice](const std::vector<std::string>& names) {
+            for (const std::string& name : names) {
+              for (const scene::Multipliers each : scene::all_multipliers) {
+                if (name == to_string(each)) choice.multipliers.push_back(each);
+              }
+            }
+          },
+          "multipliers to choose from: embedded,logic,memory (default: all)")
       .separated_by(',')
       .one_of({"embedded", "logic", "memory"});
   verb.option("--lane-mhz", choice.clocks.lane_mhz, "clock of the lanes, in place of the table's")
@@ -104,7 +112,9 @@ std::string planning_command_line(const std::string& verb, const PlanningOptions
   std::vector<std::string> bounds;
   for (const Bound& bound : choice.bounds) bounds.push_back(to_string(bound));
   add_words("--use-bounds", bounds);
-  add_words("--use-multipliers", choice.multipliers);
+  std::vector<std::string> multipliers;
+  for (const auto each : choice.multipliers) multipliers.emplace_back(to_string(each));
+  add_words("--use-multipliers", multipliers);
   if (choice.clocks.lane_mhz) add("--lane-mhz", fmt::format("{}", *choice.clocks.lane_mhz));
   if (choice.clocks.reference_mhz) {
     add("--reference-mhz", fmt::format("{}", *choice.clocks.reference_mhz));

@@ -14,7 +14,6 @@ namespace mixcmp::report {
 using devices::Area;
 using devices::bounded_resources;
 using devices::Resource;
-using measured::ComponentKey;
 using measured::Measurement;
 using optimise::Allocation;
 using optimise::ClockDomains;
@@ -34,10 +33,10 @@ std::vector<Curve> curves_by_kind(const Optimisation& optimisation, Value value)
   std::map<std::string, Curve> curves;
   for (const PrecisionPlan& plan : optimisation.plans) {
     for (const LaneImplementation& lane : plan.lanes) {
-      const ComponentKey& key = lane.measured.key;
+      const measured::Lane& key = lane.lane();
       const std::string inputs = key.inputs ? describe(*key.inputs) + ", " : "";
       const std::string title =
-          fmt::format("{}, {}{}", to_string(key.bound), inputs, key.multipliers);
+          fmt::format("{}, {}{}", to_string(key.bound), inputs, to_string(key.multipliers));
       Curve& curve = curves[title];
       curve.title = title;
       const double y = value(lane.measured);

@@ -188,8 +188,9 @@ std::string figure7_csv(const Optimisation& optimisation) {
   for (const PrecisionPlan& plan : optimisation.plans) {
     for (const LaneImplementation& lane : plan.lanes) {
       const Measurement& m = lane.measured;
-      table.rows.push_back({{plan.precision, to_string(m.key.inputs), to_string(m.key.bound),
-                             m.key.multipliers, m.area.luts, m.area.registers, m.area.dsps,
+      const measured::Lane& key = lane.lane();
+      table.rows.push_back({{plan.precision, to_string(key.inputs), to_string(key.bound),
+                             to_string(key.multipliers), m.area.luts, m.area.registers, m.area.dsps,
                              m.latency_cycles, m.clock ? Json(m.clock->mhz) : Json(),
                              m.clock ? Json(to_string(m.clock->source)) : Json()}});
     }

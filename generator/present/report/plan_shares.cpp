@@ -69,7 +69,7 @@ Area crossbar_of(const optimise::AllocationProblem& problem, const optimise::All
 }  // namespace
 
 bool is_in_engine(const optimise::PrecisionPlan& plan) {
-  return plan.lanes.front().measured.key.kind == measured::ComponentKind::segment;
+  return std::holds_alternative<measured::Segment>(plan.lanes.front().measured.key);
 }
 
 std::vector<PartShare> shares_of(const optimise::PrecisionPlan& plan) {

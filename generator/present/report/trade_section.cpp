@@ -98,10 +98,10 @@ std::vector<Candidate> candidates_of(const Optimisation& plans) {
   std::vector<Candidate> candidates;
   for (const optimise::PrecisionPlan& plan : plans.plans) {
     for (const LaneImplementation& lane : plan.lanes) {
-      const auto& key = lane.measured.key;
+      const measured::Lane& key = lane.lane();
       const std::string kind = fmt::format(
           "{}{}{}", to_string(key.bound), key.inputs ? ", " + describe(*key.inputs) : "",
-          key.multipliers.empty() ? "" : ", multipliers: " + key.multipliers);
+          key.multipliers ? fmt::format(", multipliers: {}", to_string(*key.multipliers)) : "");
       candidates.push_back(
           {kind,
            {static_cast<double>(lane.with_streams.luts), lane.kind.recomputation_rate,
@@ -110,7 +110,7 @@ std::vector<Candidate> candidates_of(const Optimisation& plans) {
                         lane.kind.name, lane.with_streams.luts, lane.with_streams.dsps,
                         lane.with_streams.registers, lane.kind.recomputation_rate,
                         lane.kind.clock_hz / optimise::hertz_per_mhz)},
-           !key.bound->is_profiled()});
+           !key.bound.is_profiled()});
     }
   }
   return candidates;

@@ -6,6 +6,7 @@
 
 #include "generator/synthesis/characterise/job_hash.hpp"
 #include "model/base/common/check.hpp"
+#include "model/cost/measured/component_cells.hpp"
 
 namespace mixcmp::components {
 namespace {
@@ -214,15 +215,20 @@ private:
 }  // namespace
 
 std::string label(const ComponentKey& key) {
-  std::string text(to_string(key.kind));
-  for (const std::string& word :
-       {key.name, key.format, to_string(key.inputs), to_string(key.bound), key.multipliers}) {
+  std::string text(to_string(kind_of(key)));
+  if (const auto* unit = std::get_if<measured::Unit>(&key)) text += " " + unit->name;
+  const measured::KeyCells cells = cells_of(key);
+  for (const std::string& word : {cells.format, cells.inputs, cells.bound, cells.multipliers}) {
     if (!word.empty()) text += " " + word;
   }
-  if (key.sums == Sums::fused) text += " fused";
-  if (key.initiation_interval > 1) text += fmt::format(" ii{}", key.initiation_interval);
-  if (key.target_mhz != 0) text += fmt::format(" for {} MHz", key.target_mhz);
-  return key.ports == 0 ? text : fmt::format("{} {} ports", text, key.ports);
+  if (const measured::Reference* reference = reference_of(key)) {
+    const int interval = reference->initiation_interval;
+    if (reference->sums == Sums::fused) text += " fused";
+    if (interval > 1) text += fmt::format(" ii{}", interval);
+    if (reference->target_mhz) text += fmt::format(" for {} MHz", *reference->target_mhz);
+  }
+  const std::optional<int> count = count_of(key);
+  return count ? fmt::format("{} {} ports", text, *count) : text;
 }
 
 Result<CharacteriseReport> characterise(const scene::Scene& scene, const data::Comparisons* data,

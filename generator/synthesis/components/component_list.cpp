@@ -43,18 +43,14 @@ std::vector<Multipliers> float_multipliers(const ComponentQuery& query) {
 }
 
 /// Lanes in fixed point take operands as they arrive: there is no choice of inputs.
-void add_fixed_lanes(std::vector<ComponentKey>& keys, const Scene& scene,
+void add_fixed_lanes(std::vector<measured::Lane>& lanes, const Scene& scene,
                      const ComponentQuery& query, const Bound& bound) {
   for (const int bits : query.precisions) {
     const FixedPoint format = bound.fixed_point(bits);
     if (!allow(settings::lane_fixed_bits(scene.reference.format), format)) continue;
     for (const Multipliers multipliers : query.multipliers) {
-      keys.push_back({.kind = ComponentKind::lane,
-                      .name = {},
-                      .format = format.name(),
-                      .inputs = {},
-                      .bound = bound,
-                      .multipliers = std::string(to_string(multipliers))});
+      lanes.push_back(
+          {.format = {{}, format}, .inputs = {}, .bound = bound, .multipliers = multipliers});
     }
   }
 }
@@ -75,13 +71,12 @@ public:
       MIXCMP_DO(visit_second_lanes());
     }
     MIXCMP_TRY(references, visit_references());
-    MIXCMP_DO(visit_all(ComponentKind::fifo, slots_));
+    MIXCMP_DO(visit_sizes(measured::Fifo{}, slots_));
     if (recomputes() && maker_.has_crossbar()) {
-      MIXCMP_DO(visit_all(ComponentKind::crossbar, {query_.ports.begin(), query_.ports.end()}));
+      MIXCMP_DO(visit_sizes(measured::Crossbar{}, query_.crossbars));
     }
     if (maker_.engine().kind == scene::EngineKind::arg_min) {
-      MIXCMP_DO(visit_all(ComponentKind::operand_memory,
-                          {measured_memory_references.begin(), measured_memory_references.end()}));
+      MIXCMP_DO(visit_sizes(measured::OperandMemory{}, measured_memory_references));
     }
     if (asked(ComponentKind::unit)) {
       for (const ComponentKey& unit : units_) {
@@ -110,15 +105,15 @@ private:
   /// Visits a component unless one with the same key was visited before.
   void take(const Component& component) {
     units_.insert(component.units.begin(), component.units.end());
-    if (asked(component.key.kind) && seen_.insert(component.key).second) use_(component);
+    if (asked(kind_of(component.key)) && seen_.insert(component.key).second) use_(component);
   }
 
   Result<Done> visit_lanes() {
-    MIXCMP_TRY(keys, lane_keys(maker_.scene(), query_));
-    for (const ComponentKey& key : keys) {
-      const Result<Component> lane = maker_.make(key);
+    MIXCMP_TRY(lanes, lanes_of(maker_.scene(), query_));
+    for (const measured::Lane& wanted : lanes) {
+      const Result<Component> lane = maker_.make(wanted);
       if (!lane.ok()) {
-        missing_.push_back({key, lane.error()});
+        missing_.push_back({wanted, lane.error()});
         continue;
       }
       if (!maker_.has_engine()) {
@@ -127,7 +122,7 @@ private:
       }
       take(*lane);
       if (maker_.has_engine()) {
-        MIXCMP_TRY(visited, visit_engine_parts(key));
+        MIXCMP_TRY(visited, visit_engine_parts(wanted));
       }
     }
     return Done{};
@@ -135,51 +130,37 @@ private:
 
   /// Visits the lane of the second tier. Such lanes are in an engine's segments or in second lanes.
   Result<Done> visit_second_tier() {
-    MIXCMP_TRY(key, optimise::second_tier_key(maker_.scene()));
-    return key ? visit(*key) : Done{};
+    MIXCMP_TRY(lane, optimise::second_tier_lane(maker_.scene()));
+    return lane ? visit(*lane) : Done{};
   }
 
   /// A second lane for each number of slots that one needs before a reference that is asked for.
   Result<Done> visit_second_lanes() {
-    MIXCMP_TRY(key, optimise::second_tier_key(maker_.scene()));
-    if (!key || maker_.has_engine()) return Done{};
-    MIXCMP_TRY(lane, maker_.make(*key));
+    MIXCMP_TRY(lane, optimise::second_tier_lane(maker_.scene()));
+    if (!lane || maker_.has_engine()) return Done{};
+    MIXCMP_TRY(made, maker_.make(*lane));
     std::set<int> slots;
     for (const design::ReferenceStructure& structure : reference_structures()) {
       MIXCMP_TRY(reference, maker_.make(reference_key(maker_.scene(), structure)));
-      slots.insert(design::second_tier_slots_for(maker_.scene().system, lane.latency_cycles,
+      slots.insert(design::second_tier_slots_for(maker_.scene().system, made.latency_cycles,
                                                  reference.latency_cycles));
     }
-    key->kind = ComponentKind::second_lane;
-    for (const int count : slots) {
-      key->ports = count;
-      MIXCMP_TRY(visited, visit(*key));
-    }
-    return Done{};
+    return visit_sizes(measured::SecondLane{*lane}, slots);
   }
 
   /// Visits the parts of an engine with such lanes. Lanes in floating point and in block floating
   /// point have no conversion.
-  Result<Done> visit_engine_parts(ComponentKey key) {
+  Result<Done> visit_engine_parts(const measured::Lane& lane) {
     if (asked(ComponentKind::segment)) {
-      key.kind = ComponentKind::segment;
-      key.ports = maker_.engine().lanes_per_segment();
-      MIXCMP_TRY(visited, visit(key));
+      MIXCMP_DO(visit(measured::Segment{lane, maker_.engine().lanes_per_segment()}));
     }
     if (asked(ComponentKind::engine)) {
-      key.kind = ComponentKind::engine;
       MIXCMP_TRY(sizes, maker_.engine_sizes());
-      for (const int segments : sizes) {
-        key.ports = segments;
-        MIXCMP_TRY(visited, visit(key));
-      }
+      MIXCMP_DO(visit_sizes(measured::Engine{lane}, sizes));
     }
-    const LaneFormat format = LaneFormat::parse(key.format).value();
-    const bool converts = format.fixed_point && !format.fixed_point->is_block;
+    const bool converts = lane.format.fixed_point && !lane.format.fixed_point->is_block;
     if (!asked(ComponentKind::conversion) || !converts) return Done{};
-    key.kind = ComponentKind::conversion;
-    key.ports = 0;
-    return visit(key);
+    return visit(measured::Conversion{lane});
   }
 
   Result<Done> visit_references() {
@@ -205,17 +186,18 @@ private:
   }
 
   Result<Done> visit_reference(const design::ReferenceStructure& structure) {
-    ComponentKey key = reference_key(maker_.scene(), structure);
-    MIXCMP_TRY(visited, visit(key));
+    const measured::Reference reference = reference_key(maker_.scene(), structure);
+    MIXCMP_DO(visit(reference));
     if (!asked(ComponentKind::reference_port)) return Done{};
-    key.kind = ComponentKind::reference_port;
-    return visit(key);
+    return visit(measured::ReferencePort{reference});
   }
 
-  Result<Done> visit_all(ComponentKind kind, const std::set<int>& ports) {
-    if (!asked(kind)) return Done{};
-    for (const int count : ports) {
-      MIXCMP_DO(visit({.kind = kind, .ports = count}));
+  template <measured::Counted Component, class Counts>
+  Result<Done> visit_sizes(Component component, const Counts& counts) {
+    if (!asked(component.kind)) return Done{};
+    for (const int count : counts) {
+      component.*Component::count = count;
+      MIXCMP_DO(visit(component));
     }
     return Done{};
   }
@@ -237,10 +219,10 @@ std::vector<Multipliers> reference_multipliers(const ComponentQuery& query) {
   return kinds;
 }
 
-Result<std::vector<ComponentKey>> lane_keys(const Scene& scene, const ComponentQuery& query) {
-  std::vector<ComponentKey> keys;
+Result<std::vector<measured::Lane>> lanes_of(const Scene& scene, const ComponentQuery& query) {
+  std::vector<measured::Lane> lanes;
   for (const Bound& bound : query.bounds) {
-    if (bound.is_fixed_point()) add_fixed_lanes(keys, scene, query, bound);
+    if (bound.is_fixed_point()) add_fixed_lanes(lanes, scene, query, bound);
     for (const int precision : query.precisions) {
       if (bound.is_fixed_point()) break;
       for (const LaneInputs inputs : query.inputs) {
@@ -250,19 +232,18 @@ Result<std::vector<ComponentKey>> lane_keys(const Scene& scene, const ComponentQ
         const int bits = exponent_bits(scene, query, precision, inputs, bound);
         MIXCMP_TRY(format, FloatFormat::make(precision, bits));
         for (const Multipliers multipliers : float_multipliers(query)) {
-          keys.push_back({.kind = ComponentKind::lane,
-                          .format = format.name(),
-                          .inputs = inputs,
-                          .bound = bound,
-                          .multipliers = std::string(to_string(multipliers))});
+          lanes.push_back({.format = {format, {}},
+                           .inputs = inputs,
+                           .bound = bound,
+                           .multipliers = multipliers});
         }
       }
     }
   }
   if (query.lanes) {
-    std::erase_if(keys, [&](const ComponentKey& key) { return !query.lanes->contains(key); });
+    std::erase_if(lanes, [&](const auto& lane) { return !query.lanes->contains(lane); });
   }
-  return keys;
+  return lanes;
 }
 
 Result<std::vector<MissingLane>> for_each_component(

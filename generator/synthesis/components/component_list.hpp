@@ -31,9 +31,9 @@ struct ComponentQuery {
   std::vector<int> initiation_intervals = {1};  ///< of references, in cycles
   /// MHz that the registers of references are placed for; none: the system's target.
   std::vector<std::optional<int>> reference_targets = {std::nullopt};
-  std::vector<int> ports;  ///< numbers of lanes at a crossbar with one reference
+  std::vector<int> crossbars;  ///< numbers of lanes at a crossbar with one reference
   /// If present: only these of the lanes that the query asks for.
-  std::optional<std::set<measured::ComponentKey>> lanes = {};
+  std::optional<std::set<measured::Lane>> lanes = {};
   /// If absent: as reduced.format says, or as many as the reference's where that is "auto".
   std::optional<LaneExponents> exponents;
 };
@@ -44,13 +44,13 @@ std::vector<scene::Multipliers> reference_multipliers(const ComponentQuery& quer
 
 /// A lane that was asked for and does not exist.
 struct MissingLane {
-  measured::ComponentKey key;
+  measured::Lane key;
   Error reason;
 };
 
-/// The keys of the lanes that the query asks for, whether or not they exist.
-Result<std::vector<measured::ComponentKey>> lane_keys(const scene::Scene& scene,
-                                                      const ComponentQuery& query);
+/// The lanes that the query asks for, whether or not they exist.
+Result<std::vector<measured::Lane>> lanes_of(const scene::Scene& scene,
+                                             const ComponentQuery& query);
 
 /// Calls `use` with every component of the query, each once. Returns the lanes that do not exist.
 /// Fifos and units are those that the query's lanes need, whether or not the query asks for lanes.

@@ -28,7 +28,6 @@ namespace mixcmp::components {
 namespace {
 
 using measured::ComponentKey;
-using measured::ComponentKind;
 using scene::Multipliers;
 
 /// The number of comparisons on which the constants of profiled lanes are measured, as for
@@ -39,26 +38,9 @@ constexpr int crossbar_slot_bits = 6;
 constexpr int crossbar_radix = 4;
 constexpr int answer_cycles = 2;
 
-template <class Choice>
-Result<Choice> choice(const std::string& word, std::initializer_list<Choice> choices) {
-  std::string accepted;
-  for (const Choice each : choices) {
-    if (word == to_string(each)) return each;
-    accepted += (accepted.empty() ? "" : ", ") + std::string(to_string(each));
-  }
-  return Error{.message = "not a choice", .received = in_quotes(word), .accepted = accepted};
-}
-
-/// The kind of multipliers that a lane's key names; a key without one is of a datapath without
-/// products.
-Result<Multipliers> multipliers_of(const ComponentKey& key) {
-  if (key.multipliers.empty()) return Multipliers::embedded;
-  return choice(key.multipliers, {Multipliers::embedded, Multipliers::logic, Multipliers::memory});
-}
-
-Result<Multipliers> reference_multipliers_of(const ComponentKey& key) {
-  if (key.multipliers.empty()) return Multipliers::embedded;
-  return choice(key.multipliers, {Multipliers::embedded, Multipliers::logic});
+/// A key without a kind of multipliers is of a datapath without products.
+Multipliers multipliers_of(const std::optional<Multipliers>& multipliers) {
+  return multipliers.value_or(Multipliers::embedded);
 }
 
 template <class Nodes>
@@ -88,18 +70,21 @@ std::vector<ComponentKey> units_of(const rtl::Module& module) {
   std::vector<ComponentKey> units;
   for (const rtl::Instance* instance : instances(module)) {
     if (instance->module == "delay_line") continue;
-    units.push_back({.kind = ComponentKind::unit,
-                     .name = instance_name({instance->module, instance->parameters})});
+    units.push_back(measured::Unit{instance_name({instance->module, instance->parameters})});
   }
   std::sort(units.begin(), units.end());
   units.erase(std::unique(units.begin(), units.end()), units.end());
   return units;
 }
 
-Component datapath(ComponentKey key, int latency_cycles, const rtl::Module& module,
+/// The key as tables have it: without a kind of multipliers if there is no product.
+ComponentKey listed(const ComponentKey& key, bool has_product) {
+  return has_product ? key : without_multipliers(key);
+}
+
+Component datapath(const ComponentKey& key, int latency_cycles, const rtl::Module& module,
                    bool has_product) {
-  if (!has_product) key.multipliers.clear();
-  return {std::move(key), latency_cycles, module_job(module), units_of(module)};
+  return {listed(key, has_product), latency_cycles, module_job(module), units_of(module)};
 }
 
 /// The slowest lane that these slots serve at full rate: the one with the longest delays.
@@ -135,12 +120,11 @@ Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs, const design::L
   return LaneRtl{schedule.latency_cycles, rtl::lane_module("lane", inputs, lane, schedule)};
 }
 
-ComponentKey reference_key(const scene::Scene& scene, const design::ReferenceStructure& structure) {
-  const Arithmetic& arithmetic = scene.reference;
-  return {.kind = ComponentKind::reference,
-          .format = arithmetic.format.name(),
-          .multipliers = std::string(to_string(structure.multipliers)),
-          .sums = arithmetic.sums,
+measured::Reference reference_key(const scene::Scene& scene,
+                                  const design::ReferenceStructure& structure) {
+  return {.format = scene.reference.format,
+          .multipliers = structure.multipliers,
+          .sums = scene.reference.sums,
           .initiation_interval = structure.initiation_interval,
           .target_mhz = structure.own_target_mhz(scene.system.target_mhz)};
 }
@@ -149,38 +133,25 @@ ComponentMaker::ComponentMaker(scene::Scene scene, const data::Comparisons* data
     : scene_(std::move(scene)), data_(data) {}
 
 Result<Component> ComponentMaker::make(const ComponentKey& key) {
-  switch (key.kind) {
-    case ComponentKind::unit: {
-      MIXCMP_TRY(job, job_of_instance_name(key.name));
-      return Component{key, 0, std::move(job), {}};
-    }
-    case ComponentKind::lane: return make_lane(key);
-    case ComponentKind::reference: return make_reference(key);
-    case ComponentKind::fifo: return make_fifo(key);
-    case ComponentKind::crossbar: return make_crossbar(key);
-    case ComponentKind::reference_port: return make_reference_port(key);
-    case ComponentKind::second_lane: return make_second_lane(key);
-    case ComponentKind::segment: return make_segment(key);
-    case ComponentKind::conversion: return make_conversion(key);
-    case ComponentKind::engine: return make_engine(key);
-    case ComponentKind::operand_memory: return make_operand_memory(key);
-  }
-  MIXCMP_CHECK(false);
+  return std::visit([this](const auto& component) { return made(component); }, key);
 }
 
-Result<design::Lane> ComponentMaker::lane(const ComponentKey& key) {
-  const Bound& bound = *key.bound;
-  MIXCMP_TRY(format, LaneFormat::parse(key.format));
-  MIXCMP_TRY(multipliers, multipliers_of(key));
-  scene::ReducedSpec reduced = scene::with_bound(scene_.reduced, bound);
-  reduced.format = format.floating;
-  reduced.fixed_point = format.fixed_point;
-  if (format.floating) {
+Result<Component> ComponentMaker::made(const measured::Unit& key) {
+  MIXCMP_TRY(job, job_of_instance_name(key.name));
+  return Component{key, 0, std::move(job), {}};
+}
+
+Result<design::Lane> ComponentMaker::lane(const measured::Lane& key) {
+  const Multipliers multipliers = multipliers_of(key.multipliers);
+  scene::ReducedSpec reduced = scene::with_bound(scene_.reduced, key.bound);
+  reduced.format = key.format.floating;
+  reduced.fixed_point = key.format.fixed_point;
+  if (reduced.format) {
     MIXCMP_CHECK(key.inputs.has_value());
     reduced.inputs = *key.inputs;
   }
   reduced.multipliers = multipliers;
-  if (bound.is_profiled()) {
+  if (key.bound.is_profiled()) {
     MIXCMP_DO(give_constants(reduced));
   }
   MIXCMP_TRY(made, design::design_lane(scene_, reduced, nullptr));
@@ -188,47 +159,50 @@ Result<design::Lane> ComponentMaker::lane(const ComponentKey& key) {
   return made;
 }
 
-Result<Component> ComponentMaker::make_lane(const ComponentKey& key) {
-  if (has_engine()) return make_word_lane(key);
-  MIXCMP_TRY(multipliers, multipliers_of(key));
+Result<Component> ComponentMaker::made(const measured::Lane& key) {
+  if (has_engine()) return made_word_lane(key);
   MIXCMP_TRY(lane, this->lane(key));
-  MIXCMP_TRY(built, lane_rtl(scene_.graph.inputs(), lane, multipliers, scene_.system));
+  MIXCMP_TRY(built,
+             lane_rtl(scene_.graph.inputs(), lane, multipliers_of(key.multipliers), scene_.system));
   return datapath(key, built.latency_cycles, built.module, has_product(lane));
 }
 
-Result<Component> ComponentMaker::make_word_lane(const ComponentKey& key) {
+Result<Component> ComponentMaker::made_word_lane(const measured::Lane& key) {
   MIXCMP_TRY(lane, this->lane(key));
   MIXCMP_TRY(parts, engine_parts(key));
   return datapath(key, parts.lane_latency_cycles(), parts.lane(), has_product(lane));
 }
 
-Result<Done> ComponentMaker::check_reference(const ComponentKey& key) const {
-  if (key.format != scene_.reference.format.name()) {
-    return Error{.field = "reference.format",
+Result<Done> ComponentMaker::check_reference(const measured::Reference& key) const {
+  const auto other = [](const char* field, std::string_view received, std::string_view accepted) {
+    return Error{.field = field,
                  .message = "not the scene's",
-                 .received = in_quotes(key.format),
-                 .accepted = scene_.reference.format.name()};
+                 .received = in_quotes(received),
+                 .accepted = std::string(accepted)};
+  };
+  const Arithmetic& own = scene_.reference;
+  if (key.format != own.format) {
+    return other("reference.format", key.format.name(), own.format.name());
   }
-  if (key.sums != scene_.reference.sums) {
-    return Error{.field = "reference.sums",
-                 .message = "not the scene's",
-                 .received = in_quotes(std::string(to_string(key.sums))),
-                 .accepted = std::string(to_string(scene_.reference.sums))};
+  if (key.sums != own.sums) {
+    return other("reference.sums", to_string(key.sums), to_string(own.sums));
   }
-  return Done{};
+  if (key.multipliers != Multipliers::memory) return Done{};
+  return Error{.message = "not a choice",
+               .received = in_quotes(to_string(key.multipliers)),
+               .accepted = "embedded, logic"};
 }
 
-Result<datapath::Schedule> ComponentMaker::reference_schedule(const ComponentKey& key,
+Result<datapath::Schedule> ComponentMaker::reference_schedule(const measured::Reference& key,
                                                               const TypedGraph& graph) const {
   MIXCMP_DO(check_reference(key));
-  MIXCMP_TRY(multipliers, reference_multipliers_of(key));
   MIXCMP_TRY(delays, datapath::delays_of(scene_.system.device));
-  return datapath::schedule_reference(
-      graph, {multipliers, key.initiation_interval}, delays,
-      key.target_mhz == 0 ? scene_.system.target_mhz : key.target_mhz);
+  return datapath::schedule_reference(graph,
+                                      {multipliers_of(key.multipliers), key.initiation_interval},
+                                      delays, key.target_mhz.value_or(scene_.system.target_mhz));
 }
 
-Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {
+Result<Component> ComponentMaker::made(const measured::Reference& key) {
   const TypedGraph graph = reference_graph(scene_.graph, scene_.reference);
   MIXCMP_TRY(schedule, reference_schedule(key, graph));
   const rtl::Module module =
@@ -236,28 +210,28 @@ Result<Component> ComponentMaker::make_reference(const ComponentKey& key) {
   return datapath(key, schedule.latency_cycles, module, has_product(graph));
 }
 
-Result<Component> ComponentMaker::make_reference_port(const ComponentKey& key) {
+Result<Component> ComponentMaker::made(const measured::ReferencePort& key) {
   const TypedGraph graph = reference_graph(scene_.graph, scene_.reference);
-  MIXCMP_TRY(schedule, reference_schedule(key, graph));
+  MIXCMP_TRY(schedule, reference_schedule(key.reference, graph));
   MIXCMP_TRY(shape, request_shape());
-  Component port{key, 0, template_job(rtl::reference_port_template(shape, schedule)), {}};
-  if (!has_product(graph)) port.key.multipliers.clear();
-  return port;
+  return Component{listed(key, has_product(graph)),
+                   0,
+                   template_job(rtl::reference_port_template(shape, schedule)),
+                   {}};
 }
 
-Result<Component> ComponentMaker::make_second_lane(const ComponentKey& key) {
+Result<Component> ComponentMaker::made(const measured::SecondLane& key) {
   constexpr settings::Limits slots = {8, 4096};
-  if (!slots.allow(key.ports) || !std::has_single_bit(static_cast<unsigned>(key.ports))) {
-    return out_of_range("ports", key.ports, "a power of two, " + to_string(slots));
+  if (!slots.allow(key.slots) || !std::has_single_bit(static_cast<unsigned>(key.slots))) {
+    return out_of_range("ports", key.slots, "a power of two, " + to_string(slots));
   }
-  MIXCMP_TRY(multipliers, multipliers_of(key));
-  MIXCMP_TRY(lane, this->lane(key));
+  MIXCMP_TRY(lane, this->lane(key.lane));
   MIXCMP_TRY(delays, datapath::delays_of(scene_.system.device));
   MIXCMP_TRY(shape, request_shape());
-  datapath::Schedule schedule =
-      datapath::schedule_lane(lane, multipliers, delays, scene_.system.target_mhz);
+  datapath::Schedule schedule = datapath::schedule_lane(lane, multipliers_of(key.lane.multipliers),
+                                                        delays, scene_.system.target_mhz);
   const int latency_cycles = schedule.latency_cycles;
-  shape.second_tier_slot_bits = std::countr_zero(static_cast<unsigned>(key.ports));
+  shape.second_tier_slot_bits = std::countr_zero(static_cast<unsigned>(key.slots));
   shape.second_tier = rtl::DatapathGroup{.datapath = "lane",
                                          .operands = shape.operand_ports(),
                                          .channel = "second_lane",
@@ -266,10 +240,10 @@ Result<Component> ComponentMaker::make_second_lane(const ComponentKey& key) {
                                          .count = settings::limits::lanes.most};  // widest numbers
   const rtl::Module datapath =
       rtl::lane_module("lane", scene_.graph.inputs(), lane, shape.second_tier->schedule);
-  Component second{
-      key, latency_cycles, modules_job({datapath, rtl::second_tier_channel_module(shape)}), {}};
-  if (!has_product(lane)) second.key.multipliers.clear();
-  return second;
+  return Component{listed(key, has_product(lane)),
+                   latency_cycles,
+                   modules_job({datapath, rtl::second_tier_channel_module(shape)}),
+                   {}};
 }
 
 rtl::SystemShape ComponentMaker::stream_shape() const {
@@ -313,96 +287,90 @@ Result<std::vector<int>> ComponentMaker::engine_sizes() const {
   return measured_segments(scene);
 }
 
-Result<EngineParts> ComponentMaker::engine_parts(const ComponentKey& key) {
+Result<EngineParts> ComponentMaker::engine_parts(const measured::Lane& key,
+                                                 std::optional<int> segments) {
   MIXCMP_TRY(scene, design::with_chain_lanes(scene_, data_));
   const bool is_chain = engine().kind == scene::EngineKind::arg_min;
   const int own = is_chain ? *scene.lane_count() : engine().lanes_per_segment();
-  const bool is_engine = key.kind == ComponentKind::engine;
-  const int count = is_engine ? key.ports * engine().lanes_per_segment() : own;
-  MIXCMP_TRY(lanes, lane_group(key, count));
+  MIXCMP_TRY(lanes, lane_group(key, segments ? *segments * engine().lanes_per_segment() : own));
   return EngineParts::make(scene_, lanes);
 }
 
-Result<Component> ComponentMaker::make_fifo(const ComponentKey& key) {
+Result<Component> ComponentMaker::made(const measured::Fifo& key) {
   rtl::SystemShape shape = stream_shape();
-  const std::optional<int> slowest = slowest_lane(key.ports, shape);
-  if (!slowest) return out_of_range("slots", key.ports, "a power of two that some lane needs");
-  shape.slot_bits = std::countr_zero(static_cast<unsigned>(key.ports));
+  const std::optional<int> slowest = slowest_lane(key.slots, shape);
+  if (!slowest) return out_of_range("slots", key.slots, "a power of two that some lane needs");
+  shape.slot_bits = std::countr_zero(static_cast<unsigned>(key.slots));
   return Component{key,
                    shape.channel_latency_cycles(),
                    template_job(rtl::tracker_template(shape, *slowest)),
                    {}};
 }
 
-Result<Component> ComponentMaker::make_crossbar(const ComponentKey& key) {
-  if (!measured_ports.allow(key.ports)) {
-    return out_of_range("ports", key.ports, to_string(measured_ports));
+Result<Component> ComponentMaker::made(const measured::Crossbar& key) {
+  if (!measured_ports.allow(key.lanes)) {
+    return out_of_range("ports", key.lanes, to_string(measured_ports));
   }
   MIXCMP_TRY(shape, request_shape());
   rtl::TemplateInstance crossbar = rtl::crossbar_template(shape, shape.references);
   for (rtl::Parameter& parameter : crossbar.parameters) {
-    if (parameter.name == "LANES") parameter.value = key.ports;
+    if (parameter.name == "LANES") parameter.value = key.lanes;
   }
   const int beat_latency = shape.beat_bits == 0 ? 1 : 2;  // of the first beat, at each level
   return Component{
-      key, beat_latency * tree_levels(key.ports) + answer_cycles, template_job(crossbar), {}};
+      key, beat_latency * tree_levels(key.lanes) + answer_cycles, template_job(crossbar), {}};
 }
 
-Result<design::LaneGroup> ComponentMaker::lane_group(const ComponentKey& key, int count) {
-  MIXCMP_TRY(multipliers, multipliers_of(key));
+Result<design::LaneGroup> ComponentMaker::lane_group(const measured::Lane& key, int count) {
   MIXCMP_TRY(lane, this->lane(key));
   return design::LaneGroup{.lane = std::move(lane),
                            .inputs = key.inputs.value_or(LaneInputs::exact),
-                           .multipliers = multipliers,
+                           .multipliers = multipliers_of(key.multipliers),
                            .count = count};
 }
 
-Result<Component> ComponentMaker::make_segment(const ComponentKey& key) {
-  if (key.ports != engine().lanes_per_segment()) {
+Result<Component> ComponentMaker::made(const measured::Segment& key) {
+  if (key.lanes != engine().lanes_per_segment()) {
     const char* const reason = engine().kind == scene::EngineKind::pairwise
                                    ? ", as engine.lanes_per_group says"
                                    : ": each lane of the chain by itself";
-    return out_of_range("ports", key.ports,
+    return out_of_range("ports", key.lanes,
                         fmt::format("{}{}", engine().lanes_per_segment(), reason));
   }
-  MIXCMP_TRY(lane, this->lane(key));
-  MIXCMP_TRY(parts, engine_parts(key));
-  Component segment{key, parts.lane_latency_cycles(), parts.segment(), {}};
-  if (!has_product(lane)) segment.key.multipliers.clear();
-  return segment;
+  MIXCMP_TRY(lane, this->lane(key.lane));
+  MIXCMP_TRY(parts, engine_parts(key.lane));
+  return Component{
+      listed(key, has_product(lane)), parts.lane_latency_cycles(), parts.segment(), {}};
 }
 
-Result<Component> ComponentMaker::make_conversion(const ComponentKey& key) {
-  MIXCMP_TRY(lane, this->lane(key));
-  MIXCMP_TRY(parts, engine_parts(key));
+Result<Component> ComponentMaker::made(const measured::Conversion& key) {
+  MIXCMP_TRY(lane, this->lane(key.lane));
+  MIXCMP_TRY(parts, engine_parts(key.lane));
   if (!parts.converts()) {
     return Error{.field = "format",
                  .message = "lanes of this format take items as they arrive",
-                 .received = in_quotes(key.format),
+                 .received = in_quotes(key.lane.format.name()),
                  .accepted = "lanes in fixed point, such as q13"};
   }
-  Component conversion{key, parts.conversion_latency_cycles(), parts.conversion(), {}};
-  if (!has_product(lane)) conversion.key.multipliers.clear();
-  return conversion;
+  return Component{
+      listed(key, has_product(lane)), parts.conversion_latency_cycles(), parts.conversion(), {}};
 }
 
-Result<Component> ComponentMaker::make_engine(const ComponentKey& key) {
-  MIXCMP_TRY(lane, this->lane(key));
-  MIXCMP_TRY(parts, engine_parts(key));
-  Component engine{key, 0, parts.engine(), {}};
-  if (!has_product(lane)) engine.key.multipliers.clear();
-  return engine;
+Result<Component> ComponentMaker::made(const measured::Engine& key) {
+  MIXCMP_TRY(lane, this->lane(key.lane));
+  MIXCMP_TRY(parts, engine_parts(key.lane, key.segments));
+  return Component{listed(key, has_product(lane)), 0, parts.engine(), {}};
 }
 
-Result<Component> ComponentMaker::make_operand_memory(const ComponentKey& key) const {
-  if (!settings::limits::references.allow(key.ports) || key.ports < 1) {
-    return out_of_range("ports", key.ports, fmt::format("1..{}", scene::max_references));
+Result<Component> ComponentMaker::made(const measured::OperandMemory& key) const {
+  if (!settings::limits::references.allow(key.references) || key.references < 1) {
+    return out_of_range("ports", key.references, fmt::format("1..{}", scene::max_references));
   }
   MIXCMP_TRY(chain, this->chain());
   return Component{
       key,
       0,
-      template_job(rtl::operand_memory_template(chain.engine, chain.place_bits, key.ports)),
+      template_job(rtl::operand_memory_template(chain.engine, chain.place_bits, key.references)),
       {}};
 }
 

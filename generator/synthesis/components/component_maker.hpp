@@ -30,9 +30,9 @@ struct Component {
   std::vector<measured::ComponentKey> units;  ///< the units of a lane or reference; else empty
 };
 
-/// The key of a reference; its component is made without multipliers where it has no product.
-measured::ComponentKey reference_key(const scene::Scene& scene,
-                                     const design::ReferenceStructure& structure);
+/// The reference of a table; its component is made without multipliers where it has no product.
+measured::Reference reference_key(const scene::Scene& scene,
+                                  const design::ReferenceStructure& structure);
 
 /// The datapath of one lane, without streams around it.
 struct LaneRtl {
@@ -53,8 +53,8 @@ public:
   /// The component of a key, or why there is none. A component without a product has no kind of
   /// multipliers in its key, even if the given key has one.
   Result<Component> make(const measured::ComponentKey& key);
-  /// The lane of a lane's key, not yet hardware.
-  Result<design::Lane> lane(const measured::ComponentKey& key);
+  /// A lane that is not yet hardware.
+  Result<design::Lane> lane(const measured::Lane& key);
 
   const scene::Scene& scene() const { return scene_; }
   const scene::EngineSpec& engine() const { return scene_.system.engine; }
@@ -68,30 +68,31 @@ public:
 private:
   using Constants = std::pair<std::optional<mpq_class>, std::optional<mpq_class>>;  ///< RE_f, RE_g
 
-  Result<Component> make_lane(const measured::ComponentKey& key);
-  Result<Component> make_word_lane(const measured::ComponentKey& key);
-  Result<Component> make_reference(const measured::ComponentKey& key);
-  Result<Component> make_fifo(const measured::ComponentKey& key);
-  Result<Component> make_crossbar(const measured::ComponentKey& key);
-  Result<Component> make_reference_port(const measured::ComponentKey& key);
-  Result<Component> make_second_lane(const measured::ComponentKey& key);
-  Result<Component> make_segment(const measured::ComponentKey& key);
-  Result<Component> make_conversion(const measured::ComponentKey& key);
-  Result<Component> make_engine(const measured::ComponentKey& key);
-  Result<Component> make_operand_memory(const measured::ComponentKey& key) const;
-  /// Lanes of a key, as a group of a design.
-  Result<design::LaneGroup> lane_group(const measured::ComponentKey& key, int count);
-  /// The parts of an engine with lanes of this key. It has as many lanes as determine the widths
-  /// inside.
-  Result<EngineParts> engine_parts(const measured::ComponentKey& key);
+  static Result<Component> made(const measured::Unit& key);
+  Result<Component> made(const measured::Lane& key);
+  Result<Component> made_word_lane(const measured::Lane& key);
+  Result<Component> made(const measured::Reference& key);
+  Result<Component> made(const measured::Fifo& key);
+  Result<Component> made(const measured::Crossbar& key);
+  Result<Component> made(const measured::ReferencePort& key);
+  Result<Component> made(const measured::SecondLane& key);
+  Result<Component> made(const measured::Segment& key);
+  Result<Component> made(const measured::Conversion& key);
+  Result<Component> made(const measured::Engine& key);
+  Result<Component> made(const measured::OperandMemory& key) const;
+  /// Such lanes, as a group of a design.
+  Result<design::LaneGroup> lane_group(const measured::Lane& key, int count);
+  /// The parts of an engine with such lanes, in so many segments. If absent, it has as many lanes
+  /// as determine the widths inside.
+  Result<EngineParts> engine_parts(const measured::Lane& key, std::optional<int> segments = {});
   /// The properties of an arg-min engine that follow from its candidates and rows.
   struct Chain {
     rtl::EngineShape engine;
     int place_bits;  ///< of lanes with as many slots as a crossbar is measured with
   };
   Result<Chain> chain() const;
-  Result<Done> check_reference(const measured::ComponentKey& key) const;
-  Result<datapath::Schedule> reference_schedule(const measured::ComponentKey& key,
+  Result<Done> check_reference(const measured::Reference& key) const;
+  Result<datapath::Schedule> reference_schedule(const measured::Reference& key,
                                                 const TypedGraph& graph) const;
   Result<Done> give_constants(scene::ReducedSpec& lane);
   Result<Done> measure_constants(LaneInputs inputs);

@@ -16,8 +16,6 @@ namespace {
 
 using characterise::InstanceArea;
 using devices::Area;
-using measured::ComponentKey;
-using measured::ComponentKind;
 using measured::Measurement;
 
 constexpr int Area::*all_resources[] = {&Area::luts,     &Area::registers, &Area::dsps,
@@ -148,12 +146,12 @@ private:
   Result<Component> component_of(const design::LaneGroup& group) {
     MIXCMP_TRY(built, lane_rtl(design_.inputs, group.lane, group.multipliers, design_.system));
     const characterise::SynthesisJob wanted = module_job(built.module);
-    ComponentKey key{.kind = ComponentKind::lane, .format = design::format_name(group.lane)};
+    MIXCMP_TRY(format, LaneFormat::parse(design::format_name(group.lane)));
+    measured::Lane key{.format = format, .inputs = {}, .multipliers = group.multipliers};
     if (const auto* lane = std::get_if<error::Lane>(&group.lane)) {
       key.inputs = group.inputs.in_lane(lane->graph.arithmetic.format.precision(),
                                         maker_.scene().reference.format.precision());
     }
-    key.multipliers = std::string(to_string(group.multipliers));
     for (const Bound& bound : possible_bounds(group.lane)) {
       key.bound = bound;
       Result<Component> component = maker_.make(key);
@@ -162,7 +160,7 @@ private:
     return Error{
         .field = "reduced",
         .message = "a table has no row for such lanes, which characterise does not make",
-        .received = fmt::format("{}: {}", key.format, design::describe_criterion(group.lane)),
+        .received = fmt::format("{}: {}", format.name(), design::describe_criterion(group.lane)),
         .accepted = "lanes of one of the kinds that mixcmp characterise measures"};
   }
 
@@ -185,8 +183,7 @@ private:
                               [&](int number) { return path(group, number, "tracker"); }));
       sum += area;
     }
-    MIXCMP_TRY(component,
-               maker_.make({.kind = ComponentKind::fifo, .ports = 1 << shape_.slot_bits}));
+    MIXCMP_TRY(component, maker_.make(measured::Fifo{1 << shape_.slot_bits}));
     add(component, component.latency_cycles, scaled(sum, 1, shape_.channels()), shape_.channels());
     return Done{};
   }
@@ -204,11 +201,11 @@ private:
   }
 
   Result<Done> add_crossbar() {
-    const int ports = (shape_.channels() + shape_.references - 1) / shape_.references;
-    if (!measured_ports.allow(ports)) return Done{};
+    const int lanes = (shape_.channels() + shape_.references - 1) / shape_.references;
+    if (!measured_ports.allow(lanes)) return Done{};
     MIXCMP_TRY(area, area_of("recomputation"));
-    MIXCMP_TRY(component, maker_.make({.kind = ComponentKind::crossbar, .ports = ports}));
-    add(component, component.latency_cycles, scaled(area, ports, shape_.channels()), 1);
+    MIXCMP_TRY(component, maker_.make(measured::Crossbar{lanes}));
+    add(component, component.latency_cycles, scaled(area, lanes, shape_.channels()), 1);
     return Done{};
   }
 

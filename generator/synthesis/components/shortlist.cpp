@@ -6,7 +6,6 @@
 #include <map>
 
 #include "model/base/common/check.hpp"
-#include "model/base/number/lane_format.hpp"
 #include "model/cost/estimated/cost_model.hpp"
 #include "model/design/slots.hpp"
 #include "model/plan/optimise/crossover.hpp"
@@ -14,7 +13,6 @@
 namespace mixcmp::components {
 namespace {
 
-using measured::ComponentKey;
 using scene::Multipliers;
 
 /// A kind of lane is left out if its best lane takes more than this factor times the best of all.
@@ -42,13 +40,6 @@ devices::Area rough_area(double (*luts)(const Datapath&, estimated::Products),
   const bool embedded = multipliers == Multipliers::embedded;
   return {.luts = static_cast<int>(std::lround(luts(datapath, products_of(multipliers)))),
           .dsps = embedded ? estimated::embedded_multipliers(datapath, size) : 0};
-}
-
-Multipliers kind_in(const ComponentKey& key) {
-  for (const Multipliers multipliers : {Multipliers::logic, Multipliers::memory}) {
-    if (key.multipliers == to_string(multipliers)) return multipliers;
-  }
-  return Multipliers::embedded;
 }
 
 /// The bits of a request for recomputation.
@@ -86,8 +77,8 @@ public:
 
   Result<Shortlist> run() {
     weigh_shared_parts();
-    MIXCMP_TRY(keys, lane_keys(maker_.scene(), query_));
-    for (const ComponentKey& key : keys) {
+    MIXCMP_TRY(keys, lanes_of(maker_.scene(), query_));
+    for (const measured::Lane& key : keys) {
       MIXCMP_DO(weigh(key));
     }
     choose();
@@ -119,7 +110,7 @@ private:
           std::min(reference_share_, optimise::device_share(area, device_.available));
       result_.seconds += seconds_for(area);
     }
-    for (const int ports : query_.ports)
+    for (const int ports : query_.crossbars)
       result_.seconds += seconds_for(rough_crossbar(scene, ports));
   }
 
@@ -135,29 +126,28 @@ private:
     return area;
   }
 
-  std::optional<double> rate_of(const ComponentKey& key, int precision) const {
+  std::optional<double> rate_of(const measured::Lane& key, int precision) const {
     const LaneInputs inputs = key.inputs.value_or(LaneInputs::exact);
-    const auto rate = rates_.find({inputs, *key.bound, precision});
+    const auto rate = rates_.find({inputs, key.bound, precision});
     return rate ? std::optional(rate->value()) : std::nullopt;
   }
 
   /// A lane that does not exist is no candidate; the measurement gives the reason.
-  Result<Done> weigh(const ComponentKey& key) {
-    MIXCMP_TRY(format, LaneFormat::parse(key.format));
-    const std::optional<double> rate = rate_of(key, format.precision());
+  Result<Done> weigh(const measured::Lane& key) {
+    const std::optional<double> rate = rate_of(key, key.format.precision());
     if (!rate) return Done{};
     const Result<design::Lane> lane = maker_.lane(key);
     if (!lane.ok()) return Done{};
     MIXCMP_TRY(component, maker_.make(key));
-    const devices::Area area = area_of(*lane, kind_in(key));
+    const devices::Area area = area_of(*lane, key.multipliers.value_or(Multipliers::embedded));
     const bool recomputes = maker_.scene().system.references.value_or(1) > 0;
     const int slots = design::slots_for(
         component.latency_cycles + maker_.scene().system.input_registers, recomputes);
     const devices::Area all = area + rough_streams(maker_.scene(), slots);
     const double share = optimise::device_share(all, device_.available) + *rate * reference_share_;
-    const LaneEstimate estimate{key, format.precision(), area, *rate, share};
+    const LaneEstimate estimate{key, key.format.precision(), area, *rate, share};
     const double seconds = seconds_for(lanes_at_once(maker_.scene()) * area);
-    candidates_[{*key.bound, key.inputs}].push_back({estimate, seconds});
+    candidates_[{key.bound, key.inputs}].push_back({estimate, seconds});
     ++result_.candidates;
     return Done{};
   }

@@ -10,7 +10,7 @@ namespace mixcmp::components {
 
 /// The cost of a lane by rough areas.
 struct LaneEstimate {
-  measured::ComponentKey key;
+  measured::Lane key;
   int precision = 0;
   devices::Area area;  ///< of the lane without its streams
   double rate = 0;     ///< of recomputation
@@ -19,7 +19,7 @@ struct LaneEstimate {
 
 /// The lanes that are worth measuring.
 struct Shortlist {
-  std::set<measured::ComponentKey> lanes;
+  std::set<measured::Lane> lanes;
   std::vector<LaneEstimate> best;  ///< the best lane of each kind, the least share first
   double reference_share = 0;      ///< of the device, for one reference
   int candidates = 0;              ///< lanes that were considered

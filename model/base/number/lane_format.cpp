@@ -48,6 +48,10 @@ int LaneFormat::precision() const {
   return floating ? floating->precision() : fixed_point->bits;
 }
 
+std::string LaneFormat::name() const {
+  return floating ? floating->name() : fixed_point->name();
+}
+
 Result<LaneFormat> LaneFormat::parse(std::string_view name) {
   const std::optional<FixedPoint> fixed_point = FixedPoint::parse(name);
   if (fixed_point && fixed_point->bits > 0) return LaneFormat{{}, fixed_point};

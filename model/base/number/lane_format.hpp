@@ -36,8 +36,11 @@ struct LaneFormat {
   std::optional<FixedPoint> fixed_point;
 
   int precision() const;  ///< L, or W in fixed point
+  std::string name() const;
 
   static Result<LaneFormat> parse(std::string_view name);
+
+  friend bool operator==(const LaneFormat&, const LaneFormat&) = default;
 };
 
 }  // namespace mixcmp::inline number

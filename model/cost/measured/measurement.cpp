@@ -26,50 +26,17 @@ std::string_view to_string(AreaStage stage) {
   MIXCMP_CHECK(false);
 }
 
-std::string_view to_string(ComponentKind kind) {
-  switch (kind) {
-    case ComponentKind::unit: return "unit";
-    case ComponentKind::lane: return "lane";
-    case ComponentKind::reference: return "reference";
-    case ComponentKind::fifo: return "fifo";
-    case ComponentKind::crossbar: return "crossbar";
-    case ComponentKind::reference_port: return "reference_port";
-    case ComponentKind::second_lane: return "second_lane";
-    case ComponentKind::segment: return "segment";
-    case ComponentKind::conversion: return "conversion";
-    case ComponentKind::engine: return "engine";
-    case ComponentKind::operand_memory: return "operand_memory";
-  }
-  MIXCMP_CHECK(false);
-}
-
-bool depends_on_lane(ComponentKind kind) {
-  switch (kind) {
-    case ComponentKind::lane:
-    case ComponentKind::second_lane:
-    case ComponentKind::segment:
-    case ComponentKind::conversion:
-    case ComponentKind::engine: return true;
-    case ComponentKind::unit:
-    case ComponentKind::reference:
-    case ComponentKind::fifo:
-    case ComponentKind::crossbar:
-    case ComponentKind::reference_port:
-    case ComponentKind::operand_memory: return false;
-  }
-  MIXCMP_CHECK(false);
-}
-
-bool depends_on_reference(ComponentKind kind) {
-  return kind == ComponentKind::reference || kind == ComponentKind::reference_port;
-}
-
 const Measurement* Characterisation::find(const ComponentKey& key) const {
   const auto row = std::lower_bound(rows.begin(), rows.end(), key,
                                     [](const Measurement& measured, const ComponentKey& wanted) {
                                       return measured.key < wanted;
                                     });
   return row != rows.end() && row->key == key ? &*row : nullptr;
+}
+
+const Measurement* Characterisation::find_datapath(const ComponentKey& key) const {
+  const Measurement* row = find(key);
+  return row == nullptr ? find(without_multipliers(key)) : row;
 }
 
 namespace {

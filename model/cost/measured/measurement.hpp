@@ -1,15 +1,15 @@
 #pragma once
 
-#include <array>
-#include <compare>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
-#include "model/base/number/bound.hpp"
 #include "model/cost/devices/device.hpp"
+#include "model/cost/measured/component_key.hpp"
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::measured {
@@ -38,55 +38,6 @@ enum class AreaStage {
 };
 std::string_view to_string(AreaStage stage);
 
-enum class ComponentKind {
-  unit,       ///< one floating-point or bound unit; for information only
-  lane,       ///< one reduced datapath by itself; in an engine without the conversion
-  reference,  ///< one reference datapath by itself
-  fifo,       ///< the scoreboard or reorder buffer around one lane or group of lanes
-  /// One reference's share of the crossbar when it serves `ports` lanes or groups.
-  crossbar,
-  reference_port,  ///< the streams around one reference
-  second_lane,     ///< of a system of streams: a lane of its second tier with its `ports` slots
-  /// In an engine: `ports` lanes with all logic that only they use. Lanes of a pairwise engine work
-  /// in lock step and share that logic; a lane of an arg-min engine has its own.
-  segment,
-  conversion,  ///< in an engine: computes the words of items and rows when they come in
-  /// In an engine with `ports` segments: all other logic, except crossbar and references.
-  engine,
-  operand_memory,  ///< in an arg-min engine: full rows and candidates for `ports` references
-};
-std::string_view to_string(ComponentKind kind);
-
-inline constexpr std::array component_kinds = {
-    ComponentKind::unit,        ComponentKind::lane,          ComponentKind::reference,
-    ComponentKind::fifo,        ComponentKind::crossbar,      ComponentKind::reference_port,
-    ComponentKind::second_lane, ComponentKind::segment,       ComponentKind::conversion,
-    ComponentKind::engine,      ComponentKind::operand_memory};
-
-/// Whether components of this kind depend on the lane's properties: format, inputs, bound and
-/// multipliers.
-bool depends_on_lane(ComponentKind kind);
-/// Whether components of this kind depend on the reference's properties.
-bool depends_on_reference(ComponentKind kind);
-
-/// Identifies a synthesised component in a table. A field that does not apply is empty or 0.
-struct ComponentKey {
-  ComponentKind kind = ComponentKind::lane;
-  std::string name;                  ///< of a unit its template and formats; else empty
-  std::string format;                ///< "s17e8"; of a lane in fixed point "q13"
-  std::optional<LaneInputs> inputs;  ///< of a lane in floating point
-  std::optional<Bound> bound;        ///< of a lane
-  std::string multipliers;           ///< of lanes, references and units with a product
-  Sums sums = Sums::composed;        ///< of a reference; composed for everything else
-  int initiation_interval = 0;       ///< of a reference, in cycles
-  int target_mhz = 0;                ///< of a reference; 0: the table's
-  /// A crossbar's and a segment's lanes; a fifo's and a second lane's slots; an engine's segments;
-  /// an operand memory's references.
-  int ports = 0;
-
-  friend auto operator<=>(const ComponentKey&, const ComponentKey&) = default;
-};
-
 /// One row of a table.
 struct Measurement {
   ComponentKey key;
@@ -112,7 +63,25 @@ struct Characterisation {
   std::vector<Measurement> rows;  ///< sorted by key
 
   const Measurement* find(const ComponentKey& key) const;
+  /// The row of this key, or of the same component without a product.
+  const Measurement* find_datapath(const ComponentKey& key) const;
 };
+
+/// The rows of all sizes of a component, by their counts. `like` may have multipliers that the rows
+/// lack since there is no product.
+template <Counted Component>
+std::map<int, const Measurement*> sizes_of(const Characterisation& table, Component like) {
+  std::map<int, const Measurement*> sizes;
+  for (const Measurement& row : table.rows) {
+    const auto* component = std::get_if<Component>(&row.key);
+    if (component == nullptr) continue;
+    like.*Component::count = component->*Component::count;
+    if (*component == like || without_multipliers(like) == row.key) {
+      sizes.emplace(like.*Component::count, &row);
+    }
+  }
+  return sizes;
+}
 
 /// The properties on which the parts of a scene's engine depend, in words: the spec "engine" of a
 /// table. Empty if there is no engine.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "model/cost/measured/component_cells.hpp"
+#include "model/cost/measured/measurement.hpp"
 #include "model/cost/measured/table_columns.hpp"
 
 namespace mixcmp::measured {
@@ -36,10 +38,9 @@ void add_clock(std::vector<std::string>& fields, const std::optional<Clock>& clo
 }
 
 std::string record(const Measurement& row, bool with_stage) {
-  std::vector<std::string> fields = {std::string(to_string(row.key.kind))};
-  for (const auto& column : key_columns) fields.push_back(field(column.get(row.key)));
-  fields.push_back(std::to_string(row.key.initiation_interval));
-  fields.push_back(std::to_string(row.key.ports));
+  std::vector<std::string> fields;
+  const KeyCells key = cells_of(row.key);
+  for (const KeyColumn& column : key_columns) fields.push_back(field(key.*column.cell));
   fields.push_back(std::to_string(row.latency_cycles));
   for (const auto& column : area_columns) {
     fields.push_back(std::to_string(row.area.*column.field));
@@ -53,12 +54,6 @@ std::string record(const Measurement& row, bool with_stage) {
 }
 
 }  // namespace
-
-std::string traits_of_reference(const ComponentKey& key) {
-  std::string words = key.sums == Sums::fused ? std::string(to_string(key.sums)) : "";
-  if (key.target_mhz == 0) return words;
-  return fmt::format("{}{}at_{}_mhz", words, words.empty() ? "" : " ", key.target_mhz);
-}
 
 std::string to_csv(const Characterisation& table) {
   std::string text;

@@ -1,74 +1,12 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 
-#include "model/base/settings/bound_name.hpp"
-#include "model/cost/measured/measurement.hpp"
+#include "model/cost/devices/device.hpp"
 
 namespace mixcmp::measured {
-
-/// A column that helps to identify the component of a row.
-struct KeyColumn {
-  std::string_view name;
-  std::string (*get)(const ComponentKey& key);
-  Result<Done> (*set)(ComponentKey& key, const std::string& text);
-};
-
-template <std::string ComponentKey::*field>
-KeyColumn text_column(std::string_view name) {
-  return {name, [](const ComponentKey& key) { return key.*field; },
-          [](ComponentKey& key, const std::string& text) -> Result<Done> {
-            key.*field = text;
-            return Done{};
-          }};
-}
-
-/// The unusual properties of a reference, as words: "fused at_600_mhz".
-std::string traits_of_reference(const ComponentKey& key);
-Result<Done> set_traits_of_reference(ComponentKey& key, const std::string& words);
-
-/// The name of a unit, or the traits of a reference.
-inline KeyColumn name_column() {
-  return {"name",
-          [](const ComponentKey& key) {
-            return depends_on_reference(key.kind) ? traits_of_reference(key) : key.name;
-          },
-          [](ComponentKey& key, const std::string& text) -> Result<Done> {
-            if (depends_on_reference(key.kind)) return set_traits_of_reference(key, text);
-            key.name = text;
-            return Done{};
-          }};
-}
-
-inline KeyColumn inputs_column() {
-  return {"inputs", [](const ComponentKey& key) { return to_string(key.inputs); },
-          [](ComponentKey& key, const std::string& text) -> Result<Done> {
-            if (text.empty()) return Done{};
-            MIXCMP_TRY(inputs, LaneInputs::parse(text, FloatFormat::min_precision,
-                                                 FloatFormat::max_precision));
-            key.inputs = inputs;
-            return Done{};
-          }};
-}
-
-inline KeyColumn bound_column() {
-  return {"bound", [](const ComponentKey& key) { return to_string(key.bound); },
-          [](ComponentKey& key, const std::string& text) -> Result<Done> {
-            if (text.empty()) return Done{};
-            MIXCMP_TRY(choice, settings::parse_bound(text));
-            key.bound = choice;
-            return Done{};
-          }};
-}
-
-inline const std::array<KeyColumn, 5> key_columns = {{
-    name_column(),
-    text_column<&ComponentKey::format>("format"),
-    inputs_column(),
-    bound_column(),
-    text_column<&ComponentKey::multipliers>("multipliers"),
-}};
 
 /// A column with one resource of an area.
 struct AreaColumn {

@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <sstream>
 
 #include "model/base/common/file.hpp"
 #include "model/base/common/quote.hpp"
-#include "model/base/number/lane_format.hpp"
-#include "model/base/settings/limits.hpp"
+#include "model/cost/measured/component_cells.hpp"
+#include "model/cost/measured/measurement.hpp"
 #include "model/cost/measured/table_columns.hpp"
 
 namespace mixcmp::measured {
@@ -162,18 +161,8 @@ private:
   Result<Measurement> read_row() {
     fields_read_ = 0;
     Measurement row;
-    MIXCMP_TRY(kind, choice(component_kinds));
-    row.key.kind = kind;
-    for (const auto& column : key_columns) {
-      MIXCMP_TRY(text, next());
-      const Result<Done> is_set = column.set(row.key, text.text);
-      if (!is_set.ok()) return error(text, is_set.error().message, is_set.error().accepted);
-      MIXCMP_DO(check_word(row.key, column, text));
-    }
-    MIXCMP_TRY(interval, initiation_interval(row.key.kind));
-    row.key.initiation_interval = interval;
-    MIXCMP_TRY(ports, integer());
-    row.key.ports = ports;
+    MIXCMP_TRY(key, read_key());
+    row.key = std::move(key);
     MIXCMP_TRY(latency, integer());
     row.latency_cycles = latency;
     for (const auto& column : area_columns) {
@@ -185,64 +174,22 @@ private:
     return read_provenance(std::move(row));
   }
 
-  /// A reference and its port have an interval; all other kinds have 0.
-  Result<int> initiation_interval(ComponentKind kind) {
-    Field field = start_field();
-    const bool is_reference = depends_on_reference(kind);
-    constexpr settings::Limits limits = settings::limits::initiation_interval;
-    MIXCMP_TRY(value, integer());
-    if (is_reference ? limits.allow(value) : value == 0) return value;
-    field.text = std::to_string(value);
-    return error(field, "not an initiation interval", is_reference ? to_string(limits) : "0");
-  }
-
-  /// Checks the words of lanes and references, which plans use: only words that `characterise`
-  /// writes are accepted.
-  Result<Done> check_word(const ComponentKey& key, const KeyColumn& column,
-                          const Field& field) const {
-    const bool is_lane = depends_on_lane(key.kind);
-    if (!is_lane && !depends_on_reference(key.kind)) return Done{};
-    if (column.name == "format") {
-      const Result<LaneFormat> format = LaneFormat::parse(field.text);
-      if (!format.ok()) return error(field, format.error().message, format.error().accepted);
-      if (!is_lane && !format->floating) return error(field, "not a format", "of a reference");
+  /// Reads the cells that identify a component. An error has the place of its cell.
+  Result<ComponentKey> read_key() {
+    KeyCells cells;
+    std::array<Field, key_columns.size()> fields;
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+      MIXCMP_TRY(field, next());
+      cells.*key_columns[k].cell = field.text;
+      fields[k] = std::move(field);
     }
-    if (column.name == "inputs" && is_lane) {
-      return check_inputs(LaneFormat::parse(key.format)->floating, key.inputs, field);
-    }
-    if (column.name == "bound" && is_lane) {
-      const LaneFormat format = *LaneFormat::parse(key.format);
-      if (key.bound && key.bound->is_for(format)) return Done{};
-      return error(field, "not a bound of such lanes", bound_words(format));
-    }
-    if (column.name == "multipliers") {
-      return check_one_of(field, {"embedded", "logic", "memory", ""});
-    }
-    return Done{};
-  }
-
-  static std::string bound_words(const LaneFormat& format) {
-    if (format.floating) return "a bound in floating point";
-    std::string names;
-    for (const Bound& bound : bounds_of(*format.fixed_point)) {
-      names += (names.empty() ? "" : ", ") + to_string(bound);
-    }
-    return names;
-  }
-
-  /// A number of digits must be above the lane's own; fixed point has no such choice.
-  Result<Done> check_inputs(const std::optional<FloatFormat>& floating,
-                            std::optional<LaneInputs> inputs, const Field& field) const {
-    if (!floating) return check_one_of(field, {""});
-    const int own = floating->precision();
-    if (inputs && inputs->in_lane(own, FloatFormat::max_precision) == *inputs) return Done{};
-    return error(field, "not a choice",
-                 fmt::format("exact, rounded, or a number of digits above {}", own));
-  }
-
-  Result<Done> check_one_of(const Field& field, std::initializer_list<const char*> words) const {
-    if (std::find(words.begin(), words.end(), field.text) != words.end()) return Done{};
-    return error(field, "not a choice", fmt::format("{}", fmt::join(words, ", ")));
+    Result<ComponentKey> key = key_of(cells);
+    if (key.ok()) return key;
+    const auto* const column =
+        std::find_if(key_columns.begin(), key_columns.end(),
+                     [&](const KeyColumn& each) { return each.name == key.error().field; });
+    const Field& field = fields[static_cast<std::size_t>(column - key_columns.begin())];
+    return error(field, key.error().message, key.error().accepted);
   }
 
   Result<Measurement> read_provenance(Measurement row) {
@@ -285,12 +232,14 @@ private:
     if (twin == table.rows.end()) return Done{};
     return Error{.file = path_.string(),
                  .message = "two rows of one component",
-                 .received = fmt::format("{} {} {} {} {} {}, initiation interval {}, ports {}",
-                                         to_string(twin->key.kind), name_column().get(twin->key),
-                                         twin->key.format, to_string(twin->key.inputs),
-                                         to_string(twin->key.bound), twin->key.multipliers,
-                                         twin->key.initiation_interval, twin->key.ports),
+                 .received = in_words(cells_of(twin->key)),
                  .accepted = "one"};
+  }
+
+  static std::string in_words(const KeyCells& key) {
+    return fmt::format("{} {} {} {} {} {}, initiation interval {}, ports {}", key.kind, key.name,
+                       key.format, key.inputs, key.bound, key.multipliers, key.initiation_interval,
+                       key.ports);
   }
 
   int field_count() const { return mapped_table_columns + (has_stages_ ? 1 : 0); }
@@ -305,38 +254,7 @@ private:
   bool has_stages_ = false;
 };
 
-/// The number in "at_600_mhz".
-std::optional<int> target_in(std::string_view word) {
-  constexpr std::string_view before = "at_", behind = "_mhz";
-  if (!word.starts_with(before) || !word.ends_with(behind)) return std::nullopt;
-  if (word.size() < before.size() + behind.size()) return std::nullopt;
-  const std::string_view digits =
-      word.substr(before.size(), word.size() - before.size() - behind.size());
-  int mhz = 0;
-  const auto [stop, failed] = std::from_chars(digits.begin(), digits.end(), mhz);
-  const bool is_number = failed == std::errc() && stop == digits.end();
-  if (!is_number || !settings::limits::target_mhz.allow(mhz)) return std::nullopt;
-  return mhz;
-}
-
 }  // namespace
-
-Result<Done> set_traits_of_reference(ComponentKey& key, const std::string& words) {
-  std::istringstream text(words);
-  for (std::string word; text >> word;) {
-    const std::optional<int> target = target_in(word);
-    if (word == to_string(Sums::fused)) {
-      key.sums = Sums::fused;
-    } else if (target) {
-      key.target_mhz = *target;
-    } else {
-      return Error{.message = "not a kind of reference",
-                   .received = word,
-                   .accepted = "fused, a target as at_600_mhz, both or nothing"};
-    }
-  }
-  return Done{};
-}
 
 Result<Characterisation> read_characterisation(const std::filesystem::path& path) {
   MIXCMP_TRY(text, read_file(path));

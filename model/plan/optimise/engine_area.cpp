@@ -3,15 +3,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-
-#include "model/base/number/lane_format.hpp"
+#include <map>
 
 namespace mixcmp::optimise {
 namespace {
 
-using measured::ComponentKey;
-using measured::ComponentKind;
 using measured::Measurement;
+using Sizes = std::map<int, const Measurement*>;
 
 /// `area` with each resource replaced by the result of `change`.
 template <class Change>
@@ -23,69 +21,47 @@ devices::Area changed(const devices::Area& area, Change change) {
   return result;
 }
 
-/// The smallest and the largest measured component among those that differ only in their number of
-/// ports.
-struct MeasuredSizes {
-  const Measurement* smallest = nullptr;
-  const Measurement* largest = nullptr;
-
-  bool are_two() const { return smallest != largest; }
-};
-
-MeasuredSizes sizes_of(const measured::Characterisation& table, ComponentKey key) {
-  MeasuredSizes found;
-  for (const Measurement& row : table.rows) {
-    key.ports = row.key.ports;
-    if (row.key != key) continue;
-    if (found.smallest == nullptr || row.key.ports < found.smallest->key.ports) {
-      found.smallest = &row;
-    }
-    if (found.largest == nullptr || row.key.ports > found.largest->key.ports) found.largest = &row;
-  }
-  return found;
-}
-
 /// An area that grows with a number of ports: own + ports x each.
 struct Line {
   devices::Area own;
   devices::Area each;
 };
 
-/// The line through two sizes, rounded up to whole numbers.
-Line line_through(const MeasuredSizes& sizes) {
-  const int fewest = sizes.smallest->key.ports;
-  const int more = sizes.largest->key.ports - fewest;
-  const devices::Area& small = sizes.smallest->area;
-  const devices::Area each = changed(sizes.largest->area, [&](int amount, auto resource) {
-    return std::max(0, (amount - small.*resource + more - 1) / more);
-  });
+/// The line through the smallest and the largest size, rounded up to whole numbers.
+Line line_through(const Sizes& sizes) {
+  const auto& [fewest, smallest] = *sizes.begin();
+  const auto& [most, largest] = *sizes.rbegin();
+  const devices::Area& small = smallest->area;
+  const devices::Area each =
+      changed(largest->area, [&small, more = most - fewest](int amount, auto resource) {
+        return std::max(0, (amount - small.*resource + more - 1) / more);
+      });
   return {.own = changed(small,
-                         [&](int amount, auto resource) {
+                         [&each, fewest = fewest](int amount, auto resource) {
                            return std::max(0, amount - fewest * (each.*resource));
                          }),
           .each = each};
 }
 
 /// A line through the larger size that is nowhere below zero.
-Line line_to_the_larger(const MeasuredSizes& sizes) {
-  const int most = sizes.largest->key.ports;
-  const int more = most - sizes.smallest->key.ports;
-  const devices::Area& small = sizes.smallest->area;
-  const devices::Area each = changed(sizes.largest->area, [&](int amount, auto resource) {
+Line line_to_the_larger(const Sizes& sizes) {
+  const devices::Area& small = sizes.begin()->second->area;
+  const devices::Area& large = sizes.rbegin()->second->area;
+  const int most = sizes.rbegin()->first;
+  const int more = most - sizes.begin()->first;
+  const devices::Area each = changed(large, [&](int amount, auto resource) {
     return std::min(std::max(0, amount - small.*resource) / more, amount / most);
   });
-  return {
-      .own = changed(sizes.largest->area,
-                     [&](int amount, auto resource) { return amount - most * (each.*resource); }),
-      .each = each};
+  return {.own = changed(
+              large, [&](int amount, auto resource) { return amount - most * (each.*resource); }),
+          .each = each};
 }
 
 void limit(std::optional<double>& mhz, const Measurement& row) {
   if (row.clock) mhz = std::min(mhz.value_or(row.clock->mhz), row.clock->mhz);
 }
 
-bool is_converted(const ComponentKey& key) {
-  const LaneFormat format = LaneFormat::parse(key.format).value();
+bool is_converted(const LaneFormat& format) {
   return format.fixed_point && !format.fixed_point->is_block;
 }
 
@@ -98,30 +74,28 @@ devices::Area without(const devices::Area& whole, const devices::Area& part) {
 }  // namespace
 
 std::optional<EngineArea> engine_area(const measured::Characterisation& table,
-                                      const Measurement& segment, scene::EngineKind kind,
+                                      const Measurement& row, scene::EngineKind kind,
                                       std::set<std::string>& missing) {
-  ComponentKey key = segment.key;
-  key.kind = ComponentKind::engine;
-  const MeasuredSizes engines = sizes_of(table, key);
-  if (!engines.are_two()) {
-    missing.insert(fmt::format("engines of two sizes around segments in {}", segment.key.format));
+  const auto& segment = std::get<measured::Segment>(row.key);
+  const Sizes engines = sizes_of(table, measured::Engine{segment.lane});
+  if (engines.size() < 2) {
+    missing.insert(
+        fmt::format("engines of two sizes around segments in {}", segment.lane.format.name()));
     return std::nullopt;
   }
   // A chain's line is exact at the lanes of the larger engine, with which chains are planned.
   const Line line =
       kind == scene::EngineKind::arg_min ? line_to_the_larger(engines) : line_through(engines);
   EngineArea area{.own = without(line.own, memory_share(table, kind, missing)),
-                  .group = segment.area + line.each,
+                  .group = row.area + line.each,
                   .lane = {},
                   .mhz = {}};
-  area.lane = share(area.group, segment.key.ports);
-  limit(area.mhz, *engines.largest);
-  if (!is_converted(segment.key)) return area;
-  key.kind = ComponentKind::conversion;
-  key.ports = 0;
-  const Measurement* conversion = table.find(key);
+  area.lane = share(area.group, segment.lanes);
+  limit(area.mhz, *engines.rbegin()->second);
+  if (!is_converted(segment.lane.format)) return area;
+  const Measurement* conversion = table.find(measured::Conversion{segment.lane});
   if (conversion == nullptr) {
-    missing.insert(fmt::format("a conversion to {}", key.format));
+    missing.insert(fmt::format("a conversion to {}", segment.lane.format.name()));
     return area;
   }
   area.own += conversion->area;
@@ -132,8 +106,8 @@ std::optional<EngineArea> engine_area(const measured::Characterisation& table,
 devices::Area memory_share(const measured::Characterisation& table, scene::EngineKind kind,
                            std::set<std::string>& missing) {
   if (kind != scene::EngineKind::arg_min) return {};
-  const MeasuredSizes memories = sizes_of(table, {.kind = ComponentKind::operand_memory});
-  if (memories.are_two()) return line_through(memories).each;
+  const Sizes memories = sizes_of(table, measured::OperandMemory{});
+  if (memories.size() >= 2) return line_through(memories).each;
   missing.insert("operand memories of two sizes");
   return {};
 }

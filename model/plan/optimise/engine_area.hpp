@@ -19,12 +19,12 @@ struct EngineArea {
   std::optional<double> mhz;  ///< the lowest clock of these parts; none if none was measured
 };
 
-/// The area of an engine whose lanes are those of `segment`, a row of that kind. The connections of
+/// The area of an engine whose lanes are those of `row`, a segment. The connections of
 /// segments (the merge of a pairwise engine, the stages of a chain) grow with their number: the
 /// slope is that between the smallest and the largest engine of the table. Parts that the table
 /// lacks are added to `missing`, in words. If it lacks the engine itself, there is no area.
 std::optional<EngineArea> engine_area(const measured::Characterisation& table,
-                                      const measured::Measurement& segment, scene::EngineKind kind,
+                                      const measured::Measurement& row, scene::EngineKind kind,
                                       std::set<std::string>& missing);
 
 /// A reference's share of an arg-min engine's operand memory: its register, and its part of the

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <set>
 
 #include "model/base/common/check.hpp"
@@ -19,25 +21,20 @@ namespace {
 /// A design may fit if its rough estimate is at most this multiple of the device.
 constexpr double rough_margin = 1.5;
 
-/// Finds the row of a datapath with these multipliers. The row of a datapath without products names
-/// no multipliers.
-const measured::Measurement* find(const measured::Characterisation& table,
-                                  measured::ComponentKey key, scene::Multipliers multipliers) {
-  const measured::Measurement* plain = table.find(key);
-  if (plain != nullptr) return plain;
-  key.multipliers = to_string(multipliers);
-  return table.find(key);
-}
-
 std::optional<Bound> bound_of(const design::Lane& lane) {
   return std::visit([](const auto& made) -> std::optional<Bound> { return scene::bound_of(made); },
                     lane);
 }
 
-/// Lanes in fixed point have no choice of inputs.
-std::optional<LaneInputs> inputs_of(const design::LaneGroup& group) {
+/// The lanes of a group, as a table names them; none if their parts have several bounds.
+std::optional<measured::Lane> lane_of(const design::LaneGroup& group) {
+  const std::optional<Bound> bound = bound_of(group.lane);
+  if (!bound) return std::nullopt;
   const bool floating = std::holds_alternative<error::Lane>(group.lane);
-  return floating ? std::optional(group.inputs) : std::nullopt;
+  return measured::Lane{.format = LaneFormat::parse(design::format_name(group.lane)).value(),
+                        .inputs = floating ? std::optional(group.inputs) : std::nullopt,
+                        .bound = *bound,
+                        .multipliers = group.multipliers};
 }
 
 bool has_engine(const design::Design& design) {
@@ -47,46 +44,29 @@ bool has_engine(const design::Design& design) {
 /// The row of a lane, or in an engine of the segment that contains it.
 const measured::Measurement* row_of(const measured::Characterisation& table,
                                     const design::Design& design, const design::LaneGroup& group) {
-  const bool in_segment = has_engine(design);
-  return find(
-      table,
-      {.kind = in_segment ? measured::ComponentKind::segment : measured::ComponentKind::lane,
-       .name = {},
-       .format = design::format_name(group.lane),
-       .inputs = inputs_of(group),
-       .bound = bound_of(group.lane),
-       .multipliers = {},
-       .ports = in_segment ? design.system.engine.lanes_per_segment() : 0},
-      group.multipliers);
+  const std::optional<measured::Lane> lane = lane_of(group);
+  if (!lane) return nullptr;
+  if (!has_engine(design)) return table.find_datapath(*lane);
+  return table.find_datapath(measured::Segment{*lane, design.system.engine.lanes_per_segment()});
 }
 
 const measured::Measurement* row_of(const measured::Characterisation& table,
                                     const design::Design& design,
                                     const design::ReferenceGroup& group) {
   const Arithmetic& arithmetic = design.reference.arithmetic;
-  return find(table,
-              {.kind = measured::ComponentKind::reference,
-               .name = {},
-               .format = arithmetic.format.name(),
-               .inputs = {},
-               .bound = {},
-               .multipliers = {},
-               .sums = arithmetic.sums,
-               .initiation_interval = group.structure.initiation_interval,
-               .target_mhz = group.structure.own_target_mhz(design.system.target_mhz),
-               .ports = 0},
-              group.structure.multipliers);
+  return table.find_datapath(
+      measured::Reference{.format = arithmetic.format,
+                          .multipliers = group.structure.multipliers,
+                          .sums = arithmetic.sums,
+                          .initiation_interval = group.structure.initiation_interval,
+                          .target_mhz = group.structure.own_target_mhz(design.system.target_mhz)});
 }
 
-/// The row of a kind with the most ports, but at most `ports`.
-const measured::Measurement* largest(const measured::Characterisation& table,
-                                     measured::ComponentKind kind, int ports) {
-  const measured::Measurement* found = nullptr;
-  for (const measured::Measurement& row : table.rows) {
-    const bool fits = row.key.kind == kind && row.key.ports <= ports;
-    if (fits && (found == nullptr || row.key.ports > found->key.ports)) found = &row;
-  }
-  return found;
+/// The row with the largest count, but at most `most`; null if there is none.
+const measured::Measurement* largest(const std::map<int, const measured::Measurement*>& sizes,
+                                     int most) {
+  const auto above = sizes.upper_bound(most);
+  return above == sizes.begin() ? nullptr : std::prev(above)->second;
 }
 
 /// Adds the references, and the streams around them if the table has these; false if it lacks a
@@ -97,8 +77,7 @@ bool add_references(Amounts& sum, const design::Design& design,
     const measured::Measurement* row = row_of(table, design, group);
     if (row == nullptr) return false;
     add(sum, group.count, row->area);
-    measured::ComponentKey port = row->key;
-    port.kind = measured::ComponentKind::reference_port;
+    const measured::ReferencePort port{std::get<measured::Reference>(row->key)};
     if (const auto* measured = table.find(port)) add(sum, group.count, measured->area);
   }
   return true;
@@ -106,24 +85,23 @@ bool add_references(Amounts& sum, const design::Design& design,
 
 /// Adds the crossbar between `asking` and `asked` ports; nothing if the table has none.
 void add_crossbar(Amounts& sum, int asking, int asked, const measured::Characterisation& table) {
+  const auto sizes = sizes_of(table, measured::Crossbar{});
   for (const int served : performance::lanes_of_references(asking, asked)) {
-    const measured::Measurement* share = largest(table, measured::ComponentKind::crossbar, served);
+    const measured::Measurement* share = largest(sizes, served);
     if (share != nullptr) add(sum, 1, share->area);
   }
 }
 
 /// Adds the lanes of a second tier, with the most slots of any such lane in the table; false if it
-/// has none of this format.
+/// has none.
 bool add_second_lanes(Amounts& sum, const design::LaneGroup& tier,
                       const measured::Characterisation& table) {
-  const measured::Measurement* found = nullptr;
-  for (const measured::Measurement& row : table.rows) {
-    const bool is_one = row.key.kind == measured::ComponentKind::second_lane &&
-                        row.key.format == design::format_name(tier.lane);
-    if (is_one && (found == nullptr || row.key.ports > found->key.ports)) found = &row;
-  }
-  if (found != nullptr) add(sum, tier.count, found->area);
-  return found != nullptr;
+  const std::optional<measured::Lane> lane = lane_of(tier);
+  const auto sizes = lane ? sizes_of(table, measured::SecondLane{*lane})
+                          : std::map<int, const measured::Measurement*>();
+  if (sizes.empty()) return false;
+  add(sum, tier.count, sizes.rbegin()->second->area);
+  return true;
 }
 
 /// Adds all crossbars of a system, and the second lanes between them; false if a second lane has no
@@ -150,7 +128,8 @@ std::optional<Amounts> measured_engine(const design::Design& design,
     const std::optional<EngineArea> engine =
         engine_area(table, *segment, design.system.engine.kind, missing);
     if (!engine) return std::nullopt;
-    const int groups = (group.count + segment->key.ports - 1) / segment->key.ports;
+    const int lanes_each = design.system.engine.lanes_per_segment();
+    const int groups = (group.count + lanes_each - 1) / lanes_each;
     add(lanes, groups, engine->group);
     const Amounts needed = amounts_of(engine->own);
     for (std::size_t r = 0; r < own.size(); ++r) own[r] = std::max(own[r], needed[r]);
@@ -177,7 +156,7 @@ std::optional<Amounts> measured_system(const design::Design& design,
   if (!add_references(sum, design, table)) return std::nullopt;
   const int slots =
       design::slots_for(slowest + design.system.input_registers, design.reference_count() > 0);
-  const measured::Measurement* fifo = largest(table, measured::ComponentKind::fifo, slots);
+  const measured::Measurement* fifo = largest(sizes_of(table, measured::Fifo{}), slots);
   if (fifo != nullptr) {
     add(sum, design.lane_count() / design.system.lanes_per_group, fifo->area);
   }

@@ -29,9 +29,9 @@ AllocationResult fill_with_references(const scene::Scene& scene, const devices::
   AllocationProblem problem;
   for (const ReferenceImplementation& reference : references) {
     const ReferenceKind& kind = reference.kind;
-    const measured::Measurement& measured = reference.measured;
-    problem.lanes.push_back(
-        {kind.name, kind.clock_hz, double(measured.key.initiation_interval), 0, measured.area});
+    problem.lanes.push_back({kind.name, kind.clock_hz,
+                             double(reference.reference().initiation_interval), 0,
+                             reference.measured.area});
   }
   problem.available = device.available;
   problem.slack = scene.system.slack;
@@ -105,9 +105,8 @@ void note_one_interval(const scene::Scene& scene, const measured::Characterisati
   });
   std::set<int> measured;
   for (const measured::Measurement& row : table.rows) {
-    if (row.key.kind == measured::ComponentKind::reference) {
-      measured.insert(row.key.initiation_interval);
-    }
+    const auto* reference = std::get_if<measured::Reference>(&row.key);
+    if (reference != nullptr) measured.insert(reference->initiation_interval);
   }
   if (!is_open || measured.size() != 1) return;
   found.notes.push_back(
@@ -241,7 +240,7 @@ Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& 
                               const OptimiseOptions& options) {
   MIXCMP_DO(check_options(options));
   MIXCMP_TRY(known_chain, design::with_chain_lanes(scene, nullptr));
-  MIXCMP_TRY(second_tier, second_tier_key(scene));
+  MIXCMP_TRY(second_tier, second_tier_lane(scene));
   ProblemMaker maker(scene, table, rates, options, second_tier);
   if (maker.precisions().empty()) return no_lane(scene);
   if (!maker.has_references()) return nothing_to_choose_from(scene, "reference");

@@ -29,7 +29,7 @@ struct OptimiseOptions {
   /// A row of the table is used only if its value is listed here; an empty list admits all.
   std::vector<LaneInputs> inputs;
   std::vector<Bound> bounds;
-  std::vector<std::string> multipliers;
+  std::vector<scene::Multipliers> multipliers;
   ClockChoice clocks;
   /// A fixed C(com), as the paper's, instead of our measured scoreboards and crossbar.
   std::optional<devices::Area> fixed_communication;
@@ -69,10 +69,14 @@ struct LaneImplementation {
   std::optional<devices::Area> datapath;
   /// The area of the second tier's lane itself, behind a segment, if it was measured.
   std::optional<devices::Area> second_tier;
+
+  const measured::Lane& lane() const { return *measured::lane_of(measured.key); }
 };
 struct ReferenceImplementation {
   measured::Measurement measured;
   ReferenceKind kind;
+
+  const measured::Reference& reference() const { return *measured::reference_of(measured.key); }
 };
 
 /// The best plan for one L: a point of figure 9.

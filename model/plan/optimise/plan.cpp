@@ -21,28 +21,28 @@ std::string bound_keys(const Bound& bound) {
 }
 
 /// The scene's key for the kind of multipliers; empty for datapaths without a product.
-std::string multipliers_key(const measured::ComponentKey& key) {
-  return key.multipliers.empty() ? "" : fmt::format("multipliers = \"{}\"\n", key.multipliers);
+std::string multipliers_key(const std::optional<scene::Multipliers>& multipliers) {
+  return multipliers ? fmt::format("multipliers = \"{}\"\n", to_string(*multipliers)) : "";
 }
 
 /// Always written, since the scene may leave the interval to the plan.
-std::string references_table(const measured::ComponentKey& key, int count) {
+std::string references_table(const measured::Reference& reference, int count) {
   const std::string target =
-      key.target_mhz == 0 ? "" : fmt::format("target_mhz = {}\n", key.target_mhz);
+      reference.target_mhz ? fmt::format("target_mhz = {}\n", *reference.target_mhz) : "";
   return fmt::format("\n[[references]]\ncount = {}\n{}initiation_interval = {}\n{}", count,
-                     multipliers_key(key), key.initiation_interval, target);
+                     multipliers_key(reference.multipliers), reference.initiation_interval, target);
 }
 
 /// The scene's key for how operands enter a lane; empty in fixed point, which has no such choice.
-std::string inputs_key(const measured::ComponentKey& key) {
-  if (!key.inputs) return "";
-  const std::string value = to_string(*key.inputs);
-  return fmt::format("inputs = {}\n", key.inputs->number() ? value : in_quotes(value));
+std::string inputs_key(const measured::Lane& lane) {
+  if (!lane.inputs) return "";
+  const std::string value = to_string(*lane.inputs);
+  return fmt::format("inputs = {}\n", lane.inputs->number() ? value : in_quotes(value));
 }
 
-std::string lanes_table(const measured::ComponentKey& key, int count) {
-  return fmt::format("\n[[lanes]]\ncount = {}\nformat = \"{}\"\n{}{}{}", count, key.format,
-                     inputs_key(key), bound_keys(*key.bound), multipliers_key(key));
+std::string lanes_table(const measured::Lane& lane, int count) {
+  return fmt::format("\n[[lanes]]\ncount = {}\nformat = \"{}\"\n{}{}{}", count, lane.format.name(),
+                     inputs_key(lane), bound_keys(lane.bound), multipliers_key(lane.multipliers));
 }
 
 /// The overrides without the keys of [system] that the plan sets itself.
@@ -118,11 +118,11 @@ std::string plan_toml(const Optimisation& optimisation, const PrecisionPlan& pla
     if (section.key != "system") text += section_text(section);
   }
   for (const int k : lane_order(plan.problem)) {
-    if (chosen.lanes[k] > 0) text += lanes_table(plan.lanes[k].measured.key, chosen.lanes[k]);
+    if (chosen.lanes[k] > 0) text += lanes_table(plan.lanes[k].lane(), chosen.lanes[k]);
   }
   for (const int k : reference_order(plan.problem)) {
     const int count = chosen.references[k];
-    if (count > 0) text += references_table(optimisation.references[k].measured.key, count);
+    if (count > 0) text += references_table(optimisation.references[k].reference(), count);
   }
   return text;
 }

@@ -99,7 +99,8 @@ Result<scene::Scene> with_target_of(const measured::Characterisation& table, con
 std::set<LaneInputs> inputs_of_lanes(const measured::Characterisation& table) {
   std::set<LaneInputs> inputs = {LaneInputs::exact, LaneInputs::rounded};
   for (const measured::Measurement& row : table.rows) {
-    if (row.key.inputs) inputs.insert(*row.key.inputs);
+    const measured::Lane* lane = measured::lane_of(row.key);
+    if (lane != nullptr && lane->inputs) inputs.insert(*lane->inputs);
   }
   return inputs;
 }

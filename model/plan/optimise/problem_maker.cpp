@@ -23,14 +23,20 @@ bool allows(const std::vector<Choice>& allowed, const Choice& word) {
   return allowed.empty() || std::find(allowed.begin(), allowed.end(), word) != allowed.end();
 }
 
-/// The format of a row. It is valid, since the table's reader has parsed it.
-LaneFormat format_of(const measured::Measurement& row) {
-  return LaneFormat::parse(row.key.format).value();
+bool allows_multipliers(const OptimiseOptions& options,
+                        const std::optional<scene::Multipliers>& multipliers) {
+  return !multipliers || allows(options.multipliers, *multipliers);
 }
 
-std::string lane_name(const measured::ComponentKey& key) {
-  std::string name = key.format;
-  for (const std::string& trait : {to_string(key.inputs), to_string(key.bound), key.multipliers}) {
+/// The lane of a row that depends on one.
+const measured::Lane& lane_in(const measured::Measurement& row) {
+  return *measured::lane_of(row.key);
+}
+
+std::string lane_name(const measured::Lane& lane) {
+  std::string name = lane.format.name();
+  for (const std::string& trait :
+       {to_string(lane.inputs), to_string(lane.bound), std::string(to_string(lane.multipliers))}) {
     if (!trait.empty()) name += " " + trait;
   }
   return name;
@@ -42,11 +48,13 @@ std::string name_of(const RateKey& key) {
   return key.bound.is_fixed_point() ? bound : fmt::format("{} {}", to_string(key.inputs), bound);
 }
 
-std::string reference_name(const measured::ComponentKey& key) {
-  std::string name = key.format + (key.multipliers.empty() ? "" : " " + key.multipliers);
-  if (key.sums == Sums::fused) name += " fused";
-  if (key.initiation_interval > 1) name += fmt::format(" ii{}", key.initiation_interval);
-  return key.target_mhz == 0 ? name : fmt::format("{} for {} MHz", name, key.target_mhz);
+std::string reference_name(const measured::Reference& reference) {
+  std::string name = reference.format.name();
+  if (reference.multipliers) name += fmt::format(" {}", to_string(*reference.multipliers));
+  if (reference.sums == Sums::fused) name += " fused";
+  const int interval = reference.initiation_interval;
+  if (interval > 1) name += fmt::format(" ii{}", interval);
+  return reference.target_mhz ? fmt::format("{} for {} MHz", name, *reference.target_mhz) : name;
 }
 
 ClockBasis basis_of(const measured::Clock& clock) {
@@ -97,7 +105,7 @@ devices::Area between(const devices::Area& low, const devices::Area& high, int p
 
 ProblemMaker::ProblemMaker(const scene::Scene& scene, const measured::Characterisation& table,
                            const Rates& rates, const OptimiseOptions& options,
-                           std::optional<measured::ComponentKey> second_tier)
+                           std::optional<measured::Lane> second_tier)
     : scene_(scene),
       table_(table),
       rates_(rates),
@@ -119,12 +127,13 @@ std::vector<int> ProblemMaker::precisions() const {
 std::vector<ReferenceImplementation> ProblemMaker::references() {
   std::vector<ReferenceImplementation> all;
   for (const measured::Measurement* row : references_) {
+    const auto& reference = std::get<measured::Reference>(row->key);
     const double mhz = clock_of(*row, options_.clocks.reference_mhz, {});
-    const int interval = design::planned_service_cycles(row->key.initiation_interval,
+    const int interval = design::planned_service_cycles(reference.initiation_interval,
                                                         scene_.system.request_beats.value_or(1));
     all.push_back({*row,
-                   {reference_name(row->key), mhz * hertz_per_mhz, interval, area_with_port(*row),
-                    row->key.target_mhz != 0}});
+                   {reference_name(reference), mhz * hertz_per_mhz, interval, area_with_port(*row),
+                    reference.target_mhz.has_value()}});
   }
   return all;
 }
@@ -191,13 +200,13 @@ void ProblemMaker::add_references(PrecisionPlan& plan,
     kind.area += plan.second_lanes->area;
     const int slots = design::second_tier_slots_for(scene_.system, second.latency_cycles,
                                                     reference.measured.latency_cycles);
-    if (slots > second.key.ports) kind.clock_hz = out_of_reach_hz;
+    if (slots > std::get<measured::SecondLane>(second.key).slots) kind.clock_hz = out_of_reach_hz;
   }
 }
 
 /// The groups that a second lane serves, by this lane's rate and the measured crossbars.
 int ProblemMaker::served_by_second_lane(const measured::Measurement& lane) const {
-  const std::optional<Rate> rate = rates_.find(rate_key(lane.key));
+  const std::optional<Rate> rate = rates_.find(rate_key(lane_in(lane)));
   if (!rate) return 0;
   const int served = groups_served(*rate, scene_.system.lanes_per_group);
   const int measured = static_cast<int>(communication_.crossbar.size()) - 1;
@@ -224,21 +233,15 @@ std::vector<std::optional<SecondLanes>> ProblemMaker::second_lanes_of(const Rows
     return {};
   }
   std::vector<std::optional<SecondLanes>> all;
-  for (const measured::Measurement& row : table_.rows) {
-    measured::ComponentKey key = row.key;
-    key.kind = measured::ComponentKind::lane;
-    key.ports = 0;
-    const bool plain = key.multipliers.empty();  // a lane without products
-    if (plain) key.multipliers = second_tier_->multipliers;
-    if (row.key.kind != measured::ComponentKind::second_lane || key != *second_tier_) continue;
-    devices::Area area = row.area + crossbar_port();
+  for (const auto& [slots, row] : sizes_of(table_, measured::SecondLane{*second_tier_})) {
+    devices::Area area = row->area + crossbar_port();
     if (!communication_.crossbar.empty()) area += communication_.crossbar[served];
-    all.emplace_back(SecondLanes{.measured = row,
+    all.emplace_back(SecondLanes{.measured = *row,
                                  .area = area,
                                  .groups_served = served,
                                  .area_per_group = share(area, served)});
   }
-  if (all.empty()) missing_.insert("a second_lane in " + second_tier_->format);
+  if (all.empty()) missing_.insert("a second_lane in " + second_tier_->format.name());
   return all;
 }
 
@@ -265,44 +268,40 @@ void ProblemMaker::limit_engine(AllocationProblem& problem) const {
 
 void ProblemMaker::sort_rows() {
   for (const measured::Measurement& row : table_.rows) {
-    const measured::ComponentKey& key = row.key;
-    if (!key.multipliers.empty() && !allows(options_.multipliers, key.multipliers)) continue;
-    if (key.kind == measured::ComponentKind::reference && is_wanted_reference(row)) {
-      references_.push_back(&row);
-    }
-    if (is_lane(key) && is_wanted(row)) {
-      lanes_[format_of(row).precision()].push_back(&row);
-    }
+    const auto* reference = std::get_if<measured::Reference>(&row.key);
+    if (reference != nullptr && is_wanted_reference(*reference)) references_.push_back(&row);
+    if (!is_lane(row.key)) continue;
+    const measured::Lane& lane = lane_in(row);
+    if (is_wanted(lane)) lanes_[lane.format.precision()].push_back(&row);
   }
 }
 
 /// Whether this is a row of lanes as the scene's systems contain them: in segments, or one by one.
 bool ProblemMaker::is_lane(const measured::ComponentKey& key) const {
-  if (!has_engine()) return key.kind == measured::ComponentKind::lane;
-  return key.kind == measured::ComponentKind::segment &&
-         key.ports == scene_.system.engine.lanes_per_segment();
+  if (!has_engine()) return std::holds_alternative<measured::Lane>(key);
+  const auto* segment = std::get_if<measured::Segment>(&key);
+  return segment != nullptr && segment->lanes == scene_.system.engine.lanes_per_segment();
 }
 
 /// Whether this is a row of a reference that the scene asks for: of its format and sums, of its
 /// initiation interval unless that is "auto", and of its target if it has one. A folded reference
 /// must not be faster than the scene's requests.
-bool ProblemMaker::is_wanted_reference(const measured::Measurement& row) const {
+bool ProblemMaker::is_wanted_reference(const measured::Reference& reference) const {
   const auto& [multipliers, interval, target] = scene_.reference_structure;
-  const int placed_for = row.key.target_mhz;
-  const double target_mhz = placed_for == 0 ? scene_.system.target_mhz : placed_for;
-  return format_of(row).floating == scene_.reference.format &&
-         row.key.sums == scene_.reference.sums &&
-         design::check_request_beats(scene_.system, row.key.initiation_interval).ok() &&
-         (!interval || *interval == row.key.initiation_interval) &&
+  const double target_mhz = reference.target_mhz.value_or(scene_.system.target_mhz);
+  return allows_multipliers(options_, reference.multipliers) &&
+         reference.format == scene_.reference.format && reference.sums == scene_.reference.sums &&
+         design::check_request_beats(scene_.system, reference.initiation_interval).ok() &&
+         (!interval || *interval == reference.initiation_interval) &&
          (!target || *target == target_mhz);
 }
 
-bool ProblemMaker::is_wanted(const measured::Measurement& lane) const {
-  const int precision = format_of(lane).precision();
-  const bool wanted_inputs = !lane.key.inputs || allows(options_.inputs, *lane.key.inputs);
-  return options_.first_precision <= precision && precision <= options_.last_precision &&
-         is_before_second_tier(precision) && wanted_inputs &&
-         allows(options_.bounds, *lane.key.bound) && is_trusted(lane);
+bool ProblemMaker::is_wanted(const measured::Lane& lane) const {
+  const int precision = lane.format.precision();
+  const bool wanted_inputs = !lane.inputs || allows(options_.inputs, *lane.inputs);
+  return allows_multipliers(options_, lane.multipliers) && options_.first_precision <= precision &&
+         precision <= options_.last_precision && is_before_second_tier(precision) &&
+         wanted_inputs && allows(options_.bounds, lane.bound) && is_trusted(lane);
 }
 
 /// In a system of streams, lanes may precede the second tier if they have fewer digits. A table may
@@ -312,20 +311,20 @@ bool ProblemMaker::is_before_second_tier(int precision) const {
 }
 
 /// Lanes with a measured, unproven bound are used for scenes that ask for them, and only for those.
-bool ProblemMaker::is_trusted(const measured::Measurement& lane) const {
-  return lane.key.bound->is_profiled() == scene_.reduced.is_profiled;
+bool ProblemMaker::is_trusted(const measured::Lane& lane) const {
+  return lane.bound.is_profiled() == scene_.reduced.is_profiled;
 }
 
 /// Whether the rates hold for this lane. If it has fewer exponent bits than the counted lanes had,
 /// more comparisons may be undecided, unless the inputs' ranges say that fewer bits suffice.
-bool ProblemMaker::has_enough_exponents(const measured::Measurement& lane) {
-  const std::optional<FloatFormat> format = format_of(lane).floating;
+bool ProblemMaker::has_enough_exponents(const measured::Lane& lane) {
+  const std::optional<FloatFormat>& format = lane.format.floating;
   if (!format) return true;
   const int counted = profile::profiled_exponent_bits(scene_);
   if (format->exponent_bits() >= counted) return true;
   if (scene_.reduced.exponent_bits_from_ranges) return true;
   notes_.insert(fmt::format("{}: left out, recomputation rates were counted with {} exponent bits",
-                            lane.key.format, counted));
+                            lane.format.name(), counted));
   return false;
 }
 
@@ -352,10 +351,7 @@ void ProblemMaker::erase_untimed(Rows& rows, const std::string& what) {
 /// Shares between two measured port counts are interpolated. Below the smallest measured count its
 /// area is used. Larger counts are not planned.
 void ProblemMaker::add_crossbar() {
-  std::map<int, const measured::Measurement*> measured;
-  for (const measured::Measurement& row : table_.rows) {
-    if (row.key.kind == measured::ComponentKind::crossbar) measured[row.key.ports] = &row;
-  }
+  const auto measured = sizes_of(table_, measured::Crossbar{});
   if (measured.empty()) {
     missing_.insert("a crossbar");
     return;
@@ -419,10 +415,7 @@ int ProblemMaker::slots_for(const Rows& lanes) const {
 /// The scoreboard's row; none if the table has none, or if the area of streams is given.
 const measured::Measurement* ProblemMaker::fifo_of(int slots) const {
   if (options_.fixed_communication) return nullptr;
-  for (const measured::Measurement& row : table_.rows) {
-    if (row.key.kind == measured::ComponentKind::fifo && row.key.ports == slots) return &row;
-  }
-  return nullptr;
+  return table_.find(measured::Fifo{slots});
 }
 
 /// The clock of a row in MHz: the given one, else the measured one, else the target. A lane without
@@ -433,7 +426,7 @@ double ProblemMaker::clock_of(const measured::Measurement& row, const std::optio
   if (given) return *given;
   basis_ = std::max(basis_, row.clock ? basis_of(*row.clock) : ClockBasis::target);
   double mhz = row.clock ? row.clock->mhz : scene_.system.target_mhz;
-  if (row.key.kind == measured::ComponentKind::reference) return mhz;
+  if (std::holds_alternative<measured::Reference>(row.key)) return mhz;
   mhz = std::min(mhz, streams_mhz.value_or(mhz));
   if (crossbar_mhz_ < mhz) {
     notes_.insert(fmt::format("clocks are limited by the slowest crossbar measured, {:.4g} MHz",
@@ -463,8 +456,9 @@ std::optional<Rate> ProblemMaker::rate_of(const RateKey& lane) {
 
 void ProblemMaker::add_lane(PrecisionPlan& plan, const measured::Measurement& row,
                             const measured::Measurement* fifo) {
-  const std::optional<Rate> first = known_rate(rate_key(row.key));
-  const std::optional<Rate> rate = rate_of(rate_key(row.key));
+  const measured::Lane& key = lane_in(row);
+  const std::optional<Rate> first = known_rate(rate_key(key));
+  const std::optional<Rate> rate = rate_of(rate_key(key));
   if (!first || !rate) return;
   const int beats = scene_.system.request_beats.value_or(1);
   const Rate& requests = has_engine() ? *rate : *first;  // on the lane's own stream
@@ -476,7 +470,7 @@ void ProblemMaker::add_lane(PrecisionPlan& plan, const measured::Measurement& ro
             : "every group of lanes asks more often than its one stream of requests allows";
     return;
   }
-  if (!has_enough_exponents(row)) return;
+  if (!has_enough_exponents(key)) return;
   const std::optional<Surrounded> lane =
       has_engine() ? in_segment(plan, row) : with_fifo(row, fifo);
   if (!lane) return;
@@ -491,13 +485,13 @@ void ProblemMaker::add_lane(PrecisionPlan& plan, const measured::Measurement& ro
   added.measured = row;
   added.with_streams = lane->area;
   added.rate = *rate;
-  added.kind = {.name = lane_name(row.key),
+  added.kind = {.name = lane_name(key),
                 .clock_hz = mhz * hertz_per_mhz,
                 .initiation_interval = cycles_per_word(requests.value()),
                 .recomputation_rate = rate->value(),
                 .area = group,
                 .group = lane->lanes};
-  added.datapath = area_alone(row.key);
+  added.datapath = area_alone(key);
   if (second_tier_ && has_engine()) added.second_tier = area_alone(*second_tier_);
 }
 
@@ -512,16 +506,9 @@ double ProblemMaker::cycles_per_word(double recomputation_rate) const {
   return 1 + performance::undecided_words(recomputation_rate, system.lanes_per_group);
 }
 
-/// The area of a lane of this key by itself; none if it was not measured. A lane without products
-/// has no kind of multipliers in the table.
-std::optional<devices::Area> ProblemMaker::area_alone(measured::ComponentKey key) const {
-  key.kind = measured::ComponentKind::lane;
-  key.ports = 0;
-  const measured::Measurement* row = table_.find(key);
-  if (row == nullptr) {
-    key.multipliers.clear();
-    row = table_.find(key);
-  }
+/// The area of a lane by itself; none if it was not measured.
+std::optional<devices::Area> ProblemMaker::area_alone(const measured::Lane& lane) const {
+  const measured::Measurement* row = table_.find_datapath(lane);
   return row == nullptr ? std::nullopt : std::optional(row->area);
 }
 
@@ -536,25 +523,25 @@ std::optional<ProblemMaker::Surrounded> ProblemMaker::with_fifo(
 
 /// The engine's own area goes into the plan's communication: the largest that any of the plan's
 /// lanes needs.
-std::optional<ProblemMaker::Surrounded> ProblemMaker::in_segment(
-    PrecisionPlan& plan, const measured::Measurement& segment) {
-  const std::optional<EngineArea> engine = engine_area(table_, segment, this->engine(), missing_);
+std::optional<ProblemMaker::Surrounded> ProblemMaker::in_segment(PrecisionPlan& plan,
+                                                                 const measured::Measurement& row) {
+  const std::optional<EngineArea> engine = engine_area(table_, row, this->engine(), missing_);
   if (!engine) return std::nullopt;
   devices::Area& own = plan.problem.communication.fixed;
   for (const devices::Resource& resource : devices::bounded_resources) {
     if (options_.fixed_communication) break;
     own.*resource.amount = std::max(own.*resource.amount, engine->own.*resource.amount);
   }
-  return Surrounded{engine->lane, engine->group, segment.key.ports, engine->mhz};
+  return Surrounded{engine->lane, engine->group, std::get<measured::Segment>(row.key).lanes,
+                    engine->mhz};
 }
 
 /// A reference with the streams around it, and its share of an engine's memory. A table of a system
 /// of streams may lack both.
-devices::Area ProblemMaker::area_with_port(const measured::Measurement& reference) {
-  measured::ComponentKey key = reference.key;
-  key.kind = measured::ComponentKind::reference_port;
-  const measured::Measurement* port = table_.find(key);
-  devices::Area area = reference.area + memory_share(table_, engine(), missing_);
+devices::Area ProblemMaker::area_with_port(const measured::Measurement& row) {
+  const measured::Measurement* port =
+      table_.find(measured::ReferencePort{std::get<measured::Reference>(row.key)});
+  devices::Area area = row.area + memory_share(table_, engine(), missing_);
   if (port != nullptr) return area + port->area;
   if (has_engine()) missing_.insert("the port of a reference");
   return area;

@@ -11,10 +11,10 @@ namespace mixcmp::optimise {
 /// Collects the rows of a characterisation into one allocation problem per precision.
 class ProblemMaker {
 public:
-  /// `second_tier`: the key of the second tier's lane, see second_tier_key.
+  /// `second_tier`: see second_tier_lane.
   ProblemMaker(const scene::Scene& scene, const measured::Characterisation& table,
                const Rates& rates, const OptimiseOptions& options,
-               std::optional<measured::ComponentKey> second_tier);
+               std::optional<measured::Lane> second_tier);
 
   /// The precisions for which the table has lanes with these options.
   std::vector<int> precisions() const;
@@ -37,11 +37,11 @@ private:
 
   void sort_rows();
   bool is_lane(const measured::ComponentKey& key) const;
-  bool is_wanted_reference(const measured::Measurement& row) const;
-  bool is_wanted(const measured::Measurement& lane) const;
+  bool is_wanted_reference(const measured::Reference& reference) const;
+  bool is_wanted(const measured::Lane& lane) const;
   bool is_before_second_tier(int precision) const;
-  bool is_trusted(const measured::Measurement& lane) const;
-  bool has_enough_exponents(const measured::Measurement& lane);
+  bool is_trusted(const measured::Lane& lane) const;
+  bool has_enough_exponents(const measured::Lane& lane);
   void leave_out_untimed();
   void erase_untimed(Rows& rows, const std::string& what);
 
@@ -77,12 +77,12 @@ private:
     int lanes;                          ///< of a group
     std::optional<double> streams_mhz;  ///< the clock of the streams around it, if measured
   };
-  std::optional<Surrounded> in_segment(PrecisionPlan& plan, const measured::Measurement& segment);
+  std::optional<Surrounded> in_segment(PrecisionPlan& plan, const measured::Measurement& row);
   std::optional<Surrounded> with_fifo(const measured::Measurement& lane,
                                       const measured::Measurement* fifo) const;
   double cycles_per_word(double recomputation_rate) const;
-  std::optional<devices::Area> area_alone(measured::ComponentKey key) const;
-  devices::Area area_with_port(const measured::Measurement& reference);
+  std::optional<devices::Area> area_alone(const measured::Lane& lane) const;
+  devices::Area area_with_port(const measured::Measurement& row);
 
   scene::EngineKind engine() const { return scene_.system.engine.kind; }
   bool has_engine() const { return engine() != scene::EngineKind::none; }
@@ -92,7 +92,7 @@ private:
   const measured::Characterisation& table_;
   const Rates& rates_;
   const OptimiseOptions& options_;
-  const std::optional<measured::ComponentKey> second_tier_;
+  const std::optional<measured::Lane> second_tier_;
   std::map<int, Rows> lanes_;
   Rows references_;
   Communication communication_;

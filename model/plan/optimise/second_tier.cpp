@@ -6,21 +6,20 @@
 
 namespace mixcmp::optimise {
 
-Result<std::optional<measured::ComponentKey>> second_tier_key(const scene::Scene& scene) {
+Result<std::optional<measured::Lane>> second_tier_lane(const scene::Scene& scene) {
   MIXCMP_TRY(tier, design::design_second_tier(scene));
-  if (!tier) return std::optional<measured::ComponentKey>();
+  if (!tier) return std::optional<measured::Lane>();
   const auto& lane = std::get<fixed::FixedLane>(tier->lane);
-  return std::optional(measured::ComponentKey{
-      .kind = measured::ComponentKind::lane,
-      .format = scene.second_tier->fixed_point->name(),
-      .bound = scene::bound_of(lane),
-      .multipliers = std::string(to_string(scene.second_tier->multipliers))});
+  return std::optional(measured::Lane{.format = {{}, scene.second_tier->fixed_point},
+                                      .inputs = {},
+                                      .bound = scene::bound_of(lane),
+                                      .multipliers = scene.second_tier->multipliers});
 }
 
-RateKey rate_key(const measured::ComponentKey& lane) {
+RateKey rate_key(const measured::Lane& lane) {
   return {.inputs = lane.inputs.value_or(LaneInputs::exact),
-          .bound = *lane.bound,
-          .precision = LaneFormat::parse(lane.format).value().precision()};
+          .bound = lane.bound,
+          .precision = lane.format.precision()};
 }
 
 bool keeps_up(const Rate& first_tier, int lanes_per_group) {
@@ -28,8 +27,9 @@ bool keeps_up(const Rate& first_tier, int lanes_per_group) {
 }
 
 std::string name_of(const SecondLanes& second) {
-  const measured::ComponentKey& key = second.measured.key;
-  return "second lane " + key.format + (key.multipliers.empty() ? "" : " " + key.multipliers);
+  const measured::Lane& lane = *measured::lane_of(second.measured.key);
+  const std::string multipliers(to_string(lane.multipliers));
+  return "second lane " + lane.format.name() + (multipliers.empty() ? "" : " " + multipliers);
 }
 
 int groups_served(const Rate& first_tier, int lanes_per_group) {

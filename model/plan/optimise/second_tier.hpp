@@ -12,13 +12,13 @@
 /// tier takes.
 namespace mixcmp::optimise {
 
-/// The key of the second tier's lane in a table; none without a second tier. An error if the
-/// scene's second tier cannot be built.
-Result<std::optional<measured::ComponentKey>> second_tier_key(const scene::Scene& scene);
+/// The second tier's lane in a table; none without a second tier. An error if the scene's second
+/// tier cannot be built.
+Result<std::optional<measured::Lane>> second_tier_lane(const scene::Scene& scene);
 
-/// The key of the rate of a lane's key. A second lane's rate counts undecided ones among all
+/// The key of a lane's rate. A second lane's rate counts undecided ones among all
 /// comparisons, not only among those that reach it.
-RateKey rate_key(const measured::ComponentKey& lane);
+RateKey rate_key(const measured::Lane& lane);
 
 /// The most undecided pairs that a group of lanes may leave in a cycle, on average. The second tier
 /// takes one a cycle, and a queue in front of it evens out bursts. At 0.79 the lanes waited in at

@@ -9,13 +9,21 @@
 namespace mixcmp::test::table_test {
 namespace {
 
+measured::Lane lane_in(const std::string& format) {
+  return {.format = LaneFormat::parse(format).value(),
+          .inputs = LaneInputs::exact,
+          .bound = Bound{.kind = BoundKind::running, .digits = 4},
+          .multipliers = scene::Multipliers::logic};
+}
+
+/// A reference with multipliers in logic.
+measured::Reference reference() {
+  return {.format = FloatFormat::make(53, 8).value(), .multipliers = scene::Multipliers::logic};
+}
+
 measured::Measurement lane(const std::string& format, int luts) {
   return {
-      .key = {.kind = measured::ComponentKind::lane,
-              .format = format,
-              .inputs = LaneInputs::exact,
-              .bound = Bound{.kind = BoundKind::running, .digits = 4},
-              .multipliers = "logic"},
+      .key = lane_in(format),
       .latency_cycles = 17,
       .area =
           {.luts = luts, .registers = 2, .dsps = 3, .memories = 4, .carries = 5, .shift_luts = 6},
@@ -26,7 +34,7 @@ measured::Measurement lane(const std::string& format, int luts) {
 }
 
 measured::Measurement crossbar(int ports) {
-  return {.key = {.kind = measured::ComponentKind::crossbar, .ports = ports},
+  return {.key = measured::Crossbar{ports},
           .latency_cycles = 3,
           .area = {.luts = 100 * ports},
           .clock = measured::Clock{.mhz = 101.25,
@@ -120,7 +128,7 @@ TEST_F(Table, LinesOfOtherSystemsAndUnsortedRowsAreRead) {
 
 TEST_F(Table, FindsARowByAllOfItsKey) {
   const measured::Characterisation table = example();
-  measured::ComponentKey key = lane("s8e8", 0).key;
+  measured::Lane key = lane_in("s8e8");
   ASSERT_NE(table.find(key), nullptr);
   EXPECT_EQ(table.find(key)->area.luts, 400);
   EXPECT_EQ(table.find(crossbar(11).key)->area.luts, 1100);
@@ -153,12 +161,11 @@ TEST_F(Table, ErrorsTellLineAndColumn) {
 TEST_F(Table, ReferencesAloneHaveAnInitiationInterval) {
   measured::Characterisation table = example();
   table.rows = {lane("s12e8", 700)};
-  table.rows.front().key = {.kind = measured::ComponentKind::reference,
-                            .format = "s53e8",
-                            .multipliers = "logic",
-                            .initiation_interval = 16};
+  measured::Reference slow = reference();
+  slow.initiation_interval = 16;
+  table.rows.front().key = slow;
   const std::string text = to_csv(table);
-  EXPECT_EQ(read(text).value().rows.front().key.initiation_interval, 16);
+  EXPECT_EQ(read(text).value().rows.front().key, measured::ComponentKey(slow));
   const auto message = [&](const std::string& instead) {
     std::string other = text;
     other.replace(other.find("logic,16"), 8, instead);
@@ -169,27 +176,24 @@ TEST_F(Table, ReferencesAloneHaveAnInitiationInterval) {
     EXPECT_NE(refused.find("7:26: not an initiation interval"), std::string::npos) << refused;
     EXPECT_NE(refused.find("accepted 1..64"), std::string::npos) << refused;
   }
-  expect_refused("logic,0,", "logic,1,", 7, 35, "not an initiation interval");
+  expect_refused("logic,0,", "logic,1,", 7, 35, "a lane has no such property");
 }
 
 TEST_F(Table, AReferencesNameSaysThatItsSumsAreFused) {
   measured::Characterisation table = example();
   table.rows = {lane("s12e8", 700)};
-  table.rows.front().key = {.kind = measured::ComponentKind::reference,
-                            .format = "s53e8",
-                            .multipliers = "logic",
-                            .sums = Sums::fused,
-                            .initiation_interval = 1};
+  measured::Reference fused = reference();
+  fused.sums = Sums::fused;
+  table.rows.front().key = fused;
   table.rows.push_back(table.rows.front());
-  table.rows.back().key.sums = Sums::composed;
+  table.rows.back().key = reference();
   const std::string text = to_csv(table);
   EXPECT_NE(text.find("\nreference,fused,s53e8,"), std::string::npos) << text;
   EXPECT_NE(text.find("\nreference,,s53e8,"), std::string::npos) << text;
   const auto read_table = read(text);
   ASSERT_TRUE(read_table.ok()) << read_table.error().to_string();
-  EXPECT_EQ(read_table->rows[0].key.sums, Sums::composed);
-  EXPECT_EQ(read_table->rows[1].key.sums, Sums::fused);
-  EXPECT_EQ(read_table->rows[1].key.name, "");
+  EXPECT_EQ(read_table->rows[0].key, measured::ComponentKey(reference()));
+  EXPECT_EQ(read_table->rows[1].key, measured::ComponentKey(fused));
   std::string other = text;
   other.replace(other.find("reference,fused"), 15, "reference,woven");
   const std::string refused = read(other).error().to_string();
@@ -199,13 +203,12 @@ TEST_F(Table, AReferencesNameSaysThatItsSumsAreFused) {
 TEST_F(Table, AReferencesNameSaysWhatItsRegistersArePlacedForIfNotForTheTablesTarget) {
   measured::Characterisation table = example();
   table.rows = {lane("s12e8", 700)};
-  table.rows.front().key = {.kind = measured::ComponentKind::reference,
-                            .format = "s53e8",
-                            .multipliers = "logic",
-                            .initiation_interval = 1,
-                            .target_mhz = 600};
+  measured::Reference placed = reference();
+  placed.target_mhz = 600;
+  table.rows.front().key = placed;
   table.rows.push_back(table.rows.front());
-  table.rows.back().key.sums = Sums::fused;
+  placed.sums = Sums::fused;
+  table.rows.back().key = placed;
   const std::string text = to_csv(table);
   EXPECT_NE(text.find("\nreference,at_600_mhz,s53e8,"), std::string::npos) << text;
   EXPECT_NE(text.find("\nreference,fused at_600_mhz,s53e8,"), std::string::npos) << text;
@@ -218,6 +221,64 @@ TEST_F(Table, AReferencesNameSaysWhatItsRegistersArePlacedForIfNotForTheTablesTa
     const std::string refused = read(other).error().to_string();
     EXPECT_NE(refused.find("not a kind of reference"), std::string::npos) << wrong << refused;
   }
+}
+
+/// The rows of every kind, in the order of a table, which stored tables have.
+TEST_F(Table, EveryComponentHasItsColumnsAndItsPlace) {
+  const measured::Lane lane = lane_in("s12e8");
+  const std::vector<std::pair<measured::ComponentKey, std::string>> rows = {
+      {measured::Unit{"fp_add A=1"}, "unit,fp_add A=1,,,,,0,0"},
+      {lane, "lane,,s12e8,exact,running_4,logic,0,0"},
+      {lane_in("s8e8"), "lane,,s8e8,exact,running_4,logic,0,0"},
+      {reference(), "reference,,s53e8,,,logic,1,0"},
+      {measured::Fifo{64}, "fifo,,,,,,0,64"},
+      {measured::Crossbar{2}, "crossbar,,,,,,0,2"},
+      {measured::Crossbar{11}, "crossbar,,,,,,0,11"},
+      {measured::ReferencePort{reference()}, "reference_port,,s53e8,,,logic,1,0"},
+      {measured::SecondLane{lane, 64}, "second_lane,,s12e8,exact,running_4,logic,0,64"},
+      {measured::Segment{lane, 8}, "segment,,s12e8,exact,running_4,logic,0,8"},
+      {measured::Conversion{lane}, "conversion,,s12e8,exact,running_4,logic,0,0"},
+      {measured::Engine{lane, 4}, "engine,,s12e8,exact,running_4,logic,0,4"},
+      {measured::OperandMemory{4}, "operand_memory,,,,,,0,4"}};
+  measured::Characterisation table = example();
+  table.rows.clear();
+  for (const auto& [key, cells] : rows) table.rows.push_back({.key = key, .hash = {}, .tools = {}});
+  EXPECT_TRUE(std::is_sorted(rows.begin(), rows.end()));
+  const std::string text = to_csv(table);
+  for (const auto& [key, cells] : rows) {
+    EXPECT_NE(text.find("\n" + cells + ",0,"), std::string::npos) << cells << "\n" << text;
+  }
+  const auto read_back = read(text);
+  ASSERT_TRUE(read_back.ok()) << read_back.error().to_string();
+  for (std::size_t k = 0; k < rows.size(); ++k) EXPECT_EQ(read_back->rows[k].key, rows[k].first);
+}
+
+TEST_F(Table, ACellThatDoesNotApplyIsEmpty) {
+  // The row of a crossbar: kind, name, format, inputs, bound, multipliers, interval, ports.
+  const std::string row = "crossbar,,,,,,0,2";
+  expect_refused(row, "crossbar,big,,,,,0,2", 9, 10, "a crossbar has no such property");
+  expect_refused(row, "crossbar,,s8e8,,,,0,2", 9, 11, "a crossbar has no such property");
+  expect_refused(row, "crossbar,,,exact,,,0,2", 9, 12, "a crossbar has no such property");
+  expect_refused(row, "crossbar,,,,,logic,0,2", 9, 14, "a crossbar has no such property");
+  expect_refused("logic,0,0", "logic,0,1", 7, 37, "a lane has no such property");
+}
+
+TEST_F(Table, SizesOfAComponentDifferOnlyInTheirCount) {
+  const measured::Lane lane = lane_in("s12e8");
+  measured::Characterisation table = example();
+  const auto add = [&](const measured::ComponentKey& key) {
+    table.rows.push_back({.key = key, .hash = {}, .tools = {}});
+  };
+  add(measured::Fifo{2});
+  add(measured::Engine{lane, 4});
+  add(measured::Engine{lane_in("s8e8"), 5});
+  const auto crossbars = sizes_of(table, measured::Crossbar{});
+  EXPECT_EQ(crossbars.size(), 2u) << "a fifo of two slots is no crossbar of two lanes";
+  EXPECT_EQ(crossbars.at(2)->area.luts, 200);
+  EXPECT_EQ(crossbars.at(11)->area.luts, 1100);
+  EXPECT_EQ(sizes_of(table, measured::Engine{lane}).size(), 1u);
+  add(without_multipliers(measured::Engine{lane, 6}));
+  EXPECT_EQ(sizes_of(table, measured::Engine{lane}).count(6), 1u) << "no product, no multipliers";
 }
 
 TEST_F(Table, OneRowForOneComponent) {

@@ -29,34 +29,25 @@ protected:
     scene_.system = with_engine(scene_.system, {.kind = scene::EngineKind::arg_min});
     scene_.system.lanes = lanes;
     std::erase_if(table_.rows,
-                  [](const auto& row) { return !measured::depends_on_reference(row.key.kind); });
+                  [](const auto& row) { return measured::reference_of(row.key) == nullptr; });
     for (const auto& [precision, luts] : {std::pair(8, 120), std::pair(10, 100)}) {
-      add(ComponentKind::segment, precision, 1, luts, 2);
-      add(ComponentKind::engine, precision, 3, engine_luts);
-      add(ComponentKind::engine, precision, lanes, engine_luts + 9 * stage_luts);
+      const measured::Lane lane = lane_of(precision);
+      table_.rows.push_back(row_of(measured::Segment{lane, 1}, luts, 2));
+      table_.rows.push_back(row_of(measured::Engine{lane, 3}, engine_luts));
+      table_.rows.push_back(row_of(measured::Engine{lane, lanes}, engine_luts + 9 * stage_luts));
     }
     for (const char* multipliers : {"embedded", "logic"}) {
-      table_.rows.push_back(reference_row(multipliers, port_luts, 0));
-      table_.rows.back().key.kind = ComponentKind::reference_port;
+      table_.rows.push_back(row_of(measured::ReferencePort{reference(multipliers)}, port_luts));
     }
-    table_.rows.push_back(stream_row(ComponentKind::operand_memory, 1, memory_luts));
-    table_.rows.push_back(
-        stream_row(ComponentKind::operand_memory, 4, memory_luts + 3 * register_luts));
-    table_.rows.push_back(stream_row(ComponentKind::crossbar, 1, crossbar_luts));
-    table_.rows.push_back(stream_row(ComponentKind::crossbar, 16, crossbar_luts));
+    table_.rows.push_back(row_of(measured::OperandMemory{1}, memory_luts));
+    table_.rows.push_back(row_of(measured::OperandMemory{4}, memory_luts + 3 * register_luts));
+    table_.rows.push_back(row_of(measured::Crossbar{1}, crossbar_luts));
+    table_.rows.push_back(row_of(measured::Crossbar{16}, crossbar_luts));
     sort();
   }
 
-  void add(ComponentKind kind, int precision, int ports, int luts, int dsps = 0) {
-    const std::string format = "s" + std::to_string(precision) + "e8";
-    table_.rows.push_back(lane_row(format, "exact", "relative", "embedded", luts, dsps));
-    table_.rows.back().key.kind = kind;
-    table_.rows.back().key.ports = ports;
-  }
-
-  void sort() {
-    std::sort(table_.rows.begin(), table_.rows.end(),
-              [](const auto& a, const auto& b) { return a.key < b.key; });
+  static measured::Lane lane_of(int precision) {
+    return lane("s" + std::to_string(precision) + "e8", "exact", "relative", "embedded");
   }
 
   /// The LUTs of a chain with such lanes and so many embedded references, row by row.
@@ -99,7 +90,7 @@ TEST_F(ChainPlan, TakesWhatItsRowsTakeTogether) {
 TEST_F(ChainPlan, EachFurtherReferenceHasAPortAPartOfTheMemoryAndOfTheCrossbar) {
   rates_ = rates_of({{8, 80'000}, {10, 80'000}});  // 12 x 0.08 keep one reference busy, not two
   for (auto& row : table_.rows) {
-    if (measured::depends_on_reference(row.key.kind)) row.key.initiation_interval = 2;
+    if (auto* reference = measured::reference_of(row.key)) reference->initiation_interval = 2;
   }
   sort();
   scene_.reference_structure.initiation_interval = 2;
@@ -155,14 +146,11 @@ TEST_F(ChainPlan, TellsHowManyTheDeviceHasRoomFor) {
 /// Lanes of 20 cycles have 64 slots, those of 30 have 128. All lanes of a chain have the slots of
 /// the slowest, and each row was measured with its own.
 TEST_F(ChainPlan, DoesNotMixLanesOfDifferentBuffers) {
-  measured::Measurement slow = lane_row("s8e8", "exact", "relative", "logic", 130);
-  slow.latency_cycles = 30;
-  for (const auto& [kind, ports] :
-       {std::pair(ComponentKind::segment, 1), std::pair(ComponentKind::engine, 3),
-        std::pair(ComponentKind::engine, lanes)}) {
-    slow.key.kind = kind;
-    slow.key.ports = ports;
-    table_.rows.push_back(slow);
+  const measured::Lane slow = lane("s8e8", "exact", "relative", "logic");
+  for (const measured::ComponentKey& key : std::initializer_list<measured::ComponentKey>{
+           measured::Segment{slow, 1}, measured::Engine{slow, 3}, measured::Engine{slow, lanes}}) {
+    table_.rows.push_back(row_of(key, 130));
+    table_.rows.back().latency_cycles = 30;
   }
   sort();
   device_.available.dsps = 40;  // for 6 embedded lanes beside an embedded reference
@@ -180,7 +168,7 @@ TEST_F(ChainPlan, ATableWithoutAPartIsRefused) {
         std::pair(ComponentKind::crossbar, "a crossbar"),
         std::pair(ComponentKind::reference_port, "the port of a reference")}) {
     table_.rows = all;
-    std::erase_if(table_.rows, [&](const auto& row) { return row.key.kind == kind; });
+    std::erase_if(table_.rows, [&](const auto& row) { return kind_of(row.key) == kind; });
     EXPECT_NE(refusal().find(words), std::string::npos) << refusal();
   }
 }
@@ -204,9 +192,10 @@ TEST_F(ChainPlan, AnEngineToBeGeneratedIsHeldAgainstTheSameAreas) {
 TEST_F(ChainPlan, TakesWhatTheLargerEngineTakesHoweverLittleTheSmallerDoes) {
   measured::Measurement segment;
   for (auto& row : table_.rows) {
-    if (row.key.kind == ComponentKind::engine && row.key.ports == 3) row.area.luts = 30;
-    if (row.key.kind == ComponentKind::operand_memory) row.area.luts = 0;
-    if (row.key.kind == ComponentKind::segment) segment = row;
+    const auto* engine = std::get_if<measured::Engine>(&row.key);
+    if (engine != nullptr && engine->segments == 3) row.area.luts = 30;
+    if (std::holds_alternative<measured::OperandMemory>(row.key)) row.area.luts = 0;
+    if (std::holds_alternative<measured::Segment>(row.key)) segment = row;
   }
   std::set<std::string> missing;
   const auto area =

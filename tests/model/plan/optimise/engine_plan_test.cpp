@@ -23,29 +23,18 @@ protected:
     scene_.system.engine.kind = scene::EngineKind::pairwise;
     scene_.system.engine.lanes_per_group = lanes;
     std::erase_if(table_.rows,
-                  [](const auto& row) { return !measured::depends_on_reference(row.key.kind); });
+                  [](const auto& row) { return measured::reference_of(row.key) == nullptr; });
     for (const auto& [precision, luts] : {std::pair(8, 801), std::pair(10, 1000)}) {
-      add(ComponentKind::segment, precision, lanes, luts, 2 * lanes);
-      add(ComponentKind::engine, precision, 4, 500);
-      add(ComponentKind::engine, precision, 16, 500 + 12 * 20);
+      const measured::Lane each =
+          lane("s" + std::to_string(precision) + "e8", "exact", "relative", "embedded");
+      table_.rows.push_back(row_of(measured::Segment{each, lanes}, luts, 2 * lanes));
+      table_.rows.push_back(row_of(measured::Engine{each, 4}, 500));
+      table_.rows.push_back(row_of(measured::Engine{each, 16}, 500 + 12 * 20));
     }
     for (const char* multipliers : {"embedded", "logic"}) {
-      table_.rows.push_back(reference_row(multipliers, 70, 0));
-      table_.rows.back().key.kind = ComponentKind::reference_port;
+      table_.rows.push_back(row_of(measured::ReferencePort{reference(multipliers)}, 70));
     }
     sort();
-  }
-
-  void add(ComponentKind kind, int precision, int ports, int luts, int dsps = 0) {
-    const std::string format = "s" + std::to_string(precision) + "e8";
-    table_.rows.push_back(lane_row(format, "exact", "relative", "embedded", luts, dsps));
-    table_.rows.back().key.kind = kind;
-    table_.rows.back().key.ports = ports;
-  }
-
-  void sort() {
-    std::sort(table_.rows.begin(), table_.rows.end(),
-              [](const auto& a, const auto& b) { return a.key < b.key; });
   }
 
   void give_second_tier() {
@@ -102,14 +91,10 @@ TEST_F(EnginePlan, WhatTheEngineTakesByItselfIsCountedOnce) {
 }
 
 TEST_F(EnginePlan, TheLargestOfSeveralKindsOfLanesSizesTheEngine) {
-  table_.rows.push_back(lane_row("s8e8", "exact", "relative", "logic", 1600));
-  table_.rows.back().key.kind = ComponentKind::segment;
-  table_.rows.back().key.ports = lanes;
-  for (const auto& [segments, luts] : {std::pair(4, 700), std::pair(16, 700)}) {
-    table_.rows.push_back(lane_row("s8e8", "exact", "relative", "logic", luts));
-    table_.rows.back().key.kind = ComponentKind::engine;
-    table_.rows.back().key.ports = segments;
-  }
+  const measured::Lane other = lane("s8e8", "exact", "relative", "logic");
+  table_.rows.push_back(row_of(measured::Segment{other, lanes}, 1600));
+  table_.rows.push_back(row_of(measured::Engine{other, 4}, 700));
+  table_.rows.push_back(row_of(measured::Engine{other, 16}, 700));
   sort();
   EXPECT_EQ(optimise_now().plans.front().problem.communication.fixed.luts, 700);
 }
@@ -163,7 +148,7 @@ TEST_F(EnginePlan, ATableWithoutAPartIsRefused) {
        {std::pair(ComponentKind::engine, "engines of two sizes"),
         std::pair(ComponentKind::reference_port, "the port of a reference")}) {
     table_.rows = all;
-    std::erase_if(table_.rows, [&](const auto& row) { return row.key.kind == kind; });
+    std::erase_if(table_.rows, [&](const auto& row) { return kind_of(row.key) == kind; });
     EXPECT_NE(refusal().find(words), std::string::npos) << refusal();
   }
 }
@@ -195,30 +180,25 @@ TEST_F(EnginePlan, ASecondTierNeedsAKnownRate) {
 
 TEST_F(EnginePlan, TheEnginesClockLimitsItsLanes) {
   for (auto& row : table_.rows) {
-    if (row.key.kind == ComponentKind::engine && row.key.ports == 16) row.clock->mhz = 140;
+    const auto* engine = std::get_if<measured::Engine>(&row.key);
+    if (engine != nullptr && engine->segments == 16) row.clock->mhz = 140;
   }
   EXPECT_DOUBLE_EQ(optimise_now().best()->clock_mhz(), 140);
 }
 
 TEST_F(EnginePlan, LanesInFixedPointNeedTheirConversion) {
   std::set<std::string> missing;
-  measured::Measurement segment = lane_row("q9", "", "fixed_norm", "embedded", 800);
-  segment.key.kind = ComponentKind::segment;
-  segment.key.ports = lanes;
+  const measured::Lane fixed = lane("q9", "", "fixed_norm", "embedded");
+  const measured::Measurement segment = row_of(measured::Segment{fixed, lanes}, 800);
   table_.rows.push_back(segment);
   for (const int segments : {4, 16}) {
-    table_.rows.push_back(segment);
-    table_.rows.back().key.kind = ComponentKind::engine;
-    table_.rows.back().key.ports = segments;
+    table_.rows.push_back(row_of(measured::Engine{fixed, segments}, 800));
   }
   sort();
   ASSERT_TRUE(
       optimise::engine_area(table_, segment, scene::EngineKind::pairwise, missing).has_value());
   EXPECT_EQ(missing, std::set<std::string>{"a conversion to q9"});
-  table_.rows.push_back(segment);
-  table_.rows.back().key.kind = ComponentKind::conversion;
-  table_.rows.back().key.ports = 0;
-  table_.rows.back().area.luts = 99;
+  table_.rows.push_back(row_of(measured::Conversion{fixed}, 99));
   sort();
   missing.clear();
   EXPECT_EQ(optimise::engine_area(table_, segment, scene::EngineKind::pairwise, missing)->own.luts,

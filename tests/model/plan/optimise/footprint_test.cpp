@@ -52,7 +52,7 @@ TEST_F(FootprintTest, TakesTheRowOfTheReferenceAtHand) {
   placed.references.front().structure.target_mhz = 400;
   EXPECT_FALSE(optimise::footprint_of(placed, &table_, device_).measured);
   table_.rows.push_back(reference_row("embedded", 3100, 20));
-  table_.rows.back().key.target_mhz = 400;
+  measured::reference_of(table_.rows.back().key)->target_mhz = 400;
   std::sort(table_.rows.begin(), table_.rows.end(),
             [](const auto& a, const auto& b) { return a.key < b.key; });
   const auto luts = [&](const design::Design& made) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/cost/measured/component_cells.hpp"
 #include "model/plan/optimise/exploration.hpp"
 #include "model/plan/optimise/plan.hpp"
 #include "tests/model/plan/optimise/planning_case.hpp"
@@ -12,7 +13,6 @@
 namespace mixcmp::test::optimise_test {
 namespace {
 
-using measured::ComponentKind;
 using optimise::Allocation;
 using optimise::Optimisation;
 using optimise::OptimiseOptions;
@@ -71,7 +71,7 @@ TEST_F(Optimise, RegistersBehindThePortsTakeSlots) {
     scene_.system.input_registers = registers;
     return optimise_now().plans.front().lanes.front().with_streams.luts;
   };
-  table_.rows.push_back(stream_row(ComponentKind::fifo, 128, 90));
+  table_.rows.push_back(row_of(measured::Fifo{128}, 90));
   EXPECT_EQ(luts(22), luts(0));
   EXPECT_EQ(luts(23), luts(0) + 90 - fifo_64_luts);
 }
@@ -112,7 +112,7 @@ TEST_F(Optimise, SlotsAreThoseOfAPrecisionsOwnLanes) {
   rates_ = rates_of({{8, 5000}, {10, 200}, {12, 10}, {14, 10}});
   table_.rows.push_back(lane_row("s14e8", "exact", "relative", "embedded", 700, 2));
   table_.rows.back().latency_cycles = 50;
-  table_.rows.push_back(stream_row(ComponentKind::fifo, 128, 2 * fifo_64_luts));
+  table_.rows.push_back(row_of(measured::Fifo{128}, 2 * fifo_64_luts));
   const Optimisation found = optimise_now();
   ASSERT_EQ(found.plans.size(), 4u);
   for (const PrecisionPlan& plan : found.plans) {
@@ -133,9 +133,9 @@ TEST_F(Optimise, TheCrossbarsClockLimitsSystemsAndNotReferencesAlone) {
 /// The area at the first measured port count serves smaller counts. Sums stay in range above it.
 TEST_F(Optimise, CrossbarSharesAreNeverTooSmall) {
   std::erase_if(table_.rows, [](const auto& row) {
-    return row.key.kind == ComponentKind::crossbar && row.key.ports == 1;
+    return row.key == measured::ComponentKey(measured::Crossbar{1});
   });
-  table_.rows.push_back(stream_row(ComponentKind::crossbar, 64, 1'000'000'000));
+  table_.rows.push_back(row_of(measured::Crossbar{64}, 1'000'000'000));
   const auto shares = optimise_now().plans.front().problem.communication.crossbar;
   for (int k = 1; k <= 8; ++k) EXPECT_EQ(shares[static_cast<std::size_t>(k)].luts, 111) << k;
   for (std::size_t k = 9; k < shares.size(); ++k) EXPECT_GT(shares[k].luts, shares[k - 1].luts);
@@ -160,7 +160,7 @@ TEST_F(Optimise, ProfiledLanesAreOnlyForScenesThatAskForThem) {
   const auto has_profiled = [](const Optimisation& found) {
     return std::any_of(found.plans.begin(), found.plans.end(), [](const PrecisionPlan& plan) {
       return std::any_of(plan.lanes.begin(), plan.lanes.end(),
-                         [](const auto& lane) { return lane.measured.key.bound->is_profiled(); });
+                         [](const auto& lane) { return lane.lane().bound.is_profiled(); });
     });
   };
   EXPECT_FALSE(has_profiled(optimise_now()));
@@ -194,7 +194,8 @@ TEST_F(Optimise, ALaneThatLeavesMoreThanHalfUndecidedIsLeftOut) {
 TEST_F(Optimise, WhereSomeClocksAreMeasuredLanesWithoutAreLeftOut) {
   scene_.system.target_mhz = 400;
   for (measured::Measurement& row : table_.rows) {
-    const bool timed = row.key.format != "s8e8" && row.key.multipliers != "logic";
+    const measured::KeyCells cells = cells_of(row.key);
+    const bool timed = cells.format != "s8e8" && cells.multipliers != "logic";
     if (!timed) row.clock.reset();
   }
   const Optimisation found = optimise_now();
@@ -222,17 +223,19 @@ TEST_F(Optimise, FewerExponentBitsThanTheRatesHaveAreTold) {
 }
 
 TEST_F(Optimise, WhatTheOptionsExcludeIsNotUsed) {
-  options_.multipliers = {"logic"};
+  options_.multipliers = {scene::Multipliers::logic};
   for (const PrecisionPlan& plan : optimise_now().plans) {
-    for (const auto& lane : plan.lanes) EXPECT_EQ(lane.measured.key.multipliers, "logic");
+    for (const auto& lane : plan.lanes)
+      EXPECT_EQ(lane.lane().multipliers, scene::Multipliers::logic);
   }
   options_.first_precision = 10;
   EXPECT_EQ(optimise_now().plans.size(), 2u);
 }
 
 TEST_F(Optimise, ATableWithoutAReferenceIsRefused) {
-  std::erase_if(table_.rows,
-                [](const auto& row) { return row.key.kind == ComponentKind::reference; });
+  std::erase_if(table_.rows, [](const auto& row) {
+    return std::holds_alternative<measured::Reference>(row.key);
+  });
   const auto found = optimise::optimise(scene_, device_, table_, rates_, options_);
   ASSERT_FALSE(found.ok());
   EXPECT_NE(found.error().to_string().find("no reference"), std::string::npos);
@@ -240,7 +243,7 @@ TEST_F(Optimise, ATableWithoutAReferenceIsRefused) {
 
 TEST_F(Optimise, ReferencesRoundSumsAsTheSceneDoes) {
   measured::Measurement fused = reference_row("embedded", 10, 1);
-  fused.key.sums = Sums::fused;
+  measured::reference_of(fused.key)->sums = Sums::fused;
   table_.rows.push_back(fused);
   const auto kinds = [&] {
     std::vector<std::string> names;
@@ -264,7 +267,7 @@ TEST_F(Optimise, OneClockDomainRunsAtTheSlowestOfWhatIsUsed) {
 TEST_F(Optimise, AReferenceSetsTheClockOnlyWhereNoneWithMoreRegistersWasMeasured) {
   EXPECT_TRUE(notes_say(optimise_now(), "a reference sets the clock: 150 MHz"));
   table_.rows.push_back(reference_row("embedded", 3100, 20));
-  table_.rows.back().key.target_mhz = 400;
+  measured::reference_of(table_.rows.back().key)->target_mhz = 400;
   table_.rows.back().clock->mhz = 301;
   const Optimisation found = optimise_now();
   EXPECT_DOUBLE_EQ(found.best()->clock_mhz(), 300);
@@ -316,7 +319,7 @@ TEST_F(Optimise, ThePlanFileSaysWhatTheBestPlanIs) {
 TEST_F(Optimise, ThePlanFileLeavesOutWhatItDoesNotHave) {
   Optimisation found = optimise_now();
   PrecisionPlan plan = *found.best();
-  for (auto& lane : plan.lanes) lane.measured.key.multipliers.clear();
+  for (auto& lane : plan.lanes) measured::lane_of(lane.measured.key)->multipliers.reset();
   Allocation none = *plan.allocation();
   for (int& count : none.references) count = 0;
   plan.result = none;

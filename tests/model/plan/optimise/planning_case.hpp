@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "model/base/settings/bound_name.hpp"
 #include "model/plan/optimise/optimise.hpp"
@@ -32,45 +34,56 @@ protected:
     }
     table_.rows.push_back(reference_row("embedded", 3000, 20));
     table_.rows.push_back(reference_row("logic", 5000, 0));
-    table_.rows.push_back(stream_row(measured::ComponentKind::fifo, 32, 10));
-    table_.rows.push_back(stream_row(measured::ComponentKind::fifo, 64, fifo_64_luts));
-    table_.rows.push_back(stream_row(measured::ComponentKind::crossbar, 1, 10));
-    table_.rows.push_back(stream_row(measured::ComponentKind::crossbar, 8, 111));
+    table_.rows.push_back(row_of(measured::Fifo{32}, 10));
+    table_.rows.push_back(row_of(measured::Fifo{64}, fifo_64_luts));
+    table_.rows.push_back(row_of(measured::Crossbar{1}, 10));
+    table_.rows.push_back(row_of(measured::Crossbar{8}, 111));
     rates_ = rates_of({{8, 5000}, {10, 200}, {12, 10}});
+    sort();
+  }
+
+  static measured::Measurement row_of(measured::ComponentKey key, int luts, int dsps = 0) {
+    return {.key = std::move(key),
+            .latency_cycles = 20,
+            .area = {.luts = luts, .registers = luts, .dsps = dsps},
+            .clock = measured::Clock{.mhz = 300, .low_mhz = 300, .high_mhz = 300},
+            .hash = {},
+            .tools = {}};
+  }
+
+  static scene::Multipliers multipliers_of(const std::string& word) {
+    return word == "logic" ? scene::Multipliers::logic : scene::Multipliers::embedded;
+  }
+
+  /// `inputs` is empty in fixed point.
+  static measured::Lane lane(const std::string& format, const std::string& inputs,
+                             const std::string& bound, const std::string& multipliers) {
+    return {.format = LaneFormat::parse(format).value(),
+            .inputs = inputs.empty() ? std::nullopt
+                                     : std::optional(LaneInputs::parse(inputs, 4, 52).value()),
+            .bound = settings::parse_bound(bound).value(),
+            .multipliers = multipliers_of(multipliers)};
   }
 
   static measured::Measurement lane_row(const std::string& format, const std::string& inputs,
                                         const std::string& bound, const std::string& multipliers,
                                         int luts, int dsps = 0) {
-    return {
-        .key = {.kind = measured::ComponentKind::lane,
-                .name = {},
-                .format = format,
-                .inputs = inputs.empty() ? std::nullopt
-                                         : std::optional(LaneInputs::parse(inputs, 4, 52).value()),
-                .bound = bound.empty() ? std::nullopt
-                                       : std::optional(settings::parse_bound(bound).value()),
-                .multipliers = multipliers},
-        .latency_cycles = 20,
-        .area = {.luts = luts, .registers = luts, .dsps = dsps},
-        .clock = measured::Clock{.mhz = 300, .low_mhz = 300, .high_mhz = 300},
-        .hash = {},
-        .tools = {}};
+    return row_of(lane(format, inputs, bound, multipliers), luts, dsps);
+  }
+
+  static measured::Reference reference(const std::string& multipliers) {
+    return {.format = format_of(53, 8), .multipliers = multipliers_of(multipliers)};
   }
 
   static measured::Measurement reference_row(const std::string& multipliers, int luts, int dsps) {
-    measured::Measurement row = lane_row("s53e8", "", "", multipliers, luts, dsps);
-    row.key.kind = measured::ComponentKind::reference;
-    row.key.initiation_interval = 1;
+    measured::Measurement row = row_of(reference(multipliers), luts, dsps);
     row.clock->mhz = 150;
     return row;
   }
 
-  static measured::Measurement stream_row(measured::ComponentKind kind, int ports, int luts) {
-    measured::Measurement row = lane_row("", "", "", "", luts);
-    row.key.kind = kind;
-    row.key.ports = ports;
-    return row;
+  void sort() {
+    std::sort(table_.rows.begin(), table_.rows.end(),
+              [](const auto& a, const auto& b) { return a.key < b.key; });
   }
 
   /// Undecided of a million, by precision, for exact inputs; profiled lanes the same.
@@ -93,7 +106,8 @@ protected:
     return optimise::Rates::of({profile});
   }
 
-  optimise::Optimisation optimise_now() const {
+  optimise::Optimisation optimise_now() {
+    sort();
     auto found = optimise::optimise(scene_, device_, table_, rates_, options_);
     if (!found.ok()) throw std::runtime_error(found.error().to_string());
     return std::move(found).value();

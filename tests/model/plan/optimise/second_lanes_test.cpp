@@ -11,7 +11,6 @@
 namespace mixcmp::test::second_lanes_test {
 namespace {
 
-using measured::ComponentKind;
 using optimise::Allocation;
 using optimise::Optimisation;
 
@@ -24,24 +23,17 @@ protected:
     scene_.ranges.assign(8, Range{0, 100});
     scene_.second_tier = scene::ReducedSpec{.fixed_point = FixedPoint{.bits = 13}};
     device_.available = {.luts = 100'000, .registers = 200'000, .dsps = 5000};
-    std::erase_if(table_.rows, [](const auto& row) { return row.key.kind == ComponentKind::lane; });
-    for (const int bits : {7, 10, 13}) add_fixed(ComponentKind::lane, bits, 0, 20 * bits);
-    add_fixed(ComponentKind::second_lane, 13, 64, second_luts);
-    table_.rows.push_back(stream_row(ComponentKind::crossbar, 64, 800));
+    std::erase_if(table_.rows,
+                  [](const auto& row) { return std::holds_alternative<measured::Lane>(row.key); });
+    for (const int bits : {7, 10, 13}) table_.rows.push_back(row_of(fixed(bits), 20 * bits, 4));
+    table_.rows.push_back(row_of(measured::SecondLane{fixed(13), 64}, second_luts, 4));
+    table_.rows.push_back(row_of(measured::Crossbar{64}, 800));
     sort();
     rates_ = rates_of_bits({{7, 40'000}, {10, 2000}, {13, 100}});
   }
 
-  void add_fixed(ComponentKind kind, int bits, int slots, int luts) {
-    const std::string format = "q" + std::to_string(bits);
-    table_.rows.push_back(lane_row(format, "", "fixed_norm", "embedded", luts, 4));
-    table_.rows.back().key.kind = kind;
-    table_.rows.back().key.ports = slots;
-  }
-
-  void sort() {
-    std::sort(table_.rows.begin(), table_.rows.end(),
-              [](const auto& a, const auto& b) { return a.key < b.key; });
+  static measured::Lane fixed(int bits) {
+    return lane("q" + std::to_string(bits), "", "fixed_norm", "embedded");
   }
 
   /// Undecided of a million.
@@ -106,19 +98,17 @@ TEST_F(SecondLanes, AreAsManyForEachReference) {
 
 TEST_F(SecondLanes, HaveSlotsForTheirReference) {
   for (auto& row : table_.rows) {
-    if (row.key.kind == ComponentKind::reference && row.key.multipliers == "embedded") {
-      row.latency_cycles = 200;
-    }
+    if (row.key == measured::ComponentKey(reference("embedded"))) row.latency_cycles = 200;
   }
   const Optimisation few = optimise_now();
   const Allocation* const plan = few.best()->allocation();
   EXPECT_EQ(plan->references, (std::vector<int>{0, 1})) << "64 slots are too few for 200 cycles";
-  add_fixed(ComponentKind::second_lane, 13, 256, second_luts + 10);
+  table_.rows.push_back(row_of(measured::SecondLane{fixed(13), 256}, second_luts + 10, 4));
   sort();
   const Optimisation found = optimise_now();
   const optimise::PrecisionPlan& more = *found.best();
   EXPECT_EQ(more.allocation()->references, (std::vector<int>{1, 0}));
-  EXPECT_EQ(more.second_lanes->measured.key.ports, 256);
+  EXPECT_EQ(std::get<measured::SecondLane>(more.second_lanes->measured.key).slots, 256);
 }
 
 TEST_F(SecondLanes, HaveMoreDigitsThanTheFirst) {
@@ -131,8 +121,9 @@ TEST_F(SecondLanes, AreNotAskedByLanesThatLeaveTooMuch) {
 }
 
 TEST_F(SecondLanes, WithoutARowAreReportedMissing) {
-  std::erase_if(table_.rows,
-                [](const auto& row) { return row.key.kind == ComponentKind::second_lane; });
+  std::erase_if(table_.rows, [](const auto& row) {
+    return std::holds_alternative<measured::SecondLane>(row.key);
+  });
   EXPECT_NE(refusal().find("a second_lane in q13"), std::string::npos) << refusal();
 }
 
@@ -144,14 +135,15 @@ TEST_F(SecondLanes, AreHeldAgainstTheSameAreas) {
   EXPECT_TRUE(footprint.measured);
   const int crossbars = 3 * 10 + 10;  // 3, 3 and 2 lanes at the second tier, it at the reference
   EXPECT_EQ(footprint.amounts[0], 8 * (20 * 7 + fifo_64_luts) + 3 * second_luts + crossbars + 3000);
-  std::erase_if(table_.rows,
-                [](const auto& row) { return row.key.kind == ComponentKind::second_lane; });
+  std::erase_if(table_.rows, [](const auto& row) {
+    return std::holds_alternative<measured::SecondLane>(row.key);
+  });
   EXPECT_FALSE(optimise::footprint_of(design, &table_, device_).measured);
 }
 
 TEST_F(SecondLanes, LimitTheClock) {
   for (auto& row : table_.rows) {
-    if (row.key.kind == ComponentKind::second_lane) row.clock->mhz = 140;
+    if (std::holds_alternative<measured::SecondLane>(row.key)) row.clock->mhz = 140;
   }
   EXPECT_DOUBLE_EQ(optimise_now().best()->clock_mhz(), 140);
 }
