@@ -112,6 +112,16 @@ devices::Area memory_share(const measured::Characterisation& table, scene::Engin
   return {};
 }
 
+devices::Area area_with_port(const measured::Characterisation& table, const Measurement& reference,
+                             scene::EngineKind kind, std::set<std::string>& missing) {
+  const Measurement* port =
+      table.find(measured::ReferencePort{std::get<measured::Reference>(reference.key)});
+  const devices::Area area = reference.area + memory_share(table, kind, missing);
+  if (port != nullptr) return area + port->area;
+  if (kind != scene::EngineKind::none) missing.insert("the port of a reference");
+  return area;
+}
+
 devices::Area share(const devices::Area& area, int parts) {
   return changed(area, [&](int amount, auto) { return (amount + parts - 1) / parts; });
 }

@@ -32,6 +32,12 @@ std::optional<EngineArea> engine_area(const measured::Characterisation& table,
 devices::Area memory_share(const measured::Characterisation& table, scene::EngineKind kind,
                            std::set<std::string>& missing);
 
+/// A reference with the streams around it, and its share of an engine's memory. A table of a system
+/// of streams may lack both; a port that an engine lacks is added to `missing`.
+devices::Area area_with_port(const measured::Characterisation& table,
+                             const measured::Measurement& reference, scene::EngineKind kind,
+                             std::set<std::string>& missing);
+
 /// Recomputations that an engine can start per cycle: its memory gives the operands of one pair.
 inline constexpr double engine_recomputations_per_cycle = 1;
 

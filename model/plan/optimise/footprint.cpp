@@ -69,16 +69,15 @@ const measured::Measurement* largest(const std::map<int, const measured::Measure
   return above == sizes.begin() ? nullptr : std::prev(above)->second;
 }
 
-/// Adds the references, and the streams around them if the table has these; false if it lacks a
+/// Adds the references with all that the table has of their own parts; false if it lacks a
 /// reference.
 bool add_references(Amounts& sum, const design::Design& design,
                     const measured::Characterisation& table) {
+  std::set<std::string> missing;
   for (const design::ReferenceGroup& group : design.references) {
     const measured::Measurement* row = row_of(table, design, group);
     if (row == nullptr) return false;
-    add(sum, group.count, row->area);
-    const measured::ReferencePort port{std::get<measured::Reference>(row->key)};
-    if (const auto* measured = table.find(port)) add(sum, group.count, measured->area);
+    add(sum, group.count, area_with_port(table, *row, design.system.engine.kind, missing));
   }
   return true;
 }
@@ -136,8 +135,6 @@ std::optional<Amounts> measured_engine(const design::Design& design,
   }
   for (std::size_t r = 0; r < own.size(); ++r) lanes[r] += own[r];
   if (!add_references(lanes, design, table)) return std::nullopt;
-  std::set<std::string> missing;
-  add(lanes, design.reference_count(), memory_share(table, design.system.engine.kind, missing));
   add_crossbar(lanes, design.lane_count() / design.system.lanes_per_group, design.reference_count(),
                table);
   return lanes;

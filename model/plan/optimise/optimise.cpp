@@ -11,7 +11,7 @@
 #include "model/cost/performance/performance.hpp"
 #include "model/design/design.hpp"
 #include "model/plan/optimise/crossover.hpp"
-#include "model/plan/optimise/problem_maker.hpp"
+#include "model/plan/optimise/problems.hpp"
 #include "model/plan/optimise/second_tier.hpp"
 
 namespace mixcmp::optimise {
@@ -241,31 +241,35 @@ Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& 
   MIXCMP_DO(check_options(options));
   MIXCMP_TRY(known_chain, design::with_chain_lanes(scene, nullptr));
   MIXCMP_TRY(second_tier, second_tier_lane(scene));
-  ProblemMaker maker(scene, table, rates, options, second_tier);
-  if (maker.precisions().empty()) return no_lane(scene);
-  if (!maker.has_references()) return nothing_to_choose_from(scene, "reference");
+  const PlanningInputs inputs{scene, table, rates, options, second_tier};
+  Findings findings;
+  const Candidates candidates = candidates_of(inputs, findings);
+  if (candidates.lanes.empty()) return no_lane(scene);
+  if (candidates.references.empty()) return nothing_to_choose_from(scene, "reference");
+  const Crossbars crossbars = crossbars_of(inputs, findings);
   Optimisation all{.scene = scene.name,
                    .device = device,
                    .slack = scene.system.slack,
                    .target_mhz = scene.system.target_mhz,
                    .clocks = options.clocks,
-                   .references = maker.references(),
+                   .references = references_of(inputs, candidates.references, findings),
                    .plans = {},
                    .reference_only = Infeasible{},
                    .crossover = {},
                    .notes = {}};
   all.reference_only = fill_with_references(scene, device, all.references, options.clocks.domains);
-  for (const int precision : maker.precisions()) {
-    auto plan = maker.plan(precision, device, all.references);
+  for (const auto& [precision, rows] : candidates.lanes) {
+    const PlanParts parts{device, crossbars, all.references};
+    auto plan = best_plan(inputs, parts, precision, rows, findings);
     if (plan) all.plans.push_back(*std::move(plan));
   }
   all.crossover = crossover_of(all);
-  all.basis = maker.basis();
-  all.notes = maker.notes();
+  all.basis = findings.basis;
+  all.notes.assign(findings.notes.begin(), findings.notes.end());
   if (is_chain(scene)) note_room(all);
   note_slow_reference(all);
   note_one_interval(scene, table, all);
-  if (!maker.missing().empty()) return incomplete(scene, maker.missing());
+  if (!findings.missing.empty()) return incomplete(scene, findings.missing);
   if (all.plans.empty()) return nothing_to_choose_from(scene, "lane with a known rate");
   return all;
 }
