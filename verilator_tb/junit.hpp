@@ -5,6 +5,8 @@
 
 namespace mixcmp::verilator_tb {
 
+struct VerifyReport;
+
 /// One test of a JUnit report.
 struct JUnitCase {
   enum class Outcome {
@@ -20,6 +22,9 @@ struct JUnitCase {
   std::string message;  ///< one line; empty where it passed
   std::string details;  ///< the report or the error
 };
+
+/// The tests of a report: the verdicts of each kind of lane, and all else.
+std::vector<JUnitCase> junit_cases(const VerifyReport& report);
 
 /// A file that continuous-integration servers read: one <testsuite>, in the format of Ant's JUnit
 /// task (https://github.com/testmoapp/junitxml).

@@ -53,7 +53,8 @@ std::string to_text(const LeastCounterexample& least) {
   std::string text = line("least counterexample", least.comparisons);
   if (least.mismatch) text += to_text(*least.mismatch);
   if (least.violation) text += to_text(*least.violation);
-  return text + fmt::format("    waves: {}\n", least.waves);
+  if (!least.waves.empty()) text += fmt::format("    waves: {}\n", least.waves);
+  return text;
 }
 
 /// "3: 2 where f or g has no value, 1 undetermined"

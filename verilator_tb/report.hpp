@@ -141,7 +141,7 @@ struct LeastCounterexample {
   std::string comparisons;  ///< "only comparison 12", "the first 40 comparisons"
   std::optional<Mismatch> mismatch;
   std::optional<ProtocolViolation> violation;  ///< where there is no mismatch
-  std::string waves;                           ///< the command that shows it as waves
+  std::string waves;  ///< the command that shows it as waves; empty where no command repeats it
 };
 
 inline constexpr const char* verilator_name = "Verilator";

@@ -98,9 +98,6 @@ SimulationOptions simulation_options(const VerifyOptions& options);
 Result<Done> check_request(const design::Design& design, const data::Comparisons& comparisons,
                            const VerifyOptions& options);
 
-/// Checks that the system equals the one that this version generates from the design.
-Result<Done> check_design(const System& system, const design::Design& design);
-
 /// Runs a system on the comparisons and compares every result with the golden model of `design`,
 /// wherever the system comes from. An error means that it could not be run; wrong results are in
 /// the report.
@@ -108,10 +105,9 @@ Result<VerifyReport> judge_system(const System& system, const design::Design& de
                                   const data::Comparisons& comparisons,
                                   const VerifyOptions& options);
 
-/// Checks the request, and that `generated_dir` holds the system that this version generates from
-/// the design; then judges that system.
+/// Checks the request, then judges the system, which is the one that this version generates from
+/// the design.
 Result<VerifyReport> verify(const design::Design& design, const data::Comparisons& comparisons,
-                            const std::filesystem::path& generated_dir,
-                            const VerifyOptions& options);
+                            const System& system, const VerifyOptions& options);
 
 }  // namespace mixcmp::verilator_tb

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "model/base/common/quote.hpp"
+#include "model/base/common/command_line.hpp"
 #include "model/base/number/double.hpp"
 #include "model/base/number/dyadic.hpp"
 #include "model/design/engine_data.hpp"
@@ -21,13 +21,6 @@ namespace {
 /// The number of comparisons that are measured for the paper's constants, RE_f and RE_g.
 constexpr std::uint64_t profile_samples = 100'000;
 
-/// The command that plans the scene with the user's options.
-std::string planning_command(const scene::Scene& scene) {
-  std::string command = "mixcmp optimise " + quoted(scene.path.string());
-  for (const std::string& setting : scene.settings) command += " --set " + quoted(setting);
-  return command + " -o plan.toml";
-}
-
 /// The error for an unresolved "auto". It suggests `mixcmp optimise`, except for the lanes of an
 /// arg-min engine: that verb also takes their number from the candidates.
 Error unresolved(const scene::Scene& scene, const std::string& field, const std::string& option,
@@ -35,7 +28,8 @@ Error unresolved(const scene::Scene& scene, const std::string& field, const std:
   std::string ways = fmt::format("{}, in the scene or by {}", accepted, option);
   const bool is_chain = scene.system.engine.kind == scene::EngineKind::arg_min;
   if (!is_chain || field != "system.lanes") {
-    ways += "; or a plan, made by: " + planning_command(scene);
+    ways += "; or a plan, made by: " +
+            CommandLine("optimise", scene.path, scene.settings).add("-o", "plan.toml").text();
   }
   return {.field = field, .message = "is not chosen yet", .received = "\"auto\"", .accepted = ways};
 }

@@ -197,6 +197,63 @@ TEST_F(Api, TheProfileHasTheCountsOfTheProgram) {
   EXPECT_EQ(text.str(), counts_of(printed));
 }
 
+TEST_F(Api, TheSimulationHasTheReportOfTheProgram) {
+  const auto without_times = [](const std::string& text) {
+    auto report = nlohmann::json::parse(text);
+    for (const char* time : {"build_seconds", "run_seconds"}) report.erase(time);
+    return report;
+  };
+  std::vector<std::string> lines;
+  const api::Verification run =
+      verify(scene({"reduced.format=s5e8"}),
+             {.simulator = api::Simulator::icarus,
+              .traffic = api::Traffic::stressed,
+              .truth = api::Truth::all,
+              .sample = 60,
+              .seed = 3,
+              .work = path("work"),
+              .progress = [&](const std::string& line) { lines.push_back(line); }});
+  EXPECT_TRUE(run.passed) << run.text;
+  EXPECT_EQ(run.comparisons, 60U);
+  EXPECT_GT(run.recomputations, 0U);
+  EXPECT_EQ(run.mismatches + run.violations + run.undecided, 0U);
+  EXPECT_TRUE(run.not_done.empty()) << run.not_done.front();
+  ASSERT_FALSE(lines.empty());
+  EXPECT_NE(lines.back().find("60 of 60 comparisons"), std::string::npos) << lines.back();
+  const Outcome printed = mixcmp(
+      "verify scene.toml --format s5e8 --simulator icarus --traffic stressed --truth all "
+      "--sample 60 --seed 3 --work work --json 2>/dev/null");
+  EXPECT_EQ(without_times(run.json), without_times(printed.output));
+}
+
+TEST_F(Api, SimulationsThatCannotBeMadeAreMistakes) {
+  const api::VerifyOptions icarus{.simulator = api::Simulator::icarus, .work = path("work")};
+  const auto with = [&](auto change) {
+    api::VerifyOptions options = icarus;
+    change(options);
+    return [options, this] { verify(scene(), options); };
+  };
+  expect_error([&] { verify(api::Scene::from_text(spheres), icarus); }, "data",
+               "[data] with items or file, or with_operands");
+  expect_error(with([](auto& options) { options.only = 780; }), "only", "an index below 780");
+  expect_error(with([](auto& options) { options.first = 0; }), "first", "at least 1");
+  expect_error(with([](auto& options) { options.first = options.sample = 1; }),
+               "first, sample, only", "received 2");
+  expect_error(with([](auto& options) { options.resets = -1; }), "resets", "0..1000000");
+  expect_error(with([](auto& options) { options.jobs = 1025; }), "jobs", "0..1024");
+  expect_error(with([](auto& options) { options.work = "a\"b"; }), "work", "a path without these");
+  EXPECT_FALSE(fs::exists(path("work"))) << "a mistake is found before anything is written";
+}
+
+TEST_F(Api, ASimulationOfTheCallersRowsNamesNoCommand) {
+  const api::Scene given = scene().with_operands(scene().operands(0, 20));
+  const api::Verification run =
+      verify(given, {.simulator = api::Simulator::icarus, .work = path("work")});
+  EXPECT_TRUE(run.passed) << run.text;
+  EXPECT_EQ(run.comparisons, 20U);
+  EXPECT_EQ(run.text.find("mixcmp verify"), std::string::npos) << run.text;
+}
+
 /// Areas that are made up; a lane of 12 digits is dearer than one of 8.
 constexpr const char* table =
     "# device: virtex6-lx760\n# scene: spheres\n# command: made up\n# target_mhz: 250\n"

@@ -221,6 +221,28 @@ class ModuleTest(unittest.TestCase):
         for result in results:
             np.testing.assert_array_equal(result, expected)
 
+    def test_verify_has_the_report_of_the_program(self):
+        lines = []
+        run = mixcmp.verify(self.scene, simulator="icarus", truth="all", first=60,
+                            work=self.folder / "work", progress=lines.append)
+        self.assertTrue(run.passed, run.text)
+        self.assertEqual((run.comparisons, run.mismatches, run.violations), (60, 0, 0))
+        self.assertIn("60 of 60 comparisons", lines[-1])
+        printed = json.loads(program("verify", str(self.file), "--simulator", "icarus", "--truth",
+                                     "all", "--first", "60", "--work",
+                                     str(self.folder / "work"), "--quiet", "--json"))
+        for report in (printed, run.report):
+            for time in ("build_seconds", "run_seconds"):
+                del report[time]
+        self.assertEqual(run.report, printed)
+        with self.assertRaisesRegex(mixcmp.Error, "accepted full_rate, stressed"):
+            mixcmp.verify(self.scene, traffic="fast")
+        with self.assertRaisesRegex(mixcmp.Error, "needs data"):
+            mixcmp.verify(mixcmp.Scene.from_text(SCENE))
+        with self.assertRaises(mixcmp.Error) as raised:
+            mixcmp.verify(self.scene, only=780)
+        self.assertEqual(raised.exception.field, "only")
+
     def test_plan_needs_a_table(self):
         with self.assertRaisesRegex(mixcmp.Error, "mixcmp characterise"):
             mixcmp.plan(self.scene)

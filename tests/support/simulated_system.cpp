@@ -28,7 +28,8 @@ verilator_tb::VerifyReport simulate(const design::Design& design, const data::Co
   // Tests run side by side: each process has its Verilog, all share the builds.
   const fs::path rtl = generate_to(design, fmt::format("rtl_{}", getpid()));
   options.work_dir = test_work_dir("builds");
-  const auto report = verilator_tb::verify(design, data, rtl, options);
+  const auto report =
+      verilator_tb::verify(design, data, verilator_tb::load_system(rtl).value(), options);
   std::error_code ignored;
   fs::remove_all(rtl, ignored);
   EXPECT_TRUE(report.ok()) << report.error().to_string();

@@ -257,8 +257,9 @@ TEST(ArgMinSystemOf, IcarusSaysWhatVerilatorSays) {
 TEST(ArgMinSystemOf, MoreCandidatesThanItHoldsAreRefused) {
   const design::Design design = nearest_point(2, 1);
   const fs::path rtl = generate_to(design, "arg_min_too_many");
-  const auto report = verilator_tb::verify(design, data(design, 9, 4, 20), rtl,
-                                           {.work_dir = test_work_dir("builds")});
+  const auto report =
+      verilator_tb::verify(design, data(design, 9, 4, 20), verilator_tb::load_system(rtl).value(),
+                           {.work_dir = test_work_dir("builds")});
   ASSERT_FALSE(report.ok());
   EXPECT_EQ(report.error().field, "system.lanes");
   EXPECT_EQ(report.error().received, "4 candidates, 2 lanes");
@@ -283,10 +284,11 @@ TEST_P(BrokenArgMin, IsFoundOut) {
   const std::size_t place = text.find(fault.from);
   ASSERT_NE(place, std::string::npos);
   std::ofstream(rtl / fault.file) << text.replace(place, std::string(fault.from).size(), fault.to);
-  const auto report = verilator_tb::verify(design, data(design, 200, 3, 5), rtl,
-                                           {.work_dir = test_work_dir("builds"),
-                                            .traffic = verilator_tb::TrafficKind::stressed,
-                                            .hang_cycles = 2'000});
+  const auto report =
+      verilator_tb::verify(design, data(design, 200, 3, 5), verilator_tb::load_system(rtl).value(),
+                           {.work_dir = test_work_dir("builds"),
+                            .traffic = verilator_tb::TrafficKind::stressed,
+                            .hang_cycles = 2'000});
   ASSERT_TRUE(report.ok()) << report.error().to_string();
   EXPECT_FALSE(report->passed()) << to_text(*report);
 }

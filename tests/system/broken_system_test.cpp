@@ -82,8 +82,9 @@ struct Judged {
 
 Judged judged(const design::Design& design, const fs::path& rtl,
               const verilator_tb::VerifyOptions& options) {
-  const auto report =
-      verilator_tb::verify(design, spheres_of_whole_numbers(design), rtl, options).value();
+  const auto report = verilator_tb::verify(design, spheres_of_whole_numbers(design),
+                                           verilator_tb::load_system(rtl).value(), options)
+                          .value();
   EXPECT_FALSE(report.passed()) << to_text(report);
   EXPECT_EQ(report.emulator_errors, 0u) << to_text(report);
   Judged judged = {report.mismatch_count, report.judged_by_emulator, to_json(report)};

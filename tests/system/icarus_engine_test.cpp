@@ -114,7 +114,7 @@ verilator_tb::VerifyReport judge(const design::Design& design, const fs::path& r
   const data::Table spheres = data::uniform_spheres(
       {.count = 40, .side = 100, .radius_max = 30, .seed = 3}, design.reference.input_format);
   return verilator_tb::verify(design, data::Comparisons::all_pairs(spheres, design.inputs).value(),
-                              rtl,
+                              verilator_tb::load_system(rtl).value(),
                               {.simulator = verilator_tb::SimulatorKind::icarus,
                                .work_dir = test_work_dir("builds"),
                                .resets = resets})

@@ -240,7 +240,8 @@ TEST(PairwiseSystemOf, IcarusSaysWhatVerilatorSays) {
 TEST(PairwiseSystemOf, MoreItemsThanItHoldsAreRefused) {
   const design::Design design = spheres(1, 1);
   const fs::path rtl = generate_to(design, "pairwise_too_many");
-  const auto report = verilator_tb::verify(design, random_spheres(design, capacity + 1), rtl,
+  const auto report = verilator_tb::verify(design, random_spheres(design, capacity + 1),
+                                           verilator_tb::load_system(rtl).value(),
                                            {.work_dir = test_work_dir("builds")});
   ASSERT_FALSE(report.ok());
   EXPECT_EQ(report.error().field, "engine.capacity");
@@ -270,11 +271,12 @@ TEST_P(BrokenEngine, IsFoundOut) {
   // On the grid the last pairs of a set are recomputed; on the other spheres they are reported.
   bool found = false;
   for (const data::Comparisons& spheres : {random_spheres(design, 41), grid_spheres(design, 41)}) {
-    const auto report = verilator_tb::verify(design, spheres, rtl,
-                                             {.simulator = fault.simulator,
-                                              .work_dir = test_work_dir("builds"),
-                                              .traffic = verilator_tb::TrafficKind::stressed,
-                                              .hang_cycles = 2'000});
+    const auto report =
+        verilator_tb::verify(design, spheres, verilator_tb::load_system(rtl).value(),
+                             {.simulator = fault.simulator,
+                              .work_dir = test_work_dir("builds"),
+                              .traffic = verilator_tb::TrafficKind::stressed,
+                              .hang_cycles = 2'000});
     ASSERT_TRUE(report.ok()) << report.error().to_string();
     found = found || !report->passed();
   }

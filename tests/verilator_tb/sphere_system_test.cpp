@@ -61,7 +61,8 @@ void expect_pass(const design::Design& design, const std::string& folder,
   for (const verilator_tb::TrafficKind traffic :
        {verilator_tb::TrafficKind::full_rate, verilator_tb::TrafficKind::stressed}) {
     const auto report =
-        verilator_tb::verify(design, sphere_pairs(random_spheres), generate(design, folder),
+        verilator_tb::verify(design, sphere_pairs(random_spheres),
+                             verilator_tb::load_system(generate(design, folder)).value(),
                              {.simulator = simulator,
                               .work_dir = fake_work_dir() / "builds",
                               .traffic = traffic,
@@ -105,7 +106,7 @@ TEST(SphereSystem, HalfOfEverythingRecomputed) {
   for (const verilator_tb::TrafficKind traffic :
        {verilator_tb::TrafficKind::full_rate, verilator_tb::TrafficKind::stressed}) {
     const auto report = verilator_tb::verify(
-        design, data, folder,
+        design, data, verilator_tb::load_system(folder).value(),
         {.work_dir = fake_work_dir() / "builds", .traffic = traffic, .resets = 6});
     ASSERT_TRUE(report.ok()) << report.error().to_string();
     EXPECT_TRUE(report->passed()) << to_text(*report);

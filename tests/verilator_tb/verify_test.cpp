@@ -403,29 +403,6 @@ TEST(Verify, AccountsForEveryResultOfARunThatStopped) {
   EXPECT_EQ(report.truth->checked + report.truth->not_checked(), report.comparisons);
 }
 
-TEST(Verify, RefusesASystemOfAnotherDesign) {
-  const auto lane = FloatFormat::parse("s8e8").value();
-  const auto reference = FloatFormat::parse("s53e8").value();
-  const design::Design design = test::sphere_design(lane, reference, 2, 1);
-  const verilator_tb::System system{"here", emit::generate_system(design, "").value().signature};
-  EXPECT_TRUE(verilator_tb::check_design(system, design).ok());
-
-  std::vector<design::Design> others(5, design);
-  others[0].lanes.front().count = 3;
-  std::swap(others[1].inputs[0], others[1].inputs[1]);
-  others[2].references.clear();
-  others[3].system.tag_bits = 7;
-  others[4] = test::sphere_design(FloatFormat::parse("s9e8").value(), reference, 2, 1);
-  for (const design::Design& other : others)
-    EXPECT_FALSE(verilator_tb::check_design(system, other).ok());
-
-  verilator_tb::System older = system;
-  older.signature.generator_version = "0.0.1";
-  const auto refused = verilator_tb::check_design(older, design);
-  ASSERT_FALSE(refused.ok());
-  EXPECT_NE(refused.error().received.find("0.0.1"), std::string::npos);
-}
-
 TEST(Verify, ReportsItselfAsJson) {
   const verilator_tb::VerifyReport report = run({.name = "good"}, 500, {});
   const auto json = to_json(report);

@@ -1,7 +1,6 @@
 #include <utility>
 
 #include "generator/faces/api/state.hpp"
-#include "model/scene/error_location.hpp"
 
 namespace mixcmp::api {
 
@@ -18,10 +17,6 @@ void fail(const mixcmp::Error& error) {
                                   .received = error.received,
                                   .accepted = error.accepted,
                                   .missing_tool = error.kind == ErrorKind::missing_tool});
-}
-
-mixcmp::Error located(const mixcmp::Error& error, const SceneState& state) {
-  return scene::with_location(error, state.source, state.settings);
 }
 
 }  // namespace mixcmp::api

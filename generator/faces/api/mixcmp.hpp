@@ -12,8 +12,9 @@
 #include <string_view>
 #include <vector>
 
-/// The C++ library of mixcmp: from a scene to Verilog, to the verdicts of its hardware, to the
-/// counts of a profile and to a plan. docs/library.md shows it at work.
+/// The C++ library of mixcmp: from a scene to Verilog, to the verdicts of its hardware, to a
+/// simulation that checks them, to the counts of a profile and to a plan. docs/library.md shows it
+/// at work.
 ///
 /// Values are cheap to copy and own their contents. A value must not be used after it was moved
 /// from. Functions that the header calls const may run in several threads at once. A user's mistake
@@ -193,6 +194,71 @@ private:
   struct State;
   std::shared_ptr<const State> state_;
 };
+
+enum class Simulator {
+  verilator,
+  icarus,  ///< for small systems and thousands of comparisons
+};
+
+enum class Traffic {
+  full_rate,
+  stressed,  ///< random gaps and backpressure
+};
+
+/// The verdicts that are also compared with the order of the real numbers f and g.
+enum class Truth {
+  off,
+  recomputed,  ///< only those of references
+  all,
+};
+
+/// The options of verify(), as `mixcmp verify` has them.
+struct VerifyOptions {
+  Simulator simulator = Simulator::verilator;
+  Traffic traffic = Traffic::full_rate;
+  Truth truth = Truth::off;
+  std::optional<std::uint64_t> first;   ///< only the first N comparisons
+  std::optional<std::uint64_t> sample;  ///< only N comparisons, spread over all
+  std::optional<std::uint64_t> only;    ///< only this comparison, counted from 0
+  std::uint64_t seed = 1;               ///< of `sample` and of stressed traffic
+  int resets = 0;                       ///< resets in mid-stream, 0..1000000
+  int jobs = 0;                         ///< simulators side by side; 0: one a processor
+  bool find_counterexample = true;      ///< after a failure, look for a shorter run that fails
+  /// The folder for Verilog, builds and logs; empty: TOP_simulation in the current folder. A later
+  /// run finds its build there again.
+  std::filesystem::path work;
+  /// Called with a line on the current action; from any thread, but one call at a time. It must not
+  /// throw.
+  std::function<void(const std::string& line)> progress;
+};
+
+/// The findings of a simulation.
+struct Verification {
+  bool passed = false;  ///< each result came back once, right, and no stream broke its contract
+  std::uint64_t comparisons = 0;  ///< results compared with the model
+  std::uint64_t recomputations = 0;
+  std::uint64_t undecided = 0;
+  std::uint64_t mismatches = 0;       ///< results that differ from the model's
+  std::uint64_t violations = 0;       ///< of the streams' contract
+  std::vector<std::string> not_done;  ///< parts beside the verdicts that failed, with reasons
+  std::string text;                   ///< the output of `mixcmp verify`
+  std::string json;                   ///< its output with --json: docs/verification.md
+};
+
+/// Generates the scene's system, simulates it on the scene's data, and compares each result with
+/// the model of its lane:
+///
+///     const Scene scene = Scene::from_file("scene.toml");
+///     const Verification run = verify(scene, {.first = 1000, .work = "simulation"});
+///     if (!run.passed) throw std::runtime_error(run.text);
+///     log << run.comparisons << " comparisons, " << run.recomputations << " recomputed";
+///     System(scene).write("rtl");  // its signature lists the run
+///
+/// It starts Verilator and a C++ compiler, or Icarus Verilog. It is an Error if the scene has no
+/// data, if a selection names no comparison, or if the simulator is not installed: then
+/// Error::Details::missing_tool is set. Wrong results are no Error. The result is kept on record in
+/// $XDG_CACHE_HOME/mixcmp, from which the signatures of later systems of the same design list it.
+MIXCMP_API Verification verify(const Scene& scene, const VerifyOptions& options = {});
 
 /// Called with the name of a step and the share of it that is done, 0..1; from any thread, but one
 /// call at a time. It must not throw.

@@ -6,7 +6,6 @@
 #include "generator/present/report/plan_report.hpp"
 #include "generator/synthesis/components/planning.hpp"
 #include "model/cost/devices/device.hpp"
-#include "model/design/design.hpp"
 #include "model/plan/optimise/plan_inputs.hpp"
 #include "model/plan/optimise/plan_summary.hpp"
 
@@ -16,19 +15,19 @@ namespace {
 namespace fs = std::filesystem;
 
 components::Planning load_planning(const SceneState& state, const PlanOptions& options) {
-  const data::Comparisons* data = state.data ? &*state.data : nullptr;
-  const scene::Scene scene = value_or_throw(design::with_chain_lanes(state.scene, data), state);
-  const devices::Device device =
-      value_or_throw(devices::find_device(state.scene.system.device), state);
-  if (options.table.empty() && state.source.text) {
+  const data::Comparisons* data = state.loaded.data_if_any();
+  const scene::Scene scene =
+      value_or_throw(tasks::with_chain_lanes(state.loaded.scene, data, state.request));
+  const devices::Device device = value_or_throw(devices::find_device(scene.system.device), state);
+  if (options.table.empty() && state.request.source.text) {
     fail({.field = "table",
           .message = "a scene from a text has no table beside it",
           .received = "nothing",
           .accepted = "the path of a table that mixcmp characterise wrote"});
   }
-  const fs::path table = options.table.empty()
-                             ? optimise::default_table(state.source.path, state.scene, device.name)
-                             : options.table;
+  const fs::path table =
+      options.table.empty() ? optimise::default_table(state.request.source.path, scene, device.name)
+                            : options.table;
   return value_or_throw(
       components::load_planning(scene, data, device, table,
                                 {.field = "table", .accepted = "what mixcmp characterise writes"}));
@@ -60,19 +59,21 @@ PlanPoint public_point(const optimise::PrecisionPlan& plan) {
 /// The origin that the plan states: the command that makes it again or, if the caller gave the
 /// operands, the library.
 std::string origin_of_plan(const SceneState& state) {
-  if (state.scene.data) return origin("optimise", state);
+  if (state.loaded.scene.data) return tasks::origin("optimise", state.request);
   return fmt::format("the library of mixcmp, on {} comparisons that its caller gave",
-                     state.data->size());
+                     state.loaded.data->size());
 }
 
 /// The text of a plan file; empty for a scene that no file could name.
 std::string plan_file_text(const optimise::Optimisation& found, const SceneState& state,
                            const PlanOptions& options) {
-  if (state.source.text) return "";
-  const fs::path place =
-      options.plan_file.empty() ? state.source.path.parent_path() / "plan.toml" : options.plan_file;
-  const optimise::PlanSource source = value_or_throw(optimise::make_plan_source(
-      state.source.path, state.settings, state.scene.system.device, place, origin_of_plan(state)));
+  if (state.request.source.text) return "";
+  const fs::path place = options.plan_file.empty()
+                             ? state.request.source.path.parent_path() / "plan.toml"
+                             : options.plan_file;
+  const optimise::PlanSource source = value_or_throw(
+      optimise::make_plan_source(state.request.source.path, state.request.settings,
+                                 state.loaded.scene.system.device, place, origin_of_plan(state)));
   return optimise::plan_toml(found, *found.best(), source);
 }
 

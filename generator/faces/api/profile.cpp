@@ -68,14 +68,14 @@ Scheme public_scheme(const profile::SchemeProfile& scheme, int first_precision) 
 
 Profile profile(const Scene& scene, const ProfileOptions& options) {
   const SceneState& state = Access::state(scene);
+  const scene::Scene& internal = state.loaded.scene;
   check_numbers(options);
   const data::Comparisons& data = data_of(state, "a profile needs data to measure");
-  const profile::ProfileOptions counted = internal_options(options, state.scene.reference.format);
-  value_or_throw(check_profile(state.scene, counted), state);
-  const auto errors =
-      profile::profile_errors(state.scene, data, {state.scene.reduced.inputs}, counted);
+  const profile::ProfileOptions counted = internal_options(options, internal.reference.format);
+  value_or_throw(check_profile(internal, counted), state);
+  const auto errors = profile::profile_errors(internal, data, {internal.reduced.inputs}, counted);
   const profile::RateProfile rates =
-      profile::profile_rates(state.scene, data, errors.front(), counted);
+      profile::profile_rates(internal, data, errors.front(), counted);
   Profile result{.comparisons = rates.comparisons,
                  .reference_wrong = rates.reference_wrong,
                  .undetermined = rates.undetermined,

@@ -1,5 +1,3 @@
-#include "generator/hardware/emit/system.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -8,9 +6,8 @@
 
 #include "generator/faces/api/operands.hpp"
 #include "generator/faces/api/state.hpp"
+#include "generator/tasks/generate.hpp"
 #include "model/base/common/quote.hpp"
-#include "model/design/design.hpp"
-#include "model/plan/profile/profiled_error.hpp"
 #include "verilator_tb/answer_emulator.hpp"
 #include "verilator_tb/judgement.hpp"
 
@@ -75,10 +72,7 @@ void fill(data::OperandBlock& block, const OperandRows& rows, std::size_t first,
 
 System::System(const Scene& scene) {
   const SceneState& given = Access::state(scene);
-  const data::Comparisons* data = given.data ? &*given.data : nullptr;
-  auto design =
-      value_or_throw(design::make_design(given.scene, data, profile::profile_error), given);
-  auto generated = value_or_throw(emit::generate_system(design, origin("generate", given)), given);
+  auto [design, generated] = value_or_throw(tasks::generate(given.request, given.loaded));
   auto state = std::make_shared<State>(std::move(design), std::move(generated));
   state->lanes = groups_of(state->generated.signature);
   state->files = files_of(state->generated);

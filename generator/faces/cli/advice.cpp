@@ -53,18 +53,16 @@ std::string kind_of(const LaneEstimate& lane) {
 }
 
 /// `mixcmp VERB SCENE` with those of the settings that the advised lane does not replace.
-std::string command_of(const std::string& verb, const SceneOptions& options,
+CommandLine command_of(const std::string& verb, const SceneOptions& options,
                        const std::map<std::string, std::string>& replaced) {
-  std::string line = fmt::format("mixcmp {} {}", verb, quoted(options.scene.string()));
-  for (const std::string& setting : options.settings) {
-    if (!replaced.contains(setting.substr(0, setting.find('=')))) {
-      line += " --set " + quoted(setting);
-    }
-  }
+  std::vector<std::string> settings = options.settings;
+  std::erase_if(settings, [&](const std::string& setting) {
+    return replaced.contains(setting.substr(0, setting.find('=')));
+  });
   for (const auto& [key, value] : replaced) {
-    if (!value.empty()) line += fmt::format(" --set {}={}", key, value);
+    if (!value.empty()) settings.push_back(key + "=" + value);
   }
-  return line;
+  return {verb, options.scene, settings};
 }
 
 /// The keys that make lanes of this kind; an empty value: the key keeps its default.
@@ -90,11 +88,12 @@ std::string verify_command(const LaneEstimate& lane, const SceneOptions& options
   const bool fixed_system = !scene.lanes.empty() || !scene.references.empty() ||
                             scene.system.engine.kind == scene::EngineKind::arg_min;
   if (fixed_system) return "";
-  const std::string line = command_of("verify", options, keys_for(lane));
+  CommandLine line = command_of("verify", options, keys_for(lane));
   constexpr std::uint64_t enough = 100'000;
   const bool selects =
       scene.system.engine.kind == scene::EngineKind::none && loaded.data->size() > enough;
-  return selects ? fmt::format("{} --first {}", line, enough) : line;
+  if (selects) line.add("--first", std::to_string(enough));
+  return line.text();
 }
 
 nlohmann::ordered_json to_json(const LaneEstimate& lane) {
@@ -121,7 +120,7 @@ Result<Advice> advise(const SceneOptions& options, const LoadedScene& loaded,
   Advice advice{.best = std::move(found.best),
                 .reference_share = found.reference_share,
                 .device = device.name,
-                .try_first = command_of("optimise", options, {}) + " -o plan.toml",
+                .try_first = command_of("optimise", options, {}).add("-o", "plan.toml").text(),
                 .try_now = ""};
   if (!advice.best.empty()) {
     advice.try_now = verify_command(advice.best.front(), options, loaded);

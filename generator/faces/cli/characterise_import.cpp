@@ -11,6 +11,7 @@
 #include "generator/present/report/json_text.hpp"
 #include "generator/synthesis/characterise/vendor_report.hpp"
 #include "generator/synthesis/components/imported_rows.hpp"
+#include "generator/tasks/generate.hpp"
 #include "model/base/common/file.hpp"
 #include "model/base/common/quote.hpp"
 #include "model/cost/measured/component_cells.hpp"
@@ -214,9 +215,8 @@ nlohmann::ordered_json json_of_row(const measured::Measurement& row) {
 void import_reports(const CharacteriseCommand& command) {
   const LoadedScene loaded = value_or_exit(load(command.scene));
   const devices::Device device = value_or_exit(devices::find_device(loaded.scene.system.device));
-  const design::Design design = value_or_exit(design_of(command.scene, loaded));
-  const emit::GeneratedSystem system =
-      value_or_exit(emit::generate_system(design, command_line("generate", command.scene)));
+  const auto [design, system] = value_or_exit(
+      with_shortcuts(tasks::build_system(command.scene.request(), loaded), command.scene));
   const ImportedReports reports =
       value_or_exit(read_reports(command.reports, device, system.signature));
   const std::vector<ImportedRow> imported = value_or_exit(components::imported_rows(

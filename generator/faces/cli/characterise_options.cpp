@@ -332,28 +332,24 @@ Result<CharacteriseCommand> characterise_command(const SuiteRun& run) {
   return command;
 }
 
-std::string characterise_command_line(const CharacteriseCommand& command) {
-  const CharacteriseCommand defaults;
-  std::string line = command_line("characterise", command.scene);
-  const auto add = [&](const char* option, const std::string& value, const std::string& usual) {
-    if (value != usual) line += fmt::format(" {} {}", option, quoted(value));
-  };
-  add("--precisions", command.precisions, defaults.precisions);
-  add("--bounds", command.bounds, defaults.bounds);
-  add("--inputs", command.inputs, defaults.inputs);
-  add("--multipliers", command.multipliers, defaults.multipliers);
-  add("--exponents", command.exponents, defaults.exponents);
-  add("--initiation-intervals", command.initiation_intervals, defaults.initiation_intervals);
-  add("--reference-targets", command.reference_targets, defaults.reference_targets);
-  add("--components", command.components, defaults.components);
-  add("--ports", command.ports, defaults.ports);
-  add("--seeds", std::to_string(command.seeds), std::to_string(defaults.seeds));
-  if (!command.reports.empty()) line += " --import";
-  for (const std::filesystem::path& report : command.reports) {
-    line += " " + quoted(report.filename().string());
-  }
-  if (command.quick) line += " --quick";
-  return command.area_only ? line + " --area-only" : line;
+CommandLine characterise_command_line(const CharacteriseCommand& command) {
+  const CharacteriseCommand usual;
+  std::vector<std::string> reports;
+  for (const std::filesystem::path& report : command.reports) reports.push_back(report.filename());
+  return command_line("characterise", command.scene)
+      .add("--precisions", command.precisions, usual.precisions)
+      .add("--bounds", command.bounds, usual.bounds)
+      .add("--inputs", command.inputs, usual.inputs)
+      .add("--multipliers", command.multipliers, usual.multipliers)
+      .add("--exponents", command.exponents, usual.exponents)
+      .add("--initiation-intervals", command.initiation_intervals, usual.initiation_intervals)
+      .add("--reference-targets", command.reference_targets, usual.reference_targets)
+      .add("--components", command.components, usual.components)
+      .add("--ports", command.ports, usual.ports)
+      .add("--seeds", std::to_string(command.seeds), std::to_string(usual.seeds))
+      .add_all("--import", reports)
+      .add_flag("--quick", command.quick)
+      .add_flag("--area-only", command.area_only);
 }
 
 }  // namespace mixcmp::cli

@@ -49,6 +49,6 @@ Result<std::vector<int>> number_list(const std::string& option, const std::strin
                                      settings::Limits allowed);
 
 /// The command that makes the same table. It names the scene by its file name, without folders.
-std::string characterise_command_line(const CharacteriseCommand& command);
+CommandLine characterise_command_line(const CharacteriseCommand& command);
 
 }  // namespace mixcmp::cli

@@ -143,7 +143,7 @@ void write_table(CharacteriseReport& report, const CharacteriseCommand& command,
   const FolderLock held = lock_folder(fs::absolute(path).parent_path());
   const auto now = value_or_exit(previous_table(path, scene, report.table.device));
   if (now) adopt_new_rows(report.table, *now, before.value_or(measured::Characterisation()));
-  const std::string line = characterise_command_line(command);
+  const std::string line = characterise_command_line(command).text();
   report.table.command =
       command.reports.empty() || !now ? line : command_with_import(now->command, line);
   std::set<std::string> tools;

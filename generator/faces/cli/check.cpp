@@ -114,7 +114,7 @@ bool any_refused(const std::vector<ProvenLane>& proven) {
 std::vector<profile::VariantCheck> check_variants(const SceneOptions& options,
                                                   const LoadedScene& loaded) {
   std::vector<profile::VariantCheck> checks;
-  const auto formulations = value_or_exit(load_formulations(options, loaded));
+  const auto formulations = value_or_exit(tasks::load_formulations(options.request(), loaded));
   for (std::size_t k = 1; k < formulations.size() && loaded.data; ++k) {
     const scene::Scene& variant = formulations[k].scene;
     checks.push_back(profile::check_variant(

@@ -53,4 +53,10 @@ CommandTable command_table(const CLI::App& app) {
   return table;
 }
 
+std::vector<std::string> verbs_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* verb : app.get_subcommands({})) names.push_back(verb->get_name());
+  return names;
+}
+
 }  // namespace mixcmp::cli

@@ -43,4 +43,7 @@ struct CommandTable {
 
 CommandTable command_table(const CLI::App& app);
 
+/// The names of all verbs.
+std::vector<std::string> verbs_of(const CLI::App& app);
+
 }  // namespace mixcmp::cli

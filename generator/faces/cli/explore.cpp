@@ -163,12 +163,12 @@ Columns columns_for(const std::optional<optimise::PublishedFigures>& published,
 }
 
 std::string command_of(const ExploreCommand& command) {
-  std::string line = planning_command_line("explore", command.planning);
-  for (const std::string& device : command.devices) line += " --on " + quoted(device);
-  if (!command.over.empty()) line += " --over " + quoted(command.over);
-  if (command.beside_paper) line += " --beside-paper";
-  if (command.software) line += " --software";
-  return line;
+  return planning_command_line("explore", command.planning)
+      .add_each("--on", command.devices)
+      .add("--over", command.over)
+      .add_flag("--beside-paper", command.beside_paper)
+      .add_flag("--software", command.software)
+      .text();
 }
 
 /// Adds the best plan to the results. `set`: its data set; empty: all of them.

@@ -1,3 +1,5 @@
+#include "generator/tasks/generate.hpp"
+
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
@@ -9,7 +11,6 @@
 #include "generator/faces/cli/output.hpp"
 #include "generator/faces/cli/project.hpp"
 #include "generator/faces/cli/prove.hpp"
-#include "generator/faces/cli/simulations.hpp"
 #include "generator/faces/cli/verbs.hpp"
 #include "generator/hardware/emit/system.hpp"
 #include "generator/present/report/json_text.hpp"
@@ -117,6 +118,19 @@ void print_second_tier(const emit::Signature& signature) {
                     tier.count == 1 ? "" : "s", tier.format, tier.latency_cycles));
 }
 
+/// A line for each simulator, "simulated: Verilator, 207046 comparisons, 164 recomputed, passed",
+/// or "not simulated yet: COMMAND" if there is none.
+std::string simulation_lines(const std::vector<emit::SignatureSimulation>& simulations,
+                             const std::string& command) {
+  if (simulations.empty()) return fmt::format("not simulated yet: {}\n", command);
+  std::string text;
+  for (const emit::SignatureSimulation& run : simulations) {
+    text += fmt::format("simulated: {}, {} comparisons, {} recomputed, {}\n", run.simulator,
+                        run.comparisons, run.recomputations, run.passed ? "passed" : "FAILED");
+  }
+  return text;
+}
+
 /// `verify`: the command that simulates the system.
 void print_text(const emit::GeneratedSystem& system, const std::vector<GroupProof>& proofs,
                 const std::string& verify, const std::filesystem::path& directory) {
@@ -166,11 +180,9 @@ std::vector<GroupProof> prove_groups(const std::filesystem::path& scene,
 void run(const GenerateOptions& options) {
   const LoadedScene loaded = value_or_exit(load(options.scene));
   value_or_exit(check_project(options.project, loaded));
-  const design::Design design = value_or_exit(design_of(options.scene, loaded));
-  const std::string command = command_line("generate", options.scene);
-  emit::GeneratedSystem system = value_or_exit(emit::generate_system(design, command));
-  emit::set_simulations(system, simulations_of(system.signature.spec_hash));
-  add_project(system, options.project, loaded, design, command);
+  auto [design, system] = value_or_exit(
+      with_shortcuts(tasks::generate(options.scene.request(), loaded), options.scene));
+  add_project(system, options.project, loaded, design, command_line("generate", options.scene));
   if (auto note = fit_note(loaded, design)) system.notes.push_back(std::move(*note));
   std::vector<GroupProof> proofs;
   if (!options.skip_proof) proofs = prove_groups(options.scene.scene, design);
@@ -179,7 +191,7 @@ void run(const GenerateOptions& options) {
   value_or_exit(check_replaced_folder(directory, inputs_of(options.scene, loaded.scene)));
   value_or_exit(emit::write_system(system, directory));
   if (options.scene.json) return print_json(system, proofs, directory);
-  print_text(system, proofs, runnable_command("verify", options.scene), directory);
+  print_text(system, proofs, runnable_command("verify", options.scene).text(), directory);
   print_commands(options.project.tools, system.signature.top, directory);
 }
 

@@ -64,13 +64,13 @@ std::uint64_t find_undecided(const design::Design& design, const data::Compariso
 
 Result<verilator_tb::VerifyReport> simulate(const design::Design& design,
                                             const data::Comparisons& data,
-                                            const std::filesystem::path& rtl,
+                                            const verilator_tb::System& system,
                                             verilator_tb::VerifyOptions options) {
   options.simulator = verilator_tb::SimulatorKind::icarus;
-  auto report = verilator_tb::verify(design, data, rtl, options);
+  auto report = verilator_tb::verify(design, data, system, options);
   if (report.ok() || report.error().kind != ErrorKind::missing_tool) return report;
   options.simulator = verilator_tb::SimulatorKind::verilator;
-  return verilator_tb::verify(design, data, rtl, options);
+  return verilator_tb::verify(design, data, system, options);
 }
 
 }  // namespace
@@ -78,10 +78,10 @@ Result<verilator_tb::VerifyReport> simulate(const design::Design& design,
 Result<report::LaneTraffic> lane_traffic(const design::Design& design,
                                          const data::Comparisons& data) {
   const design::Design small = small_system(design);
-  MIXCMP_TRY(system, emit::generate_system(small, ""));
+  MIXCMP_TRY(generated, emit::generate_system(small, ""));
   MIXCMP_TRY(scratch, ScratchFolder::make());
-  const std::filesystem::path rtl = scratch.path() / "rtl";
-  MIXCMP_DO(emit::write_system(system, rtl));
+  const verilator_tb::System system{scratch.path() / "rtl", generated.signature};
+  MIXCMP_DO(emit::write_system(generated, system.directory));
   report::LaneTraffic traffic{.system = describe(design), .simulator = {}, .transfers = {}};
   verilator_tb::VerifyOptions options{.work_dir = scratch.path() / "build"};
   const std::uint64_t followed = find_undecided(small, data);
@@ -95,7 +95,7 @@ Result<report::LaneTraffic> lane_traffic(const design::Design& design,
                                  .cycle_left = result.transfer->cycle_left,
                                  .result = result.word});
   };
-  const auto report = simulate(small, data, rtl, options);
+  const auto report = simulate(small, data, system, options);
   show_progress("");
   if (!report.ok()) {
     scratch.keep_for(report.error());

@@ -254,18 +254,17 @@ std::string scene_text(const NewScene& scene, const LoadedScene& loaded) {
 
 std::vector<std::pair<std::string, std::string>> next_commands(const NewScene& scene,
                                                                const std::filesystem::path& path) {
-  const std::string file = quoted(path.string());
-  const std::string plan =
-      quoted((path.parent_path() / (path.stem().string() + "_plan.toml")).string());
+  const auto plan = path.parent_path() / (path.stem().string() + "_plan.toml");
   std::vector<std::pair<std::string, std::string>> commands = {
-      {"mixcmp check " + file, "what was understood of it"}};
+      {CommandLine("check", path, {}).text(), "what was understood of it"}};
   if (scene.file.empty()) return commands;
   commands.insert(
       commands.end(),
-      {{"mixcmp profile " + file, "errors and recomputations at every precision"},
-       {fmt::format("mixcmp optimise {} -o {}", file, plan), "the best plan for the device"},
-       {fmt::format("mixcmp generate {} -o rtl", plan), "its Verilog"},
-       {"mixcmp verify " + plan, "simulated on the data, every verdict checked"}});
+      {{CommandLine("profile", path, {}).text(), "errors and recomputations at every precision"},
+       {CommandLine("optimise", path, {}).add("-o", plan.string()).text(),
+        "the best plan for the device"},
+       {CommandLine("generate", plan, {}).add("-o", "rtl").text(), "its Verilog"},
+       {CommandLine("verify", plan, {}).text(), "simulated on the data, every verdict checked"}});
   return commands;
 }
 

@@ -66,8 +66,9 @@ optimise::Rates rates_for(const OptimiseCommand& command, const LoadedScene& loa
 }
 
 std::string command_of(const OptimiseCommand& command) {
-  const std::string line = planning_command_line("optimise", command.planning);
-  return command.rates.empty() ? line : line + " --rates " + quoted(command.rates.string());
+  return planning_command_line("optimise", command.planning)
+      .add("--rates", command.rates.string())
+      .text();
 }
 
 std::string word_of(scene::Multipliers multipliers) {
@@ -112,7 +113,8 @@ struct Candidate {
 /// belong to one formulation; then there is only the scene.
 std::vector<LoadedScene> variants_of(const OptimiseCommand& command, const LoadedScene& loaded) {
   const bool by_hand = !command.planning.table.empty() || !command.rates.empty();
-  if (!by_hand) return value_or_exit(load_formulations(command.planning.scene, loaded));
+  if (!by_hand)
+    return value_or_exit(tasks::load_formulations(command.planning.scene.request(), loaded));
   if (loaded.scene.variant.empty() && !loaded.scene.variants.empty()) {
     tell_note("--table and --rates are of [comparison]; variants left out");
   }
@@ -158,9 +160,7 @@ CharacteriseCommand quick_characterisation(const PlanningOptions& planning,
         fmt::format("{}-{}", choice.first_precision, std::min(choice.last_precision, most));
   }
   const auto take = [](const auto& chosen, std::string& words) {
-    if (chosen.empty()) return;
-    words.clear();
-    for (const auto& each : chosen) words += (words.empty() ? "" : ",") + word_of(each);
+    if (!chosen.empty()) words = text_of(chosen);
   };
   take(choice.bounds, quick.bounds);
   take(choice.inputs, quick.inputs);

@@ -1,6 +1,7 @@
 #include "generator/faces/cli/options.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -13,13 +14,7 @@
 
 #include "generator/faces/cli/exit.hpp"
 #include "generator/faces/cli/output.hpp"
-#include "generator/hardware/datapath/delays.hpp"
 #include "model/base/settings/bound_name.hpp"
-#include "model/judge/workload/load_comparisons.hpp"
-#include "model/plan/profile/profiled_error.hpp"
-#include "model/scene/error_location.hpp"
-#include "model/scene/override_error.hpp"
-#include "model/scene/plan.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -43,21 +38,6 @@ constexpr std::array<Shortcut, 9> shortcuts = {{
     {"--device", "system.device", "device whose rough delays choose the cut points"},
     {"--prefix", "system.prefix", "prefix of all module names but the top's"},
 }};
-
-/// An error of the data with the place where the user wrote its cause. Errors in a data file stay
-/// as they are; others may come from an override.
-Error as_user_data_error(const Error& error, const data::DataSpec& data,
-                         const SceneOptions& options) {
-  if (error.file == data.file.string() || error.file == data.with.string()) return error;
-  const auto attempt = [&](std::span<const std::string> settings) -> std::optional<Error> {
-    const Result<scene::Scene> scene = scene::load_scene(options.scene, settings);
-    if (!scene.ok()) return scene.error();
-    if (!scene->data) return std::nullopt;
-    const Result<data::Comparisons> comparisons = workload::load_comparisons(*scene);
-    return comparisons.ok() ? std::nullopt : std::optional(comparisons.error());
-  };
-  return as_user_error(scene::with_setting(error, options.settings, attempt), options);
-}
 
 /// Shows the progress of a search for arg-mins, if it has many comparisons and so takes long.
 workload::ComparisonProgress comparison_progress() {
@@ -85,7 +65,30 @@ std::optional<std::uint64_t> decimal_integer(const std::string& text) {
   return value;
 }
 
+template <class Value>
+std::string list_of(const std::vector<Value>& values) {
+  std::vector<std::string> words;
+  for (const Value& value : values) words.push_back(to_string(value));
+  return text_of(words);
+}
+
 }  // namespace
+
+std::string text_of(const std::optional<double>& value) {
+  return value ? fmt::format("{}", *value) : "";
+}
+
+std::string text_of(const std::vector<std::string>& words) {
+  return fmt::format("{}", fmt::join(words, ","));
+}
+
+std::string text_of(const std::vector<Bound>& bounds) {
+  return list_of(bounds);
+}
+
+std::string text_of(const std::vector<LaneInputs>& inputs) {
+  return list_of(inputs);
+}
 
 std::optional<Fraction> fraction_of(const std::string& text) {
   constexpr std::uint64_t most = 1'000'000;
@@ -170,7 +173,7 @@ Condition between(double least, double most, const std::string& unit) {
 }
 
 Error as_user_error(const Error& found, const SceneOptions& options) {
-  Error error = scene::with_location(found, options.scene, options.settings);
+  Error error = tasks::located(found, options.request());
   // The file "--set" means the key that the error names, "--set key" means another key.
   const std::string set = "--set";
   const std::string key = error.file == set                   ? error.field
@@ -183,37 +186,11 @@ Error as_user_error(const Error& found, const SceneOptions& options) {
 
 Result<scene::Scene> with_chain_lanes(const scene::Scene& scene, const data::Comparisons* data,
                                       const SceneOptions& options) {
-  Result<scene::Scene> chain = design::with_chain_lanes(scene, data);
-  if (!chain.ok()) return as_user_error(chain.error(), options);
-  return chain;
+  return with_shortcuts(tasks::with_chain_lanes(scene, data, options.request()), options);
 }
 
 Result<LoadedScene> load(const SceneOptions& options) {
-  Result<scene::Scene> loaded_scene = scene::load_scene(options.scene, options.settings);
-  if (!loaded_scene.ok()) return as_user_error(loaded_scene.error(), options);
-  scene::Scene scene = std::move(loaded_scene).value();
-  if (const auto delays = datapath::delays_of(scene.system.device); !delays.ok()) {
-    Error error = delays.error();
-    if (!error.file.empty()) return error;  // an error in the device file
-    error.file = options.scene.string();
-    return as_user_error(error, options);
-  }
-  LoadedScene loaded = {std::move(scene), std::nullopt};
-  if (loaded.scene.data) {
-    auto data = workload::load_comparisons(loaded.scene, comparison_progress());
-    if (!data.ok()) return as_user_data_error(data.error(), *loaded.scene.data, options);
-    loaded.data = std::move(data).value();
-  }
-  return loaded;
-}
-
-Result<Done> check_has_data(const LoadedScene& loaded, const std::string& why) {
-  if (loaded.data) return Done{};
-  return Error{.file = loaded.scene.path.string(),
-               .field = "data",
-               .message = why,
-               .received = "a scene without [data]",
-               .accepted = "[data] with items or file"};
+  return with_shortcuts(tasks::load(options.request(), comparison_progress()), options);
 }
 
 Result<std::vector<Bound>> parse_bounds(const std::string& option,
@@ -249,63 +226,20 @@ Result<std::vector<LaneInputs>> parse_inputs(const std::string& option,
 }
 
 Result<design::Design> design_of(const SceneOptions& options, const LoadedScene& loaded) {
-  auto design = design::make_design(loaded.scene, loaded.data ? &*loaded.data : nullptr,
-                                    profile::profile_error);
-  if (design.ok()) return design;
-  const Error error = as_user_error(design.error(), options);
-  // The errors of a profiled bound are measured on the data, which takes too long to do again.
-  const std::vector<scene::LaneGroupSpec> groups = loaded.scene.lane_groups();
-  const bool certified = std::all_of(groups.begin(), groups.end(),
-                                     [](const auto& group) { return !group.reduced.is_profiled; });
-  if (!certified) return error;
-  return as_user_error(
-      scene::with_setting(error, options.settings,
-                          [&](std::span<const std::string> settings) -> std::optional<Error> {
-                            const auto read = scene::load_scene(options.scene, settings);
-                            if (!read.ok()) return read.error();
-                            // Messages that suggest a command name all settings.
-                            scene::Scene scene = *read;
-                            scene.settings = options.settings;
-                            const Result<design::Design> attempt =
-                                design::make_design(scene, nullptr);
-                            if (attempt.ok()) return std::nullopt;
-                            return scene::with_location(attempt.error(), options.scene, settings);
-                          }),
-      options);
-}
-
-Result<std::vector<LoadedScene>> load_formulations(const SceneOptions& options,
-                                                   const LoadedScene& loaded) {
-  std::vector<LoadedScene> formulations = {loaded};
-  if (!loaded.scene.variant.empty()) return formulations;
-  for (const std::string& variant : loaded.scene.variants) {
-    std::vector<std::string> settings = options.settings;
-    settings.push_back("comparison.variant=" + variant);
-    MIXCMP_TRY(scene, scene::load_scene(options.scene, settings));
-    formulations.push_back({std::move(scene), loaded.data});
-  }
-  return formulations;
+  return with_shortcuts(tasks::design_of(options.request(), loaded), options);
 }
 
 std::vector<std::filesystem::path> inputs_of(const SceneOptions& options,
                                              const scene::Scene& scene) {
-  std::vector<std::filesystem::path> inputs =
-      value_or_exit(scene::read_scene_settings(options.scene, options.settings)).files;
-  if (scene.system.device.ends_with(".toml")) inputs.emplace_back(scene.system.device);
-  if (scene.data) inputs.insert(inputs.end(), {scene.data->file, scene.data->with});
-  return inputs;
+  return value_or_exit(tasks::inputs_of(options.request(), scene));
 }
 
-std::string command_line(const std::string& verb, const SceneOptions& options) {
-  SceneOptions named = options;
-  named.scene = options.scene.filename();
-  return runnable_command(verb, named);
+CommandLine command_line(const std::string& verb, const SceneOptions& options) {
+  return {verb, options.scene.filename(), options.settings};
 }
 
-std::string runnable_command(const std::string& verb, const SceneOptions& options) {
-  std::string line = "mixcmp " + verb + " " + quoted(options.scene.string());
-  for (const std::string& setting : options.settings) line += " --set " + quoted(setting);
-  return line;
+CommandLine runnable_command(const std::string& verb, const SceneOptions& options) {
+  return {verb, options.scene, options.settings};
 }
 
 }  // namespace mixcmp::cli

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "generator/faces/cli/verb.hpp"
+#include "generator/tasks/scene.hpp"
+#include "model/base/common/command_line.hpp"
 #include "model/base/common/quote.hpp"
 #include "model/base/number/bound.hpp"
 #include "model/comparison/data/comparisons.hpp"
@@ -23,6 +25,8 @@ struct SceneOptions {
   /// The shortcut that has set a key, by key: errors name it.
   std::map<std::string, std::string> shortcuts;
   bool json = false;
+
+  tasks::SceneRequest request() const { return {scene, settings}; }
 };
 
 enum class SceneArgument {
@@ -36,19 +40,22 @@ void add_scene_options(const Verb& verb, SceneOptions& options,
                        const std::set<std::string>& left_out = {},
                        SceneArgument argument = SceneArgument::required);
 
-/// A scene with its data, if it names any.
-struct LoadedScene {
-  scene::Scene scene;
-  std::optional<data::Comparisons> data;
-};
-Result<LoadedScene> load(const SceneOptions& options);
+using tasks::check_has_data;
+using tasks::LoadedScene;
 
-/// An error if there are no data. `why`: its message, such as "verify needs data to run on".
-Result<Done> check_has_data(const LoadedScene& loaded, const std::string& why);
+/// Loads the scene and its data, and shows the progress of a long search for arg-mins.
+Result<LoadedScene> load(const SceneOptions& options);
 
 /// The error with the place where the user wrote the value at fault: the key's line in a file, or
 /// the shortcut that set it.
 Error as_user_error(const Error& found, const SceneOptions& options);
+
+/// The result of a task. Its error names the shortcut that set the key at fault.
+template <class T>
+Result<T> with_shortcuts(Result<T> result, const SceneOptions& options) {
+  if (!result.ok()) return as_user_error(result.error(), options);
+  return result;
+}
 
 /// The scene with the lanes of its chain, by design::with_chain_lanes. `data` may be null.
 Result<scene::Scene> with_chain_lanes(const scene::Scene& scene, const data::Comparisons* data,
@@ -72,6 +79,12 @@ Condition a_fraction();
 /// The number that fills `text`; none for any other text.
 std::optional<double> number(const std::string& text);
 
+/// The value of an option as the user writes it: a list has commas, and nothing is no text.
+std::string text_of(const std::optional<double>& value);
+std::string text_of(const std::vector<std::string>& words);
+std::string text_of(const std::vector<Bound>& bounds);
+std::string text_of(const std::vector<LaneInputs>& inputs);
+
 /// Accepts a number in these limits, but not NaN.
 Condition between(double least, double most, const std::string& unit);
 
@@ -86,20 +99,15 @@ Result<std::vector<Bound>> parse_bounds(const std::string& option,
 /// The design of the scene's system. Errors name the file and line of the key at fault.
 Result<design::Design> design_of(const SceneOptions& options, const LoadedScene& loaded);
 
-/// The scene as it was loaded and, where it names no variant, each of its variants with the same
-/// data.
-Result<std::vector<LoadedScene>> load_formulations(const SceneOptions& options,
-                                                   const LoadedScene& loaded);
-
 /// The files that the scene is read from: its own, its plans, its device, its data.
 std::vector<std::filesystem::path> inputs_of(const SceneOptions& options,
                                              const scene::Scene& scene);
 
 /// The verb and its settings as a command that gives the same result. It names the scene by its
 /// file name, without folders, since it is printed into generated files.
-std::string command_line(const std::string& verb, const SceneOptions& options);
+CommandLine command_line(const std::string& verb, const SceneOptions& options);
 
 /// As command_line, but with the scene's whole path: a command for the terminal.
-std::string runnable_command(const std::string& verb, const SceneOptions& options);
+CommandLine runnable_command(const std::string& verb, const SceneOptions& options);
 
 }  // namespace mixcmp::cli

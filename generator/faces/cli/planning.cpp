@@ -1,14 +1,11 @@
 #include "generator/faces/cli/planning.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "generator/faces/cli/exit.hpp"
 #include "generator/faces/cli/output.hpp"
-#include "model/base/common/quote.hpp"
-#include "model/base/number/bound.hpp"
 #include "model/base/settings/bound_name.hpp"
 #include "model/scene/plan.hpp"
 
@@ -17,12 +14,11 @@ namespace {
 
 components::TableAdvice advice(const PlanningOptions& options, const scene::Scene& scene,
                                const devices::Device& device, const std::filesystem::path& table) {
-  std::string chosen = scene.variant.empty() ? "" : " --variant " + scene.variant;
-  if (scene.leaves_out_second_tier) chosen += " --set second_tier.format=none";
-  return {.field = "--table",
-          .accepted = fmt::format("what this makes: mixcmp characterise {}{} --device {} -o {}",
-                                  quoted(options.scene.scene.string()), chosen, device.name,
-                                  quoted(table.string()))};
+  CommandLine characterise("characterise", options.scene.scene, {});
+  characterise.add("--variant", scene.variant);
+  if (scene.leaves_out_second_tier) characterise.add("--set", "second_tier.format=none");
+  characterise.add("--device", device.name).add("-o", table.string());
+  return {.field = "--table", .accepted = "what this makes: " + characterise.text()};
 }
 
 /// Tells of a target_mhz that is set and is not the one for which the table was measured.
@@ -89,38 +85,19 @@ void add_planning_options(const Verb& verb, PlanningOptions& options) {
       "writes has one clock");
 }
 
-std::string planning_command_line(const std::string& verb, const PlanningOptions& options) {
+CommandLine planning_command_line(const std::string& verb, const PlanningOptions& options) {
   const optimise::OptimiseOptions usual;
   const optimise::OptimiseOptions& choice = options.choice;
-  std::string line = command_line(verb, options.scene);
-  const auto add = [&](const char* option, const std::string& value) {
-    line += fmt::format(" {} {}", option, quoted(value));
-  };
-  const auto add_words = [&](const char* option, const std::vector<std::string>& words) {
-    if (!words.empty()) add(option, fmt::format("{}", fmt::join(words, ",")));
-  };
-  if (!options.table.empty()) add("--table", options.table.string());
-  if (choice.first_precision != usual.first_precision) {
-    add("--first", std::to_string(choice.first_precision));
-  }
-  if (choice.last_precision != usual.last_precision) {
-    add("--last", std::to_string(choice.last_precision));
-  }
-  std::vector<std::string> inputs;
-  for (const LaneInputs each : choice.inputs) inputs.push_back(to_string(each));
-  add_words("--use-inputs", inputs);
-  std::vector<std::string> bounds;
-  for (const Bound& bound : choice.bounds) bounds.push_back(to_string(bound));
-  add_words("--use-bounds", bounds);
-  std::vector<std::string> multipliers;
-  for (const auto each : choice.multipliers) multipliers.emplace_back(to_string(each));
-  add_words("--use-multipliers", multipliers);
-  if (choice.clocks.lane_mhz) add("--lane-mhz", fmt::format("{}", *choice.clocks.lane_mhz));
-  if (choice.clocks.reference_mhz) {
-    add("--reference-mhz", fmt::format("{}", *choice.clocks.reference_mhz));
-  }
-  const bool separate = choice.clocks.domains == optimise::ClockDomains::separate;
-  return separate ? line + " --separate-clocks" : line;
+  return command_line(verb, options.scene)
+      .add("--table", options.table.string())
+      .add("--first", std::to_string(choice.first_precision), std::to_string(usual.first_precision))
+      .add("--last", std::to_string(choice.last_precision), std::to_string(usual.last_precision))
+      .add("--use-inputs", text_of(choice.inputs))
+      .add("--use-bounds", text_of(choice.bounds))
+      .add("--use-multipliers", text_of(choice.multipliers))
+      .add("--lane-mhz", text_of(choice.clocks.lane_mhz))
+      .add("--reference-mhz", text_of(choice.clocks.reference_mhz))
+      .add_flag("--separate-clocks", choice.clocks.domains == optimise::ClockDomains::separate);
 }
 
 optimise::PlanSource plan_source(const PlanningOptions& options, const std::string& device,

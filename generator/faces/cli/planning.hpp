@@ -26,7 +26,7 @@ bool is_set(const SceneOptions& options, const std::string& key);
 void add_planning_options(const Verb& verb, PlanningOptions& options);
 
 /// The verb with its scene and those options that differ from their defaults, as a command.
-std::string planning_command_line(const std::string& verb, const PlanningOptions& options);
+CommandLine planning_command_line(const std::string& verb, const PlanningOptions& options);
 
 /// The origin that a plan file at `plan` states: its scene, overrides, device and command.
 optimise::PlanSource plan_source(const PlanningOptions& options, const std::string& device,

@@ -1,7 +1,6 @@
 #include "generator/faces/cli/project.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include "generator/faces/cli/exit.hpp"
 #include "model/cost/devices/device.hpp"
@@ -17,9 +16,10 @@ std::vector<std::string> names_of(const std::set<project::Tool>& tools) {
   return names;
 }
 
-std::string project_command(const ProjectOptions& options, const std::string& command) {
-  return fmt::format("{} --project {} --vectors {}", command,
-                     fmt::join(names_of(options.tools), ","), options.vectors);
+std::string project_command(const ProjectOptions& options, CommandLine command) {
+  return command.add("--project", text_of(names_of(options.tools)))
+      .add("--vectors", std::to_string(options.vectors))
+      .text();
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ Result<Done> check_project(const ProjectOptions& options, const LoadedScene& loa
 
 void add_project(emit::GeneratedSystem& system, const ProjectOptions& options,
                  const LoadedScene& loaded, const design::Design& design,
-                 const std::string& command) {
+                 const CommandLine& command) {
   if (options.tools.empty()) return;
   const devices::Device device = value_or_exit(devices::find_device(design.system.device));
   std::vector<emit::TestVector> vectors;

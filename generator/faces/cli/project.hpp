@@ -25,6 +25,6 @@ Result<Done> check_project(const ProjectOptions& options, const LoadedScene& loa
 /// the system. Ends the program if a tool cannot have a project of this system.
 void add_project(emit::GeneratedSystem& system, const ProjectOptions& options,
                  const LoadedScene& loaded, const design::Design& design,
-                 const std::string& command);
+                 const CommandLine& command);
 
 }  // namespace mixcmp::cli

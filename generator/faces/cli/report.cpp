@@ -22,13 +22,13 @@ struct ReportCommand {
 
 /// The command with the options that change the page.
 std::string command_of(const ReportCommand& command) {
-  std::string line = command_line("report", command.planning.scene);
-  if (!command.planning.table.empty()) {
-    line += " --table " + quoted(command.planning.table.filename().string());
-  }
-  if (command.choice.beside_paper) line += " --beside-paper";
-  for (const std::string& word : command.choice.without) line += " --without " + word;
-  return line;
+  const std::vector<std::string> without(command.choice.without.begin(),
+                                         command.choice.without.end());
+  return command_line("report", command.planning.scene)
+      .add("--table", command.planning.table.filename().string())
+      .add_flag("--beside-paper", command.choice.beside_paper)
+      .add_each("--without", without)
+      .text();
 }
 
 nlohmann::ordered_json json_of(const fs::path& output, const page::Page& page,

@@ -32,7 +32,7 @@ private:
   const data::Comparisons* data() const { return loaded_.data ? &*loaded_.data : nullptr; }
   /// "mixcmp VERB SCENE ..." with the settings of this run.
   std::string command(const std::string& verb) const {
-    return command_line(verb, planning_options_.scene);
+    return command_line(verb, planning_options_.scene).text();
   }
   std::string subtitle() const;
   std::vector<std::pair<std::string, std::string>> made_by() const;

@@ -36,12 +36,6 @@ std::string manual_of(const std::string& name, const CommandTable& table) {
   return verb == table.verbs.end() ? manual_page(table) : manual_page(table, *verb);
 }
 
-std::vector<std::string> verbs_of(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CommandEntry& verb : command_table(app).verbs) names.push_back(verb.name);
-  return names;
-}
-
 }  // namespace
 
 void add_completion(CLI::App& app) {

@@ -5,17 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "generator/faces/cli/command_table.hpp"
 #include "model/base/common/nearest.hpp"
 #include "model/base/common/result.hpp"
 
 namespace mixcmp::cli {
 namespace {
-
-std::vector<std::string> verbs_of(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::App* verb : app.get_subcommands({})) names.push_back(verb->get_name());
-  return names;
-}
 
 std::vector<std::string> options_of(const CLI::App& verb) {
   std::vector<std::string> names;

@@ -5,6 +5,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <exception>
+#include <functional>
 #include <span>
 #include <string>
 #include <utility>
@@ -42,11 +43,12 @@ py::array_t<std::uint8_t> bits_of(const std::vector<api::Answer>& answers) {
 
 /// A callback that may raise. Its exceptions are reported as unraisable: it is called from threads
 /// of the library, where nobody could catch them.
-api::Progress guarded(const api::Progress& progress) {
+template <class... Arguments>
+std::function<void(Arguments...)> guarded(const std::function<void(Arguments...)>& progress) {
   if (!progress) return {};
-  return [progress](const std::string& step, double share) {
+  return [progress](Arguments... arguments) {
     try {
-      progress(step, share);
+      progress(arguments...);
     } catch (py::error_already_set& raised) {
       const py::gil_scoped_acquire held;
       raised.discard_as_unraisable("progress of mixcmp");
@@ -203,6 +205,53 @@ void add_plan(py::module_& module) {
   module.def("plan", plan_of);
 }
 
+api::Verification verification_of(const api::Scene& scene, api::Simulator simulator,
+                                  api::Traffic traffic, api::Truth truth,
+                                  std::optional<std::uint64_t> first,
+                                  std::optional<std::uint64_t> sample,
+                                  std::optional<std::uint64_t> only, std::uint64_t seed, int resets,
+                                  int jobs, bool find_counterexample,
+                                  const std::filesystem::path& work,
+                                  const std::function<void(const std::string&)>& progress) {
+  const api::VerifyOptions options{.simulator = simulator,
+                                   .traffic = traffic,
+                                   .truth = truth,
+                                   .first = first,
+                                   .sample = sample,
+                                   .only = only,
+                                   .seed = seed,
+                                   .resets = resets,
+                                   .jobs = jobs,
+                                   .find_counterexample = find_counterexample,
+                                   .work = work,
+                                   .progress = guarded(progress)};
+  return without_gil([&] { return api::verify(scene, options); });
+}
+
+void add_verify(py::module_& module) {
+  py::enum_<api::Simulator>(module, "Simulator")
+      .value("verilator", api::Simulator::verilator)
+      .value("icarus", api::Simulator::icarus);
+  py::enum_<api::Traffic>(module, "Traffic")
+      .value("full_rate", api::Traffic::full_rate)
+      .value("stressed", api::Traffic::stressed);
+  py::enum_<api::Truth>(module, "Truth")
+      .value("off", api::Truth::off)
+      .value("recomputed", api::Truth::recomputed)
+      .value("all", api::Truth::all);
+  py::class_<api::Verification>(module, "Verification", "The findings of a simulation.")
+      .def_readonly("passed", &api::Verification::passed)
+      .def_readonly("comparisons", &api::Verification::comparisons)
+      .def_readonly("recomputations", &api::Verification::recomputations)
+      .def_readonly("undecided", &api::Verification::undecided)
+      .def_readonly("mismatches", &api::Verification::mismatches)
+      .def_readonly("violations", &api::Verification::violations)
+      .def_readonly("not_done", &api::Verification::not_done)
+      .def_readonly("text", &api::Verification::text)
+      .def_readonly("json", &api::Verification::json);
+  module.def("verify", verification_of);
+}
+
 /// Raises mixcmp.Error, made by the package from the parts of an api::Error.
 void raise_error(const api::Error& error) {
   const api::Error::Details& details = error.details();
@@ -233,6 +282,7 @@ void define(py::module_& module) {
   add_system(module);
   add_profile(module);
   add_plan(module);
+  add_verify(module);
 }
 
 }  // namespace mixcmp::python

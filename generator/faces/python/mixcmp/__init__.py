@@ -1,7 +1,7 @@
 """Numerical comparisons as verified Verilog, from Python.
 
 A scene says which comparison, the sign of f(x) - g(y), is to become hardware. This module checks
-it, runs the bit-exact emulator of the hardware on NumPy arrays, counts what each precision does to
+it, runs the bit-exact emulator of the hardware on NumPy arrays, simulates the hardware, counts what each precision does to
 the data, finds the best plan for a device, and writes the Verilog:
 
     import mixcmp
@@ -30,7 +30,7 @@ from . import _core
 from ._error import Error
 
 __all__ = ["Answers", "Error", "LaneGroup", "Plan", "PlanPoint", "Profile", "Scene", "Scheme",
-           "System", "Verdict", "plan", "profile"]
+           "System", "Verdict", "Verification", "plan", "profile", "verify"]
 __version__: str = _core.version
 
 Path = Union[str, "os.PathLike[str]"]
@@ -379,3 +379,62 @@ def plan(scene: Scene, *, table: Optional[Path] = None, first_precision: Optiona
     """
     return _plan(_core.plan(scene._core, os.fspath(table or ""), first_precision, last_precision,
                             lane_mhz, reference_mhz, os.fspath(plan_file or ""), progress))
+
+
+@dataclass(frozen=True)
+class Verification:
+    """The findings of a simulation."""
+
+    passed: bool  #: each result came back once, right, and no stream broke its contract
+    comparisons: int  #: results compared with the model
+    recomputations: int
+    undecided: int
+    mismatches: int  #: results that differ from the model's
+    violations: int  #: of the streams' contract
+    not_done: list[str]  #: parts beside the verdicts that failed, with reasons
+    text: str  #: the output of ``mixcmp verify``
+    report: Mapping[str, Any]  #: its output with --json
+
+
+def _choice(name: str, choices: Any, word: str) -> Any:
+    """The member of an enumeration of the core that this word names."""
+    members = choices.__members__
+    if word in members:
+        return members[word]
+    raise _mistake(name, "no such choice", repr(word), ", ".join(members))
+
+
+def verify(scene: Scene, *, simulator: str = "verilator", traffic: str = "full_rate",
+           truth: str = "off", first: Optional[int] = None, sample: Optional[int] = None,
+           only: Optional[int] = None, seed: int = 1, resets: int = 0, jobs: int = 0,
+           find_counterexample: bool = True, work: Optional[Path] = None,
+           progress: Optional[Callable[[str], None]] = None) -> Verification:
+    """Simulates the scene's system on the scene's data, and compares each result with the model.
+
+        scene = mixcmp.Scene.from_file("scene.toml")
+        run = mixcmp.verify(scene, first=1000, work="simulation")
+        print(run.comparisons, "comparisons,", run.mismatches, "mismatches")
+        if not run.passed:
+            print(run.text)
+
+    ``simulator`` is "verilator" or, for small systems, "icarus"; ``traffic`` is "full_rate" or
+    "stressed", with random gaps and backpressure; ``truth`` says which verdicts are also compared
+    with exact arithmetic: "off", "recomputed" or "all". ``first``, ``sample`` and ``only`` select
+    comparisons: the first N, N spread over all, or number N; at most one of them is given. ``jobs``
+    simulators run side by side, 0: one a processor. ``work`` is the folder for Verilog, builds and
+    logs, by default TOP_simulation. ``progress`` is called with a line on the current action.
+
+    It is an Error if the scene has no data or if the simulator is not installed; then
+    ``error.missing_tool`` is True. Wrong results are no Error: see ``passed``.
+    """
+    numbers = {name: None if value is None else _natural(name, value)
+               for name, value in (("first", first), ("sample", sample), ("only", only))}
+    core = _core.verify(scene._core, _choice("simulator", _core.Simulator, simulator),
+                        _choice("traffic", _core.Traffic, traffic),
+                        _choice("truth", _core.Truth, truth), *numbers.values(),
+                        _natural("seed", seed), _natural("resets", resets, 1_000_000),
+                        _natural("jobs", jobs, 1024), find_counterexample, os.fspath(work or ""),
+                        progress)
+    names = [each.name for each in fields(Verification) if each.name != "report"]
+    return Verification(report=json.loads(core.json),
+                        **{name: getattr(core, name) for name in names})

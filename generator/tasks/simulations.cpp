@@ -1,16 +1,15 @@
-#include "generator/faces/cli/simulations.hpp"
+#include "generator/tasks/simulations.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "generator/faces/cli/console.hpp"
 #include "model/base/common/cache_folder.hpp"
 #include "model/base/common/file.hpp"
 #include "model/base/common/output_file.hpp"
 
-namespace mixcmp::cli {
+namespace mixcmp::tasks {
 namespace {
 
 namespace fs = std::filesystem;
@@ -40,17 +39,17 @@ Result<Done> write_record(const fs::path& path, const SignatureSimulation& run) 
 
 }  // namespace
 
-void keep_simulation(const std::string& spec_hash, const verilator_tb::VerifyReport& report) {
+Result<Done> keep_simulation(const std::string& spec_hash,
+                             const verilator_tb::VerifyReport& report) {
   const SignatureSimulation run = {.simulator = report.simulator,
                                    .comparisons = report.comparisons,
                                    .recomputations = report.recomputations,
                                    .passed = report.passed()};
   const fs::path path = record_of(spec_hash, run.simulator);
-  if (path.empty()) return;
+  if (path.empty()) return Done{};
   const std::optional<SignatureSimulation> kept = read_record(path);
-  if (kept && run.passed && kept->comparisons > run.comparisons) return;
-  const auto written = write_record(path, run);
-  if (!written.ok()) tell("the run is not on record: " + written.error().to_string());
+  if (kept && run.passed && kept->comparisons > run.comparisons) return Done{};
+  return write_record(path, run);
 }
 
 std::vector<SignatureSimulation> simulations_of(const std::string& spec_hash) {
@@ -61,15 +60,4 @@ std::vector<SignatureSimulation> simulations_of(const std::string& spec_hash) {
   return runs;
 }
 
-std::string simulation_lines(const std::vector<SignatureSimulation>& simulations,
-                             const std::string& command) {
-  if (simulations.empty()) return fmt::format("not simulated yet: {}\n", command);
-  std::string text;
-  for (const SignatureSimulation& run : simulations) {
-    text += fmt::format("simulated: {}, {} comparisons, {} recomputed, {}\n", run.simulator,
-                        run.comparisons, run.recomputations, run.passed ? "passed" : "FAILED");
-  }
-  return text;
-}
-
-}  // namespace mixcmp::cli
+}  // namespace mixcmp::tasks
