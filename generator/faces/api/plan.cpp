@@ -4,34 +4,13 @@
 
 #include "generator/faces/api/state.hpp"
 #include "generator/present/report/plan_report.hpp"
-#include "generator/synthesis/components/planning.hpp"
-#include "model/cost/devices/device.hpp"
-#include "model/plan/optimise/plan_inputs.hpp"
+#include "generator/tasks/planning.hpp"
 #include "model/plan/optimise/plan_summary.hpp"
 
 namespace mixcmp::api {
 namespace {
 
 namespace fs = std::filesystem;
-
-components::Planning load_planning(const SceneState& state, const PlanOptions& options) {
-  const data::Comparisons* data = state.loaded.data_if_any();
-  const scene::Scene scene =
-      value_or_throw(tasks::with_chain_lanes(state.loaded.scene, data, state.request));
-  const devices::Device device = value_or_throw(devices::find_device(scene.system.device), state);
-  if (options.table.empty() && state.request.source.text) {
-    fail({.field = "table",
-          .message = "a scene from a text has no table beside it",
-          .received = "nothing",
-          .accepted = "the path of a table that mixcmp characterise wrote"});
-  }
-  const fs::path table =
-      options.table.empty() ? optimise::default_table(state.request.source.path, scene, device.name)
-                            : options.table;
-  return value_or_throw(
-      components::load_planning(scene, data, device, table,
-                                {.field = "table", .accepted = "what mixcmp characterise writes"}));
-}
 
 /// Refuses clocks and precisions that no plan can have. The members of both options have the same
 /// names.
@@ -82,12 +61,15 @@ std::string plan_file_text(const optimise::Optimisation& found, const SceneState
 Plan plan(const Scene& scene, const PlanOptions& options) {
   const SceneState& state = Access::state(scene);
   const optimise::OptimiseOptions choice = internal_options(options);
-  const components::Planning planning = load_planning(state, options);
-  const data::Comparisons& data = data_of(state, "recomputation rates are measured on data");
-  const auto rates = value_or_throw(
-      optimise::measure_rates(planning.scene, data, optimise::inputs_of_lanes(planning.table),
-                              choice, options.progress),
-      state);
+  const tasks::PlanningRequest request{
+      .scene = state.request, .table = options.table, .table_option = "table"};
+  const components::Planning planning = value_or_throw(
+      tasks::load_planning(request, state.loaded.scene, state.loaded.data_if_any()), state);
+  data_of(state, "recomputation rates are measured on data");
+  const auto rates =
+      value_or_throw(tasks::measure_rates(state.loaded, optimise::inputs_of_lanes(planning.table),
+                                          choice, options.progress),
+                     state);
   const optimise::Optimisation found =
       value_or_throw(optimise::optimise(planning.scene, planning.device, planning.table,
                                         optimise::Rates::of(rates), choice),

@@ -1,4 +1,4 @@
-#include "model/plan/profile/profile.hpp"
+#include "generator/tasks/profile.hpp"
 
 #include <fmt/core.h>
 
@@ -70,18 +70,20 @@ Profile profile(const Scene& scene, const ProfileOptions& options) {
   const SceneState& state = Access::state(scene);
   const scene::Scene& internal = state.loaded.scene;
   check_numbers(options);
-  const data::Comparisons& data = data_of(state, "a profile needs data to measure");
-  const profile::ProfileOptions counted = internal_options(options, internal.reference.format);
-  value_or_throw(check_profile(internal, counted), state);
-  const auto errors = profile::profile_errors(internal, data, {internal.reduced.inputs}, counted);
-  const profile::RateProfile rates =
-      profile::profile_rates(internal, data, errors.front(), counted);
+  data_of(state, "a profile needs data to measure");
+  const report::ProfileReport report =
+      value_or_throw(tasks::measure_profile(state.loaded, {.counted = {internal.reduced.inputs}},
+                                            internal_options(options, internal.reference.format)),
+                     state);
+  const profile::RateProfile& rates = report.rates.front();
   Profile result{.comparisons = rates.comparisons,
                  .reference_wrong = rates.reference_wrong,
                  .undetermined = rates.undetermined,
                  .errors = {},
                  .schemes = {}};
-  for (const auto& each : errors.front().precisions) result.errors.push_back(public_errors(each));
+  for (const auto& each : report.errors.front().precisions) {
+    result.errors.push_back(public_errors(each));
+  }
   for (const profile::SchemeProfile& each : rates.schemes) {
     result.schemes.push_back(public_scheme(each, rates.first_precision));
   }

@@ -1,5 +1,6 @@
 #include "generator/faces/cli/console.hpp"
 
+#include <fmt/core.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -148,6 +149,10 @@ void tell_note(const std::string& line) {
 
 void show_progress(const std::string& line) {
   console().show_progress(line);
+}
+
+void show_share(const std::string& action, double share) {
+  show_progress(fmt::format("{}: {:.0f} %", action, share * 100));
 }
 
 bool can_ask() {

@@ -23,6 +23,9 @@ void tell_note(const std::string& line);
 /// seconds, the next ones 10 to 60 seconds apart; a line is repeated where nothing new is shown.
 void show_progress(const std::string& line);
 
+/// Shows the current action with the share of it that is done, 0..1.
+void show_share(const std::string& action, double share);
+
 /// Whether there is somebody to ask: standard input and standard error are a terminal.
 bool can_ask();
 

@@ -11,14 +11,11 @@
 #include "generator/faces/cli/planning.hpp"
 #include "generator/faces/cli/report_maker.hpp"
 #include "generator/faces/cli/verbs.hpp"
-#include "generator/hardware/emit/version.hpp"
 #include "generator/present/report/exploration_report.hpp"
 #include "generator/present/report/json_text.hpp"
 #include "generator/present/report/paper_tables.hpp"
 #include "generator/present/report/plan_report.hpp"
-#include "generator/present/report/profile_report.hpp"
 #include "generator/software/baseline.hpp"
-#include "model/base/common/content_hash.hpp"
 #include "model/base/common/file.hpp"
 #include "model/base/common/output_file.hpp"
 #include "model/base/common/quote.hpp"
@@ -63,32 +60,6 @@ Result<std::vector<std::string>> data_sets(const std::string& over) {
                .accepted = "a key of [data] with values, such as data.radius_max=5,10,25"};
 }
 
-/// Adds a table's format, column names and numbers to a hash.
-void add_to(ContentHash& hash, const data::Table& table) {
-  hash.add(table.format.name());
-  for (const std::string& column : table.columns) hash.add(column);
-  for (const Bits value : table.values) hash.add(to_hex(value, table.format.width()));
-}
-
-/// A hash of all that rates depend on: the data, the inputs' digits, the precisions, and the
-/// scene's settings, those of its plans included, without the numbers of datapaths and the system
-/// around them.
-std::string rates_hash(const LoadedScene& loaded, const SceneOptions& options,
-                       const std::set<LaneInputs>& inputs,
-                       const optimise::OptimiseOptions& choice) {
-  ContentHash hash;
-  hash.add(emit::version);
-  const auto read = value_or_exit(scene::read_scene_settings(options.scene, options.settings));
-  for (const settings::Setting& section : read.settings.root.entries) {
-    const std::set<std::string> others = {"name", "system", "lanes", "references"};
-    if (!others.contains(section.key)) hash.add(section.key).add(toml_value(section));
-  }
-  for (const data::Table& table : loaded.data->tables()) add_to(hash, table);
-  for (const LaneInputs each : inputs) hash.add(to_string(each));
-  hash.add(fmt::format("{}-{}", choice.first_precision, choice.last_precision));
-  return hash.hex().substr(0, 8);
-}
-
 /// The scene's options with one data set. Errors in its setting name --over.
 SceneOptions with_set(const ExploreCommand& command, const std::string& set) {
   SceneOptions options = command.planning.scene;
@@ -104,20 +75,11 @@ optimise::Rates rates_of(const ExploreCommand& command, const std::string& set,
                          const std::set<LaneInputs>& inputs) {
   const SceneOptions options = with_set(command, set);
   const LoadedScene loaded = value_or_exit(load(options));
-  std::string name = set.empty() ? "own" : set.substr(set.find('=') + 1);
-  std::replace(name.begin(), name.end(), '/', '_');
-  const fs::path kept =
-      command.output / fmt::format("rates-{}-{}.csv", name,
-                                   rates_hash(loaded, options, inputs, command.planning.choice));
-  if (fs::exists(kept)) return value_or_exit(optimise::Rates::read(kept));
-  const auto rates = value_or_exit(measure_rates(loaded, inputs, command.planning.choice));
-  report::ProfileReport report{.scene = loaded.scene.name,
-                               .reference = loaded.scene.reference.format,
-                               .comparisons = loaded.data->size(),
-                               .errors = {},
-                               .rates = rates};
-  value_or_exit(write_file(kept, report::figure5_csv(report)));
-  return optimise::Rates::of(rates);
+  const std::string name = set.empty() ? own_data : set.substr(set.find('=') + 1);
+  auto rates = tasks::keep_rates(options.request(), loaded, inputs, command.planning.choice,
+                                 {command.output, name}, show_share);
+  show_progress("");
+  return value_or_exit(std::move(rates));
 }
 
 /// The throughput of software in double, and that of the kernel which is fastest on all cores.

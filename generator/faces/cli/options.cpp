@@ -173,7 +173,10 @@ Condition between(double least, double most, const std::string& unit) {
 }
 
 Error as_user_error(const Error& found, const SceneOptions& options) {
-  Error error = tasks::located(found, options.request());
+  return with_shortcut(tasks::located(found, options.request()), options);
+}
+
+Error with_shortcut(Error error, const SceneOptions& options) {
   // The file "--set" means the key that the error names, "--set key" means another key.
   const std::string set = "--set";
   const std::string key = error.file == set                   ? error.field

@@ -50,10 +50,13 @@ Result<LoadedScene> load(const SceneOptions& options);
 /// the shortcut that set it.
 Error as_user_error(const Error& found, const SceneOptions& options);
 
-/// The result of a task. Its error names the shortcut that set the key at fault.
+/// The error of a task, which names a key's place, with the shortcut that set the key.
+Error with_shortcut(Error error, const SceneOptions& options);
+
+/// The result of a task, whose error gets its shortcut.
 template <class T>
 Result<T> with_shortcuts(Result<T> result, const SceneOptions& options) {
-  if (!result.ok()) return as_user_error(result.error(), options);
+  if (!result.ok()) return with_shortcut(result.error(), options);
   return result;
 }
 

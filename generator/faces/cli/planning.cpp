@@ -12,15 +12,6 @@
 namespace mixcmp::cli {
 namespace {
 
-components::TableAdvice advice(const PlanningOptions& options, const scene::Scene& scene,
-                               const devices::Device& device, const std::filesystem::path& table) {
-  CommandLine characterise("characterise", options.scene.scene, {});
-  characterise.add("--variant", scene.variant);
-  if (scene.leaves_out_second_tier) characterise.add("--set", "second_tier.format=none");
-  characterise.add("--device", device.name).add("-o", table.string());
-  return {.field = "--table", .accepted = "what this makes: " + characterise.text()};
-}
-
 /// Tells of a target_mhz that is set and is not the one for which the table was measured.
 void tell_of_other_target(const scene::Scene& given, const Planning& planning,
                           const SceneOptions& options) {
@@ -107,10 +98,7 @@ optimise::PlanSource plan_source(const PlanningOptions& options, const std::stri
 }
 
 std::filesystem::path table_of(const PlanningOptions& options, const scene::Scene& scene) {
-  if (!options.table.empty()) return options.table;
-  const Result<devices::Device> device = devices::find_device(scene.system.device);
-  return optimise::default_table(options.scene.scene, scene,
-                                 device.ok() ? device->name : scene.system.device);
+  return tasks::table_of(options.request(), scene);
 }
 
 Result<Planning> load_planning(const PlanningOptions& options, const scene::Scene& scene,
@@ -119,11 +107,8 @@ Result<Planning> load_planning(const PlanningOptions& options, const scene::Scen
                                            .last_precision = "--last",
                                            .lane_mhz = "--lane-mhz",
                                            .reference_mhz = "--reference-mhz"}));
-  MIXCMP_TRY(chain, with_chain_lanes(scene, data, options.scene));
-  MIXCMP_TRY(device, devices::find_device(scene.system.device));
-  const std::filesystem::path table = table_of(options, scene);
-  MIXCMP_TRY(planning, components::load_planning(chain, data, device, table,
-                                                 advice(options, scene, device, table)));
+  MIXCMP_TRY(planning,
+             with_shortcuts(tasks::load_planning(options.request(), scene, data), options.scene));
   tell_of_other_target(scene, planning, options.scene);
   for (const std::string& note : planning.notes) tell_note(note);
   return planning;
@@ -132,11 +117,7 @@ Result<Planning> load_planning(const PlanningOptions& options, const scene::Scen
 Result<std::vector<profile::RateProfile>> measure_rates(const LoadedScene& loaded,
                                                         const std::set<LaneInputs>& inputs,
                                                         const optimise::OptimiseOptions& choice) {
-  MIXCMP_DO(check_has_data(loaded, "recomputation rates are measured on data"));
-  auto rates = optimise::measure_rates(
-      loaded.scene, *loaded.data, inputs, choice, [](const std::string& what, double share) {
-        show_progress(fmt::format("{}: {:.0f} %", what, share * 100));
-      });
+  auto rates = tasks::measure_rates(loaded, inputs, choice, show_share);
   show_progress("");
   return rates;
 }

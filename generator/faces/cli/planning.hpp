@@ -7,9 +7,7 @@
 #include <vector>
 
 #include "generator/faces/cli/options.hpp"
-#include "generator/synthesis/components/planning.hpp"
-#include "model/plan/optimise/optimise.hpp"
-#include "model/plan/optimise/plan_inputs.hpp"
+#include "generator/tasks/planning.hpp"
 
 namespace mixcmp::cli {
 
@@ -18,6 +16,8 @@ struct PlanningOptions {
   SceneOptions scene;
   std::filesystem::path table;  ///< empty: beside the scene, see default_table
   optimise::OptimiseOptions choice;
+
+  tasks::PlanningRequest request() const { return {scene.request(), table}; }
 };
 
 /// Whether --set or a shortcut sets this key.

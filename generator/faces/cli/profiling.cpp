@@ -1,36 +1,17 @@
 #include "generator/faces/cli/profiling.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-
 #include "generator/faces/cli/exit.hpp"
 #include "generator/present/report/trade_report.hpp"
+#include "generator/tasks/profile.hpp"
 
 namespace mixcmp::cli {
 
 report::ProfileReport measure_profile(const LoadedScene& loaded,
                                       const std::set<LaneInputs>& counted,
                                       profile::ProfileOptions options) {
-  const scene::Scene& scene = loaded.scene;
-  std::vector<LaneInputs> inputs = {scene.reduced.inputs};
-  std::set<LaneInputs> others = counted;
-  others.insert({LaneInputs::exact, LaneInputs::rounded});
-  for (const LaneInputs other : others) {
-    if (other != inputs.front()) inputs.push_back(other);
-  }
-  options.progress = [](const std::string& what, double share) {
-    show_progress(fmt::format("{}: {:.0f} %", what, share * 100));
-  };
-  report::ProfileReport report{.scene = scene.name,
-                               .reference = scene.reference.format,
-                               .comparisons = loaded.data->size(),
-                               .errors = profile_errors(scene, *loaded.data, inputs, options),
-                               .rates = {}};
-  for (const profile::ErrorProfile& errors : report.errors) {
-    if (!counted.contains(errors.inputs)) continue;
-    report.rates.push_back(profile_rates(scene, *loaded.data, errors, options));
-  }
+  options.progress = show_share;
+  report::ProfileReport report = value_or_exit(tasks::measure_profile(
+      loaded, {.counted = counted, .measured = {LaneInputs::exact, LaneInputs::rounded}}, options));
   show_progress("");
   return report;
 }
