@@ -71,16 +71,6 @@ std::string command_of(const OptimiseCommand& command) {
       .text();
 }
 
-std::string word_of(scene::Multipliers multipliers) {
-  return std::string(to_string(multipliers));
-}
-std::string word_of(const Bound& bound) {
-  return to_string(bound);
-}
-std::string word_of(LaneInputs inputs) {
-  return to_string(inputs);
-}
-
 /// The name that distinguishes this formulation from the scene's others.
 std::string name_of(const scene::Scene& scene) {
   std::string name = scene.variant.empty() ? "[comparison]" : "variant " + scene.variant;

@@ -68,7 +68,7 @@ std::optional<std::uint64_t> decimal_integer(const std::string& text) {
 template <class Value>
 std::string list_of(const std::vector<Value>& values) {
   std::vector<std::string> words;
-  for (const Value& value : values) words.push_back(to_string(value));
+  for (const Value& value : values) words.emplace_back(to_string(value));
   return text_of(words);
 }
 
@@ -88,6 +88,10 @@ std::string text_of(const std::vector<Bound>& bounds) {
 
 std::string text_of(const std::vector<LaneInputs>& inputs) {
   return list_of(inputs);
+}
+
+std::string text_of(const std::vector<scene::Multipliers>& multipliers) {
+  return list_of(multipliers);
 }
 
 std::optional<Fraction> fraction_of(const std::string& text) {

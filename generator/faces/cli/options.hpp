@@ -87,6 +87,7 @@ std::string text_of(const std::optional<double>& value);
 std::string text_of(const std::vector<std::string>& words);
 std::string text_of(const std::vector<Bound>& bounds);
 std::string text_of(const std::vector<LaneInputs>& inputs);
+std::string text_of(const std::vector<scene::Multipliers>& multipliers);
 
 /// Accepts a number in these limits, but not NaN.
 Condition between(double least, double most, const std::string& unit);
