@@ -102,11 +102,11 @@ constexpr const char* launcher =
     "#!/bin/sh\n"
     "# Runs the system with its harness, which reads the words. trace=FILE: writes also waves.\n"
     "set -eu\n"
-    "objects=$(cd \"$(dirname \"$0\")\" && pwd)\n"
+    "objects=$(cd -P \"$(dirname \"$0\")\" && pwd -P)\n"
     "for word in \"$@\"; do\n"
     "  file=${word#trace=}\n"
     "  [ \"$file\" != \"$word\" ] || continue\n"
-    "  cd \"$(dirname \"$file\")\"\n"
+    "  cd -P \"$(dirname \"$file\")\"\n"
     "  set -- \"$@\" -fst \"+trace=$(basename \"$file\")\"\n"
     "done\n"
     "exec vvp -n \"-M$objects\" -mharness \"$objects/simulation\" \"$@\"\n";

@@ -30,14 +30,15 @@ if [ -n "$FAKE_SLOW_AFTER" ] && [ "$(wc -l < "$FAKE/calls")" -gt "$FAKE_SLOW_AFT
   mktemp > /dev/null; echo $$ > "$FAKE/pid"; mv "$FAKE/pid" "$FAKE/sleeps"
   sleep "${FAKE_SLEEP:-60}"
 fi
-echo "{\"design\":{\"num_cells_by_type\":{\"LUT6\":$(cat *.v | wc -c),\"FDRE\":900,\
-\"DSP48E1\":${FAKE_DSPS:-90}}}}" > area.json
+)sh") + fake_cells + R"sh(
+echo "{\"design\":{\"num_cells_by_type\":{\"$lut\":$(cat *.v | wc -c),\"$register\":900,\
+\"$multiplier\":${FAKE_DSPS:-90}}}}" > area.json
 if [ -z "$FAKE_CUT" ]; then
   { echo "Latest arrival time in 'top' is 4000:"; echo end of the timing report; } > timing.txt
 else
   : > timing.txt
 fi
-)sh") + fake_netlist;
+)sh" + fake_netlist;
 
 /// Ended, or about to be taken off the list by whoever inherited it.
 inline bool is_gone(const std::string& process) {

@@ -24,16 +24,6 @@ protected:
           head + "[[run]]\nscenes = \"scene.toml\"\nsimulator = \"icarus\"\n" + options);
   }
 
-  /// An Icarus whose simulator changes its results by this sed script.
-  std::string icarus_that(const std::string& script) {
-    const std::string real = shell("command -v vvp").output;
-    return instead_of("vvp", fmt::format("{} \"$@\"; sed -i '{}' results.txt",
-                                         real.substr(0, real.find('\n')), script));
-  }
-
-  /// Every "greater" of the lane becomes "less".
-  std::string wrong_icarus() { return icarus_that("s/^\\(result .*\\) 02$/\\1 00/"); }
-
   static std::size_t count(const std::string& text, const std::string& part) {
     std::size_t found = 0;
     for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;

@@ -108,12 +108,12 @@ void add_options(const Verb& verb, VerifyCommand& command) {
        {"stressed", verilator_tb::TrafficKind::stressed}},
       "full_rate, or stressed: random gaps and backpressure (default: full_rate)");
   verb.option("--jobs", command.task.jobs,
-              "simulators side by side, where Verilator runs more than a share (default: one a "
+              "simulators side by side, where a run is more than a share (default: one a "
               "processor)")
       .check(whole(1, 1024));
   verb.option("--share", command.task.run.share_size,
-              "comparisons that Verilator simulates from one reset to the end; more are several "
-              "simulations; not of Icarus or an engine (default: 1048576)")
+              "comparisons that one simulation makes from its reset to its end; more are several "
+              "simulations; not of an engine (default: 1048576)")
       .check(whole(1));
   verb.text_option(
           "--portion",
