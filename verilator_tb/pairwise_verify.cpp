@@ -30,7 +30,7 @@ public:
 
   SetRange whole() const { return {.items = {0, rows_}, .others = {0, other_rows_}}; }
   std::uint64_t draw() const { return counter_random(seed_, trials_.size()); }
-  void add(Trial trial) { trials_.push_back(std::move(trial)); }
+  void add(Trial trial) { trials_.push_back(trial); }
 
   /// A set of `count` items at a random place; with two tables also the last three items of the
   /// second.

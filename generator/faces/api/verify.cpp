@@ -100,7 +100,7 @@ Verification verify(const Scene& scene, const VerifyOptions& options) {
           .undecided = report.undecided,
           .mismatches = report.mismatch_count,
           .violations = report.violation_count,
-          .not_done = std::move(found->not_done),
+          .not_done = found->not_done,
           .text = to_text(report),
           .json = report::json_text(to_json(report))};
 }

@@ -17,27 +17,27 @@ using Json = nlohmann::ordered_json;
 /// One column: its name and form for programs, its title and form for people.
 struct Column {
   std::string name;           ///< the field in JSON and CSV: "throughput_per_s"
-  std::string title = "";     ///< the heading in text and HTML: "G/s"
+  std::string title = {};     ///< the heading in text and HTML: "G/s"
   int width = 0;              ///< of text, aligned to the right; 0: aligned to the left
   int gap = 2;                ///< blanks before the column in text
   std::string shown = "{}";   ///< fmt's form of a number in text and HTML
   double unit = 1;            ///< the unit in which people read numbers: 1e9 for G/s
   std::string in_csv = "{}";  ///< fmt's form of a cell in CSV
-  std::string group = "";     ///< a second heading, above adjacent columns
+  std::string group = {};     ///< a second heading, above adjacent columns
 };
 
 /// Cells by column. A null cell is missing: null in JSON, nothing in CSV, `Table::missing` for
 /// people.
 struct Row {
   std::vector<Json> cells;
-  std::string remark = "";  ///< says why the other cells are worth nothing; empty: they are valid
+  std::string remark = {};  ///< says why the other cells are worth nothing; empty: they are valid
 };
 
 struct Table {
   std::vector<Column> columns = {};
   std::vector<Row> rows = {};
   std::string missing = "-";
-  std::string remark_name = "";  ///< the field of remarks in JSON
+  std::string remark_name = {};  ///< the field of remarks in JSON
 };
 
 /// A table for programs.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "generator/hardware/rtl/channel_modules.hpp"
 #include "generator/hardware/rtl/segment_module.hpp"
 #include "generator/synthesis/components/synthesis_jobs.hpp"
 #include "model/base/common/check.hpp"

@@ -178,13 +178,13 @@ Result<ComponentKey> counted(const KeyCells& cells, Component component) {
 template <class Component>
 Result<ComponentKey> on_lane(const KeyCells& cells) {
   MIXCMP_TRY(lane, lane_in(cells));
-  return counted(cells, Component{std::move(lane)});
+  return counted(cells, Component{lane});
 }
 
 template <class Component>
 Result<ComponentKey> on_reference(const KeyCells& cells) {
   MIXCMP_TRY(reference, reference_in(cells));
-  return ComponentKey(Component{std::move(reference)});
+  return ComponentKey(Component{reference});
 }
 
 Result<ComponentKey> component_in(ComponentKind kind, const KeyCells& cells) {
