@@ -72,14 +72,10 @@ std::vector<std::uint8_t> row_bytes(const data::Table& table,
 Result<VerifyReport> run_engine(const System& system, const VerifyOptions& options,
                                 EngineJudge& judge,
                                 const std::function<Result<Done>(const Executable&)>& trials) {
-  const BuildOptions build{.work_dir = options.work_dir,
-                           .waves = options.waves.empty() ? Waves::off : Waves::on,
-                           .progress = options.progress,
-                           .waiting = options.waiting};
-  const bool icarus = options.simulator == SimulatorKind::icarus;
-  MIXCMP_TRY(executable, icarus ? build_in_icarus(system, build) : build_simulator(system, build));
+  MIXCMP_TRY(executable, build_executable(system, options));
   judge.report().build_seconds = executable.build_seconds;
-  judge.report().simulator = icarus ? icarus_name : verilator_name;
+  judge.report().simulator =
+      options.simulator == SimulatorKind::icarus ? icarus_name : verilator_name;
   const auto start = std::chrono::steady_clock::now();
   MIXCMP_DO(trials(executable));
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;

@@ -167,9 +167,17 @@ std::uint64_t comparisons_of(const std::vector<Share>& shares) {
   return comparisons;
 }
 
+/// Comparisons that are exchanged with the simulator at a time. Icarus makes about a thousand a
+/// second, and progress is told after each block.
+std::uint64_t block_size(const VerifyOptions& options) {
+  constexpr std::uint64_t most_in_icarus = 1024;
+  return options.simulator == SimulatorKind::icarus ? std::min(options.block_size, most_in_icarus)
+                                                    : options.block_size;
+}
+
 Block make_block(const Run& run, const Share& share, std::uint64_t first) {
   const emit::Signature& s = run.system.signature;
-  const std::uint64_t count = std::min(run.options.block_size, share.selection.size() - first);
+  const std::uint64_t count = std::min(block_size(run.options), share.selection.size() - first);
   Block block{.comparisons = count,
               .operands = stimulus(run.comparisons, share.selection, s.reference_format.width(),
                                    s.tdata_bytes, first, count),
@@ -240,13 +248,7 @@ Result<ShareOutcome> run_shares(const Run& run) {
   ShareOutcome all{.report = empty_report(run.system.signature, run.design, run.options),
                    .first_undecided = {},
                    .results = {}};
-  const BuildOptions build{.work_dir = run.options.work_dir,
-                           .waves = run.options.waves.empty() ? Waves::off : Waves::on,
-                           .progress = run.options.progress,
-                           .waiting = run.options.waiting};
-  const bool icarus = run.options.simulator == SimulatorKind::icarus;
-  MIXCMP_TRY(executable,
-             icarus ? build_in_icarus(run.system, build) : build_simulator(run.system, build));
+  MIXCMP_TRY(executable, build_executable(run.system, run.options));
   all.report.build_seconds = executable.build_seconds;
   const std::vector<Share> shares = shares_of_portion(run);
   Tally tally(run, comparisons_of(shares));
@@ -323,6 +325,18 @@ Result<VerifyReport> run_system(const System& system, const design::Design& desi
 }
 
 }  // namespace
+
+Result<Executable> build_executable(const System& system, const VerifyOptions& options) {
+  const BuildOptions build{.work_dir = options.work_dir,
+                           .waves = options.waves.empty() ? Waves::off : Waves::on,
+                           .progress = options.progress,
+                           .waiting = options.waiting};
+  switch (options.simulator) {
+    case SimulatorKind::verilator: return build_simulator(system, build);
+    case SimulatorKind::icarus: return build_in_icarus(system, build);
+  }
+  MIXCMP_CHECK(!"a simulator of no enumerator");
+}
 
 SimulationOptions simulation_options(const VerifyOptions& options) {
   return {.traffic = options.traffic,

@@ -90,6 +90,9 @@ struct VerifyOptions {
   Waiting waiting;
 };
 
+/// Builds the program that simulates the system, in the simulator that the options choose.
+Result<Executable> build_executable(const System& system, const VerifyOptions& options);
+
 /// The part of the options that the simulator is given.
 SimulationOptions simulation_options(const VerifyOptions& options);
 

@@ -14,7 +14,8 @@ struct BuiltSystem {
 /// Makes the design of the scene's system and generates its files.
 Result<BuiltSystem> build_system(const SceneRequest& request, const LoadedScene& loaded);
 
-/// The same with the simulations on record in its signature: the output of `mixcmp generate`.
+/// Builds the system, and lists in its signature the simulations on record. The files are the
+/// output of `mixcmp generate`.
 Result<BuiltSystem> generate(const SceneRequest& request, const LoadedScene& loaded);
 
 }  // namespace mixcmp::tasks

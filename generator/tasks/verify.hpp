@@ -11,8 +11,8 @@
 namespace mixcmp::tasks {
 
 struct VerifyOptions {
-  /// What is simulated, and how. `verify` itself sets work_dir, jobs, traffic_seed, truth and
-  /// repeat_command.
+  /// Simulator, judge, traffic and selection of comparisons. `verify` itself sets work_dir, jobs,
+  /// traffic_seed, truth and repeat_command.
   verilator_tb::VerifyOptions run = {};
   std::filesystem::path work = {};  ///< Verilog, builds and logs; empty: TOP_simulation
   int jobs = 0;                     ///< simulators side by side; 0: one a processor

@@ -8,7 +8,7 @@ namespace mixcmp::report {
 /// The columns of a plan, for every table that has plans: precision, lanes, references, clock_mhz,
 /// recomputation_rate, throughput_per_s, kinds.
 const table::Fields<optimise::PlanSummary>& plan_fields();
-/// The same without the kinds: only numbers.
+/// The columns of plan_fields() that hold numbers: all but kinds.
 table::Fields<optimise::PlanSummary> plan_figures();
 /// lut, ff, dsp, memory.
 const table::Fields<devices::Area>& area_fields();

@@ -10,7 +10,8 @@ namespace mixcmp::report {
 
 /// A row per finding, then one per step that is proven only by hand.
 table::Table findings_of(const proof::LaneProof& proof);
-/// The same as text, and the verdict. `gappa`: its version; empty if it is not installed.
+/// The findings as text, and the verdict on the whole proof. `gappa`: its version; empty if it is
+/// not installed.
 std::string to_text(const proof::LaneProof& proof, const std::string& gappa);
 nlohmann::ordered_json to_json(const proof::LaneProof& proof, const std::string& gappa);
 
