@@ -139,5 +139,16 @@ TEST_F(SuiteCommand, AFailedRunEndsWithItsLeastCounterexample) {
       << read("junit.xml");
 }
 
+/// The run that the report shows is the short one, not the one that failed first.
+TEST_F(SuiteCommand, TheLeastCounterexampleIsARunOfItsOwn) {
+  write("data.csv", "a,b,c\n9.5,7.25,8.25\n1,2,3\n");
+  const Outcome wrong = mixcmp("verify scene.toml --simulator icarus --json", wrong_icarus());
+  ASSERT_EQ(wrong.exit_code, 2) << wrong.output;
+  const auto report = nlohmann::json::parse(wrong.output);
+  EXPECT_EQ(report["mismatches"][0]["index"], 0);
+  EXPECT_EQ(report["counterexample"]["comparisons"], "only comparison 1");
+  EXPECT_EQ(report["counterexample"]["mismatch"]["index"], 1);
+}
+
 }  // namespace
 }  // namespace mixcmp::test::suite_command_test
