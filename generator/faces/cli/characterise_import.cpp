@@ -136,6 +136,7 @@ Result<ImportedReports> read_reports(const std::vector<fs::path>& paths,
 
 std::string_view in_words(measured::AreaStage stage) {
   switch (stage) {
+    case measured::AreaStage::predicted:
     case measured::AreaStage::mapped: break;  // no vendor's
     case measured::AreaStage::synthesised: return "after synthesis, before placement";
     case measured::AreaStage::placed: return "placed, not routed";

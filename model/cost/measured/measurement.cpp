@@ -18,6 +18,7 @@ std::string_view to_string(ClockSource source) {
 
 std::string_view to_string(AreaStage stage) {
   switch (stage) {
+    case AreaStage::predicted: return "predicted";
     case AreaStage::mapped: return "mapped";
     case AreaStage::synthesised: return "synthesised";
     case AreaStage::placed: return "placed";

@@ -31,6 +31,7 @@ struct Clock {
 
 /// The step and the flow after which an area was counted.
 enum class AreaStage {
+  predicted,    ///< not counted: by the areas of units and a schedule (predicted_table.hpp)
   mapped,       ///< by our run of Yosys and the device's packer, of the component by itself
   synthesised,  ///< by a vendor's tool, of instances in a whole system, before placement
   placed,       ///< by a vendor's tool, as above, before routing
@@ -50,7 +51,7 @@ struct Measurement {
   AreaStage stage = AreaStage::mapped;
 
   /// Whether the row comes from a vendor's report, which we cannot make again.
-  bool is_imported() const { return stage != AreaStage::mapped; }
+  bool is_imported() const { return stage > AreaStage::mapped; }
 };
 
 /// The measurements of one scene's components on one device.
