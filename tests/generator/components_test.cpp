@@ -95,7 +95,7 @@ const std::string one_system =
     "[reduced]\nformat = \"s12e8\"\n[system]\nlanes = 1\nreferences = 1\nprefix = \"\"\n";
 
 std::string source(const components::Component& component, const std::string& name) {
-  for (const characterise::SourceText& text : component.job.sources) {
+  for (const characterise::SourceText& text : component.job().sources) {
     if (text.name == name) return text.text;
   }
   return "";
@@ -187,7 +187,7 @@ TEST_F(Components, OfAnEngineAreWhatGenerateWrites) {
   EXPECT_EQ(found.count(measured::ComponentKind::reference_port), 1);
   EXPECT_EQ(found.count(measured::ComponentKind::engine), 2);
   const auto written_of = [](const components::Component& component) {
-    return from_ports(source(component, component.job.top + ".v"));
+    return from_ports(source(component, component.job().top + ".v"));
   };
   for (const auto& [key, component] : found.components) {
     if (kind_of(key) == measured::ComponentKind::lane) {
@@ -239,7 +239,7 @@ TEST_F(Components, OfAChainAreWhatGenerateWrites) {
   const Found found = find(chain, parts_of_a_chain());
   const auto written_of = [](const components::Component& component) {
     const std::regex scene_name("engine_(pair_lane|item)");  // components have no scene's name
-    return std::regex_replace(from_ports(source(component, component.job.top + ".v")), scene_name,
+    return std::regex_replace(from_ports(source(component, component.job().top + ".v")), scene_name,
                               "nearest_$1");
   };
   std::map<measured::ComponentKind, std::vector<int>> ports;
@@ -262,7 +262,7 @@ TEST_F(Components, OfAChainAreWhatGenerateWrites) {
       EXPECT_NE(source(component, "arg_min_engine.v").find(parameter), std::string::npos);
     }
     if (kind_of(key) == measured::ComponentKind::conversion) {
-      EXPECT_NE(source(component, component.job.top + ".v").find("row_conversion"),
+      EXPECT_NE(source(component, component.job().top + ".v").find("row_conversion"),
                 std::string::npos);
     }
   }
@@ -435,12 +435,12 @@ TEST_F(Components, FifosHaveTheSlotsThatTheLanesNeed) {
   std::set<int> built;
   for (const auto& [key, fifo] : find(scene(one_system), query).components) {
     built.insert(std::get<measured::Fifo>(key).slots);
-    EXPECT_EQ(fifo.job.top, "lane_scoreboard");
+    EXPECT_EQ(fifo.job().top, "lane_scoreboard");
   }
   EXPECT_EQ(built, needed);
   const std::string in_order = one_system + "order = \"in_order\"\n";
   for (const auto& [key, fifo] : find(scene(in_order), query).components) {
-    EXPECT_EQ(fifo.job.top, "lane_reorder");
+    EXPECT_EQ(fifo.job().top, "lane_reorder");
   }
 }
 
@@ -475,29 +475,28 @@ TEST_F(Components, UnitsAreMadeFromTheirNamesAlone) {
   EXPECT_GT(found.components.size(), 4u);
   for (const auto& [key, unit] : found.components) {
     const std::string& name = std::get<measured::Unit>(key).name;
-    const auto again = components::job_of_instance_name(name);
+    const auto again = components::instance_of_name(name);
     ASSERT_TRUE(again.ok()) << name;
-    EXPECT_EQ(again->top, unit.job.top);
-    EXPECT_EQ(again->sources.back().text, unit.job.sources.back().text);
+    EXPECT_EQ(components::instance_name(*again), name);
     std::istringstream words(name);
     std::string word;
     for (words >> word; words >> word;) {
       const std::string value = word.substr(word.find('=') + 1);
-      const std::string text = source(unit, unit.job.top + ".v");
+      const std::string text = source(unit, unit.job().top + ".v");
       EXPECT_NE(text.find("= " + value), std::string::npos) << name << "\n" << text;
     }
   }
-  EXPECT_TRUE(components::job_of_instance_name("fp_convert PRECISION=24 SCALE=-3").ok());
-  EXPECT_FALSE(components::job_of_instance_name("").ok());
-  EXPECT_FALSE(components::job_of_instance_name("fp_nothing PRECISION=3").ok());
-  EXPECT_FALSE(components::job_of_instance_name("fp_add NOTHING=3").ok());
-  EXPECT_FALSE(components::job_of_instance_name("fp_add PRECISION").ok());
-  EXPECT_FALSE(components::job_of_instance_name("fp_add PRECISION=3)").ok());
+  EXPECT_TRUE(components::instance_of_name("fp_convert PRECISION=24 SCALE=-3").ok());
+  EXPECT_FALSE(components::instance_of_name("").ok());
+  EXPECT_FALSE(components::instance_of_name("fp_nothing PRECISION=3").ok());
+  EXPECT_FALSE(components::instance_of_name("fp_add NOTHING=3").ok());
+  EXPECT_FALSE(components::instance_of_name("fp_add PRECISION").ok());
+  EXPECT_FALSE(components::instance_of_name("fp_add PRECISION=3)").ok());
 }
 
 TEST_F(Components, SourcesHoldNothingButHardware) {
   const Found found = find(scene(one_system), lanes({12}, {"relative"}));
-  for (const characterise::SourceText& text : found.components.begin()->second.job.sources) {
+  for (const characterise::SourceText& text : found.components.begin()->second.job().sources) {
     EXPECT_EQ(text.text.find("//"), std::string::npos);
     EXPECT_EQ(text.text.find("\n\n"), std::string::npos);
   }
@@ -520,7 +519,7 @@ TEST_F(Components, ATableIsCurrentUntilTheSceneChanges) {
         row.timing_seeds == 0
             ? characterise::SynthesisOptions{.effort = characterise::TimingEffort::area_only}
             : characterise::SynthesisOptions{.seeds = 3};
-    row.hash = job_hash(component.job, device, options, row.tools);
+    row.hash = job_hash(component.job(), device, options, row.tools);
     table.rows.push_back(row);
   }
   ASSERT_GE(table.rows.size(), 4u);

@@ -112,6 +112,7 @@ void run(int argc, char** argv) {
   mixcmp::cli::add_baseline(app);
   mixcmp::cli::add_route(app);
   mixcmp::cli::add_sweep(app);
+  mixcmp::cli::add_units(app);
   mixcmp::cli::add_completion(app);
   mixcmp::cli::add_report(app);
   mixcmp::cli::add_manual(app);  // the last one, which names all verbs

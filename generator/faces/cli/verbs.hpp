@@ -22,6 +22,7 @@ void add_route(CLI::App& app);
 void add_sweep(CLI::App& app);
 void add_completion(CLI::App& app);
 void add_report(CLI::App& app);
+void add_units(CLI::App& app);
 void add_manual(CLI::App& app);
 
 }  // namespace mixcmp::cli

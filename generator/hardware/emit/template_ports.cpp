@@ -233,11 +233,32 @@ private:
       cursor.expect(")");
       return inner;
     }
+    if (cursor.take_if("{")) return repeated(cursor);
     const Token word = cursor.take();
     long long number = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (error == std::errc() && end == word.data() + word.size()) return number;
-    return parameter(word);
+    const char* const end_of_word = word.data() + word.size();
+    const auto [end, error] = std::from_chars(word.data(), end_of_word, number);
+    if (error != std::errc()) return parameter(word);
+    return end == end_of_word ? number : based(std::string_view(end, end_of_word));
+  }
+
+  /// The value of a repeated bit, such as {(WIDTH + 1) {1'b1}}, behind its first bracket.
+  long long repeated(Cursor& cursor) {
+    const long long count = primary(cursor);
+    cursor.expect("{");
+    const long long bit = primary(cursor);
+    cursor.expect("}");
+    cursor.expect("}");
+    return bit == 0 ? 0 : static_cast<long long>(low_mask(static_cast<int>(count)));
+  }
+
+  /// The value of a literal from its base on: 'b101, 'hff, 'd10.
+  static long long based(std::string_view text) {
+    MIXCMP_CHECK(text.size() > 2);
+    const int base = text[1] == 'b' ? 2 : text[1] == 'h' ? 16 : 10;
+    long long number = 0;
+    std::from_chars(text.data() + 2, text.data() + text.size(), number, base);
+    return number;
   }
 
   std::map<Token, const Declaration*> defaults_;
@@ -287,6 +308,28 @@ std::optional<long long> template_parameter(const rtl::Instance& instance,
   const Head head = head_of(template_text(instance.module));
   if (find_parameter(head, name) == nullptr) return std::nullopt;
   return Evaluator(head, instance).parameter(name);
+}
+
+std::vector<rtl::Parameter> template_parameters(const rtl::TemplateInstance& instance) {
+  const Head head = head_of(template_text(instance.module));
+  const rtl::Instance as_instance{instance.module, {}, instance.parameters, {}};
+  Evaluator evaluator(head, as_instance);
+  std::vector<rtl::Parameter> parameters;
+  for (const Declaration& declared : head.parameters) {
+    const auto given =
+        std::find_if(instance.parameters.begin(), instance.parameters.end(),
+                     [&](const rtl::Parameter& each) { return each.name == declared.name; });
+    if (given != instance.parameters.end()) {
+      parameters.push_back(*given);
+    } else if (declared.high.empty()) {
+      parameters.push_back({std::string(declared.name), evaluator.parameter(declared.name)});
+    } else {
+      const int width = static_cast<int>(evaluator.value(declared.high)) + 1;
+      const auto bits = static_cast<Bits>(evaluator.parameter(declared.name));
+      parameters.push_back({std::string(declared.name), rtl::Literal{width, bits}});
+    }
+  }
+  return parameters;
 }
 
 rtl::CheckedModules checked(std::vector<rtl::Module> modules) {

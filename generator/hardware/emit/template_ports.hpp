@@ -22,6 +22,10 @@ Result<std::vector<rtl::Port>> template_ports(const rtl::Instance& instance);
 ///     template_parameter({"fp_multiply", "product", {{"PRECISION", 53}}, {}}, "EMBEDDED")  // 1
 std::optional<long long> template_parameter(const rtl::Instance& instance, const std::string& name);
 
+/// All parameters of a template, in its order, with the instance's values or else their defaults.
+/// The template must exist.
+std::vector<rtl::Parameter> template_parameters(const rtl::TemplateInstance& instance);
+
 /// Checks a tree of modules that instantiate each other and templates.
 rtl::CheckedModules checked(std::vector<rtl::Module> modules);
 

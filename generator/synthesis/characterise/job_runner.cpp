@@ -37,22 +37,18 @@ Result<Done> copy_in_place_of(const fs::path& folder, const fs::path& kept) {
   return put_folder_in_place(staging.path(), kept);
 }
 
-class JobRunner {
+class WorkRunner {
 public:
-  JobRunner(const std::vector<PendingJob>& jobs, const devices::Device& device,
-            const std::string& tools, const fs::path& store, const JobRunOptions& options)
-      : jobs_(jobs),
-        device_(device),
-        tools_(tools),
-        store_(fs::absolute(store)),
-        work_(store_.string() + ".work"),
-        options_(options) {}
+  using Progress = std::function<void(int finished, double seconds)>;
 
-  Result<JobRun> run() {
-    MIXCMP_TRY(made, make_writable_folder(work_));
+  WorkRunner(const std::vector<Work>& all, const fs::path& place, const Progress& progress)
+      : all_(all), place_(place), progress_(progress) {}
+
+  Result<JobRun> run(unsigned count) {
+    MIXCMP_TRY(made, make_writable_folder(place_));
     std::vector<std::jthread> workers;
     try {
-      while (workers.size() < options_.workers) {
+      while (workers.size() < count) {
         ++working_;
         workers.emplace_back([this] { work(); });
       }
@@ -66,19 +62,19 @@ public:
     }
     workers.clear();
     std::error_code kept;
-    fs::remove(work_, kept);  // fails if something is kept in it
+    fs::remove(place_, kept);  // fails if something is kept in it
     return std::move(run_);
   }
 
 private:
   void work() {
-    while (const PendingJob* job = next()) do_one(*job);
+    while (const Work* work = next()) do_one(*work);
     --working_;
   }
 
-  const PendingJob* next() {
+  const Work* next() {
     const std::lock_guard lock(mutex_);
-    return cancelled_ || next_ == jobs_.size() ? nullptr : &jobs_[next_++];
+    return cancelled_ || next_ == all_.size() ? nullptr : &all_[next_++];
   }
 
   void interrupt(int signal) {
@@ -87,84 +83,58 @@ private:
     cancelled_ = true;
   }
 
-  void do_one(const PendingJob& job) {
-    const Result<ScratchFolder> folder = job_folder();
-    if (!folder.ok()) return finish(job, folder.error(), {});
-    const fs::path kept = work_ / ("failed." + job.hash);
+  void do_one(const Work& work) {
+    const Result<ScratchFolder> folder = work_folder();
+    if (!folder.ok()) return finish(work, folder.error(), {});
+    const fs::path kept = place_ / ("failed." + work.name);
     std::error_code ignored;
     fs::remove_all(kept, ignored);
-    const Result<Done> done = guarded(job, folder->path());
-    if (done.ok() || cancelled_) return finish(job, done, {});
+    const Result<Done> done = guarded(work, folder->path());
+    if (done.ok() || cancelled_) return finish(work, done, {});
     fs::rename(folder->path(), kept, ignored);
     Error error = done.error();
     error.file = replaced(error.file, folder->path().string(), kept.string());
     error.message = replaced(error.message, folder->path().string(), kept.string());
-    finish(job, error, kept);
+    finish(work, error, kept);
   }
 
-  /// Makes a folder for one job. Tries again if another run, at its end, has removed the empty
-  /// STORE.work between two steps of this one.
-  Result<ScratchFolder> job_folder() const {
+  /// Makes a folder for one piece of work. Tries again if another run, at its end, has removed the
+  /// empty place between two steps of this one.
+  Result<ScratchFolder> work_folder() const {
     while (true) {
-      MIXCMP_TRY(made, make_writable_folder(work_));
-      Result<ScratchFolder> folder = ScratchFolder::make_in(work_, "job");
-      if (folder.ok() || fs::exists(work_)) return folder;
+      MIXCMP_TRY(made, make_writable_folder(place_));
+      Result<ScratchFolder> folder = ScratchFolder::make_in(place_, "job");
+      if (folder.ok() || fs::exists(place_)) return folder;
     }
   }
 
   /// Turns exceptions into errors, since none may leave a thread: unexpected JSON from a tool fails
-  /// only that job.
-  Result<Done> guarded(const PendingJob& job, const fs::path& folder) {
+  /// only that work.
+  Result<Done> guarded(const Work& work, const fs::path& folder) {
     try {
-      return synthesise_into_store(job, folder);
+      return work.run(folder, cancelled_);
     } catch (const std::exception& failure) {
       return Error{.file = folder.string(),
                    .message = fmt::format("a tool left what cannot be read: {}", failure.what())};
     }
   }
 
-  Result<Done> synthesise_into_store(const PendingJob& job, const fs::path& folder) {
-    MIXCMP_TRY(store, ResultStore::open(store_));
-    MIXCMP_TRY(known, store.find(job.hash));
-    if (known) return Done{};  // another process was faster
-    SynthesisOptions synthesis = options_.synthesis;
-    synthesis.each_tool.cancelled = &cancelled_;
-    const auto result = synthesise(make(job), device_, synthesis, folder);
-    if (!options_.keep.empty() && !cancelled_) {
-      MIXCMP_DO(copy_in_place_of(folder, options_.keep));
-    }
-    if (!result.ok()) return result.error();
-    // The signal that interrupts this run may also have ended a tool, and a tool's end may look
-    // like an answer.
-    if (cancelled_) return Error{.message = "interrupted"};
-    return store.add(job.hash, *result, tools_);
-  }
-
-  /// Makes one job at a time, since the functions that make jobs share data.
-  SynthesisJob make(const PendingJob& job) {
-    const std::lock_guard lock(mutex_);
-    return job.job();
-  }
-
-  void finish(const PendingJob& job, const Result<Done>& done, const fs::path& kept) {
+  void finish(const Work& work, const Result<Done>& done, const fs::path& kept) {
     const std::lock_guard lock(mutex_);
     if (!done.ok() && cancelled_) return;
     ++run_.done;
-    if (!done.ok()) run_.failed.push_back({job.label, done.error().to_string(), kept});
+    if (!done.ok()) run_.failed.push_back({work.label, done.error().to_string(), kept});
   }
 
   void tell() {
     const std::lock_guard lock(mutex_);
     const std::chrono::duration<double> elapsed = Time::now() - start_time_;
-    if (options_.progress) options_.progress(run_.done, elapsed.count());
+    if (progress_) progress_(run_.done, elapsed.count());
   }
 
-  const std::vector<PendingJob>& jobs_;
-  const devices::Device& device_;
-  const std::string& tools_;
-  const fs::path store_;
-  const fs::path work_;
-  const JobRunOptions& options_;
+  const std::vector<Work>& all_;
+  const fs::path& place_;
+  const Progress& progress_;
   const SignalGate gate_;  ///< made before the workers, which inherit the blocked signals
   const Time::time_point start_time_ = Time::now();
   std::atomic<unsigned> working_ = 0;
@@ -174,12 +144,56 @@ private:
   JobRun run_;
 };
 
+/// The inputs that all jobs of a run share.
+struct JobContext {
+  const devices::Device& device;
+  const std::string& tools;
+  const fs::path store;
+  const JobRunOptions& options;
+  std::mutex making = {};  ///< the functions that make jobs share data: one makes a job at a time
+
+  SynthesisJob make(const PendingJob& job) {
+    const std::lock_guard lock(making);
+    return job.job();
+  }
+};
+
+Result<Done> synthesise_into_store(const PendingJob& job, JobContext& context,
+                                   const fs::path& folder, const std::atomic<bool>& cancelled) {
+  MIXCMP_TRY(store, ResultStore::open(context.store));
+  MIXCMP_TRY(known, store.find(job.hash));
+  if (known) return Done{};  // another process was faster
+  SynthesisOptions synthesis = context.options.synthesis;
+  synthesis.each_tool.cancelled = &cancelled;
+  const auto result = synthesise(context.make(job), context.device, synthesis, folder);
+  if (!context.options.keep.empty() && !cancelled) {
+    MIXCMP_DO(copy_in_place_of(folder, context.options.keep));
+  }
+  if (!result.ok()) return result.error();
+  // The signal that interrupts this run may also have ended a tool, and a tool's end may look like
+  // an answer.
+  if (cancelled) return Error{.message = "interrupted"};
+  return store.add(job.hash, *result, context.tools);
+}
+
 }  // namespace
+
+Result<JobRun> run_work(const std::vector<Work>& all, const fs::path& place, unsigned workers,
+                        const std::function<void(int finished, double seconds)>& progress) {
+  return WorkRunner(all, place, progress).run(workers);
+}
 
 Result<JobRun> run_jobs(const std::vector<PendingJob>& jobs, const devices::Device& device,
                         const std::string& tools, const fs::path& store,
                         const JobRunOptions& options) {
-  return JobRunner(jobs, device, tools, store, options).run();
+  JobContext context{device, tools, fs::absolute(store), options};
+  std::vector<Work> all;
+  for (const PendingJob& job : jobs) {
+    all.push_back({job.hash, job.label, [&](const fs::path& folder, const auto& cancelled) {
+                     return synthesise_into_store(job, context, folder, cancelled);
+                   }});
+  }
+  return run_work(all, context.store.string() + ".work", options.workers, options.progress);
 }
 
 }  // namespace mixcmp::characterise

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -35,6 +37,22 @@ struct JobRunOptions {
   /// the start.
   std::function<void(int finished, double seconds)> progress = {};
 };
+
+/// One piece of work in a folder of its own.
+struct Work {
+  std::string name;   ///< the folder is kept as failed.NAME if the work fails
+  std::string label;  ///< for messages
+  /// Must soon return once `cancelled` is true.
+  std::function<Result<Done>(const std::filesystem::path& folder,
+                             const std::atomic<bool>& cancelled)>
+      run;
+};
+
+/// Does all work in folders under `place`, `workers` at a time. An interrupt (SIGINT, SIGTERM,
+/// SIGHUP) ends what is running. Exceptions fail only the work that throws them.
+Result<JobRun> run_work(const std::vector<Work>& all, const std::filesystem::path& place,
+                        unsigned workers,
+                        const std::function<void(int finished, double seconds)>& progress);
 
 /// Synthesises the jobs, `workers` at a time, and puts the results into the store at `store`. An
 /// interrupt (SIGINT, SIGTERM, SIGHUP) ends the running jobs; results already in the store stay.

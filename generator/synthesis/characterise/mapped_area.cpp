@@ -29,6 +29,21 @@ Result<devices::Area> area_of_cell(std::string_view cell, const devices::Device&
                                        device.cell_areas.names())};
 }
 
+namespace {
+
+Result<devices::Area> sum_of_cells(const nlohmann::json& counts, const devices::Device& device) {
+  devices::Area sum;
+  for (const auto& [cell, count] : counts.items()) {
+    const bool whole = count.is_number_integer() && count >= 0 && count <= most_cells;
+    if (!whole) return no_cell_count(cell, count);
+    MIXCMP_TRY(area, area_of_cell(cell, device));
+    sum += count.get<int>() * area;
+  }
+  return sum;
+}
+
+}  // namespace
+
 Result<devices::Area> area_of_statistics(const nlohmann::json& statistics,
                                          const devices::Device& device) {
   const nlohmann::json counts = member_of(member_of(statistics, "design"), "num_cells_by_type");
@@ -39,14 +54,17 @@ Result<devices::Area> area_of_statistics(const nlohmann::json& statistics,
                  .received = counts.dump(),
                  .accepted = "at least one: what computes nothing has no area to measure"};
   }
-  devices::Area sum;
-  for (const auto& [cell, count] : counts.items()) {
-    const bool whole = count.is_number_integer() && count >= 0 && count <= most_cells;
-    if (!whole) return no_cell_count(cell, count);
-    MIXCMP_TRY(area, area_of_cell(cell, device));
-    sum += count.get<int>() * area;
+  return sum_of_cells(counts, device);
+}
+
+Result<devices::Area> area_of_module(const nlohmann::json& statistics, const std::string& module,
+                                     const devices::Device& device) {
+  const nlohmann::json modules = member_of(statistics, "modules");
+  for (const std::string& name : {module, "\\" + module}) {
+    const nlohmann::json counts = member_of(member_of(modules, name.c_str()), "num_cells_by_type");
+    if (counts.is_object()) return sum_of_cells(counts, device);
   }
-  return sum;
+  return no_cell_count("modules." + module, modules);
 }
 
 }  // namespace mixcmp::characterise

@@ -17,4 +17,8 @@ Result<devices::Area> area_of_cell(std::string_view cell, const devices::Device&
 Result<devices::Area> area_of_statistics(const nlohmann::json& statistics,
                                          const devices::Device& device);
 
+/// The area of one module of such a design; none of the modules below it counts. It may be empty.
+Result<devices::Area> area_of_module(const nlohmann::json& statistics, const std::string& module,
+                                     const devices::Device& device);
+
 }  // namespace mixcmp::characterise

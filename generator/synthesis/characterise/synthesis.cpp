@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "generator/synthesis/characterise/logic_cells.hpp"
 #include "generator/synthesis/characterise/mapped_area.hpp"
@@ -190,7 +191,54 @@ Result<Timing> find_clock(const Run& run, devices::Area& area) {
   MIXCMP_CHECK(!"a timing tool of no enumerator");
 }
 
+/// A module that instantiates every unit of a batch. Their pins stay open: Yosys maps a module with
+/// keep_hierarchy as if it were alone.
+std::string top_of(const UnitBatch& batch, const std::string& name) {
+  std::string text = fmt::format("module {};\n", name);
+  for (std::size_t k = 0; k < batch.parameters.size(); ++k) {
+    text +=
+        fmt::format("  (* keep *) {} #({}) unit_{} ();\n", batch.module, batch.parameters[k], k);
+  }
+  return text + "endmodule\n";
+}
+
+/// The sources of a batch, in which the hierarchy ends at its template.
+std::vector<SourceText> kept_apart(std::vector<SourceText> sources, const std::string& module) {
+  const std::regex head("\\bmodule\\s+" + module + "\\b");
+  for (SourceText& source : sources) {
+    source.text = std::regex_replace(source.text, head, "(* keep_hierarchy *) $&");
+  }
+  return sources;
+}
+
 }  // namespace
+
+Result<std::vector<devices::Area>> map_units(const UnitBatch& batch, const devices::Device& device,
+                                             const ToolLimits& limits, const fs::path& directory) {
+  const std::string top = "mixcmp_units";
+  SynthesisJob job{.sources = kept_apart(batch.sources, batch.module), .top = top};
+  job.sources.push_back({top + ".v", top_of(batch, top)});
+  const SynthesisOptions options{.effort = TimingEffort::area_only, .each_tool = limits};
+  const Run run = {job, device, options, directory};
+  MIXCMP_DO(write_sources(run));
+  MIXCMP_DO(run_yosys(run, "units",
+                      fmt::format("{}hierarchy -top {}\nproc\nwrite_json made.json\n{} -top {}\n{}"
+                                  "tee -q -o area.json stat -json\nwrite_json map.json\n",
+                                  read_sources(run), top, device.synthesis, top,
+                                  run.is_xilinx() ? share_inverters : "")));
+  MIXCMP_TRY(made, read_json(directory / "made.json"));
+  MIXCMP_TRY(statistics, read_json(directory / "area.json"));
+  MIXCMP_TRY(netlist, read_json(directory / "map.json"));
+  const auto& cells = made.at("modules").at(top).at("cells");
+  std::vector<devices::Area> areas;
+  for (std::size_t k = 0; k < batch.parameters.size(); ++k) {
+    const std::string module = cells.at(fmt::format("unit_{}", k)).at("type");
+    MIXCMP_TRY(area, area_of_module(statistics, module, device));
+    if (run.is_ice40()) area.luts = ice40_logic_cells(netlist, module);
+    areas.push_back(area);
+  }
+  return areas;
+}
 
 bool is_cell_of(const SourceText& source, const devices::Device& device) {
   return !source.cells.empty() && source.cells == device.cells;

@@ -60,4 +60,17 @@ Result<SynthesisResult> synthesise(const SynthesisJob& job, const devices::Devic
                                    const SynthesisOptions& options,
                                    const std::filesystem::path& directory);
 
+/// Units of one template, which one run of Yosys maps: most of a small unit's time is Yosys' start.
+struct UnitBatch {
+  std::vector<SourceText> sources;      ///< the template and those that it instantiates
+  std::string module;                   ///< the template
+  std::vector<std::string> parameters;  ///< of each unit: ".WIDTH(12), .CUTS(2'b11)"
+};
+
+/// Maps each unit of a batch by itself in `directory`, with nothing shared between units. Areas are
+/// in the order of `parameters`.
+Result<std::vector<devices::Area>> map_units(const UnitBatch& batch, const devices::Device& device,
+                                             const ToolLimits& limits,
+                                             const std::filesystem::path& directory);
+
 }  // namespace mixcmp::characterise

@@ -28,8 +28,8 @@ bool is_current(const Measurement& row, ComponentMaker& maker, const Device& dev
   const Result<Component> component = maker.make(row.key);
   if (!component.ok() || component->key != row.key) return false;
   const std::string hash = row.is_imported()
-                               ? imported_hash(component->job, row.tools)
-                               : job_hash(component->job, device, options_of(row), row.tools);
+                               ? imported_hash(component->job(), row.tools)
+                               : job_hash(component->job(), device, options_of(row), row.tools);
   return hash == row.hash;
 }
 
@@ -96,7 +96,7 @@ private:
       planned_.push_back({.key = component.key,
                           .latency_cycles = component.latency_cycles,
                           .timing_seeds = times() ? options_.synthesis.seeds : 0,
-                          .hash = job_hash(component.job, device_, options_.synthesis, tools_),
+                          .hash = job_hash(component.job(), device_, options_.synthesis, tools_),
                           .tools = tools_});
     };
     MIXCMP_TRY(missing, for_each_component(maker_, options_.query, use));
@@ -141,7 +141,7 @@ private:
       if (!seen.insert(row.hash).second) continue;
       MIXCMP_TRY(known, store.find(row.hash));
       if (known) continue;
-      const auto job = [this, key = row.key] { return maker_.make(key).value().job; };
+      const auto job = [this, key = row.key] { return maker_.make(key).value().job(); };
       jobs.push_back({.hash = row.hash, .label = label(row.key), .job = job});
     }
     return jobs;

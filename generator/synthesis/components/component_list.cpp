@@ -6,6 +6,7 @@
 #include <array>
 
 #include "generator/synthesis/components/engine_components.hpp"
+#include "generator/synthesis/components/synthesis_jobs.hpp"
 #include "model/base/number/bound.hpp"
 #include "model/design/slots.hpp"
 #include "model/lane/error/exponent_range.hpp"
@@ -104,7 +105,12 @@ private:
 
   /// Visits a component unless one with the same key was visited before.
   void take(const Component& component) {
-    units_.insert(component.units.begin(), component.units.end());
+    if (asked(ComponentKind::unit)) {
+      for (const ComponentParts parts = component.parts(); const Part& part : parts.instances) {
+        if (part.instance.module == "delay_line") continue;
+        units_.insert(measured::Unit{instance_name(part.instance)});
+      }
+    }
     if (asked(kind_of(component.key)) && seen_.insert(component.key).second) use_(component);
   }
 

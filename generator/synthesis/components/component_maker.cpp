@@ -64,27 +64,9 @@ bool has_product(const design::Lane& lane) {
                     lane);
 }
 
-/// The units of a module, each once. Delay lines are left out: their area is known without
-/// synthesis.
-std::vector<ComponentKey> units_of(const rtl::Module& module) {
-  std::vector<ComponentKey> units;
-  for (const rtl::Instance* instance : instances(module)) {
-    if (instance->module == "delay_line") continue;
-    units.push_back(measured::Unit{instance_name({instance->module, instance->parameters})});
-  }
-  std::sort(units.begin(), units.end());
-  units.erase(std::unique(units.begin(), units.end()), units.end());
-  return units;
-}
-
 /// The key as tables have it: without a kind of multipliers if there is no product.
 ComponentKey listed(const ComponentKey& key, bool has_product) {
   return has_product ? key : without_multipliers(key);
-}
-
-Component datapath(const ComponentKey& key, int latency_cycles, const rtl::Module& module,
-                   bool has_product) {
-  return {listed(key, has_product), latency_cycles, module_job(module), units_of(module)};
 }
 
 /// The slowest lane that these slots serve at full rate: the one with the longest delays.
@@ -112,6 +94,22 @@ Error out_of_range(const std::string& field, int received, const std::string& ac
 
 }  // namespace
 
+characterise::SynthesisJob Component::job() const {
+  return std::visit(
+      Cases{[](const rtl::TemplateInstance& instance) { return template_job(instance); },
+            [](const std::vector<rtl::Module>& modules) { return modules_job(modules); }},
+      hardware);
+}
+
+ComponentParts Component::parts() const {
+  return std::visit(
+      Cases{[](const rtl::TemplateInstance& instance) {
+              return ComponentParts{.instances = {{instance}}, .statements = {}};
+            },
+            [](const std::vector<rtl::Module>& modules) { return parts_of(modules); }},
+      hardware);
+}
+
 Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs, const design::Lane& lane,
                          Multipliers multipliers, const scene::SystemSpec& system) {
   MIXCMP_TRY(delays, datapath::delays_of(system.device));
@@ -137,8 +135,8 @@ Result<Component> ComponentMaker::make(const ComponentKey& key) {
 }
 
 Result<Component> ComponentMaker::made(const measured::Unit& key) {
-  MIXCMP_TRY(job, job_of_instance_name(key.name));
-  return Component{key, 0, std::move(job), {}};
+  MIXCMP_TRY(instance, instance_of_name(key.name));
+  return Component{key, 0, instance};
 }
 
 Result<design::Lane> ComponentMaker::lane(const measured::Lane& key) {
@@ -164,13 +162,14 @@ Result<Component> ComponentMaker::made(const measured::Lane& key) {
   MIXCMP_TRY(lane, this->lane(key));
   MIXCMP_TRY(built,
              lane_rtl(scene_.graph.inputs(), lane, multipliers_of(key.multipliers), scene_.system));
-  return datapath(key, built.latency_cycles, built.module, has_product(lane));
+  return Component{listed(key, has_product(lane)), built.latency_cycles, std::vector{built.module}};
 }
 
 Result<Component> ComponentMaker::made_word_lane(const measured::Lane& key) {
   MIXCMP_TRY(lane, this->lane(key));
   MIXCMP_TRY(parts, engine_parts(key));
-  return datapath(key, parts.lane_latency_cycles(), parts.lane(), has_product(lane));
+  return Component{listed(key, has_product(lane)), parts.lane_latency_cycles(),
+                   std::vector{parts.lane()}};
 }
 
 Result<Done> ComponentMaker::check_reference(const measured::Reference& key) const {
@@ -205,19 +204,17 @@ Result<datapath::Schedule> ComponentMaker::reference_schedule(const measured::Re
 Result<Component> ComponentMaker::made(const measured::Reference& key) {
   const TypedGraph graph = reference_graph(scene_.graph, scene_.reference);
   MIXCMP_TRY(schedule, reference_schedule(key, graph));
-  const rtl::Module module =
-      rtl::reference_module("reference", scene_.graph.inputs(), graph, schedule);
-  return datapath(key, schedule.latency_cycles, module, has_product(graph));
+  return Component{
+      listed(key, has_product(graph)), schedule.latency_cycles,
+      std::vector{rtl::reference_module("reference", scene_.graph.inputs(), graph, schedule)}};
 }
 
 Result<Component> ComponentMaker::made(const measured::ReferencePort& key) {
   const TypedGraph graph = reference_graph(scene_.graph, scene_.reference);
   MIXCMP_TRY(schedule, reference_schedule(key.reference, graph));
   MIXCMP_TRY(shape, request_shape());
-  return Component{listed(key, has_product(graph)),
-                   0,
-                   template_job(rtl::reference_port_template(shape, schedule)),
-                   {}};
+  return Component{listed(key, has_product(graph)), 0,
+                   rtl::reference_port_template(shape, schedule)};
 }
 
 Result<Component> ComponentMaker::made(const measured::SecondLane& key) {
@@ -240,10 +237,8 @@ Result<Component> ComponentMaker::made(const measured::SecondLane& key) {
                                          .count = settings::limits::lanes.most};  // widest numbers
   const rtl::Module datapath =
       rtl::lane_module("lane", scene_.graph.inputs(), lane, shape.second_tier->schedule);
-  return Component{listed(key, has_product(lane)),
-                   latency_cycles,
-                   modules_job({datapath, rtl::second_tier_channel_module(shape)}),
-                   {}};
+  return Component{listed(key, has_product(lane)), latency_cycles,
+                   std::vector{datapath, rtl::second_tier_channel_module(shape)}};
 }
 
 rtl::SystemShape ComponentMaker::stream_shape() const {
@@ -301,10 +296,7 @@ Result<Component> ComponentMaker::made(const measured::Fifo& key) {
   const std::optional<int> slowest = slowest_lane(key.slots, shape);
   if (!slowest) return out_of_range("slots", key.slots, "a power of two that some lane needs");
   shape.slot_bits = std::countr_zero(static_cast<unsigned>(key.slots));
-  return Component{key,
-                   shape.channel_latency_cycles(),
-                   template_job(rtl::tracker_template(shape, *slowest)),
-                   {}};
+  return Component{key, shape.channel_latency_cycles(), rtl::tracker_template(shape, *slowest)};
 }
 
 Result<Component> ComponentMaker::made(const measured::Crossbar& key) {
@@ -317,8 +309,7 @@ Result<Component> ComponentMaker::made(const measured::Crossbar& key) {
     if (parameter.name == "LANES") parameter.value = key.lanes;
   }
   const int beat_latency = shape.beat_bits == 0 ? 1 : 2;  // of the first beat, at each level
-  return Component{
-      key, beat_latency * tree_levels(key.lanes) + answer_cycles, template_job(crossbar), {}};
+  return Component{key, beat_latency * tree_levels(key.lanes) + answer_cycles, crossbar};
 }
 
 Result<design::LaneGroup> ComponentMaker::lane_group(const measured::Lane& key, int count) {
@@ -339,8 +330,7 @@ Result<Component> ComponentMaker::made(const measured::Segment& key) {
   }
   MIXCMP_TRY(lane, this->lane(key.lane));
   MIXCMP_TRY(parts, engine_parts(key.lane));
-  return Component{
-      listed(key, has_product(lane)), parts.lane_latency_cycles(), parts.segment(), {}};
+  return Component{listed(key, has_product(lane)), parts.lane_latency_cycles(), parts.segment()};
 }
 
 Result<Component> ComponentMaker::made(const measured::Conversion& key) {
@@ -352,14 +342,14 @@ Result<Component> ComponentMaker::made(const measured::Conversion& key) {
                  .received = in_quotes(key.lane.format.name()),
                  .accepted = "lanes in fixed point, such as q13"};
   }
-  return Component{
-      listed(key, has_product(lane)), parts.conversion_latency_cycles(), parts.conversion(), {}};
+  return Component{listed(key, has_product(lane)), parts.conversion_latency_cycles(),
+                   parts.conversion()};
 }
 
 Result<Component> ComponentMaker::made(const measured::Engine& key) {
   MIXCMP_TRY(lane, this->lane(key.lane));
   MIXCMP_TRY(parts, engine_parts(key.lane, key.segments));
-  return Component{listed(key, has_product(lane)), 0, parts.engine(), {}};
+  return Component{listed(key, has_product(lane)), 0, parts.engine()};
 }
 
 Result<Component> ComponentMaker::made(const measured::OperandMemory& key) const {
@@ -367,11 +357,8 @@ Result<Component> ComponentMaker::made(const measured::OperandMemory& key) const
     return out_of_range("ports", key.references, fmt::format("1..{}", scene::max_references));
   }
   MIXCMP_TRY(chain, this->chain());
-  return Component{
-      key,
-      0,
-      template_job(rtl::operand_memory_template(chain.engine, chain.place_bits, key.references)),
-      {}};
+  return Component{key, 0,
+                   rtl::operand_memory_template(chain.engine, chain.place_bits, key.references)};
 }
 
 Result<Done> ComponentMaker::give_constants(scene::ReducedSpec& lane) {

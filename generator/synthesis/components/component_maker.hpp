@@ -3,11 +3,13 @@
 #include <map>
 #include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "generator/hardware/rtl/engine_shape.hpp"
 #include "generator/hardware/rtl/system_shape.hpp"
 #include "generator/synthesis/characterise/synthesis.hpp"
+#include "generator/synthesis/components/component_parts.hpp"
 #include "model/comparison/data/comparisons.hpp"
 #include "model/design/design.hpp"
 #include "model/design/lane.hpp"
@@ -26,8 +28,11 @@ inline constexpr settings::Limits measured_ports{1, 128};
 struct Component {
   measured::ComponentKey key;
   int latency_cycles = 0;
-  characterise::SynthesisJob job;
-  std::vector<measured::ComponentKey> units;  ///< the units of a lane or reference; else empty
+  /// A template by itself, or modules of which the last instantiates the others.
+  std::variant<rtl::TemplateInstance, std::vector<rtl::Module>> hardware;
+
+  characterise::SynthesisJob job() const;
+  ComponentParts parts() const;
 };
 
 /// The reference of a table; its component is made without multipliers where it has no product.

@@ -4,7 +4,6 @@
 
 #include "generator/hardware/rtl/channel_modules.hpp"
 #include "generator/hardware/rtl/segment_module.hpp"
-#include "generator/synthesis/components/synthesis_jobs.hpp"
 #include "model/base/common/check.hpp"
 
 namespace mixcmp::components {
@@ -54,13 +53,13 @@ rtl::Module EngineParts::lane() const {
   return rtl::word_lane_module(lanes.datapath, words().lanes.front(), lanes.schedule);
 }
 
-characterise::SynthesisJob EngineParts::segment() const {
+std::vector<rtl::Module> EngineParts::segment() const {
   std::vector<rtl::Module> modules;
   modules.push_back(lane());
   if (scheduled_.arg_min) {
     const rtl::SystemShape& system = scheduled_.shape;
     modules.push_back(rtl::lane_channel_module(system, system.lane_groups.front()));
-    return modules_job(modules);
+    return modules;
   }
   const rtl::PairwiseShape& shape = *scheduled_.pairwise;
   if (const auto& tier = scheduled_.shape.second_tier) {
@@ -69,26 +68,25 @@ characterise::SynthesisJob EngineParts::segment() const {
   }
   modules.push_back(
       rtl::segment_module(scheduled_.shape, shape.engine, shape.words, shape.segments.front()));
-  return modules_job(modules);
+  return modules;
 }
 
 int EngineParts::conversion_latency_cycles() const {
   return words().latency_cycles();
 }
 
-characterise::SynthesisJob EngineParts::conversion() const {
+std::vector<rtl::Module> EngineParts::conversion() const {
   std::vector<rtl::Module> modules = {
       rtl::item_word_module(words(), data::Item::first, *scheduled_.engine)};
-  if (!scheduled_.arg_min) return modules_job(modules);
+  if (!scheduled_.arg_min) return modules;
   modules.push_back(rtl::item_word_module(words(), data::Item::row, *scheduled_.engine));
   modules.push_back(rtl::arg_min_conversions_module(*scheduled_.arg_min));
-  return modules_job(modules);
+  return modules;
 }
 
-characterise::SynthesisJob EngineParts::engine() const {
-  return template_job(scheduled_.arg_min
-                          ? rtl::arg_min_template(*scheduled_.arg_min, scheduled_.shape)
-                          : rtl::pairwise_template(*scheduled_.pairwise, scheduled_.shape));
+rtl::TemplateInstance EngineParts::engine() const {
+  return scheduled_.arg_min ? rtl::arg_min_template(*scheduled_.arg_min, scheduled_.shape)
+                            : rtl::pairwise_template(*scheduled_.pairwise, scheduled_.shape);
 }
 
 }  // namespace mixcmp::components

@@ -120,7 +120,7 @@ private:
                     .latency_cycles = latency_cycles,
                     .area = area,
                     .clock = {},
-                    .hash = imported_hash(component.job, tool),
+                    .hash = imported_hash(component.job(), tool),
                     .tools = tool,
                     .stage = reports_.areas.stage};
     if (reports_.timing) {
@@ -155,7 +155,7 @@ private:
     for (const Bound& bound : possible_bounds(group.lane)) {
       key.bound = bound;
       Result<Component> component = maker_.make(key);
-      if (component.ok() && is_same_rtl(component->job, wanted)) return component;
+      if (component.ok() && is_same_rtl(component->job(), wanted)) return component;
     }
     return Error{
         .field = "reduced",

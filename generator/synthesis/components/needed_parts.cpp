@@ -91,6 +91,27 @@ public:
     return std::move(parts_);
   }
 
+  /// The multipliers that one instance of a template surely has.
+  int multipliers_of(const Instance& instance) const {
+    const Parameters parameters(instance);
+    if (emit::template_parameter(instance, "EMBEDDED") == 0) return 0;
+    const int precision = parameters.number("PRECISION");
+    const devices::MultiplierSize size = parameters.multiplier();
+    const bool a = varies(instance, "a"), b = varies(instance, "b");
+    if (instance.module == "fp_multiply") {
+      return a && b ? multipliers_of_product(precision, size) : 0;
+    }
+    if (instance.module == "fp_square") return a ? multipliers_of_square(precision, size) : 0;
+    if (instance.module == "fp_squared_sum") {
+      return a || b ? multipliers_of_square(precision, size) : 0;
+    }
+    if (is_one_of(instance.module, {"fp_fused_sum", "fp_fused_comparison"})) {
+      return multipliers_of_terms(instance);
+    }
+    if (instance.module == "fixed_product") return is_fixed_product_embedded(instance) ? 1 : 0;
+    return 0;
+  }
+
 private:
   void find_constants(const std::vector<ModuleItem>& items) {
     for (const ModuleItem& item : items) {
@@ -215,33 +236,15 @@ private:
     }
   }
 
-  int multipliers_of(const Instance& instance) const {
-    const Parameters parameters(instance);
-    if (emit::template_parameter(instance, "EMBEDDED") == 0) return 0;
-    const int precision = parameters.number("PRECISION");
-    const devices::MultiplierSize size = parameters.multiplier();
-    const bool a = varies(instance, "a"), b = varies(instance, "b");
-    if (instance.module == "fp_multiply") {
-      return a && b ? multipliers_of_product(precision, size) : 0;
-    }
-    if (instance.module == "fp_square") return a ? multipliers_of_square(precision, size) : 0;
-    if (instance.module == "fp_squared_sum") {
-      return a || b ? multipliers_of_square(precision, size) : 0;
-    }
-    if (is_one_of(instance.module, {"fp_fused_sum", "fp_fused_comparison"})) {
-      return multipliers_of_terms(instance);
-    }
-    if (instance.module == "fixed_product") return is_fixed_product_embedded(instance) ? 1 : 0;
-    return 0;
-  }
-
   int multipliers_of_terms(const Instance& instance) const {
     const Parameters parameters(instance);
     const int precision = parameters.number("PRECISION");
     const int terms = parameters.number("TERMS");
     const devices::MultiplierSize size = parameters.multiplier();
     const auto term_varies = [&](const char* port, int term) {
-      const auto* all = std::get_if<Concatenation>(&(*pin(instance, port))->node);
+      const Operand* const operand = pin(instance, port);
+      if (operand == nullptr) return true;
+      const auto* all = std::get_if<Concatenation>(&(*operand)->node);
       return all != nullptr && varies(all->parts[static_cast<std::size_t>(terms - 1 - term)]);
     };
     const Bits sums = parameters.bits("SUMS") | parameters.bits("DIFFERENCES");
@@ -283,6 +286,10 @@ private:
 };
 
 }  // namespace
+
+int embedded_products(const rtl::Instance& instance) {
+  return PartsFinder({}, {}).multipliers_of(instance);
+}
 
 NeededParts needed_parts(const std::vector<Module>& modules) {
   std::map<std::string, const Module*> tree;

@@ -21,4 +21,8 @@ namespace mixcmp::components {
 ///     needed_parts({lane}).dsps  // 4 in a lane with four squares of 13 bits, on DSP48E1
 characterise::NeededParts needed_parts(const std::vector<rtl::Module>& modules);
 
+/// The multipliers among `dsps` that one instance of a template has. Operands that are not
+/// connected vary.
+int embedded_products(const rtl::Instance& instance);
+
 }  // namespace mixcmp::components

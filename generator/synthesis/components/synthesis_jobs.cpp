@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <charconv>
+#include <optional>
 #include <regex>
 #include <sstream>
 
@@ -10,26 +12,13 @@
 #include "generator/hardware/emit/templates.hpp"
 #include "generator/hardware/emit/verilog.hpp"
 #include "generator/synthesis/components/needed_parts.hpp"
+#include "model/base/common/check.hpp"
 #include "model/base/common/quote.hpp"
 
 namespace mixcmp::components {
 namespace {
 
 using characterise::SynthesisJob;
-
-/// A parameter's value as Verilog text.
-struct ParameterValue {
-  std::string name;
-  std::string value;
-};
-
-std::vector<ParameterValue> values_of(const rtl::TemplateInstance& instance) {
-  std::vector<ParameterValue> values;
-  for (const rtl::Parameter& parameter : instance.parameters) {
-    values.push_back({parameter.name, emit::to_verilog(parameter)});
-  }
-  return values;
-}
 
 void add_templates(SynthesisJob& job, const std::set<std::string>& modules) {
   const std::vector<std::string> templates = emit::template_closure(modules);
@@ -42,15 +31,13 @@ void add_templates(SynthesisJob& job, const std::set<std::string>& modules) {
   }
 }
 
-/// Replaces a parameter's default in a module's text; false where the text declares no such
-/// parameter.
-bool set_default(std::string& text, const ParameterValue& value) {
-  const std::regex declaration("(\\bparameter\\s+(?:\\[[^\\]]*\\]\\s*)?" + value.name +
+/// Replaces a parameter's default in a module's text, which declares the parameter.
+void set_default(std::string& text, const rtl::Parameter& parameter) {
+  const std::regex declaration("(\\bparameter\\s+(?:\\[[^\\]]*\\]\\s*)?" + parameter.name +
                                "\\s*=\\s*)([^,\\n)]+)");
   std::smatch match;
-  if (!std::regex_search(text, match, declaration)) return false;
-  text = match.prefix().str() + match[1].str() + value.value + match.suffix().str();
-  return true;
+  MIXCMP_CHECK(std::regex_search(text, match, declaration));
+  text = match.prefix().str() + match[1].str() + emit::to_verilog(parameter) + match.suffix().str();
 }
 
 Error no_unit(std::string_view received) {
@@ -59,24 +46,33 @@ Error no_unit(std::string_view received) {
           .accepted = "such as \"fp_compare EXPONENT_BITS=8 PRECISION=24 CUTS=2'b11\""};
 }
 
-bool is_word(const std::string& text, std::string_view further) {
-  return !text.empty() && std::all_of(text.begin(), text.end(), [&](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-           further.find(c) != std::string_view::npos;
-  });
+/// The bits of digits of base 2 or 16; none if another character is among them.
+std::optional<Bits> bits_of(std::string_view digits, char base) {
+  const int digit_bits = base == 'b' ? 1 : 4;
+  Bits bits = 0;
+  for (const char c : digits) {
+    unsigned digit = 0;
+    const auto [end, failed] = std::from_chars(&c, &c + 1, digit, base == 'b' ? 2 : 16);
+    if (failed != std::errc()) return std::nullopt;
+    bits = (bits << digit_bits) | digit;
+  }
+  return digits.empty() ? std::nullopt : std::optional(bits);
 }
 
-Result<SynthesisJob> job_of(const std::string& module, const std::vector<ParameterValue>& values) {
-  SynthesisJob job{.sources = {}, .top = module};
-  add_templates(job, {module});
-  const auto top = std::find_if(job.sources.begin(), job.sources.end(),
-                                [&](const auto& source) { return source.name == module + ".v"; });
-  if (top == job.sources.end()) return no_unit(module);
-  for (const ParameterValue& value : values) {
-    const bool shaped = is_word(value.name, "_") && is_word(value.value, "'-");
-    if (!shaped || !set_default(top->text, value)) return no_unit(module + " " + value.name);
-  }
-  return job;
+/// A parameter from its text, such as PRECISION=24 or CUTS=2'b11.
+std::optional<rtl::Parameter> parameter_of(std::string_view word) {
+  const std::size_t equals = std::min(word.find('='), word.size());
+  const std::string_view value = word.substr(std::min(equals + 1, word.size()));
+  long long number = 0;
+  const auto [end, failed] = std::from_chars(value.data(), value.data() + value.size(), number);
+  const std::string_view rest = value.substr(static_cast<std::size_t>(end - value.data()));
+  if (failed != std::errc()) return std::nullopt;
+  std::string name(word.substr(0, equals));
+  if (rest.empty()) return rtl::Parameter{std::move(name), number};
+  const bool is_literal = rest.starts_with("'b") || rest.starts_with("'h");
+  const std::optional<Bits> bits = is_literal ? bits_of(rest.substr(2), rest[1]) : std::nullopt;
+  if (!bits || number < 1 || number > 128) return std::nullopt;
+  return rtl::Parameter{std::move(name), rtl::Literal{static_cast<int>(number), *bits}};
 }
 
 }  // namespace
@@ -109,28 +105,40 @@ SynthesisJob modules_job(const std::vector<rtl::Module>& modules) {
   return job;
 }
 
+std::vector<characterise::SourceText> template_sources(const std::string& module) {
+  SynthesisJob job;
+  add_templates(job, {module});
+  return job.sources;
+}
+
 SynthesisJob template_job(const rtl::TemplateInstance& instance) {
-  return job_of(instance.module, values_of(instance)).value();
+  SynthesisJob job{.sources = template_sources(instance.module), .top = instance.module};
+  const auto top = std::find_if(job.sources.begin(), job.sources.end(), [&](const auto& source) {
+    return source.name == instance.module + ".v";
+  });
+  for (const rtl::Parameter& parameter : instance.parameters) set_default(top->text, parameter);
+  return job;
 }
 
 std::string instance_name(const rtl::TemplateInstance& instance) {
   std::string name = instance.module;
-  for (const ParameterValue& value : values_of(instance)) {
-    name += fmt::format(" {}={}", value.name, value.value);
+  for (const rtl::Parameter& parameter : instance.parameters) {
+    name += fmt::format(" {}={}", parameter.name, emit::to_verilog(parameter));
   }
   return name;
 }
 
-Result<SynthesisJob> job_of_instance_name(std::string_view name) {
+Result<rtl::TemplateInstance> instance_of_name(std::string_view name) {
   std::istringstream words{std::string(name)};
-  std::string module;
-  words >> module;
-  std::vector<ParameterValue> values;
+  rtl::Instance instance;
+  words >> instance.module;
+  if (!emit::is_template(instance.module)) return no_unit(name);
   for (std::string word; words >> word;) {
-    const std::size_t equals = std::min(word.find('='), word.size());
-    values.push_back({word.substr(0, equals), word.substr(std::min(equals + 1, word.size()))});
+    std::optional<rtl::Parameter> parameter = parameter_of(word);
+    if (!parameter || !emit::template_parameter(instance, parameter->name)) return no_unit(name);
+    instance.parameters.push_back(std::move(*parameter));
   }
-  return job_of(module, values);
+  return rtl::TemplateInstance{instance.module, instance.parameters};
 }
 
 }  // namespace mixcmp::components

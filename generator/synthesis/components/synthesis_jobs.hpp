@@ -20,10 +20,13 @@ characterise::SynthesisJob modules_job(const std::vector<rtl::Module>& modules);
 /// values.
 characterise::SynthesisJob template_job(const rtl::TemplateInstance& instance);
 
+/// The template and all that it instantiates, without comments, with the cells of each family.
+std::vector<characterise::SourceText> template_sources(const std::string& module);
+
 /// "fp_add EXPONENT_BITS=8 PRECISION=12 CUTS=9'h01f": all that template_job needs.
 std::string instance_name(const rtl::TemplateInstance& instance);
-/// The template_job of an instance_name; an error where the template or a parameter does not exist.
-Result<characterise::SynthesisJob> job_of_instance_name(std::string_view name);
+/// The instance of an instance_name; an error where the template or a parameter does not exist.
+Result<rtl::TemplateInstance> instance_of_name(std::string_view name);
 
 /// Verilog without `//` comments, blanks at line ends and empty lines.
 std::string without_comments(std::string_view verilog);

@@ -1,0 +1,226 @@
+#include "generator/synthesis/components/component_parts.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <variant>
+
+#include "generator/hardware/emit/template_ports.hpp"
+#include "generator/synthesis/components/needed_parts.hpp"
+#include "model/base/common/cases.hpp"
+
+namespace mixcmp::components {
+namespace {
+
+using namespace rtl;
+
+/// The registers in front of one operand of a multiplier.
+constexpr int most_operand_registers = 2;
+
+int number(const Instance& instance, const char* name) {
+  return static_cast<int>(emit::template_parameter(instance, name).value_or(0));
+}
+
+/// The stages of an instance that end in registers, the last one in the highest bit; null without.
+const Literal* cuts_of(const Instance& instance) {
+  for (const Parameter& parameter : instance.parameters) {
+    if (parameter.name == "CUTS") return std::get_if<Literal>(&parameter.value);
+  }
+  return nullptr;
+}
+
+bool ends_in_register(const Instance& instance) {
+  const Literal* const cuts = cuts_of(instance);
+  return cuts != nullptr && (cuts->value >> (cuts->width - 1) & 1) != 0;
+}
+
+bool has_two_registers(const Instance& instance) {
+  const Literal* const cuts = cuts_of(instance);
+  return cuts != nullptr && std::popcount(static_cast<std::uint64_t>(cuts->value)) > 1;
+}
+
+/// The net that an operand is, but for bits in front of it.
+const std::string* net_of(const Operand& operand) {
+  if (const auto* net = std::get_if<Net>(&operand->node)) return &net->name;
+  const auto* all = std::get_if<Concatenation>(&operand->node);
+  return all == nullptr ? nullptr : net_of(all->parts.back());
+}
+
+/// Who drives and who reads the nets of one module, as far as instances of templates do.
+class Nets {
+public:
+  explicit Nets(const Module& module) {
+    for (const ModuleItem& item : module.items) {
+      std::visit(Cases{[this](const Instance& instance) { add(instance); },
+                       [this](const Wire& wire) { read(wire.value); },
+                       [this](const Assignment& assignment) { read(assignment.value); },
+                       [](const auto&) {}},
+                 item);
+    }
+  }
+
+  const Instance* driver(const std::string& net) const {
+    const auto found = drivers_.find(net);
+    return found == drivers_.end() ? nullptr : found->second;
+  }
+  /// The only reader of a net; null if there are several, or if a statement reads it.
+  const Instance* reader(const std::string& net) const {
+    const auto found = readers_.find(net);
+    return found == readers_.end() || found->second.size() != 1 ? nullptr : found->second.front();
+  }
+
+private:
+  void add(const Instance& instance) {
+    for (const Connection& connection : instance.connections) {
+      const std::string* const net = net_of(connection.value);
+      if (net == nullptr) continue;
+      const bool is_result = connection.port == "y" || connection.port == "q";
+      if (is_result) {
+        drivers_[*net] = &instance;
+      } else if (readers_[*net].empty() || readers_[*net].back() != &instance) {
+        readers_[*net].push_back(&instance);
+      }
+    }
+  }
+  void read(const Operand& value) {
+    if (value == nullptr) return;
+    if (const std::string* const net = net_of(value)) readers_[*net].push_back(nullptr);
+    if (const auto* any = std::get_if<Or>(&value->node)) {
+      for (const Operand& operand : any->operands) read(operand);
+    }
+  }
+
+  std::map<std::string, const Instance*> drivers_;
+  std::map<std::string, std::vector<const Instance*>> readers_;
+};
+
+const Operand* pin(const Instance& instance, const char* port) {
+  for (const Connection& connection : instance.connections) {
+    if (connection.port == port) return &connection.value;
+  }
+  return nullptr;
+}
+
+/// Finds out which instances of a module multipliers absorb.
+class Packing {
+public:
+  explicit Packing(const Module& module) : nets_(module) {
+    for (const Instance* instance : instances(module)) {
+      if (instance->module == "fixed_product" && embedded_products(*instance) > 0) pack(*instance);
+    }
+  }
+
+  Part part(const Instance& instance) const {
+    const auto registers = registers_.find(&instance);
+    return {.instance = {instance.module, instance.parameters},
+            .absorbed_registers = registers == registers_.end() ? 0 : registers->second,
+            .is_absorbed = sums_.contains(&instance)};
+  }
+
+private:
+  void pack(const Instance& product) {
+    pack_operand(product, "a");
+    if (number(product, "SQUARE") == 0) pack_operand(product, "b");
+    if (has_two_registers(product)) return;  // the second one takes the adder's place
+    const Operand* const result = pin(product, "y");
+    const std::string* const net = result == nullptr ? nullptr : net_of(*result);
+    const Instance* const sum = net == nullptr ? nullptr : nets_.reader(*net);
+    const bool is_sum = sum != nullptr && sum->module == "fixed_sum" &&
+                        number(*sum, "SUBTRACT") == 0 && number(*sum, "DROPPED") == 0;
+    if (is_sum) sums_.insert(sum);
+  }
+
+  void pack_operand(const Instance& product, const char* port) {
+    const Instance* reader = &product;
+    for (int left = most_operand_registers; left > 0;) {
+      const Operand* const operand = pin(*reader, reader == &product ? port : "d");
+      const std::string* const net = operand == nullptr ? nullptr : net_of(*operand);
+      if (net == nullptr || nets_.reader(*net) != reader) return;
+      const Instance* const driver = nets_.driver(*net);
+      if (driver == nullptr) return;
+      if (driver->module != "delay_line") {
+        if (ends_in_register(*driver)) registers_[driver] = number(*driver, "WIDTH");
+        return;
+      }
+      const int length = number(*driver, "LENGTH");
+      if (length > left) return;
+      registers_[driver] = length * number(*driver, "WIDTH");
+      left -= length;
+      reader = driver;
+    }
+  }
+
+  Nets nets_;
+  std::map<const Instance*, int> registers_;
+  std::set<const Instance*> sums_;
+};
+
+class PartsOfTree {
+public:
+  explicit PartsOfTree(const std::vector<Module>& modules) {
+    for (const Module& module : modules) tree_[module.name] = &module;
+  }
+
+  ComponentParts of(const Module& module) {
+    add(module);
+    return std::move(parts_);
+  }
+
+private:
+  void add(const Module& module) { add(module.items, Packing(module)); }
+  void add(const std::vector<ModuleItem>& items, const Packing& packing) {
+    for (const ModuleItem& item : items) {
+      std::visit([&](const auto& each) { add(each, packing); }, item);
+    }
+  }
+  void add(const Instance& instance, const Packing& packing) {
+    const auto child = tree_.find(instance.module);
+    if (child != tree_.end()) return add(*child->second);
+    parts_.instances.push_back(packing.part(instance));
+  }
+  void add(const std::shared_ptr<const ForGenerate>& loop, const Packing& packing) {
+    for (int k = 0; k < loop->count; ++k) add(loop->items, packing);
+  }
+  void add(const HeldValue& held, const Packing&) { parts_.statements.registers += held.width; }
+  void add(const PhaseRegisters& registers, const Packing&) {
+    const int bits = registers.width * static_cast<int>(registers.names.size());
+    parts_.statements.registers += bits;
+    // A LUT of six inputs chooses among four bits; each further LUT adds three.
+    const int choices = static_cast<int>(registers.cases.size());
+    parts_.statements.luts += bits * ((choices + 1) / 3);
+  }
+  void add(const PhaseFlag&, const Packing&) { parts_.statements.luts += 1; }
+  void add(const Comment&, const Packing&) {}
+  void add(const Wire&, const Packing&) {}
+  void add(const Assignment&, const Packing&) {}
+
+  std::map<std::string, const Module*> tree_;
+  ComponentParts parts_;
+};
+
+}  // namespace
+
+ComponentParts parts_of(const std::vector<Module>& modules) {
+  return PartsOfTree(modules).of(modules.back());
+}
+
+units::Unit unit_of(const TemplateInstance& instance) {
+  units::Unit unit{.module = instance.module, .parameters = {}};
+  for (const Parameter& parameter : emit::template_parameters(instance)) {
+    unit.parameters.push_back(
+        std::visit(Cases{[&](long long value) { return units::integer(parameter.name, value); },
+                         [&](const Literal& value) {
+                           return units::Parameter{parameter.name, value.width, value.value};
+                         }},
+                   parameter.value));
+  }
+  const Instance alone{instance.module, "unit", instance.parameters, {}};
+  unit.parameters.push_back(
+      units::integer(std::string(units::embedded_products), embedded_products(alone)));
+  return unit;
+}
+
+}  // namespace mixcmp::components

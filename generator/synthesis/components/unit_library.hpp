@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/synthesis/characterise/synthesis.hpp"
+#include "generator/synthesis/components/component_parts.hpp"
+#include "model/cost/devices/device.hpp"
+#include "model/cost/units/unit_areas.hpp"
+
+namespace mixcmp::components {
+
+/// The folder in which libraries are looked for, before those that come with the program; none
+/// without a cache (cache_folder).
+std::optional<std::filesystem::path> unit_library_folder();
+
+/// The library of unit areas for a device's synthesis command. An error names the device if there
+/// is none.
+Result<units::UnitAreas> unit_library(const devices::Device& device);
+
+/// The area of a unit in a library. A delay line is as many lines of one bit as it is wide. None if
+/// the library has no unit of this template.
+std::optional<devices::Area> area_of_unit(const units::UnitAreas& library, const units::Unit& unit);
+
+/// A hash of a template and of all that it instantiates, without comments, for all families.
+std::string template_hash(const std::string& module);
+
+/// The batch that maps these instances, which are of one template.
+characterise::UnitBatch unit_batch(const std::vector<rtl::TemplateInstance>& instances);
+
+}  // namespace mixcmp::components

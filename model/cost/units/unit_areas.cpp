@@ -1,0 +1,301 @@
+#include "model/cost/units/unit_areas.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "embedded/library_files.hpp"
+#include "model/base/common/quote.hpp"
+
+namespace mixcmp::units {
+namespace {
+
+/// A column with one resource of an area.
+struct AreaColumn {
+  std::string_view name;
+  int devices::Area::*amount;
+};
+constexpr std::array<AreaColumn, 6> area_columns = {{{"luts", &devices::Area::luts},
+                                                     {"registers", &devices::Area::registers},
+                                                     {"dsps", &devices::Area::dsps},
+                                                     {"memories", &devices::Area::memories},
+                                                     {"carries", &devices::Area::carries},
+                                                     {"shift_luts", &devices::Area::shift_luts}}};
+
+constexpr std::string_view synthesis_mark = "# synthesis: ";
+constexpr std::string_view also_mark = "# also: ";
+
+std::vector<std::string_view> cells_of(std::string_view line) {
+  std::vector<std::string_view> cells;
+  while (true) {
+    const std::size_t comma = std::min(line.find(','), line.size());
+    cells.push_back(line.substr(0, comma));
+    if (comma == line.size()) return cells;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+std::optional<long long> integer_of(std::string_view text) {
+  long long number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, failed] = std::from_chars(text.data(), end, number);
+  return failed == std::errc() && stop == end ? std::optional(number) : std::nullopt;
+}
+
+/// Digits of base 16.
+std::optional<Bits> bits_of(std::string_view digits) {
+  Bits bits = 0;
+  for (const char c : digits) {
+    unsigned digit = 0;
+    if (std::from_chars(&c, &c + 1, digit, 16).ec != std::errc()) return std::nullopt;
+    bits = bits << 4 | digit;
+  }
+  return digits.empty() ? std::nullopt : std::optional(bits);
+}
+
+/// An integer, or a literal such as 14'h322a.
+std::optional<Parameter> parameter_of(std::string name, std::string_view text) {
+  constexpr std::string_view mark = "'h";
+  const std::size_t at = text.find(mark);
+  const std::optional<long long> number = integer_of(text.substr(0, at));
+  if (!number) return std::nullopt;
+  if (at == std::string_view::npos) return integer(std::move(name), *number);
+  const std::optional<Bits> bits = bits_of(text.substr(at + mark.size()));
+  if (!bits || *number < 1 || *number > 128) return std::nullopt;
+  return Parameter{std::move(name), static_cast<int>(*number), *bits};
+}
+
+std::string text_of(const Parameter& parameter) {
+  const int bits = parameter.literal_bits;
+  if (parameter.is_literal()) return fmt::format("{}'h{}", bits, to_hex(parameter.bits, bits));
+  return fmt::format("{}", static_cast<long long>(parameter.bits));
+}
+
+}  // namespace
+
+/// Reads the text of a library line by line.
+class LibraryReader {
+public:
+  LibraryReader(std::string_view text, const std::filesystem::path& path)
+      : text_(text), path_(path) {}
+
+  Result<UnitAreas> read() {
+    if (!next() || !line_.starts_with(synthesis_mark)) {
+      return mistake("no synthesis command", std::string(synthesis_mark) + "COMMAND");
+    }
+    UnitAreas areas{std::string(line_.substr(synthesis_mark.size()))};
+    bool more = next();
+    for (; more && line_.starts_with(also_mark); more = next()) {
+      areas.also_.emplace_back(line_.substr(also_mark.size()));
+    }
+    while (more) {
+      if (line_.empty()) {
+        more = next();
+        continue;
+      }
+      MIXCMP_TRY(section, read_section(more));
+      areas.set(std::move(section));
+    }
+    return areas;
+  }
+
+private:
+  bool next() {
+    if (text_.empty()) return false;
+    const std::size_t end = std::min(text_.find('\n'), text_.size());
+    line_ = text_.substr(0, end);
+    text_.remove_prefix(std::min(end + 1, text_.size()));
+    ++number_;
+    return true;
+  }
+
+  Error mistake(const std::string& message, const std::string& accepted) const {
+    return {.file = path_.string(),
+            .line = number_,
+            .message = message,
+            .received = in_quotes(line_),
+            .accepted = accepted};
+  }
+
+  Result<TemplateAreas> read_section(bool& more) {
+    constexpr std::string_view mark = "] rtl=";
+    const std::size_t at = line_.find(mark);
+    if (!line_.starts_with('[') || at == std::string_view::npos) {
+      return mistake("no section of a template", "[fp_add] rtl=HASH");
+    }
+    TemplateAreas areas{.module = std::string(line_.substr(1, at - 1)),
+                        .rtl = std::string(line_.substr(at + mark.size())),
+                        .units = {},
+                        .areas = {}};
+    next();
+    MIXCMP_TRY(names, read_names());
+    while ((more = next()) && !line_.empty()) {
+      MIXCMP_DO(read_row(names, areas));
+    }
+    return areas;
+  }
+
+  Result<std::vector<std::string>> read_names() const {
+    const std::vector<std::string_view> cells = cells_of(line_);
+    const bool ends_with_areas =
+        cells.size() >= area_columns.size() &&
+        std::equal(
+            area_columns.begin(), area_columns.end(), cells.end() - area_columns.size(),
+            [](const AreaColumn& column, std::string_view cell) { return column.name == cell; });
+    if (!ends_with_areas) {
+      return mistake("not the columns of a template",
+                     "its parameters,luts,registers,dsps,memories,carries,shift_luts");
+    }
+    return std::vector<std::string>(cells.begin(), cells.end() - area_columns.size());
+  }
+
+  Result<Done> read_row(const std::vector<std::string>& names, TemplateAreas& areas) const {
+    const std::vector<std::string_view> cells = cells_of(line_);
+    const std::string form = fmt::format("{} values", names.size() + area_columns.size());
+    if (cells.size() != names.size() + area_columns.size()) return mistake("not a row", form);
+    Unit unit{.module = areas.module, .parameters = {}};
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      std::optional<Parameter> parameter = parameter_of(names[k], cells[k]);
+      if (!parameter) return mistake(names[k] + ": not a value", "an integer or 4'hf");
+      unit.parameters.push_back(std::move(*parameter));
+    }
+    devices::Area area;
+    for (std::size_t k = 0; k < area_columns.size(); ++k) {
+      const auto amount = integer_of(cells[names.size() + k]);
+      if (!amount || *amount < 0) {
+        return mistake(std::string(area_columns[k].name) + ": not a count", "0 or more");
+      }
+      area.*area_columns[k].amount = static_cast<int>(*amount);
+    }
+    areas.units.push_back(std::move(unit));
+    areas.areas.push_back(area);
+    return Done{};
+  }
+
+  std::string_view text_;
+  const std::filesystem::path& path_;
+  std::string_view line_;
+  int number_ = 0;
+};
+
+namespace {
+
+bool has_embedded_products(const Unit& unit) {
+  return std::any_of(unit.parameters.begin(), unit.parameters.end(), [](const Parameter& each) {
+    return each.name == embedded_products && each.size() > 0;
+  });
+}
+
+bool same_names(const Unit& a, const Unit& b) {
+  return std::equal(a.parameters.begin(), a.parameters.end(), b.parameters.begin(),
+                    b.parameters.end(),
+                    [](const Parameter& x, const Parameter& y) { return x.name == y.name; });
+}
+
+}  // namespace
+
+/// Formulas of units with embedded products, and of those without: a product is either in a
+/// multiplier or in LUTs.
+struct UnitAreas::Formulas {
+  using OfColumns = std::array<Formula, area_columns.size()>;
+  OfColumns with_products, without;
+};
+
+UnitAreas::UnitAreas(std::string synthesis) : synthesis_(std::move(synthesis)) {}
+UnitAreas::UnitAreas(UnitAreas&&) noexcept = default;
+UnitAreas& UnitAreas::operator=(UnitAreas&&) noexcept = default;
+UnitAreas::~UnitAreas() = default;
+
+Result<UnitAreas> UnitAreas::read(std::string_view text, const std::filesystem::path& path) {
+  return LibraryReader(text, path).read();
+}
+
+std::string UnitAreas::text() const {
+  std::string text = fmt::format("{}{}\n", synthesis_mark, synthesis_);
+  for (const std::string& command : also_) text += fmt::format("{}{}\n", also_mark, command);
+  for (const auto& [module, areas] : templates_) {
+    text += fmt::format("\n[{}] rtl={}\n", module, areas.rtl);
+    for (const Parameter& parameter : areas.units.front().parameters) text += parameter.name + ",";
+    for (const AreaColumn& column : area_columns) {
+      text += fmt::format("{}{}", column.name, &column == &area_columns.back() ? "\n" : ",");
+    }
+    for (std::size_t k = 0; k < areas.units.size(); ++k) {
+      for (const Parameter& parameter : areas.units[k].parameters) text += text_of(parameter) + ",";
+      for (const AreaColumn& column : area_columns) {
+        text += fmt::format("{}{}", areas.areas[k].*column.amount,
+                            &column == &area_columns.back() ? "\n" : ",");
+      }
+    }
+  }
+  return text;
+}
+
+bool UnitAreas::holds_for(const std::string& synthesis) const {
+  return synthesis == synthesis_ || std::find(also_.begin(), also_.end(), synthesis) != also_.end();
+}
+
+const TemplateAreas* UnitAreas::find(const std::string& module) const {
+  const auto found = templates_.find(module);
+  return found == templates_.end() ? nullptr : &found->second;
+}
+
+void UnitAreas::set(TemplateAreas areas) {
+  formulas_.erase(areas.module);
+  const std::string module = areas.module;
+  if (!areas.units.empty()) templates_.insert_or_assign(module, std::move(areas));
+}
+
+const UnitAreas::Formulas& UnitAreas::formulas_of(const TemplateAreas& areas) const {
+  std::unique_ptr<Formulas>& formulas = formulas_[areas.module];
+  if (formulas) return *formulas;
+  formulas = std::make_unique<Formulas>();
+  for (const bool embedded : {false, true}) {
+    std::vector<Unit> units;
+    std::vector<std::size_t> rows;
+    for (std::size_t k = 0; k < areas.units.size(); ++k) {
+      if (has_embedded_products(areas.units[k]) != embedded) continue;
+      units.push_back(areas.units[k]);
+      rows.push_back(k);
+    }
+    if (units.empty()) continue;
+    Formulas::OfColumns& of = embedded ? formulas->with_products : formulas->without;
+    for (std::size_t c = 0; c < area_columns.size(); ++c) {
+      std::vector<double> amounts;
+      for (const std::size_t k : rows) amounts.push_back(areas.areas[k].*area_columns[c].amount);
+      of[c] = fit(units, amounts);
+    }
+  }
+  return *formulas;
+}
+
+std::optional<devices::Area> UnitAreas::of(const Unit& unit) const {
+  const TemplateAreas* const known = find(unit.module);
+  if (known == nullptr || !same_names(known->units.front(), unit)) return std::nullopt;
+  const auto same = std::find(known->units.begin(), known->units.end(), unit);
+  if (same != known->units.end()) {
+    return known->areas[static_cast<std::size_t>(same - known->units.begin())];
+  }
+  const Formulas& formulas = formulas_of(*known);
+  const Formulas::OfColumns& of_columns =
+      has_embedded_products(unit) ? formulas.with_products : formulas.without;
+  devices::Area area;
+  for (std::size_t c = 0; c < area_columns.size(); ++c) {
+    const double amount = of_columns[c].of(unit);
+    area.*area_columns[c].amount = static_cast<int>(std::lround(std::max(amount, 0.0)));
+  }
+  return area;
+}
+
+Result<std::vector<UnitAreas>> shipped_libraries() {
+  std::vector<UnitAreas> libraries;
+  for (const EmbeddedFile& file : library_files()) {
+    MIXCMP_TRY(areas, UnitAreas::read(file.text, file.name));
+    libraries.push_back(std::move(areas));
+  }
+  return libraries;
+}
+
+}  // namespace mixcmp::units

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/base/common/result.hpp"
+#include "model/cost/devices/area.hpp"
+#include "model/cost/units/area_formula.hpp"
+
+namespace mixcmp::units {
+
+/// The measured units of one template.
+struct TemplateAreas {
+  std::string module;
+  std::string rtl;  ///< a hash of the template and those that it instantiates
+  std::vector<Unit> units;
+  std::vector<devices::Area> areas;  ///< of each unit
+};
+
+class LibraryReader;
+
+/// A library: areas of units after one synthesis command. Its text has a section for each template:
+///
+///     # synthesis: synth_xilinx -family xc7 -flatten -noiopad -noclkbuf
+///     # also: synth_xilinx -family xc6v -flatten -noiopad -noclkbuf
+///
+///     [fixed_sum] rtl=3f...
+///     A_WIDTH,B_WIDTH,...,CUTS,luts,registers,dsps,memories,carries,shift_luts
+///     15,15,...,1'b1,15,15,0,0,4,0
+class UnitAreas {
+public:
+  /// Errors name the line and the column of `path`.
+  static Result<UnitAreas> read(std::string_view text, const std::filesystem::path& path);
+  std::string text() const;
+
+  explicit UnitAreas(std::string synthesis);
+  UnitAreas(UnitAreas&&) noexcept;
+  UnitAreas& operator=(UnitAreas&&) noexcept;
+  ~UnitAreas();
+
+  /// Yosys' command.
+  const std::string& synthesis() const { return synthesis_; }
+  /// Whether the areas hold after this command: the library's, or one that maps alike.
+  bool holds_for(const std::string& synthesis) const;
+  /// The units of a template, in the order of the text; null without any.
+  const TemplateAreas* find(const std::string& module) const;
+  const std::map<std::string, TemplateAreas>& templates() const { return templates_; }
+  void set(TemplateAreas areas);
+
+  /// The area of a unit: as measured or, for one that is not in the library, by a formula fitted to
+  /// those of its template. None if the library has no unit of this template with these parameters'
+  /// names.
+  std::optional<devices::Area> of(const Unit& unit) const;
+
+private:
+  friend class LibraryReader;
+  struct Formulas;
+  const Formulas& formulas_of(const TemplateAreas& areas) const;
+
+  std::string synthesis_;
+  std::vector<std::string> also_;
+  std::map<std::string, TemplateAreas> templates_;
+  mutable std::map<std::string, std::unique_ptr<Formulas>> formulas_;  ///< made when asked for
+};
+
+/// The libraries that come with the program.
+Result<std::vector<UnitAreas>> shipped_libraries();
+
+}  // namespace mixcmp::units
