@@ -48,7 +48,7 @@ std::vector<GeneratedFile> integration_files(const ProjectSpec& spec);
 
 std::vector<GeneratedFile> icarus_files(const ProjectSpec& spec);
 std::vector<GeneratedFile> verilator_files(const ProjectSpec& spec);
-std::vector<GeneratedFile> yosys_files(const ProjectSpec& spec);
+Result<std::vector<GeneratedFile>> yosys_files(const ProjectSpec& spec);
 Result<std::vector<GeneratedFile>> nextpnr_files(const ProjectSpec& spec);
 std::vector<GeneratedFile> vivado_files(const ProjectSpec& spec);
 std::vector<GeneratedFile> quartus_files(const ProjectSpec& spec);

@@ -35,6 +35,8 @@ std::vector<GeneratedFile> fusesoc_files(const ProjectSpec& spec) {
   values["BENCH"] = spec.bench();
   values["DEVICE"] = spec.device.name;
   values["ARCHITECTURE"] = yosys.architecture;
+  values["SYNTH_TARGET"] =
+      yosys.architecture.empty() ? "" : fmt::format(", synth (Yosys, for {})", spec.device.name);
   values["SYNTHESIS_OPTIONS"] = yosys.options;
   values["VIVADO_PART"] = spec.device.vivado_part;
   std::vector<GeneratedFile> files = {

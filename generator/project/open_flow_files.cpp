@@ -60,26 +60,21 @@ Values nextpnr_values(const ProjectSpec& spec) {
 }
 
 Error not_routed(const ProjectSpec& spec) {
-  std::string accepted;
-  for (const std::string& name : devices::device_names()) {
-    const Result<devices::Device> device = devices::find_device(name);
-    if (!device.ok() || !characterise::is_routed(*device)) continue;
-    accepted += (accepted.empty() ? "" : ", ") + name;
-  }
   return {.field = "--project",
           .message = "nextpnr does not place on the scene's device",
           .received = spec.device.name,
-          .accepted = fmt::format("--device with one of {}, or a device file with tool = "
-                                  "\"nextpnr_ice40\" or \"nextpnr_ecp5\"",
-                                  accepted)};
+          .accepted =
+              "--device with an iCE40 or ECP5 (mixcmp devices nextpnr), or a device file "
+              "with tool = \"nextpnr_ice40\" or \"nextpnr_ecp5\""};
 }
 
 }  // namespace
 
-std::vector<GeneratedFile> yosys_files(const ProjectSpec& spec) {
+Result<std::vector<GeneratedFile>> yosys_files(const ProjectSpec& spec) {
+  MIXCMP_DO(characterise::check_is_synthesised(spec.device));
   const Values values = yosys_values(spec);
-  return {file_from("yosys/synthesise.ys", "yosys_synthesise.ys", values),
-          script_from("yosys/run", "yosys_run", values)};
+  return std::vector<GeneratedFile>{file_from("yosys/synthesise.ys", "yosys_synthesise.ys", values),
+                                    script_from("yosys/run", "yosys_run", values)};
 }
 
 Result<std::vector<GeneratedFile>> nextpnr_files(const ProjectSpec& spec) {

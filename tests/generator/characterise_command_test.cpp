@@ -79,6 +79,23 @@ TEST_F(CharacteriseCommand, MeasuresWithTheRealYosys) {
   EXPECT_EQ(wide->area.dsps, 0) << "multipliers of logic";
 }
 
+TEST_F(CharacteriseCommand, ABoardAndItsPartHaveOneTable) {
+  for (const char* device : {"arty-a7-100", "XC7A100TCSG324-1", "xc7a100t"}) {
+    const Outcome run = characterise(two_lanes + " --device " + device, fake(""));
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    EXPECT_EQ(calls(), 2) << device;
+    const auto table = measured::read_characterisation(path("characterisation/scene-xc7a100t.csv"));
+    ASSERT_TRUE(table.ok()) << table.error().to_string();
+    EXPECT_EQ(table->device, "xc7a100t");
+  }
+}
+
+TEST_F(CharacteriseCommand, ADeviceThatYosysDoesNotMapIsToldWithTheReason) {
+  expect_refused("characterise scene.toml --device gatemate-evb",
+                 "system.device: no areas by Yosys: Yosys drops the names of nets when it maps to "
+                 "GateMate, so that nobody can tell whether a netlist is whole: received ccgm1a1");
+}
+
 TEST_F(CharacteriseCommand, MeasuresTheMemoriesOfSquares) {
   if (!has_yosys()) GTEST_SKIP() << "yosys is not installed";
   write("squares.toml",

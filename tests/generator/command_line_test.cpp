@@ -258,6 +258,23 @@ TEST_F(CommandLine, EveryVerbRefusesAnUnknownDevice) {
   }
 }
 
+TEST_F(CommandLine, DevicesAreListedByAnyOfTheirNames) {
+  const Outcome run = mixcmp("devices Nexys --json");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const auto list = nlohmann::json::parse(run.output).at("devices");
+  ASSERT_EQ(list.size(), 3u) << run.output;
+  EXPECT_EQ(list[1], nlohmann::json::parse(R"({"device": "xc7a100t", "family": "artix7",
+      "luts": 63400, "registers": 126800, "dsps": 240, "memories": 270, "clock": "yosys_sta",
+      "other_names": ["alchitry-au-plus", "alinx-ax7101", "arty-a7-100", "nexys-a7-100"]})"));
+  const Outcome text = mixcmp("devices gatemate");
+  EXPECT_NE(text.output.find("40960      40960     0       64           none  gatemate-evb"),
+            std::string::npos)
+      << text.output;
+  expect_refused("devices xc7a15t",
+                 "PATTERN: no device has this in its names: received "
+                 "\"xc7a15t\"; accepted xc7a25t, ");
+}
+
 TEST_F(CommandLine, NumbersOutOfRangeAreRefused) {
   expect_refused("verify scene.toml --only -1", "received -1");
   expect_refused("verify scene.toml --first 0", "an integer of at least 1");

@@ -120,7 +120,7 @@ TEST_F(NewCommand, AMistakeNamesItsOptionAndLeavesNoFile) {
   expect_refused(all + "--f x --g z", "z: no such column, which the input z needs");
   expect_refused(all + "--f xi --g zj --column z=w", "w: no such column, which the input zj needs");
   expect_refused(all + "--f x --g y --column z", "--column: no column: received \"z\"");
-  expect_refused(all + "--f x --g y --device hx8k", "accepted ice40-hx8k (which is iCE40HX8K");
+  expect_refused(all + "--f x --g y --device hx8k", "accepted ice40-hx8k, ice40hx8k, ");
   expect_refused(all + "--f x --g y --reference s9", "--reference: reference.format");
   expect_refused("new a --f x --g y --data none.csv", "--data: data.file: cannot read the file");
   expect_refused("new 9a --f x --g y", "NAME: comparison.name");

@@ -37,8 +37,8 @@ TEST_F(Outputs, AFullStandardOutputFails) {
        {"check scene.toml", "check scene.toml --json", "generate scene.toml -o rtl",
         "generate scene.toml -o rtl --json", "profile scene.toml --last 5",
         "profile scene.toml --last 5 --json", "verify scene.toml --simulator icarus",
-        "verify scene.toml --simulator icarus --json", "doctor", "doctor --json", "--help",
-        "verify --help", "--version"}) {
+        "verify scene.toml --simulator icarus --json", "doctor", "doctor --json", "devices",
+        "devices --json", "--help", "verify --help", "--version"}) {
     const Outcome full = shell(fmt::format("cd '{}' && exec 3>&1 && '{}' {} 2>&3 >/dev/full",
                                            folder(), MIXCMP_PROGRAM, verb));
     EXPECT_EQ(full.exit_code, 1) << verb << "\n" << full.output;

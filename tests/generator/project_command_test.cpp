@@ -454,8 +454,20 @@ TEST_F(Project, YosysAndNextpnrBuildIt) {
 TEST_F(Project, NextpnrIsOfItsDevicesAlone) {
   expect_refused("generate scene.toml --no-prove -o rtl --project nextpnr --device artix7-200t",
                  "--project: nextpnr does not place on the scene's device: received artix7-200t; "
-                 "accepted --device with one of ecp5-85k, ice40-hx8k, ice40-up5k");
+                 "accepted --device with an iCE40 or ECP5 (mixcmp devices nextpnr), or a device");
   EXPECT_FALSE(fs::exists(path("rtl")));
+}
+
+/// A Cyclone V has projects for its vendor's tools, and none of Yosys.
+TEST_F(Project, ADeviceWithoutSynthesisHasNoneByYosys) {
+  expect_refused("generate scene.toml --no-prove -o rtl --project yosys --device de10-nano",
+                 "system.device: no areas by Yosys: ");
+  EXPECT_FALSE(fs::exists(path("rtl")));
+  generate("--project quartus,fusesoc --device de10-nano");
+  expect_in(read("rtl/quartus/compile.tcl"), "set part {5CSEBA6U23I7}");
+  const std::string core = read("rtl/scene_s8e8_2x1.core");
+  EXPECT_EQ(core.find("synth"), std::string::npos) << core;
+  expect_in(core, "  sim:\n");
 }
 
 TEST_F(Project, TheSameSceneGivesTheSameBytes) {

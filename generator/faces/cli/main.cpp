@@ -108,6 +108,7 @@ void run(int argc, char** argv) {
   mixcmp::cli::add_characterise(app);
   mixcmp::cli::add_optimise(app);
   mixcmp::cli::add_explore(app);
+  mixcmp::cli::add_devices(app);
   mixcmp::cli::add_doctor(app);
   mixcmp::cli::add_baseline(app);
   mixcmp::cli::add_route(app);

@@ -214,12 +214,14 @@ std::string formats_text(const NewScene& scene, const LoadedScene& loaded) {
 
 std::string system_text(const NewScene& scene) {
   return fmt::format(
-      "# Devices: {},\n# or the path of a device file.\n"
+      "# A device is an FPGA's part number, a board (`mixcmp devices` lists both), or the path of "
+      "a\n"
+      "# device file.\n"
       "# How many lanes and references there are `mixcmp optimise` finds out; it leaves the share\n"
       "# `slack` of the device to the rest of your design. Registers are placed for target_mhz.\n"
       "[system]\ndevice = {}\nlanes = \"auto\"\nreferences = \"auto\"\nslack = 0.2\n"
       "target_mhz = 200\n",
-      fmt::join(devices::device_names(), ", "), toml_string(scene.device));
+      toml_string(scene.device));
 }
 
 Result<LoadedScene> load_from(settings::Settings all) {

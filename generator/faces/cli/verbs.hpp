@@ -16,6 +16,7 @@ void add_profile(CLI::App& app);
 void add_characterise(CLI::App& app);
 void add_optimise(CLI::App& app);
 void add_explore(CLI::App& app);
+void add_devices(CLI::App& app);
 void add_doctor(CLI::App& app);
 void add_baseline(CLI::App& app);
 void add_route(CLI::App& app);

@@ -7,7 +7,7 @@
 
 namespace mixcmp::datapath {
 
-/// The delay table of a device (model/cost/devices/NAME.toml), by name or by the path of a device
+/// The delay table of a device, by any name that find_device knows or by the path of a device
 /// file.
 Result<DelayTable> delays_of(std::string_view device);
 

@@ -10,11 +10,12 @@ namespace mixcmp::characterise {
 namespace {
 
 /// Tells whether Yosys maps products to the device's multipliers. On the iCE40 it does so only with
-/// our own cells (`cells`).
+/// our own cells (`cells`); a command without cells of multipliers (cells.toml) never does.
 bool maps_multipliers(const devices::Device& device) {
   const bool left_out = device.synthesis.find("-nodsp") != std::string::npos;
   const bool by_cells = device.synthesis.starts_with("synth_ice40");
-  return device.available.dsps > 0 && !left_out && (!by_cells || device.cells == "ice40");
+  return device.available.dsps > 0 && device.cell_areas.have_dsps() && !left_out &&
+         (!by_cells || device.cells == "ice40");
 }
 
 /// The number of a net's low bits that vary. A constant bit is a string ("0", "1", "x"), any other

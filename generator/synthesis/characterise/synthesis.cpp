@@ -245,6 +245,7 @@ bool is_cell_of(const SourceText& source, const devices::Device& device) {
 }
 
 Result<std::string> tool_versions(const devices::Device& device, TimingEffort effort) {
+  MIXCMP_DO(check_is_synthesised(device));
   MIXCMP_TRY(yosys, yosys_version(device));
   if (effort == TimingEffort::area_only || !is_routed(device)) return yosys;
   const Result<std::string> router = router_version(device);

@@ -41,6 +41,16 @@ bool is_routed(const devices::Device& device) {
   MIXCMP_CHECK(!"a timing tool of no enumerator");
 }
 
+Result<Done> check_is_synthesised(const devices::Device& device) {
+  if (!device.synthesis.empty()) return Done{};
+  return Error{.field = "system.device",
+               .message = "no areas by Yosys: " + device.no_synthesis,
+               .received = device.name,
+               .accepted =
+                   "a device with a synthesis command, or reports of the vendor's tools "
+                   "(characterise --import)"};
+}
+
 Command yosys_command(const devices::Device& device) {
   if (device.timing != devices::TimingTool::nextpnr_ecp5) return {"yosys"};
   return command_from("MIXCMP_YOSYS_ECP5", "yosys");

@@ -74,6 +74,11 @@ std::optional<Area> CellAreas::find(std::string_view cell) const {
   return std::nullopt;
 }
 
+bool CellAreas::have_dsps() const {
+  return std::any_of(areas_.begin(), areas_.end(),
+                     [](const auto& entry) { return entry.second.dsps > 0; });
+}
+
 std::string CellAreas::names() const {
   std::vector<std::string_view> names;
   for (const auto& [name, area] : areas_) names.push_back(name);

@@ -26,6 +26,9 @@ public:
   /// The area of a cell by its whole name, else by the longest name with * that matches.
   std::optional<Area> find(std::string_view cell) const;
 
+  /// Whether any cell is a multiplier.
+  bool have_dsps() const;
+
   /// All names, for an error: "CARRY*, FD*, INV".
   std::string names() const;
 

@@ -59,16 +59,18 @@ enum class TimingTool {
 
 std::string_view to_string(TimingTool tool);
 
-/// One device as model/cost/devices/NAME.toml describes it.
+/// One device as a device file describes it (docs/devices.md).
 struct Device {
   std::string name;          ///< "virtex6-lx760"
+  std::string family;        ///< "virtex6": the file of families/ that it follows; may be empty
   std::string vendor_name;   ///< "XC6VLX760"
   std::string vivado_part;   ///< Vivado's name, "xc7a200tfbg676-2"; empty: Vivado has none
   std::string quartus_part;  ///< Quartus' name, "5CEBA4F23C7"; empty: Quartus has none
   int technology_nm = 0;
-  Area available;         ///< luts, registers, dsps, memories
-  std::string synthesis;  ///< Yosys command without -top: "synth_xilinx -family xc6v ..."
-  CellAreas cell_areas;   ///< of the cells that `synthesis` maps to
+  Area available;            ///< luts, registers, dsps, memories
+  std::string synthesis;     ///< Yosys command without -top: "synth_xilinx -family xc6v ..."
+  std::string no_synthesis;  ///< the reason why `synthesis` is empty
+  CellAreas cell_areas;      ///< of the cells that `synthesis` maps to
   std::string cells;  ///< rtl_templates/technology/CELLS has modules for its Yosys; may be empty
   TimingTool timing = TimingTool::none;
   std::string timing_synthesis;               ///< `synthesis` for the timing run; may be empty
@@ -77,11 +79,19 @@ struct Device {
   std::vector<std::string> sources;  ///< sources of the figures, for a report
 };
 
-/// Finds a device by its name, or by the path of a .toml of the same form. Errors name field
-/// `system.device` and the known devices, or the file, line and field of a device file.
+/// Finds a device by its name, by a part number ("xc7a100t", "XC7A100TCSG324-1"), by a board
+/// ("arty-a7-100"), or by the path of a device file. Errors name field `system.device` and the
+/// nearest names, or the file, line and field of a device file.
 Result<Device> find_device(std::string_view name);
 
-/// The names of the built-in devices.
+/// The names of the devices that have a device file of their own in the program.
 std::vector<std::string> device_names();
+
+/// A device that comes with the program, and its other names: the part and its boards.
+struct KnownDevice {
+  Device device;
+  std::vector<std::string> other_names;
+};
+std::vector<KnownDevice> known_devices();
 
 }  // namespace mixcmp::devices

@@ -11,6 +11,7 @@
 #include "model/base/common/quote.hpp"
 #include "model/base/settings/section.hpp"
 #include "model/base/settings/settings.hpp"
+#include "model/cost/devices/family.hpp"
 
 namespace mixcmp::devices {
 namespace {
@@ -54,6 +55,8 @@ Result<Done> read_figures(const settings::Settings& settings, Device& device) {
     section.fail("name", "not a name for files", in_quotes(device.name),
                  "letters, digits, - + _ and dots, not at its start");
   }
+  section.text("family", device.family);
+  section.find("part");  // with_family has followed it
   section.text("vendor_name", device.vendor_name);
   read_part(section, "vivado_part", device.vivado_part);
   read_part(section, "quartus_part", device.quartus_part);
@@ -88,9 +91,14 @@ void check_command(settings::Section& section, const std::string& key, const std
 
 Result<Done> read_synthesis(const settings::Settings& settings, Device& device) {
   settings::Section section(settings, "synthesis");
-  section.require("command");
+  section.text("missing", device.no_synthesis);
+  if (device.no_synthesis.empty()) section.require("command");
   section.text("command", device.synthesis);
   check_command(section, "command", device.synthesis);
+  if (!device.no_synthesis.empty() && !device.synthesis.empty()) {
+    section.fail("missing", "beside a command", in_quotes(device.no_synthesis),
+                 "command, or the reason why it is missing");
+  }
   section.text("cells", device.cells);
   if (!device.cells.empty() && device.cells != "ecp5" && device.cells != "ice40") {
     section.fail("cells", "not a family with cells of its own", in_quotes(device.cells),
@@ -197,8 +205,9 @@ Result<Done> read_sources(const settings::Settings& settings, std::vector<std::s
 }  // namespace
 
 Result<Device> read_device(std::string text, const std::filesystem::path& path) {
-  MIXCMP_TRY(settings, settings::parse_settings(std::move(text), path));
-  MIXCMP_DO(check_section_names(settings));
+  MIXCMP_TRY(file, settings::parse_settings(std::move(text), path));
+  MIXCMP_DO(check_section_names(file));
+  MIXCMP_TRY(settings, with_family(std::move(file)));
   Device device;
   MIXCMP_DO(read_figures(settings, device));
   MIXCMP_DO(read_synthesis(settings, device));

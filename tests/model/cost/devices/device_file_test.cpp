@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 /// Every mistake in a device file is told with its file, line and field.
 namespace mixcmp::test::device_file_test {
 namespace {
@@ -85,6 +87,16 @@ INSTANTIATE_TEST_SUITE_P(
                 "device.registers", "3000000000"},
         Mistake{"UnknownKey", "dsps = 0", "dsp = 0", 5, "device.dsp", "dsp"},
         Mistake{"UnknownSection", "[delays]", "[delay]", 12, "delay", "delay"},
+        Mistake{"UnknownFamily", "luts = 10\n", "luts = 10\nfamily = \"artix8\"\n", 4,
+                "device.family", "\"artix8\""},
+        Mistake{"UnknownPart", "luts = 10\n", "luts = 10\npart = \"xc7a15t\"\n", 4, "device.part",
+                "\"xc7a15t\""},
+        Mistake{"PartAsANumber", "luts = 10\n", "luts = 10\npart = 7\n", 4, "device.part", "7"},
+        Mistake{"PartAndFamily", "luts = 10\n",
+                "luts = 10\npart = \"xc7a100t\"\nfamily = \"artix7\"\n", 5, "device.family",
+                "\"artix7\""},
+        Mistake{"CommandAndTheReasonWhyThereIsNone", "-abc9\"", "-abc9\"\nmissing = \"x\"", 9,
+                "synthesis.missing", "\"x\""},
         Mistake{"NoDelay", "lut_ns = 1\n", "", 12, "delays.lut_ns", "nothing"},
         Mistake{"InfiniteDelay", "lut_ns = 1", "lut_ns = inf", 13, "delays.lut_ns", "inf"},
         Mistake{"NoSynthesis", "command = \"synth_ecp5 -abc9\"\n", "", 7, "synthesis.command",
@@ -148,6 +160,51 @@ TEST(DeviceFile, SelectionsFollowTheTablesInputsUnlessGiven) {
   EXPECT_EQ(with("luts", "luts")->delays.sum_selects, 2);
   EXPECT_EQ(with("dsps = 0", "dsps = 0\nlut_inputs = 4")->delays.sum_selects, 0);
   EXPECT_EQ(with("dsps = 0", "dsps = 0\nsum_selects = 1\nlut_inputs = 4")->delays.sum_selects, 1);
+}
+
+/// A file that names a family needs only what differs.
+TEST(DeviceFile, LeavesTheRestToItsFamily) {
+  const auto device = devices::read_device(
+      "[device]\nname = \"d\"\nfamily = \"ecp5\"\nluts = 10\nregisters = 20\ndsps = 1\nmemories = "
+      "3\n[timing]\narguments = [\"--25k\"]\n[delays]\nlut_ns = 9\n[sources]\nluts = \"counted\"\n",
+      "d.toml");
+  ASSERT_TRUE(device.ok()) << device.error().to_string();
+  EXPECT_EQ(device->name, "d");
+  EXPECT_EQ(device->family, "ecp5");
+  EXPECT_EQ(device->available,
+            (devices::Area{.luts = 10, .registers = 20, .dsps = 1, .memories = 3}));
+  EXPECT_EQ(device->synthesis, "synth_ecp5");
+  EXPECT_EQ(device->cells, "ecp5");
+  EXPECT_EQ(device->timing, devices::TimingTool::nextpnr_ecp5);
+  EXPECT_EQ(device->timing_arguments, std::vector<std::string>{"--25k"});
+  EXPECT_EQ(device->delays.lut_ns, 9);
+  EXPECT_EQ(device->delays.memory_ns, 4.5);
+  EXPECT_EQ(device->delays.multiplier_size, (devices::MultiplierSize{.a_bits = 18, .b_bits = 18}));
+  EXPECT_EQ(std::count(device->sources.begin(), device->sources.end(), "luts: counted"), 1);
+}
+
+/// A command or a tool of the file's own comes without the options of the family's.
+TEST(DeviceFile, FollowsAPartButForItsOwnCommandAndTool) {
+  const auto device = devices::read_device(
+      "[device]\nname = \"d\"\npart = \"LFE5U-85F-6BG381C\"\n[synthesis]\ncommand = \"synth_ecp5 "
+      "-nodsp\"\n[timing]\ntool = \"none\"\n",
+      "d.toml");
+  ASSERT_TRUE(device.ok()) << device.error().to_string();
+  EXPECT_EQ(device->name, "d");
+  EXPECT_EQ(device->available.luts, 83640);
+  EXPECT_EQ(device->synthesis, "synth_ecp5 -nodsp");
+  EXPECT_EQ(device->cells, "");
+  EXPECT_EQ(device->timing, devices::TimingTool::none);
+  EXPECT_EQ(device->timing_arguments, std::vector<std::string>{});
+}
+
+/// Its tables would be taken for those of the part.
+TEST(DeviceFile, HasANameOfItsOwn) {
+  const auto device = devices::read_device("[device]\npart = \"xc7a100t\"\n", "d.toml");
+  ASSERT_FALSE(device.ok());
+  EXPECT_EQ(device.error().field, "device.name");
+  EXPECT_EQ(device.error().file, "d.toml");
+  EXPECT_EQ(device.error().line, 1);
 }
 
 TEST(DeviceFile, BrokenSyntaxIsToldWithItsLine) {
