@@ -24,12 +24,6 @@ std::string duration(double seconds) {
                       : fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-void tell_progress(int finished, int jobs, double seconds) {
-  const std::string left =
-      finished == 0 ? "" : ", about " + duration(seconds / finished * (jobs - finished)) + " left";
-  show_progress(fmt::format("{} of {} jobs, {}{}", finished, jobs, duration(seconds), left));
-}
-
 /// The settings on which the components' RTL and its measurement depend, by name.
 std::vector<std::pair<std::string, std::string>> spec_of(const scene::Scene& scene,
                                                          const std::string& tools) {
@@ -211,6 +205,12 @@ std::vector<fs::path> inputs_of_campaign(const CharacteriseCommand& command,
 }
 
 }  // namespace
+
+void tell_progress(int finished, int jobs, double seconds) {
+  const std::string left =
+      finished == 0 ? "" : ", about " + duration(seconds / finished * (jobs - finished)) + " left";
+  show_progress(fmt::format("{} of {} jobs, {}{}", finished, jobs, duration(seconds), left));
+}
 
 bool nothing_measured(const CharacteriseReport& report) {
   return report.components == 0 || report.table.rows.empty();
