@@ -36,7 +36,8 @@ std::string name_of(const scene::Scene& scene) {
 }
 
 bool is_one_table(const OptimiseRequest& request) {
-  return !request.planning.table.empty() && !fs::is_directory(request.planning.table);
+  std::error_code failed;
+  return !request.planning.table.empty() && !fs::is_directory(request.planning.table, failed);
 }
 
 /// The scene as it is and, if it names no variant, its variants. A table or rates given by hand

@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <regex>
+#include <optional>
 #include <sstream>
 
 #include "generator/hardware/emit/template_ports.hpp"
@@ -42,14 +42,31 @@ void add_templates(SynthesisJob& job, const std::set<std::string>& modules) {
   }
 }
 
+constexpr const char* blanks = " \t\n";
+
+/// The place of a parameter's default in a module's text: "parameter [RANGE] NAME = DEFAULT".
+std::optional<std::size_t> place_of_default(const std::string& text, const std::string& name) {
+  constexpr std::string_view keyword = "parameter";
+  const auto skip_blanks = [&](std::size_t at) {
+    return std::min(text.find_first_not_of(blanks, at), text.size());
+  };
+  for (std::size_t at = text.find(keyword); at < text.size(); at = text.find(keyword, at)) {
+    at = skip_blanks(at + keyword.size());
+    if (text[at] == '[') at = skip_blanks(std::min(text.find(']', at), text.size() - 1) + 1);
+    if (text.compare(at, name.size(), name) != 0) continue;
+    const std::size_t equals = skip_blanks(at + name.size());
+    if (equals < text.size() && text[equals] == '=') return skip_blanks(equals + 1);
+  }
+  return std::nullopt;
+}
+
 /// Replaces a parameter's default in a module's text; false where the text declares no such
 /// parameter.
 bool set_default(std::string& text, const ParameterValue& value) {
-  const std::regex declaration("(\\bparameter\\s+(?:\\[[^\\]]*\\]\\s*)?" + value.name +
-                               "\\s*=\\s*)([^,\\n)]+)");
-  std::smatch match;
-  if (!std::regex_search(text, match, declaration)) return false;
-  text = match.prefix().str() + match[1].str() + value.value + match.suffix().str();
+  const std::optional<std::size_t> place = place_of_default(text, value.name);
+  if (!place) return false;
+  const std::size_t end = std::min(text.find_first_of(",\n)", *place), text.size());
+  text.replace(*place, end - *place, value.value);
   return true;
 }
 
