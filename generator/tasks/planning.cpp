@@ -59,10 +59,13 @@ Result<std::string> rates_hash(const SceneRequest& request, const LoadedScene& l
 }  // namespace
 
 fs::path table_of(const PlanningRequest& request, const scene::Scene& scene) {
-  if (!request.table.empty()) return request.table;
+  std::error_code failed;
+  const bool is_folder = fs::is_directory(request.table, failed);
+  if (!request.table.empty() && !is_folder) return request.table;
   const Result<devices::Device> device = devices::find_device(scene.system.device);
-  return optimise::default_table(request.scene.source.path, scene,
-                                 device.ok() ? device->name : scene.system.device);
+  const fs::path beside = optimise::default_table(request.scene.source.path, scene,
+                                                  device.ok() ? device->name : scene.system.device);
+  return is_folder ? request.table / beside.filename() : beside;
 }
 
 Result<components::Planning> load_planning(const PlanningRequest& request,

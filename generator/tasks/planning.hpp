@@ -19,7 +19,9 @@ using StepProgress = std::function<void(const std::string& step, double share)>;
 /// A scene and the table of its components.
 struct PlanningRequest {
   SceneRequest scene;
-  std::filesystem::path table = {};      ///< empty: beside the scene, see optimise::default_table
+  /// A file, or a folder with tables of their default names (optimise::default_table). Empty: the
+  /// folder "characterisation" beside the scene.
+  std::filesystem::path table = {};
   std::string table_option = "--table";  ///< the name of `table` in errors
 };
 

@@ -234,10 +234,10 @@ TEST_F(CommandLine, AChainHasALaneForEachCandidateButTheFirst) {
   ASSERT_EQ(check.exit_code, 0) << check.output;
   EXPECT_EQ(nlohmann::json::parse(check.output)["generate"]["top"], "chain_s8e8_2x1_arg_min");
   for (const char* options : {"", " --set engine.kind=none"}) {
-    expect_refused(fmt::format("optimise chain.toml --no-characterise{}", options),
+    expect_refused(fmt::format("optimise chain.toml --table .{}", options),
                    "mixcmp characterise chain.toml");
   }
-  expect_refused("optimise chain.toml --no-characterise --set system.lanes=1",
+  expect_refused("optimise chain.toml --table . --set system.lanes=1",
                  "system.lanes: the data have more candidates than the engine: received 3 "
                  "candidates, 1 lanes");
   for (const char* verb : {"generate", "verify"}) {

@@ -40,7 +40,7 @@ protected:
 };
 
 TEST_F(OptimiseChainCommand, APlanHasALaneForEachCandidateAndNamesWhatItCounts) {
-  const Outcome run = mixcmp("optimise chain.toml --json -o plan.toml");
+  const Outcome run = mixcmp("optimise chain.toml --table characterisation --json -o plan.toml");
   ASSERT_EQ(run.exit_code, 0) << run.output;
   const nlohmann::json report = json_of(run);
   ASSERT_EQ(report["best"], 12);
@@ -57,16 +57,16 @@ TEST_F(OptimiseChainCommand, APlanHasALaneForEachCandidateAndNamesWhatItCounts) 
   EXPECT_EQ(luts, plan["used"]["lut"]);
   EXPECT_EQ(luts, 2 * 300 + 200 + 400 + 8000 + 70 + 18) << "18: a crossbar of 2 ports";
   EXPECT_EQ(mixcmp("generate plan.toml -o rtl").exit_code, 0);
-  const Outcome text = mixcmp("optimise chain.toml");
+  const Outcome text = mixcmp("optimise chain.toml --table characterisation");
   EXPECT_NE(text.output.find("1 x reference s53e8 embedded"), std::string::npos) << text.output;
 }
 
 TEST_F(OptimiseChainCommand, ATableOfAnotherNumberOfCandidatesIsRefused) {
   const std::string engine = "arg_min, 3 candidates, row tags of 16 bits";
   write(table_name, "# engine: " + engine + "\n" + read(table_name));
-  EXPECT_EQ(mixcmp("optimise chain.toml").exit_code, 0);
+  EXPECT_EQ(mixcmp("optimise chain.toml --table characterisation").exit_code, 0);
   for (const char* other : {"system.lanes=3", "engine.tag_bits=8"}) {
-    expect_refused(std::string("optimise chain.toml --no-characterise --set ") + other,
+    expect_refused(std::string("optimise chain.toml --table characterisation --set ") + other,
                    "the table is of another engine: received " + engine);
   }
 }

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 class OptimiseCommand : public PlanningTest {};
 
 TEST_F(OptimiseCommand, ItsPlanIsWhatCheckTakes) {
-  const Outcome found = mixcmp("optimise scene.toml --last 14 -o plan.toml");
+  const Outcome found = mixcmp("optimise scene.toml --table characterisation --last 14 -o plan.toml");
   ASSERT_EQ(found.exit_code, 0) << found.output;
   EXPECT_NE(found.output.find("target, not measured"), std::string::npos) << found.output;
   const Outcome checked = mixcmp("check plan.toml --json");
@@ -33,7 +33,7 @@ TEST_F(OptimiseCommand, APlanHasNoMoreMemoriesThanTheDevice) {
   row(table, "fifo,,,,,,0,32", 0, 200, 0);
   table.close();
   const Outcome found = mixcmp(
-      "optimise scene.toml --first 11 --last 11 --use-multipliers memory,embedded "
+      "optimise scene.toml --table characterisation --first 11 --last 11 --use-multipliers memory,embedded "
       "-o plan.toml");
   ASSERT_EQ(found.exit_code, 0) << found.output;
   const std::string plan = read("plan.toml");
@@ -41,7 +41,7 @@ TEST_F(OptimiseCommand, APlanHasNoMoreMemoriesThanTheDevice) {
   EXPECT_NE(plan.find("288"), std::string::npos) << plan;
   const Outcome checked = mixcmp("check plan.toml --json");
   ASSERT_EQ(checked.exit_code, 0) << checked.output;
-  expect_refused("optimise scene.toml --use-multipliers wood", "memory");
+  expect_refused("optimise scene.toml --table characterisation --use-multipliers wood", "memory");
 }
 
 /// Without the streams around a lane a plan would promise lanes that have no room.
@@ -55,7 +55,7 @@ TEST_F(OptimiseCommand, TablesWithoutStreamsAreRefused) {
       if (!line.starts_with(kind)) kept += line + "\n";
     }
     write(name, kept);
-    expect_refused("optimise scene.toml --first 8 --last 14 -o plan.toml", "a " + kind);
+    expect_refused("optimise scene.toml --table characterisation --first 8 --last 14 -o plan.toml", "a " + kind);
     EXPECT_FALSE(fs::exists(path("plan.toml")));
     write(name, whole);
   }
@@ -68,12 +68,12 @@ TEST_F(OptimiseCommand, RowsOfFixedPointWithInputsAreRefused) {
     std::ofstream table(path("characterisation/scene-virtex6-lx760.csv"), std::ios::app);
     row(table, wrong, 7, 380, 4);
     table.close();
-    expect_refused("optimise scene.toml --last 14", "scene-virtex6-lx760.csv:13");
+    expect_refused("optimise scene.toml --table characterisation --last 14", "scene-virtex6-lx760.csv:13");
   }
 }
 
 TEST_F(OptimiseCommand, JsonTellsEveryPrecision) {
-  const Outcome found = mixcmp("optimise scene.toml --last 14 --json");
+  const Outcome found = mixcmp("optimise scene.toml --table characterisation --last 14 --json");
   ASSERT_EQ(found.exit_code, 0) << found.output;
   const auto report = json_of(found);
   ASSERT_EQ(report.at("plans").size(), 2u);
@@ -84,18 +84,18 @@ TEST_F(OptimiseCommand, JsonTellsEveryPrecision) {
 }
 
 TEST_F(OptimiseCommand, OldRtlIsTold) {
-  const Outcome found = mixcmp("optimise scene.toml --last 14");
+  const Outcome found = mixcmp("optimise scene.toml --table characterisation --last 14");
   EXPECT_NE(found.output.find("7 of 7 rows"), std::string::npos) << found.output;
 }
 
 TEST_F(OptimiseCommand, ReferencesHaveTheInitiationIntervalOfTheScene) {
-  expect_refused("optimise scene.toml --set reference.initiation_interval=16 -o plan.toml",
+  expect_refused("optimise scene.toml --table characterisation --set reference.initiation_interval=16 -o plan.toml",
                  "the characterisation has no reference");
   EXPECT_FALSE(fs::exists(path("plan.toml")));
 }
 
 TEST_F(OptimiseCommand, ThePlanSaysWhatItsReferencesArePlacedFor) {
-  const std::string command = "optimise scene.toml --last 14 ";
+  const std::string command = "optimise scene.toml --table characterisation --last 14 ";
   std::ofstream table(path("characterisation") / "scene-virtex6-lx760.csv", std::ios::app);
   row(table, "reference,at_400_mhz,s53e8,,,embedded,1,0", 60, 3000, 6);
   table.close();
@@ -127,18 +127,18 @@ TEST_F(OptimiseCommand, AnInitiationIntervalThatIsLeftOpenIsNotGenerated) {
   const std::string refused = mixcmp("generate ./scene.toml -o rtl" + open).output;
   const std::string suggested = "optimise ./scene.toml" + open;
   EXPECT_NE(refused.find("mixcmp " + suggested + " -o plan.toml"), std::string::npos) << refused;
-  EXPECT_EQ(mixcmp(suggested + " --last 14 -o plan.toml").exit_code, 0);
+  EXPECT_EQ(mixcmp(suggested + " --last 14 --predict-only -o plan.toml").exit_code, 0);
 }
 
 TEST_F(OptimiseCommand, ChoosesTheInitiationIntervalThatTheSceneLeavesOpen) {
   const std::string open =
-      "optimise scene.toml --first 12 --last 14 --set 'reference.initiation_interval=\"auto\"'";
+      "optimise scene.toml --table characterisation --first 12 --last 14 --set 'reference.initiation_interval=\"auto\"'";
   const std::string note =
       "reference.initiation_interval is \"auto\", but the table has references of only "
       "interval 1; "
       "`mixcmp characterise --initiation-intervals";
   EXPECT_NE(mixcmp(open).output.find(note), std::string::npos);
-  EXPECT_EQ(mixcmp("optimise scene.toml --last 14").output.find(note), std::string::npos);
+  EXPECT_EQ(mixcmp("optimise scene.toml --table characterisation --last 14").output.find(note), std::string::npos);
   std::ofstream table(path("characterisation") / "scene-virtex6-lx760.csv", std::ios::app);
   row(table, "reference,,s53e8,,,embedded,2,0", 60, 3000, 6);
   table.close();
@@ -154,11 +154,11 @@ TEST_F(OptimiseCommand, ChoosesTheInitiationIntervalThatTheSceneLeavesOpen) {
     const auto report = json_of(mixcmp(command + " --json"));
     return report.at("plans")[0].at("throughput_per_s").get<double>();
   };
-  EXPECT_GT(throughput(open), throughput("optimise scene.toml --first 12 --last 14"));
+  EXPECT_GT(throughput(open), throughput("optimise scene.toml --table characterisation --first 12 --last 14"));
 }
 
 TEST_F(OptimiseCommand, GlpkWouldReadItsProgram) {
-  ASSERT_EQ(mixcmp("optimise scene.toml --last 14 --lp best.lp").exit_code, 0);
+  ASSERT_EQ(mixcmp("optimise scene.toml --table characterisation --last 14 --lp best.lp").exit_code, 0);
   const std::string program = read("best.lp");
   EXPECT_NE(program.find("Maximize"), std::string::npos);
   EXPECT_NE(program.find("lut"), std::string::npos);
@@ -168,7 +168,7 @@ TEST_F(OptimiseCommand, RatesMayHaveTheLineEndsOfASpreadsheet) {
   write("rates.csv",
         "inputs,precision,scheme,comparisons,undecided,rate,wrong,wrong_by_lane\r\n"
         "exact,8,relative,1000,10,0.01,0,0\r\n");
-  const Outcome found = mixcmp("optimise scene.toml --last 8 --rates rates.csv --json");
+  const Outcome found = mixcmp("optimise scene.toml --table characterisation --last 8 --rates rates.csv --json");
   ASSERT_EQ(found.exit_code, 0) << found.output;
   EXPECT_DOUBLE_EQ(json_of(found).at("plans")[0].at("recomputation_rate"), 0.01);
 }
@@ -177,7 +177,7 @@ TEST_F(OptimiseCommand, RatesMayComeFromAProfile) {
   std::ofstream(path("rates.csv"))
       << "inputs,precision,scheme,comparisons,undecided,rate,wrong,wrong_by_lane\n"
       << "exact,12,relative,1000000,100,1e-4,0,0\n";
-  const Outcome found = mixcmp("optimise scene.toml --rates rates.csv --json");
+  const Outcome found = mixcmp("optimise scene.toml --table characterisation --rates rates.csv --json");
   ASSERT_EQ(found.exit_code, 0) << found.output;
   const auto report = json_of(found);
   EXPECT_EQ(report.at("best"), 12);
@@ -189,9 +189,9 @@ TEST_F(OptimiseCommand, RatesOfAnotherReferenceAreRefusedAndOfOtherDataTold) {
       "inputs,precision,scheme,comparisons,undecided,rate,wrong,wrong_by_lane\n";
   const std::string rate = "exact,8,relative,77,10,0.13,0,0\n";
   write("other.csv", header + "exact,24,reference,77,0,0,0,0\n" + rate);
-  expect_refused("optimise scene.toml --last 8 --rates other.csv", "a reference of 24 digits");
+  expect_refused("optimise scene.toml --table characterisation --last 8 --rates other.csv", "a reference of 24 digits");
   write("more.csv", header + "exact,53,reference,77,0,0,0,0\n" + rate);
-  const Outcome told = mixcmp("optimise scene.toml --last 8 --rates more.csv");
+  const Outcome told = mixcmp("optimise scene.toml --table characterisation --last 8 --rates more.csv");
   EXPECT_EQ(told.exit_code, 0) << told.output;
   EXPECT_NE(told.output.find("note: more.csv: counted on 77 comparisons; the scene's data have"),
             std::string::npos)
@@ -200,7 +200,7 @@ TEST_F(OptimiseCommand, RatesOfAnotherReferenceAreRefusedAndOfOtherDataTold) {
 
 TEST_F(OptimiseCommand, ADeviceTooSmallIsToldWithWhatIsShort) {
   write_table("scene-ice40-up5k.csv", "ice40-up5k");
-  const Outcome found = mixcmp("optimise scene.toml --device ice40-up5k --last 14 -o plan.toml");
+  const Outcome found = mixcmp("optimise scene.toml --table characterisation --device ice40-up5k --last 14 -o plan.toml");
   EXPECT_EQ(found.exit_code, 2) << found.output;
   EXPECT_NE(found.output.find("lut"), std::string::npos) << found.output;
   EXPECT_FALSE(fs::exists(path("plan.toml")));
@@ -209,16 +209,16 @@ TEST_F(OptimiseCommand, ADeviceTooSmallIsToldWithWhatIsShort) {
 TEST_F(OptimiseCommand, AnOlderPlanThatStaysIsTold) {
   write_table("scene-ice40-up5k.csv", "ice40-up5k");
   write("plan.toml", "old\n");
-  const Outcome found = mixcmp("optimise scene.toml --device ice40-up5k --last 14 -o plan.toml");
+  const Outcome found = mixcmp("optimise scene.toml --table characterisation --device ice40-up5k --last 14 -o plan.toml");
   EXPECT_EQ(found.exit_code, 2) << found.output;
   EXPECT_NE(found.output.find("plan.toml: not written"), std::string::npos) << found.output;
   EXPECT_EQ(read("plan.toml"), "old\n");
 }
 
 TEST_F(OptimiseCommand, ItsFilesAreOfOneRun) {
-  ASSERT_EQ(mixcmp("optimise scene.toml --csv f9.csv -o plan.toml").exit_code, 0);
+  ASSERT_EQ(mixcmp("optimise scene.toml --table characterisation --csv f9.csv -o plan.toml").exit_code, 0);
   const std::string table = read("f9.csv"), plan = read("plan.toml");
-  const std::string other = "optimise scene.toml --first 12 --csv f9.csv -o plan.toml --lp ";
+  const std::string other = "optimise scene.toml --table characterisation --first 12 --csv f9.csv -o plan.toml --lp ";
   EXPECT_EQ(mixcmp(other + "/dev/full").exit_code, 1);
   EXPECT_EQ(read("f9.csv"), table);
   EXPECT_EQ(read("plan.toml"), plan);
@@ -230,22 +230,22 @@ TEST_F(OptimiseCommand, TheBestVariantIsChosenAndThePlanNamesIt) {
   std::ofstream(path("scene.toml"), std::ios::app)
       << "[[variant]]\nname = \"root\"\ng = \"ri + rj\"\n"
       << "f = \"sqrt((cxi - cxj)^2 + (cyi - cyj)^2 + (czi - czj)^2)\"\n";
-  const Outcome without = mixcmp("optimise scene.toml --last 8 --json");
+  const Outcome without = mixcmp("optimise scene.toml --table characterisation --last 8 --json");
   EXPECT_NE(without.output.find("variant root left out"), std::string::npos) << without.output;
   EXPECT_NE(without.output.find("characterise scene.toml --variant root"), std::string::npos);
   write_table("scene-root-virtex6-lx760.csv", "virtex6-lx760", "spheres_root", 500);
-  const Outcome found = mixcmp("optimise scene.toml --last 8 --json -o plan.toml");
+  const Outcome found = mixcmp("optimise scene.toml --table characterisation --last 8 --json -o plan.toml");
   ASSERT_EQ(found.exit_code, 0) << found.output;
   const auto report = json_of(found);
   EXPECT_EQ(report.at("variant"), "root");
   EXPECT_GT(report.at("formulations")[1].at("throughput_per_s"),
             report.at("formulations")[0].at("throughput_per_s"));
-  const Outcome text = mixcmp("optimise scene.toml --last 8");
+  const Outcome text = mixcmp("optimise scene.toml --table characterisation --last 8");
   EXPECT_NE(text.output.find("* variant root"), std::string::npos) << text.output;
   const Outcome checked = mixcmp("check plan.toml --json");
   ASSERT_EQ(checked.exit_code, 0) << checked.output;
   EXPECT_EQ(nlohmann::json::parse(checked.output).at("name"), "spheres_root");
-  EXPECT_EQ(json_of(mixcmp("optimise scene.toml --last 8 --json --set comparison.variant=root"))
+  EXPECT_EQ(json_of(mixcmp("optimise scene.toml --table characterisation --last 8 --json --set comparison.variant=root"))
                 .at("best"),
             8);
 }
@@ -254,14 +254,14 @@ TEST_F(OptimiseCommand, AVariantThatCannotBePlannedIsLeftOutUnlessItIsAsked) {
   std::ofstream(path("scene.toml"), std::ios::app)
       << "[[variant]]\nname = \"root\"\ng = \"ri + rj\"\n"
       << "f = \"sqrt((cxi - cxj)^2 + (cyi - cyj)^2 + (czi - czj)^2)\"\n";
-  expect_refused("optimise scene.toml --variant root --no-characterise",
+  expect_refused("optimise scene.toml --table characterisation --variant root",
                  "characterise scene.toml --variant root");
   // A table without a lane of the precisions asked for.
   write_table("scene-root-virtex6-lx760.csv", "virtex6-lx760", "spheres_root");
-  expect_refused("optimise scene.toml --variant root --first 20 --last 30", "no lane");
+  expect_refused("optimise scene.toml --table characterisation --variant root --first 20 --last 30", "no lane");
   // Only the variant has a table.
   fs::remove(path("characterisation") / "scene-virtex6-lx760.csv");
-  const Outcome found = mixcmp("optimise scene.toml --last 8");
+  const Outcome found = mixcmp("optimise scene.toml --table characterisation --last 8");
   EXPECT_EQ(found.exit_code, 0) << found.output;
   EXPECT_NE(found.output.find("[comparison] left out"), std::string::npos) << found.output;
   EXPECT_NE(found.output.find("spheres_root on"), std::string::npos) << found.output;
@@ -289,7 +289,7 @@ protected:
   }
 
   /// The format and the second tier's of the best plan.
-  std::pair<int, nlohmann::json> best(const std::string& options = "") {
+  std::pair<int, nlohmann::json> best(const std::string& options = " --table characterisation") {
     const Outcome found = mixcmp("optimise scene.toml --json -o plan.toml" + options);
     EXPECT_EQ(found.exit_code, 0) << found.output;
     const nlohmann::json report = json_of(found);
@@ -299,7 +299,7 @@ protected:
 
 TEST_F(TwoTiers, TheyAreTakenWhereTheyPay) {
   const std::string one_tier = "scene-one-tier-virtex6-lx760.csv";
-  const Outcome without = mixcmp("optimise scene.toml");
+  const Outcome without = mixcmp("optimise scene.toml --table characterisation");
   EXPECT_NE(without.output.find("[comparison], one tier left out"), std::string::npos)
       << without.output;
   EXPECT_NE(without.output.find("characterise scene.toml --set second_tier.format=none"),
@@ -311,14 +311,14 @@ TEST_F(TwoTiers, TheyAreTakenWhereTheyPay) {
   EXPECT_EQ(best(), std::pair(15, nlohmann::json(nullptr)));
   EXPECT_NE(read("plan.toml").find("[second_tier]\nformat = \"none\"\n"), std::string::npos);
   EXPECT_EQ(mixcmp("check plan.toml").output.find("second tier"), std::string::npos);
-  const Outcome text = mixcmp("optimise scene.toml");
+  const Outcome text = mixcmp("optimise scene.toml --table characterisation");
   EXPECT_NE(text.output.find("* [comparison], one tier"), std::string::npos) << text.output;
 }
 
 TEST_F(TwoTiers, ATierThatTheUserNamesIsKept) {
   write_engine_table("scene-one-tier-virtex6-lx760.csv", "q15", 1500);
-  EXPECT_EQ(best(" --set second_tier.format=q15").first, 7);
-  EXPECT_EQ(best(" --set second_tier.format=none").first, 15);
+  EXPECT_EQ(best(" --table characterisation --set second_tier.format=q15").first, 7);
+  EXPECT_EQ(best(" --table characterisation --set second_tier.format=none").first, 15);
   EXPECT_EQ(best(" --table characterisation/scene-virtex6-lx760.csv").first, 7);
 }
 
@@ -329,12 +329,12 @@ TEST_F(TwoTiers, ATableOfAnotherEngineIsRefused) {
       "pairwise, 512 items, segments of 12, less equal unordered as pairs by 1 stream, second tier "
       "q15 logic";
   write(name, "# engine: " + engine + "\n" + read(name));
-  const Outcome fits = mixcmp("optimise scene.toml");
+  const Outcome fits = mixcmp("optimise scene.toml --table characterisation");
   EXPECT_EQ(fits.exit_code, 0) << fits.output;
   for (const std::string other :
        {"engine.capacity=256", "engine.lanes_per_group=8", "engine.report_as=count",
         "engine.report_streams=2", "second_tier.format=q13", "second_tier.multipliers=embedded"}) {
-    expect_refused("optimise scene.toml --no-characterise --set " + other,
+    expect_refused("optimise scene.toml --table characterisation --set " + other,
                    "the table is of another engine: received " + engine);
   }
   const std::string before = read(name);
@@ -393,17 +393,17 @@ TEST_F(OptimiseCommand, AQuickTableThatCannotBeMadeMakesNoPlan) {
 }
 
 TEST_F(OptimiseCommand, MistakesAreTold) {
-  expect_refused("optimise scene.toml --device artix7-200t --no-characterise",
+  expect_refused("optimise scene.toml --table characterisation --device artix7-200t",
                  "mixcmp characterise scene.toml");
   expect_refused("optimise scene.toml --table characterisation/none.csv", "no such file");
   expect_refused("optimise scene.toml --table " + std::string(300, 'n'), "no such file");
-  expect_refused("optimise scene.toml --use-inputs wrong", "--use-inputs");
-  expect_refused("optimise scene.toml --use-bounds running_4", "no lane");
+  expect_refused("optimise scene.toml --table characterisation --use-inputs wrong", "--use-inputs");
+  expect_refused("optimise scene.toml --table characterisation --use-bounds running_4", "no lane");
   for (const char* clock : {"0", "-5", "nan", "inf"}) {
-    expect_refused(fmt::format("optimise scene.toml --lane-mhz {}", clock), "--lane-mhz");
+    expect_refused(fmt::format("optimise scene.toml --table characterisation --lane-mhz {}", clock), "--lane-mhz");
   }
   write_table("scene-artix7-200t.csv", "virtex6-lx760");
-  expect_refused("optimise scene.toml --device artix7-200t", "of another device");
+  expect_refused("optimise scene.toml --table characterisation --device artix7-200t", "of another device");
   expect_refused("explore scene.toml --over radius", "names no data sets");
   expect_refused("explore scene.toml --over system.slack=0.1,0.3", "names no data sets");
   expect_refused(
@@ -411,21 +411,21 @@ TEST_F(OptimiseCommand, MistakesAreTold) {
       "accepted [low, high], a range that all data sets keep");
   for (const char* out :
        {"-o scene.toml", "--csv characterisation/scene-virtex6-lx760.csv", "-o x --lp x"}) {
-    expect_refused(fmt::format("optimise scene.toml --last 14 {}", out), "would be written over");
+    expect_refused(fmt::format("optimise scene.toml --table characterisation --last 14 {}", out), "would be written over");
   }
   fs::create_directory(path("plan.toml"));
   for (const char* out : {"plan.toml", "/dev/full", "nowhere/plan.toml"}) {
-    expect_refused(fmt::format("optimise scene.toml --last 14 -o {}", out),
+    expect_refused(fmt::format("optimise scene.toml --table characterisation --last 14 -o {}", out),
                    fmt::format("mixcmp: {}: cannot be written: ", out));
   }
   EXPECT_TRUE(fs::is_empty(path("plan.toml")));
-  expect_refused("optimise scene.toml --first 3", "--first");
-  expect_refused("optimise scene.toml --lanes 4", "--lanes");
+  expect_refused("optimise scene.toml --table characterisation --first 3", "--first");
+  expect_refused("optimise scene.toml --table characterisation --lanes 4", "--lanes");
 }
 
 TEST_F(OptimiseCommand, ThePlanKeepsTheCommandsSettings) {
   const Outcome found = mixcmp(
-      "optimise scene.toml --last 14 --set system.order=in_order --set data.count=200 "
+      "optimise scene.toml --table characterisation --last 14 --set system.order=in_order --set data.count=200 "
       "--set reduced.rounding=toward_zero --use-multipliers embedded -o plan.toml");
   ASSERT_EQ(found.exit_code, 0) << found.output;
   const Outcome checked = mixcmp("check plan.toml --json");
@@ -444,7 +444,7 @@ TEST_F(OptimiseCommand, APlanForADeviceFileNamesTheFile) {
       << "[timing]\ntool = \"none\"\n[delays]\nlut_ns = 1\ncarry_start_ns = 1\n"
       << "carry_ns_per_bit = 0.1\nmultiplier_ns = 3\nmultiplier_add_ns = 1\nregister_ns = 1\n";
   write_table("scene-mine.csv", "mine");
-  const Outcome found = mixcmp("optimise scene.toml --device mine.toml --last 14 -o plan.toml");
+  const Outcome found = mixcmp("optimise scene.toml --table characterisation --device mine.toml --last 14 -o plan.toml");
   ASSERT_EQ(found.exit_code, 0) << found.output;
   const Outcome checked = mixcmp("check plan.toml");
   EXPECT_EQ(checked.exit_code, 0) << checked.output;
@@ -463,7 +463,7 @@ TEST_F(OptimiseCommand, RatesOfProfiledLanesAreThoseOfTheScenesConstants) {
   table.close();
   const auto rate_with = [&](const char* constant) {
     const Outcome run =
-        mixcmp(fmt::format("optimise scene.toml --first 8 --last 8 --json --bound profiled "
+        mixcmp(fmt::format("optimise scene.toml --table characterisation --first 8 --last 8 --json --bound profiled "
                            "--set reduced.relative_error_f={0} --set reduced.relative_error_g={0}",
                            constant));
     EXPECT_EQ(run.exit_code, 0) << run.output;
@@ -485,7 +485,7 @@ TEST_F(OptimiseCommand, CharacteriseDoesNotDropATableOfAnotherTarget) {
 TEST_F(OptimiseCommand, ALinksTargetIsWritten) {
   write("real.csv", "old");
   fs::create_symlink("real.csv", path("link.csv"));
-  ASSERT_EQ(mixcmp("optimise scene.toml --last 14 --csv link.csv").exit_code, 0);
+  ASSERT_EQ(mixcmp("optimise scene.toml --table characterisation --last 14 --csv link.csv").exit_code, 0);
   EXPECT_TRUE(fs::is_symlink(path("link.csv")));
   EXPECT_NE(read("real.csv").find("precision,"), std::string::npos);
 }
@@ -493,20 +493,20 @@ TEST_F(OptimiseCommand, ALinksTargetIsWritten) {
 /// The plan has whole lists and tables of the command's settings, and keys in quotes.
 TEST_F(OptimiseCommand, APlanHasTheSettingsOfItsCommand) {
   const std::string ranges = "--set 'inputs.r*={ range = [0, 200] }'";
-  const Outcome found = mixcmp("optimise scene.toml --last 14 -o plan.toml " + ranges);
+  const Outcome found = mixcmp("optimise scene.toml --table characterisation --last 14 -o plan.toml " + ranges);
   ASSERT_EQ(found.exit_code, 0) << found.output;
   EXPECT_NE(read("plan.toml").find("\n[inputs]\n\"r*\" = { range = [0, 200] }\n"),
             std::string::npos)
       << read("plan.toml");
   EXPECT_EQ(mixcmp("check plan.toml").exit_code, 0);
-  expect_refused("optimise scene.toml --last 14 --use-bounds bogus", "--use-bounds: not a bound");
+  expect_refused("optimise scene.toml --table characterisation --last 14 --use-bounds bogus", "--use-bounds: not a bound");
   write("second.toml", "scene = \"plan.toml\"\n");
   const std::string table = " --table characterisation/scene-virtex6-lx760.csv";
   expect_refused("optimise second.toml --last 14 -o plan.toml" + table, "would be written over");
 }
 
 TEST_F(OptimiseCommand, AClockThatIsGivenIsNoEstimate) {
-  const Outcome found = mixcmp("optimise scene.toml --last 14 --lane-mhz 50 -o plan.toml");
+  const Outcome found = mixcmp("optimise scene.toml --table characterisation --last 14 --lane-mhz 50 -o plan.toml");
   ASSERT_EQ(found.exit_code, 0) << found.output;
   const std::string basis = "given for lanes; for references: target, not measured";
   EXPECT_NE(found.output.find(basis), std::string::npos) << found.output;
@@ -530,7 +530,7 @@ TEST_F(OptimiseCommand, APlanNamesNoPathThatItCannotHold) {
 TEST_F(OptimiseCommand, APlanNamesItsSceneFromWhereALinkLeads) {
   fs::create_directories(path("far/away"));
   fs::create_directory_symlink("far/away", path("link"));
-  ASSERT_EQ(mixcmp("optimise scene.toml --last 14 -o link/plan.toml").exit_code, 0);
+  ASSERT_EQ(mixcmp("optimise scene.toml --table characterisation --last 14 -o link/plan.toml").exit_code, 0);
   EXPECT_NE(read("far/away/plan.toml").find("scene = \"../../scene.toml\"\n"), std::string::npos);
   EXPECT_EQ(mixcmp("check far/away/plan.toml").exit_code, 0);
 }
@@ -541,7 +541,7 @@ TEST_F(OptimiseCommand, APlanReadThroughALinkTakesTheSameScene) {
   fs::create_directories(path("near/by"));
   fs::create_directory_symlink("../../far/away", path("near/by/link"));
   write("near/scene.toml", "a decoy");
-  ASSERT_EQ(mixcmp("optimise scene.toml --last 14 -o near/by/link/plan.toml").exit_code, 0);
+  ASSERT_EQ(mixcmp("optimise scene.toml --table characterisation --last 14 -o near/by/link/plan.toml").exit_code, 0);
   const Outcome run = mixcmp("check near/by/link/plan.toml");
   EXPECT_EQ(run.exit_code, 0) << run.output;
 }
@@ -550,7 +550,7 @@ TEST_F(OptimiseCommand, ALinkedPlanIsReadAsItWasWritten) {
   fs::create_directories(path("far/away"));
   fs::create_symlink("far/away/plan.toml", path("plan.toml"));
   for (int run = 0; run < 2; ++run) {
-    ASSERT_EQ(mixcmp("optimise scene.toml --last 14 -o plan.toml").exit_code, 0);
+    ASSERT_EQ(mixcmp("optimise scene.toml --table characterisation --last 14 -o plan.toml").exit_code, 0);
     EXPECT_EQ(mixcmp("check plan.toml").exit_code, 0) << "run " << run;
     EXPECT_EQ(mixcmp("check far/away/plan.toml").exit_code, 0) << "run " << run;
   }

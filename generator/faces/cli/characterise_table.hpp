@@ -5,6 +5,9 @@
 
 namespace mixcmp::cli {
 
+/// Shows how many jobs of a campaign have ended, and about how long the others take.
+void tell_progress(int finished, int jobs, double seconds);
+
 /// The table to which `characterise` writes: that of -o, or the default one.
 std::filesystem::path table_of(const CharacteriseCommand& command, const scene::Scene& scene,
                                const devices::Device& device);

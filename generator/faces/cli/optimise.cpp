@@ -1,10 +1,13 @@
+#include "generator/tasks/optimise.hpp"
+
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "generator/faces/cli/characterise_table.hpp"
 #include "generator/faces/cli/exit.hpp"
+#include "generator/faces/cli/optimise_report.hpp"
 #include "generator/faces/cli/output.hpp"
 #include "generator/faces/cli/planning.hpp"
 #include "generator/faces/cli/verbs.hpp"
@@ -13,7 +16,6 @@
 #include "model/base/common/file.hpp"
 #include "model/base/common/output_file.hpp"
 #include "model/plan/optimise/plan.hpp"
-#include "model/plan/optimise/plan_summary.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -26,7 +28,7 @@ struct OptimiseCommand {
   fs::path plan;
   fs::path csv;
   fs::path lp;
-  bool no_characterise = false;
+  bool predict_only = false;
 };
 
 /// Refuses rates of another reference. Notes that the rates are of other data, which may be
@@ -48,176 +50,67 @@ void check_rates(const optimise::Rates& rates, const fs::path& file, const Loade
   }
 }
 
-/// The rates that were counted to choose a quick table, one for each formulation; none where no
-/// table was made.
-using CountedRates = std::vector<std::optional<optimise::Rates>>;
-
-optimise::Rates rates_for(const OptimiseCommand& command, const LoadedScene& loaded,
-                          const measured::Characterisation& table,
-                          const std::optional<optimise::Rates>& counted) {
-  if (!command.rates.empty()) {
-    optimise::Rates rates = value_or_exit(optimise::Rates::read(command.rates));
-    check_rates(rates, command.rates, loaded);
-    return rates;
-  }
-  if (counted) return *counted;
-  return optimise::Rates::of(value_or_exit(
-      measure_rates(loaded, optimise::inputs_of_lanes(table), command.planning.choice)));
+/// The rates of a file, or none: they are counted.
+std::optional<optimise::Rates> given_rates(const OptimiseCommand& command,
+                                           const LoadedScene& loaded) {
+  if (command.rates.empty()) return std::nullopt;
+  optimise::Rates rates = value_or_exit(optimise::Rates::read(command.rates));
+  check_rates(rates, command.rates, loaded);
+  return rates;
 }
 
 std::string command_of(const OptimiseCommand& command) {
   return planning_command_line("optimise", command.planning)
       .add("--rates", command.rates.string())
+      .add_flag("--predict-only", command.predict_only)
       .text();
 }
 
-/// The name that distinguishes this formulation from the scene's others.
-std::string name_of(const scene::Scene& scene) {
-  std::string name = scene.variant.empty() ? "[comparison]" : "variant " + scene.variant;
-  if (scene.second_tier) name += ", second tier " + scene.second_tier->format_name();
-  return scene.leaves_out_second_tier ? name + ", one tier" : name;
-}
-
-/// The settings that make this formulation of the scene as the user gave it.
-std::vector<std::string> settings_of(const scene::Scene& formulation, const SceneOptions& given) {
-  std::vector<std::string> settings;
-  if (!formulation.variant.empty() && !is_set(given, "comparison.variant")) {
-    settings.push_back("comparison.variant=" + formulation.variant);
+/// The request of the command. Components of the best plan are synthesised for their areas only.
+tasks::OptimiseRequest request_of(const OptimiseCommand& command, const LoadedScene& loaded) {
+  tasks::OptimiseRequest request{.planning = command.planning.request(),
+                                 .choice = command.planning.choice,
+                                 .rates = given_rates(command, loaded),
+                                 .predict_only = command.predict_only,
+                                 .progress = show_share};
+  request.synthesis.synthesis.effort = characterise::TimingEffort::area_only;
+  request.synthesis.workers = std::max(1u, std::thread::hardware_concurrency());
+  request.synthesis.progress = tell_progress;
+  if (!command.predict_only && command.planning.table.empty()) {
+    request.synthesis.store = value_or_exit(characterise::default_store_path());
   }
-  if (formulation.leaves_out_second_tier) settings.push_back("second_tier.format=none");
-  return settings;
-}
-
-/// The plans of one formulation of the comparison.
-struct Candidate {
-  Planning known;
-  optimise::Optimisation found;
-
-  double throughput_per_s() const {
-    return found.best() == nullptr ? 0 : found.best()->throughput_per_s();
-  }
-  std::string name() const { return name_of(known.scene); }
-};
-
-/// The scene as it is and, if it names no variant, its variants. A table or rates given by hand
-/// belong to one formulation; then there is only the scene.
-std::vector<LoadedScene> variants_of(const OptimiseCommand& command, const LoadedScene& loaded) {
-  const bool by_hand = !command.planning.table.empty() || !command.rates.empty();
-  if (!by_hand)
-    return value_or_exit(tasks::load_formulations(command.planning.scene.request(), loaded));
-  if (loaded.scene.variant.empty() && !loaded.scene.variants.empty()) {
-    tell_note("--table and --rates are of [comparison]; variants left out");
-  }
-  return {loaded};
-}
-
-/// Whether engines are also planned without the second tier. They are, unless the user names the
-/// tier, or a table, which belongs to one of the two.
-bool weighs_second_tier(const OptimiseCommand& command) {
-  return command.planning.table.empty() && !is_set(command.planning.scene, "second_tier.format");
-}
-
-/// The variants. Each that has a second tier is also listed without it.
-std::vector<LoadedScene> formulations_of(const OptimiseCommand& command,
-                                         const LoadedScene& loaded) {
-  std::vector<LoadedScene> formulations = variants_of(command, loaded);
-  if (!weighs_second_tier(command)) return formulations;
-  for (std::size_t k = 0, given = formulations.size(); k < given; ++k) {
-    if (!formulations[k].scene.second_tier) continue;
-    SceneOptions one_tier = command.planning.scene;
-    for (const std::string& setting : settings_of(formulations[k].scene, one_tier)) {
-      one_tier.settings.push_back(setting);
-    }
-    one_tier.settings.emplace_back("second_tier.format=none");
-    formulations.push_back(
-        {value_or_exit(scene::load_scene(one_tier.scene, one_tier.settings)), loaded.data});
-  }
-  return formulations;
-}
-
-/// The quick measurement of components that plans of this formulation may use: only areas.
-CharacteriseCommand quick_characterisation(const PlanningOptions& planning,
-                                           const scene::Scene& formulation) {
-  const optimise::OptimiseOptions& choice = planning.choice;
-  const optimise::OptimiseOptions usual;
-  CharacteriseCommand quick{.scene = planning.scene, .quick = true, .area_only = true};
-  for (const std::string& setting : settings_of(formulation, planning.scene)) {
-    quick.scene.settings.push_back(setting);
-  }
-  const int most = settings::lane_precisions(formulation.reference.format).most;
-  if (choice.first_precision != usual.first_precision || choice.last_precision < most) {
-    quick.precisions =
-        fmt::format("{}-{}", choice.first_precision, std::min(choice.last_precision, most));
-  }
-  const auto take = [](const auto& chosen, std::string& words) {
-    if (!chosen.empty()) words = text_of(chosen);
-  };
-  take(choice.bounds, quick.bounds);
-  take(choice.inputs, quick.inputs);
-  take(choice.multipliers, quick.multipliers);
-  return quick;
-}
-
-/// Whether each formulation gets a quick table: none has one yet.
-bool lacks_tables(const OptimiseCommand& command, const std::vector<LoadedScene>& formulations) {
-  const PlanningOptions& planning = command.planning;
-  if (command.no_characterise || !planning.table.empty()) return false;
-  return std::none_of(formulations.begin(), formulations.end(), [&](const LoadedScene& each) {
-    return path_exists(table_of(planning, each.scene));
-  });
-}
-
-/// Measures promising components where no formulation has a table yet. Returns the rates that were
-/// counted to choose them.
-CountedRates make_missing_tables(const OptimiseCommand& command,
-                                 const std::vector<LoadedScene>& formulations) {
-  CountedRates counted(formulations.size());
-  if (!lacks_tables(command, formulations)) return counted;
-  for (std::size_t k = 0; k < formulations.size(); ++k) {
-    const LoadedScene& each = formulations[k];
+  request.confirming = [](double per_s, int components) {
+    show_progress("");
     tell_note(
-        fmt::format("no areas of {} yet: measuring some into {}. An interrupted run goes on "
-                    "when it is given again; --no-characterise measures nothing",
-                    name_of(each.scene), table_of(command.planning, each.scene).string()));
-    const CharacteriseCommand quick = quick_characterisation(command.planning, each.scene);
-    counted[k] = rates_of_choice(quick, each);
-    end_if_unfinished(measure_table(quick, each, &*counted[k]));
-  }
-  return counted;
+        fmt::format("predicted {:.2f} G comparisons/s; its {} components are synthesised to "
+                    "confirm it. An interrupted run goes on when it is given again; "
+                    "--predict-only stops here",
+                    per_s / 1e9, components));
+  };
+  return request;
 }
 
-Result<Candidate> find_plans(const OptimiseCommand& command, const LoadedScene& loaded,
-                             const std::optional<optimise::Rates>& counted) {
-  const PlanningOptions& planning = command.planning;
-  const data::Comparisons* data = loaded.data ? &*loaded.data : nullptr;
-  MIXCMP_TRY(known, load_planning(planning, loaded.scene, data));
-  MIXCMP_TRY(found,
-             optimise::optimise(known.scene, known.device, known.table,
-                                rates_for(command, loaded, known.table, counted), planning.choice));
-  return Candidate{std::move(known), std::move(found)};
-}
-
-/// The plans of all formulations. A formulation that cannot be planned is left out with a note; if
-/// none can be planned, the program ends with an error.
-std::vector<Candidate> find_candidates(const OptimiseCommand& command,
-                                       const std::vector<LoadedScene>& formulations,
-                                       const CountedRates& counted) {
-  std::vector<Candidate> candidates;
-  std::vector<std::pair<std::string, Error>> left_out;
-  for (std::size_t k = 0; k < formulations.size(); ++k) {
-    const LoadedScene& formulation = formulations[k];
-    Result<Candidate> candidate = find_plans(command, formulation, counted[k]);
-    if (candidate.ok()) {
-      candidates.push_back(std::move(candidate).value());
-    } else {
-      left_out.emplace_back(name_of(formulation.scene), candidate.error());
-    }
+/// Notes what the user must know about the tables and the formulations without a plan.
+void tell_notes(const OptimiseCommand& command, const scene::Scene& given,
+                const tasks::OptimiseResult& result) {
+  for (const tasks::PlannedSystem& system : result.systems) {
+    tell_notes_of(system.known, given, command.planning);
   }
-  if (candidates.empty()) fail(left_out.front().second);
-  for (const auto& [name, error] : left_out) {
+  for (const std::string& note : result.notes) tell_note(note);
+  for (const auto& [name, error] : result.left_out) {
     tell_note(fmt::format("{} left out: {}", name, error.to_string()));
   }
-  return candidates;
+}
+
+/// Ends the program if the components of the plan could not be synthesised.
+void end_if_not_confirmed(const tasks::OptimiseResult& result) {
+  if (!result.confirmation) return;
+  components::CharacteriseReport report;
+  report.failed = result.confirmation->failed;
+  report.interrupted_by = result.confirmation->interrupted_by;
+  end_if_unfinished(report);
+  if (result.confirmation->not_done.empty()) return;
+  tell_note("areas are predicted, not measured: " + result.confirmation->not_done);
 }
 
 /// Notes that a file in the place of a plan is from an earlier run.
@@ -227,19 +120,18 @@ void tell_of_older(const fs::path& file) {
                    file.string()));
 }
 
-std::string text_of_plan(const OptimiseCommand& command, const Candidate& chosen,
-                         const optimise::PrecisionPlan& plan) {
+std::string text_of_plan(const OptimiseCommand& command, const tasks::OptimiseRequest& request,
+                         const tasks::PlannedSystem& chosen) {
   PlanningOptions planning = command.planning;
-  for (const std::string& setting : settings_of(chosen.known.scene, planning.scene)) {
-    planning.scene.settings.push_back(setting);
-  }
+  planning.scene.settings = settings_of(request, chosen);
   const optimise::PlanSource source =
       plan_source(planning, chosen.known.scene.system.device, command.plan, command_of(command));
-  return plan_toml(chosen.found, plan, source);
+  return plan_toml(chosen.found, *chosen.found.best(), source);
 }
 
 /// Writes the files that were asked for: all of them, or none if one cannot be written.
-void write_files(const OptimiseCommand& command, const Candidate& chosen) {
+void write_files(const OptimiseCommand& command, const tasks::OptimiseRequest& request,
+                 const tasks::PlannedSystem& chosen) {
   const optimise::Optimisation& found = chosen.found;
   std::vector<std::pair<fs::path, std::string>> files;
   const auto add = [&files](const fs::path& path, auto text) {
@@ -248,7 +140,7 @@ void write_files(const OptimiseCommand& command, const Candidate& chosen) {
   add(command.csv, [&] { return report::figure9_csv(found); });
   if (const optimise::PrecisionPlan* best = found.best(); best != nullptr) {
     add(command.lp, [&] { return to_lp(best->problem); });
-    add(command.plan, [&] { return text_of_plan(command, chosen, *best); });
+    add(command.plan, [&] { return text_of_plan(command, request, chosen); });
   } else {
     tell_of_older(command.plan);
     tell_of_older(command.lp);
@@ -256,76 +148,38 @@ void write_files(const OptimiseCommand& command, const Candidate& chosen) {
   write_together(files);
 }
 
-/// A table that compares the best plans of all formulations; empty for a single one.
-std::string compare_formulations(const std::vector<Candidate>& candidates, std::size_t chosen) {
-  if (candidates.size() < 2) return "";
-  std::size_t width = 22;
-  for (const Candidate& candidate : candidates) width = std::max(width, candidate.name().size());
-  std::string text = "formulations, the best plan of each\n";
-  for (std::size_t k = 0; k < candidates.size(); ++k) {
-    const optimise::PlanSummary s = summary_of(candidates[k].found);
-    text += fmt::format("{} {:<{}} ", k == chosen ? '*' : ' ', candidates[k].name(), width);
-    if (s.throughput_per_s == 0) {
-      text += "no feasible plan\n";
-      continue;
-    }
-    text += fmt::format("L = {:>2}, {:>3} x {}: {:8.2f} G/s; the chosen is {:.2f} times as fast\n",
-                        s.precision, s.lanes, s.references, s.throughput_per_s / 1e9,
-                        candidates[chosen].throughput_per_s() / s.throughput_per_s);
+void print_result(const OptimiseCommand& command, const tasks::OptimiseResult& result) {
+  if (command.planning.scene.json) {
+    print(report::json_text(cli::to_json(result)));
+    return;
   }
-  return text + "\n";
-}
-
-/// The variant's name, null for the formulation in [comparison] itself, and the second tier's
-/// format, null without one.
-nlohmann::ordered_json json_name(const Candidate& candidate) {
-  const scene::Scene& scene = candidate.known.scene;
-  nlohmann::ordered_json json = {{"variant", nullptr}};
-  if (!scene.variant.empty()) json["variant"] = scene.variant;
-  if (scene.second_tier) json["second_tier"] = scene.second_tier->format_name();
-  if (scene.leaves_out_second_tier) json["second_tier"] = nullptr;
-  return json;
-}
-
-nlohmann::ordered_json to_json(const std::vector<Candidate>& candidates, std::size_t chosen) {
-  nlohmann::ordered_json json = report::to_json(candidates[chosen].found);
-  if (candidates.size() < 2 && candidates[chosen].known.scene.variants.empty()) return json;
-  json.update(json_name(candidates[chosen]));
-  for (const Candidate& candidate : candidates) {
-    json["formulations"].push_back(json_name(candidate));
-    json["formulations"].back()["throughput_per_s"] = candidate.throughput_per_s();
+  print(cli::to_text(result));
+  if (result.best().found.best() != nullptr && !command.plan.empty()) {
+    print(fmt::format("plan: {}\n", command.plan.string()));
   }
-  return json;
 }
 
 void run(OptimiseCommand& command) {
   PlanningOptions& planning = command.planning;
   const LoadedScene loaded = value_or_exit(load(planning.scene));
+  value_or_exit(check_options_of(planning));
+  const tasks::OptimiseRequest request = request_of(command, loaded);
   std::vector<fs::path> inputs = inputs_of(planning.scene, loaded.scene);
   inputs.push_back(command.rates);
-  const std::vector<LoadedScene> formulations = formulations_of(command, loaded);
-  for (const LoadedScene& each : formulations) inputs.push_back(table_of(planning, each.scene));
+  for (const tasks::Formulation& each : value_or_exit(tasks::formulations_of(request, loaded))) {
+    inputs.push_back(table_of(planning, each.loaded.scene));
+  }
   const std::vector<fs::path> outputs = {command.plan, command.csv, command.lp};
   value_or_exit(check_outputs(outputs, inputs));
   value_or_exit(check_writable(outputs));
-  const CountedRates counted = make_missing_tables(command, formulations);
-  const std::vector<Candidate> candidates = find_candidates(command, formulations, counted);
-  const auto best = std::max_element(candidates.begin(), candidates.end(),
-                                     [](const Candidate& a, const Candidate& b) {
-                                       return a.throughput_per_s() < b.throughput_per_s();
-                                     });
-  const auto chosen = static_cast<std::size_t>(best - candidates.begin());
-  write_files(command, *best);
-  if (planning.scene.json) {
-    print(report::json_text(to_json(candidates, chosen)));
-  } else {
-    print(fmt::format("{}{}", compare_formulations(candidates, chosen),
-                      report::to_text(best->found)));
-    if (best->found.best() != nullptr && !command.plan.empty()) {
-      print(fmt::format("plan: {}\n", command.plan.string()));
-    }
-  }
-  if (best->found.best() == nullptr) throw Exit(ExitCode::refuted);
+  const tasks::OptimiseResult result =
+      value_or_exit(with_shortcuts(tasks::optimise(request, loaded), planning.scene));
+  show_progress("");
+  tell_notes(command, loaded.scene, result);
+  end_if_not_confirmed(result);
+  write_files(command, request, result.best());
+  print_result(command, result);
+  if (result.best().found.best() == nullptr) throw Exit(ExitCode::refuted);
 }
 
 }  // namespace
@@ -341,9 +195,9 @@ void add_optimise(CLI::App& app) {
               "plan file to write: generate and verify take it in place of the scene");
   verb.option("--csv", command->csv, "figure 9 as a table: the best plan at each precision");
   verb.option("--lp", command->lp, "the best plan's integer program, in the LP format");
-  verb.flag("--no-characterise", command->no_characterise,
-            "where no table is there, end with an error; without this the lanes that look "
-            "promising are measured first, only their areas (mixcmp characterise --quick)");
+  verb.flag("--predict-only,--no-characterise", command->predict_only,
+            "plan with predicted areas; without this the components of the best plan are "
+            "synthesised, and the plan is made again with their measured areas");
   verb.when_chosen([command] { run(*command); });
 }
 

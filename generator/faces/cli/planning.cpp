@@ -101,16 +101,25 @@ std::filesystem::path table_of(const PlanningOptions& options, const scene::Scen
   return tasks::table_of(options.request(), scene);
 }
 
+Result<Done> check_options_of(const PlanningOptions& options) {
+  return check_options(options.choice, {.first_precision = "--first",
+                                        .last_precision = "--last",
+                                        .lane_mhz = "--lane-mhz",
+                                        .reference_mhz = "--reference-mhz"});
+}
+
+void tell_notes_of(const Planning& planning, const scene::Scene& given,
+                   const PlanningOptions& options) {
+  tell_of_other_target(given, planning, options.scene);
+  for (const std::string& note : planning.notes) tell_note(note);
+}
+
 Result<Planning> load_planning(const PlanningOptions& options, const scene::Scene& scene,
                                const data::Comparisons* data) {
-  MIXCMP_DO(check_options(options.choice, {.first_precision = "--first",
-                                           .last_precision = "--last",
-                                           .lane_mhz = "--lane-mhz",
-                                           .reference_mhz = "--reference-mhz"}));
+  MIXCMP_DO(check_options_of(options));
   MIXCMP_TRY(planning,
              with_shortcuts(tasks::load_planning(options.request(), scene, data), options.scene));
-  tell_of_other_target(scene, planning, options.scene);
-  for (const std::string& note : planning.notes) tell_note(note);
+  tell_notes_of(planning, scene, options);
   return planning;
 }
 

@@ -37,8 +37,15 @@ std::filesystem::path table_of(const PlanningOptions& options, const scene::Scen
 
 using components::Planning;
 
-/// Loads the device and the table, and prints the planning's notes on stderr, with one on a
-/// target_mhz that is set and differs from the table's. Arguments and errors are those of
+/// Refuses precisions and clocks by the names of their options.
+Result<Done> check_options_of(const PlanningOptions& options);
+
+/// Prints the planning's notes on stderr, with one on a target_mhz of the scene as given that is
+/// set and differs from the table's.
+void tell_notes_of(const Planning& planning, const scene::Scene& given,
+                   const PlanningOptions& options);
+
+/// Loads the device and the table, and tells its notes. Arguments and errors are those of
 /// components::load_planning.
 Result<Planning> load_planning(const PlanningOptions& options, const scene::Scene& scene,
                                const data::Comparisons* data);

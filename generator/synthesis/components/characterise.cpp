@@ -249,14 +249,22 @@ Result<characterise::JobRun> run_some(const scene::Scene& scene, const data::Com
   return Campaign(scene, data, device, options, nullptr).run_some(hashes);
 }
 
+std::vector<const Measurement*> current_rows(const Characterisation& table,
+                                             const scene::Scene& scene,
+                                             const data::Comparisons* data, const Device& device) {
+  ComponentMaker maker(scene, data);
+  std::vector<const Measurement*> current;
+  for (const Measurement& row : table.rows) {
+    if (is_current(row, maker, device)) current.push_back(&row);
+  }
+  return current;
+}
+
 RowCount count_rows(const Characterisation& table, const scene::Scene& scene,
                     const data::Comparisons* data, const Device& device) {
-  ComponentMaker maker(scene, data);
-  RowCount count{.all = static_cast<int>(table.rows.size())};
-  for (const Measurement& row : table.rows) {
-    if (!is_current(row, maker, device)) ++count.outdated;
-  }
-  return count;
+  const int all = static_cast<int>(table.rows.size());
+  const int current = static_cast<int>(current_rows(table, scene, data, device).size());
+  return {.all = all, .outdated = all - current};
 }
 
 }  // namespace mixcmp::components

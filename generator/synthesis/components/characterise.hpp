@@ -67,14 +67,20 @@ Result<characterise::JobRun> run_some(const scene::Scene& scene, const data::Com
                                       const CharacteriseOptions& options,
                                       const std::set<std::string>& hashes);
 
+/// The rows of a table that describe today's RTL and synthesis of this scene's components, with the
+/// tools that each row names. Generates the RTL of every row again, and runs no tool.
+std::vector<const measured::Measurement*> current_rows(const measured::Characterisation& table,
+                                                       const scene::Scene& scene,
+                                                       const data::Comparisons* data,
+                                                       const devices::Device& device);
+
 /// The number of a table's rows, and of those that no longer describe today's RTL or synthesis.
 struct RowCount {
   int all = 0;
   int outdated = 0;  ///< measured on other RTL, or for another device's synthesis
 };
 
-/// Generates the RTL of every row again and compares hashes. It runs no tool and takes the versions
-/// of the tools from each row. It takes seconds for hundreds of rows.
+/// Counts by current_rows. It takes seconds for hundreds of rows.
 RowCount count_rows(const measured::Characterisation& table, const scene::Scene& scene,
                     const data::Comparisons* data, const devices::Device& device);
 

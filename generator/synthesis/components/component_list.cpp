@@ -111,7 +111,9 @@ private:
         units_.insert(measured::Unit{instance_name(part.instance)});
       }
     }
-    if (asked(kind_of(component.key)) && seen_.insert(component.key).second) use_(component);
+    const bool named = !query_.only || query_.only->contains(component.key);
+    if (!asked(kind_of(component.key)) || !named) return;
+    if (seen_.insert(component.key).second) use_(component);
   }
 
   Result<Done> visit_lanes() {
@@ -193,7 +195,9 @@ private:
 
   Result<Done> visit_reference(const design::ReferenceStructure& structure) {
     const measured::Reference reference = reference_key(maker_.scene(), structure);
-    MIXCMP_DO(visit(reference));
+    if (asked(ComponentKind::reference) || asked(ComponentKind::unit)) {
+      MIXCMP_DO(visit(reference));
+    }
     if (!asked(ComponentKind::reference_port)) return Done{};
     return visit(measured::ReferencePort{reference});
   }

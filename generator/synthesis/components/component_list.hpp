@@ -34,6 +34,8 @@ struct ComponentQuery {
   std::vector<int> crossbars;  ///< numbers of lanes at a crossbar with one reference
   /// If present: only these of the lanes that the query asks for.
   std::optional<std::set<measured::Lane>> lanes = {};
+  /// If present: only these of the components that the query asks for.
+  std::optional<std::set<measured::ComponentKey>> only = {};
   /// If absent: as reduced.format says, or as many as the reference's where that is "auto".
   std::optional<LaneExponents> exponents;
 };

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
-#include <regex>
 #include <sstream>
 
 #include "generator/hardware/emit/template_ports.hpp"
@@ -31,13 +30,30 @@ void add_templates(SynthesisJob& job, const std::set<std::string>& modules) {
   }
 }
 
+constexpr const char* blanks = " \t\n";
+
+/// The place of a parameter's default in a module's text: "parameter [RANGE] NAME = DEFAULT".
+std::optional<std::size_t> place_of_default(const std::string& text, const std::string& name) {
+  constexpr std::string_view keyword = "parameter";
+  const auto skip_blanks = [&](std::size_t at) {
+    return std::min(text.find_first_not_of(blanks, at), text.size());
+  };
+  for (std::size_t at = text.find(keyword); at < text.size(); at = text.find(keyword, at)) {
+    at = skip_blanks(at + keyword.size());
+    if (text[at] == '[') at = skip_blanks(std::min(text.find(']', at), text.size() - 1) + 1);
+    if (text.compare(at, name.size(), name) != 0) continue;
+    const std::size_t equals = skip_blanks(at + name.size());
+    if (equals < text.size() && text[equals] == '=') return skip_blanks(equals + 1);
+  }
+  return std::nullopt;
+}
+
 /// Replaces a parameter's default in a module's text, which declares the parameter.
 void set_default(std::string& text, const rtl::Parameter& parameter) {
-  const std::regex declaration("(\\bparameter\\s+(?:\\[[^\\]]*\\]\\s*)?" + parameter.name +
-                               "\\s*=\\s*)([^,\\n)]+)");
-  std::smatch match;
-  MIXCMP_CHECK(std::regex_search(text, match, declaration));
-  text = match.prefix().str() + match[1].str() + emit::to_verilog(parameter) + match.suffix().str();
+  const std::optional<std::size_t> place = place_of_default(text, parameter.name);
+  MIXCMP_CHECK(place.has_value());
+  const std::size_t end = std::min(text.find_first_of(",\n)", *place), text.size());
+  text.replace(*place, end - *place, emit::to_verilog(parameter));
 }
 
 Error no_unit(std::string_view received) {

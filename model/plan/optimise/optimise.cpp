@@ -222,6 +222,14 @@ const PrecisionPlan* Optimisation::best() const {
   return best;
 }
 
+double Optimisation::bound_per_s() const {
+  double most = 0;
+  for (const PrecisionPlan& plan : plans) {
+    if (!crossover || plan.precision < *crossover) most = std::max(most, plan.bound_per_s);
+  }
+  return most;
+}
+
 Result<Done> check_options(const OptimiseOptions& options, const OptionNames& names) {
   MIXCMP_DO(check_precision(options.first_precision, names.first_precision));
   MIXCMP_DO(check_precision(options.last_precision, names.last_precision));
@@ -257,7 +265,10 @@ Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& 
                    .reference_only = Infeasible{},
                    .crossover = {},
                    .notes = {}};
-  all.reference_only = fill_with_references(scene, device, all.references, options.clocks.domains);
+  if (options.at_least_per_s == 0) {
+    all.reference_only =
+        fill_with_references(scene, device, all.references, options.clocks.domains);
+  }
   for (const auto& [precision, rows] : candidates.lanes) {
     const PlanParts parts{device, crossbars, all.references};
     auto plan = best_plan(inputs, parts, precision, rows, findings);

@@ -33,6 +33,9 @@ struct OptimiseOptions {
   ClockChoice clocks;
   /// A fixed C(com), as the paper's, instead of our measured scoreboards and crossbar.
   std::optional<devices::Area> fixed_communication;
+  /// A search that only wants plans with so many comparisons per second: precisions that surely
+  /// have none (throughput_bound) are not solved, nor is the system without lanes. 0: all are.
+  double at_least_per_s = 0;
 };
 
 /// The limits of a clock that a user may give.
@@ -87,6 +90,7 @@ struct PrecisionPlan {
   std::optional<SecondLanes> second_lanes = {};
   AllocationProblem problem;
   AllocationResult result;
+  double bound_per_s = 0;  ///< see throughput_bound; 0 without OptimiseOptions::at_least_per_s
 
   const Allocation* allocation() const { return std::get_if<Allocation>(&result); }
   double throughput_per_s() const;    ///< T(equ); 0 where infeasible
@@ -114,6 +118,8 @@ struct Optimisation {
   /// The plan with the highest T(equ) below L_max, the crossover precision; null if none is
   /// feasible. Among equally fast plans it is the one that takes the smallest part of the device.
   const PrecisionPlan* best() const;
+  /// The highest bound of a precision below L_max: no plan that best() may return is faster.
+  double bound_per_s() const;
 };
 
 /// Describes the source of the clocks: "estimate before routing", or "given for lanes; for

@@ -12,6 +12,7 @@
 #include "model/design/slots.hpp"
 #include "model/plan/optimise/engine_area.hpp"
 #include "model/plan/optimise/second_tier.hpp"
+#include "model/plan/optimise/throughput_bound.hpp"
 #include "model/plan/profile/schemes.hpp"
 
 namespace mixcmp::optimise {
@@ -27,6 +28,7 @@ struct PrecisionSearch {
   int precision;
   Findings& findings;
   std::string left_out = {};  ///< why no lane is usable, for the user
+  double known_per_s = 0;     ///< of the fastest plan so far
 
   const scene::SystemSpec& system() const { return inputs.scene.system; }
   const OptimiseOptions& options() const { return inputs.options; }
@@ -230,19 +232,50 @@ PrecisionPlan empty_plan(const PrecisionSearch& search) {
   return plan;
 }
 
-void solve(PrecisionPlan& plan, const PrecisionSearch& search) {
+void solve(PrecisionPlan& plan, PrecisionSearch& search) {
   for (const LaneImplementation& lane : plan.lanes) plan.problem.lanes.push_back(lane.kind);
   add_references(plan, search);
-  if (!plan.lanes.empty()) plan.result = allocate(plan.problem);
+  if (plan.lanes.empty()) return;
+  const double wanted = std::max(search.options().at_least_per_s, search.known_per_s);
+  if (wanted > 0) plan.bound_per_s = throughput_bound(plan.problem);
+  if (plan.bound_per_s >= wanted) {
+    plan.result = allocate(plan.problem);
+    search.known_per_s = std::max(search.known_per_s, plan.throughput_per_s());
+  } else {
+    plan.result = Infeasible{.shortages = {}, .message = "slower than a plan that is known"};
+  }
+}
+
+/// The slots that a lane needs.
+int slots_of(const PrecisionSearch& search, const Measurement& lane) {
+  return design::slots_for(lane.latency_cycles + search.system().input_registers,
+                           search.system().references.value_or(1) > 0);
 }
 
 /// The scoreboard of lanes: all lanes of a system have the slots that the lane with the longest
 /// latency needs.
 measured::Fifo fifo_for(const PrecisionSearch& search, const Rows& lanes) {
-  int slowest = 0;
-  for (const Measurement* lane : lanes) slowest = std::max(slowest, lane->latency_cycles);
-  return {design::slots_for(slowest + search.system().input_registers,
-                            search.system().references.value_or(1) > 0)};
+  int most = 0;
+  for (const Measurement* lane : lanes) most = std::max(most, slots_of(search, *lane));
+  return {most};
+}
+
+/// The sets of lanes that may be in one plan, by rising numbers of slots: all, and those that a
+/// smaller scoreboard of the table serves.
+std::vector<Rows> rows_by_slots(const PrecisionSearch& search, const Rows& lanes) {
+  std::map<int, Rows> by_slots;
+  for (const Measurement* lane : lanes) by_slots[slots_of(search, *lane)].push_back(lane);
+  std::vector<Rows> sets;
+  Rows served;
+  for (const auto& [slots, rows] : by_slots) {
+    served.insert(served.end(), rows.begin(), rows.end());
+    const bool is_all = served.size() == lanes.size();
+    const bool is_smaller = !search.options().fixed_communication &&
+                            search.inputs.table.find(measured::Fifo{slots}) != nullptr;
+    if (is_all) sets.push_back(lanes);
+    if (!is_all && is_smaller) sets.push_back(served);
+  }
+  return sets;
 }
 
 /// `fifo` is null if the table lacks it, or if the area of streams is given.
@@ -339,7 +372,9 @@ std::vector<PrecisionPlan> plans_of_tiers(PrecisionSearch& search, const Rows& l
       continue;
     }
     for (const SecondLanes& second : second_lane_kinds(search, served)) {
-      count_second_lanes(plans.emplace_back(plan_streams(search, rows, second)));
+      for (const Rows& each : rows_by_slots(search, rows)) {
+        count_second_lanes(plans.emplace_back(plan_streams(search, each, second)));
+      }
     }
   }
   return plans;
@@ -393,11 +428,19 @@ std::vector<PrecisionPlan> plans_of_arg_min_engines(PrecisionSearch& search, con
   return plans;
 }
 
+std::vector<PrecisionPlan> plans_of_streams(PrecisionSearch& search, const Rows& lanes) {
+  std::vector<PrecisionPlan> plans;
+  for (const Rows& rows : rows_by_slots(search, lanes)) {
+    plans.push_back(plan_streams(search, rows, std::nullopt));
+  }
+  return plans;
+}
+
 std::vector<PrecisionPlan> plans_of(PrecisionSearch& search, const Rows& lanes) {
   switch (search.inputs.engine()) {
     case scene::EngineKind::none:
       return search.inputs.second_tier ? plans_of_tiers(search, lanes)
-                                       : std::vector{plan_streams(search, lanes, std::nullopt)};
+                                       : plans_of_streams(search, lanes);
     case scene::EngineKind::pairwise: return {plan_pairwise_engine(search, lanes)};
     case scene::EngineKind::arg_min: return plans_of_arg_min_engines(search, lanes);
   }
@@ -428,11 +471,14 @@ std::optional<PrecisionPlan> best_plan(const PlanningInputs& inputs, const PlanP
                                        int precision, const Rows& lanes, Findings& findings) {
   PrecisionSearch search{inputs, parts, precision, findings};
   std::optional<PrecisionPlan> best;
+  double bound_per_s = 0;
   for (PrecisionPlan& plan : plans_of(search, lanes)) {
     if (plan.lanes.empty()) continue;
+    bound_per_s = std::max(bound_per_s, plan.bound_per_s);
     if (!best || is_better(plan, *best, parts.device)) best = std::move(plan);
   }
   if (best) {
+    best->bound_per_s = bound_per_s;
     note_largest_crossbar(*best, parts.crossbars, findings);
     return best;
   }

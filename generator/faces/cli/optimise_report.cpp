@@ -1,0 +1,140 @@
+#include "generator/faces/cli/optimise_report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "generator/present/report/plan_report.hpp"
+#include "model/plan/optimise/plan_summary.hpp"
+
+namespace mixcmp::cli {
+namespace {
+
+using tasks::OptimiseResult;
+using tasks::PlannedSystem;
+using Json = nlohmann::ordered_json;
+using Systems = std::vector<const PlannedSystem*>;
+
+constexpr double giga = 1e9;
+
+/// The fastest systems that differ in a trait, in their order.
+template <class Trait>
+Systems fastest_by(const std::vector<PlannedSystem>& systems, Trait trait) {
+  Systems fastest;
+  for (const PlannedSystem& system : systems) {
+    const auto known = std::find_if(fastest.begin(), fastest.end(), [&](const auto* other) {
+      return trait(*other) == trait(system);
+    });
+    if (known == fastest.end()) {
+      fastest.push_back(&system);
+    } else if (system.throughput_per_s() > (*known)->throughput_per_s()) {
+      *known = &system;
+    }
+  }
+  return fastest;
+}
+
+Systems interfaces_of(const OptimiseResult& result) {
+  return fastest_by(result.systems, [](const auto& system) { return system.interface; });
+}
+
+/// The fastest system of each formulation in the chosen interface.
+Systems formulations_of(const OptimiseResult& result) {
+  std::vector<const PlannedSystem*> alike;
+  for (const PlannedSystem& system : result.systems) {
+    if (system.interface == result.best().interface) alike.push_back(&system);
+  }
+  return alike;
+}
+
+/// A table that compares systems by a name; empty for a single one.
+template <class Name>
+std::string compare(const std::string& title, const Systems& systems, const PlannedSystem& chosen,
+                    Name name) {
+  if (systems.size() < 2) return "";
+  std::size_t width = 22;
+  for (const PlannedSystem* system : systems) width = std::max(width, name(*system).size());
+  std::string text = title + ", the best plan of each\n";
+  for (const PlannedSystem* system : systems) {
+    const optimise::PlanSummary s = summary_of(system->found);
+    text += fmt::format("{} {:<{}} ", system == &chosen ? '*' : ' ', name(*system), width);
+    if (s.throughput_per_s == 0) {
+      text += "no feasible plan\n";
+      continue;
+    }
+    text += fmt::format("L = {:>2}, {:>3} x {}: {:8.2f} G/s; the chosen is {:.2f} times as fast\n",
+                        s.precision, s.lanes, s.references, s.throughput_per_s / giga,
+                        chosen.throughput_per_s() / s.throughput_per_s);
+  }
+  return text + "\n";
+}
+
+std::string confirmation_text(const OptimiseResult& result) {
+  if (!result.confirmation) return "";
+  const double predicted = result.confirmation->predicted_per_s / giga;
+  const double now = result.best().throughput_per_s() / giga;
+  if (result.confirmation->rounds == 0 && !result.confirmation->is_measured) {
+    return fmt::format("areas: predicted; predicted {:.2f} G comparisons/s\n", predicted);
+  }
+  const char* const areas = result.confirmation->is_measured ? "measured" : "partly measured";
+  return fmt::format("areas: {0}; predicted {1:.2f}, {0} {2:.2f} G comparisons/s\n", areas,
+                     predicted, now);
+}
+
+/// The variant's name, null for the formulation in [comparison] itself, and the second tier's
+/// format, null without one.
+Json json_name(const PlannedSystem& system) {
+  const scene::Scene& scene = system.known.scene;
+  Json json = {{"variant", nullptr}};
+  if (!scene.variant.empty()) json["variant"] = scene.variant;
+  if (scene.second_tier) json["second_tier"] = scene.second_tier->format_name();
+  if (scene.leaves_out_second_tier) json["second_tier"] = nullptr;
+  return json;
+}
+
+Json json_of_interface(const PlannedSystem& system) {
+  const optimise::PlanSummary s = summary_of(system.found);
+  return {{"interface", system.interface}, {"settings", system.settings},
+          {"precision", s.precision},      {"lanes", s.lanes},
+          {"references", s.references},    {"throughput_per_s", s.throughput_per_s}};
+}
+
+}  // namespace
+
+std::string to_text(const OptimiseResult& result) {
+  const PlannedSystem& best = result.best();
+  std::string text = compare("interfaces", interfaces_of(result), best,
+                             [](const PlannedSystem& system) { return system.interface; }) +
+                     compare("formulations", formulations_of(result), best,
+                             [](const PlannedSystem& system) { return system.formulation; }) +
+                     report::to_text(best.found);
+  if (!result.confirmation || best.found.best() == nullptr) return text;
+  return text + fmt::format("system: {}\n  {}\n", best.interface, fmt::join(best.settings, " ")) +
+         confirmation_text(result);
+}
+
+Json to_json(const OptimiseResult& result) {
+  const PlannedSystem& best = result.best();
+  Json json = report::to_json(best.found);
+  const Systems formulations = formulations_of(result);
+  if (formulations.size() > 1 || !best.known.scene.variants.empty()) {
+    json.update(json_name(best));
+    for (const PlannedSystem* system : formulations) {
+      json["formulations"].push_back(json_name(*system));
+      json["formulations"].back()["throughput_per_s"] = system->throughput_per_s();
+    }
+  }
+  if (!result.confirmation) return json;
+  json["interface"] = best.interface;
+  json["settings"] = best.settings;
+  for (const PlannedSystem* system : interfaces_of(result)) {
+    json["interfaces"].push_back(json_of_interface(*system));
+  }
+  json["predicted_per_s"] = result.confirmation->predicted_per_s;
+  json["areas"] = result.confirmation->is_measured ? "measured" : "predicted";
+  return json;
+}
+
+}  // namespace mixcmp::cli

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "generator/tasks/optimise.hpp"
+
+namespace mixcmp::cli {
+
+/// The best system of each interface, that of each formulation, the plans of the best of all at
+/// every precision, its settings, and whether its areas are predicted.
+std::string to_text(const tasks::OptimiseResult& result);
+nlohmann::ordered_json to_json(const tasks::OptimiseResult& result);
+
+}  // namespace mixcmp::cli

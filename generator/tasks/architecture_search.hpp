@@ -1,0 +1,74 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "generator/tasks/optimise.hpp"
+#include "model/plan/optimise/architecture.hpp"
+
+namespace mixcmp::tasks {
+
+/// The systems of all architectures of a scene's formulations, with predicted areas. Lanes and
+/// references do not depend on the streams around them, so they are predicted once for each
+/// formulation.
+class ArchitectureSearch {
+public:
+  /// Counts rates and predicts areas. Rows of the tables beside the scene replace predicted ones if
+  /// they describe today's RTL.
+  static Result<ArchitectureSearch> make(const OptimiseRequest& request,
+                                         const std::vector<Formulation>& formulations);
+
+  /// The best system of each formulation in each interface, by the areas that are known. A
+  /// precision of a system is solved only if its bound is not below the best plan found before
+  /// (optimise::throughput_bound), so that no better plan is lost.
+  Result<OptimiseResult> best() const;
+
+  /// The components on which the plan of a system depends and whose areas are predicted.
+  std::set<measured::ComponentKey> predicted_parts(const PlannedSystem& system) const;
+
+  /// Asks for these parts.
+  Result<components::ComponentQuery> query_of(const PlannedSystem& system) const;
+
+  /// Puts measured rows in the place of a system's predicted ones; those of lanes and references
+  /// also in the other architectures of its formulation.
+  void replace(const PlannedSystem& system, const std::vector<measured::Measurement>& rows);
+
+  const std::vector<std::string>& notes() const { return notes_; }
+
+private:
+  struct System {
+    std::size_t formulation;
+    std::vector<std::string> settings;
+    std::string interface;
+    scene::Scene scene;
+    measured::Characterisation table;
+  };
+  /// A precision of a system, which may be solved.
+  struct Choice {
+    std::size_t system;
+    int precision;
+    double bound_per_s;
+  };
+
+  explicit ArchitectureSearch(const OptimiseRequest& request) : request_(&request) {}
+  Result<Done> count_rates(const Formulation& formulation);
+  Result<Done> add(const Formulation& formulation);
+  Result<Done> add_streams(const Formulation& formulation, const optimise::OpenKeys& open);
+  Result<Done> add_engine(const Formulation& formulation, const optimise::OpenKeys& open);
+  void add_system(const Formulation& formulation, const optimise::Architecture& architecture,
+                  const optimise::OpenKeys& open, measured::Characterisation table);
+  void use_kept_rows(const Formulation& formulation);
+  Result<std::vector<Choice>> choices_of(std::size_t system) const;
+  Result<PlannedSystem> planned(std::size_t system, const optimise::OptimiseOptions& options) const;
+  Result<std::vector<PlannedSystem>> fastest_of(const std::vector<Choice>& choices) const;
+
+  const OptimiseRequest* request_;
+  devices::Device device_;
+  std::vector<Formulation> formulations_;
+  std::vector<optimise::Rates> rates_;  ///< of each formulation
+  std::vector<System> systems_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace mixcmp::tasks

@@ -1,0 +1,207 @@
+#include "generator/tasks/optimise.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "generator/tasks/architecture_search.hpp"
+#include "model/base/common/file.hpp"
+#include "model/scene/plan.hpp"
+
+namespace mixcmp::tasks {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int most_rounds = 3;
+
+using Words = std::vector<std::string>;
+
+bool is_set(const Words& settings, const std::string& key) {
+  return std::any_of(settings.begin(), settings.end(),
+                     [&](const std::string& each) { return each.starts_with(key + "="); });
+}
+
+Words joined(Words settings, const Words& more) {
+  settings.insert(settings.end(), more.begin(), more.end());
+  return settings;
+}
+
+/// The name that distinguishes this formulation from the scene's others.
+std::string name_of(const scene::Scene& scene) {
+  std::string name = scene.variant.empty() ? "[comparison]" : "variant " + scene.variant;
+  if (scene.second_tier) name += ", second tier " + scene.second_tier->format_name();
+  return scene.leaves_out_second_tier ? name + ", one tier" : name;
+}
+
+bool is_one_table(const OptimiseRequest& request) {
+  std::error_code failed;
+  return !request.planning.table.empty() && !fs::is_directory(request.planning.table, failed);
+}
+
+/// The scene as it is and, if it names no variant, its variants. A table or rates given by hand
+/// belong to one formulation; then there is only the scene.
+Result<std::vector<Formulation>> variants_of(const OptimiseRequest& request,
+                                             const LoadedScene& loaded) {
+  std::vector<Formulation> formulations = {{loaded, {}, name_of(loaded.scene)}};
+  if (is_one_table(request) || request.rates || !loaded.scene.variant.empty()) return formulations;
+  for (const std::string& variant : loaded.scene.variants) {
+    const Words own = {"comparison.variant=" + variant};
+    const SceneRequest& scene = request.planning.scene;
+    MIXCMP_TRY(read, scene::load_scene(scene.source, joined(scene.settings, own)));
+    const std::string name = name_of(read);
+    formulations.push_back({{std::move(read), loaded.data}, own, name});
+  }
+  return formulations;
+}
+
+/// The settings of the engines that a scene without [engine] could have on these data.
+std::vector<Words> engines_for(const data::Comparisons* data) {
+  if (data == nullptr) return {};
+  std::uint64_t items = 2;
+  switch (data->pairing()) {
+    case data::Pairing::rows: return {};
+    case data::Pairing::arg_min: return {{"engine.kind=arg_min", "system.lanes=auto"}};
+    case data::Pairing::all:
+    case data::Pairing::cross: break;
+  }
+  items = 0;
+  for (const data::Table& table : data->tables()) items += table.rows();
+  const std::uint64_t capacity = std::bit_ceil(std::max<std::uint64_t>(items, 2));
+  if (capacity > scene::EngineSpec::max_capacity) return {};
+  return {{"engine.kind=pairwise", fmt::format("engine.capacity={}", capacity)}};
+}
+
+/// Adds the formulations with an engine that the scene permits: keys that contradict one rule it
+/// out.
+void add_engines(const OptimiseRequest& request, std::vector<Formulation>& formulations) {
+  const SceneRequest& scene = request.planning.scene;
+  for (std::size_t k = 0, given = formulations.size(); k < given; ++k) {
+    for (const Words& engine : engines_for(formulations[k].loaded.data_if_any())) {
+      const Words own = joined(formulations[k].settings, engine);
+      auto read = scene::load_scene(scene.source, joined(scene.settings, own));
+      if (!read.ok()) continue;
+      formulations.push_back({.loaded = {std::move(read).value(), formulations[k].loaded.data},
+                              .settings = own,
+                              .name = formulations[k].name,
+                              .is_engine_added = true});
+    }
+  }
+}
+
+/// Plans by tables: one system for each formulation that has one.
+Result<OptimiseResult> plan_by_tables(const OptimiseRequest& request,
+                                      const std::vector<Formulation>& formulations) {
+  OptimiseResult result;
+  for (const Formulation& formulation : formulations) {
+    const LoadedScene& loaded = formulation.loaded;
+    auto planned = [&]() -> Result<PlannedSystem> {
+      MIXCMP_TRY(known, load_planning(request.planning, loaded.scene, loaded.data_if_any()));
+      optimise::Rates rates;
+      if (request.rates) {
+        rates = *request.rates;
+      } else {
+        MIXCMP_TRY(counted, measure_rates(loaded, optimise::inputs_of_lanes(known.table),
+                                          request.choice, request.progress));
+        rates = optimise::Rates::of(counted);
+      }
+      MIXCMP_TRY(found,
+                 optimise::optimise(known.scene, known.device, known.table, rates, request.choice));
+      return PlannedSystem{.formulation = formulation.name,
+                           .interface = optimise::interface_of(loaded.scene),
+                           .settings = formulation.settings,
+                           .known = std::move(known),
+                           .found = std::move(found)};
+    }();
+    if (planned.ok()) {
+      result.systems.push_back(std::move(planned).value());
+    } else {
+      result.left_out.emplace_back(formulation.name, planned.error());
+    }
+  }
+  if (result.systems.empty()) return result.left_out.front().second;
+  const auto best = std::max_element(result.systems.begin(), result.systems.end(),
+                                     [](const PlannedSystem& a, const PlannedSystem& b) {
+                                       return a.throughput_per_s() < b.throughput_per_s();
+                                     });
+  result.chosen = static_cast<std::size_t>(best - result.systems.begin());
+  return result;
+}
+
+/// Synthesises the components of the best plan and plans again, until the best plan has measured
+/// areas only. Their results stay in the store, so that an interrupted run can be continued.
+Result<OptimiseResult> confirm(const OptimiseRequest& request, const LoadedScene& loaded,
+                               ArchitectureSearch& search, OptimiseResult predicted) {
+  Confirmation confirmation{.predicted_per_s = predicted.best().throughput_per_s()};
+  OptimiseResult result = std::move(predicted);
+  while (result.best().found.best() != nullptr) {
+    const PlannedSystem& best = result.best();
+    const auto parts = search.predicted_parts(best);
+    confirmation.is_measured = parts.empty();
+    if (parts.empty() || request.predict_only || confirmation.rounds == most_rounds) break;
+    if (confirmation.rounds == 0 && request.confirming) {
+      request.confirming(best.throughput_per_s(), static_cast<int>(parts.size()));
+    }
+    components::CharacteriseOptions options = request.synthesis;
+    MIXCMP_TRY(query, search.query_of(best));
+    options.query = std::move(query);
+    auto report = components::characterise(best.known.scene, loaded.data_if_any(),
+                                           best.known.device, options, nullptr);
+    if (!report.ok() && report.error().kind == ErrorKind::missing_tool) {
+      confirmation.not_done = report.error().to_string();
+      break;
+    }
+    if (!report.ok()) return report.error();
+    ++confirmation.rounds;
+    confirmation.failed = report->failed;
+    confirmation.interrupted_by = report->interrupted_by;
+    if (report->interrupted_by != 0 || !report->failed.empty()) break;
+    search.replace(best, report->table.rows);
+    MIXCMP_TRY(again, search.best());
+    result = std::move(again);
+  }
+  result.confirmation = std::move(confirmation);
+  return result;
+}
+
+}  // namespace
+
+double PlannedSystem::throughput_per_s() const {
+  return found.best() == nullptr ? 0 : found.best()->throughput_per_s();
+}
+
+std::vector<std::string> settings_of(const OptimiseRequest& request, const PlannedSystem& system) {
+  return joined(request.planning.scene.settings, system.settings);
+}
+
+Result<std::vector<Formulation>> formulations_of(const OptimiseRequest& request,
+                                                 const LoadedScene& loaded) {
+  MIXCMP_TRY(formulations, variants_of(request, loaded));
+  const SceneRequest& scene = request.planning.scene;
+  const bool tier_is_given = is_one_table(request) || is_set(scene.settings, "second_tier.format");
+  for (std::size_t k = 0, given = formulations.size(); k < given && !tier_is_given; ++k) {
+    if (!formulations[k].loaded.scene.second_tier) continue;
+    const Words own = joined(formulations[k].settings, {"second_tier.format=none"});
+    MIXCMP_TRY(read, scene::load_scene(scene.source, joined(scene.settings, own)));
+    const std::string name = name_of(read);
+    formulations.push_back({{std::move(read), loaded.data}, own, name});
+  }
+  if (!request.planning.table.empty()) return formulations;
+  MIXCMP_TRY(read, scene::read_scene_settings(scene.source, scene.settings));
+  if (optimise::open_keys(read.settings).engine) add_engines(request, formulations);
+  return formulations;
+}
+
+Result<OptimiseResult> optimise(const OptimiseRequest& request, const LoadedScene& loaded) {
+  MIXCMP_DO(check_options(request.choice));
+  MIXCMP_TRY(formulations, formulations_of(request, loaded));
+  if (!request.planning.table.empty()) return plan_by_tables(request, formulations);
+  MIXCMP_TRY(search, ArchitectureSearch::make(request, formulations));
+  MIXCMP_TRY(predicted, search.best());
+  MIXCMP_TRY(result, confirm(request, loaded, search, std::move(predicted)));
+  result.notes = search.notes();
+  return result;
+}
+
+}  // namespace mixcmp::tasks

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "generator/synthesis/components/characterise.hpp"
+#include "generator/tasks/planning.hpp"
+#include "model/plan/optimise/optimise.hpp"
+
+namespace mixcmp::tasks {
+
+struct OptimiseRequest {
+  /// With a table, a file or a folder of default tables, plans are made of its rows and of no
+  /// others. Without one areas are predicted, and the components of the best plan are synthesised.
+  PlanningRequest planning;
+  optimise::OptimiseOptions choice;
+  std::optional<optimise::Rates> rates = {};  ///< in place of those of the scene's data
+  bool predict_only = false;                  ///< nothing is synthesised
+  /// Of the synthesis. Its query is not used.
+  components::CharacteriseOptions synthesis = {};
+  StepProgress progress = {};
+  /// Called with the plan on predicted areas before components are synthesised: their number.
+  std::function<void(double per_s, int components)> confirming = {};
+};
+
+/// The best plans of one formulation of the comparison in one interface.
+struct PlannedSystem {
+  std::string formulation;            ///< "[comparison]", "variant root, one tier"
+  std::string interface;              ///< see optimise::interface_of
+  std::vector<std::string> settings;  ///< those that make its scene, beyond the request's
+  std::size_t number = 0;             ///< in the search that found it
+  components::Planning known;
+  optimise::Optimisation found;
+
+  double throughput_per_s() const;
+};
+
+/// How far a plan relies on predicted areas.
+struct Confirmation {
+  double predicted_per_s = 0;  ///< of the first plan, on predicted areas only
+  bool is_measured = false;    ///< all components of the chosen plan have measured areas
+  int rounds = 0;              ///< of synthesis
+  std::string not_done;        ///< why nothing was synthesised, if it was to be
+  std::vector<characterise::FailedJob> failed;
+  int interrupted_by = 0;  ///< number of the signal that interrupted the synthesis; 0: none
+};
+
+struct OptimiseResult {
+  std::vector<PlannedSystem> systems;
+  std::size_t chosen = 0;                               ///< the fastest
+  std::vector<std::pair<std::string, Error>> left_out;  ///< formulations without a plan
+  std::optional<Confirmation> confirmation;             ///< none: planned by a table
+  std::vector<std::string> notes;                       ///< for the user
+
+  const PlannedSystem& best() const { return systems[chosen]; }
+};
+
+/// Finds the system with the most comparisons per second: its formulation, its architecture, and
+/// its numbers and kinds of lanes and references. It is an error if no formulation has a plan.
+Result<OptimiseResult> optimise(const OptimiseRequest& request, const LoadedScene& loaded);
+
+/// The request's settings with those of a system: `generate` makes it of these.
+std::vector<std::string> settings_of(const OptimiseRequest& request, const PlannedSystem& system);
+
+/// One formulation: the comparison or a variant, with or without its second tier.
+struct Formulation {
+  LoadedScene loaded;
+  std::vector<std::string> settings;  ///< those that make it, beyond the request's
+  std::string name;
+  bool is_engine_added = false;  ///< the request has no engine, but its data permit this one
+};
+
+/// The formulations that the request leaves open.
+Result<std::vector<Formulation>> formulations_of(const OptimiseRequest& request,
+                                                 const LoadedScene& loaded);
+
+}  // namespace mixcmp::tasks
