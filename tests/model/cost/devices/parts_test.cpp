@@ -130,6 +130,12 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"5", "5ceba2, 5cefa2, "}, Refused{"", "virtex5-lx330t, virtex6-lx760, "},
         Refused{"what is this", "virtex5-lx330t, virtex6-lx760, "}));
 
+TEST(NoDeviceNames, ALongListSaysHowManyItLeavesOut) {
+  const std::string accepted = devices::find_device("xc7").error().accepted;
+  EXPECT_TRUE(accepted.starts_with("xc7s15, xc7s25, ")) << accepted;
+  EXPECT_NE(accepted.find(", 19 more (mixcmp devices"), std::string::npos) << accepted;
+}
+
 TEST(KnownDevices, HaveTheirOtherNames) {
   const auto known = devices::known_devices();
   EXPECT_EQ(known.size(), devices::parts().size() + 1) << "the virtex5-lx330t is no part";
