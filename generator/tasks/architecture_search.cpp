@@ -6,7 +6,6 @@
 #include <array>
 #include <limits>
 
-#include "generator/synthesis/components/predicted_table.hpp"
 #include "generator/synthesis/components/shortlist.hpp"
 #include "model/base/common/file.hpp"
 #include "model/design/slots.hpp"
@@ -181,10 +180,16 @@ Result<ArchitectureSearch> ArchitectureSearch::make(const OptimiseRequest& reque
   search.formulations_ = formulations;
   const scene::Scene& scene = formulations.front().loaded.scene;
   MIXCMP_TRY(device, devices::find_device(scene.system.device));
+  MIXCMP_TRY(predictor, components::AreaPredictor::make(device));
   search.device_ = std::move(device);
+  search.predictor_ = std::move(predictor);
   for (const Formulation& formulation : search.formulations_) {
     MIXCMP_DO(search.count_rates(formulation));
     MIXCMP_DO(search.add(formulation));
+  }
+  for (const std::string& unknown : search.predictor_->unknown()) {
+    search.notes_.push_back(
+        fmt::format("components with {} left out: the library of unit areas lacks it", unknown));
   }
   return search;
 }
@@ -251,15 +256,15 @@ Result<Done> ArchitectureSearch::add_streams(const Formulation& formulation,
   ComponentQuery query = query_for(request_->choice, given, open);
   MIXCMP_TRY(useful, useful_lanes(given, query, rates_.back()));
   query.lanes = std::move(useful);
-  MIXCMP_TRY(datapaths, components::predict_table(given, data, device_, query));
-  query.lanes = lanes_by_slots(datapaths.table, given);
+  MIXCMP_TRY(datapaths, predict_table(*predictor_, given, data, query));
+  query.lanes = lanes_by_slots(datapaths, given);
   query.kinds = {ComponentKind::fifo, ComponentKind::crossbar, ComponentKind::reference_port};
   if (given.second_tier) query.kinds.insert(ComponentKind::second_lane);
   for (const optimise::Architecture& architecture : architectures_of(given, open)) {
     const scene::Scene scene = with_architecture(given, architecture, open);
-    MIXCMP_TRY(streams, components::predict_table(scene, data, device_, query));
-    Characterisation table = datapaths.table;
-    table.rows.insert(table.rows.end(), streams.table.rows.begin(), streams.table.rows.end());
+    MIXCMP_TRY(streams, predict_table(*predictor_, scene, data, query));
+    Characterisation table = datapaths;
+    table.rows.insert(table.rows.end(), streams.rows.begin(), streams.rows.end());
     add_system(formulation, architecture, open, std::move(table));
   }
   return Done{};
@@ -282,8 +287,8 @@ Result<Done> ArchitectureSearch::add_engine(const Formulation& formulation,
   }
   for (const optimise::Architecture& architecture : architectures_of(given, open)) {
     const scene::Scene scene = with_architecture(given, architecture, open);
-    MIXCMP_TRY(parts, components::predict_table(scene, data, device_, query));
-    add_system(formulation, architecture, open, std::move(parts.table));
+    MIXCMP_TRY(parts, predict_table(*predictor_, scene, data, query));
+    add_system(formulation, architecture, open, std::move(parts));
     systems_.back().scene.lanes = given.lanes;
     systems_.back().scene.system.lanes = given.system.lanes;
   }

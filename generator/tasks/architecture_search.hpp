@@ -1,9 +1,11 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "generator/synthesis/components/predicted_table.hpp"
 #include "generator/tasks/optimise.hpp"
 #include "model/plan/optimise/architecture.hpp"
 
@@ -65,6 +67,7 @@ private:
 
   const OptimiseRequest* request_;
   devices::Device device_;
+  std::optional<components::AreaPredictor> predictor_;
   std::vector<Formulation> formulations_;
   std::vector<optimise::Rates> rates_;  ///< of each formulation
   std::vector<System> systems_;

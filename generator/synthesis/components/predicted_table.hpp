@@ -1,5 +1,10 @@
 #pragma once
 
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
 #include "generator/synthesis/components/component_list.hpp"
 #include "model/cost/devices/device.hpp"
 #include "model/cost/measured/measurement.hpp"
@@ -7,19 +12,38 @@
 
 namespace mixcmp::components {
 
-/// A table of all components that a query asks for, whose areas are predicted: no tool runs.
-struct PredictedTable {
-  measured::Characterisation table;  ///< rows of AreaStage::predicted, without clocks
-  std::vector<MissingLane> missing;
+/// Predicts areas of components on one device: the sum of the areas of their parts, as a library
+/// has them (units::UnitAreas).
+class AreaPredictor {
+public:
+  /// An error names a device without a library.
+  static Result<AreaPredictor> make(const devices::Device& device);
+
+  /// The area that `characterise` would measure; none if the library lacks a template.
+  std::optional<devices::Area> of(const Component& component);
+
+  const devices::Device& device() const { return device_; }
+  /// The templates that the library lacked so far.
+  const std::set<std::string>& unknown() const { return unknown_; }
+
+private:
+  AreaPredictor(units::UnitAreas library, const devices::Device& device);
+
+  std::optional<devices::Area> of(const Part& part);
+  std::optional<devices::Area> of(const rtl::TemplateInstance& instance);
+
+  units::UnitAreas library_;
+  devices::Device device_;
+  bool packs_;  ///< Yosys packs registers and sums into multipliers (component_parts.hpp)
+  std::map<std::string, std::optional<devices::Area>> areas_;  ///< of instances, by name
+  std::set<std::string> unknown_;
 };
 
-/// The area of a component: the sum of its parts'. An error names a template that the library
-/// lacks.
-Result<devices::Area> predicted_area(const Component& component, const units::UnitAreas& library,
-                                     const devices::Device& device);
-
-/// Predicts the areas that `characterise` would measure. `data` may be null, as there.
-Result<PredictedTable> predict_table(const scene::Scene& scene, const data::Comparisons* data,
-                                     const devices::Device& device, const ComponentQuery& query);
+/// The components that a query asks for, with predicted areas and no clocks: no tool runs. Those
+/// that the library knows too little of are left out. `data` may be null.
+Result<measured::Characterisation> predict_table(AreaPredictor& predictor,
+                                                 const scene::Scene& scene,
+                                                 const data::Comparisons* data,
+                                                 const ComponentQuery& query);
 
 }  // namespace mixcmp::components

@@ -483,5 +483,37 @@ TEST_F(ScriptedRouter, WithoutOneThereIsAnAreaAndAReason) {
                   ->ends_with("; no router"));
 }
 
+/// Units of one run of Yosys have the areas that each has by itself, and share nothing.
+TEST(UnitBatch, EachUnitIsMappedAsIfAlone) {
+  constexpr const char* counted = R"(
+module counted #(parameter WIDTH = 4, parameter EXTRA = 0) (
+  input wire aclk, input wire [WIDTH-1:0] a, input wire [WIDTH-1:0] b, output reg [WIDTH-1:0] y);
+  always @(posedge aclk) y <= a + b + EXTRA;
+endmodule
+)";
+  const ScratchDirectory folder;
+  for (const char* name : {"artix7-200t", "ecp5-85k", "ice40-hx8k"}) {
+    const devices::Device device = devices::find_device(name).value();
+    const characterise::UnitBatch batch{.sources = {{"counted.v", counted}},
+                                        .module = "counted",
+                                        .parameters = {".WIDTH(8)", ".WIDTH(16)", ".WIDTH(8)"}};
+    const auto areas = characterise::map_units(batch, device, {.seconds = 600}, folder.path());
+    ASSERT_TRUE(areas.ok()) << areas.error().to_string();
+    ASSERT_EQ(areas->size(), 3u);
+    EXPECT_EQ(areas->at(0).registers, 8);
+    EXPECT_EQ(areas->at(1).registers, 16);
+    EXPECT_EQ(areas->at(0), areas->at(2));
+    EXPECT_LT(areas->at(0).luts, areas->at(1).luts);
+    std::string alone(counted);
+    const std::string width = "WIDTH = 4";
+    alone.replace(alone.find(width), width.size(), "WIDTH = 16");
+    const auto single =
+        characterise::synthesise({.sources = {{"counted.v", alone}}, .top = "counted"}, device,
+                                 {.effort = characterise::TimingEffort::area_only}, folder.path());
+    ASSERT_TRUE(single.ok()) << single.error().to_string();
+    EXPECT_EQ(areas->at(1), single->area) << name;
+  }
+}
+
 }  // namespace
 }  // namespace mixcmp::test::synthesis_test

@@ -1,0 +1,178 @@
+#include "model/cost/units/unit_areas.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace mixcmp::test::unit_areas_test {
+namespace {
+
+using devices::Area;
+using units::Unit;
+
+constexpr const char* small_library =
+    "# synthesis: synth_a -flatten\n"
+    "# also: synth_b -flatten\n"
+    "\n"
+    "[fixed_sum] rtl=0123\n"
+    "WIDTH,CUTS,luts,registers,dsps,memories,carries,shift_luts\n"
+    "4,1'h0,4,0,0,0,1,0\n"
+    "8,1'h1,8,8,0,0,2,0\n";
+
+Unit sum(int width, Bits cuts) {
+  return {"fixed_sum", {units::integer("WIDTH", width), {"CUTS", 1, cuts}}};
+}
+
+/// Sums of widths from 2 to 40 in steps of `step`, with and without a register: a LUT and perhaps a
+/// register for each bit, and a carry for four bits.
+units::UnitAreas sums(int step) {
+  units::UnitAreas library("synth_a");
+  units::TemplateAreas areas{.module = "fixed_sum", .rtl = "0", .units = {}, .areas = {}};
+  for (int width = 2; width <= 40; width += step) {
+    for (const int cuts : {0, 1}) {
+      areas.units.push_back(sum(width, cuts));
+      areas.areas.push_back({.luts = width, .registers = cuts * width, .carries = (width + 3) / 4});
+    }
+  }
+  library.set(std::move(areas));
+  return library;
+}
+
+std::string message_of(const std::string& text) {
+  const auto read = units::UnitAreas::read(text, "l.csv");
+  return read.ok() ? "read" : read.error().to_string();
+}
+
+TEST(UnitAreas, AreWrittenAsTheyWereRead) {
+  const auto library = units::UnitAreas::read(small_library, "l.csv");
+  ASSERT_TRUE(library.ok()) << library.error().to_string();
+  EXPECT_EQ(library->text(), small_library);
+  EXPECT_TRUE(library->holds_for("synth_a -flatten"));
+  EXPECT_TRUE(library->holds_for("synth_b -flatten"));
+  EXPECT_FALSE(library->holds_for("synth_c"));
+  EXPECT_EQ(library->of(sum(8, 1)), (Area{.luts = 8, .registers = 8, .carries = 2}));
+}
+
+TEST(UnitAreas, OfUnknownTemplatesOrParametersAreNone) {
+  const auto library = units::UnitAreas::read(small_library, "l.csv");
+  ASSERT_TRUE(library.ok());
+  EXPECT_FALSE(library->of({"fp_add", {units::integer("WIDTH", 4)}}).has_value());
+  EXPECT_FALSE(library->of({"fixed_sum", {units::integer("WIDTH", 4)}}).has_value());
+  Unit renamed = sum(4, 0);
+  renamed.parameters[0].name = "A_WIDTH";
+  EXPECT_FALSE(library->of(renamed).has_value());
+}
+
+TEST(UnitAreas, BetweenMeasuredUnitsFollowTheFormula) {
+  const units::UnitAreas library = sums(3);
+  for (int width = 3; width <= 40; ++width) {
+    for (const int cuts : {0, 1}) {
+      const auto area = library.of(sum(width, cuts));
+      ASSERT_TRUE(area.has_value());
+      EXPECT_EQ(area->luts, width);
+      EXPECT_EQ(area->registers, cuts * width);
+      EXPECT_NEAR(area->carries, (width + 3) / 4, 1);
+    }
+  }
+}
+
+/// A product is in a multiplier or in LUTs, which no sum of terms tells apart.
+TEST(UnitAreas, OfProductsDependOnWhereTheyAre) {
+  units::UnitAreas library("synth_a");
+  const auto product = [](int width, int embedded) {
+    return Unit{"fixed_product",
+                {units::integer("WIDTH", width),
+                 units::integer(std::string(units::embedded_products), embedded)}};
+  };
+  units::TemplateAreas areas{.module = "fixed_product", .rtl = "0", .units = {}, .areas = {}};
+  for (int width = 2; width <= 24; ++width) {
+    const bool embedded = width % 2 == 0;
+    areas.units.push_back(product(width, embedded ? 1 : 0));
+    areas.areas.push_back(embedded ? Area{.dsps = 1} : Area{.luts = width * width});
+  }
+  library.set(std::move(areas));
+  for (int width = 3; width <= 24; ++width) {
+    EXPECT_EQ(library.of(product(width, 0))->luts, width * width);
+    EXPECT_EQ(library.of(product(width, 1)), (Area{.dsps = 1}));
+  }
+}
+
+TEST(AreaFormula, FindsTheTermsThatMadeTheAmounts) {
+  std::vector<Unit> all;
+  std::vector<double> amounts;
+  const auto amount = [](int precision, int embedded, Bits cuts) {
+    const double product = embedded == 0 ? 2.0 * precision * precision : 0;
+    return 30 + product + 3 * precision * std::log2(precision) + ((cuts >> 1 & 1) != 0 ? 40 : 0);
+  };
+  for (int precision = 4; precision <= 53; precision += 3) {
+    for (const int embedded : {0, 1}) {
+      for (Bits cuts = 0; cuts < 4; ++cuts) {
+        all.push_back({"fp_multiply",
+                       {units::integer("PRECISION", precision),
+                        units::integer("FREE", embedded),
+                        {"CUTS", 2, cuts}}});
+        amounts.push_back(amount(precision, embedded, cuts));
+      }
+    }
+  }
+  const units::Formula formula = units::fit(all, amounts);
+  for (const int precision : {5, 24, 52}) {
+    for (const int embedded : {0, 1}) {
+      const Unit unit{"fp_multiply",
+                      {units::integer("PRECISION", precision),
+                       units::integer("FREE", embedded),
+                       {"CUTS", 2, 2}}};
+      const double right = amount(precision, embedded, 2);
+      EXPECT_NEAR(formula.of(unit), right, 0.01 * right);
+    }
+  }
+  EXPECT_LE(formula.terms.size(), 10u);  // of some thirty that are possible
+}
+
+TEST(AreaFormula, ASingleUnitGivesItsOwnAmount) {
+  const Unit unit = sum(4, 0);
+  EXPECT_NEAR(units::fit({unit}, {7}).of(unit), 7, 1e-9);
+}
+
+TEST(AreaFormula, TermsHaveNames) {
+  const Unit unit = sum(4, 1);
+  EXPECT_EQ(to_string(units::Term{}, unit), "1");
+  EXPECT_EQ(to_string(units::Term{{0, units::Factor::Kind::size},
+                                  {0, units::Factor::Kind::log},
+                                  {1, units::Factor::Kind::bit, 0}},
+                      unit),
+            "WIDTH*lg(WIDTH)*CUTS[0]");
+}
+
+TEST(UnitAreas, MistakesAreNamedWithTheirLine) {
+  EXPECT_EQ(message_of(""),
+            "l.csv: no synthesis command: received \"\"; accepted # synthesis: "
+            "COMMAND");
+  const std::string head = "# synthesis: s\n\n[t] rtl=0\n";
+  const std::string columns = "A,luts,registers,dsps,memories,carries,shift_luts\n";
+  EXPECT_NE(message_of("# synthesis: s\n\nfixed_sum\n").find("l.csv:3: no section"),
+            std::string::npos);
+  EXPECT_NE(message_of(head + "A,luts\n").find("l.csv:4: not the columns"), std::string::npos);
+  EXPECT_NE(message_of(head + columns + "1,2,3\n").find("l.csv:5: not a row"), std::string::npos);
+  EXPECT_NE(message_of(head + columns + "x,0,0,0,0,0,0\n").find("l.csv:5: A: not a value"),
+            std::string::npos);
+  EXPECT_NE(message_of(head + columns + "4'hg,0,0,0,0,0,0\n").find("A: not a value"),
+            std::string::npos);
+  EXPECT_NE(message_of(head + columns + "1,-2,0,0,0,0,0\n").find("luts: not a count"),
+            std::string::npos);
+  EXPECT_EQ(message_of(head + columns + "1,2,0,0,0,0,0\n"), "read");
+}
+
+TEST(ShippedLibraries, AreReadable) {
+  const auto libraries = units::shipped_libraries();
+  ASSERT_TRUE(libraries.ok()) << libraries.error().to_string();
+  EXPECT_FALSE(libraries->empty());
+  for (const units::UnitAreas& library : *libraries) {
+    for (const auto& [module, areas] : library.templates()) {
+      EXPECT_EQ(areas.units.size(), areas.areas.size()) << module;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mixcmp::test::unit_areas_test
