@@ -6,7 +6,6 @@
 #include <array>
 #include <limits>
 
-#include "generator/synthesis/components/predicted_table.hpp"
 #include "generator/synthesis/components/shortlist.hpp"
 #include "model/base/common/file.hpp"
 #include "model/design/slots.hpp"
@@ -129,6 +128,29 @@ std::set<measured::Lane> lanes_by_slots(const Characterisation& table, const sce
   return lanes;
 }
 
+/// Lanes with some more digits than these promising ones: the memory of an engine serves at most
+/// one undecided comparison a cycle, so that large engines need more digits than few lanes do.
+Result<std::set<measured::Lane>> with_longer(const std::set<measured::Lane>& promising,
+                                             const scene::Scene& scene,
+                                             const ComponentQuery& query) {
+  constexpr int most_digits_more = 3;
+  using Kind = std::tuple<Bound, std::optional<LaneInputs>, std::optional<Multipliers>>;
+  std::map<Kind, int> longest;
+  for (const measured::Lane& lane : promising) {
+    int& digits = longest[Kind{lane.bound, lane.inputs, lane.multipliers}];
+    digits = std::max(digits, lane.format.precision());
+  }
+  MIXCMP_TRY(lanes, lanes_of(scene, query));
+  std::set<measured::Lane> all = promising;
+  for (const measured::Lane& lane : lanes) {
+    const auto known = longest.find(Kind{lane.bound, lane.inputs, lane.multipliers});
+    if (known == longest.end()) continue;
+    const int more = lane.format.precision() - known->second;
+    if (0 < more && more <= most_digits_more) all.insert(lane);
+  }
+  return all;
+}
+
 void sort_rows(Characterisation& table) {
   std::sort(table.rows.begin(), table.rows.end(),
             [](const Measurement& a, const Measurement& b) { return a.key < b.key; });
@@ -203,10 +225,7 @@ Result<Done> ArchitectureSearch::count_rates(const Formulation& formulation) {
   optimise::OptimiseOptions choice = request_->choice;
   choice.bounds = bounds_for(choice, loaded.scene);
   MIXCMP_TRY(tier, optimise::second_tier_lane(loaded.scene));
-  if (tier) {
-    choice.bounds.push_back(tier->bound);
-    choice.last_precision = std::max(choice.last_precision, tier->format.precision());
-  }
+  if (tier) choice.last_precision = std::max(choice.last_precision, tier->format.precision());
   const std::vector<LaneInputs> inputs = inputs_for(choice);
   MIXCMP_TRY(counted,
              measure_rates(loaded, {inputs.begin(), inputs.end()}, choice, request_->progress));
@@ -251,13 +270,13 @@ Result<Done> ArchitectureSearch::add_streams(const Formulation& formulation,
   ComponentQuery query = query_for(request_->choice, given, open);
   MIXCMP_TRY(useful, useful_lanes(given, query, rates_.back()));
   query.lanes = std::move(useful);
-  MIXCMP_TRY(datapaths, components::predict_table(given, data, device_, query));
+  MIXCMP_TRY(datapaths, request_->predict(given, data, device_, query));
   query.lanes = lanes_by_slots(datapaths.table, given);
   query.kinds = {ComponentKind::fifo, ComponentKind::crossbar, ComponentKind::reference_port};
   if (given.second_tier) query.kinds.insert(ComponentKind::second_lane);
   for (const optimise::Architecture& architecture : architectures_of(given, open)) {
     const scene::Scene scene = with_architecture(given, architecture, open);
-    MIXCMP_TRY(streams, components::predict_table(scene, data, device_, query));
+    MIXCMP_TRY(streams, request_->predict(scene, data, device_, query));
     Characterisation table = datapaths.table;
     table.rows.insert(table.rows.end(), streams.table.rows.begin(), streams.table.rows.end());
     add_system(formulation, architecture, open, std::move(table));
@@ -274,7 +293,8 @@ Result<Done> ArchitectureSearch::add_engine(const Formulation& formulation,
   ComponentQuery query = query_for(request_->choice, given, open);
   components::ComponentMaker maker(given, data);
   MIXCMP_TRY(promising, shortlist(maker, query, device_, rates_.back()));
-  query.lanes = promising.lanes;
+  MIXCMP_TRY(longer, with_longer(promising.lanes, given, query));
+  query.lanes = std::move(longer);
   query.kinds = {ComponentKind::lane,    ComponentKind::reference,  ComponentKind::reference_port,
                  ComponentKind::segment, ComponentKind::conversion, ComponentKind::engine};
   if (given.system.engine.kind == EngineKind::arg_min) {
@@ -282,7 +302,7 @@ Result<Done> ArchitectureSearch::add_engine(const Formulation& formulation,
   }
   for (const optimise::Architecture& architecture : architectures_of(given, open)) {
     const scene::Scene scene = with_architecture(given, architecture, open);
-    MIXCMP_TRY(parts, components::predict_table(scene, data, device_, query));
+    MIXCMP_TRY(parts, request_->predict(scene, data, device_, query));
     add_system(formulation, architecture, open, std::move(parts.table));
     systems_.back().scene.lanes = given.lanes;
     systems_.back().scene.system.lanes = given.system.lanes;

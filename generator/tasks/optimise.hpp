@@ -7,10 +7,16 @@
 #include <vector>
 
 #include "generator/synthesis/components/characterise.hpp"
+#include "generator/synthesis/components/predicted_table.hpp"
 #include "generator/tasks/planning.hpp"
 #include "model/plan/optimise/optimise.hpp"
 
 namespace mixcmp::tasks {
+
+/// Makes a table of predicted areas, as components::predict_table does.
+using Predictor = std::function<Result<components::PredictedTable>(
+    const scene::Scene&, const data::Comparisons*, const devices::Device&,
+    const components::ComponentQuery&)>;
 
 struct OptimiseRequest {
   /// With a table, a file or a folder of default tables, plans are made of its rows and of no
@@ -21,6 +27,7 @@ struct OptimiseRequest {
   bool predict_only = false;                  ///< nothing is synthesised
   /// Of the synthesis. Its query is not used.
   components::CharacteriseOptions synthesis = {};
+  Predictor predict = components::predict_table;
   StepProgress progress = {};
   /// Called with the plan on predicted areas before components are synthesised: their number.
   std::function<void(double per_s, int components)> confirming = {};

@@ -95,7 +95,7 @@ const std::string one_system =
     "[reduced]\nformat = \"s12e8\"\n[system]\nlanes = 1\nreferences = 1\nprefix = \"\"\n";
 
 std::string source(const components::Component& component, const std::string& name) {
-  for (const characterise::SourceText& text : component.job.sources) {
+  for (const characterise::SourceText& text : component.job.get().sources) {
     if (text.name == name) return text.text;
   }
   return "";
@@ -187,7 +187,7 @@ TEST_F(Components, OfAnEngineAreWhatGenerateWrites) {
   EXPECT_EQ(found.count(measured::ComponentKind::reference_port), 1);
   EXPECT_EQ(found.count(measured::ComponentKind::engine), 2);
   const auto written_of = [](const components::Component& component) {
-    return from_ports(source(component, component.job.top + ".v"));
+    return from_ports(source(component, component.job.get().top + ".v"));
   };
   for (const auto& [key, component] : found.components) {
     if (kind_of(key) == measured::ComponentKind::lane) {
@@ -239,7 +239,7 @@ TEST_F(Components, OfAChainAreWhatGenerateWrites) {
   const Found found = find(chain, parts_of_a_chain());
   const auto written_of = [](const components::Component& component) {
     const std::regex scene_name("engine_(pair_lane|item)");  // components have no scene's name
-    return std::regex_replace(from_ports(source(component, component.job.top + ".v")), scene_name,
+    return std::regex_replace(from_ports(source(component, component.job.get().top + ".v")), scene_name,
                               "nearest_$1");
   };
   std::map<measured::ComponentKind, std::vector<int>> ports;
@@ -262,7 +262,7 @@ TEST_F(Components, OfAChainAreWhatGenerateWrites) {
       EXPECT_NE(source(component, "arg_min_engine.v").find(parameter), std::string::npos);
     }
     if (kind_of(key) == measured::ComponentKind::conversion) {
-      EXPECT_NE(source(component, component.job.top + ".v").find("row_conversion"),
+      EXPECT_NE(source(component, component.job.get().top + ".v").find("row_conversion"),
                 std::string::npos);
     }
   }
@@ -409,7 +409,7 @@ TEST_F(Components, ProfiledLanesTakeTheirConstantsFromTheSceneOrItsData) {
   ASSERT_TRUE(lane.ok()) << lane.error().to_string();
   const auto rtl = components::lane_rtl(with_data.graph.inputs(), design::float_lane(*lane),
                                         reduced.multipliers, with_data.system);
-  EXPECT_EQ(source(*measured, "lane.v"), components::module_job(rtl->module).sources.back().text);
+  EXPECT_EQ(source(*measured, "lane.v"), components::module_job(rtl->module).get().sources.back().text);
 }
 
 TEST_F(Components, WithoutProductsThereIsOneKindOfMultipliers) {
@@ -435,12 +435,12 @@ TEST_F(Components, FifosHaveTheSlotsThatTheLanesNeed) {
   std::set<int> built;
   for (const auto& [key, fifo] : find(scene(one_system), query).components) {
     built.insert(std::get<measured::Fifo>(key).slots);
-    EXPECT_EQ(fifo.job.top, "lane_scoreboard");
+    EXPECT_EQ(fifo.job.get().top, "lane_scoreboard");
   }
   EXPECT_EQ(built, needed);
   const std::string in_order = one_system + "order = \"in_order\"\n";
   for (const auto& [key, fifo] : find(scene(in_order), query).components) {
-    EXPECT_EQ(fifo.job.top, "lane_reorder");
+    EXPECT_EQ(fifo.job.get().top, "lane_reorder");
   }
 }
 
@@ -477,13 +477,13 @@ TEST_F(Components, UnitsAreMadeFromTheirNamesAlone) {
     const std::string& name = std::get<measured::Unit>(key).name;
     const auto again = components::job_of_instance_name(name);
     ASSERT_TRUE(again.ok()) << name;
-    EXPECT_EQ(again->top, unit.job.top);
-    EXPECT_EQ(again->sources.back().text, unit.job.sources.back().text);
+    EXPECT_EQ(again->top, unit.job.get().top);
+    EXPECT_EQ(again->sources.back().text, unit.job.get().sources.back().text);
     std::istringstream words(name);
     std::string word;
     for (words >> word; words >> word;) {
       const std::string value = word.substr(word.find('=') + 1);
-      const std::string text = source(unit, unit.job.top + ".v");
+      const std::string text = source(unit, unit.job.get().top + ".v");
       EXPECT_NE(text.find("= " + value), std::string::npos) << name << "\n" << text;
     }
   }
@@ -497,7 +497,7 @@ TEST_F(Components, UnitsAreMadeFromTheirNamesAlone) {
 
 TEST_F(Components, SourcesHoldNothingButHardware) {
   const Found found = find(scene(one_system), lanes({12}, {"relative"}));
-  for (const characterise::SourceText& text : found.components.begin()->second.job.sources) {
+  for (const characterise::SourceText& text : found.components.begin()->second.job.get().sources) {
     EXPECT_EQ(text.text.find("//"), std::string::npos);
     EXPECT_EQ(text.text.find("\n\n"), std::string::npos);
   }

@@ -28,7 +28,7 @@ bool is_current(const Measurement& row, ComponentMaker& maker, const Device& dev
   const Result<Component> component = maker.make(row.key);
   if (!component.ok() || component->key != row.key) return false;
   const std::string hash = row.is_imported()
-                               ? imported_hash(component->job, row.tools)
+                               ? characterise::imported_hash(component->job, row.tools)
                                : job_hash(component->job, device, options_of(row), row.tools);
   return hash == row.hash;
 }
@@ -141,7 +141,7 @@ private:
       if (!seen.insert(row.hash).second) continue;
       MIXCMP_TRY(known, store.find(row.hash));
       if (known) continue;
-      const auto job = [this, key = row.key] { return maker_.make(key).value().job; };
+      const auto job = [this, key = row.key] { return maker_.make(key).value().job.get(); };
       jobs.push_back({.hash = row.hash, .label = label(row.key), .job = job});
     }
     return jobs;

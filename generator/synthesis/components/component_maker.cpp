@@ -138,7 +138,7 @@ Result<Component> ComponentMaker::make(const ComponentKey& key) {
 
 Result<Component> ComponentMaker::made(const measured::Unit& key) {
   MIXCMP_TRY(job, job_of_instance_name(key.name));
-  return Component{key, 0, std::move(job), {}};
+  return Component{key, 0, PreparedJob([job = std::move(job)] { return job; }), {}};
 }
 
 Result<design::Lane> ComponentMaker::lane(const measured::Lane& key) {

@@ -7,7 +7,7 @@
 
 #include "generator/hardware/rtl/engine_shape.hpp"
 #include "generator/hardware/rtl/system_shape.hpp"
-#include "generator/synthesis/characterise/synthesis.hpp"
+#include "generator/synthesis/components/synthesis_jobs.hpp"
 #include "model/comparison/data/comparisons.hpp"
 #include "model/design/design.hpp"
 #include "model/design/lane.hpp"
@@ -26,7 +26,7 @@ inline constexpr settings::Limits measured_ports{1, 128};
 struct Component {
   measured::ComponentKey key;
   int latency_cycles = 0;
-  characterise::SynthesisJob job;
+  PreparedJob job;
   std::vector<measured::ComponentKey> units;  ///< the units of a lane or reference; else empty
 };
 

@@ -54,7 +54,7 @@ rtl::Module EngineParts::lane() const {
   return rtl::word_lane_module(lanes.datapath, words().lanes.front(), lanes.schedule);
 }
 
-characterise::SynthesisJob EngineParts::segment() const {
+PreparedJob EngineParts::segment() const {
   std::vector<rtl::Module> modules;
   modules.push_back(lane());
   if (scheduled_.arg_min) {
@@ -76,7 +76,7 @@ int EngineParts::conversion_latency_cycles() const {
   return words().latency_cycles();
 }
 
-characterise::SynthesisJob EngineParts::conversion() const {
+PreparedJob EngineParts::conversion() const {
   std::vector<rtl::Module> modules = {
       rtl::item_word_module(words(), data::Item::first, *scheduled_.engine)};
   if (!scheduled_.arg_min) return modules_job(modules);
@@ -85,7 +85,7 @@ characterise::SynthesisJob EngineParts::conversion() const {
   return modules_job(modules);
 }
 
-characterise::SynthesisJob EngineParts::engine() const {
+PreparedJob EngineParts::engine() const {
   return template_job(scheduled_.arg_min
                           ? rtl::arg_min_template(*scheduled_.arg_min, scheduled_.shape)
                           : rtl::pairwise_template(*scheduled_.pairwise, scheduled_.shape));

@@ -31,17 +31,17 @@ public:
   /// One lane, behind the conversion.
   rtl::Module lane() const;
   /// The first segment with its lanes; in an arg-min engine a lane with the buffer around it.
-  characterise::SynthesisJob segment() const;
+  PreparedJob segment() const;
 
   /// Whether items and rows are converted when they come in.
   bool converts() const { return words().items.converts(); }
   int conversion_latency_cycles() const;
-  characterise::SynthesisJob conversion() const;
+  PreparedJob conversion() const;
 
   /// The rest of the engine, without crossbar and references. A pairwise engine: loading, the
   /// chain's beginning, the merge of exceptions, recomputation, reports. An arg-min engine with one
   /// reference: loading, the memories of full rows and candidates, the stages of the chain.
-  characterise::SynthesisJob engine() const;
+  PreparedJob engine() const;
 
 private:
   explicit EngineParts(emit::ScheduledSystem scheduled) : scheduled_(std::move(scheduled)) {}

@@ -120,7 +120,7 @@ private:
                     .latency_cycles = latency_cycles,
                     .area = area,
                     .clock = {},
-                    .hash = imported_hash(component.job, tool),
+                    .hash = characterise::imported_hash(component.job, tool),
                     .tools = tool,
                     .stage = reports_.areas.stage};
     if (reports_.timing) {

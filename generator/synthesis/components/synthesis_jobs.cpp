@@ -96,6 +96,19 @@ Result<SynthesisJob> job_of(const std::string& module, const std::vector<Paramet
   return job;
 }
 
+SynthesisJob job_of_modules(const std::vector<rtl::Module>& modules) {
+  const std::vector<std::string> texts = emit::to_verilog(emit::checked(modules));
+  SynthesisJob job{.sources = {}, .top = modules.back().name, .needed = needed_parts(modules)};
+  std::set<std::string> templates;
+  for (const rtl::Module& module : modules) templates.merge(instantiated_modules(module));
+  for (const rtl::Module& module : modules) templates.erase(module.name);
+  add_templates(job, templates);
+  for (std::size_t k = 0; k < modules.size(); ++k) {
+    job.sources.push_back({modules[k].name + ".v", without_comments(texts[k])});
+  }
+  return job;
+}
+
 }  // namespace
 
 std::string without_comments(std::string_view verilog) {
@@ -109,25 +122,16 @@ std::string without_comments(std::string_view verilog) {
   return text;
 }
 
-SynthesisJob module_job(const rtl::Module& module) {
+PreparedJob module_job(const rtl::Module& module) {
   return modules_job({module});
 }
 
-SynthesisJob modules_job(const std::vector<rtl::Module>& modules) {
-  const std::vector<std::string> texts = emit::to_verilog(emit::checked(modules));
-  SynthesisJob job{.sources = {}, .top = modules.back().name, .needed = needed_parts(modules)};
-  std::set<std::string> templates;
-  for (const rtl::Module& module : modules) templates.merge(instantiated_modules(module));
-  for (const rtl::Module& module : modules) templates.erase(module.name);
-  add_templates(job, templates);
-  for (std::size_t k = 0; k < modules.size(); ++k) {
-    job.sources.push_back({modules[k].name + ".v", without_comments(texts[k])});
-  }
-  return job;
+PreparedJob modules_job(const std::vector<rtl::Module>& modules) {
+  return PreparedJob([modules] { return job_of_modules(modules); });
 }
 
-SynthesisJob template_job(const rtl::TemplateInstance& instance) {
-  return job_of(instance.module, values_of(instance)).value();
+PreparedJob template_job(const rtl::TemplateInstance& instance) {
+  return PreparedJob([instance] { return job_of(instance.module, values_of(instance)).value(); });
 }
 
 std::string instance_name(const rtl::TemplateInstance& instance) {

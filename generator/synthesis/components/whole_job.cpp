@@ -63,12 +63,12 @@ Result<characterise::SynthesisJob> references_job(const scene::Scene& scene, int
   MIXCMP_TRY(reference, maker.make(reference_key(
                             scene, {.multipliers = scene.reference_structure.multipliers,
                                     .target_mhz = scene.reference_structure.target_mhz})));
-  characterise::SynthesisJob job = reference.job;
+  characterise::SynthesisJob job = reference.job.get();
   job.sources.push_back(
       {fmt::format("{}.v", alone), top_text(reference.job, rtl::input_ports(scene.graph.inputs()),
                                             scene.reference.format.width(), count)});
   job.top = alone;
-  job.needed = of_instances(reference.job.needed, count);
+  job.needed = of_instances(reference.job.get().needed, count);
   return job;
 }
 
