@@ -128,6 +128,29 @@ std::set<measured::Lane> lanes_by_slots(const Characterisation& table, const sce
   return lanes;
 }
 
+/// Lanes with some more digits than these promising ones: the memory of an engine serves at most
+/// one undecided comparison a cycle, so that large engines need more digits than few lanes do.
+Result<std::set<measured::Lane>> with_longer(const std::set<measured::Lane>& promising,
+                                             const scene::Scene& scene,
+                                             const ComponentQuery& query) {
+  constexpr int most_digits_more = 3;
+  using Kind = std::tuple<Bound, std::optional<LaneInputs>, std::optional<Multipliers>>;
+  std::map<Kind, int> longest;
+  for (const measured::Lane& lane : promising) {
+    int& digits = longest[Kind{lane.bound, lane.inputs, lane.multipliers}];
+    digits = std::max(digits, lane.format.precision());
+  }
+  MIXCMP_TRY(lanes, lanes_of(scene, query));
+  std::set<measured::Lane> all = promising;
+  for (const measured::Lane& lane : lanes) {
+    const auto known = longest.find(Kind{lane.bound, lane.inputs, lane.multipliers});
+    if (known == longest.end()) continue;
+    const int more = lane.format.precision() - known->second;
+    if (0 < more && more <= most_digits_more) all.insert(lane);
+  }
+  return all;
+}
+
 void sort_rows(Characterisation& table) {
   std::sort(table.rows.begin(), table.rows.end(),
             [](const Measurement& a, const Measurement& b) { return a.key < b.key; });
@@ -180,18 +203,28 @@ Result<ArchitectureSearch> ArchitectureSearch::make(const OptimiseRequest& reque
   search.formulations_ = formulations;
   const scene::Scene& scene = formulations.front().loaded.scene;
   MIXCMP_TRY(device, devices::find_device(scene.system.device));
-  MIXCMP_TRY(predictor, components::AreaPredictor::make(device));
   search.device_ = std::move(device);
-  search.predictor_ = std::move(predictor);
+  MIXCMP_DO(search.choose_areas());
   for (const Formulation& formulation : search.formulations_) {
     MIXCMP_DO(search.count_rates(formulation));
     MIXCMP_DO(search.add(formulation));
   }
+  if (search.predictor_ == nullptr) return search;
   for (const std::string& unknown : search.predictor_->unknown()) {
     search.notes_.push_back(
         fmt::format("components with {} left out: the library of unit areas lacks it", unknown));
   }
   return search;
+}
+
+Result<Done> ArchitectureSearch::choose_areas() {
+  area_of_ = request_->area_of;
+  if (area_of_) return Done{};
+  MIXCMP_TRY(predictor, components::AreaPredictor::make(device_));
+  predictor_ = std::make_shared<components::AreaPredictor>(std::move(predictor));
+  area_of_ = [predictor = predictor_](const components::Component& component,
+                                      const scene::Scene&) { return predictor->of(component); };
+  return Done{};
 }
 
 Result<Done> ArchitectureSearch::count_rates(const Formulation& formulation) {
@@ -208,10 +241,7 @@ Result<Done> ArchitectureSearch::count_rates(const Formulation& formulation) {
   optimise::OptimiseOptions choice = request_->choice;
   choice.bounds = bounds_for(choice, loaded.scene);
   MIXCMP_TRY(tier, optimise::second_tier_lane(loaded.scene));
-  if (tier) {
-    choice.bounds.push_back(tier->bound);
-    choice.last_precision = std::max(choice.last_precision, tier->format.precision());
-  }
+  if (tier) choice.last_precision = std::max(choice.last_precision, tier->format.precision());
   const std::vector<LaneInputs> inputs = inputs_for(choice);
   MIXCMP_TRY(counted,
              measure_rates(loaded, {inputs.begin(), inputs.end()}, choice, request_->progress));
@@ -237,6 +267,7 @@ void ArchitectureSearch::add_system(const Formulation& formulation,
                                     const optimise::OpenKeys& open, Characterisation table) {
   const scene::Scene& given = formulation.loaded.scene;
   sort_rows(table);
+  table.device = device_.name;
   System system{.formulation = rates_.size() - 1,
                 .settings = formulation.settings,
                 .interface = {},
@@ -256,13 +287,13 @@ Result<Done> ArchitectureSearch::add_streams(const Formulation& formulation,
   ComponentQuery query = query_for(request_->choice, given, open);
   MIXCMP_TRY(useful, useful_lanes(given, query, rates_.back()));
   query.lanes = std::move(useful);
-  MIXCMP_TRY(datapaths, predict_table(*predictor_, given, data, query));
+  MIXCMP_TRY(datapaths, predict_table(area_of_, given, data, query));
   query.lanes = lanes_by_slots(datapaths, given);
   query.kinds = {ComponentKind::fifo, ComponentKind::crossbar, ComponentKind::reference_port};
   if (given.second_tier) query.kinds.insert(ComponentKind::second_lane);
   for (const optimise::Architecture& architecture : architectures_of(given, open)) {
     const scene::Scene scene = with_architecture(given, architecture, open);
-    MIXCMP_TRY(streams, predict_table(*predictor_, scene, data, query));
+    MIXCMP_TRY(streams, predict_table(area_of_, scene, data, query));
     Characterisation table = datapaths;
     table.rows.insert(table.rows.end(), streams.rows.begin(), streams.rows.end());
     add_system(formulation, architecture, open, std::move(table));
@@ -279,7 +310,8 @@ Result<Done> ArchitectureSearch::add_engine(const Formulation& formulation,
   ComponentQuery query = query_for(request_->choice, given, open);
   components::ComponentMaker maker(given, data);
   MIXCMP_TRY(promising, shortlist(maker, query, device_, rates_.back()));
-  query.lanes = promising.lanes;
+  MIXCMP_TRY(longer, with_longer(promising.lanes, given, query));
+  query.lanes = std::move(longer);
   query.kinds = {ComponentKind::lane,    ComponentKind::reference,  ComponentKind::reference_port,
                  ComponentKind::segment, ComponentKind::conversion, ComponentKind::engine};
   if (given.system.engine.kind == EngineKind::arg_min) {
@@ -287,7 +319,7 @@ Result<Done> ArchitectureSearch::add_engine(const Formulation& formulation,
   }
   for (const optimise::Architecture& architecture : architectures_of(given, open)) {
     const scene::Scene scene = with_architecture(given, architecture, open);
-    MIXCMP_TRY(parts, predict_table(*predictor_, scene, data, query));
+    MIXCMP_TRY(parts, predict_table(area_of_, scene, data, query));
     add_system(formulation, architecture, open, std::move(parts));
     systems_.back().scene.lanes = given.lanes;
     systems_.back().scene.system.lanes = given.system.lanes;

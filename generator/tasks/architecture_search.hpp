@@ -1,7 +1,7 @@
 #pragma once
 
 #include <map>
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -54,6 +54,7 @@ private:
   };
 
   explicit ArchitectureSearch(const OptimiseRequest& request) : request_(&request) {}
+  Result<Done> choose_areas();
   Result<Done> count_rates(const Formulation& formulation);
   Result<Done> add(const Formulation& formulation);
   Result<Done> add_streams(const Formulation& formulation, const optimise::OpenKeys& open);
@@ -67,7 +68,8 @@ private:
 
   const OptimiseRequest* request_;
   devices::Device device_;
-  std::optional<components::AreaPredictor> predictor_;
+  components::PredictedArea area_of_;
+  std::shared_ptr<components::AreaPredictor> predictor_;  ///< null if the request has its own
   std::vector<Formulation> formulations_;
   std::vector<optimise::Rates> rates_;  ///< of each formulation
   std::vector<System> systems_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "generator/synthesis/components/characterise.hpp"
+#include "generator/synthesis/components/predicted_table.hpp"
 #include "generator/tasks/planning.hpp"
 #include "model/plan/optimise/optimise.hpp"
 
@@ -21,6 +22,8 @@ struct OptimiseRequest {
   bool predict_only = false;                  ///< nothing is synthesised
   /// Of the synthesis. Its query is not used.
   components::CharacteriseOptions synthesis = {};
+  /// Predicts areas; empty: components::AreaPredictor.
+  components::PredictedArea area_of = {};
   StepProgress progress = {};
   /// Called with the plan on predicted areas before components are synthesised: their number.
   std::function<void(double per_s, int components)> confirming = {};

@@ -272,7 +272,8 @@ TEST_F(Api, ThePlanIsThatOfTheProgram) {
   write("characterisation/scene-virtex6-lx760.csv", table);
   const api::Plan found = plan(scene(), {.last_precision = 14});
   ASSERT_TRUE(found.best.has_value()) << found.text;
-  const Outcome printed = mixcmp("optimise scene.toml --table characterisation --last 14 -o program.toml 2>/dev/null");
+  const Outcome printed =
+      mixcmp("optimise scene.toml --table characterisation --last 14 -o program.toml 2>/dev/null");
   EXPECT_EQ(printed.output, found.text + "plan: program.toml\n");
   EXPECT_EQ(found.points.size(), 2U);
   EXPECT_GT(found.best->throughput_per_s, found.baseline_per_s);

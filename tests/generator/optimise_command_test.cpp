@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 class OptimiseCommand : public PlanningTest {};
 
 TEST_F(OptimiseCommand, ItsPlanIsWhatCheckTakes) {
-  const Outcome found = mixcmp("optimise scene.toml --table characterisation --last 14 -o plan.toml");
+  const Outcome found =
+      mixcmp("optimise scene.toml --table characterisation --last 14 -o plan.toml");
   ASSERT_EQ(found.exit_code, 0) << found.output;
   EXPECT_NE(found.output.find("target, not measured"), std::string::npos) << found.output;
   const Outcome checked = mixcmp("check plan.toml --json");
@@ -33,7 +34,8 @@ TEST_F(OptimiseCommand, APlanHasNoMoreMemoriesThanTheDevice) {
   row(table, "fifo,,,,,,0,32", 0, 200, 0);
   table.close();
   const Outcome found = mixcmp(
-      "optimise scene.toml --table characterisation --first 11 --last 11 --use-multipliers memory,embedded "
+      "optimise scene.toml --table characterisation --first 11 --last 11 --use-multipliers "
+      "memory,embedded "
       "-o plan.toml");
   ASSERT_EQ(found.exit_code, 0) << found.output;
   const std::string plan = read("plan.toml");
@@ -55,7 +57,8 @@ TEST_F(OptimiseCommand, TablesWithoutStreamsAreRefused) {
       if (!line.starts_with(kind)) kept += line + "\n";
     }
     write(name, kept);
-    expect_refused("optimise scene.toml --table characterisation --first 8 --last 14 -o plan.toml", "a " + kind);
+    expect_refused("optimise scene.toml --table characterisation --first 8 --last 14 -o plan.toml",
+                   "a " + kind);
     EXPECT_FALSE(fs::exists(path("plan.toml")));
     write(name, whole);
   }
@@ -68,7 +71,8 @@ TEST_F(OptimiseCommand, RowsOfFixedPointWithInputsAreRefused) {
     std::ofstream table(path("characterisation/scene-virtex6-lx760.csv"), std::ios::app);
     row(table, wrong, 7, 380, 4);
     table.close();
-    expect_refused("optimise scene.toml --table characterisation --last 14", "scene-virtex6-lx760.csv:13");
+    expect_refused("optimise scene.toml --table characterisation --last 14",
+                   "scene-virtex6-lx760.csv:13");
   }
 }
 
@@ -89,8 +93,10 @@ TEST_F(OptimiseCommand, OldRtlIsTold) {
 }
 
 TEST_F(OptimiseCommand, ReferencesHaveTheInitiationIntervalOfTheScene) {
-  expect_refused("optimise scene.toml --table characterisation --set reference.initiation_interval=16 -o plan.toml",
-                 "the characterisation has no reference");
+  expect_refused(
+      "optimise scene.toml --table characterisation --set reference.initiation_interval=16 -o "
+      "plan.toml",
+      "the characterisation has no reference");
   EXPECT_FALSE(fs::exists(path("plan.toml")));
 }
 
@@ -132,13 +138,15 @@ TEST_F(OptimiseCommand, AnInitiationIntervalThatIsLeftOpenIsNotGenerated) {
 
 TEST_F(OptimiseCommand, ChoosesTheInitiationIntervalThatTheSceneLeavesOpen) {
   const std::string open =
-      "optimise scene.toml --table characterisation --first 12 --last 14 --set 'reference.initiation_interval=\"auto\"'";
+      "optimise scene.toml --table characterisation --first 12 --last 14 --set "
+      "'reference.initiation_interval=\"auto\"'";
   const std::string note =
       "reference.initiation_interval is \"auto\", but the table has references of only "
       "interval 1; "
       "`mixcmp characterise --initiation-intervals";
   EXPECT_NE(mixcmp(open).output.find(note), std::string::npos);
-  EXPECT_EQ(mixcmp("optimise scene.toml --table characterisation --last 14").output.find(note), std::string::npos);
+  EXPECT_EQ(mixcmp("optimise scene.toml --table characterisation --last 14").output.find(note),
+            std::string::npos);
   std::ofstream table(path("characterisation") / "scene-virtex6-lx760.csv", std::ios::app);
   row(table, "reference,,s53e8,,,embedded,2,0", 60, 3000, 6);
   table.close();
@@ -154,11 +162,13 @@ TEST_F(OptimiseCommand, ChoosesTheInitiationIntervalThatTheSceneLeavesOpen) {
     const auto report = json_of(mixcmp(command + " --json"));
     return report.at("plans")[0].at("throughput_per_s").get<double>();
   };
-  EXPECT_GT(throughput(open), throughput("optimise scene.toml --table characterisation --first 12 --last 14"));
+  EXPECT_GT(throughput(open),
+            throughput("optimise scene.toml --table characterisation --first 12 --last 14"));
 }
 
 TEST_F(OptimiseCommand, GlpkWouldReadItsProgram) {
-  ASSERT_EQ(mixcmp("optimise scene.toml --table characterisation --last 14 --lp best.lp").exit_code, 0);
+  ASSERT_EQ(mixcmp("optimise scene.toml --table characterisation --last 14 --lp best.lp").exit_code,
+            0);
   const std::string program = read("best.lp");
   EXPECT_NE(program.find("Maximize"), std::string::npos);
   EXPECT_NE(program.find("lut"), std::string::npos);
@@ -168,7 +178,8 @@ TEST_F(OptimiseCommand, RatesMayHaveTheLineEndsOfASpreadsheet) {
   write("rates.csv",
         "inputs,precision,scheme,comparisons,undecided,rate,wrong,wrong_by_lane\r\n"
         "exact,8,relative,1000,10,0.01,0,0\r\n");
-  const Outcome found = mixcmp("optimise scene.toml --table characterisation --last 8 --rates rates.csv --json");
+  const Outcome found =
+      mixcmp("optimise scene.toml --table characterisation --last 8 --rates rates.csv --json");
   ASSERT_EQ(found.exit_code, 0) << found.output;
   EXPECT_DOUBLE_EQ(json_of(found).at("plans")[0].at("recomputation_rate"), 0.01);
 }
@@ -177,7 +188,8 @@ TEST_F(OptimiseCommand, RatesMayComeFromAProfile) {
   std::ofstream(path("rates.csv"))
       << "inputs,precision,scheme,comparisons,undecided,rate,wrong,wrong_by_lane\n"
       << "exact,12,relative,1000000,100,1e-4,0,0\n";
-  const Outcome found = mixcmp("optimise scene.toml --table characterisation --rates rates.csv --json");
+  const Outcome found =
+      mixcmp("optimise scene.toml --table characterisation --rates rates.csv --json");
   ASSERT_EQ(found.exit_code, 0) << found.output;
   const auto report = json_of(found);
   EXPECT_EQ(report.at("best"), 12);
@@ -189,9 +201,11 @@ TEST_F(OptimiseCommand, RatesOfAnotherReferenceAreRefusedAndOfOtherDataTold) {
       "inputs,precision,scheme,comparisons,undecided,rate,wrong,wrong_by_lane\n";
   const std::string rate = "exact,8,relative,77,10,0.13,0,0\n";
   write("other.csv", header + "exact,24,reference,77,0,0,0,0\n" + rate);
-  expect_refused("optimise scene.toml --table characterisation --last 8 --rates other.csv", "a reference of 24 digits");
+  expect_refused("optimise scene.toml --table characterisation --last 8 --rates other.csv",
+                 "a reference of 24 digits");
   write("more.csv", header + "exact,53,reference,77,0,0,0,0\n" + rate);
-  const Outcome told = mixcmp("optimise scene.toml --table characterisation --last 8 --rates more.csv");
+  const Outcome told =
+      mixcmp("optimise scene.toml --table characterisation --last 8 --rates more.csv");
   EXPECT_EQ(told.exit_code, 0) << told.output;
   EXPECT_NE(told.output.find("note: more.csv: counted on 77 comparisons; the scene's data have"),
             std::string::npos)
@@ -200,7 +214,8 @@ TEST_F(OptimiseCommand, RatesOfAnotherReferenceAreRefusedAndOfOtherDataTold) {
 
 TEST_F(OptimiseCommand, ADeviceTooSmallIsToldWithWhatIsShort) {
   write_table("scene-ice40-up5k.csv", "ice40-up5k");
-  const Outcome found = mixcmp("optimise scene.toml --table characterisation --device ice40-up5k --last 14 -o plan.toml");
+  const Outcome found = mixcmp(
+      "optimise scene.toml --table characterisation --device ice40-up5k --last 14 -o plan.toml");
   EXPECT_EQ(found.exit_code, 2) << found.output;
   EXPECT_NE(found.output.find("lut"), std::string::npos) << found.output;
   EXPECT_FALSE(fs::exists(path("plan.toml")));
@@ -209,16 +224,20 @@ TEST_F(OptimiseCommand, ADeviceTooSmallIsToldWithWhatIsShort) {
 TEST_F(OptimiseCommand, AnOlderPlanThatStaysIsTold) {
   write_table("scene-ice40-up5k.csv", "ice40-up5k");
   write("plan.toml", "old\n");
-  const Outcome found = mixcmp("optimise scene.toml --table characterisation --device ice40-up5k --last 14 -o plan.toml");
+  const Outcome found = mixcmp(
+      "optimise scene.toml --table characterisation --device ice40-up5k --last 14 -o plan.toml");
   EXPECT_EQ(found.exit_code, 2) << found.output;
   EXPECT_NE(found.output.find("plan.toml: not written"), std::string::npos) << found.output;
   EXPECT_EQ(read("plan.toml"), "old\n");
 }
 
 TEST_F(OptimiseCommand, ItsFilesAreOfOneRun) {
-  ASSERT_EQ(mixcmp("optimise scene.toml --table characterisation --csv f9.csv -o plan.toml").exit_code, 0);
+  ASSERT_EQ(
+      mixcmp("optimise scene.toml --table characterisation --csv f9.csv -o plan.toml").exit_code,
+      0);
   const std::string table = read("f9.csv"), plan = read("plan.toml");
-  const std::string other = "optimise scene.toml --table characterisation --first 12 --csv f9.csv -o plan.toml --lp ";
+  const std::string other =
+      "optimise scene.toml --table characterisation --first 12 --csv f9.csv -o plan.toml --lp ";
   EXPECT_EQ(mixcmp(other + "/dev/full").exit_code, 1);
   EXPECT_EQ(read("f9.csv"), table);
   EXPECT_EQ(read("plan.toml"), plan);
@@ -234,7 +253,8 @@ TEST_F(OptimiseCommand, TheBestVariantIsChosenAndThePlanNamesIt) {
   EXPECT_NE(without.output.find("variant root left out"), std::string::npos) << without.output;
   EXPECT_NE(without.output.find("characterise scene.toml --variant root"), std::string::npos);
   write_table("scene-root-virtex6-lx760.csv", "virtex6-lx760", "spheres_root", 500);
-  const Outcome found = mixcmp("optimise scene.toml --table characterisation --last 8 --json -o plan.toml");
+  const Outcome found =
+      mixcmp("optimise scene.toml --table characterisation --last 8 --json -o plan.toml");
   ASSERT_EQ(found.exit_code, 0) << found.output;
   const auto report = json_of(found);
   EXPECT_EQ(report.at("variant"), "root");
@@ -245,7 +265,8 @@ TEST_F(OptimiseCommand, TheBestVariantIsChosenAndThePlanNamesIt) {
   const Outcome checked = mixcmp("check plan.toml --json");
   ASSERT_EQ(checked.exit_code, 0) << checked.output;
   EXPECT_EQ(nlohmann::json::parse(checked.output).at("name"), "spheres_root");
-  EXPECT_EQ(json_of(mixcmp("optimise scene.toml --table characterisation --last 8 --json --set comparison.variant=root"))
+  EXPECT_EQ(json_of(mixcmp("optimise scene.toml --table characterisation --last 8 --json --set "
+                           "comparison.variant=root"))
                 .at("best"),
             8);
 }
@@ -258,7 +279,8 @@ TEST_F(OptimiseCommand, AVariantThatCannotBePlannedIsLeftOutUnlessItIsAsked) {
                  "characterise scene.toml --variant root");
   // A table without a lane of the precisions asked for.
   write_table("scene-root-virtex6-lx760.csv", "virtex6-lx760", "spheres_root");
-  expect_refused("optimise scene.toml --table characterisation --variant root --first 20 --last 30", "no lane");
+  expect_refused("optimise scene.toml --table characterisation --variant root --first 20 --last 30",
+                 "no lane");
   // Only the variant has a table.
   fs::remove(path("characterisation") / "scene-virtex6-lx760.csv");
   const Outcome found = mixcmp("optimise scene.toml --table characterisation --last 8");
@@ -356,37 +378,72 @@ TEST_F(TwoTiers, GenerateTellsOfBoth) {
 }
 
 /// A Yosys that finds a reference nine times as large as anything else.
-TEST_F(OptimiseCommand, WithoutATableAQuickOneIsMade) {
-  const std::string yosys =
-      instead_of("yosys", fake_yosys("$luts", "luts=1000; ls | grep -q reference && luts=9000\n"));
-  const std::string environment = "XDG_CACHE_HOME=\"$PWD/cache\" " + yosys;
-  const std::string optimise =
-      "optimise scene.toml --device artix7-200t --first 8 --last 10 --use-bounds constant";
-  const Outcome refused = mixcmp(optimise + " --no-characterise -o plan.toml", environment);
-  EXPECT_EQ(refused.exit_code, 1) << refused.output;
-  EXPECT_FALSE(fs::exists(path("characterisation/scene-artix7-200t.csv")));
-  const Outcome found = mixcmp(optimise + " -o plan.toml", environment);
+class Confirmed : public OptimiseCommand {
+protected:
+  Confirmed() { fs::remove(path("characterisation/scene-virtex6-lx760.csv")); }
+
+  std::string environment() const {
+    const std::string store = "XDG_CACHE_HOME=\"$PWD/cache\" ";
+    return store + instead_of("yosys", fake_yosys("$luts",
+                                                  "luts=1000; ls | grep -q reference && "
+                                                  "luts=9000\n"));
+  }
+  /// A few lanes of one architecture: streams of operands that are carried in block memories.
+  const std::string few =
+      "optimise scene.toml --device artix7-200t --first 9 --last 10 --use-bounds constant "
+      "--set system.operands=carried --set system.operand_memory=block --set "
+      "system.request_beats=1 "
+      "--set system.lanes_per_group=2 --set system.counters=none --set engine.kind=none "
+      "--set reference.initiation_interval=1 -o plan.toml";
+};
+
+TEST_F(Confirmed, ThePlanIsMadeAgainWithTheAreasOfItsComponents) {
+  const Outcome found = mixcmp(few, environment());
   ASSERT_EQ(found.exit_code, 0) << found.output;
-  EXPECT_NE(found.output.find("lanes look promising"), std::string::npos) << found.output;
-  EXPECT_NE(found.output.find("; about "), std::string::npos) << "it says how long it takes\n"
-                                                              << found.output;
-  const std::string table = read("characterisation/scene-artix7-200t.csv");
-  EXPECT_NE(table.find("# command: mixcmp characterise scene.toml --set system.device=artix7-200t "
-                       "--precisions 8-10 --bounds constant --quick --area-only\n"),
-            std::string::npos)
-      << table;
-  const Outcome again = mixcmp(optimise + " --json", instead_of("yosys", "exit 1"));
-  EXPECT_EQ(again.exit_code, 0) << "the table is there\n" << again.output;
-  EXPECT_EQ(again.output.find("promising"), std::string::npos) << again.output;
+  EXPECT_NE(found.output.find("note: predicted "), std::string::npos) << found.output;
+  EXPECT_NE(found.output.find(" of "), std::string::npos);
+  EXPECT_NE(found.output.find("areas: measured; predicted "), std::string::npos) << found.output;
+  EXPECT_EQ(mixcmp("check plan.toml").exit_code, 0);
+  const Outcome again = mixcmp(few + " --json", environment());
+  EXPECT_EQ(again.output.find("jobs, "), std::string::npos) << "the store has the results\n"
+                                                            << again.output;
+  EXPECT_EQ(json_of(again).at("areas"), "measured");
 }
 
-TEST_F(OptimiseCommand, AQuickTableThatCannotBeMadeMakesNoPlan) {
+TEST_F(Confirmed, WithoutSynthesisAreasArePredicted) {
+  for (const char* option : {" --predict-only", " --no-characterise"}) {
+    const Outcome found = mixcmp(few + option, instead_of("yosys", "exit 1"));
+    ASSERT_EQ(found.exit_code, 0) << found.output;
+    EXPECT_NE(found.output.find("areas: predicted; predicted "), std::string::npos) << found.output;
+  }
+  EXPECT_NE(read("plan.toml").find("--predict-only\n"), std::string::npos) << read("plan.toml");
+}
+
+/// Rows of `characterise` replace predicted ones, but not once the RTL is another.
+TEST_F(Confirmed, KeptRowsOfTodaysRtlTakeThePlaceOfPredictedOnes) {
+  const std::string settings =
+      " --device artix7-200t --set system.operand_memory=block --set system.request_beats=1 "
+      "--set system.lanes_per_group=2 --set system.counters=none";
+  const Outcome measured = mixcmp(
+      "characterise scene.toml --precisions 9 --bounds constant --area-only --ports 1" + settings,
+      environment());
+  ASSERT_EQ(measured.exit_code, 0) << measured.output;
+  const std::string table = "characterisation/scene-artix7-200t.csv";
+  const Outcome found = mixcmp(few + " --predict-only");
+  EXPECT_EQ(found.output.find("note: scene-artix7-200t.csv: 0 of"), std::string::npos);
+  EXPECT_NE(found.output.find("rows take the place of predicted areas"), std::string::npos)
+      << found.output;
+  const Outcome other = mixcmp(few +
+                               " --predict-only --set system.tag_bits=40 "
+                               "--set system.target_mhz=150 --set reduced.rounding=toward_zero");
+  EXPECT_NE(other.output.find("note: scene-artix7-200t.csv: 0 of"), std::string::npos)
+      << other.output;
+}
+
+TEST_F(Confirmed, ComponentsThatCannotBeSynthesisedMakeNoPlan) {
   const std::string yosys =
       instead_of("yosys", "case \"$*\" in *-V*) echo 'Yosys 9.9 (fake)'; exit 0;; esac; exit 1");
-  const Outcome failed = mixcmp(
-      "optimise scene.toml --device artix7-200t --first 8 --last 8 --use-bounds constant "
-      "-o plan.toml",
-      "XDG_CACHE_HOME=\"$PWD/cache\" " + yosys);
+  const Outcome failed = mixcmp(few, "XDG_CACHE_HOME=\"$PWD/cache\" " + yosys);
   EXPECT_EQ(failed.exit_code, 1) << failed.output;
   EXPECT_NE(failed.output.find("kept in "), std::string::npos) << failed.output;
   EXPECT_FALSE(fs::exists(path("plan.toml")));
@@ -400,10 +457,12 @@ TEST_F(OptimiseCommand, MistakesAreTold) {
   expect_refused("optimise scene.toml --table characterisation --use-inputs wrong", "--use-inputs");
   expect_refused("optimise scene.toml --table characterisation --use-bounds running_4", "no lane");
   for (const char* clock : {"0", "-5", "nan", "inf"}) {
-    expect_refused(fmt::format("optimise scene.toml --table characterisation --lane-mhz {}", clock), "--lane-mhz");
+    expect_refused(fmt::format("optimise scene.toml --table characterisation --lane-mhz {}", clock),
+                   "--lane-mhz");
   }
   write_table("scene-artix7-200t.csv", "virtex6-lx760");
-  expect_refused("optimise scene.toml --table characterisation --device artix7-200t", "of another device");
+  expect_refused("optimise scene.toml --table characterisation --device artix7-200t",
+                 "of another device");
   expect_refused("explore scene.toml --over radius", "names no data sets");
   expect_refused("explore scene.toml --over system.slack=0.1,0.3", "names no data sets");
   expect_refused(
@@ -411,7 +470,8 @@ TEST_F(OptimiseCommand, MistakesAreTold) {
       "accepted [low, high], a range that all data sets keep");
   for (const char* out :
        {"-o scene.toml", "--csv characterisation/scene-virtex6-lx760.csv", "-o x --lp x"}) {
-    expect_refused(fmt::format("optimise scene.toml --table characterisation --last 14 {}", out), "would be written over");
+    expect_refused(fmt::format("optimise scene.toml --table characterisation --last 14 {}", out),
+                   "would be written over");
   }
   fs::create_directory(path("plan.toml"));
   for (const char* out : {"plan.toml", "/dev/full", "nowhere/plan.toml"}) {
@@ -425,7 +485,8 @@ TEST_F(OptimiseCommand, MistakesAreTold) {
 
 TEST_F(OptimiseCommand, ThePlanKeepsTheCommandsSettings) {
   const Outcome found = mixcmp(
-      "optimise scene.toml --table characterisation --last 14 --set system.order=in_order --set data.count=200 "
+      "optimise scene.toml --table characterisation --last 14 --set system.order=in_order --set "
+      "data.count=200 "
       "--set reduced.rounding=toward_zero --use-multipliers embedded -o plan.toml");
   ASSERT_EQ(found.exit_code, 0) << found.output;
   const Outcome checked = mixcmp("check plan.toml --json");
@@ -444,7 +505,8 @@ TEST_F(OptimiseCommand, APlanForADeviceFileNamesTheFile) {
       << "[timing]\ntool = \"none\"\n[delays]\nlut_ns = 1\ncarry_start_ns = 1\n"
       << "carry_ns_per_bit = 0.1\nmultiplier_ns = 3\nmultiplier_add_ns = 1\nregister_ns = 1\n";
   write_table("scene-mine.csv", "mine");
-  const Outcome found = mixcmp("optimise scene.toml --table characterisation --device mine.toml --last 14 -o plan.toml");
+  const Outcome found = mixcmp(
+      "optimise scene.toml --table characterisation --device mine.toml --last 14 -o plan.toml");
   ASSERT_EQ(found.exit_code, 0) << found.output;
   const Outcome checked = mixcmp("check plan.toml");
   EXPECT_EQ(checked.exit_code, 0) << checked.output;
@@ -462,10 +524,10 @@ TEST_F(OptimiseCommand, RatesOfProfiledLanesAreThoseOfTheScenesConstants) {
   row(table, "lane,,s8e8,exact,profiled,embedded,0,0", 20, 1500, 4);
   table.close();
   const auto rate_with = [&](const char* constant) {
-    const Outcome run =
-        mixcmp(fmt::format("optimise scene.toml --table characterisation --first 8 --last 8 --json --bound profiled "
-                           "--set reduced.relative_error_f={0} --set reduced.relative_error_g={0}",
-                           constant));
+    const Outcome run = mixcmp(fmt::format(
+        "optimise scene.toml --table characterisation --first 8 --last 8 --json --bound profiled "
+        "--set reduced.relative_error_f={0} --set reduced.relative_error_g={0}",
+        constant));
     EXPECT_EQ(run.exit_code, 0) << run.output;
     return json_of(run).at("plans")[0].at("recomputation_rate").get<double>();
   };
@@ -485,7 +547,8 @@ TEST_F(OptimiseCommand, CharacteriseDoesNotDropATableOfAnotherTarget) {
 TEST_F(OptimiseCommand, ALinksTargetIsWritten) {
   write("real.csv", "old");
   fs::create_symlink("real.csv", path("link.csv"));
-  ASSERT_EQ(mixcmp("optimise scene.toml --table characterisation --last 14 --csv link.csv").exit_code, 0);
+  ASSERT_EQ(
+      mixcmp("optimise scene.toml --table characterisation --last 14 --csv link.csv").exit_code, 0);
   EXPECT_TRUE(fs::is_symlink(path("link.csv")));
   EXPECT_NE(read("real.csv").find("precision,"), std::string::npos);
 }
@@ -493,20 +556,23 @@ TEST_F(OptimiseCommand, ALinksTargetIsWritten) {
 /// The plan has whole lists and tables of the command's settings, and keys in quotes.
 TEST_F(OptimiseCommand, APlanHasTheSettingsOfItsCommand) {
   const std::string ranges = "--set 'inputs.r*={ range = [0, 200] }'";
-  const Outcome found = mixcmp("optimise scene.toml --table characterisation --last 14 -o plan.toml " + ranges);
+  const Outcome found =
+      mixcmp("optimise scene.toml --table characterisation --last 14 -o plan.toml " + ranges);
   ASSERT_EQ(found.exit_code, 0) << found.output;
   EXPECT_NE(read("plan.toml").find("\n[inputs]\n\"r*\" = { range = [0, 200] }\n"),
             std::string::npos)
       << read("plan.toml");
   EXPECT_EQ(mixcmp("check plan.toml").exit_code, 0);
-  expect_refused("optimise scene.toml --table characterisation --last 14 --use-bounds bogus", "--use-bounds: not a bound");
+  expect_refused("optimise scene.toml --table characterisation --last 14 --use-bounds bogus",
+                 "--use-bounds: not a bound");
   write("second.toml", "scene = \"plan.toml\"\n");
   const std::string table = " --table characterisation/scene-virtex6-lx760.csv";
   expect_refused("optimise second.toml --last 14 -o plan.toml" + table, "would be written over");
 }
 
 TEST_F(OptimiseCommand, AClockThatIsGivenIsNoEstimate) {
-  const Outcome found = mixcmp("optimise scene.toml --table characterisation --last 14 --lane-mhz 50 -o plan.toml");
+  const Outcome found =
+      mixcmp("optimise scene.toml --table characterisation --last 14 --lane-mhz 50 -o plan.toml");
   ASSERT_EQ(found.exit_code, 0) << found.output;
   const std::string basis = "given for lanes; for references: target, not measured";
   EXPECT_NE(found.output.find(basis), std::string::npos) << found.output;
@@ -530,7 +596,9 @@ TEST_F(OptimiseCommand, APlanNamesNoPathThatItCannotHold) {
 TEST_F(OptimiseCommand, APlanNamesItsSceneFromWhereALinkLeads) {
   fs::create_directories(path("far/away"));
   fs::create_directory_symlink("far/away", path("link"));
-  ASSERT_EQ(mixcmp("optimise scene.toml --table characterisation --last 14 -o link/plan.toml").exit_code, 0);
+  ASSERT_EQ(
+      mixcmp("optimise scene.toml --table characterisation --last 14 -o link/plan.toml").exit_code,
+      0);
   EXPECT_NE(read("far/away/plan.toml").find("scene = \"../../scene.toml\"\n"), std::string::npos);
   EXPECT_EQ(mixcmp("check far/away/plan.toml").exit_code, 0);
 }
@@ -541,7 +609,10 @@ TEST_F(OptimiseCommand, APlanReadThroughALinkTakesTheSameScene) {
   fs::create_directories(path("near/by"));
   fs::create_directory_symlink("../../far/away", path("near/by/link"));
   write("near/scene.toml", "a decoy");
-  ASSERT_EQ(mixcmp("optimise scene.toml --table characterisation --last 14 -o near/by/link/plan.toml").exit_code, 0);
+  ASSERT_EQ(
+      mixcmp("optimise scene.toml --table characterisation --last 14 -o near/by/link/plan.toml")
+          .exit_code,
+      0);
   const Outcome run = mixcmp("check near/by/link/plan.toml");
   EXPECT_EQ(run.exit_code, 0) << run.output;
 }
@@ -550,7 +621,8 @@ TEST_F(OptimiseCommand, ALinkedPlanIsReadAsItWasWritten) {
   fs::create_directories(path("far/away"));
   fs::create_symlink("far/away/plan.toml", path("plan.toml"));
   for (int run = 0; run < 2; ++run) {
-    ASSERT_EQ(mixcmp("optimise scene.toml --table characterisation --last 14 -o plan.toml").exit_code, 0);
+    ASSERT_EQ(
+        mixcmp("optimise scene.toml --table characterisation --last 14 -o plan.toml").exit_code, 0);
     EXPECT_EQ(mixcmp("check plan.toml").exit_code, 0) << "run " << run;
     EXPECT_EQ(mixcmp("check far/away/plan.toml").exit_code, 0) << "run " << run;
   }

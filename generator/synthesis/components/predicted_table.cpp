@@ -44,18 +44,18 @@ std::optional<devices::Area> AreaPredictor::of(const rtl::TemplateInstance& inst
   return known->second;
 }
 
-Result<measured::Characterisation> predict_table(AreaPredictor& predictor,
+Result<measured::Characterisation> predict_table(const PredictedArea& area_of,
                                                  const scene::Scene& scene,
                                                  const data::Comparisons* data,
                                                  const ComponentQuery& query) {
   ComponentMaker maker(scene, data);
-  measured::Characterisation table{.device = predictor.device().name,
+  measured::Characterisation table{.device = scene.system.device,
                                    .scene = scene.name,
                                    .command = {},
                                    .spec = {},
                                    .rows = {}};
   const auto use = [&](const Component& component) {
-    const std::optional<devices::Area> area = predictor.of(component);
+    const std::optional<devices::Area> area = area_of(component, scene);
     if (!area) return;
     table.rows.push_back({.key = component.key,
                           .latency_cycles = component.latency_cycles,

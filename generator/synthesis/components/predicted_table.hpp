@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -39,9 +40,13 @@ private:
   std::set<std::string> unknown_;
 };
 
+/// The area of a component of a scene; none if it cannot be predicted.
+using PredictedArea =
+    std::function<std::optional<devices::Area>(const Component&, const scene::Scene&)>;
+
 /// The components that a query asks for, with predicted areas and no clocks: no tool runs. Those
-/// that the library knows too little of are left out. `data` may be null.
-Result<measured::Characterisation> predict_table(AreaPredictor& predictor,
+/// without a predicted area are left out. `data` may be null.
+Result<measured::Characterisation> predict_table(const PredictedArea& area_of,
                                                  const scene::Scene& scene,
                                                  const data::Comparisons* data,
                                                  const ComponentQuery& query);

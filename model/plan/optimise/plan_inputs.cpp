@@ -9,6 +9,7 @@
 
 #include "model/base/common/output_file.hpp"
 #include "model/base/common/quote.hpp"
+#include "model/plan/optimise/second_tier.hpp"
 #include "model/scene/plan.hpp"
 
 namespace mixcmp::optimise {
@@ -49,6 +50,21 @@ Error of_another(const fs::path& path, const char* field, const std::string& rec
                .message = fmt::format("the table is of another {}", field),
                .received = received,
                .accepted = accepted};
+}
+
+/// The bounds of the lanes that are counted: those of `choice`, with that of a second tier.
+Result<std::vector<Bound>> counted_for(const scene::Scene& scene, const OptimiseOptions& choice) {
+  std::vector<Bound> bounds = choice.bounds;
+  if (bounds.empty()) return bounds;
+  MIXCMP_TRY(tier, second_tier_lane(scene));
+  if (tier) bounds.push_back(tier->bound);
+  return bounds;
+}
+
+/// Only profiled lanes need measured errors.
+bool has_profiled(const std::vector<Bound>& bounds) {
+  return std::any_of(bounds.begin(), bounds.end(),
+                     [](const Bound& bound) { return bound.is_profiled(); });
 }
 
 }  // namespace
@@ -118,6 +134,9 @@ Result<std::vector<profile::RateProfile>> measure_rates(
     options.last_precision = std::min(options.last_precision, most);
   }
   options.progress = progress;
+  MIXCMP_TRY(bounds, counted_for(scene, choice));
+  options.bounds = std::move(bounds);
+  if (!options.bounds.empty() && !has_profiled(options.bounds)) options.error_samples = 0;
   MIXCMP_DO(check_profile(scene, options));
   auto errors = profile_errors(scene, data, {inputs.begin(), inputs.end()}, options);
   std::vector<profile::RateProfile> rates;

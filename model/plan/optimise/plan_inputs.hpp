@@ -36,7 +36,8 @@ Result<scene::Scene> with_target_of(const measured::Characterisation& table,
 std::set<LaneInputs> inputs_of_lanes(const measured::Characterisation& table);
 
 /// Recomputation rates of every kind of lane on these data, for these kinds of inputs, at the
-/// precisions of `choice`. `progress` is that of profile::ProfileOptions.
+/// precisions and with the bounds of `choice`, and those of the scene's second tier. `progress` is
+/// that of profile::ProfileOptions.
 Result<std::vector<profile::RateProfile>> measure_rates(
     const scene::Scene& scene, const data::Comparisons& data, const std::set<LaneInputs>& inputs,
     const OptimiseOptions& choice, const std::function<void(const std::string&, double)>& progress);

@@ -1,0 +1,178 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "generator/synthesis/components/predicted_table.hpp"
+#include "generator/tasks/optimise.hpp"
+#include "model/base/number/exact.hpp"
+#include "model/plan/optimise/architecture.hpp"
+#include "model/scene/plan.hpp"
+
+/// The search over architectures against all of them, with areas that were made up.
+namespace mixcmp::test::optimise_task_test {
+namespace {
+
+
+constexpr const char* orientation = R"toml(
+[comparison]
+name = "orientation"
+f = "(bx-ax)*(cy-ay)"
+g = "(by-ay)*(cx-ax)"
+[inputs]
+"*" = { range = [0, 100] }
+[reference]
+format = "s24e8"
+[reduced]
+format = "auto"
+[system]
+device = "artix7-200t"
+)toml";
+
+/// Six columns of random numbers; the scene names no data.
+data::Comparisons random_rows() {
+  const FloatFormat format = FloatFormat::make(24, 8).value();
+  data::Table table{
+      .format = format, .columns = {"bx", "ax", "cy", "ay", "by", "cx"}, .values = {}};
+  std::uint64_t state = 1;
+  for (int k = 0; k < 6 * 2000; ++k) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    const double value = static_cast<double>(state >> 40) * 100.0 / (1 << 24);
+    table.values.push_back(from_rational(format, mpq_class(value)));
+  }
+  return data::Comparisons::rows(std::move(table), {"bx", "ax", "cy", "ay", "by", "cx"}).value();
+}
+
+int width_of(const scene::Scene& scene) {
+  const bool carried = scene.system.operands == scene::OperandStore::carried;
+  return scene.system.tag_bits + (carried ? 6 * 32 / scene.system.request_beats.value_or(1) : 0);
+}
+
+/// About what Yosys finds: a scoreboard of a group costs its tags once, counters cost 300 LUTs,
+/// and block memories hold operands that would take LUTs.
+devices::Area area_of(const measured::ComponentKey& key, const scene::Scene& scene) {
+  const scene::SystemSpec& system = scene.system;
+  const bool carried = system.operands == scene::OperandStore::carried;
+  const bool in_blocks = carried && system.operand_memory == scene::OperandMemory::block;
+  const int width = width_of(scene);
+  const auto logic = [](int luts, int dsps = 0) {
+    return devices::Area{.luts = luts, .registers = luts, .dsps = dsps};
+  };
+  if (const auto* lane = std::get_if<measured::Lane>(&key)) {
+    const int bits = lane->format.precision();
+    const int luts = (lane->format.fixed_point ? 9 : 40) * bits;
+    const bool embedded = lane->multipliers == scene::Multipliers::embedded;
+    return embedded ? logic(luts, 2) : logic(luts + 2 * bits * bits);
+  }
+  if (std::holds_alternative<measured::Reference>(key)) return logic(3000, 8);
+  if (std::holds_alternative<measured::Fifo>(key)) {
+    const int counters = system.counters == scene::CounterAccess::none ? 0 : 300;
+    const int group = system.lanes_per_group;
+    devices::Area area = logic(120 + 12 * group + counters + (in_blocks ? 40 : width * group / 2));
+    if (in_blocks) area.memories = group * 6 * 32 / 36;
+    return area;
+  }
+  if (const auto* crossbar = std::get_if<measured::Crossbar>(&key)) {
+    return logic(50 + width * crossbar->lanes / 2);
+  }
+  return logic(100);
+}
+
+std::optional<devices::Area> made_up(const components::Component& component,
+                                     const scene::Scene& scene) {
+  return area_of(component.key, scene);
+}
+
+class OptimiseTask : public testing::Test {
+protected:
+  static tasks::OptimiseRequest request_with(std::vector<std::string> settings) {
+    return {
+        .planning = {.scene = {scene::SceneSource("scene.toml", orientation), std::move(settings)}},
+        .choice = {.first_precision = 10,
+                   .last_precision = 12,
+                   .inputs = {LaneInputs::exact},
+                   .bounds = {{NumberSystem::fixed, BoundKind::norm},
+                              {NumberSystem::fixed, BoundKind::constant}}},
+        .predict_only = true,
+        .area_of = made_up};
+  }
+  static tasks::LoadedScene load(const tasks::OptimiseRequest& request) {
+    const tasks::SceneRequest& scene = request.planning.scene;
+    return {scene::load_scene(scene.source, scene.settings).value(), random_rows()};
+  }
+  static tasks::OptimiseResult found_for(const tasks::OptimiseRequest& request) {
+    return tasks::optimise(request, load(request)).value();
+  }
+  static optimise::OpenKeys open_of(const tasks::OptimiseRequest& request) {
+    const tasks::SceneRequest& scene = request.planning.scene;
+    return optimise::open_keys(
+        scene::read_scene_settings(scene.source, scene.settings).value().settings);
+  }
+};
+
+/// Few intervals and groups keep the exhaustive side small: each architecture is a search of its
+/// own, with all of its keys given.
+TEST_F(OptimiseTask, FindsTheBestOfAllArchitectures) {
+  const std::vector<std::string> some = {"reference.initiation_interval=1",
+                                         "system.request_beats=1"};
+  const tasks::OptimiseRequest request = request_with(some);
+  const tasks::OptimiseResult found = found_for(request);
+  ASSERT_EQ(found.systems.size(), 4U) << "carried or refetched, with counters or without";
+  const tasks::LoadedScene loaded = load(request);
+  const optimise::OpenKeys open = open_of(request);
+  std::map<std::string, double> best;
+  for (const optimise::Architecture& each : architectures_of(loaded.scene, open)) {
+    std::vector<std::string> settings = some;
+    for (std::string& own : settings_of(each, loaded.scene, open)) settings.push_back(own);
+    const tasks::OptimiseResult single = found_for(request_with(settings));
+    ASSERT_EQ(single.systems.size(), 1U) << settings.back();
+    const tasks::PlannedSystem& system = single.best();
+    EXPECT_EQ(system.known.scene.system.lanes_per_group,
+              with_architecture(loaded.scene, each, open).system.lanes_per_group);
+    double& most = best[system.interface];
+    most = std::max(most, system.throughput_per_s());
+  }
+  for (const tasks::PlannedSystem& system : found.systems) {
+    EXPECT_EQ(system.throughput_per_s(), best.at(system.interface)) << system.interface;
+  }
+  EXPECT_GT(best.at("operands refetched, no counters"), best.at("operands refetched, counters"));
+  EXPECT_EQ(found.best().interface, "operands refetched, no counters");
+  EXPECT_GE(found.best().known.scene.system.lanes_per_group, 8);
+}
+
+TEST_F(OptimiseTask, GivenKeysStayAndOpenOnesAreSettings) {
+  const tasks::OptimiseResult found =
+      found_for(request_with({"system.operands=carried", "system.counters=ports",
+                              "system.lanes_per_group=4", "reference.initiation_interval=1"}));
+  ASSERT_EQ(found.systems.size(), 1U);
+  EXPECT_EQ(found.best().interface, "operands carried, counters");
+  const std::vector<std::string>& settings = found.best().settings;
+  ASSERT_EQ(settings.size(), 2U);
+  EXPECT_TRUE(settings[0].starts_with("system.operand_memory="));
+  EXPECT_TRUE(settings[1].starts_with("system.request_beats="));
+}
+
+/// The plan's settings and the search's own scene are one system.
+TEST(Architectures, AreWhatTheirSettingsMake) {
+  const scene::SceneSource source("scene.toml", orientation);
+  const scene::Scene scene = scene::load_scene(source, {}).value();
+  const optimise::OpenKeys open =
+      optimise::open_keys(scene::read_scene_settings(source, {}).value().settings);
+  EXPECT_TRUE(open.operands && open.counters && open.lanes_per_group && open.engine);
+  const auto all = architectures_of(scene, open);
+  EXPECT_EQ(all.size(), 2U * (6 * 2 * 4 + 6));
+  for (const optimise::Architecture& each : all) {
+    const scene::Scene made = with_architecture(scene, each, open);
+    const std::vector<std::string> settings = settings_of(each, scene, open);
+    const scene::SystemSpec read = scene::load_scene(source, settings).value().system;
+    EXPECT_EQ(read.operands, made.system.operands);
+    EXPECT_EQ(read.operand_memory, made.system.operand_memory);
+    EXPECT_EQ(read.lanes_per_group, made.system.lanes_per_group);
+    EXPECT_EQ(read.request_beats.value_or(1), made.system.request_beats.value_or(1));
+    EXPECT_EQ(read.counters, made.system.counters);
+    EXPECT_EQ(read.counter_bits, made.system.counter_bits);
+  }
+}
+
+}  // namespace
+}  // namespace mixcmp::test::optimise_task_test
