@@ -210,6 +210,12 @@ Result<ArchitectureSearch> ArchitectureSearch::make(const OptimiseRequest& reque
     MIXCMP_DO(search.add(formulation));
   }
   if (search.predictor_ == nullptr) return search;
+  if (search.predictor_->is_rough()) {
+    search.notes_.push_back(fmt::format(
+        "no library of unit areas for {}: those of Xilinx' 7 series stand in, and predictions are "
+        "rough; mixcmp units makes one",
+        search.device_.name));
+  }
   for (const std::string& unknown : search.predictor_->unknown()) {
     search.notes_.push_back(
         fmt::format("components with {} left out: the library of unit areas lacks it", unknown));
@@ -222,8 +228,9 @@ Result<Done> ArchitectureSearch::choose_areas() {
   if (area_of_) return Done{};
   MIXCMP_TRY(predictor, components::AreaPredictor::make(device_));
   predictor_ = std::make_shared<components::AreaPredictor>(std::move(predictor));
-  area_of_ = [predictor = predictor_](const components::Component& component,
-                                      const scene::Scene&) { return predictor->of(component); };
+  area_of_ = [predictor = predictor_](const components::Component& component, const scene::Scene&) {
+    return predictor->of(component);
+  };
   return Done{};
 }
 

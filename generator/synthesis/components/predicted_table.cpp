@@ -3,13 +3,12 @@
 #include <algorithm>
 
 #include "generator/synthesis/components/synthesis_jobs.hpp"
-#include "generator/synthesis/components/unit_library.hpp"
 
 namespace mixcmp::components {
 
 using measured::Measurement;
 
-AreaPredictor::AreaPredictor(units::UnitAreas library, const devices::Device& device)
+AreaPredictor::AreaPredictor(UnitLibrary library, const devices::Device& device)
     : library_(std::move(library)),
       device_(device),
       packs_(device.synthesis.starts_with("synth_xilinx")) {}
@@ -27,7 +26,15 @@ std::optional<devices::Area> AreaPredictor::of(const Component& component) {
     if (!area) return std::nullopt;
     sum += *area;
   }
-  return sum;
+  return library_.stands_in ? as_on_device(sum) : sum;
+}
+
+/// Tables of four inputs take about half as many again as those of six (docs/theory.md: lanes of
+/// the paper's benchmark), and only Xilinx makes shift registers of tables.
+devices::Area AreaPredictor::as_on_device(devices::Area area) const {
+  if (!device_.delays.has_wide_tables()) area.luts = area.luts * 3 / 2;
+  if (!packs_) area.registers += 4 * area.shift_luts;
+  return area;
 }
 
 std::optional<devices::Area> AreaPredictor::of(const Part& part) {
@@ -39,7 +46,7 @@ std::optional<devices::Area> AreaPredictor::of(const Part& part) {
 
 std::optional<devices::Area> AreaPredictor::of(const rtl::TemplateInstance& instance) {
   const auto [known, is_new] = areas_.try_emplace(instance_name(instance));
-  if (is_new) known->second = area_of_unit(library_, unit_of(instance));
+  if (is_new) known->second = area_of_unit(library_.areas, unit_of(instance));
   if (!known->second) unknown_.insert(instance.module);
   return known->second;
 }
@@ -49,11 +56,8 @@ Result<measured::Characterisation> predict_table(const PredictedArea& area_of,
                                                  const data::Comparisons* data,
                                                  const ComponentQuery& query) {
   ComponentMaker maker(scene, data);
-  measured::Characterisation table{.device = scene.system.device,
-                                   .scene = scene.name,
-                                   .command = {},
-                                   .spec = {},
-                                   .rows = {}};
+  measured::Characterisation table{
+      .device = scene.system.device, .scene = scene.name, .command = {}, .spec = {}, .rows = {}};
   const auto use = [&](const Component& component) {
     const std::optional<devices::Area> area = area_of(component, scene);
     if (!area) return;

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "generator/synthesis/components/component_list.hpp"
+#include "generator/synthesis/components/unit_library.hpp"
 #include "model/cost/devices/device.hpp"
 #include "model/cost/measured/measurement.hpp"
-#include "model/cost/units/unit_areas.hpp"
 
 namespace mixcmp::components {
 
@@ -17,23 +17,26 @@ namespace mixcmp::components {
 /// has them (units::UnitAreas).
 class AreaPredictor {
 public:
-  /// An error names a device without a library.
+  /// An error names a library that cannot be read.
   static Result<AreaPredictor> make(const devices::Device& device);
 
   /// The area that `characterise` would measure; none if the library lacks a template.
   std::optional<devices::Area> of(const Component& component);
 
-  const devices::Device& device() const { return device_; }
+  /// Whether the device's family has no library and another one stands in.
+  bool is_rough() const { return library_.stands_in; }
   /// The templates that the library lacked so far.
   const std::set<std::string>& unknown() const { return unknown_; }
 
 private:
-  AreaPredictor(units::UnitAreas library, const devices::Device& device);
+  AreaPredictor(UnitLibrary library, const devices::Device& device);
 
   std::optional<devices::Area> of(const Part& part);
   std::optional<devices::Area> of(const rtl::TemplateInstance& instance);
 
-  units::UnitAreas library_;
+  devices::Area as_on_device(devices::Area area) const;
+
+  UnitLibrary library_;
   devices::Device device_;
   bool packs_;  ///< Yosys packs registers and sums into multipliers (component_parts.hpp)
   std::map<std::string, std::optional<devices::Area>> areas_;  ///< of instances, by name

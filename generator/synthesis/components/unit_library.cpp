@@ -53,20 +53,17 @@ std::optional<fs::path> unit_library_folder() {
   return folder ? std::optional(*folder / "units") : std::nullopt;
 }
 
-Result<units::UnitAreas> unit_library(const devices::Device& device) {
+Result<UnitLibrary> unit_library(const devices::Device& device) {
   MIXCMP_TRY(own, own_libraries());
-  if (auto library = library_among(std::move(own), device.synthesis)) return std::move(*library);
+  if (auto library = library_among(std::move(own), device.synthesis)) {
+    return UnitLibrary{std::move(*library)};
+  }
   MIXCMP_TRY(shipped, units::shipped_libraries());
   if (auto library = library_among(std::move(shipped), device.synthesis)) {
-    return std::move(*library);
+    return UnitLibrary{std::move(*library)};
   }
-  return Error{
-      .field = "system.device",
-      .message =
-          "no library of unit areas for its synthesis command, so no area can be "
-          "predicted",
-      .received = fmt::format("{}: {}", device.name, device.synthesis),
-      .accepted = fmt::format("what mixcmp units SCENE --device {} measures", device.name)};
+  MIXCMP_TRY(others, units::shipped_libraries());
+  return UnitLibrary{std::move(others.front()), true};
 }
 
 std::optional<devices::Area> area_of_unit(const units::UnitAreas& library,

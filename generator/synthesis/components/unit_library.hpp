@@ -16,9 +16,14 @@ namespace mixcmp::components {
 /// without a cache (cache_folder).
 std::optional<std::filesystem::path> unit_library_folder();
 
-/// The library of unit areas for a device's synthesis command. An error names the device if there
-/// is none.
-Result<units::UnitAreas> unit_library(const devices::Device& device);
+/// A library of unit areas for a device.
+struct UnitLibrary {
+  units::UnitAreas areas;
+  bool stands_in = false;  ///< it is of another synthesis command: areas are rough
+};
+
+/// The library for the device's synthesis command or, where there is none, that of Xilinx' 7 series.
+Result<UnitLibrary> unit_library(const devices::Device& device);
 
 /// The area of a unit in a library. A delay line is as many lines of one bit as it is wide. None if
 /// the library has no unit of this template.
