@@ -239,8 +239,8 @@ TEST_F(Components, OfAChainAreWhatGenerateWrites) {
   const Found found = find(chain, parts_of_a_chain());
   const auto written_of = [](const components::Component& component) {
     const std::regex scene_name("engine_(pair_lane|item)");  // components have no scene's name
-    return std::regex_replace(from_ports(source(component, component.job.get().top + ".v")), scene_name,
-                              "nearest_$1");
+    return std::regex_replace(from_ports(source(component, component.job.get().top + ".v")),
+                              scene_name, "nearest_$1");
   };
   std::map<measured::ComponentKind, std::vector<int>> ports;
   for (const auto& [key, component] : found.components) {
@@ -409,7 +409,8 @@ TEST_F(Components, ProfiledLanesTakeTheirConstantsFromTheSceneOrItsData) {
   ASSERT_TRUE(lane.ok()) << lane.error().to_string();
   const auto rtl = components::lane_rtl(with_data.graph.inputs(), design::float_lane(*lane),
                                         reduced.multipliers, with_data.system);
-  EXPECT_EQ(source(*measured, "lane.v"), components::module_job(rtl->module).get().sources.back().text);
+  EXPECT_EQ(source(*measured, "lane.v"),
+            components::module_job(rtl->module).get().sources.back().text);
 }
 
 TEST_F(Components, WithoutProductsThereIsOneKindOfMultipliers) {
