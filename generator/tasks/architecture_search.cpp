@@ -31,6 +31,10 @@ constexpr std::array usual_intervals = {1, 2, 4, 8, 16};
 /// Plans interpolate between these crossbars.
 const std::vector<int> usual_ports = {1, 4, 8, 16, 32, 64, 128};
 
+/// A precision of a system is solved if it may be faster than the best plan found before by this
+/// factor: the search loses less than that.
+constexpr double worth_while = 1.005;
+
 /// The bounds of lanes that a plan of the scene may use.
 std::vector<Bound> bounds_for(const optimise::OptimiseOptions& choice, const scene::Scene& scene) {
   std::vector<Bound> bounds = choice.bounds;
@@ -215,6 +219,11 @@ Result<ArchitectureSearch> ArchitectureSearch::make(const OptimiseRequest& reque
         "no library of unit areas for {}: those of Xilinx' 7 series stand in, and predictions are "
         "rough; mixcmp units makes one",
         search.device_.name));
+  }
+  for (const std::string& changed : search.predictor_->outdated()) {
+    search.notes_.push_back(fmt::format(
+        "unit areas of {} were measured before it changed; mixcmp units measures them again",
+        changed));
   }
   for (const std::string& unknown : search.predictor_->unknown()) {
     search.notes_.push_back(
@@ -442,7 +451,7 @@ Result<std::vector<PlannedSystem>> ArchitectureSearch::fastest_of(
     const auto known = best.find(key);
     const bool any = known != best.end();
     const double known_per_s = any ? known->second.throughput_per_s() : 0;
-    if (choice.bound_per_s < known_per_s) continue;
+    if (choice.bound_per_s < worth_while * known_per_s) continue;
     optimise::OptimiseOptions options = request_->choice;
     options.first_precision = options.last_precision = choice.precision;
     options.at_least_per_s = std::max(known_per_s, std::numeric_limits<double>::min());

@@ -22,8 +22,8 @@ public:
                                          const std::vector<Formulation>& formulations);
 
   /// The best system of each formulation in each interface, by the areas that are known. A
-  /// precision of a system is solved only if its bound is not below the best plan found before
-  /// (optimise::throughput_bound), so that no better plan is lost.
+  /// precision of a system is solved only if its bound (optimise::throughput_bound) is half a
+  /// percent above the best plan found before: a better plan that is lost is no faster than that.
   Result<OptimiseResult> best() const;
 
   /// The components on which the plan of a system depends and whose areas are predicted.

@@ -122,7 +122,8 @@ TEST_F(ExploreCommand, ExploreCountsWithTheClocksOfItsCommand) {
   const std::string clocks = " --last 14 --lane-mhz 777 --reference-mhz 333";
   for (const char* domains : {"", " --separate-clocks"}) {
     const Outcome explored = mixcmp("explore scene.toml --json -o out" + clocks + domains);
-    const Outcome planned = mixcmp("optimise scene.toml --table characterisation --json" + clocks + domains);
+    const Outcome planned =
+        mixcmp("optimise scene.toml --table characterisation --json" + clocks + domains);
     ASSERT_EQ(explored.exit_code, 0) << explored.output;
     const auto column =
         json_of(explored.output.substr(explored.output.find('['))).at("columns").at(0);

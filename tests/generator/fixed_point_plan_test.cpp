@@ -31,7 +31,8 @@ TEST_F(FixedPointPlan, IsWhatCheckTakes) {
   add_row("lane,,q11,,fixed_norm,embedded,0,0", 380, 4);
   add_row("lane,,q11,,fixed_norm,logic,0,0", 640, 0);
   add_row("fifo,,,,,,0,32", 200, 0);
-  const Outcome found = mixcmp("optimise scene.toml --table characterisation --last 14 --json -o plan.toml");
+  const Outcome found =
+      mixcmp("optimise scene.toml --table characterisation --last 14 --json -o plan.toml");
   ASSERT_EQ(found.exit_code, 0) << found.output;
   EXPECT_EQ(json_of(found).at("best"), 11) << found.output;
   const std::string plan = read("plan.toml");
@@ -46,7 +47,8 @@ TEST_F(FixedPointPlan, MayHaveManyGuardDigits) {
   add_row("lane,,q11g9,,fixed_norm_g9,embedded,0,0", 380, 4);
   add_row("fifo,,,,,,0,32", 200, 0);
   const Outcome found = mixcmp(
-      "optimise scene.toml --table characterisation --first 11 --last 11 --use-bounds fixed_norm_g9 "
+      "optimise scene.toml --table characterisation --first 11 --last 11 --use-bounds "
+      "fixed_norm_g9 "
       "--set reduced.format=q11g9 -o plan.toml");
   ASSERT_EQ(found.exit_code, 0) << found.output;
   EXPECT_EQ(format_in_plan(), "q11g9");

@@ -133,7 +133,8 @@ TEST_F(OptimiseTask, FindsTheBestOfAllArchitectures) {
     most = std::max(most, system.throughput_per_s());
   }
   for (const tasks::PlannedSystem& system : found.systems) {
-    EXPECT_EQ(system.throughput_per_s(), best.at(system.interface)) << system.interface;
+    EXPECT_LE(system.throughput_per_s(), best.at(system.interface)) << system.interface;
+    EXPECT_GE(1.005 * system.throughput_per_s(), best.at(system.interface)) << system.interface;
   }
   EXPECT_GT(best.at("operands refetched, no counters"), best.at("operands refetched, counters"));
   EXPECT_EQ(found.best().interface, "operands refetched, no counters");

@@ -36,7 +36,8 @@ TEST(StoredTables, HaveNoRowThatWouldBeRefused) {
     for (const measured::Measurement& row : table.rows) {
       const auto component = maker.make(row.key);
       ASSERT_TRUE(component.ok()) << component.error().to_string();
-      const auto checked = characterise::check_multipliers(row.area, component->job.get().needed, device);
+      const auto checked =
+          characterise::check_multipliers(row.area, component->job.get().needed, device);
       EXPECT_TRUE(checked.ok()) << path.filename() << " " << components::label(row.key) << ": "
                                 << checked.error().to_string();
       ++rows;

@@ -71,6 +71,11 @@ std::string compare(const std::string& title, const Systems& systems, const Plan
   return text + "\n";
 }
 
+const char* areas_of(const tasks::Confirmation& confirmation) {
+  if (confirmation.is_measured) return "measured";
+  return confirmation.rounds == 0 ? "predicted" : "partly measured";
+}
+
 std::string confirmation_text(const OptimiseResult& result) {
   if (!result.confirmation) return "";
   const double predicted = result.confirmation->predicted_per_s / giga;
@@ -78,7 +83,7 @@ std::string confirmation_text(const OptimiseResult& result) {
   if (result.confirmation->rounds == 0 && !result.confirmation->is_measured) {
     return fmt::format("areas: predicted; predicted {:.2f} G comparisons/s\n", predicted);
   }
-  const char* const areas = result.confirmation->is_measured ? "measured" : "partly measured";
+  const char* const areas = areas_of(*result.confirmation);
   return fmt::format("areas: {0}; predicted {1:.2f}, {0} {2:.2f} G comparisons/s\n", areas,
                      predicted, now);
 }
@@ -111,8 +116,9 @@ std::string to_text(const OptimiseResult& result) {
                              [](const PlannedSystem& system) { return system.formulation; }) +
                      report::to_text(best.found);
   if (!result.confirmation || best.found.best() == nullptr) return text;
-  return text + fmt::format("system: {}\n  {}\n", best.interface, fmt::join(best.settings, " ")) +
-         confirmation_text(result);
+  text += fmt::format("system: {}\n", best.interface);
+  if (!best.settings.empty()) text += fmt::format("  {}\n", fmt::join(best.settings, " "));
+  return text + confirmation_text(result);
 }
 
 Json to_json(const OptimiseResult& result) {
@@ -133,7 +139,7 @@ Json to_json(const OptimiseResult& result) {
     json["interfaces"].push_back(json_of_interface(*system));
   }
   json["predicted_per_s"] = result.confirmation->predicted_per_s;
-  json["areas"] = result.confirmation->is_measured ? "measured" : "predicted";
+  json["areas"] = areas_of(*result.confirmation);
   return json;
 }
 

@@ -48,7 +48,13 @@ std::optional<devices::Area> AreaPredictor::of(const rtl::TemplateInstance& inst
   const auto [known, is_new] = areas_.try_emplace(instance_name(instance));
   if (is_new) known->second = area_of_unit(library_.areas, unit_of(instance));
   if (!known->second) unknown_.insert(instance.module);
+  if (is_new && known->second) note_if_outdated(instance.module);
   return known->second;
+}
+
+void AreaPredictor::note_if_outdated(const std::string& module) {
+  if (!seen_.insert(module).second) return;
+  if (library_.areas.find(module)->rtl != template_hash(module)) outdated_.insert(module);
 }
 
 Result<measured::Characterisation> predict_table(const PredictedArea& area_of,

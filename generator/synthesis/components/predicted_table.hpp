@@ -27,6 +27,8 @@ public:
   bool is_rough() const { return library_.stands_in; }
   /// The templates that the library lacked so far.
   const std::set<std::string>& unknown() const { return unknown_; }
+  /// The templates used so far that have changed since the library was measured.
+  const std::set<std::string>& outdated() const { return outdated_; }
 
 private:
   AreaPredictor(UnitLibrary library, const devices::Device& device);
@@ -34,13 +36,14 @@ private:
   std::optional<devices::Area> of(const Part& part);
   std::optional<devices::Area> of(const rtl::TemplateInstance& instance);
 
+  void note_if_outdated(const std::string& module);
   devices::Area as_on_device(devices::Area area) const;
 
   UnitLibrary library_;
   devices::Device device_;
   bool packs_;  ///< Yosys packs registers and sums into multipliers (component_parts.hpp)
   std::map<std::string, std::optional<devices::Area>> areas_;  ///< of instances, by name
-  std::set<std::string> unknown_;
+  std::set<std::string> unknown_, outdated_, seen_;
 };
 
 /// The area of a component of a scene; none if it cannot be predicted.

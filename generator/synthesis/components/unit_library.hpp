@@ -22,7 +22,8 @@ struct UnitLibrary {
   bool stands_in = false;  ///< it is of another synthesis command: areas are rough
 };
 
-/// The library for the device's synthesis command or, where there is none, that of Xilinx' 7 series.
+/// The library for the device's synthesis command or, where there is none, that of Xilinx' 7
+/// series.
 Result<UnitLibrary> unit_library(const devices::Device& device);
 
 /// The area of a unit in a library. A delay line is as many lines of one bit as it is wide. None if

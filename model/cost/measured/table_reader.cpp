@@ -200,9 +200,9 @@ private:
     MIXCMP_TRY(tools, next());
     row.tools = tools.text;
     if (!has_stages_) return row;
-    MIXCMP_TRY(stage, choice(std::array{AreaStage::predicted, AreaStage::mapped,
-                                        AreaStage::synthesised, AreaStage::placed,
-                                        AreaStage::routed}));
+    MIXCMP_TRY(stage,
+               choice(std::array{AreaStage::predicted, AreaStage::mapped, AreaStage::synthesised,
+                                 AreaStage::placed, AreaStage::routed}));
     row.stage = stage;
     return row;
   }

@@ -105,7 +105,8 @@ IntegerProgram::Sum negated(IntegerProgram::Sum sum) {
 /// The search for the best plan of one problem.
 class Search {
 public:
-  explicit Search(const AllocationProblem& problem) : problem_(problem) {}
+  explicit Search(const AllocationProblem& problem)
+      : problem_(problem), best_per_s_(problem.at_least_per_s) {}
 
   /// Finds the highest throughput over all clocks, then the cheapest plan that reaches it.
   std::optional<Allocation> run() {
@@ -275,8 +276,9 @@ AllocationResult allocate(const AllocationProblem& problem) {
   check(problem);
   if (problem.lanes.empty() || !fixed_fits(problem)) return explain_infeasible(problem);
   const std::optional<Allocation> plan = Search(problem).run();
-  if (!plan) return explain_infeasible(problem);
-  return *plan;
+  if (plan) return *plan;
+  if (problem.at_least_per_s == 0) return explain_infeasible(problem);
+  return Infeasible{.shortages = {}, .message = "slower than a plan that is known"};
 }
 
 std::string to_lp(const AllocationProblem& problem) {

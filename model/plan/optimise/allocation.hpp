@@ -82,7 +82,8 @@ struct AllocationProblem {
   /// Recomputations per cycle of the lanes' clock that the whole system can start, whatever the
   /// number of references.
   double recomputations_per_cycle = std::numeric_limits<double>::infinity();
-  int min_lanes = 1;  ///< a multiple of the groups' lanes
+  double at_least_per_s = 0;  ///< slower plans are not wanted
+  int min_lanes = 1;          ///< a multiple of the groups' lanes
   int max_lanes = settings::limits::lanes.most;
   int max_references = settings::limits::references.most;
 };

@@ -239,7 +239,9 @@ void solve(PrecisionPlan& plan, PrecisionSearch& search) {
   const double wanted = std::max(search.options().at_least_per_s, search.known_per_s);
   if (wanted > 0) plan.bound_per_s = throughput_bound(plan.problem);
   if (plan.bound_per_s >= wanted) {
+    plan.problem.at_least_per_s = wanted;
     plan.result = allocate(plan.problem);
+    plan.problem.at_least_per_s = 0;
     search.known_per_s = std::max(search.known_per_s, plan.throughput_per_s());
   } else {
     plan.result = Infeasible{.shortages = {}, .message = "slower than a plan that is known"};

@@ -51,10 +51,18 @@ public:
   }
 
   double bound() const {
-    double least = std::min(problem_.max_lanes * fastest_lane_, most_served_);
     if (lanes_.empty()) return 0;
-    for_each_price([&](const Parts& prices) { least = std::min(least, bound_at(prices)); });
-    return least * rounding;
+    const double least = std::min(problem_.max_lanes * fastest_lane_, most_served_);
+    Parts best{};
+    double priced = infinity;
+    for_each_price([&](const Parts& prices) {
+      if (const double bound = bound_at(prices); bound < priced) {
+        priced = bound;
+        best = prices;
+      }
+    });
+    refine(best, priced);
+    return std::min(least, priced) * rounding;
   }
 
 private:
@@ -129,6 +137,32 @@ private:
     }
     const double room = needs_reference_ ? std::max(0.0, 1 - one_reference) : 1;
     return std::min(quotient(1, least), quotient(room, least_lane));
+  }
+
+  /// Shifts prices from one resource to another while that lowers the bound, in ever smaller steps.
+  void refine(Parts& prices, double& bound) const {
+    constexpr double finest = 0.001;
+    for (double step = 0.5 / price_steps; step > finest; step /= 2) {
+      while (shift_one(prices, bound, step)) {
+      }
+    }
+  }
+
+  bool shift_one(Parts& prices, double& bound, double step) const {
+    for (std::size_t from = 0; from < resources; ++from) {
+      for (std::size_t to = 0; to < resources; ++to) {
+        if (from == to || prices[from] < step) continue;
+        Parts shifted = prices;
+        shifted[from] -= step;
+        shifted[to] += step;
+        const double lower = bound_at(shifted);
+        if (lower >= bound) continue;
+        prices = shifted;
+        bound = lower;
+        return true;
+      }
+    }
+    return false;
   }
 
   static double quotient(double room, double cost) { return cost > 0 ? room / cost : infinity; }

@@ -16,7 +16,7 @@ namespace mixcmp::optimise {
 /// at most w . (A - fixed) divided by the least of these costs. If each lane may ask, a plan also
 /// has a reference: w . (A - fixed) without the cheapest one, divided by the least cost of a lane,
 /// is a second bound. Both hold for any prices; the result is the least of them on a grid of
-/// prices, and of the limits on lanes and references.
+/// prices and near its best point, and of the limits on lanes and references.
 double throughput_bound(const AllocationProblem& problem);
 
 }  // namespace mixcmp::optimise
