@@ -23,8 +23,6 @@ using measured::Measurement;
 using scene::EngineKind;
 using scene::Multipliers;
 
-/// Guard digits of lanes in fixed point with a norm bound, beside those without any.
-constexpr std::array usual_guard_digits = {1, 2, 3, 4};
 /// The intervals of references where the scene leaves them open: one that is not folded, those with
 /// few units, and about the smallest one.
 constexpr std::array usual_intervals = {1, 2, 4, 8, 16};
@@ -41,9 +39,6 @@ std::vector<Bound> bounds_for(const optimise::OptimiseOptions& choice, const sce
   if (bounds.empty()) {
     for (const Bound& bound : counted_bounds()) bounds.push_back(bound);
     bounds.push_back({.kind = BoundKind::profiled});
-    for (const int digits : usual_guard_digits) {
-      bounds.push_back({NumberSystem::fixed, BoundKind::norm, digits});
-    }
   }
   std::erase_if(
       bounds, [&](const Bound& bound) { return bound.is_profiled() != scene.reduced.is_profiled; });
