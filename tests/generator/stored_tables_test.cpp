@@ -37,7 +37,7 @@ TEST(StoredTables, HaveNoRowThatWouldBeRefused) {
       const auto component = maker.make(row.key);
       ASSERT_TRUE(component.ok()) << component.error().to_string();
       const auto checked =
-          characterise::check_multipliers(row.area, component->job.get().needed, device);
+          characterise::check_multipliers(row.area, component->job().needed, device);
       EXPECT_TRUE(checked.ok()) << path.filename() << " " << components::label(row.key) << ": "
                                 << checked.error().to_string();
       ++rows;
