@@ -31,8 +31,9 @@ Result<Area> lane_area(const Scene& scene, const design::Lane& lane,
   MIXCMP_TRY(tools, characterise::tool_versions(device, characterise::TimingEffort::area_only));
   MIXCMP_TRY(built, components::lane_rtl(scene.graph.inputs(), lane, multipliers, scene.system));
   MIXCMP_TRY(scratch, ScratchFolder::make());
-  const auto result = characterise::synthesise(components::module_job(built.module), device,
-                                 {.effort = characterise::TimingEffort::area_only}, scratch.path());
+  const auto result =
+      characterise::synthesise(components::module_job(built.module), device,
+                               {.effort = characterise::TimingEffort::area_only}, scratch.path());
   if (result.ok()) return result->area;
   scratch.keep_for(result.error());
   return result.error();
