@@ -13,7 +13,6 @@
 namespace mixcmp::test::optimise_task_test {
 namespace {
 
-
 constexpr const char* orientation = R"toml(
 [comparison]
 name = "orientation"

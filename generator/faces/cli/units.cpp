@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "generator/faces/cli/characterise_table.hpp"
@@ -10,6 +11,7 @@
 #include "generator/faces/cli/output.hpp"
 #include "generator/faces/cli/verb.hpp"
 #include "generator/faces/cli/verbs.hpp"
+#include "generator/present/report/json_text.hpp"
 #include "generator/synthesis/components/unit_library.hpp"
 #include "model/base/common/output_file.hpp"
 
@@ -23,6 +25,7 @@ struct UnitsCommand {
   std::vector<fs::path> scenes;
   fs::path output;
   int units_of_a_template = tasks::UnitsRequest().units_of_a_template;
+  bool json = false;
   unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
 };
 
@@ -55,8 +58,15 @@ void run(UnitsCommand& command) {
     tell("interrupted; the same command goes on");
     throw Exit::interrupted(report.interrupted_by);
   }
-  print(fmt::format("{} units of {} scenes, {} measured, {} kept\n{}\n", report.candidates,
-                    command.scenes.size(), report.measured, report.kept, command.output.string()));
+  const nlohmann::ordered_json json = {{"library", command.output.string()},
+                                       {"candidates", report.candidates},
+                                       {"measured", report.measured},
+                                       {"kept", report.kept},
+                                       {"failed", report.failed.size()}};
+  const std::string text =
+      fmt::format("{} units of {} scenes, {} measured, {} kept\n{}\n", report.candidates,
+                  command.scenes.size(), report.measured, report.kept, command.output.string());
+  print(command.json ? report::json_text(json) : text);
   if (!report.failed.empty()) throw Exit(ExitCode::mistake);
 }
 
@@ -75,6 +85,7 @@ void add_units(CLI::App& app) {
       .check(within({10, 10'000}));
   verb.option("--jobs", command->jobs, "at a time (default: one a processor)")
       .check(within(settings::limits::threads));
+  verb.flag("--json", command->json, "print the result as JSON");
   verb.when_chosen([command] { run(*command); });
 }
 
