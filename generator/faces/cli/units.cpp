@@ -30,6 +30,7 @@ struct UnitsCommand {
 };
 
 void run(UnitsCommand& command) {
+  const devices::Device device = value_or_exit(devices::find_device(command.device));
   if (command.output.empty()) {
     const std::optional<fs::path> folder = components::unit_library_folder();
     if (!folder) {
@@ -39,10 +40,10 @@ void run(UnitsCommand& command) {
             .accepted = "the path of the library"});
     }
     value_or_exit(make_writable_folder(*folder));
-    command.output = *folder / (fs::path(command.device).stem().string() + ".csv");
+    command.output = *folder / (device.name + ".csv");
   }
   tasks::UnitsRequest request{.scenes = {},
-                              .device = value_or_exit(devices::find_device(command.device)),
+                              .device = device,
                               .library = command.output,
                               .units_of_a_template = command.units_of_a_template,
                               .workers = command.jobs,
