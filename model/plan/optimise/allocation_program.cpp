@@ -71,10 +71,11 @@ private:
   /// The number of crossbar ports for lanes.
   Sum all_ports() const {
     Sum sum;
-    for (int k = 0; k < lane_kinds(); ++k) sum.push_back({lane_column(k), ports_of_group(k)});
+    for (int k = 0; k < lane_kinds(); ++k)
+      sum.push_back({lane_column(k), static_cast<double>(ports_of_group(k))});
     return sum;
   }
-  double ports_of_group(int kind) const {
+  int ports_of_group(int kind) const {
     return problem_.lanes[kind].group / lanes_per_port(problem_);
   }
   int max_ports() const { return problem_.max_lanes / lanes_per_port(problem_); }

@@ -34,7 +34,7 @@ std::string name_of(const SecondLanes& second) {
 
 int groups_served(const Rate& first_tier, int lanes_per_group) {
   const double asked = first_tier.value() * lanes_per_group;
-  const double most = settings::limits::lanes.most / lanes_per_group;
+  const int most = settings::limits::lanes.most / lanes_per_group;
   return static_cast<int>(
       asked * most <= most_undecided_per_cycle ? most : most_undecided_per_cycle / asked);
 }
