@@ -10,6 +10,7 @@
 #include "generator/synthesis/characterise/job_hash.hpp"
 #include "generator/synthesis/components/characterise.hpp"
 #include "generator/synthesis/components/component_list.hpp"
+#include "generator/synthesis/components/predicted_table.hpp"
 #include "generator/synthesis/components/shortlist.hpp"
 #include "generator/synthesis/components/synthesis_jobs.hpp"
 #include "model/base/number/lane_format.hpp"
@@ -492,6 +493,31 @@ TEST_F(Components, UnitsAreMadeFromTheirNamesAlone) {
   EXPECT_FALSE(components::instance_of_name("fp_add NOTHING=3").ok());
   EXPECT_FALSE(components::instance_of_name("fp_add PRECISION").ok());
   EXPECT_FALSE(components::instance_of_name("fp_add PRECISION=3)").ok());
+}
+
+/// A lane whose multipliers take registers and sums of the lane: its area is far from the sum of
+/// its units' without them.
+TEST_F(Components, AreasArePredictedAboutAsYosysMapsThem) {
+  const std::string artix = one_system + "device = \"artix7-200t\"\n";
+  const Found found = find(scene(artix), lanes({9}, {"fixed_norm"}));
+  const devices::Device device = devices::find_device("artix7-200t").value();
+  auto predictor = components::AreaPredictor::make(device).value();
+  EXPECT_FALSE(predictor.is_rough());
+  const auto lane = std::find_if(found.components.begin(), found.components.end(), [](auto& each) {
+    const auto* key = std::get_if<measured::Lane>(&each.first);
+    return key != nullptr && key->multipliers == scene::Multipliers::embedded;
+  });
+  ASSERT_NE(lane, found.components.end());
+  const std::optional<devices::Area> predicted = predictor.of(lane->second);
+  ASSERT_TRUE(predicted.has_value());
+  EXPECT_TRUE(predictor.unknown().empty());
+  EXPECT_TRUE(predictor.outdated().empty());
+  const auto mapped = characterise::synthesise(lane->second.job(), device,
+                                               {.effort = characterise::TimingEffort::area_only},
+                                               directory_.path());
+  ASSERT_TRUE(mapped.ok()) << mapped.error().to_string();
+  EXPECT_EQ(predicted->dsps, mapped->area.dsps);
+  EXPECT_NEAR(predicted->luts, mapped->area.luts, 0.1 * mapped->area.luts);
 }
 
 TEST_F(Components, SourcesHoldNothingButHardware) {
