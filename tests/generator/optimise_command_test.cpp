@@ -46,6 +46,19 @@ TEST_F(OptimiseCommand, APlanHasNoMoreMemoriesThanTheDevice) {
   expect_refused("optimise scene.toml --table characterisation --use-multipliers wood", "memory");
 }
 
+/// A folded reference of 700 LUTs takes 24 cycles for a comparison: 24 of them are larger than a
+/// lane.
+TEST_F(OptimiseCommand, ASmallFoldedReferenceIsNoCheapDatapath) {
+  std::ofstream table(path("characterisation/scene-virtex6-lx760.csv"), std::ios::app);
+  row(table, "reference,,s53e8,,,embedded,24,0", 200, 700, 2);
+  table.close();
+  const auto plan =
+      json_of(mixcmp("optimise scene.toml --table characterisation --json --set "
+                     "reference.initiation_interval=auto"));
+  ASSERT_TRUE(plan.contains("crossover_precision")) << plan;
+  EXPECT_EQ(plan["crossover_precision"], nullptr) << plan;
+}
+
 /// Without the streams around a lane a plan would promise lanes that have no room.
 TEST_F(OptimiseCommand, TablesWithoutStreamsAreRefused) {
   const std::string name = "characterisation/scene-virtex6-lx760.csv";

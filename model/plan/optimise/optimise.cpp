@@ -40,7 +40,8 @@ AllocationResult fill_with_references(const scene::Scene& scene, const devices::
   return allocate(problem);
 }
 
-/// The crossover precision of the measured datapaths. As in the paper, C(com) does not count.
+/// The crossover precision of the datapaths. A folded reference costs as many areas as it takes
+/// cycles for a comparison. As in the paper, C(com) does not count.
 std::optional<int> crossover_of(const Optimisation& found) {
   std::map<int, std::vector<devices::Area>> lanes;
   for (const PrecisionPlan& plan : found.plans) {
@@ -50,7 +51,7 @@ std::optional<int> crossover_of(const Optimisation& found) {
   }
   std::vector<devices::Area> references;
   for (const ReferenceImplementation& reference : found.references) {
-    references.push_back(reference.measured.area);
+    references.push_back(reference.kind.initiation_interval * reference.measured.area);
   }
   return crossover_precision(lanes, references,
                              performance::usable(found.device.available, found.slack));
