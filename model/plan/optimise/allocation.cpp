@@ -272,10 +272,80 @@ int Allocation::reference_count() const {
   return std::accumulate(references.begin(), references.end(), 0);
 }
 
+namespace {
+
+/// Whether no resource has more in `a` than in `b`.
+bool is_within(const devices::Area& a, const devices::Area& b) {
+  return std::all_of(
+      std::begin(devices::bounded_resources), std::end(devices::bounded_resources),
+      [&](const devices::Resource& each) { return a.*each.amount <= b.*each.amount; });
+}
+
+/// Whether a plan loses nothing where kind `a` takes the place of kind `b`.
+bool is_as_good(const LaneKind& a, const LaneKind& b) {
+  return a.group == b.group && a.clock_hz >= b.clock_hz &&
+         a.initiation_interval <= b.initiation_interval &&
+         a.recomputation_rate <= b.recomputation_rate && asked_per_cycle(a) <= asked_per_cycle(b) &&
+         is_within(a.area, b.area);
+}
+bool is_as_good(const ReferenceKind& a, const ReferenceKind& b) {
+  return a.clock_hz >= b.clock_hz && a.initiation_interval <= b.initiation_interval &&
+         is_within(a.area, b.area);
+}
+
+/// The kinds that the best plan may have. One is left out if another is as good and smaller, or as
+/// large and listed before it: then `allocate` prefers the other.
+template <class Kind>
+std::vector<int> useful_kinds(const std::vector<Kind>& kinds) {
+  const int count = static_cast<int>(kinds.size());
+  const auto beats = [&](int a, int b) {
+    return a != b && is_as_good(kinds[a], kinds[b]) &&
+           (a < b || !is_within(kinds[b].area, kinds[a].area));
+  };
+  std::vector<int> useful;
+  for (int b = 0; b < count; ++b) {
+    bool is_beaten = false;
+    for (int a = 0; a < count && !is_beaten; ++a) is_beaten = beats(a, b);
+    if (!is_beaten) useful.push_back(b);
+  }
+  return useful;
+}
+
+template <class Kind>
+std::vector<Kind> chosen(const std::vector<Kind>& kinds, const std::vector<int>& places) {
+  std::vector<Kind> result;
+  for (const int place : places) result.push_back(kinds[place]);
+  return result;
+}
+
+/// Counts of all kinds from those of the chosen ones.
+std::vector<int> spread(const std::vector<int>& counts, const std::vector<int>& places,
+                        std::size_t kinds) {
+  std::vector<int> all(kinds, 0);
+  for (std::size_t k = 0; k < places.size(); ++k) all[places[k]] = counts[k];
+  return all;
+}
+
+/// The best plan, by a search among the kinds that it may have.
+std::optional<Allocation> best_allocation(const AllocationProblem& problem) {
+  const std::vector<int> lanes = useful_kinds(problem.lanes);
+  const std::vector<int> references = useful_kinds(problem.references);
+  AllocationProblem smaller = problem;
+  smaller.lanes = chosen(problem.lanes, lanes);
+  smaller.references = chosen(problem.references, references);
+  std::optional<Allocation> plan = Search(smaller).run();
+  if (!plan) return plan;
+  plan->lanes = spread(plan->lanes, lanes, problem.lanes.size());
+  plan->references = spread(plan->references, references, problem.references.size());
+  return plan;
+}
+
+}  // namespace
+
 AllocationResult allocate(const AllocationProblem& problem) {
   check(problem);
   if (problem.lanes.empty() || !fixed_fits(problem)) return explain_infeasible(problem);
-  const std::optional<Allocation> plan = Search(problem).run();
+  const std::optional<Allocation> plan = best_allocation(problem);
   if (plan) return *plan;
   if (problem.at_least_per_s == 0) return explain_infeasible(problem);
   return Infeasible{.shortages = {}, .message = "slower than a plan that is known"};
