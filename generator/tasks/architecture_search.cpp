@@ -1,6 +1,7 @@
 #include "generator/tasks/architecture_search.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -225,6 +226,16 @@ Result<ArchitectureSearch> ArchitectureSearch::make(const OptimiseRequest& reque
         fmt::format("components with {} left out: the library of unit areas lacks it", unknown));
   }
   return search;
+}
+
+Error ArchitectureSearch::explained(const Error& error) const {
+  if (predictor_ == nullptr || predictor_->unknown().empty()) return error;
+  std::string command = fmt::format("mixcmp units SCENE --device {}", device_.name);
+  for (const std::string& unknown : predictor_->unknown()) command += " --template " + unknown;
+  return {.field = "system.device",
+          .message = "areas cannot be predicted, since the library of unit areas lacks templates",
+          .received = fmt::format("{}", fmt::join(predictor_->unknown(), ", ")),
+          .accepted = "what this measures: " + command};
 }
 
 Result<Done> ArchitectureSearch::choose_areas() {

@@ -38,6 +38,10 @@ public:
 
   const std::vector<std::string>& notes() const { return notes_; }
 
+  /// The error of a search without a plan: if the library of unit areas lacks templates, it is
+  /// that.
+  Error explained(const Error& error) const;
+
 private:
   struct System {
     std::size_t formulation;

@@ -198,8 +198,9 @@ Result<OptimiseResult> optimise(const OptimiseRequest& request, const LoadedScen
   MIXCMP_TRY(formulations, formulations_of(request, loaded));
   if (!request.planning.table.empty()) return plan_by_tables(request, formulations);
   MIXCMP_TRY(search, ArchitectureSearch::make(request, formulations));
-  MIXCMP_TRY(predicted, search.best());
-  MIXCMP_TRY(result, confirm(request, loaded, search, std::move(predicted)));
+  Result<OptimiseResult> predicted = search.best();
+  if (!predicted.ok()) return search.explained(predicted.error());
+  MIXCMP_TRY(result, confirm(request, loaded, search, std::move(predicted).value()));
   result.notes = search.notes();
   return result;
 }

@@ -58,6 +58,7 @@ std::vector<Choices> datapath_settings() {
   std::vector<Choices> all;
   for (const char* mhz : {"150", "200", "300", "400"}) {
     all.push_back({fmt::format("system.target_mhz={}", mhz)});
+    all.push_back({fmt::format("system.target_mhz={}", mhz), "reference.sums=fused"});
   }
   return all;
 }
@@ -198,8 +199,16 @@ private:
   std::mutex mutex_;
 };
 
+Result<units::UnitAreas> new_library(const std::string& synthesis) {
+  MIXCMP_TRY(shipped, units::shipped_libraries());
+  for (units::UnitAreas& library : shipped) {
+    if (library.holds_for(synthesis)) return std::move(library);
+  }
+  return units::UnitAreas(synthesis);
+}
+
 Result<units::UnitAreas> started_library(const UnitsRequest& request) {
-  if (!path_exists(request.library)) return units::UnitAreas(request.device.synthesis);
+  if (!path_exists(request.library)) return new_library(request.device.synthesis);
   MIXCMP_TRY(text, read_file(request.library));
   MIXCMP_TRY(areas, units::UnitAreas::read(text, request.library));
   if (areas.holds_for(request.device.synthesis)) return areas;
@@ -216,10 +225,11 @@ struct Batch {
   std::string rtl;
 };
 
-std::vector<Batch> batches_of(const Candidates& candidates, const LibraryFile& library,
-                              UnitsReport& report) {
+std::vector<Batch> batches_of(const Candidates& candidates, const std::set<std::string>& templates,
+                              const LibraryFile& library, UnitsReport& report) {
   std::vector<Batch> batches;
   for (const auto& [module, instances] : candidates) {
+    if (!templates.empty() && !templates.contains(module)) continue;
     const std::string rtl = components::template_hash(module);
     std::vector<rtl::TemplateInstance> missing;
     for (const rtl::TemplateInstance& instance : instances) {
@@ -268,8 +278,9 @@ Result<UnitsReport> make_unit_library(const UnitsRequest& request) {
   }
   UnitsReport report{.candidates = collector.count()};
   LibraryFile library(std::move(started), request.library);
-  const std::vector<Batch> batches = batches_of(
-      collector.chosen(static_cast<std::size_t>(request.units_of_a_template)), library, report);
+  const std::vector<Batch> batches =
+      batches_of(collector.chosen(static_cast<std::size_t>(request.units_of_a_template)),
+                 request.templates, library, report);
   std::vector<characterise::Work> all;
   for (const Batch& batch : batches) {
     const std::string& module = batch.instances.front().module;

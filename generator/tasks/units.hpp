@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <functional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "generator/synthesis/characterise/job_runner.hpp"
@@ -14,8 +16,11 @@ namespace mixcmp::tasks {
 struct UnitsRequest {
   std::vector<SceneRequest> scenes;  ///< whose units are candidates
   devices::Device device;
-  std::filesystem::path library;  ///< is written after each batch, so that a run can be interrupted
-  int units_of_a_template = 60;   ///< so many are chosen where the scenes have more
+  /// Is written after each batch, so that a run can be interrupted. A new one begins with the units
+  /// that come with the program.
+  std::filesystem::path library;
+  std::set<std::string> templates = {};  ///< only units of these; empty: of all
+  int units_of_a_template = 60;          ///< so many are chosen where the scenes have more
   unsigned workers = 1;
   /// Called with the number of finished batches, the number of all, and the seconds so far.
   std::function<void(int finished, int batches, double seconds)> progress = {};

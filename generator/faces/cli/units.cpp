@@ -25,6 +25,7 @@ struct UnitsCommand {
   std::vector<fs::path> scenes;
   fs::path output;
   int units_of_a_template = tasks::UnitsRequest().units_of_a_template;
+  std::vector<std::string> templates;
   bool json = false;
   unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
 };
@@ -45,6 +46,7 @@ void run(UnitsCommand& command) {
   tasks::UnitsRequest request{.scenes = {},
                               .device = device,
                               .library = command.output,
+                              .templates = {command.templates.begin(), command.templates.end()},
                               .units_of_a_template = command.units_of_a_template,
                               .workers = command.jobs,
                               .progress = tell_progress};
@@ -84,6 +86,8 @@ void add_units(CLI::App& app) {
               "$XDG_CACHE_HOME/mixcmp/units/DEVICE.csv)");
   verb.option("--units", command->units_of_a_template, "so many of each template (default: 60)")
       .check(within({10, 10'000}));
+  verb.option("--template", command->templates,
+              "only units of this template, such as fp_add; may be repeated (default: all)");
   verb.option("--jobs", command->jobs, "at a time (default: one a processor)")
       .check(within(settings::limits::threads));
   verb.flag("--json", command->json, "print the result as JSON");
