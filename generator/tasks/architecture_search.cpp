@@ -30,9 +30,9 @@ constexpr std::array usual_intervals = {1, 2, 4, 8, 16};
 /// Plans interpolate between these crossbars.
 const std::vector<int> usual_ports = {1, 4, 8, 16, 32, 64, 128};
 
-/// A precision of a system is solved if it may be faster than the best plan found before by this
-/// factor: the search loses less than that.
-constexpr double worth_while = 1.005;
+/// The search may lose half a percent of the highest throughput. A program of this many nodes takes
+/// about a second; only precisions far from the best have needed more.
+constexpr optimise::Effort effort{.may_lose = 0.005, .nodes = 300};
 
 /// The bounds of lanes that a plan of the scene may use.
 std::vector<Bound> bounds_for(const optimise::OptimiseOptions& choice, const scene::Scene& scene) {
@@ -397,7 +397,8 @@ Result<std::vector<ArchitectureSearch::Choice>> ArchitectureSearch::choices_of(
 }
 
 Result<PlannedSystem> ArchitectureSearch::planned(std::size_t number,
-                                                  const optimise::OptimiseOptions& options) const {
+                                                  optimise::OptimiseOptions options) const {
+  options.effort = effort;
   const System& system = systems_[number];
   MIXCMP_TRY(found, optimise::optimise(system.scene, device_, system.table,
                                        rates_[system.formulation], options));
@@ -444,6 +445,10 @@ Result<OptimiseResult> ArchitectureSearch::best() const {
                                      });
   result.chosen = static_cast<std::size_t>(most - result.systems.begin());
   MIXCMP_TRY(whole, planned(most->number, request_->choice));
+  for (optimise::PrecisionPlan& plan : whole.found.plans) {
+    const optimise::PrecisionPlan& known = *most->found.best();
+    if (plan.precision == known.precision && is_better(known, plan, device_)) plan = known;
+  }
   *most = std::move(whole);
   return result;
 }
@@ -457,7 +462,7 @@ Result<std::vector<PlannedSystem>> ArchitectureSearch::fastest_of(
     const auto known = best.find(key);
     const bool any = known != best.end();
     const double known_per_s = any ? known->second.throughput_per_s() : 0;
-    if (choice.bound_per_s < worth_while * known_per_s) continue;
+    if (choice.bound_per_s < (1 + effort.may_lose) * known_per_s) continue;
     optimise::OptimiseOptions options = request_->choice;
     options.first_precision = options.last_precision = choice.precision;
     options.at_least_per_s = std::max(known_per_s, std::numeric_limits<double>::min());

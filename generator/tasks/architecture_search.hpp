@@ -67,7 +67,7 @@ private:
                   const optimise::OpenKeys& open, measured::Characterisation table);
   void use_kept_rows(const Formulation& formulation);
   Result<std::vector<Choice>> choices_of(std::size_t system) const;
-  Result<PlannedSystem> planned(std::size_t system, const optimise::OptimiseOptions& options) const;
+  Result<PlannedSystem> planned(std::size_t system, optimise::OptimiseOptions options) const;
   Result<std::vector<PlannedSystem>> fastest_of(const std::vector<Choice>& choices) const;
 
   const OptimiseRequest* request_;

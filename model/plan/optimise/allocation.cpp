@@ -116,6 +116,7 @@ public:
       const Allocation plan = cheapest(clock, found);
       if (!best || is_better(plan, *best)) best = plan;
     }
+    if (best) best->is_proven = is_proven_;
     return best;
   }
 
@@ -124,6 +125,17 @@ private:
     Allocation plan;
     double value;  ///< of the objective
   };
+
+  std::optional<std::vector<int>> solved(const IntegerProgram& program) {
+    Solution solution = solve(program, problem_.effort);
+    is_proven_ = is_proven_ && solution.is_proven;
+    return std::move(solution.point);
+  }
+
+  /// The throughput that a plan must have to be worth more than those found.
+  double wanted_per_s() const {
+    return best_.empty() ? best_per_s_ : (1 + problem_.effort.may_lose) * best_per_s_;
+  }
 
   int most_references() const { return problem_.references.empty() ? 0 : problem_.max_references; }
 
@@ -149,8 +161,8 @@ private:
   /// the relaxation is infeasible.
   std::optional<Counts> try_relaxed(const FixedCounts& fixed) {
     AllocationProgram relaxed = relaxed_program(problem_, fixed);
-    ask_for(relaxed, best_per_s_);
-    const auto point = solve(relaxed.program);
+    ask_for(relaxed, wanted_per_s());
+    const auto point = solved(relaxed.program);
     if (!point) return std::nullopt;
     const Counts counts = relaxed.counts(problem_, *point);
     const auto plan = plan_of(problem_, counts);
@@ -169,7 +181,7 @@ private:
     }
     fixed.lanes = std::accumulate(relaxed.lanes.begin(), relaxed.lanes.end(), 0);
     while (*fixed.lanes >= problem_.min_lanes &&
-           performance::is_within(best_per_s_, *fixed.lanes * *alike)) {
+           performance::is_within(wanted_per_s(), *fixed.lanes * *alike)) {
       if (try_exactly(fixed)) return;
       --*fixed.lanes;
     }
@@ -177,7 +189,7 @@ private:
 
   bool try_exactly(const FixedCounts& fixed) {
     AllocationProgram wanted = exact_program(problem_, fixed);
-    ask_for(wanted, best_per_s_);
+    ask_for(wanted, wanted_per_s());
     const auto found = best_of(wanted, 0);
     if (found) note(fixed.clock_per_s, found->plan);
     return found.has_value();
@@ -193,14 +205,14 @@ private:
 
   /// The best point that is a feasible plan without CBC's tolerances and has at least this
   /// throughput. If CBC's optimum is no such point, the program is split around it.
-  std::optional<Found> best_of(const AllocationProgram& wanted, double least_per_s) const {
+  std::optional<Found> best_of(const AllocationProgram& wanted, double least_per_s) {
     const std::size_t kinds = problem_.lanes.size() + problem_.references.size();
     std::vector<IntegerProgram> parts{wanted.program};
     std::optional<Found> best;
     while (!parts.empty()) {
       const IntegerProgram part = std::move(parts.back());
       parts.pop_back();
-      const auto point = solve(part);
+      const auto point = solved(part);
       if (!point) continue;
       const double value = value_of(part.objective, *point);
       if (best && value <= best->value) continue;
@@ -217,7 +229,7 @@ private:
   /// The best plan, by `is_better`, of those with the best throughput at this clock. If lanes are
   /// not equally fast, two mixes hardly ever have the same throughput. The lanes of `found` are
   /// then kept, and only its references are chosen anew.
-  Allocation cheapest(double clock, const Allocation& found) const {
+  Allocation cheapest(double clock, const Allocation& found) {
     const auto alike = KindsAtClock(problem_, clock).common_throughput_per_s();
     const int lanes =
         alike ? static_cast<int>(std::lround(best_per_s_ / *alike)) : found.lane_count();
@@ -232,7 +244,7 @@ private:
     return found;
   }
 
-  std::optional<Allocation> cheapest(AllocationProgram wanted) const {
+  std::optional<Allocation> cheapest(AllocationProgram wanted) {
     std::optional<Found> found;
     for (const IntegerProgram::Sum& cost : wanted.costs) {
       wanted.program.objective = negated(cost);
@@ -245,6 +257,7 @@ private:
 
   const AllocationProblem& problem_;
   double best_per_s_ = 0;
+  bool is_proven_ = true;  ///< all programs so far were solved
   /// by clock, for clocks that reach best_per_s_
   std::map<double, Allocation, std::greater<>> best_;
 };
@@ -281,11 +294,16 @@ bool is_within(const devices::Area& a, const devices::Area& b) {
       [&](const devices::Resource& each) { return a.*each.amount <= b.*each.amount; });
 }
 
-/// Whether a plan loses nothing where kind `a` takes the place of kind `b`.
+double asked_per_s(const LaneKind& lane) {
+  return lane.recomputation_rate * throughput_per_s(lane);
+}
+
+/// Whether a plan loses nothing where kind `a` takes the place of kind `b`. A lane whose own clock
+/// is higher asks more often, which a reference may not bear.
 bool is_as_good(const LaneKind& a, const LaneKind& b) {
   return a.group == b.group && a.clock_hz >= b.clock_hz &&
          a.initiation_interval <= b.initiation_interval &&
-         a.recomputation_rate <= b.recomputation_rate && asked_per_cycle(a) <= asked_per_cycle(b) &&
+         asked_per_cycle(a) <= asked_per_cycle(b) && asked_per_s(a) <= asked_per_s(b) &&
          is_within(a.area, b.area);
 }
 bool is_as_good(const ReferenceKind& a, const ReferenceKind& b) {

@@ -11,6 +11,7 @@
 #include "model/base/common/result.hpp"
 #include "model/base/settings/limits.hpp"
 #include "model/cost/devices/area.hpp"
+#include "model/plan/optimise/integer_program.hpp"
 
 /// Step 3 of the paper's Algorithm 1: finds how many datapaths of each kind give a device its
 /// highest throughput.
@@ -83,7 +84,8 @@ struct AllocationProblem {
   /// number of references.
   double recomputations_per_cycle = std::numeric_limits<double>::infinity();
   double at_least_per_s = 0;  ///< slower plans are not wanted
-  int min_lanes = 1;          ///< a multiple of the groups' lanes
+  Effort effort = {};
+  int min_lanes = 1;  ///< a multiple of the groups' lanes
   int max_lanes = settings::limits::lanes.most;
   int max_references = settings::limits::references.most;
 };
@@ -96,6 +98,7 @@ struct Allocation {
   std::vector<int> references;  ///< p_H of each kind
   double throughput_per_s = 0;  ///< T(equ), equation 12
   devices::Area used;
+  bool is_proven = true;  ///< no plan is faster, up to Effort::may_lose
   int lane_count() const;
   int reference_count() const;
 };
@@ -120,9 +123,10 @@ std::vector<int> lane_order(const AllocationProblem& problem);
 std::vector<int> reference_order(const AllocationProblem& problem);
 
 /// Finds the best plan by integer linear programming (CBC): maximises equation 12 of the paper
-/// under its equations 10 and 11. Every solution of CBC is checked again without CBC's tolerances.
-/// Among plans of the same throughput, the best one has the fewest references, then the fewest
-/// lanes, LUTs, registers, DSPs and memories, then more of the kinds listed first.
+/// under its equations 10 and 11, as far as the effort goes. Every solution of CBC is checked again
+/// without CBC's tolerances. Among plans of the same throughput, the best one has the fewest
+/// references, then the fewest lanes, LUTs, registers, DSPs and memories, then more of the kinds
+/// listed first.
 AllocationResult allocate(const AllocationProblem& problem);
 
 /// Finds the best plan by trying all of them, for small problems: the oracle of the tests.

@@ -49,15 +49,21 @@ void add_rows(Cbc_Model* model, const IntegerProgram& program) {
   }
 }
 
-Model make_model(const IntegerProgram& program) {
+Model make_model(const IntegerProgram& program, const Effort& effort) {
   Model model(Cbc_newModel());
   Cbc_setLogLevel(model.get(), 0);
-  // Programs are small: plain branching takes a fraction of the time of these three.
-  for (const char* effort : {"preprocess", "heuristics", "cuts"}) {
-    Cbc_setParameter(model.get(), effort, "off");
+  // Programs are small, and most take a fraction of the time without these. Of the cuts only those
+  // by rounding pay: without them some proofs that no plan has one lane more take many nodes.
+  for (const char* step : {"preprocess", "heuristics", "cuts"}) {
+    Cbc_setParameter(model.get(), step, "off");
   }
+  Cbc_setParameter(model.get(), "mixedIntegerRoundingCuts", "on");
+  // CBC's depth-first search does not count its nodes.
+  if (effort.nodes != Effort().nodes) Cbc_setParameter(model.get(), "depthMiniBab", "-1000");
+  // CBC's depth-first search does not count its nodes.
   Cbc_setAllowableGap(model.get(), 0);
-  Cbc_setAllowableFractionGap(model.get(), 0);
+  Cbc_setAllowableFractionGap(model.get(), effort.may_lose);
+  Cbc_setMaximumNodes(model.get(), effort.nodes);
   add_columns(model.get(), program);
   add_rows(model.get(), program);
   Cbc_setObjSense(model.get(), -1);  // maximise
@@ -66,17 +72,20 @@ Model make_model(const IntegerProgram& program) {
 
 }  // namespace
 
-std::optional<std::vector<int>> solve(const IntegerProgram& program) {
-  const Model model = make_model(program);
+Solution solve(const IntegerProgram& program, const Effort& effort) {
+  const Model model = make_model(program, effort);
   Cbc_solve(model.get());
-  if (Cbc_isProvenInfeasible(model.get())) return std::nullopt;
-  MIXCMP_CHECK(Cbc_isProvenOptimal(model.get()));
-  const double* solution = Cbc_getColSolution(model.get());
-  std::vector<int> values;
+  // A search that is cut short without a point is also called infeasible.
+  Solution solution{.point = {}, .is_proven = Cbc_isNodeLimitReached(model.get()) == 0};
+  if (Cbc_isProvenInfeasible(model.get())) return solution;
+  MIXCMP_CHECK(!solution.is_proven || Cbc_isProvenOptimal(model.get()));
+  const double* best = Cbc_bestSolution(model.get());
+  if (best == nullptr) return solution;
+  solution.point.emplace();
   for (std::size_t k = 0; k < program.columns.size(); ++k) {
-    values.push_back(static_cast<int>(std::lround(solution[k])));
+    solution.point->push_back(static_cast<int>(std::lround(best[k])));
   }
-  return values;
+  return solution;
 }
 
 }  // namespace mixcmp::optimise

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,10 +38,19 @@ struct IntegerProgram {
   void add_row(const std::string& name, Sum sum, Relation relation, double bound);
 };
 
-/// Runs CBC: returns the value of each column at the largest objective, or none if the program is
-/// infeasible. Rows hold within CBC's tolerances. A caller that needs them exactly checks the
-/// point.
-std::optional<std::vector<int>> solve(const IntegerProgram& program);
+/// How far programs are solved. By default until an optimum is proven.
+struct Effort {
+  double may_lose = 0;  ///< the fraction of the largest objective that a point may lack
+  int nodes = std::numeric_limits<int>::max();  ///< of the search tree
+};
+
+struct Solution {
+  std::optional<std::vector<int>> point;  ///< the value of each column; none was found: none
+  bool is_proven = true;                  ///< no point is better, up to Effort::may_lose
+};
+
+/// Runs CBC. Rows hold within CBC's tolerances: a caller that needs them exactly checks the point.
+Solution solve(const IntegerProgram& program, const Effort& effort = {});
 
 /// The program in the LP format, which CBC, GLPK and SCIP read.
 std::string to_lp(const IntegerProgram& program);

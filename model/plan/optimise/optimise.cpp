@@ -1,8 +1,10 @@
 #include "model/plan/optimise/optimise.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
@@ -13,6 +15,7 @@
 #include "model/plan/optimise/crossover.hpp"
 #include "model/plan/optimise/problems.hpp"
 #include "model/plan/optimise/second_tier.hpp"
+#include "model/plan/optimise/throughput_bound.hpp"
 
 namespace mixcmp::optimise {
 namespace {
@@ -95,6 +98,21 @@ void note_slow_reference(Optimisation& found) {
       fmt::format("a reference sets the clock: {:.4g} MHz, where the lanes reach {:.4g}; `mixcmp "
                   "characterise --reference-targets` measures references with more registers",
                   references, lanes));
+}
+
+/// Names the precisions whose plan may not be the best.
+void note_unproven(Optimisation& found) {
+  std::vector<std::string> unproven;
+  for (const PrecisionPlan& plan : found.plans) {
+    if (plan.allocation() == nullptr || plan.allocation()->is_proven) continue;
+    const double more = throughput_bound(plan.problem) / plan.throughput_per_s() - 1;
+    unproven.push_back(fmt::format("{} ({:.0f} %)", plan.precision, std::ceil(100 * more)));
+  }
+  if (unproven.empty()) return;
+  found.notes.push_back(
+      fmt::format("the search for mixes of lanes was cut short for L = {}; there a faster plan may "
+                  "exist, by at most the part in brackets",
+                  fmt::join(unproven, ", ")));
 }
 
 /// Notes it if the scene leaves the interval of references open and the table has only one.
@@ -281,6 +299,7 @@ Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& 
   if (is_chain(scene)) note_room(all);
   note_slow_reference(all);
   note_one_interval(scene, table, all);
+  note_unproven(all);
   if (!findings.missing.empty()) return incomplete(scene, findings.missing);
   if (all.plans.empty()) return nothing_to_choose_from(scene, "lane with a known rate");
   return all;

@@ -36,6 +36,8 @@ struct OptimiseOptions {
   /// A search that only wants plans with so many comparisons per second: precisions that surely
   /// have none (throughput_bound) are not solved, nor is the system without lanes. 0: all are.
   double at_least_per_s = 0;
+  /// Programs of many kinds are solved in seconds where the last 0.1 % would take minutes.
+  Effort effort = {};
 };
 
 /// The limits of a clock that a user may give.

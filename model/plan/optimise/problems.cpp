@@ -240,6 +240,7 @@ void solve(PrecisionPlan& plan, PrecisionSearch& search) {
   if (wanted > 0) plan.bound_per_s = throughput_bound(plan.problem);
   if (plan.bound_per_s >= wanted) {
     plan.problem.at_least_per_s = wanted;
+    plan.problem.effort = search.options().effort;
     plan.result = allocate(plan.problem);
     plan.problem.at_least_per_s = 0;
     search.known_per_s = std::max(search.known_per_s, plan.throughput_per_s());

@@ -123,7 +123,7 @@ TEST_F(LinearProgram, CountsTheCrossbarOfReferencesThatServeUnlikeNumbersOfLanes
     problem.available.luts = luts;  // 10 a lane; 16 + 9, 9 + 9, 9 + 4 for two crossbar shares
     const optimise::AllocationProgram program = exact_program(problem, {1e8, 2, {}});
     EXPECT_EQ(optimum_by_glpk(to_lp(program.program)), lanes) << luts;
-    EXPECT_EQ(solve(program.program).value().front(), lanes) << luts;
+    EXPECT_EQ(solve(program.program).point.value().front(), lanes) << luts;
   }
 }
 

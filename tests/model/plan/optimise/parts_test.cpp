@@ -54,10 +54,10 @@ TEST(IntegerProgram, IsSolvedInIntegers) {
                    11);
   knapsack.add_row("volume", {{0, 3}, {1, 4}, {2, 2}}, optimise::IntegerProgram::Relation::at_most,
                    8);
-  EXPECT_EQ(optimise::solve(knapsack), (std::vector<int>{2, 0, 1}));  // 13, by hand
+  EXPECT_EQ(optimise::solve(knapsack).point, (std::vector<int>{2, 0, 1}));  // 13, by hand
   knapsack.add_row("more", {{0, 1}, {1, 1}, {2, 1}}, optimise::IntegerProgram::Relation::at_least,
                    9);
-  EXPECT_EQ(optimise::solve(knapsack), std::nullopt);
+  EXPECT_EQ(optimise::solve(knapsack).point, std::nullopt);
 }
 
 TEST(Crossover, IsWhereEveryLaneCostsMoreThanAReference) {

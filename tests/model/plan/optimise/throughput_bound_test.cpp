@@ -45,6 +45,27 @@ TEST(ThroughputBound, PricesAllResourcesTogether) {
   EXPECT_NEAR(throughput_bound(problem), 7e8, 1);
 }
 
+/// A plan may lack what was allowed, and more only where it says that its programs were not solved.
+TEST(Effort, LosesNoMoreThanItSays) {
+  RandomProblems problems(37);
+  int cut_short = 0;
+  for (int number = 0; number < 400; ++number) {
+    optimise::AllocationProblem problem =
+        number % 2 == 0 ? problems.next() : problems.next_of_groups_with_ports();
+    problem.effort = {.may_lose = 0.2, .nodes = number % 3 == 0 ? 1 : 1000};
+    const optimise::AllocationResult result = allocate(problem);
+    const auto* plan = std::get_if<optimise::Allocation>(&result);
+    if (plan == nullptr) continue;
+    const double best = best_of(problem);
+    ASSERT_LE(plan->throughput_per_s, best * (1 + 1e-9)) << to_lp(problem);
+    if (plan->is_proven) {
+      ASSERT_GE(plan->throughput_per_s * 1.2, best * (1 - 1e-9)) << to_lp(problem);
+    }
+    cut_short += plan->is_proven ? 0 : 1;
+  }
+  EXPECT_GT(cut_short, 3);
+}
+
 class Search : public PlanningTest {};
 
 TEST_F(Search, SkipsOnlyPrecisionsThatAreNoFaster) {
