@@ -8,9 +8,10 @@
 #include <limits>
 
 #include "generator/synthesis/components/shortlist.hpp"
+#include "generator/tasks/candidate_lanes.hpp"
 #include "model/base/common/file.hpp"
-#include "model/design/slots.hpp"
 #include "model/plan/optimise/plan_parts.hpp"
+#include "model/plan/optimise/plan_summary.hpp"
 #include "model/scene/plan.hpp"
 
 namespace mixcmp::tasks {
@@ -79,78 +80,6 @@ ComponentQuery query_for(const optimise::OptimiseOptions& choice, const scene::S
   return query;
 }
 
-/// A lane without products has no multipliers in its row, and any kind of them in a query.
-measured::Lane as_asked(measured::Lane lane) {
-  if (!lane.multipliers) lane.multipliers = Multipliers::embedded;
-  return lane;
-}
-
-/// The lanes whose rate is known and that are not plainly worse than one of fewer digits: where
-/// none of the counted comparisons is undecided, more digits cost area and save nothing.
-Result<std::set<measured::Lane>> useful_lanes(const scene::Scene& scene,
-                                              const ComponentQuery& query,
-                                              const optimise::Rates& rates) {
-  MIXCMP_TRY(lanes, lanes_of(scene, query));
-  using Kind = std::tuple<Bound, std::optional<LaneInputs>, std::optional<Multipliers>>;
-  std::map<Kind, int> certain;  // the fewest digits that left nothing undecided
-  const auto rate_of = [&](const measured::Lane& lane) {
-    return rates.find(optimise::rate_key(lane));
-  };
-  for (const measured::Lane& lane : lanes) {
-    const auto rate = rate_of(lane);
-    if (!rate || rate->undecided > 0) continue;
-    const int digits = lane.format.precision();
-    const auto [place, added] =
-        certain.emplace(Kind{lane.bound, lane.inputs, lane.multipliers}, digits);
-    if (!added) place->second = std::min(place->second, digits);
-  }
-  std::set<measured::Lane> useful;
-  for (const measured::Lane& lane : lanes) {
-    const auto most = certain.find(Kind{lane.bound, lane.inputs, lane.multipliers});
-    const bool is_longer = most != certain.end() && lane.format.precision() > most->second;
-    if (rate_of(lane) && !is_longer) useful.insert(lane);
-  }
-  return useful;
-}
-
-/// One lane for each number of slots that lanes of these rows need.
-std::set<measured::Lane> lanes_by_slots(const Characterisation& table, const scene::Scene& scene) {
-  const bool recomputes = scene.system.references.value_or(1) > 0;
-  std::map<int, measured::Lane> found;
-  for (const Measurement& row : table.rows) {
-    const auto* lane = std::get_if<measured::Lane>(&row.key);
-    if (lane == nullptr) continue;
-    const int cycles = row.latency_cycles + scene.system.input_registers;
-    found.emplace(design::slots_for(cycles, recomputes), as_asked(*lane));
-  }
-  std::set<measured::Lane> lanes;
-  for (const auto& [slots, lane] : found) lanes.insert(lane);
-  return lanes;
-}
-
-/// Lanes with some more digits than these promising ones: the memory of an engine serves at most
-/// one undecided comparison a cycle, so that large engines need more digits than few lanes do.
-Result<std::set<measured::Lane>> with_longer(const std::set<measured::Lane>& promising,
-                                             const scene::Scene& scene,
-                                             const ComponentQuery& query) {
-  constexpr int most_digits_more = 3;
-  using Kind = std::tuple<Bound, std::optional<LaneInputs>, std::optional<Multipliers>>;
-  std::map<Kind, int> longest;
-  for (const measured::Lane& lane : promising) {
-    int& digits = longest[Kind{lane.bound, lane.inputs, lane.multipliers}];
-    digits = std::max(digits, lane.format.precision());
-  }
-  MIXCMP_TRY(lanes, lanes_of(scene, query));
-  std::set<measured::Lane> all = promising;
-  for (const measured::Lane& lane : lanes) {
-    const auto known = longest.find(Kind{lane.bound, lane.inputs, lane.multipliers});
-    if (known == longest.end()) continue;
-    const int more = lane.format.precision() - known->second;
-    if (0 < more && more <= most_digits_more) all.insert(lane);
-  }
-  return all;
-}
-
 void sort_rows(Characterisation& table) {
   std::sort(table.rows.begin(), table.rows.end(),
             [](const Measurement& a, const Measurement& b) { return a.key < b.key; });
@@ -184,6 +113,12 @@ bool has_streams_of(const Characterisation& table, const scene::SystemSpec& syst
   return spec["operands"] == to_string(system.operands) &&
          groups == std::to_string(system.lanes_per_group) &&
          spec["counter_bits"] == std::to_string(system.counter_bits);
+}
+
+/// The scene with a share of the room that its slack leaves.
+scene::Scene scene_in(scene::Scene scene, double share) {
+  scene.system.slack = 1 - share * (1 - scene.system.slack);
+  return scene;
 }
 
 Characterisation part_of(const Characterisation& table, bool datapaths) {
@@ -381,13 +316,13 @@ void ArchitectureSearch::use_kept_rows(const Formulation& formulation) {
       path.filename().string(), used.size(), table->rows.size()));
 }
 
-Result<std::vector<ArchitectureSearch::Choice>> ArchitectureSearch::choices_of(
-    std::size_t system) const {
+Result<std::vector<ArchitectureSearch::Choice>> ArchitectureSearch::choices_of(std::size_t system,
+                                                                               Share share) const {
   optimise::OptimiseOptions options = request_->choice;
   options.at_least_per_s = std::numeric_limits<double>::infinity();  // bounds, and no plans
   const System& each = systems_[system];
-  MIXCMP_TRY(found, optimise::optimise(each.scene, device_, each.table, rates_[each.formulation],
-                                       options));
+  MIXCMP_TRY(found, optimise::optimise(scene_in(each.scene, share), device_, each.table,
+                                       rates_[each.formulation], options));
   std::vector<Choice> choices;
   for (const optimise::PrecisionPlan& plan : found.plans) {
     if (plan.bound_per_s == 0 || (found.crossover && plan.precision >= *found.crossover)) continue;
@@ -396,27 +331,72 @@ Result<std::vector<ArchitectureSearch::Choice>> ArchitectureSearch::choices_of(
   return choices;
 }
 
-Result<PlannedSystem> ArchitectureSearch::planned(std::size_t number,
+Result<PlannedSystem> ArchitectureSearch::planned(std::size_t number, Share share,
                                                   optimise::OptimiseOptions options) const {
   options.effort = effort;
   const System& system = systems_[number];
-  MIXCMP_TRY(found, optimise::optimise(system.scene, device_, system.table,
-                                       rates_[system.formulation], options));
+  scene::Scene scene = scene_in(system.scene, share);
+  MIXCMP_TRY(found,
+             optimise::optimise(scene, device_, system.table, rates_[system.formulation], options));
+  std::vector<std::string> settings = system.settings;
+  if (share < 1) settings.push_back(fmt::format("system.slack={}", scene.system.slack));
   return PlannedSystem{.formulation = formulations_[system.formulation].name,
                        .interface = system.interface,
-                       .settings = system.settings,
+                       .settings = std::move(settings),
                        .number = number,
-                       .known = {system.scene, device_, system.table, {}, {}},
+                       .known = {std::move(scene), device_, system.table, {}, {}},
                        .found = std::move(found)};
 }
 
 Result<OptimiseResult> ArchitectureSearch::best() const {
+  constexpr int steps = 64;
+  const double least_per_s = request_->at_least_per_s;
+  MIXCMP_TRY(best, best_in(1));
+  if (least_per_s == 0 || best.best().found.best() == nullptr) return best;
+  if (best.best().throughput_per_s() < least_per_s) {
+    return Error{.field = "at_least",
+                 .message = "no system on " + device_.name + " is so fast",
+                 .received = fmt::format("{:.4g} G comparisons/s", least_per_s / 1e9),
+                 .accepted = fmt::format("at most {:.4g}", best.best().throughput_per_s() / 1e9)};
+  }
+  for (int too_small = 0, enough = steps; enough - too_small > 1;) {
+    const int middle = (too_small + enough) / 2;
+    auto found = best_in(static_cast<double>(middle) / steps);
+    const bool is_enough = found.ok() && found->best().throughput_per_s() >= least_per_s;
+    (is_enough ? enough : too_small) = middle;
+    if (is_enough) best = std::move(found).value();
+  }
+  return best;
+}
+
+Result<std::vector<FrontPoint>> ArchitectureSearch::front(const PlannedSystem& system) const {
+  std::vector<FrontPoint> points;
+  for (const double part : {1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0}) {
+    const Share share = part * (1 - system.known.scene.system.slack) /
+                        (1 - systems_[system.number].scene.system.slack);
+    std::vector<Choice> choices;
+    for (std::size_t k = 0; k < systems_.size(); ++k) {
+      const bool is_alike = systems_[k].formulation == systems_[system.number].formulation &&
+                            systems_[k].interface == system.interface;
+      if (!is_alike) continue;
+      if (const auto found = choices_of(k, share); found.ok()) {
+        choices.insert(choices.end(), found->begin(), found->end());
+      }
+    }
+    MIXCMP_TRY(fastest, fastest_of(std::move(choices), share));
+    if (fastest.empty()) continue;  // nothing fits
+    points.push_back({part, summary_of(fastest.front().found), fastest.front().settings});
+  }
+  return points;
+}
+
+Result<OptimiseResult> ArchitectureSearch::best_in(Share share) const {
   OptimiseResult result;
   std::vector<Choice> choices;
   std::map<std::size_t, std::size_t> possible;  // by formulation: a system with lanes
   std::map<std::size_t, Error> errors;
   for (std::size_t k = 0; k < systems_.size(); ++k) {
-    const auto found = choices_of(k);
+    const auto found = choices_of(k, share);
     const std::size_t formulation = systems_[k].formulation;
     if (!found.ok()) {
       errors.emplace(formulation, found.error());
@@ -425,9 +405,7 @@ Result<OptimiseResult> ArchitectureSearch::best() const {
     possible.emplace(formulation, k);
     choices.insert(choices.end(), found->begin(), found->end());
   }
-  std::stable_sort(choices.begin(), choices.end(),
-                   [](const Choice& a, const Choice& b) { return a.bound_per_s > b.bound_per_s; });
-  MIXCMP_TRY(fastest, fastest_of(choices));
+  MIXCMP_TRY(fastest, fastest_of(std::move(choices), share));
   for (std::size_t k = 0; k < formulations_.size(); ++k) {
     if (possible.contains(k)) continue;
     result.left_out.emplace_back(formulations_[k].name, errors.at(k));
@@ -435,7 +413,7 @@ Result<OptimiseResult> ArchitectureSearch::best() const {
   if (possible.empty()) return result.left_out.front().second;
   result.systems = std::move(fastest);
   if (result.systems.empty()) {  // what is short is said for one of them
-    MIXCMP_TRY(none, planned(possible.begin()->second, request_->choice));
+    MIXCMP_TRY(none, planned(possible.begin()->second, share, request_->choice));
     result.systems.push_back(std::move(none));
     return result;
   }
@@ -444,7 +422,7 @@ Result<OptimiseResult> ArchitectureSearch::best() const {
                                        return a.throughput_per_s() < b.throughput_per_s();
                                      });
   result.chosen = static_cast<std::size_t>(most - result.systems.begin());
-  MIXCMP_TRY(whole, planned(most->number, request_->choice));
+  MIXCMP_TRY(whole, planned(most->number, share, request_->choice));
   for (optimise::PrecisionPlan& plan : whole.found.plans) {
     const optimise::PrecisionPlan& known = *most->found.best();
     if (plan.precision == known.precision && is_better(known, plan, device_)) plan = known;
@@ -453,8 +431,10 @@ Result<OptimiseResult> ArchitectureSearch::best() const {
   return result;
 }
 
-Result<std::vector<PlannedSystem>> ArchitectureSearch::fastest_of(
-    const std::vector<Choice>& choices) const {
+Result<std::vector<PlannedSystem>> ArchitectureSearch::fastest_of(std::vector<Choice> choices,
+                                                                  Share share) const {
+  std::stable_sort(choices.begin(), choices.end(),
+                   [](const Choice& a, const Choice& b) { return a.bound_per_s > b.bound_per_s; });
   std::map<std::pair<std::size_t, std::string>, PlannedSystem> best;
   for (const Choice& choice : choices) {
     const System& system = systems_[choice.system];
@@ -466,7 +446,7 @@ Result<std::vector<PlannedSystem>> ArchitectureSearch::fastest_of(
     optimise::OptimiseOptions options = request_->choice;
     options.first_precision = options.last_precision = choice.precision;
     options.at_least_per_s = std::max(known_per_s, std::numeric_limits<double>::min());
-    MIXCMP_TRY(found, planned(choice.system, options));
+    MIXCMP_TRY(found, planned(choice.system, share, options));
     const optimise::PrecisionPlan* plan = found.found.best();
     if (plan == nullptr) continue;
     if (any && !is_better(*plan, *known->second.found.best(), device_)) continue;

@@ -24,7 +24,12 @@ public:
   /// The best system of each formulation in each interface, by the areas that are known. A
   /// precision of a system is solved only if its bound (optimise::throughput_bound) is half a
   /// percent above the best plan found before: a better plan that is lost is no faster than that.
+  /// If the request has a least throughput, the systems have the smallest share of the device, in
+  /// steps of 1/64, in which one of them reaches it; it is an error if none does.
   Result<OptimiseResult> best() const;
+
+  /// The best system of this interface and formulation in parts of the room that `system` has.
+  Result<std::vector<FrontPoint>> front(const PlannedSystem& system) const;
 
   /// The components on which the plan of a system depends and whose areas are predicted.
   std::set<measured::ComponentKey> predicted_parts(const PlannedSystem& system) const;
@@ -66,9 +71,13 @@ private:
   void add_system(const Formulation& formulation, const optimise::Architecture& architecture,
                   const optimise::OpenKeys& open, measured::Characterisation table);
   void use_kept_rows(const Formulation& formulation);
-  Result<std::vector<Choice>> choices_of(std::size_t system) const;
-  Result<PlannedSystem> planned(std::size_t system, optimise::OptimiseOptions options) const;
-  Result<std::vector<PlannedSystem>> fastest_of(const std::vector<Choice>& choices) const;
+  /// A share of the room that the scene's slack leaves, above 0 and at most 1.
+  using Share = double;
+  Result<OptimiseResult> best_in(Share share) const;
+  Result<std::vector<Choice>> choices_of(std::size_t system, Share share) const;
+  Result<PlannedSystem> planned(std::size_t system, Share share,
+                                optimise::OptimiseOptions options) const;
+  Result<std::vector<PlannedSystem>> fastest_of(std::vector<Choice> choices, Share share) const;
 
   const OptimiseRequest* request_;
   devices::Device device_;

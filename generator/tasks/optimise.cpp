@@ -167,6 +167,19 @@ Result<OptimiseResult> confirm(const OptimiseRequest& request, const LoadedScene
 
 }  // namespace
 
+const FrontPoint* knee_of(const std::vector<FrontPoint>& front) {
+  constexpr double near = 0.9;
+  const auto density = [](const FrontPoint& point) {
+    return point.plan.throughput_per_s / point.share;
+  };
+  double most = 0;
+  for (const FrontPoint& point : front) most = std::max(most, density(point));
+  for (const FrontPoint& point : front) {
+    if (density(point) >= near * most) return &point;
+  }
+  return nullptr;
+}
+
 double PlannedSystem::throughput_per_s() const {
   return found.best() == nullptr ? 0 : found.best()->throughput_per_s();
 }
@@ -196,11 +209,21 @@ Result<std::vector<Formulation>> formulations_of(const OptimiseRequest& request,
 Result<OptimiseResult> optimise(const OptimiseRequest& request, const LoadedScene& loaded) {
   MIXCMP_DO(check_options(request.choice));
   MIXCMP_TRY(formulations, formulations_of(request, loaded));
+  if (!request.planning.table.empty() && request.at_least_per_s > 0) {
+    return Error{.field = "at_least",
+                 .message = "a plan by a table is the fastest one",
+                 .received = request.planning.table.string(),
+                 .accepted = "no table, so that the smallest system is searched for"};
+  }
   if (!request.planning.table.empty()) return plan_by_tables(request, formulations);
   MIXCMP_TRY(search, ArchitectureSearch::make(request, formulations));
   Result<OptimiseResult> predicted = search.best();
   if (!predicted.ok()) return search.explained(predicted.error());
   MIXCMP_TRY(result, confirm(request, loaded, search, std::move(predicted).value()));
+  if (result.best().found.best() != nullptr) {
+    MIXCMP_TRY(front, search.front(result.best()));
+    result.front = std::move(front);
+  }
   result.notes = search.notes();
   return result;
 }

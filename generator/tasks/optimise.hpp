@@ -10,6 +10,7 @@
 #include "generator/synthesis/components/predicted_table.hpp"
 #include "generator/tasks/planning.hpp"
 #include "model/plan/optimise/optimise.hpp"
+#include "model/plan/optimise/plan_summary.hpp"
 
 namespace mixcmp::tasks {
 
@@ -20,6 +21,9 @@ struct OptimiseRequest {
   optimise::OptimiseOptions choice;
   std::optional<optimise::Rates> rates = {};  ///< in place of those of the scene's data
   bool predict_only = false;                  ///< nothing is synthesised
+  /// The smallest system with so many comparisons per second is wanted. 0: the fastest. Not by a
+  /// table.
+  double at_least_per_s = 0;
   /// Of the synthesis. Its query is not used.
   components::CharacteriseOptions synthesis = {};
   /// Predicts areas; empty: components::AreaPredictor.
@@ -51,11 +55,23 @@ struct Confirmation {
   int interrupted_by = 0;  ///< number of the signal that interrupted the synthesis; 0: none
 };
 
+/// The best system in a part of the device.
+struct FrontPoint {
+  double share = 1;  ///< of the room of the chosen system, which the others of the result also have
+  optimise::PlanSummary plan;
+  std::vector<std::string> settings;  ///< see PlannedSystem
+};
+
+/// The smallest part of the device in which 0.9 of the highest throughput per area is reached; null
+/// without points.
+const FrontPoint* knee_of(const std::vector<FrontPoint>& front);
+
 struct OptimiseResult {
   std::vector<PlannedSystem> systems;
   std::size_t chosen = 0;                               ///< the fastest
   std::vector<std::pair<std::string, Error>> left_out;  ///< formulations without a plan
   std::optional<Confirmation> confirmation;             ///< none: planned by a table
+  std::vector<FrontPoint> front;                        ///< by share; none: planned by a table
   std::vector<std::string> notes;                       ///< for the user
 
   const PlannedSystem& best() const { return systems[chosen]; }

@@ -59,6 +59,11 @@ TEST_F(OptimiseCommand, ASmallFoldedReferenceIsNoCheapDatapath) {
   EXPECT_EQ(plan["crossover_precision"], nullptr) << plan;
 }
 
+TEST_F(OptimiseCommand, ATableHasNoSmallestSystem) {
+  expect_refused("optimise scene.toml --table characterisation --at-least 5", "no table");
+  expect_refused("optimise scene.toml --at-least 0", "--at-least");
+}
+
 /// Without the streams around a lane a plan would promise lanes that have no room.
 TEST_F(OptimiseCommand, TablesWithoutStreamsAreRefused) {
   const std::string name = "characterisation/scene-virtex6-lx760.csv";

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -150,6 +151,50 @@ TEST_F(OptimiseTask, GivenKeysStayAndOpenOnesAreSettings) {
   ASSERT_EQ(settings.size(), 2U);
   EXPECT_TRUE(settings[0].starts_with("system.operand_memory="));
   EXPECT_TRUE(settings[1].starts_with("system.request_beats="));
+}
+
+/// A 64th of the device less does not suffice, and the plan's own settings make it again.
+TEST_F(OptimiseTask, PlansTheSmallestSystemThatIsFastEnough) {
+  const std::vector<std::string> some = {"reference.initiation_interval=1",
+                                         "system.operands=refetched", "system.counters=none"};
+  tasks::OptimiseRequest request = request_with(some);
+  const double most = found_for(request).best().throughput_per_s();
+  request.at_least_per_s = 0.3 * most;
+  const tasks::OptimiseResult found = found_for(request);
+  EXPECT_GE(found.best().throughput_per_s(), request.at_least_per_s);
+  const double slack = found.best().known.scene.system.slack;
+  EXPECT_GT(slack, 0.6);
+  EXPECT_EQ(found.best().settings.back(), fmt::format("system.slack={}", slack));
+  const auto per_s_with = [&](double other) {
+    std::vector<std::string> settings = some;
+    settings.push_back(fmt::format("system.slack={}", other));
+    return found_for(request_with(settings)).best().throughput_per_s();
+  };
+  EXPECT_EQ(per_s_with(slack), found.best().throughput_per_s());
+  EXPECT_LT(per_s_with(slack + 0.8 / 64), request.at_least_per_s);
+  request.at_least_per_s = 1.1 * most;
+  const auto refused = tasks::optimise(request, load(request));
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().field, "at_least");
+}
+
+/// More of the device is never slower; the last point is the plan, and a fixed cost is felt in the
+/// first ones.
+TEST_F(OptimiseTask, TheFrontLeadsToThePlan) {
+  const tasks::OptimiseResult found = found_for(request_with({}));
+  ASSERT_EQ(found.front.size(), 5U);
+  for (std::size_t k = 1; k < found.front.size(); ++k) {
+    EXPECT_GE(1.005 * found.front[k].plan.throughput_per_s,
+              found.front[k - 1].plan.throughput_per_s);
+    EXPECT_EQ(found.front[k].share, 2 * found.front[k - 1].share);
+  }
+  EXPECT_NEAR(found.front.back().plan.throughput_per_s, found.best().throughput_per_s(),
+              0.005 * found.best().throughput_per_s());
+  EXPECT_EQ(found.front.back().settings, found.best().settings);
+  const tasks::FrontPoint* knee = tasks::knee_of(found.front);
+  ASSERT_NE(knee, nullptr);
+  EXPECT_LT(knee->share, 1);
+  EXPECT_GT(knee->share, found.front.front().share);
 }
 
 /// The plan's settings and the search's own scene are one system.

@@ -29,6 +29,7 @@ struct OptimiseCommand {
   fs::path csv;
   fs::path lp;
   bool predict_only = false;
+  double at_least = 0;  ///< G comparisons/s
 };
 
 /// Refuses rates of another reference. Notes that the rates are of other data, which may be
@@ -63,6 +64,7 @@ std::string command_of(const OptimiseCommand& command) {
   return planning_command_line("optimise", command.planning)
       .add("--rates", command.rates.string())
       .add_flag("--predict-only", command.predict_only)
+      .add("--at-least", command.at_least == 0 ? "" : fmt::format("{}", command.at_least))
       .text();
 }
 
@@ -72,6 +74,7 @@ tasks::OptimiseRequest request_of(const OptimiseCommand& command, const LoadedSc
                                  .choice = command.planning.choice,
                                  .rates = given_rates(command, loaded),
                                  .predict_only = command.predict_only,
+                                 .at_least_per_s = command.at_least * 1e9,
                                  .progress = show_share};
   request.synthesis.synthesis.effort = characterise::TimingEffort::area_only;
   request.synthesis.workers = std::max(1u, std::thread::hardware_concurrency());
@@ -198,6 +201,10 @@ void add_optimise(CLI::App& app) {
   verb.flag("--predict-only,--no-characterise", command->predict_only,
             "plan with predicted areas; without this the components of the best plan are "
             "synthesised, and the plan is made again with their measured areas");
+  verb.option("--at-least", command->at_least,
+              "plan the smallest system with so many G comparisons/s, not the fastest; without "
+              "--table")
+      .check(between(1e-6, 1e9, "G/S"));
   verb.when_chosen([command] { run(*command); });
 }
 

@@ -88,6 +88,36 @@ std::string confirmation_text(const OptimiseResult& result) {
                      predicted, now);
 }
 
+/// The best systems in parts of the device, and where more area brings little more per area.
+std::string front_text(const std::vector<tasks::FrontPoint>& front) {
+  if (front.empty()) return "";
+  std::string text = "smaller systems of this interface, by the part of what R_S leaves\n";
+  for (const tasks::FrontPoint& point : front) {
+    const optimise::PlanSummary& s = point.plan;
+    text += fmt::format("{} {:>6.2f} %  L = {:>2}, {:>3} x {}: {:8.2f} G/s; {:.2f} G/s per 1 %\n",
+                        &point == knee_of(front) ? '*' : ' ', 100 * point.share, s.precision,
+                        s.lanes, s.references, s.throughput_per_s / giga,
+                        s.throughput_per_s / giga / (100 * point.share));
+  }
+  return text +
+         "  *: the smallest with 0.9 of the highest throughput per area; --at-least G/s "
+         "plans the smallest system that is fast enough\n";
+}
+
+Json front_json(const std::vector<tasks::FrontPoint>& front) {
+  Json points = Json::array();
+  for (const tasks::FrontPoint& point : front) {
+    points.push_back({{"share", point.share},
+                      {"precision", point.plan.precision},
+                      {"lanes", point.plan.lanes},
+                      {"references", point.plan.references},
+                      {"throughput_per_s", point.plan.throughput_per_s},
+                      {"is_knee", &point == knee_of(front)},
+                      {"settings", point.settings}});
+  }
+  return points;
+}
+
 /// The variant's name, null for the formulation in [comparison] itself, and the second tier's
 /// format, null without one.
 Json json_name(const PlannedSystem& system) {
@@ -118,7 +148,7 @@ std::string to_text(const OptimiseResult& result) {
   if (!result.confirmation || best.found.best() == nullptr) return text;
   text += fmt::format("system: {}\n", best.interface);
   if (!best.settings.empty()) text += fmt::format("  {}\n", fmt::join(best.settings, " "));
-  return text + confirmation_text(result);
+  return text + front_text(result.front) + confirmation_text(result);
 }
 
 Json to_json(const OptimiseResult& result) {
@@ -140,6 +170,7 @@ Json to_json(const OptimiseResult& result) {
   }
   json["predicted_per_s"] = result.confirmation->predicted_per_s;
   json["areas"] = areas_of(*result.confirmation);
+  json["front"] = front_json(result.front);
   return json;
 }
 

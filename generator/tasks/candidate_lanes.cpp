@@ -1,0 +1,90 @@
+#include "generator/tasks/candidate_lanes.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "model/design/slots.hpp"
+
+namespace mixcmp::tasks {
+
+using components::ComponentQuery;
+using measured::Characterisation;
+using measured::Measurement;
+using scene::Multipliers;
+
+namespace {
+
+/// A kind of lane: all but its digits.
+using Kind = std::tuple<Bound, std::optional<LaneInputs>, std::optional<Multipliers>>;
+
+Kind kind_of_lane(const measured::Lane& lane) {
+  return {lane.bound, lane.inputs, lane.multipliers};
+}
+
+}  // namespace
+
+measured::Lane as_asked(measured::Lane lane) {
+  if (!lane.multipliers) lane.multipliers = Multipliers::embedded;
+  return lane;
+}
+
+Result<std::set<measured::Lane>> useful_lanes(const scene::Scene& scene,
+                                              const ComponentQuery& query,
+                                              const optimise::Rates& rates) {
+  MIXCMP_TRY(lanes, lanes_of(scene, query));
+  std::map<Kind, int> certain;  // the fewest digits that left nothing undecided
+  const auto rate_of = [&](const measured::Lane& lane) {
+    return rates.find(optimise::rate_key(lane));
+  };
+  for (const measured::Lane& lane : lanes) {
+    const auto rate = rate_of(lane);
+    if (!rate || rate->undecided > 0) continue;
+    const int digits = lane.format.precision();
+    const auto [place, added] = certain.emplace(kind_of_lane(lane), digits);
+    if (!added) place->second = std::min(place->second, digits);
+  }
+  std::set<measured::Lane> useful;
+  for (const measured::Lane& lane : lanes) {
+    const auto most = certain.find(kind_of_lane(lane));
+    const bool is_longer = most != certain.end() && lane.format.precision() > most->second;
+    if (rate_of(lane) && !is_longer) useful.insert(lane);
+  }
+  return useful;
+}
+
+std::set<measured::Lane> lanes_by_slots(const Characterisation& table, const scene::Scene& scene) {
+  const bool recomputes = scene.system.references.value_or(1) > 0;
+  std::map<int, measured::Lane> found;
+  for (const Measurement& row : table.rows) {
+    const auto* lane = std::get_if<measured::Lane>(&row.key);
+    if (lane == nullptr) continue;
+    const int cycles = row.latency_cycles + scene.system.input_registers;
+    found.emplace(design::slots_for(cycles, recomputes), as_asked(*lane));
+  }
+  std::set<measured::Lane> lanes;
+  for (const auto& [slots, lane] : found) lanes.insert(lane);
+  return lanes;
+}
+
+Result<std::set<measured::Lane>> with_longer(const std::set<measured::Lane>& promising,
+                                             const scene::Scene& scene,
+                                             const ComponentQuery& query) {
+  constexpr int most_digits_more = 3;
+  std::map<Kind, int> longest;
+  for (const measured::Lane& lane : promising) {
+    int& digits = longest[kind_of_lane(lane)];
+    digits = std::max(digits, lane.format.precision());
+  }
+  MIXCMP_TRY(lanes, lanes_of(scene, query));
+  std::set<measured::Lane> all = promising;
+  for (const measured::Lane& lane : lanes) {
+    const auto known = longest.find(kind_of_lane(lane));
+    if (known == longest.end()) continue;
+    const int more = lane.format.precision() - known->second;
+    if (0 < more && more <= most_digits_more) all.insert(lane);
+  }
+  return all;
+}
+
+}  // namespace mixcmp::tasks

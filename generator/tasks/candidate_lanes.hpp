@@ -1,0 +1,32 @@
+#pragma once
+
+#include <set>
+
+#include "generator/synthesis/components/component_list.hpp"
+#include "model/cost/measured/measurement.hpp"
+#include "model/plan/optimise/rates.hpp"
+#include "model/scene/scene.hpp"
+
+/// The lanes among which a search over architectures chooses.
+namespace mixcmp::tasks {
+
+/// A lane without products has no multipliers in its row, and any kind of them in a query.
+measured::Lane as_asked(measured::Lane lane);
+
+/// The lanes whose rate is known and that are not plainly worse than one of fewer digits: where
+/// none of the counted comparisons is undecided, more digits cost area and save nothing.
+Result<std::set<measured::Lane>> useful_lanes(const scene::Scene& scene,
+                                              const components::ComponentQuery& query,
+                                              const optimise::Rates& rates);
+
+/// One lane for each number of slots that lanes of these rows need.
+std::set<measured::Lane> lanes_by_slots(const measured::Characterisation& table,
+                                        const scene::Scene& scene);
+
+/// Lanes with some more digits than these promising ones: the memory of an engine serves at most
+/// one undecided comparison a cycle, so that large engines need more digits than few lanes do.
+Result<std::set<measured::Lane>> with_longer(const std::set<measured::Lane>& promising,
+                                             const scene::Scene& scene,
+                                             const components::ComponentQuery& query);
+
+}  // namespace mixcmp::tasks
