@@ -60,7 +60,7 @@ constexpr std::array<Router, 6> router_table = {{
      .program = "nextpnr-machxo2",
      .package = "yowasp-nextpnr-machxo2",
      .devices = "MachXO2 and MachXO3",
-     .free_pins = "--lpf-allow-unconstrained",
+     .free_pins = "",
      .lut = "TRELLIS_COMB",
      .result = "--textcfg"},
 }};
