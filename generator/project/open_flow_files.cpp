@@ -45,13 +45,13 @@ Result<GeneratedFile> pins_file(const ProjectSpec& spec) {
 
 Values nextpnr_values(const ProjectSpec& spec) {
   Values values = yosys_values(spec);
-  const bool is_ice40 = spec.device.timing == devices::TimingTool::nextpnr_ice40;
+  const characterise::Router& router = *characterise::router_of(spec.device);
+  const bool has_free_pins = *router.free_pins != '\0';
   values["PINS"] = pins_name(spec);
-  values["ROUTER"] = is_ice40 ? "nextpnr-ice40" : "nextpnr-ecp5";
-  values["ALLOW_UNCONSTRAINED"] =
-      is_ice40 ? "--pcf-allow-unconstrained" : "--lpf-allow-unconstrained";
-  values["RESULT"] = is_ice40 ? "--asc" : "--textcfg";
-  std::string arguments;
+  values["ROUTER"] = router.program;
+  values["REMOVE_PORTS"] = has_free_pins ? "" : characterise::remove_ports;
+  values["RESULT"] = router.result;
+  std::string arguments = has_free_pins ? std::string(router.free_pins) + " " : "";
   for (const std::string& argument : spec.device.timing_arguments) {
     arguments += quoted(argument) + " ";
   }
@@ -64,8 +64,8 @@ Error not_routed(const ProjectSpec& spec) {
           .message = "nextpnr does not place on the scene's device",
           .received = spec.device.name,
           .accepted =
-              "--device with an iCE40 or ECP5 (mixcmp devices nextpnr), or a device file "
-              "with tool = \"nextpnr_ice40\" or \"nextpnr_ecp5\""};
+              "--device with one of those that `mixcmp devices nextpnr` lists, or a device file "
+              "with such a timing.tool"};
 }
 
 }  // namespace

@@ -91,9 +91,9 @@ TEST_F(CharacteriseCommand, ABoardAndItsPartHaveOneTable) {
 }
 
 TEST_F(CharacteriseCommand, ADeviceThatYosysDoesNotMapIsToldWithTheReason) {
-  expect_refused("characterise scene.toml --device gatemate-evb",
+  expect_refused("characterise scene.toml --device de10-nano",
                  "system.device: no areas by Yosys: Yosys drops the names of nets when it maps to "
-                 "GateMate, so that nobody can tell whether a netlist is whole: received ccgm1a1");
+                 "Cyclone V, so that nobody can tell whether a netlist is whole: received 5cseba6");
 }
 
 TEST_F(CharacteriseCommand, MeasuresTheMemoriesOfSquares) {

@@ -267,7 +267,7 @@ TEST_F(CommandLine, DevicesAreListedByAnyOfTheirNames) {
       "luts": 63400, "registers": 126800, "dsps": 240, "memories": 270, "clock": "yosys_sta",
       "other_names": ["alchitry-au-plus", "alinx-ax7101", "arty-a7-100", "nexys-a7-100"]})"));
   const Outcome text = mixcmp("devices gatemate");
-  EXPECT_NE(text.output.find("40960      40960     0       64           none  gatemate-evb"),
+  EXPECT_NE(text.output.find("40960      40960     0       64  nextpnr_gatemate  gatemate-evb"),
             std::string::npos)
       << text.output;
   expect_refused("devices xc7a15t",

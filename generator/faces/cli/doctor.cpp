@@ -27,8 +27,8 @@ enum class Need {
 struct Tool {
   const char* name;
   std::function<Result<std::string>()> version;  ///< an error says why the tool is unusable
-  const char* package;                           ///< the Debian package
-  const char* disables;                          ///< the functions that are missing without it
+  const char* package;                           ///< as install_command takes it
+  std::string disables;                          ///< the functions that are missing without it
   Need need = Need::required;
 };
 
@@ -40,17 +40,21 @@ std::function<Result<std::string>()> asks(Command command, const char* package) 
 /// display, iverilog-vpi none.
 std::function<Result<std::string>()> finds(const char* program) {
   return [program]() -> Result<std::string> {
-    const auto found = capture({"which", program});
-    if (found.ok() && found->succeeded()) return std::string("there; not asked for its version");
+    if (is_in_path(program)) return std::string("there; not asked for its version");
     return Error{.message = fmt::format("{} does not run", program),
                  .kind = ErrorKind::missing_tool};
   };
 }
 
-std::vector<Tool> tools() {
-  Command ecp5_router = characterise::ecp5_router_command();
-  ecp5_router.emplace_back("--version");
+Tool row_of(const characterise::Router& router) {
   return {
+      router.program, [&router] { return characterise::router_version(router); }, router.package,
+      fmt::format("the clocks of {} devices in characterise and route", router.devices),
+      std::string_view(router.package).starts_with("yowasp-") ? Need::optional : Need::required};
+}
+
+std::vector<Tool> tools() {
+  std::vector<Tool> all = {
       {"verilator", asks({"verilator", "--version"}, "verilator"), "verilator", "verify"},
       {"make", asks({"make", "--version"}, "make"), "make", "verify"},
       {"g++", asks({"g++", "--version"}, "g++"), "g++", "verify, baseline"},
@@ -61,11 +65,6 @@ std::vector<Tool> tools() {
       {"iverilog-vpi", finds("iverilog-vpi"), "iverilog", "verify --simulator icarus"},
       {"yosys", asks({"yosys", "-V"}, "yosys"), "yosys",
        "characterise, route, check --costs, the lint and formal tests"},
-      {"nextpnr-ice40", asks({"nextpnr-ice40", "--version"}, "nextpnr-ice40"), "nextpnr-ice40",
-       "the clocks of iCE40 devices in characterise and route"},
-      {"nextpnr-ecp5", asks(ecp5_router, "nextpnr-ecp5"), "nextpnr-ecp5",
-       "the clocks of ECP5 devices in characterise and route (Debian 12: docs/devices.md)",
-       Need::optional},
       {"glpsol", asks({"glpsol", "--version"}, "glpk-utils"), "glpk-utils",
        "the tests of plans by a second solver", Need::optional},
       {"gappa", proof::gappa_version, "gappa",
@@ -79,11 +78,13 @@ std::vector<Tool> tools() {
       {"gtkwave", finds("gtkwave"), "gtkwave", "looking at the waves of verify --trace",
        Need::optional},
   };
+  for (const auto& router : characterise::routers()) all.push_back(row_of(router));
+  return all;
 }
 
 std::string fault(const FoundTool& tool, const Error& error) {
   if (error.kind == ErrorKind::missing_tool) {
-    return fmt::format("missing: apt-get install {}; disables {}", tool.package, tool.disables);
+    return fmt::format("missing: {}; disables {}", install_command(tool.package), tool.disables);
   }
   return fmt::format("{}; disables {}", error.to_string(), tool.disables);
 }
@@ -100,7 +101,7 @@ void run(bool json) {
                       {"version", version.ok() ? *version : ""},
                       {"package", tool.package},
                       {"disables", tool.disables}});
-    text += fmt::format("{:<13} {}\n", tool.name,
+    text += fmt::format("{:<27} {}\n", tool.name,
                         printable_line(version.ok() ? *version : fault(tool, version.error())));
     complete = complete && (version.ok() || !tool.required);
   }

@@ -196,8 +196,9 @@ std::vector<std::string> ResultFiles::commit() {
 }
 
 void end_if_router_is_missing(const devices::Device& device) {
-  if (!characterise::is_routed(device)) return;
-  const auto version = characterise::router_version(device);
+  const characterise::Router* router = characterise::router_of(device);
+  if (router == nullptr) return;
+  const auto version = characterise::router_version(*router);
   if (!version.ok()) end_if_incomplete({"clocks: " + version.error().to_string()});
 }
 

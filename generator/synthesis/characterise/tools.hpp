@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 
 #include "model/base/common/process.hpp"
@@ -9,8 +10,30 @@
 
 namespace mixcmp::characterise {
 
-/// Whether a router, and not Yosys, determines the device's clocks.
-bool is_routed(const devices::Device& device);
+/// A program of nextpnr. YoWASP's Python package of the same program, which runs anywhere, has
+/// "yowasp-" before the name, and so has the program in it.
+struct Router {
+  devices::TimingTool tool;
+  const char* program;    ///< "nextpnr-ecp5"
+  const char* package;    ///< Debian 12's, else the Python package
+  const char* devices;    ///< the devices whose clocks it determines
+  const char* free_pins;  ///< its option to place pins by itself; empty: it needs a netlist without
+  const char* lut;        ///< the name of LUTs in its report of utilisation
+  const char* result;     ///< its option that names the routed design
+};
+
+/// The commands of Yosys after which a netlist has no ports. Its clock is then a net without a
+/// driver, which nextpnr times as any other.
+inline constexpr const char* remove_ports = "delete -port w:*\n";
+
+/// All routers that the program can run.
+std::span<const Router> routers();
+
+/// The router that determines the device's clocks; null if none does.
+const Router* router_of(const devices::Device& device);
+inline bool is_routed(const devices::Device& device) {
+  return router_of(device) != nullptr;
+}
 
 /// An error if Yosys does not synthesise for the device. It says why.
 Result<Done> check_is_synthesised(const devices::Device& device);
@@ -19,16 +42,14 @@ Result<Done> check_is_synthesised(const devices::Device& device);
 /// are split at blanks.
 Command yosys_command(const devices::Device& device);
 
-/// The command for nextpnr-ecp5: $MIXCMP_NEXTPNR_ECP5 if that is set.
-Command ecp5_router_command();
-
-/// The command for the device's router. The device must be one for which `is_routed` holds.
-Command router_command(const devices::Device& device);
+/// The command for a router: that of its variable if it is set ($MIXCMP_NEXTPNR_ECP5, and so on),
+/// else the program of PATH, else YoWASP's.
+Command router_command(const Router& router);
 
 /// The line in which a tool prints its version. If the tool does not run, the error names its
 /// package.
 Result<std::string> yosys_version(const devices::Device& device);
-Result<std::string> router_version(const devices::Device& device);
+Result<std::string> router_version(const Router& router);
 
 /// Runs a tool in `directory`, with its output in the file `log` there.
 Result<Done> run_in(const std::filesystem::path& directory, const Command& command,

@@ -12,9 +12,11 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <cstdlib>
 #include <cstring>
 #include <deque>
 #include <fstream>
+#include <sstream>
 #include <utility>
 
 #include "model/base/common/output_file.hpp"
@@ -189,20 +191,46 @@ bool names_a_version(std::string_view line) {
   return false;
 }
 
+/// The first line that names a version; empty if none does. YoWASP's programs print another line
+/// before it when they run for the first time.
+std::string version_line(const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (names_a_version(line)) return first_line(line);
+  }
+  return "";
+}
+
 }  // namespace
+
+bool is_in_path(const std::string& program) {
+  const char* path = getenv("PATH");
+  std::istringstream folders(path == nullptr ? "" : path);
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    const fs::path file = fs::path(folder) / program;
+    std::error_code failed;
+    if (fs::is_regular_file(file, failed) && access(file.c_str(), X_OK) == 0) return true;
+  }
+  return false;
+}
+
+std::string install_command(const std::string& package) {
+  return fmt::format("{} install {}", package.starts_with("yowasp-") ? "pip" : "apt-get", package);
+}
 
 Result<std::string> tool_version(const Command& command, const std::string& package) {
   const Command tool(command.begin(), command.end() - 1);
   // On a busy machine even this can take longer than ten seconds.
   const Result<Captured> run = capture(command, {.seconds = 60});
   if (!run.ok() && run.error().kind == ErrorKind::missing_tool) {
-    return Error{.message = fmt::format("{} does not run", shell_line(tool)),
-                 .accepted = fmt::format("{}, on Debian: apt-get install {}", tool.back(), package),
-                 .kind = ErrorKind::missing_tool};
+    return Error{
+        .message = fmt::format("{} does not run", shell_line(tool)),
+        .accepted = fmt::format("{}, on Debian: {}", tool.back(), install_command(package)),
+        .kind = ErrorKind::missing_tool};
   }
   if (!run.ok()) return run.error();
-  const std::string line = first_line(run->output.empty() ? run->errors : run->output);
-  if (run->succeeded() && names_a_version(line)) return line;
+  const std::string line = version_line(run->output.empty() ? run->errors : run->output);
+  if (run->succeeded() && !line.empty()) return line;
   // Some tools need temporary files to print their version.
   if (const auto temporary = ScratchFolder::make(); !temporary.ok()) return temporary.error();
   const std::string how = !run->in_time      ? "does not end"

