@@ -223,4 +223,18 @@ units::Unit unit_of(const TemplateInstance& instance) {
   return unit;
 }
 
+rtl::TemplateInstance instance_of(const units::Unit& unit) {
+  rtl::TemplateInstance instance{unit.module, {}};
+  for (const units::Parameter& parameter : unit.parameters) {
+    if (parameter.name == units::embedded_products) continue;
+    if (parameter.is_literal()) {
+      const Literal value{parameter.literal_bits, parameter.bits};
+      instance.parameters.push_back({parameter.name, value});
+    } else {
+      instance.parameters.push_back({parameter.name, static_cast<long long>(parameter.bits)});
+    }
+  }
+  return instance;
+}
+
 }  // namespace mixcmp::components

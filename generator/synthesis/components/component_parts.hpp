@@ -33,5 +33,7 @@ ComponentParts parts_of(const std::vector<rtl::Module>& modules);
 /// An instance as a unit: with all parameters of the template, and last EMBEDDED_PRODUCTS, the
 /// number of multipliers that the instance surely has where the device has any.
 units::Unit unit_of(const rtl::TemplateInstance& instance);
+/// The instance that a unit is of.
+rtl::TemplateInstance instance_of(const units::Unit& unit);
 
 }  // namespace mixcmp::components
