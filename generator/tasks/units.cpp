@@ -55,15 +55,13 @@ ComponentQuery everything_of(const scene::Scene& scene) {
 
 using Choices = std::vector<std::string>;  ///< "section.key=value"
 
-/// Clocks between which the registers of datapaths move, and families of devices.
+/// Clocks between which the registers of datapaths move.
 std::vector<Choices> datapath_settings() {
   std::vector<Choices> all;
   for (const char* mhz : {"150", "200", "300", "400"}) {
     all.push_back({fmt::format("system.target_mhz={}", mhz)});
     all.push_back({fmt::format("system.target_mhz={}", mhz), "reference.sums=fused"});
   }
-  // Families without wide tables have further units, for which the library may stand in.
-  all.push_back({"system.device=ice40-hx8k", "system.target_mhz=50"});
   return all;
 }
 
