@@ -69,10 +69,11 @@ void print_misses(const CharacteriseReport& report, const Predicted& predicted) 
   if (misses.empty()) return;
   std::sort(misses.begin(), misses.end(),
             [](const Miss& a, const Miss& b) { return a.luts < b.luts; });
-  print(fmt::format("LUTs of {} rows as optimise predicts them: {:.1f} % off in the median, {:.1f} "
-                    "% at most ({})\n",
-                    misses.size(), 100 * misses[misses.size() / 2].luts, 100 * misses.back().luts,
-                    misses.back().label));
+  print(
+      fmt::format("LUTs of {} rows as optimise predicts them: {:.1f} % off in the median, {:.1f} "
+                  "% at most ({})\n",
+                  misses.size(), 100 * misses[misses.size() / 2].luts, 100 * misses.back().luts,
+                  misses.back().label));
 }
 
 void print_text(const CharacteriseReport& report, const Predicted& predicted,
@@ -105,7 +106,7 @@ void print_text(const CharacteriseReport& report, const Predicted& predicted,
 }
 
 nlohmann::ordered_json with_prediction(const measured::Measurement& row,
-                                   const std::optional<devices::Area>& predicted) {
+                                       const std::optional<devices::Area>& predicted) {
   nlohmann::ordered_json json = json_of_row(row);
   if (!predicted) return json;
   json["predicted"] = {{"luts", predicted->luts},
