@@ -42,6 +42,8 @@ ComponentQuery everything_of(const scene::Scene& scene) {
   query.kinds.erase(measured::ComponentKind::unit);
   for (int precision = 4; precision <= 24; ++precision) query.precisions.push_back(precision);
   query.bounds = usual_bounds();
+  // Its constants are measured on the data, which takes long: only where the scene asks for it.
+  if (scene.reduced.is_profiled) query.bounds.push_back({.kind = BoundKind::profiled});
   query.multipliers = {scene::Multipliers::embedded, scene::Multipliers::logic,
                        scene::Multipliers::memory};
   query.initiation_intervals = {1, 4, 16};
@@ -121,34 +123,51 @@ public:
   }
 
   /// At most `most` of each template, those whose hash is the least: a choice at random that only
-  /// names decide. A delay line is measured by the bit (area_of_unit).
+  /// names decide. Delay lines are measured by the bit, and memories by depth: tools choose between
+  /// kinds of memory, which no formula tells.
   Candidates chosen(std::size_t most) {
     Candidates chosen;
-    units_.erase(units_.lower_bound("delay_line "), units_.upper_bound("delay_line~"));
     for (auto& [name, instance] : units_) chosen[instance.module].push_back(instance);
     for (auto& [module, units] : chosen) {
       std::sort(units.begin(), units.end(),
                 [](const auto& a, const auto& b) { return hash_of(a) < hash_of(b); });
       units.resize(std::min(units.size(), most));
     }
-    std::vector<rtl::TemplateInstance>& lines = chosen["delay_line"];
-    lines.clear();
-    for (int length = 1; length <= longest_line; ++length) {
-      lines.push_back({"delay_line", {{"WIDTH", 1LL}, {"LENGTH", length}}});
-    }
+    chosen["delay_line"] = delay_lines();
+    chosen["dual_port_memory"] = memories();
     return chosen;
   }
 
   int count() const { return static_cast<int>(units_.size()); }
 
 private:
-  static constexpr int longest_line = 128;
+  static std::vector<rtl::TemplateInstance> delay_lines() {
+    constexpr int longest = 128;
+    std::vector<rtl::TemplateInstance> lines;
+    for (int length = 0; length <= longest; ++length) {
+      lines.push_back({"delay_line", {{"WIDTH", 1LL}, {"LENGTH", length}}});
+    }
+    return lines;
+  }
+
+  static std::vector<rtl::TemplateInstance> memories() {
+    constexpr int most_address_bits = 12;
+    std::vector<rtl::TemplateInstance> memories;
+    for (int bits = 1; bits <= most_address_bits; ++bits) {
+      for (const int width : {1,  2,  3,  4,  5,  6,  7,  8,  10, 12, 14,  16,  18,  20,  24,
+                              28, 32, 36, 40, 48, 56, 64, 72, 80, 96, 128, 192, 256, 512, 1024}) {
+        memories.push_back({"dual_port_memory", {{"WIDTH", width}, {"ADDRESS_BITS", bits}}});
+      }
+    }
+    return memories;
+  }
 
   static std::string hash_of(const rtl::TemplateInstance& instance) {
     return ContentHash().add(components::instance_name(instance)).hex();
   }
   void add(const rtl::TemplateInstance& instance) {
-    units_.emplace(components::instance_name(instance), instance);
+    if (!units_.emplace(components::instance_name(instance), instance).second) return;
+    for (const rtl::TemplateInstance& part : components::parts_of_unit(instance)) add(part);
   }
 
   std::map<std::string, rtl::TemplateInstance> units_;

@@ -518,6 +518,7 @@ TEST_F(Components, AreasArePredictedAboutAsYosysMapsThem) {
   ASSERT_TRUE(mapped.ok()) << mapped.error().to_string();
   EXPECT_EQ(predicted->dsps, mapped->area.dsps);
   EXPECT_NEAR(predicted->luts, mapped->area.luts, 0.1 * mapped->area.luts);
+  EXPECT_NEAR(predicted->registers, mapped->area.registers, 0.1 * mapped->area.registers);
 }
 
 TEST_F(Components, SourcesHoldNothingButHardware) {

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "generator/faces/cli/characterise_import.hpp"
@@ -11,6 +12,7 @@
 #include "generator/faces/cli/output.hpp"
 #include "generator/faces/cli/verbs.hpp"
 #include "generator/present/report/json_text.hpp"
+#include "generator/synthesis/components/predicted_table.hpp"
 #include "model/base/common/file.hpp"
 
 namespace mixcmp::cli {
@@ -42,7 +44,40 @@ std::vector<MissingKind> missing_kinds(const std::vector<components::MissingLane
   return found;
 }
 
-void print_text(const CharacteriseReport& report, const fs::path& table) {
+using Predicted = std::vector<std::optional<devices::Area>>;  ///< of each row
+
+Predicted predict(const CharacteriseReport& report, const LoadedScene& loaded,
+                  const devices::Device& device) {
+  auto predictor = value_or_exit(components::AreaPredictor::make(device));
+  return components::predicted_areas(predictor, report.table, loaded.scene, loaded.data_if_any());
+}
+
+/// How far a predicted area is from the measured one.
+struct Miss {
+  double luts = 0;  ///< part of the measured ones
+  std::string label;
+};
+
+void print_misses(const CharacteriseReport& report, const Predicted& predicted) {
+  std::vector<Miss> misses;
+  for (std::size_t k = 0; k < predicted.size(); ++k) {
+    const measured::Measurement& row = report.table.rows[k];
+    if (!predicted[k] || row.area.luts == 0) continue;
+    const double luts = row.area.luts;
+    misses.push_back({std::abs(predicted[k]->luts - luts) / luts, components::label(row.key)});
+  }
+  if (misses.empty()) return;
+  std::sort(misses.begin(), misses.end(),
+            [](const Miss& a, const Miss& b) { return a.luts < b.luts; });
+  print(
+      fmt::format("LUTs of {} rows as optimise predicts them: {:.1f} % off in the median, {:.1f} "
+                  "% at most ({})\n",
+                  misses.size(), 100 * misses[misses.size() / 2].luts, 100 * misses.back().luts,
+                  misses.back().label));
+}
+
+void print_text(const CharacteriseReport& report, const Predicted& predicted,
+                const fs::path& table) {
   print(fmt::format("{} on {}: {} components, {} jobs run, {} failed\n", report.table.scene,
                     report.table.device, report.components, report.synthesised,
                     report.failed.size()));
@@ -67,9 +102,22 @@ void print_text(const CharacteriseReport& report, const fs::path& table) {
   }
   if (report.dropped > 0) print(fmt::format("; {} outdated rows dropped", report.dropped));
   print("\n");
+  print_misses(report, predicted);
 }
 
-void print_json(const CharacteriseReport& report, const fs::path& table) {
+nlohmann::ordered_json with_prediction(const measured::Measurement& row,
+                                       const std::optional<devices::Area>& predicted) {
+  nlohmann::ordered_json json = json_of_row(row);
+  if (!predicted) return json;
+  json["predicted"] = {{"luts", predicted->luts},
+                       {"registers", predicted->registers},
+                       {"dsps", predicted->dsps},
+                       {"memories", predicted->memories}};
+  return json;
+}
+
+void print_json(const CharacteriseReport& report, const Predicted& predicted,
+                const fs::path& table) {
   nlohmann::ordered_json json = {{"scene", report.table.scene},
                                  {"device", report.table.device},
                                  {"table", table.string()},
@@ -95,8 +143,9 @@ void print_json(const CharacteriseReport& report, const fs::path& table) {
                                {"count", kind.count},
                                {"reason", kind.reason}});
   }
-  for (const measured::Measurement& row : report.table.rows)
-    json["rows"].push_back(json_of_row(row));
+  for (std::size_t k = 0; k < report.table.rows.size(); ++k) {
+    json["rows"].push_back(with_prediction(report.table.rows[k], predicted[k]));
+  }
   print(report::json_text(json));
 }
 
@@ -106,7 +155,8 @@ void run(const CharacteriseCommand& command) {
   const devices::Device device = value_or_exit(devices::find_device(loaded.scene.system.device));
   const CharacteriseReport report = measure_table(command, loaded);
   const fs::path path = table_of(command, loaded.scene, device);
-  command.scene.json ? print_json(report, path) : print_text(report, path);
+  const Predicted predicted = predict(report, loaded, device);
+  command.scene.json ? print_json(report, predicted, path) : print_text(report, predicted, path);
   end_if_unfinished(report);
   if (report.components == 0) {
     tell("nothing was measured: no component that was asked for exists");

@@ -68,8 +68,13 @@ public:
   }
   /// The only reader of a net; null if there are several, or if a statement reads it.
   const Instance* reader(const std::string& net) const {
+    const std::vector<const Instance*> all = readers(net);
+    return all.size() == 1 ? all.front() : nullptr;
+  }
+  /// All readers of a net; null for a statement.
+  std::vector<const Instance*> readers(const std::string& net) const {
     const auto found = readers_.find(net);
-    return found == readers_.end() || found->second.size() != 1 ? nullptr : found->second.front();
+    return found == readers_.end() ? std::vector<const Instance*>() : found->second;
   }
 
 private:
@@ -115,7 +120,7 @@ public:
 
   Part part(const Instance& instance) const {
     const auto registers = registers_.find(&instance);
-    return {.instance = {instance.module, instance.parameters},
+    return {.instance = with_longer_line(instance),
             .absorbed_registers = registers == registers_.end() ? 0 : registers->second,
             .is_absorbed = sums_.contains(&instance)};
   }
@@ -133,28 +138,51 @@ private:
     if (is_sum) sums_.insert(sum);
   }
 
+  TemplateInstance with_longer_line(const Instance& instance) const {
+    TemplateInstance result{instance.module, instance.parameters};
+    const auto longer = longer_.find(&instance);
+    if (longer == longer_.end()) return result;
+    for (Parameter& parameter : result.parameters) {
+      if (parameter.name == "LENGTH") parameter.value = number(instance, "LENGTH") + longer->second;
+    }
+    return result;
+  }
+
   void pack_operand(const Instance& product, const char* port) {
     const Instance* reader = &product;
+    const Instance* branch = nullptr;
     for (int left = most_operand_registers; left > 0;) {
       const Operand* const operand = pin(*reader, reader == &product ? port : "d");
       const std::string* const net = operand == nullptr ? nullptr : net_of(*operand);
-      if (net == nullptr || nets_.reader(*net) != reader) return;
+      if (net == nullptr || !may_take_registers(*net, *reader, branch)) return;
       const Instance* const driver = nets_.driver(*net);
       if (driver == nullptr) return;
-      if (driver->module != "delay_line") {
-        if (ends_in_register(*driver)) registers_[driver] = number(*driver, "WIDTH");
-        return;
-      }
-      const int length = number(*driver, "LENGTH");
+      const bool is_line = driver->module == "delay_line";
+      const int length = is_line ? number(*driver, "LENGTH") : ends_in_register(*driver) ? 1 : 0;
       if (length > left) return;
       registers_[driver] = length * number(*driver, "WIDTH");
+      if (branch != nullptr) longer_[branch] += length;
+      if (!is_line) return;
       left -= length;
       reader = driver;
     }
   }
 
+  /// Whether registers that drive a net may go into the multiplier: nothing else reads it, or one
+  /// delay line does, `branch`, which then begins with registers of its own in their place.
+  bool may_take_registers(const std::string& net, const Instance& reader,
+                          const Instance*& branch) const {
+    std::vector<const Instance*> others = nets_.readers(net);
+    std::erase(others, &reader);
+    if (others.empty()) return true;
+    if (branch != nullptr || others.size() > 1) return false;
+    branch = others.front();
+    return branch != nullptr && branch->module == "delay_line";
+  }
+
   Nets nets_;
   std::map<const Instance*, int> registers_;
+  std::map<const Instance*, int> longer_;  ///< delay lines, by so many cycles
   std::set<const Instance*> sums_;
 };
 
@@ -221,6 +249,20 @@ units::Unit unit_of(const TemplateInstance& instance) {
   unit.parameters.push_back(
       units::integer(std::string(units::embedded_products), embedded_products(alone)));
   return unit;
+}
+
+rtl::TemplateInstance instance_of(const units::Unit& unit) {
+  rtl::TemplateInstance instance{unit.module, {}};
+  for (const units::Parameter& parameter : unit.parameters) {
+    if (parameter.name == units::embedded_products) continue;
+    if (parameter.is_literal()) {
+      const Literal value{parameter.literal_bits, parameter.bits};
+      instance.parameters.push_back({parameter.name, value});
+    } else {
+      instance.parameters.push_back({parameter.name, static_cast<long long>(parameter.bits)});
+    }
+  }
+  return instance;
 }
 
 }  // namespace mixcmp::components

@@ -26,12 +26,15 @@ struct ComponentParts {
 /// The parts of the last of these modules, which instantiates the others and templates.
 ///
 /// Yosys packs for DSP48: up to two registers in front of a multiplier's operands that nothing else
-/// reads, and a sum that is the only reader of the product behind one register, with the sum's own
-/// register (xilinx_dsp of Yosys 0.23). Parts say which those would be.
+/// reads except a delay line, which gets its own, and a sum that is the only reader of the product
+/// behind one register, with the sum's own register (xilinx_dsp of Yosys 0.23). Parts say which
+/// those would be.
 ComponentParts parts_of(const std::vector<rtl::Module>& modules);
 
 /// An instance as a unit: with all parameters of the template, and last EMBEDDED_PRODUCTS, the
 /// number of multipliers that the instance surely has where the device has any.
 units::Unit unit_of(const rtl::TemplateInstance& instance);
+/// The instance that a unit is of.
+rtl::TemplateInstance instance_of(const units::Unit& unit);
 
 }  // namespace mixcmp::components

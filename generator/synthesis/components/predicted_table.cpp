@@ -46,7 +46,7 @@ std::optional<devices::Area> AreaPredictor::of(const Part& part) {
 
 std::optional<devices::Area> AreaPredictor::of(const rtl::TemplateInstance& instance) {
   const auto [known, is_new] = areas_.try_emplace(instance_name(instance));
-  if (is_new) known->second = area_of_unit(library_.areas, unit_of(instance));
+  if (is_new) known->second = library_.areas.of(unit_of(instance));
   if (!known->second) unknown_.insert(instance.module);
   if (is_new && known->second) note_if_outdated(instance.module);
   return known->second;
@@ -79,6 +79,20 @@ Result<measured::Characterisation> predict_table(const PredictedArea& area_of,
   std::sort(table.rows.begin(), table.rows.end(),
             [](const Measurement& a, const Measurement& b) { return a.key < b.key; });
   return table;
+}
+
+std::vector<std::optional<devices::Area>> predicted_areas(AreaPredictor& predictor,
+                                                          const measured::Characterisation& table,
+                                                          const scene::Scene& scene,
+                                                          const data::Comparisons* data) {
+  ComponentMaker maker(scene, data);
+  std::vector<std::optional<devices::Area>> areas;
+  for (const Measurement& row : table.rows) {
+    const Result<Component> component = maker.make(row.key);
+    const bool is_comparable = component.ok() && !row.is_imported();
+    areas.push_back(is_comparable ? predictor.of(*component) : std::nullopt);
+  }
+  return areas;
 }
 
 }  // namespace mixcmp::components

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "generator/synthesis/components/component_list.hpp"
 #include "generator/synthesis/components/unit_library.hpp"
@@ -56,5 +57,13 @@ Result<measured::Characterisation> predict_table(const PredictedArea& area_of,
                                                  const scene::Scene& scene,
                                                  const data::Comparisons* data,
                                                  const ComponentQuery& query);
+
+/// The areas that are predicted for the rows of a scene's table, in their order; none where the
+/// library lacks a template, and for rows of a vendor's report, which count otherwise. `data` may
+/// be null.
+std::vector<std::optional<devices::Area>> predicted_areas(AreaPredictor& predictor,
+                                                          const measured::Characterisation& table,
+                                                          const scene::Scene& scene,
+                                                          const data::Comparisons* data);
 
 }  // namespace mixcmp::components

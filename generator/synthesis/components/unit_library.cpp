@@ -7,6 +7,8 @@
 #include <set>
 #include <vector>
 
+#include "generator/hardware/emit/template_parts.hpp"
+#include "generator/hardware/emit/template_ports.hpp"
 #include "generator/hardware/emit/verilog.hpp"
 #include "generator/synthesis/components/synthesis_jobs.hpp"
 #include "model/base/common/cache_folder.hpp"
@@ -46,14 +48,7 @@ std::optional<units::UnitAreas> library_among(std::vector<units::UnitAreas> libr
   return std::nullopt;
 }
 
-}  // namespace
-
-std::optional<fs::path> unit_library_folder() {
-  const std::optional<fs::path> folder = cache_folder();
-  return folder ? std::optional(*folder / "units") : std::nullopt;
-}
-
-Result<UnitLibrary> unit_library(const devices::Device& device) {
+Result<UnitLibrary> library_for(const devices::Device& device) {
   MIXCMP_TRY(own, own_libraries());
   if (auto library = library_among(std::move(own), device.synthesis)) {
     return UnitLibrary{std::move(*library)};
@@ -66,18 +61,28 @@ Result<UnitLibrary> unit_library(const devices::Device& device) {
   return UnitLibrary{std::move(others.front()), true};
 }
 
-std::optional<devices::Area> area_of_unit(const units::UnitAreas& library,
-                                          const units::Unit& unit) {
-  if (unit.module != "delay_line") return library.of(unit);
-  units::Unit narrow = unit;
-  int width = 1;
-  for (units::Parameter& parameter : narrow.parameters) {
-    if (parameter.name != "WIDTH") continue;
-    width = static_cast<int>(parameter.size());
-    parameter = units::integer("WIDTH", 1);
-  }
-  const std::optional<devices::Area> line = library.of(narrow);
-  return line ? std::optional(width * *line) : std::nullopt;
+}  // namespace
+
+std::optional<fs::path> unit_library_folder() {
+  const std::optional<fs::path> folder = cache_folder();
+  return folder ? std::optional(*folder / "units") : std::nullopt;
+}
+
+std::vector<rtl::TemplateInstance> parts_of_unit(const rtl::TemplateInstance& instance) {
+  const auto parameters = emit::template_parameters(instance);
+  const bool is_staged = std::any_of(parameters.begin(), parameters.end(),
+                                     [](const auto& each) { return each.name == "CUTS"; });
+  return is_staged ? std::vector<rtl::TemplateInstance>() : emit::template_parts(instance);
+}
+
+Result<UnitLibrary> unit_library(const devices::Device& device) {
+  MIXCMP_TRY(library, library_for(device));
+  library.areas.take_apart([](const units::Unit& unit) {
+    std::vector<units::Unit> parts;
+    for (const auto& part : parts_of_unit(instance_of(unit))) parts.push_back(unit_of(part));
+    return parts;
+  });
+  return library;
 }
 
 std::string template_hash(const std::string& module) {

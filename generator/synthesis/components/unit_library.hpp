@@ -26,9 +26,9 @@ struct UnitLibrary {
 /// series.
 Result<UnitLibrary> unit_library(const devices::Device& device);
 
-/// The area of a unit in a library. A delay line is as many lines of one bit as it is wide. None if
-/// the library has no unit of this template.
-std::optional<devices::Area> area_of_unit(const units::UnitAreas& library, const units::Unit& unit);
+/// The templates that an instance of a template is taken apart into, where the library does not
+/// have it. Those with stages (CUTS) are whole: their parts share logic.
+std::vector<rtl::TemplateInstance> parts_of_unit(const rtl::TemplateInstance& instance);
 
 /// A hash of a template and of all that it instantiates, without comments, for all families.
 std::string template_hash(const std::string& module);

@@ -99,13 +99,14 @@ private:
   Column along_;
 };
 
-/// Amounts, and columns of terms, each divided by the unit's amount.
+/// Amounts, and columns of terms, each divided by the unit's whole amount.
 struct Samples {
   const std::vector<Unit>& units;
   const std::vector<double>& amounts;
+  const std::vector<double>& whole;
   const std::vector<Term>& terms;
 
-  double weight(std::size_t unit) const { return 1 / (amounts[unit] + small_amount); }
+  double weight(std::size_t unit) const { return 1 / (whole[unit] + small_amount); }
   ForwardSelection selection(const std::vector<std::size_t>& of) const {
     std::vector<Column> columns(terms.size());
     Column target;
@@ -285,10 +286,11 @@ std::vector<Term> possible_terms(const std::vector<Unit>& units) {
   return TermList(units).list();
 }
 
-Formula fit(const std::vector<Unit>& units, const std::vector<double>& amounts) {
-  MIXCMP_CHECK(units.size() == amounts.size());
+Formula fit(const std::vector<Unit>& units, const std::vector<double>& amounts,
+            const std::vector<double>& whole) {
+  MIXCMP_CHECK(units.size() == amounts.size() && units.size() == whole.size());
   const std::vector<Term> terms = possible_terms(units);
-  const Samples samples{units, amounts, terms};
+  const Samples samples{units, amounts, whole, terms};
   std::vector<std::size_t> all(units.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   ForwardSelection selection = samples.selection(all);

@@ -46,8 +46,10 @@ std::vector<Term> possible_terms(const std::vector<Unit>& units);
 
 /// Fits a formula to measured amounts by orthogonal least squares: the term that explains most of
 /// the remaining error comes next (Chen, Billings and Luo, "Orthogonal least squares methods and
-/// their application to non-linear system identification", 1989). Errors count relative to the
-/// amount. The number of terms is the one whose error on units left out is the least (five folds).
-Formula fit(const std::vector<Unit>& units, const std::vector<double>& amounts);
+/// their application to non-linear system identification", 1989). Errors count relative to `whole`,
+/// the amounts of which these are a part. The number of terms is the one whose error on units left
+/// out is the least (five folds).
+Formula fit(const std::vector<Unit>& units, const std::vector<double>& amounts,
+            const std::vector<double>& whole);
 
 }  // namespace mixcmp::units

@@ -189,19 +189,113 @@ bool has_embedded_products(const Unit& unit) {
   });
 }
 
+/// A delay line of one bit, and how many of them a wider one is; any other unit is one.
+std::pair<Unit, int> line_of_one_bit(const Unit& unit) {
+  std::pair<Unit, int> line(unit, 1);
+  if (unit.module != "delay_line") return line;
+  for (Parameter& parameter : line.first.parameters) {
+    if (parameter.name != "WIDTH") continue;
+    line.second = static_cast<int>(parameter.size());
+    parameter = integer("WIDTH", 1);
+  }
+  return line;
+}
+
 bool same_names(const Unit& a, const Unit& b) {
   return std::equal(a.parameters.begin(), a.parameters.end(), b.parameters.begin(),
                     b.parameters.end(),
                     [](const Parameter& x, const Parameter& y) { return x.name == y.name; });
 }
 
+/// Two measured units that differ from a unit in one number, which lies between theirs.
+struct Neighbours {
+  std::size_t below = 0, above = 0;  ///< indices
+  double share = 0;                  ///< of the way from below to above
+};
+
+/// Finds the neighbours of a unit, those whose numbers are the closest.
+class NeighbourSearch {
+public:
+  NeighbourSearch(const std::vector<Unit>& units, const Unit& unit)
+      : units_(units), unit_(unit), sides_(unit.parameters.size()) {
+    for (std::size_t k = 0; k < units.size(); ++k) add(k);
+  }
+
+  std::optional<Neighbours> closest() const {
+    std::optional<Neighbours> best;
+    double least = farthest;
+    for (std::size_t p = 0; p < sides_.size(); ++p) {
+      if (!sides_[p].below || !sides_[p].above) continue;
+      const double low = size(*sides_[p].below, p), high = size(*sides_[p].above, p);
+      if (low <= 0 || high / low > least) continue;
+      least = high / low;
+      const double share = (unit_.parameters[p].size() - low) / (high - low);
+      best = Neighbours{*sides_[p].below, *sides_[p].above, share};
+    }
+    return best;
+  }
+
+private:
+  /// Between numbers that are a larger factor apart a line tells nothing.
+  static constexpr double farthest = 2;
+
+  struct Sides {
+    std::optional<std::size_t> below, above;
+  };
+
+  double size(std::size_t unit, std::size_t parameter) const {
+    return units_[unit].parameters[parameter].size();
+  }
+
+  void add(std::size_t k) {
+    const auto& own = unit_.parameters;
+    const auto& others = units_[k].parameters;
+    const auto [mine, other] = std::mismatch(own.begin(), own.end(), others.begin());
+    if (mine == own.end() || !std::equal(mine + 1, own.end(), other + 1)) return;
+    if (mine->is_literal() || mine->name == embedded_products) return;
+    const auto p = static_cast<std::size_t>(mine - own.begin());
+    Sides& sides = sides_[p];
+    const bool is_below = other->size() < mine->size();
+    std::optional<std::size_t>& side = is_below ? sides.below : sides.above;
+    const bool is_closer =
+        !side || (is_below ? other->size() > size(*side, p) : other->size() < size(*side, p));
+    if (is_closer) side = k;
+  }
+
+  const std::vector<Unit>& units_;
+  const Unit& unit_;
+  std::vector<Sides> sides_;  ///< by parameter
+};
+
+/// An amount of each resource.
+using Amounts = std::array<double, area_columns.size()>;
+
 }  // namespace
 
-/// Formulas of units with embedded products, and of those without: a product is either in a
-/// multiplier or in LUTs.
+/// Formulas for the rests of one template's units beside their parts: of units with embedded
+/// products and of those without, since a product is either in a multiplier or in LUTs. A unit
+/// between two measured ones also has what the formulas miss there, on a line from one to the
+/// other.
 struct UnitAreas::Formulas {
   using OfColumns = std::array<Formula, area_columns.size()>;
   OfColumns with_products, without;
+  std::vector<Amounts> misses;  ///< of the measured units
+
+  Amounts by_formula(const Unit& unit) const {
+    const OfColumns& of_columns = has_embedded_products(unit) ? with_products : without;
+    Amounts rest;
+    for (std::size_t c = 0; c < rest.size(); ++c) rest[c] = of_columns[c].of(unit);
+    return rest;
+  }
+
+  Amounts of(const std::vector<Unit>& measured, const Unit& unit) const {
+    Amounts rest = by_formula(unit);
+    const std::optional<Neighbours> found = NeighbourSearch(measured, unit).closest();
+    for (std::size_t c = 0; found && c < rest.size(); ++c) {
+      rest[c] += std::lerp(misses[found->below][c], misses[found->above][c], found->share);
+    }
+    return rest;
+  }
 };
 
 UnitAreas::UnitAreas(std::string synthesis) : synthesis_(std::move(synthesis)) {}
@@ -243,7 +337,8 @@ const TemplateAreas* UnitAreas::find(const std::string& module) const {
 }
 
 void UnitAreas::set(TemplateAreas areas) {
-  formulas_.erase(areas.module);
+  formulas_.clear();  // those of templates with such parts as well
+  known_.clear();
   const std::string module = areas.module;
   if (!areas.units.empty()) templates_.insert_or_assign(module, std::move(areas));
 }
@@ -251,7 +346,15 @@ void UnitAreas::set(TemplateAreas areas) {
 const UnitAreas::Formulas& UnitAreas::formulas_of(const TemplateAreas& areas) const {
   std::unique_ptr<Formulas>& formulas = formulas_[areas.module];
   if (formulas) return *formulas;
-  formulas = std::make_unique<Formulas>();
+  auto made = std::make_unique<Formulas>();
+  std::vector<Amounts> rests;
+  for (std::size_t k = 0; k < areas.units.size(); ++k) {
+    const devices::Area of_parts = area_of_parts(areas.units[k]);
+    Amounts& rest = rests.emplace_back();
+    for (std::size_t c = 0; c < rest.size(); ++c) {
+      rest[c] = areas.areas[k].*area_columns[c].amount - of_parts.*area_columns[c].amount;
+    }
+  }
   for (const bool embedded : {false, true}) {
     std::vector<Unit> units;
     std::vector<std::size_t> rows;
@@ -261,31 +364,69 @@ const UnitAreas::Formulas& UnitAreas::formulas_of(const TemplateAreas& areas) co
       rows.push_back(k);
     }
     if (units.empty()) continue;
-    Formulas::OfColumns& of = embedded ? formulas->with_products : formulas->without;
+    Formulas::OfColumns& of = embedded ? made->with_products : made->without;
     for (std::size_t c = 0; c < area_columns.size(); ++c) {
-      std::vector<double> amounts;
-      for (const std::size_t k : rows) amounts.push_back(areas.areas[k].*area_columns[c].amount);
-      of[c] = fit(units, amounts);
+      std::vector<double> rest, whole;
+      for (const std::size_t k : rows) {
+        rest.push_back(rests[k][c]);
+        whole.push_back(areas.areas[k].*area_columns[c].amount);
+      }
+      of[c] = fit(units, rest, whole);
     }
   }
+  for (std::size_t k = 0; k < rests.size(); ++k) {
+    Amounts& miss = made->misses.emplace_back(made->by_formula(areas.units[k]));
+    for (std::size_t c = 0; c < miss.size(); ++c) miss[c] = rests[k][c] - miss[c];
+  }
+  formulas = std::move(made);
   return *formulas;
 }
 
-std::optional<devices::Area> UnitAreas::of(const Unit& unit) const {
+void UnitAreas::take_apart(PartsOf parts_of) {
+  parts_of_ = std::move(parts_of);
+  formulas_.clear();
+  known_.clear();
+}
+
+const devices::Area* UnitAreas::measured(const Unit& unit) const {
+  const TemplateAreas* const known = find(unit.module);
+  if (known == nullptr) return nullptr;
+  const auto same = std::find(known->units.begin(), known->units.end(), unit);
+  if (same == known->units.end()) return nullptr;
+  return &known->areas[static_cast<std::size_t>(same - known->units.begin())];
+}
+
+devices::Area UnitAreas::area_of_parts(const Unit& unit) const {
+  devices::Area sum;
+  if (!parts_of_) return sum;
+  for (const Unit& part : parts_of_(unit)) {
+    const std::optional<devices::Area> area = of(part);
+    sum += area ? *area : area_of_parts(part);
+  }
+  return sum;
+}
+
+std::optional<devices::Area> UnitAreas::predicted(const Unit& unit) const {
   const TemplateAreas* const known = find(unit.module);
   if (known == nullptr || !same_names(known->units.front(), unit)) return std::nullopt;
-  const auto same = std::find(known->units.begin(), known->units.end(), unit);
-  if (same != known->units.end()) {
-    return known->areas[static_cast<std::size_t>(same - known->units.begin())];
-  }
-  const Formulas& formulas = formulas_of(*known);
-  const Formulas::OfColumns& of_columns =
-      has_embedded_products(unit) ? formulas.with_products : formulas.without;
-  devices::Area area;
+  const Amounts rest = formulas_of(*known).of(known->units, unit);
+  devices::Area area = area_of_parts(unit);
   for (std::size_t c = 0; c < area_columns.size(); ++c) {
-    const double amount = of_columns[c].of(unit);
-    area.*area_columns[c].amount = static_cast<int>(std::lround(std::max(amount, 0.0)));
+    int& amount = area.*area_columns[c].amount;
+    amount = std::max(static_cast<int>(std::lround(amount + rest[c])), 0);
   }
+  return area;
+}
+
+std::optional<devices::Area> UnitAreas::of(const Unit& unit) const {
+  const auto known = known_.find(unit);
+  if (known != known_.end()) return known->second;
+  const auto [line, width] = line_of_one_bit(unit);
+  const devices::Area* const as_measured = measured(line);
+  std::optional<devices::Area> area =
+      as_measured != nullptr ? std::optional(*as_measured) : predicted(line);
+  if (area) area = width * *area;
+  known_.emplace(unit, area);
   return area;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -23,6 +24,10 @@ struct TemplateAreas {
 };
 
 class LibraryReader;
+
+/// The units that a unit instantiates, each as often as it does; none of one that is not taken
+/// apart.
+using PartsOf = std::function<std::vector<Unit>(const Unit&)>;
 
 /// A library: areas of units after one synthesis command. Its text has a section for each template:
 ///
@@ -52,20 +57,31 @@ public:
   const std::map<std::string, TemplateAreas>& templates() const { return templates_; }
   void set(TemplateAreas areas);
 
-  /// The area of a unit: as measured or, for one that is not in the library, by a formula fitted to
-  /// those of its template. None if the library has no unit of this template with these parameters'
-  /// names.
+  /// From now on units are taken apart.
+  void take_apart(PartsOf parts_of);
+
+  /// The area of a unit. One that is not in the library has the areas of its parts, and the rest by
+  /// a formula fitted to the rests of its template's measured units. A part whose template is not
+  /// in the library is taken apart in turn or, if it has no parts, belongs to the rest. A delay
+  /// line is as many lines of one bit as it is wide. None if the library has no unit of this
+  /// template with these parameters' names.
   std::optional<devices::Area> of(const Unit& unit) const;
 
 private:
   friend class LibraryReader;
   struct Formulas;
   const Formulas& formulas_of(const TemplateAreas& areas) const;
+  const devices::Area* measured(const Unit& unit) const;
+  std::optional<devices::Area> predicted(const Unit& unit) const;
+  /// Of those parts that the library knows.
+  devices::Area area_of_parts(const Unit& unit) const;
 
   std::string synthesis_;
   std::vector<std::string> also_;
   std::map<std::string, TemplateAreas> templates_;
   mutable std::map<std::string, std::unique_ptr<Formulas>> formulas_;  ///< made when asked for
+  mutable std::map<Unit, std::optional<devices::Area>> known_;         ///< asked for before
+  PartsOf parts_of_;
 };
 
 /// The libraries that come with the program.
