@@ -9,6 +9,7 @@
 #include "generator/faces/cli/exit.hpp"
 #include "generator/faces/cli/optimise_report.hpp"
 #include "generator/faces/cli/output.hpp"
+#include "generator/faces/cli/plan_set.hpp"
 #include "generator/faces/cli/planning.hpp"
 #include "generator/faces/cli/verbs.hpp"
 #include "generator/present/report/json_text.hpp"
@@ -29,6 +30,7 @@ struct OptimiseCommand {
   fs::path csv;
   fs::path lp;
   bool predict_only = false;
+  PlanSetOptions set;
 };
 
 /// Refuses rates of another reference. Notes that the rates are of other data, which may be
@@ -60,10 +62,10 @@ std::optional<optimise::Rates> given_rates(const OptimiseCommand& command,
 }
 
 std::string command_of(const OptimiseCommand& command) {
-  return planning_command_line("optimise", command.planning)
-      .add("--rates", command.rates.string())
-      .add_flag("--predict-only", command.predict_only)
-      .text();
+  CommandLine line = planning_command_line("optimise", command.planning);
+  line.add("--rates", command.rates.string()).add_flag("--predict-only", command.predict_only);
+  add_to(line, command.set);
+  return line.text();
 }
 
 /// The request of the command. Components of the best plan are synthesised for their areas only.
@@ -164,6 +166,10 @@ void run(OptimiseCommand& command) {
   const LoadedScene loaded = value_or_exit(load(planning.scene));
   value_or_exit(check_options_of(planning));
   const tasks::OptimiseRequest request = request_of(command, loaded);
+  if (command.set.plans > 0) {
+    command.set.output = command.plan;
+    return run_plan_set(planning, command.set, request, command_of(command));
+  }
   std::vector<fs::path> inputs = inputs_of(planning.scene, loaded.scene);
   inputs.push_back(command.rates);
   for (const tasks::Formulation& each : value_or_exit(tasks::formulations_of(request, loaded))) {
@@ -198,6 +204,7 @@ void add_optimise(CLI::App& app) {
   verb.flag("--predict-only,--no-characterise", command->predict_only,
             "plan with predicted areas; without this the components of the best plan are "
             "synthesised, and the plan is made again with their measured areas");
+  add_plan_set_options(verb, command->set);
   verb.when_chosen([command] { run(*command); });
 }
 
