@@ -21,7 +21,8 @@ using Words = std::vector<std::string>;
 
 /// How long a block of the stream takes, in reconfigurations.
 constexpr std::array block_reconfigurations = {1, 10, 100, 1000};
-constexpr int readings_of_block = 100;
+/// How often the counters are read in the time of a reconfiguration.
+constexpr int readings_of_reconfiguration = 10;
 
 std::uint64_t items_of(const data::Comparisons& data) {
   std::uint64_t items = 0;
@@ -274,11 +275,12 @@ Result<std::vector<Drift>> PlanSetSearch::drifts_of(const std::vector<SetPlan>& 
     const double mean = total(fastest) / static_cast<double>(blocks);
     const auto comparisons = std::llround(std::ceil(reconfigurations * pay / mean));
     const auto count = static_cast<double>(comparisons);
-    drifts.push_back({.comparisons = static_cast<std::uint64_t>(comparisons),
-                      .single_seconds = count * single,
-                      .rule = with_rule(rule, stream, comparisons, readings_of_block),
-                      .foresight = with_foresight(stream, comparisons, pay),
-                      .free_seconds = count * total(fastest)});
+    drifts.push_back(
+        {.comparisons = static_cast<std::uint64_t>(comparisons),
+         .single_seconds = count * single,
+         .rule = with_rule(rule, stream, comparisons, pay / readings_of_reconfiguration),
+         .foresight = with_foresight(stream, comparisons, pay),
+         .free_seconds = count * total(fastest)});
   }
   return drifts;
 }

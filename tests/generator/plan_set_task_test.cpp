@@ -44,7 +44,7 @@ std::optional<devices::Area> made_up(const components::Component& component,
   }
   if (std::holds_alternative<measured::Reference>(key)) return logic(6000);
   const bool counts = scene.system.counters != scene::CounterAccess::none;
-  if (std::holds_alternative<measured::Fifo>(key)) return logic(counts ? 310 : 300);
+  if (std::holds_alternative<measured::Fifo>(key)) return logic(counts ? 330 : 300);
   return logic(100);
 }
 
@@ -149,7 +149,8 @@ TEST_F(PlanSetTask, TheRuleIsFasterThanOnePlanWhereDataStayLongEnough) {
   EXPECT_EQ(found.drifts.front().rule.switches, 0) << "blocks are as short as a reconfiguration";
   EXPECT_GE(found.drifts.back().rule.switches, 3);
   EXPECT_LT(found.drifts.back().rule.seconds, found.drifts.back().single_seconds);
-  EXPECT_LT(found.drifts.back().rule.seconds, 1.02 * found.drifts.back().free_seconds);
+  EXPECT_LT(found.drifts.back().rule.seconds, 1.03 * found.drifts.back().free_seconds)
+      << "counters cost 2 %";
 }
 
 TEST_F(PlanSetTask, SeveralPlansHaveCounters) {

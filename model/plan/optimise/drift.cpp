@@ -1,5 +1,6 @@
 #include "model/plan/optimise/drift.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "model/base/common/check.hpp"
@@ -7,21 +8,20 @@
 namespace mixcmp::optimise {
 
 StreamTime with_rule(SwitchingRule rule, const StreamThroughPlans& stream,
-                     std::uint64_t comparisons, int readings) {
+                     std::uint64_t comparisons, double reading_seconds) {
   StreamTime time;
   for (const std::vector<BlockThroughPlan>& block : stream) {
-    std::uint64_t before = 0;
-    for (int k = 1; k <= readings; ++k) {
-      const auto until =
-          static_cast<std::uint64_t>(static_cast<double>(comparisons) * k / readings);
-      const std::uint64_t count = until - before;
-      before = until;
+    for (std::uint64_t left = comparisons; left > 0;) {
       const std::size_t loaded = rule.loaded();
       const BlockThroughPlan& through = block[loaded];
-      time.seconds += static_cast<double>(count) * through.seconds;
-      const double recomputed = static_cast<double>(count) * through.counted_rate;
-      if (rule.next(count, static_cast<std::uint64_t>(std::llround(recomputed))) == loaded)
-        continue;
+      const double of_reading = std::max(1.0, reading_seconds / through.seconds);
+      const double count = std::min(std::floor(of_reading), static_cast<double>(left));
+      const auto counted = static_cast<std::uint64_t>(count);
+      left -= counted;
+      time.seconds += count * through.seconds;
+      const auto recomputed =
+          static_cast<std::uint64_t>(std::llround(count * through.counted_rate));
+      if (rule.next(counted, recomputed) == loaded) continue;
       time.seconds += rule.reconfiguration_seconds();
       ++time.switches;
     }

@@ -21,10 +21,10 @@ struct StreamTime {
   int switches = 0;
 };
 
-/// The stream with the plans that a rule loads. Each block has so many comparisons; the rule reads
-/// the counters `readings` times in each.
+/// The stream with the plans that a rule loads. Each block has so many comparisons. The counters
+/// are read every `reading_seconds`, and at the end of each block.
 StreamTime with_rule(SwitchingRule rule, const StreamThroughPlans& stream,
-                     std::uint64_t comparisons, int readings);
+                     std::uint64_t comparisons, double reading_seconds);
 
 /// The same with the best plan for each block, by one who knows the stream beforehand and switches
 /// only between blocks. The first plan is loaded at the beginning, as the rule has it.
