@@ -21,6 +21,8 @@ using Words = std::vector<std::string>;
 
 /// How long a block of the stream takes, in reconfigurations.
 constexpr std::array block_reconfigurations = {1, 10, 100, 1000};
+/// Points of the rule lie no closer than this part of the way from one data set to the next.
+constexpr double finest_mixture = 1.0 / 64;
 /// How often the counters are read in the time of a reconfiguration.
 constexpr int readings_of_reconfiguration = 10;
 
@@ -99,6 +101,11 @@ public:
 private:
   using Members = std::vector<std::size_t>;  // places in plans_
 
+  struct Mixture {
+    double of_b;
+    std::vector<PlanAtRates> at;  ///< by plan
+  };
+
   struct Choice {
     Members members;  ///< all plans of the interface
     std::vector<optimise::PlanChoice> choices;
@@ -115,7 +122,11 @@ private:
   Result<Choice> choose() const;
   std::vector<double> best_per_s(const Members& members) const;
   Words variant_of(const SetPlan& plan) const;
-  optimise::SwitchingRule rule_of(const std::vector<SetPlan>& plans) const;
+  Result<Mixture> mixture(const std::vector<SetPlan>& plans, std::size_t a, std::size_t b,
+                          double of_b);
+  Result<std::vector<Mixture>> mixtures(const std::vector<SetPlan>& plans, std::size_t a,
+                                        std::size_t b);
+  Result<optimise::SwitchingRule> rule_of(const std::vector<SetPlan>& plans);
   Result<std::vector<Drift>> drifts_of(const std::vector<SetPlan>& plans,
                                        const optimise::SwitchingRule& rule);
 
@@ -232,20 +243,73 @@ Result<PlanSetSearch::Choice> PlanSetSearch::choose() const {
                .accepted = "\"ports\" or \"axi_lite\""};
 }
 
-optimise::SwitchingRule PlanSetSearch::rule_of(const std::vector<SetPlan>& plans) const {
-  std::vector<std::vector<optimise::RatePoint>> points;
-  for (const SetPlan& loaded : plans) {
-    std::vector<optimise::RatePoint>& own = points.emplace_back();
-    for (std::size_t s = 0; s < request_->sets.size(); ++s) {
-      own.push_back({.rate = loaded.at_set[s].counted_rate, .seconds = {}});
-      for (const SetPlan& each : plans) {
-        own.back().seconds.push_back(1 / each.at_set[s].throughput_per_s);
-      }
+/// Plans on a mixture of two data sets, of which `of_b` is the part of the second.
+Result<PlanSetSearch::Mixture> PlanSetSearch::mixture(const std::vector<SetPlan>& plans,
+                                                      std::size_t a, std::size_t b, double of_b) {
+  Mixture mixed{of_b, {}};
+  for (const SetPlan& plan : plans) {
+    MIXCMP_TRY(at_a, rates_of(request_->sets[a], variant_of(plan)));
+    MIXCMP_TRY(at_b, rates_of(request_->sets[b], variant_of(plan)));
+    const optimise::Rates rates = at_a->mixed_with(*at_b, of_b);
+    const auto here = at_rates(plan.plan(), plan.system.known.scene, rates);
+    MIXCMP_CHECK(here);
+    mixed.at.push_back(*here);
+  }
+  return mixed;
+}
+
+/// Two data sets and mixtures of them: so many that in the middle between two neighbours each
+/// plan's seconds are their mean to a percent.
+Result<std::vector<PlanSetSearch::Mixture>> PlanSetSearch::mixtures(
+    const std::vector<SetPlan>& plans, std::size_t a, std::size_t b) {
+  std::vector<Mixture> line;
+  for (const double end : {0.0, 1.0}) {
+    MIXCMP_TRY(pure, mixture(plans, a, b, end));
+    line.push_back(std::move(pure));
+  }
+  for (std::size_t k = 0; k + 1 < line.size();) {
+    const Mixture& low = line[k];
+    const Mixture& high = line[k + 1];
+    MIXCMP_TRY(middle, mixture(plans, a, b, (low.of_b + high.of_b) / 2));
+    bool is_straight = true;
+    for (std::size_t j = 0; j < plans.size(); ++j) {
+      const double ends = 1 / low.at[j].throughput_per_s + 1 / high.at[j].throughput_per_s;
+      is_straight = is_straight && std::abs(ends / 2 * middle.at[j].throughput_per_s - 1) < 0.01;
+    }
+    if (is_straight || high.of_b - low.of_b < finest_mixture) {
+      ++k;
+    } else {
+      line.insert(line.begin() + static_cast<std::ptrdiff_t>(k) + 1, std::move(middle));
+    }
+  }
+  return line;
+}
+
+/// The rule whose points are the data sets, by rising rates of the first plan, and mixtures of
+/// neighbours.
+Result<optimise::SwitchingRule> PlanSetSearch::rule_of(const std::vector<SetPlan>& plans) {
+  std::vector<std::size_t> order(request_->sets.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const std::vector<PlanAtRates>& at_set = plans.front().at_set;
+    return at_set[a].counted_rate < at_set[b].counted_rate;
+  });
+  MIXCMP_TRY(last, mixture(plans, order.back(), order.back(), 1));
+  std::vector<Mixture> all = {std::move(last)};
+  for (std::size_t k = 0; k + 1 < order.size(); ++k) {
+    MIXCMP_TRY(between, mixtures(plans, order[k], order[k + 1]));
+    all.insert(all.end(), between.begin(), between.end() - 1);
+  }
+  std::vector<std::vector<optimise::RatePoint>> points(plans.size());
+  for (const Mixture& each : all) {
+    for (std::size_t k = 0; k < plans.size(); ++k) {
+      points[k].push_back({.rate = each.at[k].counted_rate, .seconds = seconds_of(each.at)});
     }
   }
   const devices::Device& device = plans.front().system.known.device;
-  return {std::move(points),
-          request_->reconfiguration_seconds.value_or(optimise::configuration_seconds(device))};
+  const double usual = optimise::configuration_seconds(device);
+  return optimise::SwitchingRule(std::move(points),
+                                 request_->reconfiguration_seconds.value_or(usual));
 }
 
 Result<std::vector<Drift>> PlanSetSearch::drifts_of(const std::vector<SetPlan>& plans,
@@ -329,7 +393,7 @@ Result<PlanSetResult> PlanSetSearch::run() {
       std::min_element(plans_.begin(), plans_.end(), [](const SetPlan& a, const SetPlan& b) {
         return total(seconds_of(a.at_set)) < total(seconds_of(b.at_set));
       });
-  optimise::SwitchingRule rule = rule_of(plans);
+  MIXCMP_TRY(rule, rule_of(plans));
   MIXCMP_TRY(drifts, drifts_of(plans, rule));
   return PlanSetResult{.plans = std::move(plans),
                        .best_per_s = best_per_s(choice.members),
