@@ -53,7 +53,8 @@ TEST_F(PlanSetCommand, JsonHasThePlansTheirRatesAndLosses) {
   ASSERT_EQ(set.at("data_sets").size(), 2U);
   for (const auto& each : set.at("data_sets")) {
     const double best = each.at("best_per_s");
-    EXPECT_EQ(best, std::max<double>(each.at("plan_1_per_s"), each.at("plan_2_per_s")));
+    const double first = each.at("plan_1_per_s"), second = each.at("plan_2_per_s");
+    EXPECT_EQ(best, std::max(first, second));
   }
   for (const auto& plan : set.at("plans")) {
     EXPECT_EQ(plan.at("counted_rates").size(), 2U);
@@ -69,11 +70,12 @@ TEST_F(PlanSetCommand, MistakesAreNamed) {
   expect_refused(two + "--over data.radius_max=1,-2", "--over");
   expect_refused(two + "--over data.radius_max=1,2 --stream data.seed", "--stream");
   expect_refused(two + "--over data.radius_max=1,2 --csv figure.csv", "--csv");
-  expect_refused(two + "--over data.radius_max=1,2 --reconfiguration-seconds 0", "SECONDS");
+  expect_refused(two + "--over data.radius_max=1,2 --reconfiguration-seconds 0",
+                 "--reconfiguration-seconds: received 0; accepted 1e-06");
   expect_refused(std::string(small) + "--plans 9 --over data.radius_max=1,2", "1..8");
   expect_refused(two + "--over data.radius_max=1,2 --set system.counter_bits=0",
                  "system.counters: plans are switched by what a system counts");
-  expect_refused(two + R"(--over data.radius_max=1,2 --set 'inputs."r*".range="data"')",
+  expect_refused(two + R"(--over data.radius_max=1,2 --set 'inputs.ri.range="data"')",
                  "the range of an input would be another one in each data set");
 }
 
