@@ -124,6 +124,8 @@ private:
   Words variant_of(const SetPlan& plan) const;
   Result<Mixture> mixture(const std::vector<SetPlan>& plans, std::size_t a, std::size_t b,
                           double of_b);
+  Result<bool> is_straight(const std::vector<SetPlan>& plans, std::size_t a, std::size_t b,
+                           const Mixture& low, const Mixture& high);
   Result<std::vector<Mixture>> mixtures(const std::vector<SetPlan>& plans, std::size_t a,
                                         std::size_t b);
   Result<optimise::SwitchingRule> rule_of(const std::vector<SetPlan>& plans);
@@ -258,8 +260,22 @@ Result<PlanSetSearch::Mixture> PlanSetSearch::mixture(const std::vector<SetPlan>
   return mixed;
 }
 
-/// Two data sets and mixtures of them: so many that in the middle between two neighbours each
-/// plan's seconds are their mean to a percent.
+/// Whether each plan's seconds between two mixtures are on a straight line, to a percent.
+/// References that begin to be too slow make a corner, which may be near an end.
+Result<bool> PlanSetSearch::is_straight(const std::vector<SetPlan>& plans, std::size_t a,
+                                        std::size_t b, const Mixture& low, const Mixture& high) {
+  for (const double part : {1.0 / 16, 1.0 / 2, 15.0 / 16}) {
+    MIXCMP_TRY(between, mixture(plans, a, b, low.of_b + part * (high.of_b - low.of_b)));
+    for (std::size_t k = 0; k < plans.size(); ++k) {
+      const double line =
+          (1 - part) / low.at[k].throughput_per_s + part / high.at[k].throughput_per_s;
+      if (std::abs(line * between.at[k].throughput_per_s - 1) > 0.01) return false;
+    }
+  }
+  return true;
+}
+
+/// Two data sets, and mixtures of them wherever the line between two neighbours is not straight.
 Result<std::vector<PlanSetSearch::Mixture>> PlanSetSearch::mixtures(
     const std::vector<SetPlan>& plans, std::size_t a, std::size_t b) {
   std::vector<Mixture> line;
@@ -268,17 +284,12 @@ Result<std::vector<PlanSetSearch::Mixture>> PlanSetSearch::mixtures(
     line.push_back(std::move(pure));
   }
   for (std::size_t k = 0; k + 1 < line.size();) {
-    const Mixture& low = line[k];
-    const Mixture& high = line[k + 1];
-    MIXCMP_TRY(middle, mixture(plans, a, b, (low.of_b + high.of_b) / 2));
-    bool is_straight = true;
-    for (std::size_t j = 0; j < plans.size(); ++j) {
-      const double ends = 1 / low.at[j].throughput_per_s + 1 / high.at[j].throughput_per_s;
-      is_straight = is_straight && std::abs(ends / 2 * middle.at[j].throughput_per_s - 1) < 0.01;
-    }
-    if (is_straight || high.of_b - low.of_b < finest_mixture) {
+    const double low = line[k].of_b, high = line[k + 1].of_b;
+    MIXCMP_TRY(straight, is_straight(plans, a, b, line[k], line[k + 1]));
+    if (straight || high - low < finest_mixture) {
       ++k;
     } else {
+      MIXCMP_TRY(middle, mixture(plans, a, b, (low + high) / 2));
       line.insert(line.begin() + static_cast<std::ptrdiff_t>(k) + 1, std::move(middle));
     }
   }

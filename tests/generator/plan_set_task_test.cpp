@@ -153,6 +153,39 @@ TEST_F(PlanSetTask, TheRuleIsFasterThanOnePlanWhereDataStayLongEnough) {
       << "counters cost 2 %";
 }
 
+/// The seconds that the rule has for a loaded plan at a rate that it counts.
+double own_seconds(const optimise::SwitchingRule& rule, std::size_t plan, double rate) {
+  const std::vector<optimise::RatePoint>& points = rule.points()[plan];
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    const auto& [low, low_seconds] = points[k];
+    const auto& [high, high_seconds] = points[k + 1];
+    if (rate > high) continue;
+    const double part = (rate - low) / (high - low);
+    return low_seconds[plan] + part * (high_seconds[plan] - low_seconds[plan]);
+  }
+  return points.back().seconds[plan];
+}
+
+/// Between two data sets references begin to be too slow: a straight line would be far off.
+TEST_F(PlanSetTask, TheRuleKnowsPlansBetweenTheDataSets) {
+  tasks::PlanSetRequest request = request_for(2);
+  request.sets.erase(request.sets.begin() + 1);
+  const tasks::PlanSetResult found = plan_set(request).value();
+  ASSERT_EQ(found.plans.size(), 2U);
+  for (const int radius : {5, 10, 20}) {
+    const tasks::DataSet other = set_of(request.optimise, radius);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const tasks::LoadedScene here{found.plans[k].system.known.scene, other.data};
+      const auto profiles =
+          tasks::measure_rates(here, {LaneInputs::exact}, request.optimise.choice, {});
+      const auto at =
+          at_rates(found.plans[k].plan(), here.scene, optimise::Rates::of(profiles.value()));
+      const double seconds = own_seconds(found.rule, k, at->counted_rate);
+      EXPECT_NEAR(seconds * at->throughput_per_s, 1, 0.02) << radius << ", plan " << k + 1;
+    }
+  }
+}
+
 TEST_F(PlanSetTask, SeveralPlansHaveCounters) {
   const auto refused = plan_set(request_for(2, {"system.counters=none"}));
   ASSERT_FALSE(refused.ok());
