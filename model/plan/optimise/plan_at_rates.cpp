@@ -48,7 +48,7 @@ double clock_of(const AllocationProblem& problem, const Allocation& chosen) {
 void add_lanes(Loaded& loaded, const scene::Scene& scene, LaneKind kind, int lanes, double first,
                double again) {
   const bool has_engine = scene.system.engine.kind != EngineKind::none;
-  const double asked = kind.group * (has_engine ? again : first);
+  const double asked = scene.system.lanes_per_group * (has_engine ? again : first);
   const double most_words = std::min(
       1.0, performance::highest_lane_throughput(asked, scene.system.request_beats.value_or(1)));
   kind.initiation_interval = std::max(cycles_per_word(scene, first), 1 / most_words);

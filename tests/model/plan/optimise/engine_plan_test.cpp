@@ -210,6 +210,12 @@ TEST_F(EnginePlan, IsSlowerOnDataThatItLeavesUndecided) {
   expect_plans_at_rates(rates_of({{8, 400'000}, {10, 300'000}}));
 }
 
+/// Lanes of a segment have no stream of requests that they share, as groups of streams have.
+TEST_F(EnginePlan, KeepsItsThroughputWhereSegmentsLeaveMuchUndecided) {
+  rates_ = rates_of({{8, 80'000}, {10, 80'000}});
+  expect_plans_at_rates(rates_of({{8, 400'000}, {10, 300'000}}));
+}
+
 /// The memory starts one recomputation a cycle, whatever the references could do.
 TEST_F(EnginePlan, ServesNoMoreRecomputationsThanItsMemoryStarts) {
   options_.clocks.lane_mhz = 100;
