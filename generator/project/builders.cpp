@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "generator/hardware/emit/constraints.hpp"
 #include "generator/hardware/emit/version.hpp"
@@ -23,6 +24,12 @@ Values common_values(const ProjectSpec& spec, const std::string& comment) {
           {"PERIOD_NS", fmt::format("{:.3f}", 1000 / spec.signature.target_mhz)},
           {"PORT_DELAYS",
            fmt::format("{}", fmt::join(emit::port_delays(spec.signature, spec.device), "\n"))}};
+}
+
+std::string in_capitals(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char letter) { return std::toupper(letter); });
+  return name;
 }
 
 void add_counter_values(const emit::Signature& signature,

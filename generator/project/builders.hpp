@@ -29,6 +29,8 @@ std::string joined(const std::vector<std::string>& lines, const std::string& bef
 std::string source_list(const ProjectSpec& spec, const std::string& before,
                         const std::string& after);
 
+std::string in_capitals(std::string name);
+
 /// A script made from a template, which its user may execute.
 GeneratedFile script_from(const std::string& name, const std::string& file, const Values& values);
 /// Any other file made from a template.

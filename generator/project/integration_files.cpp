@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "generator/hardware/emit/verilog.hpp"
 #include "generator/project/builders.hpp"
@@ -87,12 +86,6 @@ GeneratedFile vhdl_package(const ProjectSpec& spec, const std::vector<Unit>& uni
           .text = fmt::format("{}\n\nlibrary ieee;\nuse ieee.std_logic_1164.all;\n\n"
                               "package {} is\n{}\nend package;\n",
                               common_values(spec, "--").at("PROVENANCE"), package, components)};
-}
-
-std::string in_capitals(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char letter) { return std::toupper(letter); });
-  return name;
 }
 
 /// The header with which C and C++ programs read the counters of an AXI4-Lite port.

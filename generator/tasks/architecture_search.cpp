@@ -132,6 +132,17 @@ Characterisation part_of(const Characterisation& table, bool datapaths) {
 
 }  // namespace
 
+Result<optimise::Rates> count_rates(const OptimiseRequest& request, const LoadedScene& loaded) {
+  optimise::OptimiseOptions choice = request.choice;
+  choice.bounds = bounds_for(choice, loaded.scene);
+  MIXCMP_TRY(tier, optimise::second_tier_lane(loaded.scene));
+  if (tier) choice.last_precision = std::max(choice.last_precision, tier->format.precision());
+  const std::vector<LaneInputs> inputs = inputs_for(choice);
+  MIXCMP_TRY(counted,
+             measure_rates(loaded, {inputs.begin(), inputs.end()}, choice, request.progress));
+  return optimise::Rates::of(counted);
+}
+
 Result<ArchitectureSearch> ArchitectureSearch::make(const OptimiseRequest& request,
                                                     const std::vector<Formulation>& formulations) {
   ArchitectureSearch search(request);
@@ -195,14 +206,8 @@ Result<Done> ArchitectureSearch::count_rates(const Formulation& formulation) {
     rates_.push_back(rates_[k]);  // rates do not depend on the system around a lane
     return Done{};
   }
-  optimise::OptimiseOptions choice = request_->choice;
-  choice.bounds = bounds_for(choice, loaded.scene);
-  MIXCMP_TRY(tier, optimise::second_tier_lane(loaded.scene));
-  if (tier) choice.last_precision = std::max(choice.last_precision, tier->format.precision());
-  const std::vector<LaneInputs> inputs = inputs_for(choice);
-  MIXCMP_TRY(counted,
-             measure_rates(loaded, {inputs.begin(), inputs.end()}, choice, request_->progress));
-  rates_.push_back(optimise::Rates::of(counted));
+  MIXCMP_TRY(rates, tasks::count_rates(*request_, loaded));
+  rates_.push_back(std::move(rates));
   return Done{};
 }
 

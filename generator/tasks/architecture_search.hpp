@@ -11,6 +11,9 @@
 
 namespace mixcmp::tasks {
 
+/// Counts the rates of all lanes that a plan of the request may have.
+Result<optimise::Rates> count_rates(const OptimiseRequest& request, const LoadedScene& loaded);
+
 /// The systems of all architectures of a scene's formulations, with predicted areas. Lanes and
 /// references do not depend on the streams around them, so they are predicted once for each
 /// formulation.

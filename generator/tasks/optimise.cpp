@@ -23,11 +23,6 @@ bool is_set(const Words& settings, const std::string& key) {
                      [&](const std::string& each) { return each.starts_with(key + "="); });
 }
 
-Words joined(Words settings, const Words& more) {
-  settings.insert(settings.end(), more.begin(), more.end());
-  return settings;
-}
-
 /// The name that distinguishes this formulation from the scene's others.
 std::string name_of(const scene::Scene& scene) {
   std::string name = scene.variant.empty() ? "[comparison]" : "variant " + scene.variant;

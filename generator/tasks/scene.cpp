@@ -58,6 +58,12 @@ Error located(const Error& error, const SceneRequest& request) {
   return scene::with_location(error, request.source, request.settings);
 }
 
+std::vector<std::string> joined(std::vector<std::string> settings,
+                                const std::vector<std::string>& more) {
+  settings.insert(settings.end(), more.begin(), more.end());
+  return settings;
+}
+
 Result<LoadedScene> load(const SceneRequest& request,
                          const workload::ComparisonProgress& progress) {
   Result<scene::Scene> scene = scene::load_scene(request.source, request.settings);
@@ -105,8 +111,7 @@ Result<std::vector<LoadedScene>> load_formulations(const SceneRequest& request,
   std::vector<LoadedScene> formulations = {loaded};
   if (!loaded.scene.variant.empty()) return formulations;
   for (const std::string& variant : loaded.scene.variants) {
-    std::vector<std::string> settings = request.settings;
-    settings.push_back("comparison.variant=" + variant);
+    const auto settings = joined(request.settings, {"comparison.variant=" + variant});
     MIXCMP_TRY(scene, scene::load_scene(request.source, settings));
     formulations.push_back({std::move(scene), loaded.data});
   }

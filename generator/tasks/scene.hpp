@@ -20,6 +20,10 @@ struct SceneRequest {
   std::vector<std::string> settings = {};  ///< "section.key=value"
 };
 
+/// Settings and then more of them, which win over the first.
+std::vector<std::string> joined(std::vector<std::string> settings,
+                                const std::vector<std::string>& more);
+
 /// A scene with its data, if it names any.
 struct LoadedScene {
   scene::Scene scene;

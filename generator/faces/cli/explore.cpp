@@ -4,8 +4,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 
+#include "generator/faces/cli/data_sets.hpp"
 #include "generator/faces/cli/exit.hpp"
 #include "generator/faces/cli/output.hpp"
 #include "generator/faces/cli/planning.hpp"
@@ -18,7 +18,6 @@
 #include "generator/software/baseline.hpp"
 #include "model/base/common/file.hpp"
 #include "model/base/common/output_file.hpp"
-#include "model/base/common/quote.hpp"
 #include "model/base/common/scratch_folder.hpp"
 #include "model/plan/optimise/exploration.hpp"
 #include "model/plan/optimise/plan.hpp"
@@ -42,31 +41,14 @@ struct ExploreCommand {
 };
 
 /// The settings of --over, one per data set; without --over, one empty setting.
-Result<std::vector<std::string>> data_sets(const std::string& over) {
-  if (over.empty()) return std::vector<std::string>{""};
-  const std::size_t equals = over.find('=');
-  std::vector<std::string> sets;
-  if (equals != std::string::npos && equals > 0) {
-    std::istringstream values(over.substr(equals + 1));
-    for (std::string value; std::getline(values, value, ',');) {
-      if (!value.empty()) sets.push_back(over.substr(0, equals + 1) + value);
-    }
-  }
-  if (!sets.empty() && over.starts_with("data.")) return sets;
-  return Error{.file = {},
-               .field = "--over",
-               .message = "names no data sets",
-               .received = in_quotes(over),
-               .accepted = "a key of [data] with values, such as data.radius_max=5,10,25"};
+Result<std::vector<std::string>> sets_of(const ExploreCommand& command) {
+  if (command.over.empty()) return std::vector<std::string>{""};
+  return data_sets("--over", command.over);
 }
 
-/// The scene's options with one data set. Errors in its setting name --over.
+/// The scene's options with one data set.
 SceneOptions with_set(const ExploreCommand& command, const std::string& set) {
-  SceneOptions options = command.planning.scene;
-  if (set.empty()) return options;
-  options.settings.push_back(set);
-  options.shortcuts[set.substr(0, set.find('='))] = "--over";
-  return options;
+  return with_data_set(command.planning.scene, "--over", set);
 }
 
 /// The rates of one data set. They are kept in the output folder, so that an interrupted run can be
@@ -367,19 +349,6 @@ void write_files(Findings& findings, const fs::path& page_path) {
   value_or_exit(page.commit());
 }
 
-/// Refuses data sets that would each have lanes of their own: the plan for the worst of them has
-/// one kind of lane, whose ranges are those of the scene's data.
-void check_ranges(const ExploreCommand& command, const scene::Scene& scene) {
-  if (command.over.empty()) return;
-  const auto measured = std::find(scene.data_ranges.begin(), scene.data_ranges.end(), true);
-  if (measured == scene.data_ranges.end()) return;
-  const auto input = static_cast<std::size_t>(measured - scene.data_ranges.begin());
-  fail({.field = "--over",
-        .message = "the range of an input would be another one in each data set",
-        .received = fmt::format("range = \"data\" for {}", scene.graph.inputs()[input]),
-        .accepted = "[low, high], a range that all data sets keep"});
-}
-
 /// Loads the devices and their tables, and checks all that the run reads and writes.
 std::vector<Planning> plannings_for(const ExploreCommand& command, const LoadedScene& loaded,
                                     const std::vector<std::string>& settings) {
@@ -400,8 +369,8 @@ void run(const ExploreCommand& command) {
     tell_note("variants left out: explore plans [comparison], or what --variant names");
   }
   value_or_exit(check_has_data(loaded, "recomputation rates are measured on data"));
-  check_ranges(command, loaded.scene);
-  const std::vector<std::string> settings = value_or_exit(data_sets(command.over));
+  if (!command.over.empty()) check_ranges("--over", loaded.scene);
+  const std::vector<std::string> settings = value_or_exit(sets_of(command));
   const std::vector<Planning> known = plannings_for(command, loaded, settings);
   value_or_exit(check_writable({command.page}));
   const FolderLock held = lock_folder(command.output);

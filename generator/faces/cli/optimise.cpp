@@ -9,6 +9,7 @@
 #include "generator/faces/cli/exit.hpp"
 #include "generator/faces/cli/optimise_report.hpp"
 #include "generator/faces/cli/output.hpp"
+#include "generator/faces/cli/plan_set.hpp"
 #include "generator/faces/cli/planning.hpp"
 #include "generator/faces/cli/verbs.hpp"
 #include "generator/present/report/json_text.hpp"
@@ -30,6 +31,7 @@ struct OptimiseCommand {
   fs::path lp;
   bool predict_only = false;
   double at_least = 0;  ///< G comparisons/s
+  PlanSetOptions set;
 };
 
 /// Refuses rates of another reference. Notes that the rates are of other data, which may be
@@ -61,11 +63,11 @@ std::optional<optimise::Rates> given_rates(const OptimiseCommand& command,
 }
 
 std::string command_of(const OptimiseCommand& command) {
-  return planning_command_line("optimise", command.planning)
-      .add("--rates", command.rates.string())
-      .add_flag("--predict-only", command.predict_only)
-      .add("--at-least", command.at_least == 0 ? "" : fmt::format("{}", command.at_least))
-      .text();
+  CommandLine line = planning_command_line("optimise", command.planning);
+  line.add("--rates", command.rates.string()).add_flag("--predict-only", command.predict_only);
+  if (command.at_least > 0) line.add("--at-least", fmt::format("{}", command.at_least));
+  add_to(line, command.set);
+  return line.text();
 }
 
 /// The request of the command. Components of the best plan are synthesised for their areas only.
@@ -167,6 +169,10 @@ void run(OptimiseCommand& command) {
   const LoadedScene loaded = value_or_exit(load(planning.scene));
   value_or_exit(check_options_of(planning));
   const tasks::OptimiseRequest request = request_of(command, loaded);
+  if (command.set.plans > 0) {
+    command.set.output = command.plan;
+    return run_plan_set(planning, command.set, request, command_of(command));
+  }
   std::vector<fs::path> inputs = inputs_of(planning.scene, loaded.scene);
   inputs.push_back(command.rates);
   for (const tasks::Formulation& each : value_or_exit(tasks::formulations_of(request, loaded))) {
@@ -205,6 +211,7 @@ void add_optimise(CLI::App& app) {
               "plan the smallest system with so many G comparisons/s, not the fastest; without "
               "--table")
       .check(between(1e-6, 1e9, "G/S"));
+  add_plan_set_options(verb, command->set);
   verb.when_chosen([command] { run(*command); });
 }
 

@@ -150,17 +150,6 @@ std::optional<LaneRates> rates_of(PrecisionSearch& search, const Lane& lane) {
   return has_enough_exponents(search, lane) ? std::optional(rates) : std::nullopt;
 }
 
-/// Cycles from one comparison to the next, or in groups from one word to the next. With refetched
-/// operands the tags of a lane's stream are read once for each result and once more for each
-/// request (rtl_templates/stream/README.md).
-double cycles_per_word(const PrecisionSearch& search, double recomputation_rate) {
-  const scene::SystemSpec& system = search.system();
-  const bool refetches = system.operands == scene::OperandStore::refetched &&
-                         system.references.value_or(1) > 0 && !search.inputs.has_engine();
-  if (!refetches) return 1;
-  return 1 + performance::undecided_words(recomputation_rate, system.lanes_per_group);
-}
-
 /// A lane with the streams around it, or its share of a segment.
 struct Surrounded {
   devices::Area area;                 ///< of a lane, rounded up
@@ -188,7 +177,7 @@ void add_lane(PrecisionPlan& plan, const PrecisionSearch& search, const Measurem
   added.rate = rates.reference;
   added.kind = {.name = lane_name(lane_in(row)),
                 .clock_hz = mhz * hertz_per_mhz,
-                .initiation_interval = cycles_per_word(search, rates.stream.value()),
+                .initiation_interval = cycles_per_word(search.inputs.scene, rates.stream.value()),
                 .recomputation_rate = rates.reference.value(),
                 .area = surrounded.group,
                 .group = surrounded.lanes};
@@ -451,6 +440,15 @@ std::vector<PrecisionPlan> plans_of(PrecisionSearch& search, const Rows& lanes) 
 }
 
 }  // namespace
+
+double cycles_per_word(const scene::Scene& scene, double recomputation_rate) {
+  const scene::SystemSpec& system = scene.system;
+  const bool refetches = system.operands == scene::OperandStore::refetched &&
+                         system.references.value_or(1) > 0 &&
+                         system.engine.kind == scene::EngineKind::none;
+  if (!refetches) return 1;
+  return 1 + performance::undecided_words(recomputation_rate, system.lanes_per_group);
+}
 
 std::vector<ReferenceImplementation> references_of(const PlanningInputs& inputs, const Rows& rows,
                                                    Findings& findings) {

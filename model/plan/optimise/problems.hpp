@@ -8,6 +8,11 @@
 
 namespace mixcmp::optimise {
 
+/// Cycles from one comparison to the next, or in groups from one word to the next. With refetched
+/// operands the tags of a lane's stream are read once for each result and once more for each
+/// request (rtl_templates/stream/README.md).
+double cycles_per_word(const scene::Scene& scene, double recomputation_rate);
+
 std::vector<ReferenceImplementation> references_of(const PlanningInputs& inputs, const Rows& rows,
                                                    Findings& findings);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <sstream>
 
 #include "model/base/common/file.hpp"
@@ -136,6 +137,19 @@ void Rates::raise_to(const Rates& other) {
     const auto [place, added] = rates_.emplace(key, rate);
     if (!added && rate.value() > place->second.value()) place->second = rate;
   }
+}
+
+Rates Rates::mixed_with(const Rates& other, double of_other) const {
+  constexpr std::uint64_t comparisons = 1'000'000'000'000'000;
+  Rates mixed;
+  for (const auto& [key, rate] : rates_) {
+    const auto found = other.rates_.find(key);
+    if (found == other.rates_.end()) continue;
+    const double value = rate.value() + of_other * (found->second.value() - rate.value());
+    mixed.rates_[key] = {static_cast<std::uint64_t>(std::llround(value * comparisons)),
+                         comparisons};
+  }
+  return mixed;
 }
 
 std::optional<Rate> Rates::find(const RateKey& key) const {

@@ -49,6 +49,10 @@ public:
   /// has is used unchanged.
   void raise_to(const Rates& other);
 
+  /// The rates on data of which the part `of_other`, in [0, 1], is the other data. A rate that only
+  /// one of the two has is left out.
+  Rates mixed_with(const Rates& other, double of_other) const;
+
   /// Lanes in fixed point have one rate for all kinds of inputs.
   std::optional<Rate> find(const RateKey& key) const;
   /// From the file's row of the reference, if it has one.

@@ -205,5 +205,22 @@ TEST_F(ChainPlan, TakesWhatTheLargerEngineTakesHoweverLittleTheSmallerDoes) {
             engine_luts + 9 * stage_luts);
 }
 
+TEST_F(ChainPlan, IsSlowerWhereItsReferencesCannotKeepUp) {
+  expect_plans_at_rates(rates_of({{8, 400'000}, {10, 300'000}}));
+}
+
+/// Rows do not overtake: of 12 lanes and one reference at half of the clock, each lane leaves 10 %
+/// undecided, so a row takes 1.2 recomputations.
+TEST_F(ChainPlan, WaitsForItsBusiestReference) {
+  device_.available = {.luts = 100'000, .registers = 1'000'000, .dsps = 10'000};
+  const Optimisation found = optimise_now();
+  const PrecisionPlan& plan = *found.best();
+  ASSERT_EQ(plan.allocation()->reference_count(), 1);
+  const auto more = at_rates(plan, scene_, rates_of({{8, 100'000}, {10, 100'000}}));
+  ASSERT_TRUE(more);
+  const double own = plan.throughput_per_s();
+  EXPECT_NEAR(more->throughput_per_s, own / 1.2, own * 1e-9);
+}
+
 }  // namespace
 }  // namespace mixcmp::test::chain_plan_test

@@ -206,5 +206,34 @@ TEST_F(EnginePlan, LanesInFixedPointNeedTheirConversion) {
   EXPECT_TRUE(missing.empty());
 }
 
+TEST_F(EnginePlan, IsSlowerOnDataThatItLeavesUndecided) {
+  expect_plans_at_rates(rates_of({{8, 400'000}, {10, 300'000}}));
+}
+
+/// Lanes of a segment have no stream of requests that they share, as groups of streams have.
+TEST_F(EnginePlan, KeepsItsThroughputWhereSegmentsLeaveMuchUndecided) {
+  rates_ = rates_of({{8, 80'000}, {10, 80'000}});
+  expect_plans_at_rates(rates_of({{8, 400'000}, {10, 300'000}}));
+}
+
+/// The memory starts one recomputation a cycle, whatever the references could do.
+TEST_F(EnginePlan, ServesNoMoreRecomputationsThanItsMemoryStarts) {
+  options_.clocks.lane_mhz = 100;
+  options_.clocks.reference_mhz = 1000;
+  options_.clocks.domains = optimise::ClockDomains::separate;
+  const Optimisation found = optimise_now();
+  const optimise::PrecisionPlan& plan = *found.best();
+  const auto more = at_rates(plan, scene_, rates_of({{8, 400'000}, {10, 400'000}}));
+  ASSERT_TRUE(more);
+  ASSERT_GT(plan.allocation()->lane_count() * 0.4, 1);
+  EXPECT_NEAR(more->throughput_per_s, 100e6 / 0.4, 1);
+}
+
+TEST_F(EnginePlan, WithASecondTierIsSlowerWhereItsTierIsBusy) {
+  give_second_tier();
+  rates_ = rates_of_tiers({{8, 5000}, {10, 200}, {13, 10}});
+  expect_plans_at_rates(rates_of_tiers({{8, 900'000}, {10, 800'000}, {13, 500'000}}));
+}
+
 }  // namespace
 }  // namespace mixcmp::test::engine_plan_test

@@ -343,5 +343,24 @@ TEST_F(Optimise, ScenarioTwoPlansForTheWorstRateOfEachKind) {
   EXPECT_DOUBLE_EQ(column.worst.plans[2].lanes[0].kind.recomputation_rate, 10 / 1e6);
 }
 
+TEST_F(Optimise, APlanIsSlowerOnDataThatItsReferencesCannotServe) {
+  expect_plans_at_rates(rates_of({{8, 400'000}, {10, 300'000}, {12, 300'000}}));
+}
+
+/// A plan with refetched operands is slower at any higher rate: tags are read twice.
+TEST_F(Optimise, APlanThatRefetchesReadsTheTagsOfMoreComparisonsTwice) {
+  scene_.system.operands = scene::OperandStore::refetched;
+  const Optimisation found = optimise_now();
+  const optimise::PrecisionPlan& plan = *found.best();
+  const auto none = at_rates(plan, scene_, rates_of({{8, 10}, {10, 10}, {12, 10}}));
+  const auto some = at_rates(plan, scene_, rates_of({{8, 1010}, {10, 1010}, {12, 1010}}));
+  ASSERT_TRUE(none && some);
+  EXPECT_NEAR(some->throughput_per_s / none->throughput_per_s, 0.999, 1e-4);
+}
+
+TEST_F(Optimise, APlanHasNoThroughputAtRatesThatAreNotKnown) {
+  EXPECT_FALSE(at_rates(*optimise_now().best(), scene_, rates_of({{4, 10}})));
+}
+
 }  // namespace
 }  // namespace mixcmp::test::optimise_test

@@ -10,6 +10,7 @@
 
 #include "model/base/settings/bound_name.hpp"
 #include "model/plan/optimise/optimise.hpp"
+#include "model/plan/optimise/plan_at_rates.hpp"
 #include "tests/model/plan/profile/profile_cases.hpp"
 #include "tests/support/sphere.hpp"
 
@@ -111,6 +112,29 @@ protected:
     auto found = optimise::optimise(scene_, device_, table_, rates_, options_);
     if (!found.ok()) throw std::runtime_error(found.error().to_string());
     return std::move(found).value();
+  }
+
+  /// At its own rates each plan has its own throughput; at higher ones it is slower, but serves as
+  /// many recomputations as before.
+  void expect_plans_at_rates(const optimise::Rates& higher) const {
+    const auto found = optimise::optimise(scene_, device_, table_, rates_, options_);
+    ASSERT_TRUE(found.ok()) << found.error().to_string();
+    int feasible = 0;
+    for (const optimise::PrecisionPlan& plan : found->plans) {
+      if (plan.allocation() == nullptr) continue;
+      ++feasible;
+      const auto own = at_rates(plan, scene_, rates_);
+      ASSERT_TRUE(own) << plan.precision;
+      EXPECT_NEAR(own->throughput_per_s / plan.throughput_per_s(), 1, 1e-9) << plan.precision;
+      const auto other = at_rates(plan, scene_, higher);
+      ASSERT_TRUE(other) << plan.precision;
+      EXPECT_GT(other->counted_rate, own->counted_rate) << plan.precision;
+      EXPECT_LT(other->throughput_per_s, own->throughput_per_s) << plan.precision;
+      EXPECT_GE(other->throughput_per_s * other->counted_rate,
+                own->throughput_per_s * own->counted_rate * (1 - 1e-9))
+          << plan.precision;
+    }
+    EXPECT_GT(feasible, 0);
   }
 
   scene::Scene scene_ = scene_of(sphere_graph(), format_of(53, 8), {format_of(8, 8)});

@@ -155,5 +155,19 @@ TEST_F(SecondLanes, AreWrittenIntoThePlan) {
   EXPECT_NE(text.find("\n[second_tier]\ncount = " + count + "\n"), std::string::npos) << text;
 }
 
+TEST_F(SecondLanes, SlowDownWhereTheirLanesLeaveMoreUndecided) {
+  expect_plans_at_rates(rates_of_bits({{7, 200'000}, {10, 100'000}, {13, 5000}}));
+}
+
+/// Second lanes take 0.8 requests a cycle each, whatever the references could do.
+TEST_F(SecondLanes, LimitTheThroughput) {
+  const Optimisation found = optimise_now();
+  const optimise::PrecisionPlan& plan = *found.best();
+  const auto more = at_rates(plan, scene_, rates_of_bits({{7, 400'000}, {13, 100}}));
+  ASSERT_TRUE(more);
+  EXPECT_DOUBLE_EQ(more->counted_rate, 0.4) << "requests to the second tier";
+  EXPECT_DOUBLE_EQ(more->throughput_per_s, plan.second_lanes->count * 0.8 * 150e6 / 0.4);
+}
+
 }  // namespace
 }  // namespace mixcmp::test::second_lanes_test

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+/// Plan sets: a few plans that together serve data sets with different recomputation rates
+/// (section V of the paper, "rates that change or are not known").
+namespace mixcmp::optimise {
+
+/// Seconds per comparison of each plan on each data set, [plan][set]; infinite where a plan does
+/// not serve a set. All plans have the same sets.
+using PlanSeconds = std::vector<std::vector<double>>;
+
+struct PlanChoice {
+  std::vector<std::size_t> plans;  ///< the plan that is best by itself comes first
+  /// Of as many comparisons from each data set, each set served by its fastest plan: seconds per
+  /// comparison, summed over the sets.
+  double seconds = 0;
+};
+
+/// The best choices of at most 1, 2, ... `most` plans: those of the least seconds. A choice has
+/// fewer plans than allowed if more gain nothing. Exact, by branch and bound: `left` further plans
+/// gain at most the sum of what the `left` best of them gain each by itself. `plans` has at least
+/// one plan, and some plan serves each set.
+std::vector<PlanChoice> choose_plans(const PlanSeconds& plans, int most);
+
+/// The same by trying all choices, for small problems: the oracle of the tests.
+std::vector<PlanChoice> choose_plans_exhaustively(const PlanSeconds& plans, int most);
+
+}  // namespace mixcmp::optimise
