@@ -24,7 +24,7 @@ struct OptimiseRequest {
   /// The smallest system with so many comparisons per second is wanted. 0: the fastest. Not by a
   /// table.
   double at_least_per_s = 0;
-  /// Of the synthesis. Its query is not used.
+  /// How components are synthesised; the query in it is not used.
   components::CharacteriseOptions synthesis = {};
   /// Predicts areas; empty: components::AreaPredictor.
   components::PredictedArea area_of = {};
