@@ -117,6 +117,7 @@ bool has_streams_of(const Characterisation& table, const scene::SystemSpec& syst
 
 /// The scene with a share of the room that its slack leaves.
 scene::Scene scene_in(scene::Scene scene, double share) {
+  if (share == 1) return scene;
   scene.system.slack = 1 - share * (1 - scene.system.slack);
   return scene;
 }
@@ -172,16 +173,6 @@ Result<ArchitectureSearch> ArchitectureSearch::make(const OptimiseRequest& reque
         fmt::format("components with {} left out: the library of unit areas lacks it", unknown));
   }
   return search;
-}
-
-Error ArchitectureSearch::explained(const Error& error) const {
-  if (predictor_ == nullptr || predictor_->unknown().empty()) return error;
-  std::string command = fmt::format("mixcmp units SCENE --device {}", device_.name);
-  for (const std::string& unknown : predictor_->unknown()) command += " --template " + unknown;
-  return {.field = "system.device",
-          .message = "areas cannot be predicted, since the library of unit areas lacks templates",
-          .received = fmt::format("{}", fmt::join(predictor_->unknown(), ", ")),
-          .accepted = "what this measures: " + command};
 }
 
 Result<Done> ArchitectureSearch::choose_areas() {
@@ -362,7 +353,7 @@ Result<OptimiseResult> ArchitectureSearch::best() const {
     return Error{.field = "at_least",
                  .message = "no system on " + device_.name + " is so fast",
                  .received = fmt::format("{:.4g} G comparisons/s", least_per_s / 1e9),
-                 .accepted = fmt::format("at most {:.4g}", best.best().throughput_per_s() / 1e9)};
+                 .accepted = fmt::format("less than {:.4f}", best.best().throughput_per_s() / 1e9)};
   }
   for (int too_small = 0, enough = steps; enough - too_small > 1;) {
     const int middle = (too_small + enough) / 2;
@@ -395,6 +386,16 @@ Result<std::vector<FrontPoint>> ArchitectureSearch::front(const PlannedSystem& s
   return points;
 }
 
+Error ArchitectureSearch::explained(const Error& error) const {
+  if (predictor_ == nullptr || predictor_->unknown().empty()) return error;
+  std::string command = fmt::format("mixcmp units SCENE --device {}", device_.name);
+  for (const std::string& unknown : predictor_->unknown()) command += " --template " + unknown;
+  return {.field = "system.device",
+          .message = "areas cannot be predicted, since the library of unit areas lacks templates",
+          .received = fmt::format("{}", fmt::join(predictor_->unknown(), ", ")),
+          .accepted = "what this measures: " + command};
+}
+
 Result<OptimiseResult> ArchitectureSearch::best_in(Share share) const {
   OptimiseResult result;
   std::vector<Choice> choices;
@@ -415,7 +416,7 @@ Result<OptimiseResult> ArchitectureSearch::best_in(Share share) const {
     if (possible.contains(k)) continue;
     result.left_out.emplace_back(formulations_[k].name, errors.at(k));
   }
-  if (possible.empty()) return result.left_out.front().second;
+  if (possible.empty()) return explained(result.left_out.front().second);
   result.systems = std::move(fastest);
   if (result.systems.empty()) {  // what is short is said for one of them
     MIXCMP_TRY(none, planned(possible.begin()->second, share, request_->choice));

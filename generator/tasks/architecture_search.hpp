@@ -46,10 +46,6 @@ public:
 
   const std::vector<std::string>& notes() const { return notes_; }
 
-  /// The error of a search without a plan: if the library of unit areas lacks templates, it is
-  /// that.
-  Error explained(const Error& error) const;
-
 private:
   struct System {
     std::size_t formulation;
@@ -77,6 +73,9 @@ private:
   /// A share of the room that the scene's slack leaves, above 0 and at most 1.
   using Share = double;
   Result<OptimiseResult> best_in(Share share) const;
+  /// Why no system has lanes and references: names the templates that the library of unit areas
+  /// lacks, or is the error unchanged.
+  Error explained(const Error& error) const;
   Result<std::vector<Choice>> choices_of(std::size_t system, Share share) const;
   Result<PlannedSystem> planned(std::size_t system, Share share,
                                 optimise::OptimiseOptions options) const;

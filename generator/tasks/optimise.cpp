@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_rounds = 3;
+constexpr int most_rounds = 5;
 
 using Words = std::vector<std::string>;
 
@@ -212,9 +212,8 @@ Result<OptimiseResult> optimise(const OptimiseRequest& request, const LoadedScen
   }
   if (!request.planning.table.empty()) return plan_by_tables(request, formulations);
   MIXCMP_TRY(search, ArchitectureSearch::make(request, formulations));
-  Result<OptimiseResult> predicted = search.best();
-  if (!predicted.ok()) return search.explained(predicted.error());
-  MIXCMP_TRY(result, confirm(request, loaded, search, std::move(predicted).value()));
+  MIXCMP_TRY(predicted, search.best());
+  MIXCMP_TRY(result, confirm(request, loaded, search, std::move(predicted)));
   if (result.best().found.best() != nullptr) {
     MIXCMP_TRY(front, search.front(result.best()));
     result.front = std::move(front);

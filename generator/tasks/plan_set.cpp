@@ -366,6 +366,9 @@ Result<Done> PlanSetSearch::find_all() {
     return items_of(a.data) < items_of(b.data);
   };
   largest_ = &*std::max_element(request_->sets.begin(), request_->sets.end(), fewer_items);
+  for (const DataSet& block : request_->stream) {
+    if (fewer_items(*largest_, block)) largest_ = &block;
+  }
   MIXCMP_TRY(loaded, loaded_with(*largest_, {}));
   MIXCMP_DO(check_certified(loaded.scene));
   for (const Words& variant : variants_of(request_->optimise, loaded.scene)) {

@@ -238,6 +238,19 @@ Result<units::UnitAreas> started_library(const UnitsRequest& request) {
                .accepted = request.device.synthesis};
 }
 
+Result<Done> check_templates(const std::set<std::string>& templates, const Candidates& candidates) {
+  std::vector<std::string> known;
+  for (const auto& [name, instances] : candidates) known.push_back(name);
+  for (const std::string& name : templates) {
+    if (candidates.contains(name)) continue;
+    return Error{.field = "template",
+                 .message = "these scenes have no units of it",
+                 .received = name,
+                 .accepted = fmt::format("{}", fmt::join(known, ", "))};
+  }
+  return Done{};
+}
+
 /// Units of one template that one run of Yosys maps.
 struct Batch {
   std::vector<rtl::TemplateInstance> instances;
@@ -297,9 +310,10 @@ Result<UnitsReport> make_unit_library(const UnitsRequest& request) {
   }
   UnitsReport report{.candidates = collector.count()};
   LibraryFile library(std::move(started), request.library);
-  const std::vector<Batch> batches =
-      batches_of(collector.chosen(static_cast<std::size_t>(request.units_of_a_template)),
-                 request.templates, library, report);
+  const Candidates candidates =
+      collector.chosen(static_cast<std::size_t>(request.units_of_a_template));
+  MIXCMP_DO(check_templates(request.templates, candidates));
+  const std::vector<Batch> batches = batches_of(candidates, request.templates, library, report);
   std::vector<characterise::Work> all;
   for (const Batch& batch : batches) {
     const std::string& module = batch.instances.front().module;

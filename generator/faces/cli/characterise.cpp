@@ -46,9 +46,15 @@ std::vector<MissingKind> missing_kinds(const std::vector<components::MissingLane
 
 using Predicted = std::vector<std::optional<devices::Area>>;  ///< of each row
 
+/// None with a note if the library of unit areas cannot be read: the table has been measured.
 Predicted predict(const CharacteriseReport& report, const LoadedScene& loaded,
                   const devices::Device& device) {
-  auto predictor = value_or_exit(components::AreaPredictor::make(device));
+  Result<components::AreaPredictor> made = components::AreaPredictor::make(device);
+  if (!made.ok()) {
+    tell_note("areas are not compared with predicted ones: " + made.error().to_string());
+    return Predicted(report.table.rows.size());
+  }
+  components::AreaPredictor predictor = std::move(made).value();
   return components::predicted_areas(predictor, report.table, loaded.scene, loaded.data_if_any());
 }
 

@@ -111,14 +111,18 @@ public:
   /// Finds the highest throughput over all clocks, then the cheapest plan that reaches it.
   std::optional<Allocation> run() {
     for (const double clock : candidate_clocks(problem_)) try_clock(clock);
+    const bool is_fastest = is_proven_;
     std::optional<Allocation> best;
     for (const auto& [clock, found] : best_) {
       const Allocation plan = cheapest(clock, found);
       if (!best || is_better(plan, *best)) best = plan;
     }
-    if (best) best->is_proven = is_proven_;
+    if (best) best->is_proven = is_fastest;
     return best;
   }
+
+  /// All programs so far were solved.
+  bool is_proven() const { return is_proven_; }
 
 private:
   struct Found {
@@ -257,7 +261,7 @@ private:
 
   const AllocationProblem& problem_;
   double best_per_s_ = 0;
-  bool is_proven_ = true;  ///< all programs so far were solved
+  bool is_proven_ = true;
   /// by clock, for clocks that reach best_per_s_
   std::map<double, Allocation, std::greater<>> best_;
 };
@@ -345,17 +349,24 @@ std::vector<int> spread(const std::vector<int>& counts, const std::vector<int>& 
 }
 
 /// The best plan, by a search among the kinds that it may have.
-std::optional<Allocation> best_allocation(const AllocationProblem& problem) {
+AllocationResult best_allocation(const AllocationProblem& problem) {
   const std::vector<int> lanes = useful_kinds(problem.lanes);
   const std::vector<int> references = useful_kinds(problem.references);
   AllocationProblem smaller = problem;
   smaller.lanes = chosen(problem.lanes, lanes);
   smaller.references = chosen(problem.references, references);
-  std::optional<Allocation> plan = Search(smaller).run();
-  if (!plan) return plan;
-  plan->lanes = spread(plan->lanes, lanes, problem.lanes.size());
-  plan->references = spread(plan->references, references, problem.references.size());
-  return plan;
+  Search search(smaller);
+  std::optional<Allocation> plan = search.run();
+  if (plan) {
+    plan->lanes = spread(plan->lanes, lanes, problem.lanes.size());
+    plan->references = spread(plan->references, references, problem.references.size());
+    return *std::move(plan);
+  }
+  if (!search.is_proven()) {
+    return Infeasible{.shortages = {}, .message = "the search was cut short before it had a plan"};
+  }
+  if (problem.at_least_per_s == 0) return explain_infeasible(problem);
+  return Infeasible{.shortages = {}, .message = "slower than a plan that is known"};
 }
 
 }  // namespace
@@ -363,10 +374,7 @@ std::optional<Allocation> best_allocation(const AllocationProblem& problem) {
 AllocationResult allocate(const AllocationProblem& problem) {
   check(problem);
   if (problem.lanes.empty() || !fixed_fits(problem)) return explain_infeasible(problem);
-  const std::optional<Allocation> plan = best_allocation(problem);
-  if (plan) return *plan;
-  if (problem.at_least_per_s == 0) return explain_infeasible(problem);
-  return Infeasible{.shortages = {}, .message = "slower than a plan that is known"};
+  return best_allocation(problem);
 }
 
 std::string to_lp(const AllocationProblem& problem) {

@@ -60,7 +60,6 @@ Model make_model(const IntegerProgram& program, const Effort& effort) {
   Cbc_setParameter(model.get(), "mixedIntegerRoundingCuts", "on");
   // CBC's depth-first search does not count its nodes.
   if (effort.nodes != Effort().nodes) Cbc_setParameter(model.get(), "depthMiniBab", "-1000");
-  // CBC's depth-first search does not count its nodes.
   Cbc_setAllowableGap(model.get(), 0);
   Cbc_setAllowableFractionGap(model.get(), effort.may_lose);
   Cbc_setMaximumNodes(model.get(), effort.nodes);

@@ -279,6 +279,20 @@ Surrounded with_fifo(const PrecisionSearch& search, const Measurement& lane,
   return {lane.area + share(fifo->area, lanes), lanes * lane.area + fifo->area, lanes, mhz};
 }
 
+/// Whether the lanes that the plan uses have a smaller scoreboard in the table than the one that
+/// was counted: the system would have that one, and the lanes that it serves have a plan of their
+/// own.
+bool counts_another_fifo(const PrecisionSearch& search, const PrecisionPlan& plan,
+                         const measured::Fifo& counted) {
+  if (plan.allocation() == nullptr) return false;
+  int most = 0;
+  for (std::size_t k = 0; k < plan.lanes.size(); ++k) {
+    if (plan.allocation()->lanes[k] == 0) continue;
+    most = std::max(most, slots_of(search, plan.lanes[k].measured));
+  }
+  return most < counted.slots && search.inputs.table.find(measured::Fifo{most}) != nullptr;
+}
+
 /// Lanes with streams; each group asks a reference, or a lane of the second tier.
 PrecisionPlan plan_streams(PrecisionSearch& search, const Rows& rows,
                            const std::optional<SecondLanes>& second) {
@@ -297,7 +311,12 @@ PrecisionPlan plan_streams(PrecisionSearch& search, const Rows& rows,
   }
   const auto most = settings::limits::lanes_in_groups(search.system().lanes_per_group).most;
   plan.problem.max_lanes = most;
+  const double known_per_s = search.known_per_s;
   solve(plan, search);
+  if (!is_given && counts_another_fifo(search, plan, wanted)) {
+    plan.result = Infeasible{.shortages = {}, .message = "its lanes have a smaller scoreboard"};
+    search.known_per_s = known_per_s;
+  }
   return plan;
 }
 

@@ -122,6 +122,28 @@ TEST_F(Optimise, SlotsAreThoseOfAPrecisionsOwnLanes) {
   }
 }
 
+/// A larger scoreboard that costs less, as block memories or a wrong prediction may make it: lanes
+/// that have the smaller one count that.
+TEST_F(Optimise, AScoreboardThatTheSystemHasNotIsNotCounted) {
+  table_.rows.push_back(lane_row("s12e8", "rounded", "relative", "embedded", 6000, 2));
+  table_.rows.back().latency_cycles = 50;
+  table_.rows.push_back(row_of(measured::Fifo{128}, 1));
+  const measured::Fifo small{64};
+  for (measured::Measurement& row : table_.rows) {
+    if (row.key == measured::ComponentKey(small)) row.area.luts = 400;
+  }
+  rates_ = rates_of({{12, 10}});
+  options_.first_precision = options_.last_precision = 12;
+  const Optimisation found = optimise_now();
+  const PrecisionPlan* best = found.best();
+  ASSERT_NE(best, nullptr);
+  for (std::size_t k = 0; k < best->lanes.size(); ++k) {
+    if (best->allocation()->lanes[k] == 0) continue;
+    const auto& lane = best->lanes[k];
+    EXPECT_EQ(lane.with_streams.luts, lane.measured.area.luts + 400) << lane.kind.name;
+  }
+}
+
 TEST_F(Optimise, TheCrossbarsClockLimitsSystemsAndNotReferencesAlone) {
   table_.rows.back().clock->mhz = 100;
   const Optimisation found = optimise_now();
