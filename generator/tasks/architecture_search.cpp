@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "generator/synthesis/components/shortlist.hpp"
@@ -30,6 +31,9 @@ using scene::Multipliers;
 constexpr std::array usual_intervals = {1, 2, 4, 8, 16};
 /// Plans interpolate between these crossbars.
 const std::vector<int> usual_ports = {1, 4, 8, 16, 32, 64, 128};
+
+/// The scene's limit of system.slack.
+constexpr double most_slack = 0.95;
 
 /// The search may lose half a percent of the highest throughput. A program of this many nodes takes
 /// about a second; only precisions far from the best have needed more.
@@ -118,7 +122,8 @@ bool has_streams_of(const Characterisation& table, const scene::SystemSpec& syst
 /// The scene with a share of the room that its slack leaves.
 scene::Scene scene_in(scene::Scene scene, double share) {
   if (share == 1) return scene;
-  scene.system.slack = 1 - share * (1 - scene.system.slack);
+  constexpr double digits = 1e6;  // of what plans show
+  scene.system.slack = std::round(digits * (1 - share * (1 - scene.system.slack))) / digits;
   return scene;
 }
 
@@ -355,7 +360,9 @@ Result<OptimiseResult> ArchitectureSearch::best() const {
                  .received = fmt::format("{:.4g} G comparisons/s", least_per_s / 1e9),
                  .accepted = fmt::format("less than {:.4f}", best.best().throughput_per_s() / 1e9)};
   }
-  for (int too_small = 0, enough = steps; enough - too_small > 1;) {
+  const double usable = 1 - systems_[best.best().number].scene.system.slack;
+  int too_small = static_cast<int>(std::ceil(steps * (1 - most_slack) / usable));
+  for (int enough = steps; enough - too_small > 1;) {
     const int middle = (too_small + enough) / 2;
     auto found = best_in(static_cast<double>(middle) / steps);
     const bool is_enough = found.ok() && found->best().throughput_per_s() >= least_per_s;

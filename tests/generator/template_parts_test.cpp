@@ -105,6 +105,11 @@ TEST(TemplateParts, HaveTheParametersThatTheTemplateGives) {
   EXPECT_EQ(names_of_parts("beat_memory WIDTH=8 BEAT_BITS=2 BLOCK=1"), std::vector<std::string>{});
 }
 
+TEST(TemplateParts, OfRefusedParametersAreNone) {
+  EXPECT_FALSE(names_of_parts("lane_scoreboard LANES=64").empty());
+  EXPECT_EQ(names_of_parts("lane_scoreboard LANES=65"), std::vector<std::string>{});
+}
+
 TEST(TemplateParts, AreThoseThatYosysElaborates) {
   for (const char* name :
        {"lane_scoreboard LANES=4 OPERAND_BITS=70 BEAT_BITS=1", "lane_scoreboard CARRIED=0",

@@ -20,6 +20,7 @@ bool is_one_of(Token token, std::initializer_list<Token> words) {
 class BodyReader {
 public:
   std::vector<rtl::TemplateInstance> parts;
+  bool is_refused = false;
 
   void read_items(Cursor& cursor, Constants& constants) {
     while (!is_one_of(cursor.peek(), {"end", "endmodule"})) read_item(cursor, constants);
@@ -111,7 +112,8 @@ private:
       }
     }
     take_statement(cursor);  // its name and ports
-    MIXCMP_CHECK(is_template(instance.module));
+    // A template refuses parameters by a module that does not exist.
+    is_refused = is_refused || !is_template(instance.module);
     parts.push_back(std::move(instance));
   }
 };
@@ -131,6 +133,7 @@ std::vector<rtl::TemplateInstance> template_parts(const rtl::TemplateInstance& i
   cursor.expect(";");
   BodyReader reader;
   reader.read_items(cursor, constants);
+  if (reader.is_refused) return {};
   return std::move(reader.parts);
 }
 
