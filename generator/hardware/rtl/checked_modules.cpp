@@ -301,7 +301,7 @@ private:
       fault("{}: {}", which, ports.error().to_string());
       return nullptr;
     }
-    return &(ports_[&instance] = std::move(*ports));
+    return &(ports_[&instance] = *ports);
   }
 
   void check_item(const std::shared_ptr<const ForGenerate>& loop) {
