@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "model/design/slots.hpp"
+#include "model/plan/optimise/second_tier.hpp"
 
 namespace mixcmp::tasks {
 
