@@ -20,8 +20,8 @@ struct DataSet {
 };
 
 struct PlanSetRequest {
-  /// Of one plan, without the settings of a data set. Its rates are not used, and nothing is
-  /// synthesised.
+  /// The request for a single plan, without the settings of a data set. Its rates are not used.
+  /// Nothing is synthesised.
   OptimiseRequest optimise;
   std::vector<DataSet> sets;    ///< at least one; each counts as much as the others
   std::vector<DataSet> stream;  ///< data in the order in which they arrive; may be empty

@@ -63,6 +63,25 @@ TEST_F(OptimiseCommand, ATableHasNoSmallestSystem) {
   expect_refused("optimise scene.toml --at-least 0", "--at-least");
 }
 
+/// 40 DSPs of a reference are 5.8 % of the room, a lane's 30,000 LUTs 7.9 %, 19,000 LUTs 5.0 %.
+TEST_F(OptimiseCommand, ReferencesThatAreBetterAloneAreTold) {
+  const std::string embedded =
+      "optimise scene.toml --table characterisation --last 8 --use-multipliers embedded";
+  write_table("scene-virtex6-lx760.csv", "virtex6-lx760", "spheres", 30000);
+  const Outcome none = mixcmp(embedded);
+  EXPECT_EQ(none.exit_code, 2) << none.output;
+  EXPECT_NE(none.output.find("no plan: lanes of these precisions cost more"), std::string::npos)
+      << none.output;
+  write_table("scene-virtex6-lx760.csv", "virtex6-lx760", "spheres", 19000);
+  const std::string note = "note: references alone are faster than this plan";
+  EXPECT_EQ(mixcmp(embedded).output.find(note), std::string::npos);
+  write("rates.csv",
+        "inputs,precision,scheme,comparisons,undecided,rate,wrong,wrong_by_lane\n"
+        "exact,8,relative,1000,450,0.45,0,0\n");
+  const Outcome slow = mixcmp(embedded + " --rates rates.csv");
+  EXPECT_NE(slow.output.find(note), std::string::npos) << slow.output;
+}
+
 /// Without the streams around a lane a plan would promise lanes that have no room.
 TEST_F(OptimiseCommand, TablesWithoutStreamsAreRefused) {
   const std::string name = "characterisation/scene-virtex6-lx760.csv";

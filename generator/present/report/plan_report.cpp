@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "generator/present/report/plan_fields.hpp"
 #include "generator/present/report/plan_shares.hpp"
 #include "generator/present/report/units.hpp"
@@ -81,9 +83,19 @@ std::string counted_text(const PrecisionPlan& plan) {
   return text + "\n";
 }
 
+std::string no_plan_text(const Optimisation& optimisation) {
+  const bool is_any = std::any_of(optimisation.plans.begin(), optimisation.plans.end(),
+                                  [](const auto& plan) { return plan.allocation() != nullptr; });
+  if (!is_any) return "no precision has a feasible plan\n";
+  return fmt::format(
+      "no plan: lanes of these precisions cost more than references, which alone have {:.3g} G "
+      "comparisons/s\n",
+      baseline_per_s(optimisation) / giga);
+}
+
 std::string best_text(const Optimisation& optimisation) {
   const PrecisionPlan* best = optimisation.best();
-  if (best == nullptr) return "no precision has a feasible plan\n";
+  if (best == nullptr) return no_plan_text(optimisation);
   const PlanSummary s = summary_of(*best);
   std::string text = fmt::format(
       "best: L = {}, p_L = {}, p_H = {}: {:.3g} G comparisons/s\n  {}\n  uses {} of what R_S "
@@ -94,8 +106,10 @@ std::string best_text(const Optimisation& optimisation) {
   const double baseline = baseline_per_s(optimisation);
   if (baseline == 0) return text + "references alone: none fits\n";
   const auto& alone = std::get<Allocation>(optimisation.reference_only);
-  return text + fmt::format("references alone: {} of them, {:.3g} G comparisons/s; gain {:.2f}\n",
-                            alone.lane_count(), baseline / giga, s.throughput_per_s / baseline);
+  text += fmt::format("references alone: {} of them, {:.3g} G comparisons/s; gain {:.2f}\n",
+                      alone.lane_count(), baseline / giga, s.throughput_per_s / baseline);
+  if (s.throughput_per_s >= baseline) return text;
+  return text + "note: references alone are faster than this plan\n";
 }
 
 Json json_of_kinds(const PrecisionPlan& plan) {

@@ -83,11 +83,9 @@ Result<Packed> packed_luts(const devices::Device& device, const std::filesystem:
     return Packed(std::move(refusal));
   }
   MIXCMP_TRY(log, read_file(directory / "pack.log"));
-  const std::regex used(fmt::format("(?:{}): *(\\d{{1,9}})/", router_of(device)->lut));
-  int luts = 0;
-  const std::sregex_iterator first(log.begin(), log.end(), used), last;
-  for (auto found = first; found != last; ++found) luts += std::stoi((*found)[1]);
-  if (first != last) return Packed(luts);
+  const std::regex used(fmt::format("{}: *(\\d{{1,9}})/", router_of(device)->lut));
+  std::smatch found;
+  if (std::regex_search(log, found, used)) return Packed(std::stoi(found[1]));
   return Error{.file = (directory / "pack.log").string(),
                .message = "nextpnr did not say what it packed"};
 }

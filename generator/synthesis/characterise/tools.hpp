@@ -18,7 +18,7 @@ struct Router {
   const char* package;    ///< Debian 12's, else the Python package
   const char* devices;    ///< the devices whose clocks it determines
   const char* free_pins;  ///< its option to place pins by itself; empty: it needs a netlist without
-  const char* lut;        ///< the names of LUTs in its report of utilisation: "LUT4|ALU"
+  const char* lut;        ///< the name of LUTs in its report of utilisation
   const char* result;     ///< its option that names the routed design
 };
 

@@ -25,8 +25,8 @@ struct TemplateAreas {
 
 class LibraryReader;
 
-/// The units that a unit instantiates, each as often as it does; none of one that is not taken
-/// apart.
+/// The units that a unit instantiates, each as often as it does. Empty for a unit without parts and
+/// for one that is kept whole.
 using PartsOf = std::function<std::vector<Unit>(const Unit&)>;
 
 /// A library: areas of units after one synthesis command. Its text has a section for each template:
@@ -73,7 +73,7 @@ private:
   const Formulas& formulas_of(const TemplateAreas& areas) const;
   const devices::Area* measured(const Unit& unit) const;
   std::optional<devices::Area> predicted(const Unit& unit) const;
-  /// Of those parts that the library knows.
+  /// The sum over the parts that the library knows.
   devices::Area area_of_parts(const Unit& unit) const;
 
   std::string synthesis_;

@@ -26,8 +26,8 @@ struct StreamTime {
 StreamTime with_rule(SwitchingRule rule, const StreamThroughPlans& stream,
                      std::uint64_t comparisons, double reading_seconds);
 
-/// The same with the best plan for each block, by one who knows the stream beforehand and switches
-/// only between blocks. The first plan is loaded at the beginning, as the rule has it.
+/// The least time of any schedule that switches only between blocks: it knows the whole stream. The
+/// first plan is loaded at the beginning, as with the rule.
 StreamTime with_foresight(const StreamThroughPlans& stream, std::uint64_t comparisons,
                           double reconfiguration_seconds);
 

@@ -26,7 +26,7 @@ Seconds faster_of(Seconds a, const Seconds& b) {
   return a;
 }
 
-/// What a plan takes off these seconds; infinite if it serves a set that was not served.
+/// The seconds that a plan saves; infinite if it serves a set that was not served.
 double gain_of(const Seconds& seconds, const Seconds& plan) {
   double gain = 0;
   for (std::size_t s = 0; s < seconds.size(); ++s) {

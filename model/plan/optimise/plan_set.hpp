@@ -13,8 +13,7 @@ using PlanSeconds = std::vector<std::vector<double>>;
 
 struct PlanChoice {
   std::vector<std::size_t> plans;  ///< the plan that is best by itself comes first
-  /// Of as many comparisons from each data set, each set served by its fastest plan: seconds per
-  /// comparison, summed over the sets.
+  /// Seconds per comparison, summed over the data sets, each served by its fastest plan.
   double seconds = 0;
 };
 
@@ -24,7 +23,7 @@ struct PlanChoice {
 /// one plan, and some plan serves each set.
 std::vector<PlanChoice> choose_plans(const PlanSeconds& plans, int most);
 
-/// The same by trying all choices, for small problems: the oracle of the tests.
+/// Finds these choices by trying all, for small problems: the oracle of the tests.
 std::vector<PlanChoice> choose_plans_exhaustively(const PlanSeconds& plans, int most);
 
 }  // namespace mixcmp::optimise

@@ -21,13 +21,12 @@ using RateRange = std::pair<double, double>;
 /// Decides after each reading of the counters which plan to load. The counted rate of the loaded
 /// plan tells the data: between two points seconds are interpolated, beyond the outer ones they are
 /// those of the outer ones. So the rule knows how long each plan would have taken for the
-/// comparisons since the last reading. It adds up how far each plan is ahead of the loaded one,
-/// from the time on at which that was least, and loads the plan that is ahead by most when that is
-/// at least the time of a reconfiguration.
+/// comparisons since the last reading. For each plan it keeps the seconds that the plan would have
+/// saved; the sum never falls below zero. When a sum reaches the time of a reconfiguration, the
+/// rule loads the plan with the largest sum.
 ///
-/// So no plan gets ahead of the loaded one by more than a reconfiguration takes and the loss within
-/// one reading, by these seconds, and each switch has paid for itself if the data stay as they are
-/// for as long again.
+/// Before a switch at most the time of a reconfiguration and of one reading is lost. A switch has
+/// paid for itself when the data have stayed as they are for as long again.
 class SwitchingRule {
 public:
   /// `points`: of each plan when it is loaded, in any order. Points with the same rate count as
@@ -40,9 +39,9 @@ public:
 
   std::size_t loaded() const { return loaded_; }
   double reconfiguration_seconds() const { return reconfiguration_seconds_; }
-  /// Of each plan when it is loaded, by rising rates, without two of the same.
+  /// The points of each plan when it is loaded: their rates rise, and none is there twice.
   const std::vector<std::vector<RatePoint>>& points() const { return points_; }
-  /// Where a plan is the fastest, by its own rates, which end at 0 and 1.
+  /// The plan's own rates, from 0 to 1, at which it is the fastest.
   std::vector<RateRange> best_rates(std::size_t plan) const;
 
 private:

@@ -94,8 +94,8 @@ private:
   std::mt19937 engine_;
 };
 
-/// What the rule promises, by seconds of a rule of its own: with points of a single rate seconds do
-/// not depend on the counters.
+/// The rule's promise, by seconds that the test draws: with points of a single rate they do not
+/// depend on the counters.
 TEST(Switching, NoPlanGetsFurtherAheadThanAReconfigurationAndAReading) {
   std::mt19937 engine(7);
   const auto number = [&](int least, int most) {
