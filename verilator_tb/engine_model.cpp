@@ -35,7 +35,8 @@ performance::PairwiseSet pairwise_set_of(const design::Design& design, const Ver
   const std::uint64_t leave =
       report.undecided + report.recomputations + (tells_pairs ? report.engine->reported : 0);
   // Streams share the segments. Where these do not divide evenly, one stream has more than others.
-  const double share = double((segments + streams - 1) / streams) / segments;
+  const int segments_of_one = (segments + streams - 1) / streams;
+  const double share = double(segments_of_one) / segments;
   return {.items = report.engine->items - report.engine->others,
           .others = report.engine->others,
           .lanes = scheduled.shape.lanes,
