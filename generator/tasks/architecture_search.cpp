@@ -270,14 +270,25 @@ Result<Done> ArchitectureSearch::add_engine(const Formulation& formulation,
   MIXCMP_TRY(promising, shortlist(maker, query, device_, rates_.back()));
   MIXCMP_TRY(longer, with_longer(promising.lanes, given, query));
   query.lanes = std::move(longer);
-  query.kinds = {ComponentKind::lane,    ComponentKind::reference,  ComponentKind::reference_port,
-                 ComponentKind::segment, ComponentKind::conversion, ComponentKind::engine};
+  const std::set<ComponentKind> of_groups = {ComponentKind::lane, ComponentKind::reference,
+                                             ComponentKind::segment, ComponentKind::conversion};
+  std::set<ComponentKind> of_engine = {ComponentKind::reference_port, ComponentKind::engine};
   if (given.system.engine.kind == EngineKind::arg_min) {
-    query.kinds.insert({ComponentKind::operand_memory, ComponentKind::crossbar});
+    of_engine.insert({ComponentKind::operand_memory, ComponentKind::crossbar});
   }
+  std::map<int, Characterisation> groups;  // by their lanes: counters and streams change nothing
   for (const optimise::Architecture& architecture : architectures_of(given, open)) {
     const scene::Scene scene = with_architecture(given, architecture, open);
+    const auto [group, is_new] = groups.try_emplace(architecture.lanes_per_group);
+    if (is_new) {
+      query.kinds = of_groups;
+      MIXCMP_TRY(parts, predict_table(area_of_, scene, data, query));
+      group->second = std::move(parts);
+    }
+    query.kinds = of_engine;
     MIXCMP_TRY(parts, predict_table(area_of_, scene, data, query));
+    const std::vector<Measurement>& shared = group->second.rows;
+    parts.rows.insert(parts.rows.end(), shared.begin(), shared.end());
     add_system(formulation, architecture, open, std::move(parts));
     systems_.back().scene.lanes = given.lanes;
     systems_.back().scene.system.lanes = given.system.lanes;

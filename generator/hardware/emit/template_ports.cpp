@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -57,7 +59,7 @@ Declaration take_port(Cursor& cursor) {
   return port;
 }
 
-Head head_of(std::string_view text) {
+Head read_head(std::string_view text) {
   Cursor cursor(tokens_of(text, ";"));
   Head head;
   cursor.expect("module");
@@ -73,6 +75,16 @@ Head head_of(std::string_view text) {
   while (cursor.take_if(","));
   cursor.expect(")");
   return head;
+}
+
+/// The head of a template, read once: predictions of areas ask thousands of times.
+const Head& head_of(const std::string& module) {
+  static std::mutex mutex;
+  static std::map<std::string, Head> known;
+  const std::lock_guard lock(mutex);
+  const auto place = known.find(module);
+  if (place != known.end()) return place->second;
+  return known.emplace(module, read_head(template_text(module))).first->second;
 }
 
 /// The parameters of a template, with the values of an instance.
@@ -109,7 +121,7 @@ std::string fault_of(const rtl::Parameter& given, const Head& head, const Consta
 
 Result<std::vector<rtl::Port>> template_ports(const rtl::Instance& instance) {
   if (!is_template(instance.module)) return Error{.message = "there is no such module"};
-  const Head head = head_of(template_text(instance.module));
+  const Head& head = head_of(instance.module);
   const Constants constants = constants_of(head, instance.parameters);
   for (const rtl::Parameter& given : instance.parameters) {
     const std::string fault = fault_of(given, head, constants);
@@ -127,13 +139,13 @@ Result<std::vector<rtl::Port>> template_ports(const rtl::Instance& instance) {
 std::optional<long long> template_parameter(const rtl::Instance& instance,
                                             const std::string& name) {
   if (!is_template(instance.module)) return std::nullopt;
-  const Head head = head_of(template_text(instance.module));
+  const Head& head = head_of(instance.module);
   if (find_parameter(head, name) == nullptr) return std::nullopt;
   return constants_of(head, instance.parameters).value_of(name);
 }
 
 std::vector<rtl::Parameter> template_parameters(const rtl::TemplateInstance& instance) {
-  const Head head = head_of(template_text(instance.module));
+  const Head& head = head_of(instance.module);
   const Constants constants = constants_of(head, instance.parameters);
   std::vector<rtl::Parameter> parameters;
   for (const Declaration& declared : head.parameters) {

@@ -1,7 +1,10 @@
 #include "model/cost/devices/device.hpp"
 
 #include <filesystem>
+#include <map>
+#include <mutex>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "embedded/device_files.hpp"
@@ -27,14 +30,8 @@ const EmbeddedFile* file_named(std::string_view name) {
   return nullptr;
 }
 
-}  // namespace
-
-Result<Device> find_device(std::string_view name) {
-  if (name.ends_with(ending)) {
-    const std::filesystem::path path(name);
-    MIXCMP_TRY(text, read_file(path));
-    return read_device(std::move(text), path);
-  }
+/// A device that comes with the program.
+Result<Device> read_known(std::string_view name) {
   const std::optional<Part> part = find_part(name);
   const EmbeddedFile* file = file_named(part ? part->device : lower_case(name));
   if (file != nullptr) return read_device(std::string(file->text), file->name);
@@ -44,6 +41,24 @@ Result<Device> find_device(std::string_view name) {
       .message = "unknown device",
       .received = in_quotes(name),
       .accepted = candidates_for(name) + " (mixcmp devices lists all), or a device file (.toml)"};
+}
+
+}  // namespace
+
+Result<Device> find_device(std::string_view name) {
+  if (name.ends_with(ending)) {
+    const std::filesystem::path path(name);
+    MIXCMP_TRY(text, read_file(path));
+    return read_device(std::move(text), path);
+  }
+  // Read once: a plan's search schedules thousands of designs, and each asks for its device.
+  static std::mutex mutex;
+  static std::map<std::string, Device, std::less<>> known;
+  const std::lock_guard lock(mutex);
+  const auto place = known.find(name);
+  if (place != known.end()) return place->second;
+  MIXCMP_TRY(device, read_known(name));
+  return known.emplace(name, std::move(device)).first->second;
 }
 
 std::vector<std::string> device_names() {

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "model/scene/engine.hpp"
+
 namespace mixcmp::performance {
 
 /// The work of a pairwise engine for one set of items, and the engine's numbers.
@@ -30,5 +32,15 @@ std::uint64_t pairwise_word_cycles(std::uint64_t items, std::uint64_t others, in
 /// cycle each); a second tier; recomputations at the items' memory (a cycle each); recomputations
 /// at the references (N / p_H cycles each).
 double pairwise_cycles(const PairwiseSet& set);
+
+/// Words that a group of lanes sends to its stream of reports in each cycle in which it takes a
+/// pair a lane. `reported` and `undecided` are parts of all pairs, and independent of each other:
+/// an undecided pair leaves its group to be recomputed, and once more if it is then reported. In
+/// a bitmap all reported pairs of a cycle are one word.
+double report_words(const scene::EngineSpec& engine, double reported, double undecided);
+
+/// Cycles from one pair of a lane to the next, at least 1, where the busiest stream of reports
+/// takes one word a cycle. `words`: of a group, as from report_words.
+double cycles_between_reports(const scene::EngineSpec& engine, int groups, double words);
 
 }  // namespace mixcmp::performance

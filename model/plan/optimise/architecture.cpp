@@ -17,6 +17,7 @@ using scene::OperandStore;
 
 constexpr std::array usual_groups = {1, 2, 4, 8, 16, 32};
 constexpr std::array usual_engine_groups = {4, 8, 16, 32};
+constexpr std::array usual_report_streams = {1, 2, 4, 8, 16, 32};
 constexpr std::array usual_beats = {1, 2, 4, 8};
 
 /// The table of a section; null if the file has none.
@@ -60,6 +61,16 @@ void add_streams(std::vector<Architecture>& all, const Architecture& like,
   }
 }
 
+/// Whether an engine's streams carry more than pairs to be recomputed.
+bool sends_reports(const scene::EngineSpec& engine) {
+  return engine.report_as != scene::ReportForm::count;
+}
+
+std::string streams_of(const scene::EngineSpec& engine) {
+  if (engine.report_streams == 1) return {};
+  return fmt::format("{} streams of reports, ", engine.report_streams);
+}
+
 std::string setting(const char* key, std::string_view value) {
   return fmt::format("{}={}", key, value);
 }
@@ -75,7 +86,8 @@ OpenKeys open_keys(const settings::Settings& settings) {
                       is_open(settings, "system", "counter_bits"),
           .initiation_interval = is_open(settings, "reference", "initiation_interval"),
           .engine = section_of(settings, "engine") == nullptr,
-          .engine_lanes_per_group = is_open(settings, "engine", "lanes_per_group")};
+          .engine_lanes_per_group = is_open(settings, "engine", "lanes_per_group"),
+          .report_streams = is_open(settings, "engine", "report_streams")};
 }
 
 std::vector<Architecture> architectures_of(const scene::Scene& scene, const OpenKeys& open) {
@@ -104,7 +116,11 @@ std::vector<Architecture> architectures_of(const scene::Scene& scene, const Open
         for (const int group : choices(open.engine_lanes_per_group, given.engine.lanes_per_group,
                                        usual_engine_groups)) {
           like.lanes_per_group = group;
-          all.push_back(like);
+          for (const int streams : choices(open.report_streams && sends_reports(given.engine),
+                                           given.engine.report_streams, usual_report_streams)) {
+            like.report_streams = streams;
+            all.push_back(like);
+          }
         }
         break;
       case EngineKind::arg_min: all.push_back(like); break;
@@ -128,7 +144,10 @@ scene::Scene with_architecture(scene::Scene scene, const Architecture& architect
       system.request_beats = architecture.request_beats;
       system.lanes_per_group = architecture.lanes_per_group;
       break;
-    case EngineKind::pairwise: system.engine.lanes_per_group = architecture.lanes_per_group; break;
+    case EngineKind::pairwise:
+      system.engine.lanes_per_group = architecture.lanes_per_group;
+      system.engine.report_streams = architecture.report_streams;
+      break;
     case EngineKind::arg_min: break;
   }
   return scene;
@@ -155,6 +174,10 @@ std::vector<std::string> settings_of(const Architecture& architecture, const sce
   if (scene.system.engine.kind == EngineKind::pairwise && open.engine_lanes_per_group) {
     settings.push_back(setting("engine.lanes_per_group", group));
   }
+  if (scene.system.engine.kind == EngineKind::pairwise && open.report_streams) {
+    settings.push_back(
+        setting("engine.report_streams", std::to_string(architecture.report_streams)));
+  }
   if (open.counters) {
     settings.push_back(setting("system.counters", to_string(architecture.counters)));
   }
@@ -170,7 +193,8 @@ std::string interface_of(const scene::Scene& scene) {
   switch (system.engine.kind) {
     case EngineKind::none:
       return fmt::format("operands {}, {}", to_string(system.operands), counters);
-    case EngineKind::pairwise: return "pairwise engine, " + counters;
+    case EngineKind::pairwise:
+      return fmt::format("pairwise engine, {}{}", streams_of(system.engine), counters);
     case EngineKind::arg_min: return "arg-min engine, " + counters;
   }
   MIXCMP_CHECK(false);

@@ -20,6 +20,7 @@ struct OpenKeys {
   bool initiation_interval = false;
   bool engine = false;  ///< there is no [engine]
   bool engine_lanes_per_group = false;
+  bool report_streams = false;
 };
 OpenKeys open_keys(const settings::Settings& settings);
 
@@ -29,6 +30,7 @@ struct Architecture {
   scene::OperandMemory operand_memory = scene::OperandMemory::logic;
   std::optional<int> request_beats;
   int lanes_per_group = 1;  ///< of streams, or of a pairwise engine
+  int report_streams = 1;   ///< of a pairwise engine
   scene::CounterAccess counters = scene::CounterAccess::ports;
 
   friend bool operator==(const Architecture&, const Architecture&) = default;

@@ -220,7 +220,12 @@ double PrecisionPlan::recomputation_rate() const {
 
 double PrecisionPlan::clock_mhz() const {
   const Allocation* chosen = allocation();
-  return chosen == nullptr ? 0 : chosen->throughput_per_s / chosen->lane_count() / hertz_per_mhz;
+  if (chosen == nullptr) return 0;
+  double per_cycle = 0;
+  for (std::size_t k = 0; k < lanes.size(); ++k) {
+    per_cycle += chosen->lanes[k] / lanes[k].kind.initiation_interval;
+  }
+  return chosen->throughput_per_s / per_cycle / hertz_per_mhz;
 }
 
 bool is_better(const PrecisionPlan& a, const PrecisionPlan& b, const devices::Device& device) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/base/common/check.hpp"
+#include "model/cost/performance/pairwise.hpp"
 #include "model/cost/performance/performance.hpp"
 #include "model/cost/performance/streams.hpp"
 #include "model/plan/optimise/problems.hpp"
@@ -122,6 +123,18 @@ double allowed_by_slowest(const Loaded& loaded) {
   return part;
 }
 
+/// The part that the streams of reports of a pairwise engine allow.
+double allowed_by_reports(const Loaded& loaded, const scene::EngineSpec& engine, double reported) {
+  int groups = 0;
+  double undecided = 0;  // by the kind of lane that leaves most
+  for (const Datapaths& kind : loaded.groups) {
+    groups += kind.count;
+    undecided = std::max(undecided, kind.recomputation_rate);
+  }
+  const double words = performance::report_words(engine, reported, undecided);
+  return 1 / performance::cycles_between_reports(engine, groups, words);
+}
+
 double throughput_of(const PrecisionPlan& plan, const scene::Scene& scene, const Loaded& loaded) {
   const double asked = performance::recomputations_per_s(loaded.groups);
   double part = allowed(asked, plan.problem.recomputations_per_cycle * loaded.lanes_hz);
@@ -145,7 +158,14 @@ std::optional<PlanAtRates> at_rates(const PrecisionPlan& plan, const scene::Scen
   if (!loaded) return std::nullopt;
   const double again = performance::recomputations_per_s(loaded->groups) / loaded->comparisons;
   const bool is_pairwise = scene.system.engine.kind == EngineKind::pairwise;
-  return PlanAtRates{.throughput_per_s = throughput_of(plan, scene, *loaded),
+  double throughput = throughput_of(plan, scene, *loaded);
+  if (is_pairwise) {
+    const scene::EngineSpec& engine = scene.system.engine;
+    const double reported = rates.share_of(engine.report).value_or(0);
+    throughput =
+        std::min(throughput, loaded->comparisons * allowed_by_reports(*loaded, engine, reported));
+  }
+  return PlanAtRates{.throughput_per_s = throughput,
                      .counted_rate = is_pairwise ? again : loaded->undecided_rate()};
 }
 

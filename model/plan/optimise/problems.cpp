@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/base/common/check.hpp"
+#include "model/cost/performance/pairwise.hpp"
 #include "model/cost/performance/performance.hpp"
 #include "model/cost/performance/streams.hpp"
 #include "model/design/request_beats.hpp"
@@ -413,15 +414,65 @@ PrecisionPlan plan_segments(PrecisionSearch& search, const Rows& rows) {
   return plan;
 }
 
-PrecisionPlan plan_pairwise_engine(PrecisionSearch& search, const Rows& rows) {
-  PrecisionPlan plan = plan_segments(search, rows);
+/// Words that a group of the plan's lanes sends to its stream of reports in a cycle: of the kind of
+/// lane that sends most.
+double report_words_of(const PrecisionPlan& plan, PrecisionSearch& search) {
+  double undecided = 0;
+  for (const LaneImplementation& lane : plan.lanes) {
+    undecided = std::max(undecided, lane.kind.recomputation_rate);
+  }
   const scene::EngineSpec& engine = search.system().engine;
+  const std::optional<double> reported = search.inputs.rates.share_of(engine.report);
+  if (!reported && engine.report_as != scene::ReportForm::count) {
+    search.findings.notes.insert(
+        "how many pairs are reported is not known: streams of reports are taken to suffice");
+  }
+  return performance::report_words(engine, reported.value_or(0), undecided);
+}
+
+/// Tells that more lanes would not help, if any of these plans has as many as streams allow.
+void note_reports(const std::vector<PrecisionPlan>& plans, PrecisionSearch& search) {
+  const auto is_full = [](const PrecisionPlan& plan) {
+    const Allocation* chosen = plan.allocation();
+    return chosen != nullptr && chosen->lane_count() == plan.problem.max_lanes;
+  };
+  const scene::EngineSpec& engine = search.system().engine;
+  const std::optional<double> reported = search.inputs.rates.share_of(engine.report);
+  if (!reported || std::none_of(plans.begin(), plans.end(), is_full)) return;
+  search.findings.notes.insert(fmt::format(
+      "the streams of reports limit the engine: they take one word a cycle each, {:.3g} % of the "
+      "pairs are reported, and engine.report_streams is {}",
+      100 * *reported, engine.report_streams));
+}
+
+/// Two plans: of groups that never wait for their streams of reports, and of one group more a
+/// stream, where all wait. Still more groups would only wait longer.
+std::vector<PrecisionPlan> plans_of_pairwise_engines(PrecisionSearch& search, const Rows& rows) {
+  const scene::EngineSpec& engine = search.system().engine;
+  PrecisionPlan plan = plan_segments(search, rows);
   plan.problem.sharing = ReferenceSharing::pooled;  // whichever is free takes the next pair
-  plan.problem.max_lanes = settings::limits::engine_lanes.most;
   // Each stream of reports has a group of lanes.
-  plan.problem.min_lanes = engine.report_streams * engine.lanes_per_segment();
-  solve(plan, search);
-  return plan;
+  const int least = engine.report_streams * engine.lanes_per_segment();
+  const int most = settings::limits::engine_lanes.most;
+  const double words = report_words_of(plan, search);
+  const int groups = words * most < 1 ? most : static_cast<int>(1 / words);  // a stream
+  std::vector<PrecisionPlan> plans;
+  if (groups > 0) {
+    PrecisionPlan& none_waits = plans.emplace_back(plan);
+    none_waits.problem.min_lanes = least;
+    none_waits.problem.max_lanes = std::min(most, groups < most / least ? groups * least : most);
+    solve(none_waits, search);
+  }
+  if (groups < most / least) {
+    plan.problem.min_lanes = plan.problem.max_lanes = (groups + 1) * least;
+    for (LaneImplementation& lane : plan.lanes) {
+      lane.kind.initiation_interval = (groups + 1) * words;
+    }
+    solve(plan, search);
+    plans.push_back(std::move(plan));
+  }
+  note_reports(plans, search);
+  return plans;
 }
 
 /// Chains, each of lanes with the number of slots with which they were measured.
@@ -452,7 +503,7 @@ std::vector<PrecisionPlan> plans_of(PrecisionSearch& search, const Rows& lanes) 
     case scene::EngineKind::none:
       return search.inputs.second_tier ? plans_of_tiers(search, lanes)
                                        : plans_of_streams(search, lanes);
-    case scene::EngineKind::pairwise: return {plan_pairwise_engine(search, lanes)};
+    case scene::EngineKind::pairwise: return plans_of_pairwise_engines(search, lanes);
     case scene::EngineKind::arg_min: return plans_of_arg_min_engines(search, lanes);
   }
   MIXCMP_CHECK(false);

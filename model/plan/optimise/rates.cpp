@@ -75,6 +75,13 @@ double Rate::value() const {
 Rates Rates::of(const std::vector<profile::RateProfile>& profiles) {
   Rates rates;
   for (const profile::RateProfile& profile : profiles) {
+    if (!rates.verdicts_ && profile.comparisons > 0) {
+      VerdictShares& shares = rates.verdicts_.emplace();
+      for (std::size_t v = 0; v < shares.size(); ++v) {
+        shares[v] =
+            static_cast<double>(profile.verdicts[v]) / static_cast<double>(profile.comparisons);
+      }
+    }
     for (const profile::SchemeProfile& scheme : profile.schemes) {
       if (!scheme.bound) continue;  // lanes without a bound recompute nothing
       for (std::size_t k = 0; k < scheme.counts.size(); ++k) {
@@ -137,6 +144,11 @@ void Rates::raise_to(const Rates& other) {
     const auto [place, added] = rates_.emplace(key, rate);
     if (!added && rate.value() > place->second.value()) place->second = rate;
   }
+  if (!verdicts_) verdicts_ = other.verdicts_;
+  if (!other.verdicts_) return;
+  for (std::size_t v = 0; v < verdicts_->size(); ++v) {
+    (*verdicts_)[v] = std::max((*verdicts_)[v], (*other.verdicts_)[v]);
+  }
 }
 
 Rates Rates::mixed_with(const Rates& other, double of_other) const {
@@ -149,7 +161,21 @@ Rates Rates::mixed_with(const Rates& other, double of_other) const {
     mixed.rates_[key] = {static_cast<std::uint64_t>(std::llround(value * comparisons)),
                          comparisons};
   }
+  if (!verdicts_ || !other.verdicts_) return mixed;
+  VerdictShares& shares = mixed.verdicts_.emplace();
+  for (std::size_t v = 0; v < shares.size(); ++v) {
+    shares[v] = std::lerp((*verdicts_)[v], (*other.verdicts_)[v], of_other);
+  }
   return mixed;
+}
+
+std::optional<double> Rates::share_of(VerdictSet verdicts) const {
+  if (!verdicts_) return std::nullopt;
+  double share = 0;
+  for (const Verdict verdict : all_verdicts) {
+    if (verdicts.contains(verdict)) share += (*verdicts_)[static_cast<std::size_t>(verdict)];
+  }
+  return std::min(1.0, share);
 }
 
 std::optional<Rate> Rates::find(const RateKey& key) const {

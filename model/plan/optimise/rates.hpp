@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <filesystem>
@@ -45,13 +46,17 @@ public:
   /// Reads figure5.csv as written by `mixcmp profile`. Errors name the line and the column.
   static Result<Rates> read(const std::filesystem::path& path);
 
-  /// Raises each rate to the larger of the two, for scenario II. A rate that only one of the two
-  /// has is used unchanged.
+  /// Raises each rate, and the share of each verdict, to the larger of the two, for scenario II.
+  /// What only one of the two has is used unchanged.
   void raise_to(const Rates& other);
 
-  /// The rates on data of which the part `of_other`, in [0, 1], is the other data. A rate that only
-  /// one of the two has is left out.
+  /// The rates on data of which the part `of_other`, in [0, 1], is the other data. What only one of
+  /// the two has is left out.
   Rates mixed_with(const Rates& other, double of_other) const;
+
+  /// The part of the comparisons, 0..1, whose verdict is one of these. None if it was not counted:
+  /// figure5.csv does not have it.
+  std::optional<double> share_of(VerdictSet verdicts) const;
 
   /// Lanes in fixed point have one rate for all kinds of inputs.
   std::optional<Rate> find(const RateKey& key) const;
@@ -61,7 +66,10 @@ public:
   std::vector<RateKey> keys() const;
 
 private:
+  using VerdictShares = std::array<double, all_verdicts.size()>;
+
   std::map<RateKey, Rate> rates_;
+  std::optional<VerdictShares> verdicts_;
   std::optional<Origin> origin_;
 };
 

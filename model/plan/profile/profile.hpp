@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "model/base/number/bound.hpp"
+#include "model/base/number/verdict.hpp"
 #include "model/comparison/data/comparisons.hpp"
 #include "model/comparison/expression/typed_graph.hpp"
 #include "model/scene/scene.hpp"
@@ -103,6 +105,8 @@ struct RateProfile {
   /// Undetermined true verdicts; no verdict counts as wrong for these.
   std::uint64_t undetermined = 0;
   std::uint64_t emulated = 0;  ///< lane evaluations
+  /// Comparisons by true verdict; undetermined ones left out.
+  std::array<std::uint64_t, all_verdicts.size()> verdicts = {};
   std::vector<SchemeProfile> schemes;
 };
 

@@ -37,6 +37,7 @@ void RateTally::add(const RateTally& other) {
   true_verdicts += other.true_verdicts;
   undetermined += other.undetermined;
   emulated += other.emulated;
+  for (std::size_t k = 0; k < decisions.size(); ++k) decisions[k] += other.decisions[k];
 }
 
 RateWorker::RateWorker(const RateJob& job)
@@ -110,6 +111,9 @@ void RateWorker::find_true_verdicts(std::uint64_t first, UnsettledComparisons& u
     if (is_wrong(unsettled.reference[k], unsettled.truth[k])) ++tally_.reference_wrong;
   }
   tally_.true_verdicts += indices.size();
+  for (std::size_t k = 0; k < unsettled.size(); ++k) {
+    ++tally_.decisions[static_cast<std::size_t>(unsettled.truth[k])];
+  }
 }
 
 void RateWorker::process(std::size_t index) {

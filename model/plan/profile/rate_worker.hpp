@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -32,6 +33,7 @@ struct RateTally {
   /// counts[scheme][precision - first precision].
   std::vector<std::vector<SchemeCounts>> counts;
   std::uint64_t reference_wrong = 0, true_verdicts = 0, undetermined = 0, emulated = 0;
+  std::array<std::uint64_t, all_verdicts.size() + 1> decisions = {};  ///< true ones, by Decision
 
   explicit RateTally(const RateJob& job);
   void add(const RateTally& other);

@@ -156,7 +156,9 @@ RateProfile profile_rates(const scene::Scene& scene, const data::Comparisons& da
                       .true_verdicts = tally.true_verdicts,
                       .undetermined = tally.undetermined,
                       .emulated = tally.emulated,
+                      .verdicts = {},
                       .schemes = {}};
+  std::copy_n(tally.decisions.begin(), profile.verdicts.size(), profile.verdicts.begin());
   std::size_t counted = 0;
   for (const SchemeLanes& scheme : schemes) {
     SchemeProfile& row = profile.schemes.emplace_back(

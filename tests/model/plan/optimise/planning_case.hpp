@@ -87,9 +87,12 @@ protected:
               [](const auto& a, const auto& b) { return a.key < b.key; });
   }
 
-  /// Undecided of a million, by precision, for exact inputs; profiled lanes the same.
-  static optimise::Rates rates_of(const std::map<int, std::uint64_t>& undecided) {
+  /// Undecided of a million, by precision, for exact inputs; profiled lanes the same. `less`: those
+  /// of a million with this verdict; the others are greater.
+  static optimise::Rates rates_of(const std::map<int, std::uint64_t>& undecided,
+                                  std::uint64_t less = 0) {
     profile::RateProfile profile{.comparisons = 1'000'000};
+    profile.verdicts = {less, 0, profile.comparisons - less, 0};
     for (const auto& [name, kind] : {std::pair("relative", profile::SchemeKind::certified),
                                      std::pair("profiled", profile::SchemeKind::profiled)}) {
       profile.schemes.push_back({.name = name,

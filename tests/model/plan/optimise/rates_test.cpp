@@ -43,6 +43,33 @@ TEST(RateValue, NoneUndecidedIsNotTakenForNever) {
   EXPECT_DOUBLE_EQ((Rate{0, 2}).value(), 1);
 }
 
+Rates with_verdicts(std::uint64_t less, std::uint64_t equal) {
+  profile::RateProfile profile{.comparisons = 100};
+  profile.verdicts = {less, equal, 100 - less - equal, 0};
+  return Rates::of({profile});
+}
+
+TEST(RatesOfVerdicts, AreTheirPartOfAllComparisons) {
+  const Rates rates = with_verdicts(20, 5);
+  EXPECT_DOUBLE_EQ(rates.share_of({Verdict::less, Verdict::equal}).value(), 0.25);
+  EXPECT_DOUBLE_EQ(rates.share_of({}).value(), 0);
+  EXPECT_DOUBLE_EQ(rates.share_of({Verdict::greater}).value(), 0.75);
+  EXPECT_FALSE(Rates().share_of({Verdict::less})) << "nothing was counted";
+}
+
+TEST(RatesOfVerdicts, OfTwoDataSetsAreMixedOrTheLarger) {
+  const Rates a = with_verdicts(20, 5), b = with_verdicts(60, 1);
+  EXPECT_DOUBLE_EQ(a.mixed_with(b, 0.25).share_of({Verdict::less}).value(), 0.3);
+  EXPECT_FALSE(a.mixed_with(Rates(), 0.25).share_of({Verdict::less}));
+  Rates worst = a;
+  worst.raise_to(b);
+  EXPECT_DOUBLE_EQ(worst.share_of({Verdict::less}).value(), 0.6);
+  EXPECT_DOUBLE_EQ(worst.share_of({Verdict::equal}).value(), 0.05);
+  Rates none;
+  none.raise_to(b);
+  EXPECT_DOUBLE_EQ(none.share_of({Verdict::less}).value(), 0.6);
+}
+
 TEST_F(RatesFile, GivesWhatAProfileCounted) {
   const auto rates = read(std::string(header) + "exact,8,relative,1000,5,5e-3,0,0\n" +
                           "rounded,9,running_4,1000,7,7e-3,0,0\n" +

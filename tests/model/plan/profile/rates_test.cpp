@@ -91,6 +91,12 @@ void expect_golden(const Scene& scene, const Comparisons& data, const ErrorProfi
   const auto wrong = std::count_if(truth.begin(), truth.end(),
                                    [](const Truth& t) { return t.reference != t.real; });
   EXPECT_EQ(profile.reference_wrong, static_cast<std::uint64_t>(wrong)) << what;
+  for (const Verdict verdict : all_verdicts) {
+    const auto all = std::count_if(truth.begin(), truth.end(),
+                                   [&](const Truth& t) { return t.real == verdict; });
+    EXPECT_EQ(profile.verdicts[static_cast<std::size_t>(verdict)], static_cast<std::uint64_t>(all))
+        << what << ": " << to_string(verdict);
+  }
   const std::vector<SchemeLanes> schemes = make_schemes(scene, errors);
   ASSERT_EQ(profile.schemes.size(), schemes.size());
   for (std::size_t s = 0; s < schemes.size(); ++s) {
