@@ -127,6 +127,24 @@ scene::Scene scene_in(scene::Scene scene, double share) {
   return scene;
 }
 
+/// The best systems so far, by formulation and interface.
+using BestSystems = std::map<std::pair<std::size_t, std::string>, PlannedSystem>;
+
+/// The fastest system that asks no more of its user; null without one.
+const PlannedSystem* rival_of(const BestSystems::key_type& key, const scene::SystemSpec& system,
+                              const BestSystems& best) {
+  const PlannedSystem* rival = nullptr;
+  for (const auto& [other, planned] : best) {
+    const bool is_rival =
+        other.first == key.first && optimise::asks_no_more(planned.known.scene.system, system);
+    if (!is_rival) continue;
+    if (rival == nullptr || planned.throughput_per_s() > rival->throughput_per_s()) {
+      rival = &planned;
+    }
+  }
+  return rival;
+}
+
 Characterisation part_of(const Characterisation& table, bool datapaths) {
   Characterisation part{
       .device = table.device, .scene = table.scene, .command = {}, .spec = table.spec, .rows = {}};
@@ -457,15 +475,19 @@ Result<OptimiseResult> ArchitectureSearch::best_in(Share share) const {
 
 Result<std::vector<PlannedSystem>> ArchitectureSearch::fastest_of(std::vector<Choice> choices,
                                                                   Share share) const {
+  // Fewer streams of reports come first: more of them must make a system faster.
+  const auto order = [&](const Choice& choice) {
+    const int streams = systems_[choice.system].scene.system.engine.report_streams;
+    return std::pair(streams, -choice.bound_per_s);
+  };
   std::stable_sort(choices.begin(), choices.end(),
-                   [](const Choice& a, const Choice& b) { return a.bound_per_s > b.bound_per_s; });
-  std::map<std::pair<std::size_t, std::string>, PlannedSystem> best;
+                   [&](const Choice& a, const Choice& b) { return order(a) < order(b); });
+  BestSystems best;
   for (const Choice& choice : choices) {
     const System& system = systems_[choice.system];
-    const std::pair key{system.formulation, system.interface};
-    const auto known = best.find(key);
-    const bool any = known != best.end();
-    const double known_per_s = any ? known->second.throughput_per_s() : 0;
+    const BestSystems::key_type key{system.formulation, system.interface};
+    const PlannedSystem* known = rival_of(key, system.scene.system, best);
+    const double known_per_s = known == nullptr ? 0 : known->throughput_per_s();
     if (choice.bound_per_s < (1 + effort.may_lose) * known_per_s) continue;
     optimise::OptimiseOptions options = request_->choice;
     options.first_precision = options.last_precision = choice.precision;
@@ -473,7 +495,11 @@ Result<std::vector<PlannedSystem>> ArchitectureSearch::fastest_of(std::vector<Ch
     MIXCMP_TRY(found, planned(choice.system, share, options));
     const optimise::PrecisionPlan* plan = found.found.best();
     if (plan == nullptr) continue;
-    if (any && !is_better(*plan, *known->second.found.best(), device_)) continue;
+    if (known != nullptr && known->interface == system.interface) {
+      if (!is_better(*plan, *known->found.best(), device_)) continue;
+    } else if (plan->throughput_per_s() <= (1 + effort.may_lose) * known_per_s) {
+      continue;
+    }
     best.insert_or_assign(key, std::move(found));
   }
   std::vector<PlannedSystem> systems;

@@ -197,6 +197,67 @@ TEST_F(OptimiseTask, TheFrontLeadsToThePlan) {
   EXPECT_GT(knee->share, found.front.front().share);
 }
 
+constexpr const char* circles = R"toml(
+[comparison]
+name = "circles"
+f = "(cxi - cxj)^2 + (cyi - cyj)^2"
+g = "(ri + rj)^2"
+[inputs]
+"*" = { range = [0, 100] }
+[reference]
+format = "s24e8"
+initiation_interval = 1
+[reduced]
+format = "auto"
+[engine]
+kind = "pairwise"
+lanes_per_group = 4
+report = ["less"]
+[system]
+device = "artix7-200t"
+counters = "none"
+[data]
+items = "uniform_spheres"
+count = 100
+radius_max = 20
+pairs = "all"
+)toml";
+
+/// An eighth of the circles meet, so that one stream serves few lanes. Each further row of the
+/// table has more streams and is faster for it; all that it could be is some system's best.
+TEST_F(OptimiseTask, StreamsOfReportsAreAsManyAsAreWorthTheirPorts) {
+  tasks::OptimiseRequest request = request_with({});
+  request.planning.scene.source = scene::SceneSource("scene.toml", circles);
+  const auto found_with = [&](const std::vector<std::string>& settings) {
+    request.planning.scene.settings = settings;
+    return tasks::optimise(request, tasks::load(request.planning.scene).value()).value();
+  };
+  const tasks::OptimiseResult open = found_with({});
+  std::map<int, double> by_streams;
+  for (const tasks::PlannedSystem& system : open.systems) {
+    by_streams[system.known.scene.system.engine.report_streams] = system.throughput_per_s();
+  }
+  ASSERT_GE(by_streams.size(), 3U);
+  double before = 0;
+  for (const int streams : {1, 2, 4, 8, 16, 32}) {
+    const auto given = found_with({fmt::format("engine.report_streams={}", streams)});
+    ASSERT_EQ(given.systems.size(), 1U);
+    const double alone = given.best().throughput_per_s();
+    const auto row = by_streams.find(streams);
+    if (row == by_streams.end()) {
+      EXPECT_LE(alone, 1.011 * before) << streams << " streams are left out";
+    } else {
+      EXPECT_NEAR(row->second / alone, 1, 0.006) << streams;
+      EXPECT_GT(row->second, 1.005 * before) << streams;
+      before = row->second;
+    }
+  }
+  const int chosen = open.best().known.scene.system.engine.report_streams;
+  EXPECT_EQ(chosen, by_streams.rbegin()->first);
+  EXPECT_EQ(open.best().settings,
+            std::vector<std::string>{fmt::format("engine.report_streams={}", chosen)});
+}
+
 /// The plan's settings and the search's own scene are one system.
 TEST(Architectures, AreWhatTheirSettingsMake) {
   const scene::SceneSource source("scene.toml", orientation);

@@ -200,4 +200,10 @@ std::string interface_of(const scene::Scene& scene) {
   MIXCMP_CHECK(false);
 }
 
+bool asks_no_more(const scene::SystemSpec& a, const scene::SystemSpec& b) {
+  const bool same_ports = a.engine.kind != EngineKind::none || a.operands == b.operands;
+  return a.engine.kind == b.engine.kind && same_ports && a.counters == b.counters &&
+         a.engine.report_streams <= b.engine.report_streams;
+}
+
 }  // namespace mixcmp::optimise

@@ -52,4 +52,7 @@ std::vector<std::string> settings_of(const Architecture& architecture, const sce
 /// no counters". Systems of one interface can replace each other.
 std::string interface_of(const scene::Scene& scene);
 
+/// Whether system `a` has the interface of system `b`, or that with fewer streams of reports.
+bool asks_no_more(const scene::SystemSpec& a, const scene::SystemSpec& b);
+
 }  // namespace mixcmp::optimise
