@@ -156,6 +156,19 @@ Characterisation part_of(const Characterisation& table, bool datapaths) {
 
 }  // namespace
 
+std::optional<performance::ItemSet> set_of(const data::Comparisons* data) {
+  if (data == nullptr) return std::nullopt;
+  switch (data->pairing()) {
+    case data::Pairing::all: return performance::ItemSet{.items = data->table().rows()};
+    case data::Pairing::cross:
+      return performance::ItemSet{.items = data->tables()[0].rows(),
+                                  .others = data->tables()[1].rows()};
+    case data::Pairing::rows:
+    case data::Pairing::arg_min: return std::nullopt;
+  }
+  MIXCMP_CHECK(false);
+}
+
 Result<optimise::Rates> count_rates(const OptimiseRequest& request, const LoadedScene& loaded) {
   optimise::OptimiseOptions choice = request.choice;
   choice.bounds = bounds_for(choice, loaded.scene);
@@ -351,6 +364,7 @@ Result<std::vector<ArchitectureSearch::Choice>> ArchitectureSearch::choices_of(s
   optimise::OptimiseOptions options = request_->choice;
   options.at_least_per_s = std::numeric_limits<double>::infinity();  // bounds, and no plans
   const System& each = systems_[system];
+  options.set = set_of(formulations_[each.formulation].loaded.data_if_any());
   MIXCMP_TRY(found, optimise::optimise(scene_in(each.scene, share), device_, each.table,
                                        rates_[each.formulation], options));
   std::vector<Choice> choices;
@@ -365,6 +379,7 @@ Result<PlannedSystem> ArchitectureSearch::planned(std::size_t number, Share shar
                                                   optimise::OptimiseOptions options) const {
   options.effort = effort;
   const System& system = systems_[number];
+  options.set = set_of(formulations_[system.formulation].loaded.data_if_any());
   scene::Scene scene = scene_in(system.scene, share);
   MIXCMP_TRY(found,
              optimise::optimise(scene, device_, system.table, rates_[system.formulation], options));

@@ -11,6 +11,9 @@
 
 namespace mixcmp::tasks {
 
+/// What a pairwise engine compares on these data; none without pairs.
+std::optional<performance::ItemSet> set_of(const data::Comparisons* data);
+
 /// Counts the rates of all lanes that a plan of the request may have.
 Result<optimise::Rates> count_rates(const OptimiseRequest& request, const LoadedScene& loaded);
 

@@ -124,6 +124,33 @@ Result<OptimiseResult> plan_by_tables(const OptimiseRequest& request,
   return result;
 }
 
+/// Tells how far the lanes of a pairwise engine are idle on a set of the scene's size.
+void note_idle_lanes(const LoadedScene& loaded, OptimiseResult& result) {
+  const PlannedSystem& best = result.best();
+  const optimise::PrecisionPlan* plan = best.found.best();
+  const auto set = set_of(loaded.data_if_any());
+  const bool is_pairwise = best.known.scene.system.engine.kind == scene::EngineKind::pairwise;
+  if (plan == nullptr || !set || !is_pairwise) return;
+  const double busy = performance::busy_share(*set, plan->allocation()->lane_count());
+  result.notes.push_back(fmt::format(
+      "on sets of {} items the lanes compare in {:.3g} % of their cycles, since a block "
+      "of items is loaded one by one; {}",
+      set->items, 100 * busy,
+      plan->busy < 1 ? "G/s count that" : "T(equ) is lanes times clock, without that"));
+}
+
+/// Tells what must reach a system of streams: each comparison brings all of its operands.
+void note_traffic(OptimiseResult& result) {
+  const PlannedSystem& best = result.best();
+  const scene::Scene& scene = best.known.scene;
+  if (best.found.best() == nullptr || scene.system.engine.kind != scene::EngineKind::none) return;
+  const auto inputs = static_cast<int>(scene.graph.inputs().size());
+  const int bits = inputs * scene.reference.format.width();
+  result.notes.push_back(
+      fmt::format("all operands of each comparison arrive at its ports, {} bits: {:.3g} GB/s", bits,
+                  best.throughput_per_s() / 1e9 * bits / 8));
+}
+
 /// Synthesises the components of the best plan and plans again, until the best plan has measured
 /// areas only. Their results stay in the store, so that an interrupted run can be continued.
 Result<OptimiseResult> confirm(const OptimiseRequest& request, const LoadedScene& loaded,
@@ -210,7 +237,12 @@ Result<OptimiseResult> optimise(const OptimiseRequest& request, const LoadedScen
                  .received = request.planning.table.string(),
                  .accepted = "no table, so that the smallest system is searched for"};
   }
-  if (!request.planning.table.empty()) return plan_by_tables(request, formulations);
+  if (!request.planning.table.empty()) {
+    MIXCMP_TRY(by_tables, plan_by_tables(request, formulations));
+    note_idle_lanes(loaded, by_tables);
+    note_traffic(by_tables);
+    return by_tables;
+  }
   MIXCMP_TRY(search, ArchitectureSearch::make(request, formulations));
   MIXCMP_TRY(predicted, search.best());
   MIXCMP_TRY(result, confirm(request, loaded, search, std::move(predicted)));
@@ -219,6 +251,8 @@ Result<OptimiseResult> optimise(const OptimiseRequest& request, const LoadedScen
     result.front = std::move(front);
   }
   result.notes = search.notes();
+  note_idle_lanes(loaded, result);
+  note_traffic(result);
   return result;
 }
 

@@ -23,6 +23,13 @@ std::uint64_t pairwise_word_cycles(std::uint64_t items, std::uint64_t others, in
   return cycles;
 }
 
+double busy_share(const ItemSet& set, int lanes) {
+  const auto items = static_cast<double>(set.items);
+  const double pairs =
+      set.others > 0 ? items * static_cast<double>(set.others) : items * (items - 1) / 2;
+  return pairs / lanes / static_cast<double>(pairwise_word_cycles(set.items, set.others, lanes));
+}
+
 double pairwise_cycles(const PairwiseSet& set) {
   const auto words = static_cast<double>(pairwise_word_cycles(set.items, set.others, set.lanes));
   const auto exceptions = static_cast<double>(set.exceptions);

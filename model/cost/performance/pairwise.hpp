@@ -6,6 +6,12 @@
 
 namespace mixcmp::performance {
 
+/// Items that a pairwise engine compares with each other, or with those of a second table.
+struct ItemSet {
+  std::uint64_t items = 0;   ///< N
+  std::uint64_t others = 0;  ///< M, of the second table; 0: the items meet each other
+};
+
 /// The work of a pairwise engine for one set of items, and the engine's numbers.
 struct PairwiseSet {
   std::uint64_t items = 0;   ///< N
@@ -26,6 +32,10 @@ struct PairwiseSet {
 /// Cycles in which words enter the chain, one in each. Block b of p_L items meets the N - b p_L
 /// items from its first one on. With `others` a block is loaded and then meets the M others.
 std::uint64_t pairwise_word_cycles(std::uint64_t items, std::uint64_t others, int lanes);
+
+/// The part of their cycles, 0..1, in which `lanes` lanes compare while words enter: while a block
+/// is loaded only those lanes do that have their item.
+double busy_share(const ItemSet& set, int lanes);
 
 /// Approximate cycles from a set's first item to its closing beat. It is the way of a word through
 /// all segments and the last one's lanes, plus the longest of several needs: words; exceptions (a

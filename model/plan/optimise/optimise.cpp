@@ -201,7 +201,7 @@ std::string describe_clocks(const Optimisation& optimisation) {
 
 double PrecisionPlan::throughput_per_s() const {
   const Allocation* chosen = allocation();
-  return chosen == nullptr ? 0 : chosen->throughput_per_s;
+  return chosen == nullptr ? 0 : busy * chosen->throughput_per_s;
 }
 
 double PrecisionPlan::recomputation_rate() const {

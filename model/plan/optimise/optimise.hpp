@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/cost/measured/measurement.hpp"
+#include "model/cost/performance/pairwise.hpp"
 #include "model/plan/optimise/allocation.hpp"
 #include "model/plan/optimise/rates.hpp"
 #include "model/plan/optimise/second_tier.hpp"
@@ -38,6 +39,9 @@ struct OptimiseOptions {
   double at_least_per_s = 0;
   /// Programs of many kinds are solved in seconds where the last 0.1 % would take minutes.
   Effort effort = {};
+  /// What a pairwise engine compares: a plan then counts the cycles in which lanes have no item.
+  /// None: T(equ) as in the paper, by lanes and clocks alone.
+  std::optional<performance::ItemSet> set = {};
 };
 
 /// The limits of a clock that a user may give.
@@ -93,9 +97,10 @@ struct PrecisionPlan {
   AllocationProblem problem;
   AllocationResult result;
   double bound_per_s = 0;  ///< see throughput_bound; 0 without OptimiseOptions::at_least_per_s
+  double busy = 1;         ///< part of their cycles in which lanes have items to compare
 
   const Allocation* allocation() const { return std::get_if<Allocation>(&result); }
-  double throughput_per_s() const;    ///< T(equ); 0 where infeasible
+  double throughput_per_s() const;    ///< T(equ) times `busy`; 0 where infeasible
   double recomputation_rate() const;  ///< R_R over all lanes of the plan
   double clock_mhz() const;           ///< of the lanes used; with separate clocks their mean
 };

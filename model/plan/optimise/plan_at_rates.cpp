@@ -165,7 +165,7 @@ std::optional<PlanAtRates> at_rates(const PrecisionPlan& plan, const scene::Scen
     throughput =
         std::min(throughput, loaded->comparisons * allowed_by_reports(*loaded, engine, reported));
   }
-  return PlanAtRates{.throughput_per_s = throughput,
+  return PlanAtRates{.throughput_per_s = plan.busy * throughput,
                      .counted_rate = is_pairwise ? again : loaded->undecided_rate()};
 }
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "model/base/common/check.hpp"
@@ -430,11 +432,23 @@ double report_words_of(const PrecisionPlan& plan, PrecisionSearch& search) {
   return performance::report_words(engine, reported.value_or(0), undecided);
 }
 
+/// Lanes of a pairwise engine beyond those that its set has items for would never compare.
+int most_useful_lanes(const PrecisionSearch& search) {
+  const int most = settings::limits::engine_lanes.most;
+  const std::optional<performance::ItemSet>& set = search.options().set;
+  if (!set || set->items >= static_cast<std::uint64_t>(most)) return most;
+  const int group = search.system().engine.lanes_per_segment();
+  const int items = static_cast<int>(set->items);
+  return std::min(most, (items + group - 1) / group * group);
+}
+
 /// Tells that more lanes would not help, if any of these plans has as many as streams allow.
 void note_reports(const std::vector<PrecisionPlan>& plans, PrecisionSearch& search) {
-  const auto is_full = [](const PrecisionPlan& plan) {
+  const int most = most_useful_lanes(search);
+  const auto is_full = [most](const PrecisionPlan& plan) {
     const Allocation* chosen = plan.allocation();
-    return chosen != nullptr && chosen->lane_count() == plan.problem.max_lanes;
+    return chosen != nullptr && chosen->lane_count() == plan.problem.max_lanes &&
+           plan.problem.max_lanes < most;
   };
   const scene::EngineSpec& engine = search.system().engine;
   const std::optional<double> reported = search.inputs.rates.share_of(engine.report);
@@ -445,6 +459,21 @@ void note_reports(const std::vector<PrecisionPlan>& plans, PrecisionSearch& sear
       100 * *reported, engine.report_streams));
 }
 
+/// Counts the cycles in which lanes have no item. Pairs per cycle rise with the number of lanes, so
+/// that a bound on lanes is one on pairs.
+void count_idle_cycles(PrecisionPlan& plan, const performance::ItemSet& set) {
+  if (const Allocation* chosen = plan.allocation()) {
+    plan.busy = performance::busy_share(set, chosen->lane_count());
+  }
+  double least_interval_s = std::numeric_limits<double>::infinity();
+  for (const LaneKind& kind : plan.problem.lanes) {
+    least_interval_s = std::min(least_interval_s, 1 / throughput_per_s(kind));
+  }
+  const int lanes = std::min(plan.problem.max_lanes,
+                             static_cast<int>(std::ceil(plan.bound_per_s * least_interval_s)));
+  if (lanes > 0) plan.bound_per_s = performance::busy_share(set, lanes) * lanes / least_interval_s;
+}
+
 /// Two plans: of groups that never wait for their streams of reports, and of one group more a
 /// stream, where all wait. Still more groups would only wait longer.
 std::vector<PrecisionPlan> plans_of_pairwise_engines(PrecisionSearch& search, const Rows& rows) {
@@ -453,7 +482,7 @@ std::vector<PrecisionPlan> plans_of_pairwise_engines(PrecisionSearch& search, co
   plan.problem.sharing = ReferenceSharing::pooled;  // whichever is free takes the next pair
   // Each stream of reports has a group of lanes.
   const int least = engine.report_streams * engine.lanes_per_segment();
-  const int most = settings::limits::engine_lanes.most;
+  const int most = most_useful_lanes(search);
   const double words = report_words_of(plan, search);
   const int groups = words * most < 1 ? most : static_cast<int>(1 / words);  // a stream
   std::vector<PrecisionPlan> plans;
@@ -461,6 +490,7 @@ std::vector<PrecisionPlan> plans_of_pairwise_engines(PrecisionSearch& search, co
     PrecisionPlan& none_waits = plans.emplace_back(plan);
     none_waits.problem.min_lanes = least;
     none_waits.problem.max_lanes = std::min(most, groups < most / least ? groups * least : most);
+    none_waits.problem.max_lanes = std::max(least, none_waits.problem.max_lanes);
     solve(none_waits, search);
   }
   if (groups < most / least) {
@@ -472,6 +502,9 @@ std::vector<PrecisionPlan> plans_of_pairwise_engines(PrecisionSearch& search, co
     plans.push_back(std::move(plan));
   }
   note_reports(plans, search);
+  if (search.options().set) {
+    for (PrecisionPlan& each : plans) count_idle_cycles(each, *search.options().set);
+  }
   return plans;
 }
 

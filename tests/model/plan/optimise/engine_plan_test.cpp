@@ -275,6 +275,39 @@ TEST_F(EnginePlan, ReportsAreCountedAsTheyLeave) {
   EXPECT_GT(optimise_now().best()->throughput_per_s(), 100 * lanes * 100e6);
 }
 
+/// Of 40 items in one block, 780 pairs meet in 40 cycles, whatever the number of lanes beyond 40.
+TEST_F(EnginePlan, LanesWithoutItemsDoNotCount) {
+  rates_ = rates_of({{8, 0}, {10, 0}});
+  device_.available = {.luts = 1'000'000, .registers = 1'000'000, .dsps = 10'000};
+  options_.clocks.lane_mhz = options_.clocks.reference_mhz = 100;
+  options_.set = performance::ItemSet{.items = 40};
+  EXPECT_EQ(optimise_now().best()->allocation()->lane_count(), 40);
+  EXPECT_DOUBLE_EQ(optimise_now().best()->throughput_per_s(), 100e6 * 780 / 40);
+  options_.set->items = 41;  // the second block has one item: 41 + 1 cycles; 48 lanes: 41 cycles
+  EXPECT_EQ(optimise_now().best()->allocation()->lane_count(), 48);
+  EXPECT_DOUBLE_EQ(optimise_now().best()->throughput_per_s(), 100e6 * 820 / 41);
+  options_.set = performance::ItemSet{.items = 41, .others = 59};
+  EXPECT_DOUBLE_EQ(optimise_now().best()->throughput_per_s(), 100e6 * 41 * 59 / 100);
+}
+
+/// A search that asks for more than a plan's lanes can do with their items has no plan, and the
+/// bound is no lower than the plan.
+TEST_F(EnginePlan, BoundsCountIdleLanes) {
+  rates_ = rates_of({{8, 5000}, {10, 200}});
+  options_.clocks.lane_mhz = options_.clocks.reference_mhz = 100;
+  for (const std::uint64_t items : {10, 33, 100, 1000}) {
+    options_.set = performance::ItemSet{.items = items};
+    options_.at_least_per_s = 0;
+    std::map<int, double> found;
+    for (const auto& plan : optimise_now().plans) found[plan.precision] = plan.throughput_per_s();
+    options_.at_least_per_s = 1;
+    for (const auto& plan : optimise_now().plans) {
+      EXPECT_GE(plan.bound_per_s, (1 - 1e-9) * found.at(plan.precision)) << items;
+      EXPECT_LE(plan.bound_per_s, 1.5 * found.at(plan.precision)) << items;
+    }
+  }
+}
+
 TEST_F(EnginePlan, IsSlowerWhereMorePairsAreReported) {
   rates_ = rates_of({{8, 5000}, {10, 200}}, 20'000);
   const optimise::PrecisionPlan plan = *optimise_now().best();
