@@ -4,7 +4,7 @@ BEGIN {
   side = 420
   print "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 700 450\" " \
         "font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\" font-size=\"12\">"
-  print "<title>1000 particles and 40 moving obstacles</title>"
+  print "<title>1000 particles and 400 moving obstacles</title>"
   print "<defs><marker id=\"arrow\" viewBox=\"0 0 10 10\" refX=\"9\" refY=\"5\" " \
         "markerWidth=\"6\" markerHeight=\"6\" orient=\"auto\">" \
         "<path d=\"M0,1 L10,5 L0,9 z\" fill=\"#c05a10\"/></marker>" \

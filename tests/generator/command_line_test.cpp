@@ -330,6 +330,14 @@ TEST_F(Fit, LanesThatPlainlyExceedTheDeviceAreNoted) {
   EXPECT_NE(text.output.find("\nnote: " + note), std::string::npos) << text.output;
 }
 
+TEST_F(Fit, APlanThatStatesItsAreaIsNotEstimatedAgain) {
+  write("plan.toml", "scene = \"scene.toml\"\n[plan]\nlut = 5000\n");
+  const std::string options = fmt::format(" --no-prove {} --lanes 400", small);
+  const Outcome planned = mixcmp("generate plan.toml" + options);
+  EXPECT_EQ(planned.exit_code, 0) << planned.output;
+  EXPECT_EQ(planned.output.find("do not fit"), std::string::npos) << planned.output;
+}
+
 TEST_F(Fit, ATableOfOtherRtlIsNoMeasurement) {
   fs::create_directory(path("characterisation"));
   std::ofstream(path("characterisation") / "scene-ice40-up5k.csv")

@@ -92,7 +92,8 @@ TEST_F(NewCommand, TheNextCommandsWorkFromWhereTheUserStands) {
   const auto next = nlohmann::json::parse(run.output).at("next");
   ASSERT_EQ(next.size(), 5u);
   EXPECT_EQ(next[0], "mixcmp check 'a folder/near.toml'");
-  EXPECT_EQ(next[2], "mixcmp optimise 'a folder/near.toml' -o 'a folder/near_plan.toml'");
+  EXPECT_EQ(next[1], "mixcmp optimise 'a folder/near.toml' -o 'a folder/near_plan.toml'");
+  EXPECT_EQ(next[4], "mixcmp report 'a folder/near_plan.toml'");
   EXPECT_EQ(mixcmp(next[0].get<std::string>().substr(7)).exit_code, 0);
   EXPECT_EQ(read("a folder/near.toml").find("a folder"), std::string::npos)
       << "the file's head names the file as seen from its folder";

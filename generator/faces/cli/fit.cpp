@@ -1,5 +1,7 @@
 #include "generator/faces/cli/fit.hpp"
 
+#include <algorithm>
+
 #include "generator/faces/cli/planning.hpp"
 #include "generator/synthesis/components/characterise.hpp"
 #include "model/base/common/file.hpp"
@@ -21,6 +23,14 @@ std::optional<measured::Characterisation> table_beside(const std::filesystem::pa
   return std::move(table).value();
 }
 
+/// Whether the scene is a plan that states its LUTs: they are closer than a rough estimate.
+bool states_area(const scene::Scene& scene) {
+  if (!scene.plan) return false;
+  const auto& values = scene.plan->values;
+  return std::any_of(values.begin(), values.end(),
+                     [](const auto& value) { return value.first == "lut"; });
+}
+
 }  // namespace
 
 std::optional<std::string> fit_note(const LoadedScene& loaded, const design::Design& design) {
@@ -29,7 +39,8 @@ std::optional<std::string> fit_note(const LoadedScene& loaded, const design::Des
   const scene::Scene& scene = loaded.scene;
   const std::filesystem::path path = optimise::default_table(scene.path, scene, device->name);
   const auto table = table_beside(path, scene, *device);
-  const auto note = [&](const measured::Characterisation* areas) {
+  const auto note = [&](const measured::Characterisation* areas) -> std::optional<std::string> {
+    if (areas == nullptr && states_area(scene)) return std::nullopt;
     const auto footprint = optimise::footprint_of(design, areas, *device);
     return excess_of(footprint, design, *device, path.string());
   };

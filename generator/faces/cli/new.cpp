@@ -235,11 +235,7 @@ std::string to_text(const NewScene& scene, const LoadedScene& loaded) {
     text += fmt::format("  {} comparisons, pairs = {}\n", loaded.data->size(),
                         to_string(scene.pairing));
   }
-  text += "next:\n";
-  for (const auto& [command, purpose] : next_commands(scene, scene.path)) {
-    text += fmt::format("  {:<52} {}\n", command, purpose);
-  }
-  return text;
+  return text + "next:\n" + next_text(scene, scene.path, "  ");
 }
 
 void run(NewCommand& command) {

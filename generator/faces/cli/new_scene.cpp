@@ -181,12 +181,8 @@ std::string data_text(const NewScene& scene, const LoadedScene& loaded) {
 }
 
 std::string head_text(const NewScene& scene) {
-  std::string text =
-      "# Every key of this file: docs/scene_file.md of mixcmp. What comes next:\n#\n";
-  for (const auto& [command, purpose] : next_commands(scene, scene.path.filename())) {
-    text += fmt::format("#   {:<52} {}\n", command, purpose);
-  }
-  return text;
+  return "# Every key of this file: docs/scene_file.md of mixcmp. What comes next:\n#\n" +
+         next_text(scene, scene.path.filename(), "#   ");
 }
 
 std::string comparison_text(const NewScene& scene) {
@@ -207,8 +203,7 @@ std::string formats_text(const NewScene& scene, const LoadedScene& loaded) {
       "# The lanes, which decide nearly all comparisons. \"auto\" leaves their format to `mixcmp\n"
       "# optimise`; \"s13e8\" are 13 bits of significand, \"q13\" is fixed point of 13 bits.\n"
       "# \"certified\": a lane decides only where its error bound is proven to allow it.\n"
-      "# \"exact\": the first operators take all digits of the operands; \"rounded\": the lane's.\n"
-      "[reduced]\nformat = \"auto\"\nbound = \"certified\"\ninputs = \"exact\"\n",
+      "[reduced]\nformat = \"auto\"\nbound = \"certified\"\n",
       format.precision(), format.exponent_bits(), toml_string(scene.reference));
 }
 
@@ -262,12 +257,24 @@ std::vector<std::pair<std::string, std::string>> next_commands(const NewScene& s
   if (scene.file.empty()) return commands;
   commands.insert(
       commands.end(),
-      {{CommandLine("profile", path, {}).text(), "errors and recomputations at every precision"},
-       {CommandLine("optimise", path, {}).add("-o", plan.string()).text(),
-        "the best plan for the device"},
+      {{CommandLine("optimise", path, {}).add("-o", plan.string()).text(),
+        "the best system for the device, in minutes"},
        {CommandLine("generate", plan, {}).add("-o", "rtl").text(), "its Verilog"},
-       {CommandLine("verify", plan, {}).text(), "simulated on the data, every verdict checked"}});
+       {CommandLine("verify", plan, {}).text(), "simulated on the data, every verdict checked"},
+       {CommandLine("report", plan, {}).text(), "an HTML page about all of it"}});
   return commands;
+}
+
+std::string next_text(const NewScene& scene, const std::filesystem::path& path,
+                      const std::string& margin) {
+  const auto commands = next_commands(scene, path);
+  std::size_t width = 0;
+  for (const auto& [command, purpose] : commands) width = std::max(width, command.size());
+  std::string text;
+  for (const auto& [command, purpose] : commands) {
+    text += fmt::format("{}{:<{}}  {}\n", margin, command, width, purpose);
+  }
+  return text;
 }
 
 }  // namespace mixcmp::cli

@@ -3,9 +3,7 @@
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
-#include <thread>
 
-#include "generator/faces/cli/characterise_table.hpp"
 #include "generator/faces/cli/exit.hpp"
 #include "generator/faces/cli/optimise_report.hpp"
 #include "generator/faces/cli/output.hpp"
@@ -70,20 +68,10 @@ std::string command_of(const OptimiseCommand& command) {
   return line.text();
 }
 
-/// The request of the command. Components of the best plan are synthesised for their areas only.
 tasks::OptimiseRequest request_of(const OptimiseCommand& command, const LoadedScene& loaded) {
-  tasks::OptimiseRequest request{.planning = command.planning.request(),
-                                 .choice = command.planning.choice,
-                                 .rates = given_rates(command, loaded),
-                                 .predict_only = command.predict_only,
-                                 .at_least_per_s = command.at_least * 1e9,
-                                 .progress = show_share};
-  request.synthesis.synthesis.effort = characterise::TimingEffort::area_only;
-  request.synthesis.workers = std::max(1u, std::thread::hardware_concurrency());
-  request.synthesis.progress = tell_progress;
-  if (!command.predict_only && command.planning.table.empty()) {
-    request.synthesis.store = value_or_exit(characterise::default_store_path());
-  }
+  tasks::OptimiseRequest request = search_request(command.planning, command.predict_only);
+  request.rates = given_rates(command, loaded);
+  request.at_least_per_s = command.at_least * 1e9;
   request.confirming = [](double per_s, int components) {
     show_progress("");
     tell_note(
@@ -105,17 +93,6 @@ void tell_notes(const OptimiseCommand& command, const scene::Scene& given,
   for (const auto& [name, error] : result.left_out) {
     tell_note(fmt::format("{} left out: {}", name, error.to_string()));
   }
-}
-
-/// Ends the program if the components of the plan could not be synthesised.
-void end_if_not_confirmed(const tasks::OptimiseResult& result) {
-  if (!result.confirmation) return;
-  components::CharacteriseReport report;
-  report.failed = result.confirmation->failed;
-  report.interrupted_by = result.confirmation->interrupted_by;
-  end_if_unfinished(report);
-  if (result.confirmation->not_done.empty()) return;
-  tell_note("areas are predicted, not measured: " + result.confirmation->not_done);
 }
 
 /// Notes that a file in the place of a plan is from an earlier run.

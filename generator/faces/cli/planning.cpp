@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <thread>
 
+#include "generator/faces/cli/characterise_table.hpp"
 #include "generator/faces/cli/exit.hpp"
 #include "generator/faces/cli/output.hpp"
 #include "model/base/settings/bound_name.hpp"
@@ -129,6 +131,30 @@ Result<std::vector<profile::RateProfile>> measure_rates(const LoadedScene& loade
   auto rates = tasks::measure_rates(loaded, inputs, choice, show_share);
   show_progress("");
   return rates;
+}
+
+tasks::OptimiseRequest search_request(const PlanningOptions& options, bool predict_only) {
+  tasks::OptimiseRequest request{.planning = options.request(),
+                                 .choice = options.choice,
+                                 .predict_only = predict_only,
+                                 .progress = show_share};
+  request.synthesis.synthesis.effort = characterise::TimingEffort::area_only;
+  request.synthesis.workers = std::max(1u, std::thread::hardware_concurrency());
+  request.synthesis.progress = tell_progress;
+  if (!predict_only && options.table.empty()) {
+    request.synthesis.store = value_or_exit(characterise::default_store_path());
+  }
+  return request;
+}
+
+void end_if_not_confirmed(const tasks::OptimiseResult& result) {
+  if (!result.confirmation) return;
+  components::CharacteriseReport report;
+  report.failed = result.confirmation->failed;
+  report.interrupted_by = result.confirmation->interrupted_by;
+  end_if_unfinished(report);
+  if (result.confirmation->not_done.empty()) return;
+  tell_note("areas are predicted, not measured: " + result.confirmation->not_done);
 }
 
 }  // namespace mixcmp::cli

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "generator/faces/cli/options.hpp"
+#include "generator/tasks/optimise.hpp"
 #include "generator/tasks/planning.hpp"
 
 namespace mixcmp::cli {
@@ -49,6 +50,12 @@ void tell_notes_of(const Planning& planning, const scene::Scene& given,
 /// components::load_planning.
 Result<Planning> load_planning(const PlanningOptions& options, const scene::Scene& scene,
                                const data::Comparisons* data);
+
+/// A search for the best system. Components of the best plan are synthesised for their areas only.
+tasks::OptimiseRequest search_request(const PlanningOptions& options, bool predict_only);
+
+/// Ends the program if the components of the plan could not be synthesised.
+void end_if_not_confirmed(const tasks::OptimiseResult& result);
 
 /// Recomputation rates of every kind of lane on the scene's data, for these kinds of inputs, at the
 /// precisions of `choice`. It is an error if the scene has no data.

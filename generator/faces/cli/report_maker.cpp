@@ -182,22 +182,34 @@ std::filesystem::path ReportMaker::table_beside_a_layer() const {
   return optimise::default_table(options.scene, scene, name);
 }
 
-Missing ReportMaker::no_plans(const Error& error) {
-  Missing none = not_made("plan", error, command("characterise"));
-  if (path_exists(table_beside_a_layer())) return none;
-  none.why =
-      fmt::format("No areas and clocks have been measured for {}.", device_name(loaded_.scene));
-  return none;
+/// Plans without a table. The areas of a plan file's components are measured, since `optimise` has
+/// left them in the store; those of a scene are predicted.
+IfThere<optimise::Optimisation> ReportMaker::search_plans() {
+  const SceneOptions& options = planning_options_.scene;
+  const auto read = value_or_exit(scene::read_scene_settings(options.scene, options.settings));
+  const bool is_plan = read.files.size() > 1;
+  auto result = tasks::optimise(search_request(planning_options_, !is_plan), loaded_);
+  show_progress("");
+  if (!result.ok()) return not_made("plan", result.error(), command("optimise"));
+  end_if_not_confirmed(*result);
+  const tasks::PlannedSystem& best = result->best();
+  optimise::Optimisation plans = best.found;
+  if (!result->confirmation->is_measured) {
+    plans.notes.emplace_back("areas are predicted; mixcmp optimise measures those of its plan");
+  }
+  plans.notes.push_back("the system around the lanes: " + best.interface);
+  return plans;
 }
 
 IfThere<optimise::Optimisation> ReportMaker::find_plans() {
+  if (!loaded_.data) {
+    return not_made("plan", "A plan needs recomputation rates, and the scene has no data.", "");
+  }
   const Planning* planning = plannable();
   if (planning == nullptr) {
     if (!planning_options_.table.empty()) fail(planning_->error());
-    return no_plans(planning_->error());
-  }
-  if (!loaded_.data) {
-    return not_made("plan", "A plan needs recomputation rates, and the scene has no data.", "");
+    if (!path_exists(table_beside_a_layer())) return search_plans();
+    return not_made("plan", planning_->error(), command("characterise"));
   }
   show_progress("finding plans");
   auto found = optimise::optimise(planning->scene, planning->device, planning->table, rates(),

@@ -50,7 +50,7 @@ private:
   report::IfThere<report::ProfileReport> measure();
   const Planning* plannable();
   std::filesystem::path table_beside_a_layer() const;
-  report::Missing no_plans(const Error& error);
+  report::IfThere<optimise::Optimisation> search_plans();
   report::IfThere<optimise::Optimisation> find_plans();
   optimise::Rates rates();
   std::optional<optimise::PublishedFigures> published() const;

@@ -32,8 +32,8 @@ struct @PREFIX@_switching {
 // reconfiguration.
 static inline int @PREFIX@_next_plan(
     struct @PREFIX@_switching *state, uint64_t comparisons, uint64_t recomputations) {
-  // Recomputation rates that a plan counts on known data, and the seconds that each plan takes for a
-  // comparison there.
+  // Recomputation rates that a plan counts on known data, and the seconds that each plan takes for
+  // a comparison there.
   static const struct {
     double rate;
     double seconds[@PLANS@];
