@@ -100,6 +100,18 @@ void note_slow_reference(Optimisation& found) {
                   references, lanes));
 }
 
+/// Notes it if streams of reports are what keeps the best plan from more lanes.
+void note_full_streams(const scene::Scene& scene, const Rates& rates, Optimisation& found) {
+  const PrecisionPlan* best = found.best();
+  if (best == nullptr || !best->fills_streams) return;
+  const scene::EngineSpec& engine = scene.system.engine;
+  found.notes.push_back(fmt::format(
+      "more lanes would wait for the streams of reports, of which engine.report_streams gives {}: "
+      "each takes one word a cycle, {:.3g} % of the pairs are reported and {:.3g} % recomputed",
+      engine.report_streams, 100 * rates.share_of(engine.report).value_or(0),
+      100 * best->recomputation_rate()));
+}
+
 /// Names the precisions whose plan may not be the best.
 void note_unproven(Optimisation& found) {
   std::vector<std::string> unproven;
@@ -303,6 +315,7 @@ Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& 
   all.notes.assign(findings.notes.begin(), findings.notes.end());
   if (is_chain(scene)) note_room(all);
   note_slow_reference(all);
+  note_full_streams(scene, rates, all);
   note_one_interval(scene, table, all);
   note_unproven(all);
   if (!findings.missing.empty()) return incomplete(scene, findings.missing);

@@ -96,8 +96,9 @@ struct PrecisionPlan {
   std::optional<SecondLanes> second_lanes = {};
   AllocationProblem problem;
   AllocationResult result;
-  double bound_per_s = 0;  ///< see throughput_bound; 0 without OptimiseOptions::at_least_per_s
-  double busy = 1;         ///< part of their cycles in which lanes have items to compare
+  double bound_per_s = 0;      ///< see throughput_bound; 0 without OptimiseOptions::at_least_per_s
+  double busy = 1;             ///< part of their cycles in which lanes have items to compare
+  bool fills_streams = false;  ///< more lanes would wait for the streams of reports
 
   const Allocation* allocation() const { return std::get_if<Allocation>(&result); }
   double throughput_per_s() const;    ///< T(equ) times `busy`; 0 where infeasible

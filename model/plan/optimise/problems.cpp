@@ -442,23 +442,6 @@ int most_useful_lanes(const PrecisionSearch& search) {
   return std::min(most, (items + group - 1) / group * group);
 }
 
-/// Tells that more lanes would not help, if any of these plans has as many as streams allow.
-void note_reports(const std::vector<PrecisionPlan>& plans, PrecisionSearch& search) {
-  const int most = most_useful_lanes(search);
-  const auto is_full = [most](const PrecisionPlan& plan) {
-    const Allocation* chosen = plan.allocation();
-    return chosen != nullptr && chosen->lane_count() == plan.problem.max_lanes &&
-           plan.problem.max_lanes < most;
-  };
-  const scene::EngineSpec& engine = search.system().engine;
-  const std::optional<double> reported = search.inputs.rates.share_of(engine.report);
-  if (!reported || std::none_of(plans.begin(), plans.end(), is_full)) return;
-  search.findings.notes.insert(fmt::format(
-      "the streams of reports limit the engine: they take one word a cycle each, {:.3g} % of the "
-      "pairs are reported, and engine.report_streams is {}",
-      100 * *reported, engine.report_streams));
-}
-
 /// Counts the cycles in which lanes have no item. Pairs per cycle rise with the number of lanes, so
 /// that a bound on lanes is one on pairs.
 void count_idle_cycles(PrecisionPlan& plan, const performance::ItemSet& set) {
@@ -501,9 +484,11 @@ std::vector<PrecisionPlan> plans_of_pairwise_engines(PrecisionSearch& search, co
     solve(plan, search);
     plans.push_back(std::move(plan));
   }
-  note_reports(plans, search);
-  if (search.options().set) {
-    for (PrecisionPlan& each : plans) count_idle_cycles(each, *search.options().set);
+  for (PrecisionPlan& each : plans) {
+    const Allocation* chosen = each.allocation();
+    each.fills_streams = chosen != nullptr && each.problem.max_lanes < most &&
+                         chosen->lane_count() == each.problem.max_lanes;
+    if (search.options().set) count_idle_cycles(each, *search.options().set);
   }
   return plans;
 }

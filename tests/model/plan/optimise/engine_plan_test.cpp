@@ -244,7 +244,8 @@ TEST_F(EnginePlan, PairsThatAreReportedLeaveByStreams) {
     EXPECT_EQ(plan.allocation()->lane_count(), streams * lanes);
     EXPECT_EQ(std::count_if(found.notes.begin(), found.notes.end(),
                             [](const std::string& note) {
-                              return note.find("84 % of the pairs") != std::string::npos;
+                              return note.find("84 % of the pairs are reported") !=
+                                     std::string::npos;
                             }),
               1);
   }
