@@ -109,7 +109,7 @@ Result<optimise::Rates> keep_rates(const SceneRequest& request, const LoadedScen
                                      .errors = {},
                                      .rates = rates};
   MIXCMP_DO(write_file(file, report::figure5_csv(report)));
-  return optimise::Rates::of(rates);
+  return optimise::Rates::read(file);  // what a run that is continued finds
 }
 
 }  // namespace mixcmp::tasks
