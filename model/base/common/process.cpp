@@ -227,12 +227,11 @@ Result<std::string> tool_version(const Command& command, const std::string& pack
   // On a busy machine even this can take longer than ten seconds.
   const Result<Captured> run = capture(command, {.seconds = 60});
   if (!run.ok() && run.error().kind == ErrorKind::missing_tool) {
-    return Error{
-        .message = fmt::format("{} does not run", shell_line(tool)),
-        .accepted = fmt::format("{}, {}: {}", tool.back(),
-                                is_of_python(package) ? "anywhere" : "on Debian",
-                                install_command(package)),
-        .kind = ErrorKind::missing_tool};
+    return Error{.message = fmt::format("{} does not run", shell_line(tool)),
+                 .accepted = fmt::format("{}, {}: {}", tool.back(),
+                                         is_of_python(package) ? "anywhere" : "on Debian",
+                                         install_command(package)),
+                 .kind = ErrorKind::missing_tool};
   }
   if (!run.ok()) return run.error();
   const std::string line = version_line(run->output.empty() ? run->errors : run->output);
