@@ -16,8 +16,10 @@ std::string read_commands(const ProjectSpec& spec) {
          joined(spec.signature.cells, "read_verilog -overwrite .rtl/", "\n");
 }
 
-Values yosys_values(const ProjectSpec& spec) {
+/// `folder`: that of the script, in the system's.
+Values yosys_values(const ProjectSpec& spec, const char* folder) {
   Values values = common_values(spec, "#");
+  values["FOLDER"] = folder;
   values["DEVICE"] = spec.device.name;
   values["READ"] = read_commands(spec);
   values["SYNTHESIS"] = spec.device.synthesis;
@@ -44,7 +46,7 @@ Result<GeneratedFile> pins_file(const ProjectSpec& spec) {
 }
 
 Values nextpnr_values(const ProjectSpec& spec) {
-  Values values = yosys_values(spec);
+  Values values = yosys_values(spec, "nextpnr");
   const characterise::Router& router = *characterise::router_of(spec.device);
   const bool has_free_pins = *router.free_pins != '\0';
   values["PINS"] = pins_name(spec);
@@ -72,7 +74,7 @@ Error not_routed(const ProjectSpec& spec) {
 
 Result<std::vector<GeneratedFile>> yosys_files(const ProjectSpec& spec) {
   MIXCMP_DO(characterise::check_is_synthesised(spec.device));
-  const Values values = yosys_values(spec);
+  const Values values = yosys_values(spec, "yosys");
   return std::vector<GeneratedFile>{file_from("yosys/synthesise.ys", "yosys_synthesise.ys", values),
                                     script_from("yosys/run", "yosys_run", values)};
 }

@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "generator/synthesis/components/shortlist.hpp"
-#include "generator/tasks/candidate_lanes.hpp"
 #include "model/base/common/file.hpp"
 #include "model/plan/optimise/plan_parts.hpp"
 #include "model/plan/optimise/plan_summary.hpp"
@@ -145,6 +144,20 @@ const PlannedSystem* rival_of(const BestSystems::key_type& key, const scene::Sys
   return rival;
 }
 
+/// Why a system has no plan: one of its precisions, preferably one that only lacks room.
+std::string why_none(const optimise::Optimisation& found) {
+  const auto reason = [](const optimise::PrecisionPlan& plan) {
+    return std::get_if<optimise::Infeasible>(&plan.result);
+  };
+  auto plan = std::find_if(found.plans.begin(), found.plans.end(), [&](const auto& each) {
+    return reason(each) != nullptr && !reason(each)->shortages.empty();
+  });
+  if (plan == found.plans.end()) plan = found.plans.begin();
+  const std::string why =
+      reason(*plan) == nullptr ? "a lane costs more than a reference" : reason(*plan)->message;
+  return fmt::format("no plan at any precision; L = {}: {}", plan->precision, why);
+}
+
 Characterisation part_of(const Characterisation& table, bool datapaths) {
   Characterisation part{
       .device = table.device, .scene = table.scene, .command = {}, .spec = table.spec, .rows = {}};
@@ -190,6 +203,7 @@ Result<ArchitectureSearch> ArchitectureSearch::make(const OptimiseRequest& reque
   MIXCMP_DO(search.choose_areas());
   for (const Formulation& formulation : search.formulations_) {
     MIXCMP_DO(search.count_rates(formulation));
+    search.tell_progress("areas predicted", search.rates_.size() - 1, formulations.size());
     MIXCMP_DO(search.add(formulation));
   }
   if (search.predictor_ == nullptr) return search;
@@ -209,6 +223,11 @@ Result<ArchitectureSearch> ArchitectureSearch::make(const OptimiseRequest& reque
         fmt::format("components with {} left out: the library of unit areas lacks it", unknown));
   }
   return search;
+}
+
+void ArchitectureSearch::tell_progress(const char* step, std::size_t done, std::size_t of) const {
+  if (!request_->progress) return;
+  request_->progress(step, static_cast<double>(done) / static_cast<double>(of));
 }
 
 Result<Done> ArchitectureSearch::choose_areas() {
@@ -275,6 +294,8 @@ Result<Done> ArchitectureSearch::add_streams(const Formulation& formulation,
   const data::Comparisons* data = formulation.loaded.data_if_any();
   ComponentQuery query = query_for(request_->choice, given, open);
   MIXCMP_TRY(useful, useful_lanes(given, query, rates_.back()));
+  MIXCMP_TRY(left_out, left_out_lanes(given, query, rates_.back(), useful,
+                                      "fewer digits leave nothing undecided"));
   query.lanes = std::move(useful);
   MIXCMP_TRY(datapaths, predict_table(area_of_, given, data, query));
   query.lanes = lanes_by_slots(datapaths, given);
@@ -286,6 +307,7 @@ Result<Done> ArchitectureSearch::add_streams(const Formulation& formulation,
     Characterisation table = datapaths;
     table.rows.insert(table.rows.end(), streams.rows.begin(), streams.rows.end());
     add_system(formulation, architecture, open, std::move(table));
+    systems_.back().left_out = left_out;
   }
   return Done{};
 }
@@ -300,6 +322,8 @@ Result<Done> ArchitectureSearch::add_engine(const Formulation& formulation,
   components::ComponentMaker maker(given, data);
   MIXCMP_TRY(promising, shortlist(maker, query, device_, rates_.back()));
   MIXCMP_TRY(longer, with_longer(promising.lanes, given, query));
+  MIXCMP_TRY(left_out, left_out_lanes(given, query, rates_.back(), longer,
+                                      "rough areas rank them behind those that are predicted"));
   query.lanes = std::move(longer);
   const std::set<ComponentKind> of_groups = {ComponentKind::lane, ComponentKind::reference,
                                              ComponentKind::segment, ComponentKind::conversion};
@@ -323,6 +347,7 @@ Result<Done> ArchitectureSearch::add_engine(const Formulation& formulation,
     add_system(formulation, architecture, open, std::move(parts));
     systems_.back().scene.lanes = given.lanes;
     systems_.back().scene.system.lanes = given.system.lanes;
+    systems_.back().left_out = left_out;
   }
   return Done{};
 }
@@ -383,6 +408,7 @@ Result<PlannedSystem> ArchitectureSearch::planned(std::size_t number, Share shar
   scene::Scene scene = scene_in(system.scene, share);
   MIXCMP_TRY(found,
              optimise::optimise(scene, device_, system.table, rates_[system.formulation], options));
+  tell_of(system.left_out, found);
   std::vector<std::string> settings = system.settings;
   if (share < 1) settings.push_back(fmt::format("system.slack={}", scene.system.slack));
   return PlannedSystem{.formulation = formulations_[system.formulation].name,
@@ -399,10 +425,12 @@ Result<OptimiseResult> ArchitectureSearch::best() const {
   MIXCMP_TRY(best, best_in(1));
   if (least_per_s == 0 || best.best().found.best() == nullptr) return best;
   if (best.best().throughput_per_s() < least_per_s) {
-    return Error{.field = "at_least",
+    return Error{.file = formulations_.front().loaded.scene.path.string(),
+                 .field = request_->at_least_option,
                  .message = "no system on " + device_.name + " is so fast",
                  .received = fmt::format("{:.4g} G comparisons/s", least_per_s / 1e9),
-                 .accepted = fmt::format("less than {:.4f}", best.best().throughput_per_s() / 1e9)};
+                 .accepted = fmt::format("less than {:.4g} G comparisons/s",
+                                         best.best().throughput_per_s() / 1e9)};
   }
   const double usable = 1 - systems_[best.best().number].scene.system.slack;
   int too_small = static_cast<int>(std::ceil(steps * (1 - most_slack) / usable));
@@ -453,6 +481,7 @@ Result<OptimiseResult> ArchitectureSearch::best_in(Share share) const {
   std::map<std::size_t, std::size_t> possible;  // by formulation: a system with lanes
   std::map<std::size_t, Error> errors;
   for (std::size_t k = 0; k < systems_.size(); ++k) {
+    tell_progress("systems bounded", k, systems_.size());
     const auto found = choices_of(k, share);
     const std::size_t formulation = systems_[k].formulation;
     if (!found.ok()) {
@@ -465,10 +494,11 @@ Result<OptimiseResult> ArchitectureSearch::best_in(Share share) const {
   MIXCMP_TRY(fastest, fastest_of(std::move(choices), share));
   for (std::size_t k = 0; k < formulations_.size(); ++k) {
     if (possible.contains(k)) continue;
-    result.left_out.emplace_back(formulations_[k].name, errors.at(k));
+    result.left_out.emplace_back(name_of(k), errors.at(k));
   }
   if (possible.empty()) return explained(result.left_out.front().second);
   result.systems = std::move(fastest);
+  MIXCMP_DO(tell_of_others(possible, share, result));
   if (result.systems.empty()) {  // what is short is said for one of them
     MIXCMP_TRY(none, planned(possible.begin()->second, share, request_->choice));
     result.systems.push_back(std::move(none));
@@ -488,6 +518,26 @@ Result<OptimiseResult> ArchitectureSearch::best_in(Share share) const {
   return result;
 }
 
+std::string ArchitectureSearch::name_of(std::size_t formulation) const {
+  const Formulation& of = formulations_[formulation];
+  return of.is_engine_added ? of.name + " in an engine" : of.name;
+}
+
+Result<Done> ArchitectureSearch::tell_of_others(const std::map<std::size_t, std::size_t>& possible,
+                                                Share share, OptimiseResult& result) const {
+  if (result.systems.empty()) return Done{};
+  std::set<std::size_t> planned_ones;
+  for (const PlannedSystem& each : result.systems) {
+    planned_ones.insert(systems_[each.number].formulation);
+  }
+  for (const auto& [formulation, number] : possible) {
+    if (planned_ones.contains(formulation)) continue;
+    MIXCMP_TRY(none, planned(number, share, request_->choice));
+    result.left_out.emplace_back(name_of(formulation), Error{.message = why_none(none.found)});
+  }
+  return Done{};
+}
+
 Result<std::vector<PlannedSystem>> ArchitectureSearch::fastest_of(std::vector<Choice> choices,
                                                                   Share share) const {
   // Fewer streams of reports come first: more of them must make a system faster.
@@ -498,7 +548,10 @@ Result<std::vector<PlannedSystem>> ArchitectureSearch::fastest_of(std::vector<Ch
   std::stable_sort(choices.begin(), choices.end(),
                    [&](const Choice& a, const Choice& b) { return order(a) < order(b); });
   BestSystems best;
-  for (const Choice& choice : choices) {
+  const char* const step = share == 1 ? "plans searched" : "plans of smaller systems searched";
+  for (std::size_t k = 0; k < choices.size(); ++k) {
+    tell_progress(step, k, choices.size());
+    const Choice& choice = choices[k];
     const System& system = systems_[choice.system];
     const BestSystems::key_type key{system.formulation, system.interface};
     const PlannedSystem* known = rival_of(key, system.scene.system, best);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generator/synthesis/components/predicted_table.hpp"
+#include "generator/tasks/candidate_lanes.hpp"
 #include "generator/tasks/optimise.hpp"
 #include "model/plan/optimise/architecture.hpp"
 
@@ -56,6 +57,7 @@ private:
     std::string interface;
     scene::Scene scene;
     measured::Characterisation table;
+    LeftOutLanes left_out = {};
   };
   /// A precision of a system, which may be solved.
   struct Choice {
@@ -76,6 +78,11 @@ private:
   /// A share of the room that the scene's slack leaves, above 0 and at most 1.
   using Share = double;
   Result<OptimiseResult> best_in(Share share) const;
+  std::string name_of(std::size_t formulation) const;
+  /// Adds the formulations that have no plan in this share, with a reason, unless none has one.
+  Result<Done> tell_of_others(const std::map<std::size_t, std::size_t>& possible, Share share,
+                              OptimiseResult& result) const;
+  void tell_progress(const char* step, std::size_t done, std::size_t of) const;
   /// Why no system has lanes and references: names the templates that the library of unit areas
   /// lacks, or is the error unchanged.
   Error explained(const Error& error) const;

@@ -1,8 +1,14 @@
 #include "generator/tasks/candidate_lanes.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <map>
 #include <tuple>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "model/design/slots.hpp"
 #include "model/plan/optimise/second_tier.hpp"
@@ -52,6 +58,35 @@ Result<std::set<measured::Lane>> useful_lanes(const scene::Scene& scene,
     if (rate_of(lane) && !is_longer) useful.insert(lane);
   }
   return useful;
+}
+
+Result<LeftOutLanes> left_out_lanes(const scene::Scene& scene, ComponentQuery query,
+                                    const optimise::Rates& rates,
+                                    const std::set<measured::Lane>& lanes, std::string why) {
+  query.lanes.reset();
+  MIXCMP_TRY(all, lanes_of(scene, query));
+  LeftOutLanes left_out{.precisions = {}, .why = std::move(why)};
+  for (const measured::Lane& lane : all) {
+    const bool is_known = rates.find(optimise::rate_key(lane)).has_value();
+    if (is_known && !lanes.contains(lane)) left_out.precisions.insert(lane.format.precision());
+  }
+  return left_out;
+}
+
+void tell_of(const LeftOutLanes& left_out, optimise::Optimisation& found) {
+  std::vector<int> told;
+  for (optimise::PrecisionPlan& plan : found.plans) {
+    if (!left_out.precisions.contains(plan.precision)) continue;
+    told.push_back(plan.precision);
+    if (auto* none = std::get_if<optimise::Infeasible>(&plan.result)) {
+      none->message = fmt::format("{}; other lanes: {}", left_out.why, none->message);
+    }
+  }
+  if (told.empty()) return;
+  found.notes.push_back(fmt::format(
+      "some lanes of L = {} are left out ({}); the plans there, and a crossover precision, are of "
+      "the others",
+      fmt::join(told, ", "), left_out.why));
 }
 
 std::set<measured::Lane> lanes_by_slots(const Characterisation& table, const scene::Scene& scene) {

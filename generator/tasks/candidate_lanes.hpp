@@ -1,9 +1,11 @@
 #pragma once
 
 #include <set>
+#include <string>
 
 #include "generator/synthesis/components/component_list.hpp"
 #include "model/cost/measured/measurement.hpp"
+#include "model/plan/optimise/optimise.hpp"
 #include "model/plan/optimise/rates.hpp"
 #include "model/scene/scene.hpp"
 
@@ -18,6 +20,21 @@ measured::Lane as_asked(measured::Lane lane);
 Result<std::set<measured::Lane>> useful_lanes(const scene::Scene& scene,
                                               const components::ComponentQuery& query,
                                               const optimise::Rates& rates);
+
+/// Lanes of known rates that a search leaves out before it plans.
+struct LeftOutLanes {
+  std::set<int> precisions;  ///< theirs
+  std::string why = {};      ///< for the user
+};
+
+/// Those that the query asks for by itself and that are not among `lanes`.
+Result<LeftOutLanes> left_out_lanes(const scene::Scene& scene, components::ComponentQuery query,
+                                    const optimise::Rates& rates,
+                                    const std::set<measured::Lane>& lanes, std::string why);
+
+/// Says in a result, at the precisions where lanes are left out, that the plan there, or that there
+/// is none, is of the others.
+void tell_of(const LeftOutLanes& left_out, optimise::Optimisation& found);
 
 /// One lane for each number of slots that lanes of these rows need.
 std::set<measured::Lane> lanes_by_slots(const measured::Characterisation& table,

@@ -35,14 +35,11 @@ bool is_one_table(const OptimiseRequest& request) {
   return !request.planning.table.empty() && !fs::is_directory(request.planning.table, failed);
 }
 
-/// The scene as it is and, if it names no variant, its variants. A table or rates given by hand
-/// belong to one formulation; then there is only the scene.
+/// The scene as it is, and its variants.
 Result<std::vector<Formulation>> variants_of(const OptimiseRequest& request,
                                              const LoadedScene& loaded) {
   std::vector<Formulation> formulations = {{loaded, {}, name_of(loaded.scene)}};
-  if (is_one_table(request) || request.rates || !loaded.scene.variant.empty()) return formulations;
-  for (const std::string& variant : loaded.scene.variants) {
-    const Words own = {"comparison.variant=" + variant};
+  for (const Words& own : settings_of_variants(request, loaded.scene)) {
     const SceneRequest& scene = request.planning.scene;
     MIXCMP_TRY(read, scene::load_scene(scene.source, joined(scene.settings, own)));
     const std::string name = name_of(read);
@@ -93,14 +90,7 @@ Result<OptimiseResult> plan_by_tables(const OptimiseRequest& request,
     const LoadedScene& loaded = formulation.loaded;
     auto planned = [&]() -> Result<PlannedSystem> {
       MIXCMP_TRY(known, load_planning(request.planning, loaded.scene, loaded.data_if_any()));
-      optimise::Rates rates;
-      if (request.rates) {
-        rates = *request.rates;
-      } else {
-        MIXCMP_TRY(counted, measure_rates(loaded, optimise::inputs_of_lanes(known.table),
-                                          request.choice, request.progress));
-        rates = optimise::Rates::of(counted);
-      }
+      MIXCMP_TRY(rates, rates_by_table(request, loaded, known.table));
       MIXCMP_TRY(found,
                  optimise::optimise(known.scene, known.device, known.table, rates, request.choice));
       return PlannedSystem{.formulation = formulation.name,
@@ -187,6 +177,33 @@ Result<OptimiseResult> confirm(const OptimiseRequest& request, const LoadedScene
   return result;
 }
 
+Result<OptimiseResult> plan_by_search(const OptimiseRequest& request, const LoadedScene& loaded,
+                                      const std::vector<Formulation>& formulations) {
+  MIXCMP_TRY(search, ArchitectureSearch::make(request, formulations));
+  MIXCMP_TRY(predicted, search.best());
+  MIXCMP_TRY(result, confirm(request, loaded, search, std::move(predicted)));
+  if (result.best().found.best() != nullptr) {
+    MIXCMP_TRY(front, search.front(result.best()));
+    result.front = std::move(front);
+  }
+  result.notes = search.notes();
+  return result;
+}
+
+/// Notes that the plan has no second tier although the scene has one.
+void note_left_out_tier(const scene::Scene& given, OptimiseResult& result) {
+  if (!given.second_tier || !result.best().known.scene.leaves_out_second_tier) return;
+  const std::string tier = given.second_tier->format_name();
+  const bool is_any = std::any_of(
+      result.systems.begin(), result.systems.end(),
+      [](const PlannedSystem& each) { return each.known.scene.second_tier.has_value(); });
+  const std::string why =
+      is_any ? "the fastest system has none; --set second_tier.format=" + tier + " plans with it"
+             : "no system with it has a plan";
+  result.notes.push_back(
+      fmt::format("the plan is without the scene's second tier ({}): {}", tier, why));
+}
+
 }  // namespace
 
 const FrontPoint* knee_of(const std::vector<FrontPoint>& front) {
@@ -204,6 +221,21 @@ const FrontPoint* knee_of(const std::vector<FrontPoint>& front) {
 
 double PlannedSystem::throughput_per_s() const {
   return found.best() == nullptr ? 0 : found.best()->throughput_per_s();
+}
+
+std::vector<Words> settings_of_variants(const OptimiseRequest& request, const scene::Scene& scene) {
+  std::vector<Words> variants;
+  if (is_one_table(request) || request.rates || !scene.variant.empty()) return variants;
+  for (const std::string& name : scene.variants) variants.push_back({"comparison.variant=" + name});
+  return variants;
+}
+
+Result<optimise::Rates> rates_by_table(const OptimiseRequest& request, const LoadedScene& loaded,
+                                       const measured::Characterisation& table) {
+  if (request.rates) return *request.rates;
+  MIXCMP_TRY(counted, measure_rates(loaded, optimise::inputs_of_lanes(table), request.choice,
+                                    request.progress));
+  return optimise::Rates::of(counted);
 }
 
 std::vector<std::string> settings_of(const OptimiseRequest& request, const PlannedSystem& system) {
@@ -231,26 +263,17 @@ Result<std::vector<Formulation>> formulations_of(const OptimiseRequest& request,
 Result<OptimiseResult> optimise(const OptimiseRequest& request, const LoadedScene& loaded) {
   MIXCMP_DO(check_options(request.choice));
   MIXCMP_TRY(formulations, formulations_of(request, loaded));
-  if (!request.planning.table.empty() && request.at_least_per_s > 0) {
-    return Error{.field = "at_least",
+  const bool by_table = !request.planning.table.empty();
+  if (by_table && request.at_least_per_s > 0) {
+    return Error{.file = loaded.scene.path.string(),
+                 .field = request.at_least_option,
                  .message = "a plan by a table is the fastest one",
                  .received = request.planning.table.string(),
                  .accepted = "no table, so that the smallest system is searched for"};
   }
-  if (!request.planning.table.empty()) {
-    MIXCMP_TRY(by_tables, plan_by_tables(request, formulations));
-    note_idle_lanes(loaded, by_tables);
-    note_traffic(by_tables);
-    return by_tables;
-  }
-  MIXCMP_TRY(search, ArchitectureSearch::make(request, formulations));
-  MIXCMP_TRY(predicted, search.best());
-  MIXCMP_TRY(result, confirm(request, loaded, search, std::move(predicted)));
-  if (result.best().found.best() != nullptr) {
-    MIXCMP_TRY(front, search.front(result.best()));
-    result.front = std::move(front);
-  }
-  result.notes = search.notes();
+  MIXCMP_TRY(result, by_table ? plan_by_tables(request, formulations)
+                              : plan_by_search(request, loaded, formulations));
+  note_left_out_tier(loaded.scene, result);
   note_idle_lanes(loaded, result);
   note_traffic(result);
   return result;

@@ -24,6 +24,7 @@ struct OptimiseRequest {
   /// The smallest system with so many comparisons per second is wanted. 0: the fastest. Not by a
   /// table.
   double at_least_per_s = 0;
+  std::string at_least_option = "at_least";  ///< the name of `at_least_per_s` in errors
   /// How components are synthesised; the query in it is not used.
   components::CharacteriseOptions synthesis = {};
   /// Predicts areas; empty: components::AreaPredictor.
@@ -80,6 +81,15 @@ struct OptimiseResult {
 /// Finds the system with the most comparisons per second: its formulation, its architecture, and
 /// its numbers and kinds of lanes and references. It is an error if no formulation has a plan.
 Result<OptimiseResult> optimise(const OptimiseRequest& request, const LoadedScene& loaded);
+
+/// The settings of each variant of the comparison that the request leaves open, beyond the
+/// request's. A table file, or rates given by hand, belong to one formulation and leave none open.
+std::vector<std::vector<std::string>> settings_of_variants(const OptimiseRequest& request,
+                                                           const scene::Scene& scene);
+
+/// The rates of the lanes of a table: those of the request, or counted.
+Result<optimise::Rates> rates_by_table(const OptimiseRequest& request, const LoadedScene& loaded,
+                                       const measured::Characterisation& table);
 
 /// The request's settings with those of a system: `generate` makes it of these.
 std::vector<std::string> settings_of(const OptimiseRequest& request, const PlannedSystem& system);

@@ -32,24 +32,11 @@ std::uint64_t items_of(const data::Comparisons& data) {
   return items;
 }
 
-/// The settings of each variant of the comparison; one without a setting is the request's own. A
-/// table belongs to one formulation.
-std::vector<Words> variants_of(const OptimiseRequest& request, const scene::Scene& scene) {
-  std::vector<Words> variants = {{}};
-  if (!scene.variant.empty() || !request.planning.table.empty()) return variants;
-  for (const std::string& name : scene.variants) {
-    variants.push_back({"comparison.variant=" + name});
-  }
-  return variants;
-}
-
 /// The rates of the lanes of the request's table, or of all that a plan without a table may have.
 Result<optimise::Rates> counted_rates(const OptimiseRequest& request, const LoadedScene& loaded) {
   if (request.planning.table.empty()) return count_rates(request, loaded);
   MIXCMP_TRY(known, load_planning(request.planning, loaded.scene, loaded.data_if_any()));
-  MIXCMP_TRY(counted, measure_rates(loaded, optimise::inputs_of_lanes(known.table), request.choice,
-                                    request.progress));
-  return optimise::Rates::of(counted);
+  return rates_by_table(request, loaded, known.table);
 }
 
 /// The constants of profiled lanes are measured on data, so such lanes are wrong on other data.
@@ -114,6 +101,7 @@ private:
   Result<LoadedScene> loaded_with(const DataSet& set, const Words& variant) const;
   Result<const optimise::Rates*> rates_of(const DataSet& set, const Words& variant);
   Result<Done> find_all();
+  void note_none(const Words& variant, const Error& error);
   Result<Done> find_plans(const Words& variant);
   Result<Done> add_plans(const Words& variant, const optimise::Rates& rates);
   Result<Done> add(PlannedSystem system, const Words& variant);
@@ -133,6 +121,7 @@ private:
                                        const optimise::SwitchingRule& rule);
 
   const PlanSetRequest* request_;
+  std::optional<DataSet> own_;        ///< the scene's own data
   const DataSet* largest_ = nullptr;  ///< engines hold its items
   std::map<Words, optimise::Rates> rates_;
   std::vector<SetPlan> plans_;
@@ -166,7 +155,13 @@ Result<Done> PlanSetSearch::find_plans(const Words& variant) {
   return request_->sets.size() > 1 ? add_plans(variant, worst) : Result<Done>(Done{});
 }
 
-/// Adds the plans for these rates. A variant without a plan is left out.
+void PlanSetSearch::note_none(const Words& variant, const Error& error) {
+  if (!why_none_) why_none_ = error;
+  const std::string name = variant.empty() ? "[comparison]" : variant.front();
+  notes_.insert(fmt::format("{} left out: {}", name, error.to_string()));
+}
+
+/// Adds the plans for these rates, if there are any.
 Result<Done> PlanSetSearch::add_plans(const Words& variant, const optimise::Rates& rates) {
   OptimiseRequest request = request_->optimise;
   Words& settings = request.planning.scene.settings;
@@ -176,7 +171,7 @@ Result<Done> PlanSetSearch::add_plans(const Words& variant, const optimise::Rate
   MIXCMP_TRY(loaded, loaded_with(*largest_, variant));
   Result<OptimiseResult> found = optimise(request, loaded);
   if (!found.ok()) {
-    if (!why_none_) why_none_ = found.error();
+    note_none(variant, found.error());
     return Done{};
   }
   OptimiseResult result = std::move(found).value();
@@ -353,8 +348,8 @@ Result<std::vector<Drift>> PlanSetSearch::drifts_of(const std::vector<SetPlan>& 
     drifts.push_back(
         {.comparisons = static_cast<std::uint64_t>(comparisons),
          .single_seconds = count * single,
-         .rule = with_rule(rule, stream, comparisons, pay / readings_of_reconfiguration),
-         .foresight = with_foresight(stream, comparisons, pay),
+         .rule = time_by_rule(rule, stream, comparisons, pay / readings_of_reconfiguration),
+         .foresight = least_time(stream, comparisons, pay),
          .free_seconds = count * total(fastest)});
   }
   return drifts;
@@ -369,10 +364,15 @@ Result<Done> PlanSetSearch::find_all() {
   for (const DataSet& block : request_->stream) {
     if (fewer_items(*largest_, block)) largest_ = &block;
   }
+  if (request_->own) own_ = DataSet{{}, *request_->own};
+  if (own_ && fewer_items(*largest_, *own_)) largest_ = &*own_;
   MIXCMP_TRY(loaded, loaded_with(*largest_, {}));
   MIXCMP_DO(check_certified(loaded.scene));
-  for (const Words& variant : variants_of(request_->optimise, loaded.scene)) {
-    MIXCMP_DO(find_plans(variant));
+  std::vector<Words> variants = settings_of_variants(request_->optimise, loaded.scene);
+  variants.insert(variants.begin(), Words());
+  for (const Words& variant : variants) {
+    const Result<Done> found = find_plans(variant);  // an error if it has no table, for instance
+    if (!found.ok()) note_none(variant, found.error());
   }
   if (!plans_.empty()) return Done{};
   if (why_none_) return *why_none_;
@@ -394,7 +394,7 @@ std::vector<double> PlanSetSearch::best_per_s(const Members& members) const {
 }
 
 Result<PlanSetResult> PlanSetSearch::run() {
-  MIXCMP_CHECK(!request_->sets.empty() && request_->most_plans >= 1);
+  MIXCMP_CHECK(!request_->sets.empty() && request_->most_plans >= 1 && !request_->optimise.rates);
   MIXCMP_DO(find_all());
   MIXCMP_TRY(choice, choose());
   std::vector<SetPlan> plans;

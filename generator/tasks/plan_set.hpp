@@ -20,9 +20,11 @@ struct DataSet {
 };
 
 struct PlanSetRequest {
-  /// The request for a single plan, without the settings of a data set. Its rates are not used.
-  /// Nothing is synthesised.
+  /// The request for a single plan, without the settings of a data set, and without rates: they are
+  /// counted. Nothing is synthesised.
   OptimiseRequest optimise;
+  /// The scene's own data. A plan with them must be a valid scene, so its engine holds their items.
+  std::optional<data::Comparisons> own = {};
   std::vector<DataSet> sets;    ///< at least one; each counts as much as the others
   std::vector<DataSet> stream;  ///< data in the order in which they arrive; may be empty
   int most_plans = 2;

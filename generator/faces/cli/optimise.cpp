@@ -72,13 +72,14 @@ tasks::OptimiseRequest request_of(const OptimiseCommand& command, const LoadedSc
   tasks::OptimiseRequest request = search_request(command.planning, command.predict_only);
   request.rates = given_rates(command, loaded);
   request.at_least_per_s = command.at_least * 1e9;
+  request.at_least_option = "--at-least";
   request.confirming = [](double per_s, int components) {
     show_progress("");
     tell_note(
-        fmt::format("predicted {:.2f} G comparisons/s; its {} components are synthesised to "
+        fmt::format("predicted {} G comparisons/s; its {} components are synthesised to "
                     "confirm it. An interrupted run goes on when it is given again; "
                     "--predict-only stops here",
-                    per_s / 1e9, components));
+                    giga_text(per_s), components));
   };
   return request;
 }
@@ -148,7 +149,7 @@ void run(OptimiseCommand& command) {
   const tasks::OptimiseRequest request = request_of(command, loaded);
   if (command.set.plans > 0) {
     command.set.output = command.plan;
-    return run_plan_set(planning, command.set, request, command_of(command));
+    return run_plan_set(planning, command.set, request, loaded, command_of(command));
   }
   std::vector<fs::path> inputs = inputs_of(planning.scene, loaded.scene);
   inputs.push_back(command.rates);

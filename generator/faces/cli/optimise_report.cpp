@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "generator/present/report/plan_report.hpp"
@@ -16,8 +17,6 @@ using tasks::OptimiseResult;
 using tasks::PlannedSystem;
 using Json = nlohmann::ordered_json;
 using Systems = std::vector<const PlannedSystem*>;
-
-constexpr double giga = 1e9;
 
 /// The fastest systems that differ in a trait, in their order.
 template <class Trait>
@@ -64,8 +63,8 @@ std::string compare(const std::string& title, const Systems& systems, const Plan
       text += "no feasible plan\n";
       continue;
     }
-    text += fmt::format("L = {:>2}, {:>3} x {}: {:8.2f} G/s; the chosen is {:.2f} times as fast\n",
-                        s.precision, s.lanes, s.references, s.throughput_per_s / giga,
+    text += fmt::format("L = {:>2}, {:>3} x {}: {:>8} G/s; the chosen is {:.2f} times as fast\n",
+                        s.precision, s.lanes, s.references, giga_text(s.throughput_per_s),
                         chosen.throughput_per_s() / s.throughput_per_s);
   }
   return text + "\n";
@@ -78,26 +77,26 @@ const char* areas_of(const tasks::Confirmation& confirmation) {
 
 std::string confirmation_text(const OptimiseResult& result) {
   if (!result.confirmation) return "";
-  const double predicted = result.confirmation->predicted_per_s / giga;
-  const double now = result.best().throughput_per_s() / giga;
+  const std::string predicted = giga_text(result.confirmation->predicted_per_s);
+  const std::string now = giga_text(result.best().throughput_per_s());
   if (result.confirmation->rounds == 0 && !result.confirmation->is_measured) {
-    return fmt::format("areas: predicted; predicted {:.2f} G comparisons/s\n", predicted);
+    return fmt::format("areas: predicted; predicted {} G comparisons/s\n", predicted);
   }
   const char* const areas = areas_of(*result.confirmation);
-  return fmt::format("areas: {0}; predicted {1:.2f}, {0} {2:.2f} G comparisons/s\n", areas,
-                     predicted, now);
+  return fmt::format("areas: {0}; predicted {1}, {0} {2} G comparisons/s\n", areas, predicted, now);
 }
 
 /// The best systems in parts of the device, and where more area brings little more per area.
 std::string front_text(const std::vector<tasks::FrontPoint>& front) {
   if (front.empty()) return "";
-  std::string text = "smaller systems of this interface, by the part of what R_S leaves\n";
+  std::string text =
+      "smaller systems of this formulation and interface, by the part of what R_S leaves\n";
   for (const tasks::FrontPoint& point : front) {
     const optimise::PlanSummary& s = point.plan;
-    text += fmt::format("{} {:>6.2f} %  L = {:>2}, {:>3} x {}: {:8.2f} G/s; {:.2f} G/s per 1 %\n",
+    text += fmt::format("{} {:>6.2f} %  L = {:>2}, {:>3} x {}: {:>8} G/s; {} G/s per 1 %\n",
                         &point == knee_of(front) ? '*' : ' ', 100 * point.share, s.precision,
-                        s.lanes, s.references, s.throughput_per_s / giga,
-                        s.throughput_per_s / giga / (100 * point.share));
+                        s.lanes, s.references, giga_text(s.throughput_per_s),
+                        giga_text(s.throughput_per_s / (100 * point.share)));
   }
   return text +
          "  *: the smallest with 0.9 of the highest throughput per area; --at-least G/s "
@@ -138,13 +137,24 @@ Json json_of_interface(const PlannedSystem& system) {
 
 }  // namespace
 
+std::string giga_text(double per_s) {
+  constexpr double giga = 1e9;
+  const double value = per_s / giga;
+  const int leading = value > 0 ? static_cast<int>(std::floor(std::log10(value))) : 0;
+  return fmt::format("{:.{}f}", value, std::max(2, 1 - leading));
+}
+
 std::string to_text(const OptimiseResult& result) {
   const PlannedSystem& best = result.best();
   std::string text = compare("interfaces", interfaces_of(result), best,
                              [](const PlannedSystem& system) { return system.interface; }) +
                      compare("formulations", formulations_of(result), best,
-                             [](const PlannedSystem& system) { return system.formulation; }) +
-                     report::to_text(best.found);
+                             [](const PlannedSystem& system) { return system.formulation; });
+  if (result.systems.size() > 1) {
+    text += fmt::format("the chosen system at each precision ({}; {})\n", best.formulation,
+                        best.interface);
+  }
+  text += report::to_text(best.found);
   if (!result.confirmation || best.found.best() == nullptr) return text;
   text += fmt::format("system: {}\n", best.interface);
   if (!best.settings.empty()) text += fmt::format("  {}\n", fmt::join(best.settings, " "));

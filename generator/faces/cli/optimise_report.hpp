@@ -12,4 +12,7 @@ namespace mixcmp::cli {
 std::string to_text(const tasks::OptimiseResult& result);
 nlohmann::ordered_json to_json(const tasks::OptimiseResult& result);
 
+/// Comparisons per second in G/s, with two decimals and at least two digits: "48.58", "0.0031".
+std::string giga_text(double per_s);
+
 }  // namespace mixcmp::cli

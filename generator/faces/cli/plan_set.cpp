@@ -141,7 +141,7 @@ void add_to(CommandLine& line, const PlanSetOptions& options) {
 }
 
 void run_plan_set(const PlanningOptions& planning, const PlanSetOptions& options,
-                  tasks::OptimiseRequest base, const std::string& command) {
+                  tasks::OptimiseRequest base, LoadedScene own, const std::string& command) {
   value_or_exit(check_options_of(planning));
   const NamedSets sets = load_sets(planning, "--over", options.over);
   const NamedSets stream = load_sets(planning, "--stream", options.stream);
@@ -152,6 +152,7 @@ void run_plan_set(const PlanningOptions& planning, const PlanSetOptions& options
   if (!options.output.empty()) outputs = ResultFiles::paths(options.output, plan_set_files);
   value_or_exit(check_outputs(outputs, inputs));
   const tasks::PlanSetRequest request{.optimise = std::move(base),
+                                      .own = std::move(own.data),
                                       .sets = sets.sets,
                                       .stream = stream.sets,
                                       .most_plans = options.plans,

@@ -24,8 +24,8 @@ void add_plan_set_options(const Verb& verb, PlanSetOptions& options);
 /// The words of these options as the user writes them.
 void add_to(CommandLine& line, const PlanSetOptions& options);
 
-/// `base`: the request for one plan. `command`: it makes the same files again.
+/// `base`: the request for one plan; `own`: its scene. `command`: it makes the same files again.
 void run_plan_set(const PlanningOptions& planning, const PlanSetOptions& options,
-                  tasks::OptimiseRequest base, const std::string& command);
+                  tasks::OptimiseRequest base, LoadedScene own, const std::string& command);
 
 }  // namespace mixcmp::cli

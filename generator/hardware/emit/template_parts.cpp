@@ -123,11 +123,7 @@ private:
 std::vector<rtl::TemplateInstance> template_parts(const rtl::TemplateInstance& instance) {
   Constants constants;
   const std::vector<rtl::Parameter> parameters = template_parameters(instance);
-  for (const rtl::Parameter& each : parameters) {
-    const auto* literal = std::get_if<rtl::Literal>(&each.value);
-    constants.set(each.name, literal == nullptr ? std::get<long long>(each.value)
-                                                : static_cast<long long>(literal->value));
-  }
+  for (const rtl::Parameter& each : parameters) constants.set(each.name, integer_of(each));
   Cursor cursor(tokens_of(template_text(instance.module)));
   cursor.take_until({";"});
   cursor.expect(";");

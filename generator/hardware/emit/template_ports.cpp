@@ -91,11 +91,7 @@ const Head& head_of(const std::string& module) {
 Constants constants_of(const Head& head, const std::vector<rtl::Parameter>& given) {
   Constants constants;
   for (const Declaration& each : head.parameters) constants.define(each.name, each.value);
-  for (const rtl::Parameter& each : given) {
-    const auto* literal = std::get_if<rtl::Literal>(&each.value);
-    constants.set(each.name, literal == nullptr ? std::get<long long>(each.value)
-                                                : static_cast<long long>(literal->value));
-  }
+  for (const rtl::Parameter& each : given) constants.set(each.name, integer_of(each));
   return constants;
 }
 
@@ -118,6 +114,12 @@ std::string fault_of(const rtl::Parameter& given, const Head& head, const Consta
 }
 
 }  // namespace
+
+long long integer_of(const rtl::Parameter& parameter) {
+  const auto* literal = std::get_if<rtl::Literal>(&parameter.value);
+  return literal == nullptr ? std::get<long long>(parameter.value)
+                            : static_cast<long long>(literal->value);
+}
 
 Result<std::vector<rtl::Port>> template_ports(const rtl::Instance& instance) {
   if (!is_template(instance.module)) return Error{.message = "there is no such module"};

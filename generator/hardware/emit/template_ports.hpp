@@ -26,6 +26,9 @@ std::optional<long long> template_parameter(const rtl::Instance& instance, const
 /// The template must exist.
 std::vector<rtl::Parameter> template_parameters(const rtl::TemplateInstance& instance);
 
+/// The value of a parameter, that of a literal as well.
+long long integer_of(const rtl::Parameter& parameter);
+
 /// Checks a tree of modules that instantiate each other and templates.
 rtl::CheckedModules checked(std::vector<rtl::Module> modules);
 

@@ -18,10 +18,8 @@ class Cursor {
 public:
   explicit Cursor(Tokens tokens) : tokens_(std::move(tokens)) {}
 
-  /// The next token; empty at the end. `ahead` looks further.
-  Token peek(std::size_t ahead = 0) const {
-    return at_ + ahead < tokens_.size() ? tokens_[at_ + ahead] : Token();
-  }
+  /// The next token; empty at the end.
+  Token peek() const { return at_end() ? Token() : tokens_[at_]; }
   bool at_end() const { return at_ == tokens_.size(); }
   Token take();
   bool take_if(Token wanted);

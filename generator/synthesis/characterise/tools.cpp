@@ -107,10 +107,13 @@ Result<Done> check_is_synthesised(const devices::Device& device) {
                    "(characterise --import)"};
 }
 
+Command yosys_command() {
+  return {native_or_portable("yosys")};
+}
+
 Command yosys_command(const devices::Device& device) {
-  const std::string program = native_or_portable("yosys");
-  if (device.timing != TimingTool::nextpnr_ecp5) return {program};
-  return command_from("MIXCMP_YOSYS_ECP5", program);
+  if (device.timing != TimingTool::nextpnr_ecp5) return yosys_command();
+  return command_from("MIXCMP_YOSYS_ECP5", yosys_command().front());
 }
 
 Command router_command(const Router& router) {

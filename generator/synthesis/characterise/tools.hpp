@@ -38,6 +38,9 @@ inline bool is_routed(const devices::Device& device) {
 /// An error if Yosys does not synthesise for the device. It says why.
 Result<Done> check_is_synthesised(const devices::Device& device);
 
+/// The command for Yosys: the program of PATH, else YoWASP's.
+Command yosys_command();
+
 /// The command for Yosys; for ECP5 $MIXCMP_YOSYS_ECP5 if that is set. Commands in the environment
 /// are split at blanks.
 Command yosys_command(const devices::Device& device);

@@ -191,6 +191,10 @@ bool names_a_version(std::string_view line) {
   return false;
 }
 
+bool is_of_python(const std::string& package) {
+  return package.starts_with("yowasp-");
+}
+
 /// The first line that names a version; empty if none does. YoWASP's programs print another line
 /// before it when they run for the first time.
 std::string version_line(const std::string& text) {
@@ -215,7 +219,7 @@ bool is_in_path(const std::string& program) {
 }
 
 std::string install_command(const std::string& package) {
-  return fmt::format("{} install {}", package.starts_with("yowasp-") ? "pip" : "apt-get", package);
+  return fmt::format("{} install {}", is_of_python(package) ? "pip" : "apt-get", package);
 }
 
 Result<std::string> tool_version(const Command& command, const std::string& package) {
@@ -223,10 +227,11 @@ Result<std::string> tool_version(const Command& command, const std::string& pack
   // On a busy machine even this can take longer than ten seconds.
   const Result<Captured> run = capture(command, {.seconds = 60});
   if (!run.ok() && run.error().kind == ErrorKind::missing_tool) {
-    return Error{
-        .message = fmt::format("{} does not run", shell_line(tool)),
-        .accepted = fmt::format("{}, on Debian: {}", tool.back(), install_command(package)),
-        .kind = ErrorKind::missing_tool};
+    return Error{.message = fmt::format("{} does not run", shell_line(tool)),
+                 .accepted = fmt::format("{}, {}: {}", tool.back(),
+                                         is_of_python(package) ? "anywhere" : "on Debian",
+                                         install_command(package)),
+                 .kind = ErrorKind::missing_tool};
   }
   if (!run.ok()) return run.error();
   const std::string line = version_line(run->output.empty() ? run->errors : run->output);

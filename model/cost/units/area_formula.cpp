@@ -183,7 +183,7 @@ public:
   explicit TermList(const std::vector<Unit>& units)
       : names_(units.front().parameters), spreads_(spreads_of(units)) {
     for (std::size_t p = 0; p < spreads_.size(); ++p) {
-      if (spreads_[p].varies()) varying_.push_back(p);
+      if (spreads_[p].varies() && names_[p].name != exponent_of_limit) varying_.push_back(p);
     }
   }
 

@@ -40,8 +40,8 @@ struct Formula {
 
 /// The terms that a formula of these units may have: products of up to two sizes, also times a
 /// parameter that is only 0 or 1, sizes times logarithms, powers of two of parameters that count
-/// address bits, and bits of literals times sizes. Parameters that do not vary are left out. The
-/// units are of one template.
+/// address bits, and bits of literals times sizes. Parameters that do not vary, and exponents of
+/// limits, are left out. The units are of one template.
 std::vector<Term> possible_terms(const std::vector<Unit>& units);
 
 /// Fits a formula to measured amounts by orthogonal least squares: the term that explains most of

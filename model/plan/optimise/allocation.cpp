@@ -14,6 +14,7 @@
 #include "model/plan/optimise/feasibility.hpp"
 #include "model/plan/optimise/kinds_at_clock.hpp"
 #include "model/plan/optimise/shortage.hpp"
+#include "model/plan/optimise/unbeaten.hpp"
 
 namespace mixcmp::optimise {
 namespace {
@@ -319,18 +320,9 @@ bool is_as_good(const ReferenceKind& a, const ReferenceKind& b) {
 /// large and listed before it: then `allocate` prefers the other.
 template <class Kind>
 std::vector<int> useful_kinds(const std::vector<Kind>& kinds) {
-  const int count = static_cast<int>(kinds.size());
-  const auto beats = [&](int a, int b) {
-    return a != b && is_as_good(kinds[a], kinds[b]) &&
-           (a < b || !is_within(kinds[b].area, kinds[a].area));
-  };
-  std::vector<int> useful;
-  for (int b = 0; b < count; ++b) {
-    bool is_beaten = false;
-    for (int a = 0; a < count && !is_beaten; ++a) is_beaten = beats(a, b);
-    if (!is_beaten) useful.push_back(b);
-  }
-  return useful;
+  return unbeaten(static_cast<int>(kinds.size()), [&](int a, int b) {
+    return is_as_good(kinds[a], kinds[b]) && (a < b || !is_within(kinds[b].area, kinds[a].area));
+  });
 }
 
 template <class Kind>

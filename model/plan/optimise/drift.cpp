@@ -7,8 +7,8 @@
 
 namespace mixcmp::optimise {
 
-StreamTime with_rule(SwitchingRule rule, const StreamThroughPlans& stream,
-                     std::uint64_t comparisons, double reading_seconds) {
+StreamTime time_by_rule(SwitchingRule rule, const StreamThroughPlans& stream,
+                        std::uint64_t comparisons, double reading_seconds) {
   StreamTime time;
   for (const std::vector<BlockThroughPlan>& block : stream) {
     for (std::uint64_t left = comparisons; left > 0;) {
@@ -29,8 +29,8 @@ StreamTime with_rule(SwitchingRule rule, const StreamThroughPlans& stream,
   return time;
 }
 
-StreamTime with_foresight(const StreamThroughPlans& stream, std::uint64_t comparisons,
-                          double reconfiguration_seconds) {
+StreamTime least_time(const StreamThroughPlans& stream, std::uint64_t comparisons,
+                      double reconfiguration_seconds) {
   MIXCMP_CHECK(!stream.empty());
   const auto is_less = [](const StreamTime& a, const StreamTime& b) {
     return a.seconds < b.seconds || (a.seconds == b.seconds && a.switches < b.switches);

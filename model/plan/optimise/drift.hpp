@@ -23,12 +23,12 @@ struct StreamTime {
 
 /// The stream with the plans that a rule loads. Each block has so many comparisons. The counters
 /// are read every `reading_seconds`, and at the end of each block.
-StreamTime with_rule(SwitchingRule rule, const StreamThroughPlans& stream,
-                     std::uint64_t comparisons, double reading_seconds);
+StreamTime time_by_rule(SwitchingRule rule, const StreamThroughPlans& stream,
+                        std::uint64_t comparisons, double reading_seconds);
 
 /// The least time of any schedule that switches only between blocks: it knows the whole stream. The
 /// first plan is loaded at the beginning, as with the rule.
-StreamTime with_foresight(const StreamThroughPlans& stream, std::uint64_t comparisons,
-                          double reconfiguration_seconds);
+StreamTime least_time(const StreamThroughPlans& stream, std::uint64_t comparisons,
+                      double reconfiguration_seconds);
 
 }  // namespace mixcmp::optimise

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "model/base/common/check.hpp"
+#include "model/plan/optimise/unbeaten.hpp"
 
 namespace mixcmp::optimise {
 namespace {
@@ -37,20 +38,12 @@ double gain_of(const Seconds& seconds, const Seconds& plan) {
 
 /// The plans that are not at least as slow as another one on every set.
 std::vector<std::size_t> useful_plans(const PlanSeconds& plans) {
-  const auto beats = [&](std::size_t a, std::size_t b) {
-    if (a == b) return false;
+  return unbeaten(plans.size(), [&](std::size_t a, std::size_t b) {
     for (std::size_t s = 0; s < plans[a].size(); ++s) {
       if (plans[a][s] > plans[b][s]) return false;
     }
     return a < b || plans[a] != plans[b];
-  };
-  std::vector<std::size_t> useful;
-  for (std::size_t b = 0; b < plans.size(); ++b) {
-    bool is_beaten = false;
-    for (std::size_t a = 0; a < plans.size() && !is_beaten; ++a) is_beaten = beats(a, b);
-    if (!is_beaten) useful.push_back(b);
-  }
-  return useful;
+  });
 }
 
 class Search {

@@ -118,6 +118,16 @@ bool has_enough_exponents(const PrecisionSearch& search, const Lane& lane) {
   return false;
 }
 
+/// Why lanes of this rate are left out: `otherwise`, unless none of the comparisons was undecided.
+/// The rate is then the rule of three's (Rate::value), so the comparisons are too few.
+std::string why_too_high(const Rate& rate, std::string otherwise) {
+  if (rate.undecided > 0) return otherwise;
+  return fmt::format(
+      "too few comparisons for a rate: none of {} is undecided, so that the rate may be up to "
+      "{:.0f} % (rule of three)",
+      rate.comparisons, 100 * rate.value());
+}
+
 /// How often a lane asks.
 struct LaneRates {
   Rate reference;  ///< a reference, directly or through the second tier
@@ -132,9 +142,11 @@ std::optional<LaneRates> rates_of(PrecisionSearch& search, const Lane& lane) {
   const PlanningInputs& inputs = search.inputs;
   const int engine_lanes = search.system().engine.lanes_per_group;
   if (inputs.second_tier && inputs.has_engine() && !keeps_up(*first, engine_lanes)) {
-    search.left_out = fmt::format(
-        "{} lanes leave more than {} pairs a cycle undecided, too many for one of the second tier",
-        engine_lanes, most_undecided_per_cycle);
+    search.left_out = why_too_high(
+        *first,
+        fmt::format("{} lanes leave more than {} pairs a cycle undecided, too many for one of the "
+                    "second tier",
+                    engine_lanes, most_undecided_per_cycle));
     return std::nullopt;
   }
   const std::optional<Rate> rate =
@@ -144,10 +156,11 @@ std::optional<LaneRates> rates_of(PrecisionSearch& search, const Lane& lane) {
   const int group = search.system().lanes_per_group;
   const int beats = search.system().request_beats.value_or(1);
   if (performance::highest_lane_throughput(group * rates.stream.value(), beats) < 1) {
-    search.left_out =
+    search.left_out = why_too_high(
+        rates.stream,
         group == 1 ? "every lane leaves more than half undecided: references without lanes are "
                      "faster"
-                   : "every group of lanes asks more often than its one stream of requests allows";
+                   : "every group of lanes asks more often than its one stream of requests allows");
     return std::nullopt;
   }
   return has_enough_exponents(search, lane) ? std::optional(rates) : std::nullopt;
@@ -382,7 +395,10 @@ std::vector<PrecisionPlan> plans_of_tiers(PrecisionSearch& search, const Rows& l
   };
   for (const auto& [served, rows] : rows_by(lanes, served_by)) {
     if (served == 0) {
-      search.left_out = "every lane leaves too much undecided for a lane of the second tier";
+      const std::optional<Rate> rate = search.inputs.rates.find(rate_key(lane_in(*rows.front())));
+      search.left_out =
+          why_too_high(rate.value_or(Rate{1, 1}),
+                       "every lane leaves too much undecided for a lane of the second tier");
       continue;
     }
     for (const SecondLanes& second : second_lane_kinds(search, served)) {

@@ -90,6 +90,9 @@ TEST_F(Processes, AToolThatIsNotThereIsMissing) {
   ASSERT_FALSE(version.ok());
   EXPECT_EQ(version.error().kind, ErrorKind::missing_tool);
   EXPECT_EQ(version.error().accepted, "no-such-tool, on Debian: apt-get install package");
+  const auto portable = tool_version({"no-such-tool", "-V"}, "yowasp-tool");
+  ASSERT_FALSE(portable.ok());
+  EXPECT_EQ(portable.error().accepted, "no-such-tool, anywhere: pip install yowasp-tool");
 }
 
 TEST_F(Processes, ADirectoryThatIsNotThereIsNoMissingTool) {

@@ -76,6 +76,27 @@ TEST(UnitAreas, BetweenMeasuredUnitsFollowTheFormula) {
   }
 }
 
+/// The ranges of a scene may be far from those that were measured, with limits of 2^-5 to 2^8.
+TEST(UnitAreas, DoNotDependOnTheSizeOfNumbers) {
+  const std::vector<units::UnitAreas> libraries = units::shipped_libraries().value();
+  const auto operand = [&](int top) {
+    return libraries.front()
+        .of({"fixed_operand",
+             {units::integer("EXPONENT_BITS", 11),
+              units::integer("PRECISION", 53),
+              units::integer("TOP", top),
+              units::integer("WIDTH", 10),
+              units::integer("SIGNED", 0),
+              {"CUTS", 2, 2},
+              units::integer("EMBEDDED_PRODUCTS", 0)}})
+        .value();
+  };
+  for (const int top : {-996, -20, 2, 7, 20, 300}) {
+    EXPECT_NEAR(operand(top).luts, 24, 5) << top;  // by Yosys 0.23: 23 to 26
+    EXPECT_NEAR(operand(top).registers, 11, 1) << top;
+  }
+}
+
 /// Memories of rows of LUTs up to 20 bits, of a block above; queues of a memory and five LUTs.
 units::UnitAreas queues() {
   units::UnitAreas library("synth_a");

@@ -212,6 +212,26 @@ TEST_F(Optimise, ALaneThatLeavesMoreThanHalfUndecidedIsLeftOut) {
   EXPECT_NE(found.plans[1].allocation(), nullptr);
 }
 
+/// One comparison that is decided says little: its rate may be anything.
+TEST_F(Optimise, TooFewComparisonsForARateAreNamed) {
+  profile::RateProfile profile{.comparisons = 1};
+  profile.schemes.push_back({.name = "relative",
+                             .bound = settings::parse_bound("relative").value(),
+                             .kind = profile::SchemeKind::certified,
+                             .counts = std::vector<profile::SchemeCounts>(13, {.exists = true}),
+                             .reason = {}});
+  rates_ = optimise::Rates::of({profile});
+  const optimise::Optimisation found = optimise_now();
+  ASSERT_EQ(found.best(), nullptr);
+  for (const optimise::PrecisionPlan& plan : found.plans) {
+    const auto* infeasible = std::get_if<optimise::Infeasible>(&plan.result);
+    ASSERT_NE(infeasible, nullptr);
+    EXPECT_EQ(infeasible->message,
+              "too few comparisons for a rate: none of 1 is undecided, so that the rate may be up "
+              "to 100 % (rule of three)");
+  }
+}
+
 /// Lanes with a target of 400 MHz would win against lanes measured at 300 MHz.
 TEST_F(Optimise, WhereSomeClocksAreMeasuredLanesWithoutAreLeftOut) {
   scene_.system.target_mhz = 400;

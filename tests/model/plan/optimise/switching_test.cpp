@@ -147,7 +147,7 @@ TEST(Drift, ForesightIsTheBestOfAllWays) {
   for (unsigned seed = 0; seed < 100; ++seed) {
     const RandomStream random(seed);
     const double pay = random.rule.reconfiguration_seconds();
-    const StreamTime found = with_foresight(random.stream, 1'000'000, pay);
+    const StreamTime found = least_time(random.stream, 1'000'000, pay);
     EXPECT_NEAR(found.seconds, least_seconds(random.stream, 1e6, pay, 0, 0), 1e-12) << seed;
   }
 }
@@ -157,7 +157,7 @@ TEST(Drift, ForesightIsTheBestOfAllWays) {
 TEST(Drift, TheRuleReadsEachComparisonOnce) {
   const StreamThroughPlans stream = {{{1e-9, 0.1}, {2e-9, 0.01}}, {{4e-9, 0.4}, {2e-9, 0.04}}};
   const SwitchingRule rule(two_plans(), 0.5);
-  const StreamTime found = with_rule(rule, stream, 1'000'000'000, 0.3);
+  const StreamTime found = time_by_rule(rule, stream, 1'000'000'000, 0.3);
   EXPECT_EQ(found.switches, 1);
   const double before = 4 * 0.075;  // comparisons of a reading, in 1e9
   EXPECT_NEAR(found.seconds, 1 + before * 4 + 0.5 + (1 - before) * 2, 1e-9);
@@ -168,7 +168,7 @@ TEST(Drift, NoRuleIsFasterThanForesight) {
   for (unsigned seed = 0; seed < 100; ++seed) {
     const RandomStream random(seed);
     const double pay = random.rule.reconfiguration_seconds();
-    const StreamTime found = with_rule(random.rule, random.stream, 1'000'000, 1e-3);
+    const StreamTime found = time_by_rule(random.rule, random.stream, 1'000'000, 1e-3);
     double least = 0, most = found.switches * pay;
     for (const auto& block : random.stream) {
       const auto [fast, slow] =
@@ -177,7 +177,7 @@ TEST(Drift, NoRuleIsFasterThanForesight) {
       least += 1e6 * fast->seconds;
       most += 1e6 * slow->seconds;
     }
-    EXPECT_GE(found.seconds, with_foresight(random.stream, 1'000'000, pay).seconds - 1e-12) << seed;
+    EXPECT_GE(found.seconds, least_time(random.stream, 1'000'000, pay).seconds - 1e-12) << seed;
     EXPECT_GE(found.seconds, least + found.switches * pay - 1e-12) << seed;
     EXPECT_LE(found.seconds, most + 1e-12) << seed;
   }
