@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "generator/synthesis/components/shortlist.hpp"
 #include "generator/tasks/candidate_lanes.hpp"
@@ -26,63 +26,12 @@ using measured::Measurement;
 using scene::EngineKind;
 using scene::Multipliers;
 
-/// The intervals of references where the scene leaves them open: one that is not folded, those with
-/// few units, and about the smallest one.
-constexpr std::array usual_intervals = {1, 2, 4, 8, 16};
-/// Plans interpolate between these crossbars.
-const std::vector<int> usual_ports = {1, 4, 8, 16, 32, 64, 128};
-
 /// The scene's limit of system.slack.
 constexpr double most_slack = 0.95;
 
 /// The search may lose half a percent of the highest throughput. A program of this many nodes takes
 /// about a second; only precisions far from the best have needed more.
 constexpr optimise::Effort effort{.may_lose = 0.005, .nodes = 300};
-
-/// The bounds of lanes that a plan of the scene may use.
-std::vector<Bound> bounds_for(const optimise::OptimiseOptions& choice, const scene::Scene& scene) {
-  std::vector<Bound> bounds = choice.bounds;
-  if (bounds.empty()) {
-    for (const Bound& bound : counted_bounds()) bounds.push_back(bound);
-    bounds.push_back({.kind = BoundKind::profiled});
-  }
-  std::erase_if(
-      bounds, [&](const Bound& bound) { return bound.is_profiled() != scene.reduced.is_profiled; });
-  return bounds;
-}
-
-std::vector<LaneInputs> inputs_for(const optimise::OptimiseOptions& choice) {
-  if (!choice.inputs.empty()) return choice.inputs;
-  return {LaneInputs::exact, LaneInputs::rounded};
-}
-
-/// All lanes and references that the request admits.
-ComponentQuery query_for(const optimise::OptimiseOptions& choice, const scene::Scene& scene,
-                         const optimise::OpenKeys& open) {
-  const settings::Limits allowed = settings::lane_precisions(scene.reference.format);
-  const auto& [multipliers, interval, target] = scene.reference_structure;
-  ComponentQuery query{.kinds = {ComponentKind::lane, ComponentKind::reference},
-                       .precisions = {},
-                       .bounds = bounds_for(choice, scene),
-                       .inputs = inputs_for(choice),
-                       .multipliers = choice.multipliers,
-                       .reference_targets = {target},
-                       .crossbars = usual_ports,
-                       .exponents = {}};
-  const int last = std::min(choice.last_precision, allowed.most);
-  for (int k = std::max(choice.first_precision, allowed.least); k <= last; ++k) {
-    query.precisions.push_back(k);
-  }
-  if (query.multipliers.empty()) {
-    query.multipliers = {Multipliers::embedded, Multipliers::logic, Multipliers::memory};
-  }
-  if (open.initiation_interval || !interval) {
-    query.initiation_intervals.assign(usual_intervals.begin(), usual_intervals.end());
-  } else {
-    query.initiation_intervals = {*interval};
-  }
-  return query;
-}
 
 void sort_rows(Characterisation& table) {
   std::sort(table.rows.begin(), table.rows.end(),
@@ -127,6 +76,23 @@ scene::Scene scene_in(scene::Scene scene, double share) {
   return scene;
 }
 
+/// Whether components have the same areas on both devices, as far as they are predicted.
+bool has_like_areas(const devices::Device& a, const devices::Device& b) {
+  return a.synthesis == b.synthesis && a.delays == b.delays;
+}
+
+/// Makes the settings name this device.
+void name_device(std::vector<std::string>& settings, const std::string& device) {
+  const std::string key = "system.device=";
+  const auto old = std::find_if(settings.begin(), settings.end(),
+                                [&](const std::string& each) { return each.starts_with(key); });
+  if (old == settings.end()) {
+    settings.insert(settings.begin(), key + device);
+  } else {
+    *old = key + device;
+  }
+}
+
 Characterisation part_of(const Characterisation& table, bool datapaths) {
   Characterisation part{
       .device = table.device, .scene = table.scene, .command = {}, .spec = table.spec, .rows = {}};
@@ -149,6 +115,13 @@ Result<optimise::Rates> count_rates(const OptimiseRequest& request, const Loaded
   return optimise::Rates::of(counted);
 }
 
+std::string rough_note(const std::string& names) {
+  return fmt::format(
+      "no library of unit areas for {}: those of Xilinx' 7 series stand in, and predictions are "
+      "rough; mixcmp units makes one",
+      names);
+}
+
 Result<ArchitectureSearch> ArchitectureSearch::make(const OptimiseRequest& request,
                                                     const std::vector<Formulation>& formulations) {
   ArchitectureSearch search(request);
@@ -159,25 +132,30 @@ Result<ArchitectureSearch> ArchitectureSearch::make(const OptimiseRequest& reque
   MIXCMP_DO(search.choose_areas());
   for (const Formulation& formulation : search.formulations_) {
     MIXCMP_DO(search.count_rates(formulation));
-    MIXCMP_DO(search.add(formulation));
   }
-  if (search.predictor_ == nullptr) return search;
-  if (search.predictor_->is_rough()) {
-    search.notes_.push_back(fmt::format(
-        "no library of unit areas for {}: those of Xilinx' 7 series stand in, and predictions are "
-        "rough; mixcmp units makes one",
-        search.device_.name));
-  }
-  for (const std::string& changed : search.predictor_->outdated()) {
-    search.notes_.push_back(fmt::format(
-        "unit areas of {} were measured before it changed; mixcmp units measures them again",
-        changed));
-  }
-  for (const std::string& unknown : search.predictor_->unknown()) {
-    search.notes_.push_back(
-        fmt::format("components with {} left out: the library of unit areas lacks it", unknown));
-  }
+  MIXCMP_DO(search.add_all({}));
   return search;
+}
+
+Result<Done> ArchitectureSearch::move_to(const std::string& name) {
+  MIXCMP_TRY(device, devices::find_device(name));
+  const bool is_alike = has_like_areas(device, device_) && !has_measured_rows_;
+  device_ = std::move(device);
+  if (!is_alike) MIXCMP_DO(choose_areas());
+  for (Formulation& each : formulations_) {
+    each.loaded.scene.system.device = name;
+    name_device(each.settings, name);
+  }
+  std::vector<System> known;
+  if (is_alike) known = std::move(systems_);
+  for (System& each : known) {
+    each.scene.system.device = name;
+    each.table.device = device_.name;
+    name_device(each.settings, name);
+  }
+  const auto added = add_all(std::move(known));
+  if (!added.ok()) systems_.clear();
+  return added;
 }
 
 Result<Done> ArchitectureSearch::choose_areas() {
@@ -207,27 +185,54 @@ Result<Done> ArchitectureSearch::count_rates(const Formulation& formulation) {
   return Done{};
 }
 
-Result<Done> ArchitectureSearch::add(const Formulation& formulation) {
+Result<Done> ArchitectureSearch::add_all(std::vector<System> known) {
+  systems_.clear();
+  notes_.clear();
+  has_measured_rows_ = false;
+  for (std::size_t k = 0; k < formulations_.size(); ++k) {
+    // The lanes of an engine are chosen by what they take of the device.
+    const bool is_engine = formulations_[k].loaded.scene.system.engine.kind != EngineKind::none;
+    const std::size_t before = systems_.size();
+    for (System& each : known) {
+      if (each.formulation == k && !is_engine) systems_.push_back(std::move(each));
+    }
+    if (systems_.size() == before) MIXCMP_DO(add(k));
+    use_kept_rows(k);
+  }
+  if (predictor_ == nullptr) return Done{};
+  for (const std::string& changed : predictor_->outdated()) {
+    notes_.push_back(fmt::format(
+        "unit areas of {} were measured before it changed; mixcmp units measures them again",
+        changed));
+  }
+  for (const std::string& unknown : predictor_->unknown()) {
+    notes_.push_back(
+        fmt::format("components with {} left out: the library of unit areas lacks it", unknown));
+  }
+  return Done{};
+}
+
+Result<Done> ArchitectureSearch::add(std::size_t number) {
+  const Formulation& formulation = formulations_[number];
   std::vector<std::string> settings = request_->planning.scene.settings;
   settings.insert(settings.end(), formulation.settings.begin(), formulation.settings.end());
   MIXCMP_TRY(read, scene::read_scene_settings(request_->planning.scene.source, settings));
   const optimise::OpenKeys open = optimise::open_keys(read.settings);
   const std::size_t before = systems_.size();
   const bool streams = formulation.loaded.scene.system.engine.kind == EngineKind::none;
-  MIXCMP_DO(streams ? add_streams(formulation, open) : add_engine(formulation, open));
+  MIXCMP_DO(streams ? add_streams(number, open) : add_engine(number, open));
   MIXCMP_CHECK(systems_.size() > before);
-  use_kept_rows(formulation);
   return Done{};
 }
 
-void ArchitectureSearch::add_system(const Formulation& formulation,
+void ArchitectureSearch::add_system(std::size_t formulation,
                                     const optimise::Architecture& architecture,
                                     const optimise::OpenKeys& open, Characterisation table) {
-  const scene::Scene& given = formulation.loaded.scene;
+  const scene::Scene& given = formulations_[formulation].loaded.scene;
   sort_rows(table);
   table.device = device_.name;
-  System system{.formulation = rates_.size() - 1,
-                .settings = formulation.settings,
+  System system{.formulation = formulation,
+                .settings = formulations_[formulation].settings,
                 .interface = {},
                 .scene = with_architecture(given, architecture, open),
                 .table = std::move(table)};
@@ -238,12 +243,12 @@ void ArchitectureSearch::add_system(const Formulation& formulation,
   systems_.push_back(std::move(system));
 }
 
-Result<Done> ArchitectureSearch::add_streams(const Formulation& formulation,
+Result<Done> ArchitectureSearch::add_streams(std::size_t formulation,
                                              const optimise::OpenKeys& open) {
-  const scene::Scene& given = formulation.loaded.scene;
-  const data::Comparisons* data = formulation.loaded.data_if_any();
+  const scene::Scene& given = formulations_[formulation].loaded.scene;
+  const data::Comparisons* data = formulations_[formulation].loaded.data_if_any();
   ComponentQuery query = query_for(request_->choice, given, open);
-  MIXCMP_TRY(useful, useful_lanes(given, query, rates_.back()));
+  MIXCMP_TRY(useful, useful_lanes(given, query, rates_[formulation]));
   query.lanes = std::move(useful);
   MIXCMP_TRY(datapaths, predict_table(area_of_, given, data, query));
   query.lanes = lanes_by_slots(datapaths, given);
@@ -261,13 +266,14 @@ Result<Done> ArchitectureSearch::add_streams(const Formulation& formulation,
 
 /// All components of an engine depend on its groups, and each kind of lane has its own: only
 /// promising ones are predicted.
-Result<Done> ArchitectureSearch::add_engine(const Formulation& formulation,
+Result<Done> ArchitectureSearch::add_engine(std::size_t formulation,
                                             const optimise::OpenKeys& open) {
-  const data::Comparisons* data = formulation.loaded.data_if_any();
-  MIXCMP_TRY(given, with_chain_lanes(formulation.loaded.scene, data, request_->planning.scene));
+  const LoadedScene& loaded = formulations_[formulation].loaded;
+  const data::Comparisons* data = loaded.data_if_any();
+  MIXCMP_TRY(given, with_chain_lanes(loaded.scene, data, request_->planning.scene));
   ComponentQuery query = query_for(request_->choice, given, open);
   components::ComponentMaker maker(given, data);
-  MIXCMP_TRY(promising, shortlist(maker, query, device_, rates_.back()));
+  MIXCMP_TRY(promising, shortlist(maker, query, device_, rates_[formulation]));
   MIXCMP_TRY(longer, with_longer(promising.lanes, given, query));
   query.lanes = std::move(longer);
   query.kinds = {ComponentKind::lane,    ComponentKind::reference,  ComponentKind::reference_port,
@@ -285,7 +291,8 @@ Result<Done> ArchitectureSearch::add_engine(const Formulation& formulation,
   return Done{};
 }
 
-void ArchitectureSearch::use_kept_rows(const Formulation& formulation) {
+void ArchitectureSearch::use_kept_rows(std::size_t number) {
+  const Formulation& formulation = formulations_[number];
   const scene::Scene& given = formulation.loaded.scene;
   if (formulation.is_engine_added || request_->planning.scene.source.text) return;
   const std::filesystem::path path = table_of(request_->planning, given);
@@ -299,6 +306,7 @@ void ArchitectureSearch::use_kept_rows(const Formulation& formulation) {
   const Characterisation datapaths = part_of(*table, true);
   const Characterisation others = part_of(*table, false);
   std::set<ComponentKey> used;
+  has_measured_rows_ = true;
   const auto use = [&](System& system, const std::vector<const Measurement*>& rows) {
     for (const Measurement* row : rows) {
       if (put(system.table, *row)) used.insert(row->key);
@@ -306,7 +314,7 @@ void ArchitectureSearch::use_kept_rows(const Formulation& formulation) {
   };
   const auto current = components::current_rows(datapaths, given, data, device_);
   for (System& system : systems_) {
-    if (system.formulation != rates_.size() - 1) continue;
+    if (system.formulation != number) continue;
     use(system, current);
     if (!has_streams_of(*table, system.scene.system)) continue;
     use(system, components::current_rows(others, system.scene, data, device_));
@@ -403,7 +411,7 @@ Error ArchitectureSearch::explained(const Error& error) const {
           .accepted = "what this measures: " + command};
 }
 
-Result<OptimiseResult> ArchitectureSearch::best_in(Share share) const {
+Result<OptimiseResult> ArchitectureSearch::fastest_in(Share share) const {
   OptimiseResult result;
   std::vector<Choice> choices;
   std::map<std::size_t, std::size_t> possible;  // by formulation: a system with lanes
@@ -435,12 +443,19 @@ Result<OptimiseResult> ArchitectureSearch::best_in(Share share) const {
                                        return a.throughput_per_s() < b.throughput_per_s();
                                      });
   result.chosen = static_cast<std::size_t>(most - result.systems.begin());
-  MIXCMP_TRY(whole, planned(most->number, share, request_->choice));
+  return result;
+}
+
+Result<OptimiseResult> ArchitectureSearch::best_in(Share share) const {
+  MIXCMP_TRY(result, fastest_in(share));
+  PlannedSystem& most = result.systems[result.chosen];
+  if (most.found.best() == nullptr) return result;
+  MIXCMP_TRY(whole, planned(most.number, share, request_->choice));
   for (optimise::PrecisionPlan& plan : whole.found.plans) {
-    const optimise::PrecisionPlan& known = *most->found.best();
+    const optimise::PrecisionPlan& known = *most.found.best();
     if (plan.precision == known.precision && is_better(known, plan, device_)) plan = known;
   }
-  *most = std::move(whole);
+  most = std::move(whole);
   return result;
 }
 
@@ -536,6 +551,7 @@ void ArchitectureSearch::replace(const PlannedSystem& planned,
                                  const std::vector<Measurement>& rows) {
   const std::size_t formulation = systems_[planned.number].formulation;
   const bool streams = systems_[planned.number].scene.system.engine.kind == EngineKind::none;
+  has_measured_rows_ = true;
   for (std::size_t k = 0; k < systems_.size(); ++k) {
     if (systems_[k].formulation != formulation) continue;
     for (const Measurement& row : rows) {

@@ -162,19 +162,6 @@ Result<OptimiseResult> confirm(const OptimiseRequest& request, const LoadedScene
 
 }  // namespace
 
-const FrontPoint* knee_of(const std::vector<FrontPoint>& front) {
-  constexpr double near = 0.9;
-  const auto density = [](const FrontPoint& point) {
-    return point.plan.throughput_per_s / point.share;
-  };
-  double most = 0;
-  for (const FrontPoint& point : front) most = std::max(most, density(point));
-  for (const FrontPoint& point : front) {
-    if (density(point) >= near * most) return &point;
-  }
-  return nullptr;
-}
-
 double PlannedSystem::throughput_per_s() const {
   return found.best() == nullptr ? 0 : found.best()->throughput_per_s();
 }
@@ -201,6 +188,23 @@ Result<std::vector<Formulation>> formulations_of(const OptimiseRequest& request,
   return formulations;
 }
 
+Result<OptimiseResult> completed(const OptimiseRequest& request, const LoadedScene& loaded,
+                                 ArchitectureSearch& search, OptimiseResult predicted) {
+  MIXCMP_TRY(result, confirm(request, loaded, search, std::move(predicted)));
+  if (result.best().found.best() == nullptr) return result;
+  MIXCMP_TRY(front, search.front(result.best()));
+  result.front = std::move(front);
+  return result;
+}
+
+Result<std::vector<FrontPoint>> front_of(const OptimiseRequest& request,
+                                         const LoadedScene& loaded) {
+  MIXCMP_TRY(search, ArchitectureSearch::make(request, {{loaded, {}, name_of(loaded.scene)}}));
+  MIXCMP_TRY(fastest, search.fastest());
+  if (fastest.best().found.best() == nullptr) return std::vector<FrontPoint>();
+  return search.front(fastest.best());
+}
+
 Result<OptimiseResult> optimise(const OptimiseRequest& request, const LoadedScene& loaded) {
   MIXCMP_DO(check_options(request.choice));
   MIXCMP_TRY(formulations, formulations_of(request, loaded));
@@ -213,12 +217,9 @@ Result<OptimiseResult> optimise(const OptimiseRequest& request, const LoadedScen
   if (!request.planning.table.empty()) return plan_by_tables(request, formulations);
   MIXCMP_TRY(search, ArchitectureSearch::make(request, formulations));
   MIXCMP_TRY(predicted, search.best());
-  MIXCMP_TRY(result, confirm(request, loaded, search, std::move(predicted)));
-  if (result.best().found.best() != nullptr) {
-    MIXCMP_TRY(front, search.front(result.best()));
-    result.front = std::move(front);
-  }
+  MIXCMP_TRY(result, completed(request, loaded, search, std::move(predicted)));
   result.notes = search.notes();
+  if (search.is_rough()) result.notes.push_back(rough_note(search.device().name));
   return result;
 }
 
