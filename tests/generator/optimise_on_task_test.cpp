@@ -1,9 +1,11 @@
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "generator/tasks/optimise_on.hpp"
@@ -52,6 +54,23 @@ data::Comparisons random_rows() {
   return data::Comparisons::rows(std::move(table), {"a", "b", "c", "d"}).value();
 }
 
+/// Areas that are made up, about those of predictions: the library takes seconds to read.
+std::optional<devices::Area> made_up(const components::Component& component, const scene::Scene&) {
+  const auto logic = [](int luts, int dsps = 0) {
+    return devices::Area{.luts = luts, .registers = luts, .dsps = dsps};
+  };
+  if (const auto* lane = std::get_if<measured::Lane>(&component.key)) {
+    const int bits = lane->format.precision();
+    const bool embedded = lane->multipliers == scene::Multipliers::embedded;
+    return embedded ? logic(9 * bits, 2) : logic(9 * bits + 2 * bits * bits);
+  }
+  if (std::holds_alternative<measured::Reference>(component.key)) return logic(3000, 8);
+  if (const auto* crossbar = std::get_if<measured::Crossbar>(&component.key)) {
+    return logic(50 + 60 * crossbar->lanes);
+  }
+  return logic(150);
+}
+
 class OptimiseOn : public testing::Test {
 protected:
   static tasks::OptimiseRequest request_with(std::vector<std::string> settings) {
@@ -68,16 +87,19 @@ protected:
     const tasks::SceneRequest& scene = request.planning.scene;
     return {scene::load_scene(scene.source, scene.settings).value(), random_rows()};
   }
-  static Result<OptimiseOnResult> planned_on(const std::vector<std::string>& devices,
-                                             double at_least_per_s = 0) {
-    tasks::OptimiseRequest request = request_with({});
+  tasks::OptimiseRequest request_for(std::vector<std::string> settings, double at_least_per_s) {
+    tasks::OptimiseRequest request = request_with(std::move(settings));
     request.at_least_per_s = at_least_per_s;
+    request.area_of = area_of_;
+    return request;
+  }
+  Result<OptimiseOnResult> planned_on(const std::vector<std::string>& devices,
+                                      double at_least_per_s = 0) {
+    const tasks::OptimiseRequest request = request_for({}, at_least_per_s);
     return optimise_on({request, devices}, load(request));
   }
-  static tasks::OptimiseResult planned_by_itself(const std::string& device,
-                                                 double at_least_per_s = 0) {
-    tasks::OptimiseRequest request = request_with({"system.device=" + device});
-    request.at_least_per_s = at_least_per_s;
+  tasks::OptimiseResult planned_by_itself(const std::string& device, double at_least_per_s = 0) {
+    const tasks::OptimiseRequest request = request_for({"system.device=" + device}, at_least_per_s);
     return tasks::optimise(request, load(request)).value();
   }
   static std::vector<std::string> names_of(const OptimiseOnResult& result) {
@@ -85,14 +107,17 @@ protected:
     for (const DevicePlan& each : result.devices) names.push_back(each.device.name);
     return names;
   }
+
+  components::PredictedArea area_of_ = made_up;
 };
 
 /// A search by itself also has plans of other precisions, so it may find half a percent more.
 TEST_F(OptimiseOn, EachDeviceHasThePlanThatItHasByItself) {
+  area_of_ = {};  // predictions
   const OptimiseOnResult all =
-      planned_on({"xc7k70t", "lfe5u-25f", "xc7a100t", "xc7s15", "ice40lp384"}).value();
+      planned_on({"xc7k70t", "lfe5u-25f", "xc7a25t", "ice40lp384"}).value();
   EXPECT_EQ(names_of(all),
-            (std::vector<std::string>{"ice40lp384", "xc7s15", "lfe5u-25f", "xc7k70t", "xc7a100t"}))
+            (std::vector<std::string>{"ice40lp384", "xc7a25t", "lfe5u-25f", "xc7k70t"}))
       << "24,288 LUTs of four inputs are 16,192 of six";
   for (const DevicePlan& each : all.devices) {
     const tasks::OptimiseResult single = planned_by_itself(each.device.name);
@@ -112,7 +137,7 @@ TEST_F(OptimiseOn, EachDeviceHasThePlanThatItHasByItself) {
   }
   EXPECT_FALSE(all.smallest);
   ASSERT_EQ(all.notes.size(), 1U) << "only the ECP5 and the iCE40 have no library";
-  EXPECT_NE(all.notes.front().find("ice40-lp, ecp5"), std::string::npos) << all.notes.front();
+  EXPECT_NE(all.notes.front().find("ecp5, ice40-lp:"), std::string::npos) << all.notes.front();
 }
 
 TEST_F(OptimiseOn, TheSmallestDeviceHasTheSmallestSystemThatItHasByItself) {
@@ -146,7 +171,7 @@ TEST_F(OptimiseOn, NoSmallerDeviceThatIsFastEnoughIsPassedOver) {
                                 return 1.02 * a.plan.throughput_per_s < b.plan.throughput_per_s;
                               }))
       << "this family tests nothing";
-  for (const double part : {0.1, 0.3, 0.6, 0.9}) {
+  for (const double part : {0.1, 0.5, 0.8}) {
     double most = 0;
     for (const DevicePlan& each : all.devices) most = std::max(most, each.plan.throughput_per_s);
     const double wanted = part * most;
