@@ -18,6 +18,9 @@ std::optional<performance::ItemSet> set_of(const data::Comparisons* data);
 /// Counts the rates of all lanes that a plan of the request may have.
 Result<optimise::Rates> count_rates(const OptimiseRequest& request, const LoadedScene& loaded);
 
+/// Says that the areas of these devices or families are rough predictions.
+std::string rough_note(const std::string& names);
+
 /// The systems of all architectures of a scene's formulations, with predicted areas. Lanes and
 /// references do not depend on the streams around them, so they are predicted once for each
 /// formulation.
@@ -28,12 +31,21 @@ public:
   static Result<ArchitectureSearch> make(const OptimiseRequest& request,
                                          const std::vector<Formulation>& formulations);
 
+  /// Goes on with another device, by a name that find_device knows: the settings of its systems
+  /// name it. Rates stay, and so do predicted areas if they are those of the device before.
+  Result<Done> move_to(const std::string& device);
+  const devices::Device& device() const { return device_; }
+
   /// The best system of each formulation in each interface, by the areas that are known. A
   /// precision of a system is solved only if its bound (optimise::throughput_bound) is half a
   /// percent above the best plan found before: a better plan that is lost is no faster than that.
   /// If the request has a least throughput, the systems have the smallest share of the device, in
   /// steps of 1/64, in which one of them reaches it; it is an error if none does.
   Result<OptimiseResult> best() const;
+
+  /// The same on the whole device, whatever the least throughput: the systems have no plans of
+  /// other precisions, and are at most half a percent slower.
+  Result<OptimiseResult> fastest() const { return fastest_in(1); }
 
   /// The best system of this interface and formulation in parts of the room that `system` has.
   Result<std::vector<FrontPoint>> front(const PlannedSystem& system) const;
@@ -48,6 +60,8 @@ public:
   /// also in the other architectures of its formulation.
   void replace(const PlannedSystem& system, const std::vector<measured::Measurement>& rows);
 
+  /// Whether another family's library of unit areas stands in for the device's.
+  bool is_rough() const { return predictor_ != nullptr && predictor_->is_rough(); }
   const std::vector<std::string>& notes() const { return notes_; }
 
 private:
@@ -69,14 +83,18 @@ private:
   explicit ArchitectureSearch(const OptimiseRequest& request) : request_(&request) {}
   Result<Done> choose_areas();
   Result<Done> count_rates(const Formulation& formulation);
-  Result<Done> add(const Formulation& formulation);
-  Result<Done> add_streams(const Formulation& formulation, const optimise::OpenKeys& open);
-  Result<Done> add_engine(const Formulation& formulation, const optimise::OpenKeys& open);
-  void add_system(const Formulation& formulation, const optimise::Architecture& architecture,
+  /// Adds the systems of all formulations on the device. `known`: those on another one, with the
+  /// areas that are predicted for this one.
+  Result<Done> add_all(std::vector<System> known);
+  Result<Done> add(std::size_t formulation);
+  Result<Done> add_streams(std::size_t formulation, const optimise::OpenKeys& open);
+  Result<Done> add_engine(std::size_t formulation, const optimise::OpenKeys& open);
+  void add_system(std::size_t formulation, const optimise::Architecture& architecture,
                   const optimise::OpenKeys& open, measured::Characterisation table);
-  void use_kept_rows(const Formulation& formulation);
+  void use_kept_rows(std::size_t formulation);
   /// A share of the room that the scene's slack leaves, above 0 and at most 1.
   using Share = double;
+  Result<OptimiseResult> fastest_in(Share share) const;
   Result<OptimiseResult> best_in(Share share) const;
   std::string name_of(std::size_t formulation) const;
   /// Adds the formulations that have no plan in this share, with a reason, unless none has one.
@@ -98,6 +116,7 @@ private:
   std::vector<Formulation> formulations_;
   std::vector<optimise::Rates> rates_;  ///< of each formulation
   std::vector<System> systems_;
+  bool has_measured_rows_ = false;  ///< in the systems' tables
   std::vector<std::string> notes_;
 };
 

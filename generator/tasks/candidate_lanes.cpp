@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -17,10 +18,17 @@ namespace mixcmp::tasks {
 
 using components::ComponentQuery;
 using measured::Characterisation;
+using measured::ComponentKind;
 using measured::Measurement;
 using scene::Multipliers;
 
 namespace {
+
+/// The intervals of references where the scene leaves them open: one that is not folded, those with
+/// few units, and about the smallest one.
+constexpr std::array usual_intervals = {1, 2, 4, 8, 16};
+/// Plans interpolate between these crossbars.
+constexpr std::array usual_ports = {1, 4, 8, 16, 32, 64, 128};
 
 /// A kind of lane: all but its digits.
 using Kind = std::tuple<Bound, std::optional<LaneInputs>, std::optional<Multipliers>>;
@@ -30,6 +38,49 @@ Kind kind_of_lane(const measured::Lane& lane) {
 }
 
 }  // namespace
+
+std::vector<Bound> bounds_for(const optimise::OptimiseOptions& choice, const scene::Scene& scene) {
+  std::vector<Bound> bounds = choice.bounds;
+  if (bounds.empty()) {
+    for (const Bound& bound : counted_bounds()) bounds.push_back(bound);
+    bounds.push_back({.kind = BoundKind::profiled});
+  }
+  std::erase_if(
+      bounds, [&](const Bound& bound) { return bound.is_profiled() != scene.reduced.is_profiled; });
+  return bounds;
+}
+
+std::vector<LaneInputs> inputs_for(const optimise::OptimiseOptions& choice) {
+  if (!choice.inputs.empty()) return choice.inputs;
+  return {LaneInputs::exact, LaneInputs::rounded};
+}
+
+ComponentQuery query_for(const optimise::OptimiseOptions& choice, const scene::Scene& scene,
+                         const optimise::OpenKeys& open) {
+  const settings::Limits allowed = settings::lane_precisions(scene.reference.format);
+  const auto& [multipliers, interval, target] = scene.reference_structure;
+  ComponentQuery query{.kinds = {ComponentKind::lane, ComponentKind::reference},
+                       .precisions = {},
+                       .bounds = bounds_for(choice, scene),
+                       .inputs = inputs_for(choice),
+                       .multipliers = choice.multipliers,
+                       .reference_targets = {target},
+                       .crossbars = {usual_ports.begin(), usual_ports.end()},
+                       .exponents = {}};
+  const int last = std::min(choice.last_precision, allowed.most);
+  for (int k = std::max(choice.first_precision, allowed.least); k <= last; ++k) {
+    query.precisions.push_back(k);
+  }
+  if (query.multipliers.empty()) {
+    query.multipliers = {Multipliers::embedded, Multipliers::logic, Multipliers::memory};
+  }
+  if (open.initiation_interval || !interval) {
+    query.initiation_intervals.assign(usual_intervals.begin(), usual_intervals.end());
+  } else {
+    query.initiation_intervals = {*interval};
+  }
+  return query;
+}
 
 measured::Lane as_asked(measured::Lane lane) {
   if (!lane.multipliers) lane.multipliers = Multipliers::embedded;

@@ -2,15 +2,27 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 #include "generator/synthesis/components/component_list.hpp"
 #include "model/cost/measured/measurement.hpp"
+#include "model/plan/optimise/architecture.hpp"
 #include "model/plan/optimise/optimise.hpp"
 #include "model/plan/optimise/rates.hpp"
 #include "model/scene/scene.hpp"
 
 /// The lanes among which a search over architectures chooses.
 namespace mixcmp::tasks {
+
+/// The bounds of lanes that a plan of the scene may use.
+std::vector<Bound> bounds_for(const optimise::OptimiseOptions& choice, const scene::Scene& scene);
+/// The inputs of lanes that a plan may use.
+std::vector<LaneInputs> inputs_for(const optimise::OptimiseOptions& choice);
+
+/// All lanes and references that a plan of the scene may use, and the crossbars between which plans
+/// interpolate.
+components::ComponentQuery query_for(const optimise::OptimiseOptions& choice,
+                                     const scene::Scene& scene, const optimise::OpenKeys& open);
 
 /// A lane without products has no multipliers in its row, and any kind of them in a query.
 measured::Lane as_asked(measured::Lane lane);

@@ -177,19 +177,6 @@ Result<OptimiseResult> confirm(const OptimiseRequest& request, const LoadedScene
   return result;
 }
 
-Result<OptimiseResult> plan_by_search(const OptimiseRequest& request, const LoadedScene& loaded,
-                                      const std::vector<Formulation>& formulations) {
-  MIXCMP_TRY(search, ArchitectureSearch::make(request, formulations));
-  MIXCMP_TRY(predicted, search.best());
-  MIXCMP_TRY(result, confirm(request, loaded, search, std::move(predicted)));
-  if (result.best().found.best() != nullptr) {
-    MIXCMP_TRY(front, search.front(result.best()));
-    result.front = std::move(front);
-  }
-  result.notes = search.notes();
-  return result;
-}
-
 /// Notes that the plan has no second tier although the scene has one.
 void note_left_out_tier(const scene::Scene& given, OptimiseResult& result) {
   if (!given.second_tier || !result.best().known.scene.leaves_out_second_tier) return;
@@ -204,20 +191,14 @@ void note_left_out_tier(const scene::Scene& given, OptimiseResult& result) {
       fmt::format("the plan is without the scene's second tier ({}): {}", tier, why));
 }
 
-}  // namespace
-
-const FrontPoint* knee_of(const std::vector<FrontPoint>& front) {
-  constexpr double near = 0.9;
-  const auto density = [](const FrontPoint& point) {
-    return point.plan.throughput_per_s / point.share;
-  };
-  double most = 0;
-  for (const FrontPoint& point : front) most = std::max(most, density(point));
-  for (const FrontPoint& point : front) {
-    if (density(point) >= near * most) return &point;
-  }
-  return nullptr;
+/// What the user should know of the system that was chosen.
+void note_system(const LoadedScene& loaded, OptimiseResult& result) {
+  note_left_out_tier(loaded.scene, result);
+  note_idle_lanes(loaded, result);
+  note_traffic(result);
 }
+
+}  // namespace
 
 double PlannedSystem::throughput_per_s() const {
   return found.best() == nullptr ? 0 : found.best()->throughput_per_s();
@@ -260,6 +241,25 @@ Result<std::vector<Formulation>> formulations_of(const OptimiseRequest& request,
   return formulations;
 }
 
+Result<OptimiseResult> completed(const OptimiseRequest& request, const LoadedScene& loaded,
+                                 ArchitectureSearch& search, OptimiseResult predicted) {
+  MIXCMP_TRY(result, confirm(request, loaded, search, std::move(predicted)));
+  result.notes = search.notes();
+  if (result.best().found.best() == nullptr) return result;
+  MIXCMP_TRY(front, search.front(result.best()));
+  result.front = std::move(front);
+  note_system(loaded, result);
+  return result;
+}
+
+Result<std::vector<FrontPoint>> front_of(const OptimiseRequest& request,
+                                         const LoadedScene& loaded) {
+  MIXCMP_TRY(search, ArchitectureSearch::make(request, {{loaded, {}, name_of(loaded.scene)}}));
+  MIXCMP_TRY(fastest, search.fastest());
+  if (fastest.best().found.best() == nullptr) return std::vector<FrontPoint>();
+  return search.front(fastest.best());
+}
+
 Result<OptimiseResult> optimise(const OptimiseRequest& request, const LoadedScene& loaded) {
   MIXCMP_DO(check_options(request.choice));
   MIXCMP_TRY(formulations, formulations_of(request, loaded));
@@ -271,11 +271,15 @@ Result<OptimiseResult> optimise(const OptimiseRequest& request, const LoadedScen
                  .received = request.planning.table.string(),
                  .accepted = "no table, so that the smallest system is searched for"};
   }
-  MIXCMP_TRY(result, by_table ? plan_by_tables(request, formulations)
-                              : plan_by_search(request, loaded, formulations));
-  note_left_out_tier(loaded.scene, result);
-  note_idle_lanes(loaded, result);
-  note_traffic(result);
+  if (by_table) {
+    MIXCMP_TRY(result, plan_by_tables(request, formulations));
+    note_system(loaded, result);
+    return result;
+  }
+  MIXCMP_TRY(search, ArchitectureSearch::make(request, formulations));
+  MIXCMP_TRY(predicted, search.best());
+  MIXCMP_TRY(result, completed(request, loaded, search, std::move(predicted)));
+  if (search.is_rough()) result.notes.push_back(rough_note(search.device().name));
   return result;
 }
 

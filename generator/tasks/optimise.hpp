@@ -9,8 +9,8 @@
 #include "generator/synthesis/components/characterise.hpp"
 #include "generator/synthesis/components/predicted_table.hpp"
 #include "generator/tasks/planning.hpp"
+#include "model/plan/optimise/front.hpp"
 #include "model/plan/optimise/optimise.hpp"
-#include "model/plan/optimise/plan_summary.hpp"
 
 namespace mixcmp::tasks {
 
@@ -56,16 +56,7 @@ struct Confirmation {
   int interrupted_by = 0;  ///< number of the signal that interrupted the synthesis; 0: none
 };
 
-/// The best system in a part of the device.
-struct FrontPoint {
-  double share = 1;  ///< of the room of the chosen system, which the others of the result also have
-  optimise::PlanSummary plan;
-  std::vector<std::string> settings;  ///< see PlannedSystem
-};
-
-/// The smallest part of the device in which 0.9 of the highest throughput per area is reached; null
-/// without points.
-const FrontPoint* knee_of(const std::vector<FrontPoint>& front);
+using optimise::FrontPoint;
 
 struct OptimiseResult {
   std::vector<PlannedSystem> systems;
@@ -90,6 +81,16 @@ std::vector<std::vector<std::string>> settings_of_variants(const OptimiseRequest
 /// The rates of the lanes of a table: those of the request, or counted.
 Result<optimise::Rates> rates_by_table(const OptimiseRequest& request, const LoadedScene& loaded,
                                        const measured::Characterisation& table);
+
+/// The best systems of the scene itself, not of its variants, in parts of the device, on predicted
+/// areas: those of the interface in which the fastest one is. By share; empty if nothing fits.
+Result<std::vector<FrontPoint>> front_of(const OptimiseRequest& request, const LoadedScene& loaded);
+
+class ArchitectureSearch;
+/// Confirms the best system of a search by synthesis, unless the request only predicts, and finds
+/// the systems in parts of its room.
+Result<OptimiseResult> completed(const OptimiseRequest& request, const LoadedScene& loaded,
+                                 ArchitectureSearch& search, OptimiseResult predicted);
 
 /// The request's settings with those of a system: `generate` makes it of these.
 std::vector<std::string> settings_of(const OptimiseRequest& request, const PlannedSystem& system);

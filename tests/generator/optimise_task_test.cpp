@@ -284,7 +284,7 @@ TEST_F(OptimiseTask, TheFrontLeadsToThePlan) {
   EXPECT_NEAR(found.front.back().plan.throughput_per_s, found.best().throughput_per_s(),
               0.005 * found.best().throughput_per_s());
   EXPECT_EQ(found.front.back().settings, found.best().settings);
-  const tasks::FrontPoint* knee = tasks::knee_of(found.front);
+  const tasks::FrontPoint* knee = knee_of(found.front);
   ASSERT_NE(knee, nullptr);
   EXPECT_LT(knee->share, 1);
   EXPECT_GT(knee->share, found.front.front().share);

@@ -163,7 +163,7 @@ TEST_F(Report, SaysWhatIsMissingAndTheCommandThatMakesIt) {
   write_scene();
   std::filesystem::create_directories(path("characterisation"));
   write("characterisation/scene-virtex6-lx760.csv", "no table\n");
-  const Outcome run = mixcmp("report scene.toml -o page.html --without profile,waves");
+  const Outcome run = mixcmp("report scene.toml -o page.html --without profile,front,waves");
   EXPECT_EQ(run.exit_code, 3) << run.output;
   EXPECT_NE(run.output.find("not done: plan: "), std::string::npos) << run.output;
   const std::string html = read("page.html");
@@ -174,7 +174,7 @@ TEST_F(Report, SaysWhatIsMissingAndTheCommandThatMakesIt) {
 TEST_F(Report, ThePageIsTheSameFromAnyFolderAlsoWhereSectionsAreMissing) {
   write_scene("lanes = \"auto\"\nreferences = \"auto\"\n");
   for (const std::string& scene : {std::string("scene.toml"), path("scene.toml").string()}) {
-    const Outcome run = mixcmp("report '" + scene + "' -o page.html --without profile,plan");
+    const Outcome run = mixcmp("report '" + scene + "' -o page.html --without profile,plan,front");
     EXPECT_EQ(run.exit_code, 3) << run.output;
     const std::string html = read("page.html");
     EXPECT_EQ(html.find(path("").string()), std::string::npos);
@@ -182,6 +182,32 @@ TEST_F(Report, ThePageIsTheSameFromAnyFolderAlsoWhereSectionsAreMissing) {
     if (scene == "scene.toml") write("first.html", html);
     EXPECT_EQ(html, read("first.html"));
   }
+}
+
+/// The points are those that `optimise` prints, and need no table. Given keys leave little to
+/// search.
+TEST_F(Report, DrawsTheFrontThatOptimiseFinds) {
+  write_scene(
+      "operands = \"carried\"\noperand_memory = \"logic\"\nrequest_beats = 1\nlanes_per_group = 1\n"
+      "counters = \"none\"\n[engine]\nkind = \"none\"\n");
+  const std::string keys = "--set reference.initiation_interval=1";
+  const std::string html = page("--without profile,waves " + keys, 3);
+  EXPECT_EQ(fault_of_markup(html), "");
+  const Outcome run = mixcmp("optimise scene.toml --predict-only --json " + keys);
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const json front = json::parse(run.output.substr(run.output.find('{'))).at("front");
+  ASSERT_EQ(front.size(), 5U);
+  for (const json& point : front) {
+    const std::string share =
+        fmt::format("{:g} % of the room\nL = {}\np_L = {}, p_H = {}\n",
+                    100 * point.at("share").get<double>(), point.at("precision").get<int>(),
+                    point.at("lanes").get<int>(), point.at("references").get<int>());
+    EXPECT_NE(html.find(share), std::string::npos) << share;
+    const bool is_marked = html.find("knee: " + share) != std::string::npos;
+    EXPECT_EQ(is_marked, point.at("is_knee").get<bool>()) << share;
+  }
+  EXPECT_EQ(page("--without profile,front,waves " + keys, 3).find("of the room"),
+            std::string::npos);
 }
 
 TEST_F(Report, WithoutASystemTheOtherSectionsAreThere) {

@@ -1,6 +1,3 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -18,20 +15,8 @@
 namespace mixcmp::cli {
 namespace {
 
-/// The devices of which a name, the family or the clock's tool contains the pattern.
-std::vector<devices::KnownDevice> matching(const std::string& pattern) {
-  std::vector<devices::KnownDevice> known = devices::known_devices();
-  std::erase_if(known, [text = devices::lower_case(pattern)](const devices::KnownDevice& each) {
-    const std::string words =
-        fmt::format("{} {} {} {}", each.device.name, each.device.family,
-                    to_string(each.device.timing), fmt::join(each.other_names, " "));
-    return words.find(text) == std::string::npos;
-  });
-  return known;
-}
-
 void run(const std::string& pattern, bool json) {
-  const std::vector<devices::KnownDevice> found = matching(pattern);
+  const std::vector<devices::KnownDevice> found = devices::devices_with(pattern);
   if (found.empty()) {
     fail({.field = "PATTERN",
           .message = "no device has this in its names",

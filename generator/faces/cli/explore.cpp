@@ -325,7 +325,7 @@ void add_device(Findings& findings, const ExploreCommand& command, const Plannin
 std::string html_page(Findings& findings, const ExploreCommand& command, const LoadedScene& loaded,
                       const std::vector<report::SoftwareThroughput>& software) {
   ReportChoice choice{
-      .without = {}, .beside_paper = command.beside_paper, .command = command_of(command)};
+      .without = {"front"}, .beside_paper = command.beside_paper, .command = command_of(command)};
   ReportMaker maker(command.planning, loaded, std::move(choice));
   page::Page page = maker.make();
   page.sections.push_back(

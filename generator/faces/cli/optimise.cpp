@@ -1,10 +1,12 @@
 #include "generator/tasks/optimise.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
 #include "generator/faces/cli/exit.hpp"
+#include "generator/faces/cli/optimise_on.hpp"
 #include "generator/faces/cli/optimise_report.hpp"
 #include "generator/faces/cli/output.hpp"
 #include "generator/faces/cli/plan_set.hpp"
@@ -28,7 +30,8 @@ struct OptimiseCommand {
   fs::path csv;
   fs::path lp;
   bool predict_only = false;
-  double at_least = 0;  ///< G comparisons/s
+  double at_least = 0;          ///< G comparisons/s
+  std::vector<std::string> on;  ///< in place of the scene's device
   PlanSetOptions set;
 };
 
@@ -64,6 +67,7 @@ std::string command_of(const OptimiseCommand& command) {
   CommandLine line = planning_command_line("optimise", command.planning);
   line.add("--rates", command.rates.string()).add_flag("--predict-only", command.predict_only);
   if (command.at_least > 0) line.add("--at-least", fmt::format("{}", command.at_least));
+  line.add("--on", fmt::format("{}", fmt::join(command.on, ",")));
   add_to(line, command.set);
   return line.text();
 }
@@ -142,6 +146,44 @@ void print_result(const OptimiseCommand& command, const tasks::OptimiseResult& r
   }
 }
 
+/// Without a least throughput no device is chosen whose plan could be written.
+void check_on(const OptimiseCommand& command) {
+  if (command.at_least > 0) return;
+  const std::pair<const char*, fs::path> files[] = {
+      {"--output", command.plan}, {"--csv", command.csv}, {"--lp", command.lp}};
+  for (const auto& [option, path] : files) {
+    if (path.empty()) continue;
+    fail({.field = option,
+          .message = "is for one plan, and --on makes one on each device",
+          .received = path.string(),
+          .accepted =
+              "--at-least, which chooses the smallest device, or --device in place of --on"});
+  }
+}
+
+/// Plans on the devices of --on; with --at-least, the plan on the smallest is the result.
+void run_on_devices(const OptimiseCommand& command, const tasks::OptimiseRequest& request,
+                    const LoadedScene& loaded) {
+  check_on(command);
+  const tasks::OptimiseOnRequest on{.optimise = request, .devices = devices_on(command.on)};
+  const tasks::OptimiseOnResult result =
+      value_or_exit(with_shortcuts(tasks::optimise_on(on, loaded), command.planning.scene));
+  show_progress("");
+  for (const std::string& note : result.notes) tell_note(note);
+  if (result.smallest) write_files(command, request, result.smallest->best());
+  if (command.planning.scene.json) {
+    nlohmann::ordered_json json =
+        result.smallest ? cli::to_json(*result.smallest) : nlohmann::ordered_json::object();
+    json.update(cli::to_json(result));
+    print(report::json_text(json));
+    return;
+  }
+  print(cli::to_text(result));
+  if (!result.smallest) return;
+  print(fmt::format("\nthe smallest: {}\n", result.smallest->best().found.device.name));
+  print_result(command, *result.smallest);
+}
+
 void run(OptimiseCommand& command) {
   PlanningOptions& planning = command.planning;
   const LoadedScene loaded = value_or_exit(load(planning.scene));
@@ -159,6 +201,7 @@ void run(OptimiseCommand& command) {
   const std::vector<fs::path> outputs = {command.plan, command.csv, command.lp};
   value_or_exit(check_outputs(outputs, inputs));
   value_or_exit(check_writable(outputs));
+  if (!command.on.empty()) return run_on_devices(command, request, loaded);
   const tasks::OptimiseResult result =
       value_or_exit(with_shortcuts(tasks::optimise(request, loaded), planning.scene));
   show_progress("");
@@ -190,6 +233,7 @@ void add_optimise(CLI::App& app) {
               "--table")
       .check(between(1e-6, 1e9, "G/S"));
   add_plan_set_options(verb, command->set);
+  add_on_option(verb, command->on);
   verb.when_chosen([command] { run(*command); });
 }
 

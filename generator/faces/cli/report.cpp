@@ -75,9 +75,9 @@ void add_report(CLI::App& app) {
           [command](const std::vector<std::string>& words) {
             command->choice.without = {words.begin(), words.end()};
           },
-          "slow sections to leave out: profile,plan,waves")
+          "slow parts to leave out: profile,plan,front,waves; the front is a part of the plan")
       .separated_by(',')
-      .one_of({"profile", "plan", "waves"});
+      .one_of({"profile", "plan", "front", "waves"});
   verb.flag("--beside-paper", command->choice.beside_paper,
             "also draw the paper's published numbers; the scene should be its benchmark");
   verb.when_chosen([command] { run(*command); });

@@ -8,6 +8,7 @@
 #include "generator/faces/cli/prove.hpp"
 #include "generator/hardware/emit/system.hpp"
 #include "generator/hardware/emit/version.hpp"
+#include "generator/tasks/optimise.hpp"
 #include "model/base/common/file.hpp"
 #include "model/scene/plan.hpp"
 
@@ -69,7 +70,7 @@ void ReportMaker::add_measurements(page::Page& page) {
     page.sections.push_back(report::trade_section(weigh(loaded_, *measured, {}, {}).trades, found));
   }
   if (plans) {
-    page.sections.push_back(report::plan_section(loaded_.scene, *plans, published()));
+    page.sections.push_back(report::plan_section(loaded_.scene, *plans, front(), published()));
   }
 }
 
@@ -147,6 +148,7 @@ IfThere<report::ProfileReport> ReportMaker::measure() {
     return not_made("profile", possible.error(), "");
   }
   std::set<LaneInputs> counted = {scene.reduced.inputs};
+  if (shows("plan") && shows("front")) counted.insert({LaneInputs::exact, LaneInputs::rounded});
   if (const Planning* planning = plannable())
     counted.merge(optimise::inputs_of_lanes(planning->table));
   report::ProfileReport measured = measure_profile(loaded_, counted, options);
@@ -221,13 +223,30 @@ IfThere<optimise::Optimisation> ReportMaker::find_plans() {
   return plans;
 }
 
-/// The rates that were measured, unless the scene gives constants of its own to plans.
-optimise::Rates ReportMaker::rates() {
+/// Whether the rates that were measured are those of plans: the scene gives none of its constants.
+bool ReportMaker::has_rates() const {
   const scene::ReducedSpec& reduced = loaded_.scene.reduced;
-  const bool given = reduced.relative_error_f || reduced.relative_error_g;
-  if (!given && !all_rates_.empty()) return optimise::Rates::of(all_rates_);
+  return !all_rates_.empty() && !reduced.relative_error_f && !reduced.relative_error_g;
+}
+
+optimise::Rates ReportMaker::rates() {
+  if (has_rates()) return optimise::Rates::of(all_rates_);
   return optimise::Rates::of(value_or_exit(measure_rates(
       loaded_, optimise::inputs_of_lanes(plannable()->table), planning_options_.choice)));
+}
+
+/// The front of the scene's own formulation; none where it is left out, or has no rates.
+std::optional<IfThere<report::Front>> ReportMaker::front() {
+  if (!shows("front") || !loaded_.data) return std::nullopt;
+  tasks::OptimiseRequest request{.planning = planning_options_.request(),
+                                 .choice = planning_options_.choice,
+                                 .predict_only = true,
+                                 .progress = show_share};
+  if (has_rates()) request.rates = optimise::Rates::of(all_rates_);
+  auto front = tasks::front_of(request, loaded_);
+  show_progress("");
+  if (!front.ok()) return Missing{on_page(front.error()), ""};
+  return std::move(front).value();
 }
 
 std::optional<optimise::PublishedFigures> ReportMaker::published() const {

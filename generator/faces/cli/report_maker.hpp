@@ -13,7 +13,7 @@ namespace mixcmp::cli {
 
 /// The choices that change a page.
 struct ReportChoice {
-  std::set<std::string> without;  ///< of "profile", "plan", "waves": left out
+  std::set<std::string> without;  ///< of "profile", "plan", "front", "waves": left out
   bool beside_paper = false;      ///< the scene is the paper's benchmark
   std::string command;            ///< that makes the page again
 };
@@ -52,7 +52,9 @@ private:
   std::filesystem::path table_beside_a_layer() const;
   report::IfThere<optimise::Optimisation> search_plans();
   report::IfThere<optimise::Optimisation> find_plans();
+  bool has_rates() const;
   optimise::Rates rates();
+  std::optional<report::IfThere<report::Front>> front();
   std::optional<optimise::PublishedFigures> published() const;
   report::IfThere<report::LaneTraffic> traffic();
 

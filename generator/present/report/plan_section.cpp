@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "generator/present/page/chart.hpp"
 #include "generator/present/page/share_bars.hpp"
 #include "generator/present/report/plan_report.hpp"
@@ -7,6 +10,7 @@
 #include "generator/present/report/report_sections.hpp"
 #include "generator/present/report/units.hpp"
 #include "model/cost/performance/performance.hpp"
+#include "model/plan/optimise/crossover.hpp"
 #include "model/plan/optimise/plan_summary.hpp"
 
 namespace mixcmp::report {
@@ -105,16 +109,8 @@ page::ShareBars bars_of(const Optimisation& plans, const PrecisionPlan& best) {
 /// The resource of which the plan uses the largest share of the usable amount.
 std::string limit_of(const Optimisation& plans, const PlanSummary& best) {
   const devices::Area usable = performance::usable(plans.device.available, plans.slack);
-  std::string name = "none";
-  double most = 0;
-  for (const devices::Resource& resource : devices::bounded_resources) {
-    if (usable.*resource.amount == 0) continue;
-    const double share =
-        static_cast<double>(best.used.*resource.amount) / (usable.*resource.amount);
-    if (share > most) name = fmt::format("{}, {:.0f} %", resource.name, 100 * share);
-    most = std::max(most, share);
-  }
-  return name;
+  const auto [resource, share] = optimise::largest_share(best.used, usable);
+  return resource == nullptr ? "none" : fmt::format("{}, {:.0f} %", resource->name, 100 * share);
 }
 
 void add_best(page::Section& section, const Optimisation& plans, const PrecisionPlan& plan) {
@@ -140,6 +136,51 @@ void add_best(page::Section& section, const Optimisation& plans, const Precision
                    "What each part takes of the device, by the measured areas of the table."));
 }
 
+/// Throughput over the part of the device: below the knee the dashed line, the highest throughput
+/// per area, is far above the front.
+page::Chart front_chart(const Front& front) {
+  constexpr double percent = 0.01;
+  page::Series systems{"the best system", 0, page::Mark::line, {}};
+  double most_per_share = 0;
+  for (const optimise::FrontPoint& point : front) {
+    systems.points.push_back(
+        {point.share / percent, point.plan.throughput_per_s / giga,
+         fmt::format("{:g} % of the room\n{}", point.share / percent, tip_of(point.plan))});
+    most_per_share = std::max(most_per_share, point.per_share());
+  }
+  const double share = front.back().share;
+  const std::string level = fmt::format("{:.3g} G/s per 1 %", percent * most_per_share / giga);
+  page::Series highest{"highest throughput per area",
+                       2,
+                       page::Mark::dashed_line,
+                       {{0, 0, level}, {share / percent, share * most_per_share / giga, level}}};
+  page::Series knee{"knee", 1, page::Mark::points, {}};
+  const optimise::FrontPoint& at = *knee_of(front);
+  knee.points.push_back(
+      {at.share / percent, at.plan.throughput_per_s / giga,
+       fmt::format("knee: {:g} % of the room\n{}", at.share / percent, tip_of(at.plan))});
+  return {.title = "Throughput of the best system in a part of the device",
+          .x = {"part of the room that R_S leaves, %", page::Scaling::linear},
+          .y = {"T(equ), G comparisons/s", page::Scaling::linear},
+          .series = {std::move(systems), std::move(highest), std::move(knee)}};
+}
+
+void add_front(page::Section& section, const std::optional<IfThere<Front>>& there) {
+  if (!there) return;
+  if (const auto* missing = std::get_if<Missing>(&*there)) {
+    section.content.push_back(page::missing(missing->why, missing->command));
+    return;
+  }
+  const Front& front = std::get<Front>(*there);
+  if (front.empty()) return;
+  section.content.push_back(page::figure(
+      draw(front_chart(front)),
+      "The best system, on predicted areas, in parts of the device, by mixcmp optimise. The knee "
+      "is "
+      "the smallest with 0.9 of the highest throughput per area; below it the reference, which is "
+      "needed once, takes more of the area than it is worth."));
+}
+
 /// Adds a note if the scene has a system of its own that is not the plan's.
 void add_difference(page::Section& section, const scene::Scene& scene, const PlanSummary& best) {
   const auto lanes = scene.lane_count(), references = scene.reference_count();
@@ -155,10 +196,12 @@ void add_difference(page::Section& section, const scene::Scene& scene, const Pla
 }  // namespace
 
 page::Section plan_section(const scene::Scene& scene, const IfThere<Optimisation>& there,
+                           const std::optional<IfThere<Front>>& front,
                            const std::optional<PublishedFigures>& published) {
   page::Section section{"plan", "The plan", {}};
   if (const auto* missing = std::get_if<Missing>(&there)) {
     section.content.push_back(page::missing(missing->why, missing->command));
+    add_front(section, front);
     return section;
   }
   const auto& plans = std::get<Optimisation>(there);
@@ -174,6 +217,7 @@ page::Section plan_section(const scene::Scene& scene, const IfThere<Optimisation
                     "The best plan at each precision, by integer linear programming."),
        page::figure(draw(counts_chart(plans, published)),
                     "Its lanes and references; the axis is logarithmic.")}));
+  add_front(section, front);
   section.content.push_back(
       page::details("The plan at every precision", page::draw(plan_table(plans))));
   for (const std::string& note : plans.notes)

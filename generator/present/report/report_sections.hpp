@@ -13,6 +13,7 @@
 #include "generator/present/report/profile_report.hpp"
 #include "model/base/number/verdict.hpp"
 #include "model/judge/proof/lane_proof.hpp"
+#include "model/plan/optimise/front.hpp"
 #include "model/plan/optimise/optimise.hpp"
 #include "model/plan/profile/trade.hpp"
 #include "model/scene/summary.hpp"
@@ -50,8 +51,13 @@ page::Section profile_section(const IfThere<ProfileReport>& profile, bool beside
 page::Section trade_section(const std::vector<profile::Trade>& trades,
                             const optimise::Optimisation* plans);
 
-/// The best plan at each precision, and how the best one shares the device.
+/// The best systems in parts of the device, by share.
+using Front = std::vector<optimise::FrontPoint>;
+
+/// The best plan at each precision, how the best one shares the device, and the front, if it was
+/// asked for.
 page::Section plan_section(const scene::Scene& scene, const IfThere<optimise::Optimisation>& plans,
+                           const std::optional<IfThere<Front>>& front,
                            const std::optional<optimise::PublishedFigures>& published);
 
 /// A system as it would be generated.

@@ -8,6 +8,14 @@ namespace mixcmp::components {
 
 using measured::Measurement;
 
+namespace {
+
+/// So many tables of four inputs do the work of so many of six (docs/theory.md: lanes of the
+/// paper's benchmark).
+constexpr int of_four = 3, of_six = 2;
+
+}  // namespace
+
 AreaPredictor::AreaPredictor(UnitLibrary library, const devices::Device& device)
     : library_(std::move(library)),
       device_(device),
@@ -29,10 +37,9 @@ std::optional<devices::Area> AreaPredictor::of(const Component& component) {
   return library_.stands_in ? as_on_device(sum) : sum;
 }
 
-/// Tables of four inputs take about half as many again as those of six (docs/theory.md: lanes of
-/// the paper's benchmark), and only Xilinx makes shift registers of tables.
+/// Only Xilinx makes shift registers of tables.
 devices::Area AreaPredictor::as_on_device(devices::Area area) const {
-  if (!device_.delays.has_wide_tables()) area.luts = area.luts * 3 / 2;
+  if (!device_.delays.has_wide_tables()) area.luts = area.luts * of_four / of_six;
   if (!packs_) area.registers += 4 * area.shift_luts;
   return area;
 }
@@ -55,6 +62,11 @@ std::optional<devices::Area> AreaPredictor::of(const rtl::TemplateInstance& inst
 void AreaPredictor::note_if_outdated(const std::string& module) {
   if (!seen_.insert(module).second) return;
   if (library_.areas.find(module)->rtl != template_hash(module)) outdated_.insert(module);
+}
+
+double six_input_luts(const devices::Device& device) {
+  const double luts = device.available.luts;
+  return device.delays.has_wide_tables() ? luts : luts * of_six / of_four;
 }
 
 Result<measured::Characterisation> predict_table(const PredictedArea& area_of,

@@ -47,6 +47,10 @@ private:
   std::set<std::string> unknown_, outdated_, seen_;
 };
 
+/// As many LUTs of six inputs as do the work of all of a device's. LUTs of other families differ in
+/// more than that, so it compares families only roughly.
+double six_input_luts(const devices::Device& device);
+
 /// The area of a component of a scene; none if it cannot be predicted.
 using PredictedArea =
     std::function<std::optional<devices::Area>(const Component&, const scene::Scene&)>;

@@ -47,6 +47,8 @@ struct DelayTable {
   int sum_selects = 2;
   MultiplierSize multiplier_size;
   MemoryBlock memory_block;
+
+  friend bool operator==(const DelayTable&, const DelayTable&) = default;
 };
 
 /// The tool that measures a device's clocks.

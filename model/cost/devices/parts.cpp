@@ -149,6 +149,17 @@ std::string device_file_of(const Part& part) {
   return text + fmt::format("[timing]\narguments = [{}]\n", fmt::join(arguments, ", "));
 }
 
+std::vector<KnownDevice> devices_with(std::string_view letters) {
+  std::vector<KnownDevice> known = known_devices();
+  std::erase_if(known, [text = lower_case(letters)](const KnownDevice& each) {
+    const std::string words =
+        fmt::format("{} {} {} {}", each.device.name, each.device.family,
+                    to_string(each.device.timing), fmt::join(each.other_names, " "));
+    return words.find(text) == std::string::npos;
+  });
+  return known;
+}
+
 std::string lower_case(std::string_view name) {
   std::string lower(name);
   std::transform(lower.begin(), lower.end(), lower.begin(),

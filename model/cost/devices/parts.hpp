@@ -7,6 +7,8 @@
 
 namespace mixcmp::devices {
 
+struct KnownDevice;
+
 /// One row of parts.csv. The figures are texts that stand for whole numbers.
 struct Part {
   std::string_view name;    ///< "xc7a100t"
@@ -38,6 +40,10 @@ std::optional<Part> find_part(std::string_view name);
 
 /// The device file of a part by itself: its family, its figures and its names.
 std::string device_file_of(const Part& part);
+
+/// The devices that come with the program and have these letters, in capitals or not, in their
+/// name, their other names, their family or the name of their clocks' tool.
+std::vector<KnownDevice> devices_with(std::string_view letters);
 
 /// A name as tables have it.
 std::string lower_case(std::string_view name);

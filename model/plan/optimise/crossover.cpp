@@ -14,16 +14,21 @@ double cheapest(const std::vector<devices::Area>& kinds, const devices::Area& us
 
 }  // namespace
 
-double device_share(const devices::Area& component, const devices::Area& usable) {
-  double largest = 0;
+LargestShare largest_share(const devices::Area& component, const devices::Area& usable) {
+  LargestShare largest;
   for (const devices::Resource& resource : devices::bounded_resources) {
     const int amount = component.*resource.amount;
     if (amount == 0) continue;
     const int available = usable.*resource.amount;
-    if (available == 0) return std::numeric_limits<double>::infinity();
-    largest = std::max(largest, static_cast<double>(amount) / available);
+    const double share = available == 0 ? std::numeric_limits<double>::infinity()
+                                        : static_cast<double>(amount) / available;
+    if (share > largest.share) largest = {&resource, share};
   }
   return largest;
+}
+
+double device_share(const devices::Area& component, const devices::Area& usable) {
+  return largest_share(component, usable).share;
 }
 
 std::optional<int> crossover_precision(const std::map<int, std::vector<devices::Area>>& lanes,

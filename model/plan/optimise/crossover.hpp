@@ -8,8 +8,14 @@
 
 namespace mixcmp::optimise {
 
-/// The cost of a component: the largest fraction that it takes of any bounded resource, so 1 / cost
-/// of them fill the device. Infinite if the device lacks a resource that the component needs.
+/// The bounded resource of which a component takes the largest fraction. Null: it takes none.
+struct LargestShare {
+  const devices::Resource* resource = nullptr;
+  double share = 0;  ///< infinite if the device lacks the resource
+};
+LargestShare largest_share(const devices::Area& component, const devices::Area& usable);
+
+/// The cost of a component: its largest share, so 1 / cost of them fill the device.
 double device_share(const devices::Area& component, const devices::Area& usable);
 
 /// The crossover precision of the paper's section V, L_max of Algorithm 1. From this L on, every

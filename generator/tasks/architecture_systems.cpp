@@ -1,0 +1,331 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "generator/synthesis/components/shortlist.hpp"
+#include "generator/tasks/architecture_search.hpp"
+#include "model/base/common/file.hpp"
+
+namespace mixcmp::tasks {
+namespace {
+
+using components::ComponentQuery;
+using measured::Characterisation;
+using measured::ComponentKey;
+using measured::ComponentKind;
+using measured::Measurement;
+using scene::EngineKind;
+
+void sort_rows(Characterisation& table) {
+  std::sort(table.rows.begin(), table.rows.end(),
+            [](const Measurement& a, const Measurement& b) { return a.key < b.key; });
+}
+
+bool is_datapath(const ComponentKey& key) {
+  return std::holds_alternative<measured::Lane>(key) ||
+         std::holds_alternative<measured::Reference>(key);
+}
+
+/// Puts a row into the table. Its clock is left out: architectures are compared at one clock. Only
+/// sizes of crossbars are added; other rows replace one with the same key.
+bool put(Characterisation& table, Measurement row) {
+  row.clock.reset();
+  const auto place = std::lower_bound(
+      table.rows.begin(), table.rows.end(), row.key,
+      [](const Measurement& each, const ComponentKey& key) { return each.key < key; });
+  if (place != table.rows.end() && place->key == row.key) {
+    *place = std::move(row);
+    return true;
+  }
+  if (!std::holds_alternative<measured::Crossbar>(row.key)) return false;
+  table.rows.insert(place, std::move(row));
+  return true;
+}
+
+/// Whether the streams of a table are those of the scene, by what the table says of itself.
+bool has_streams_of(const Characterisation& table, const scene::SystemSpec& system) {
+  std::map<std::string, std::string> spec(table.spec.begin(), table.spec.end());
+  const std::string groups = spec.contains("lanes_per_group") ? spec["lanes_per_group"] : "1";
+  return spec["operands"] == to_string(system.operands) &&
+         groups == std::to_string(system.lanes_per_group) &&
+         spec["counter_bits"] == std::to_string(system.counter_bits);
+}
+
+/// Whether components have the same areas on both devices, as far as they are predicted.
+bool has_like_areas(const devices::Device& a, const devices::Device& b) {
+  return a.synthesis == b.synthesis && a.delays == b.delays;
+}
+
+/// Makes the settings name this device.
+void name_device(std::vector<std::string>& settings, const std::string& device) {
+  const std::string key = "system.device=";
+  const auto old = std::find_if(settings.begin(), settings.end(),
+                                [&](const std::string& each) { return each.starts_with(key); });
+  if (old == settings.end()) {
+    settings.insert(settings.begin(), key + device);
+  } else {
+    *old = key + device;
+  }
+}
+
+Characterisation part_of(const Characterisation& table, bool datapaths) {
+  Characterisation part{
+      .device = table.device, .scene = table.scene, .command = {}, .spec = table.spec, .rows = {}};
+  for (const Measurement& row : table.rows) {
+    if (is_datapath(row.key) == datapaths) part.rows.push_back(row);
+  }
+  return part;
+}
+
+}  // namespace
+
+Result<optimise::Rates> count_rates(const OptimiseRequest& request, const LoadedScene& loaded) {
+  optimise::OptimiseOptions choice = request.choice;
+  choice.bounds = bounds_for(choice, loaded.scene);
+  MIXCMP_TRY(tier, optimise::second_tier_lane(loaded.scene));
+  if (tier) choice.last_precision = std::max(choice.last_precision, tier->format.precision());
+  const std::vector<LaneInputs> inputs = inputs_for(choice);
+  MIXCMP_TRY(counted,
+             measure_rates(loaded, {inputs.begin(), inputs.end()}, choice, request.progress));
+  return optimise::Rates::of(counted);
+}
+
+Result<ArchitectureSearch> ArchitectureSearch::make(const OptimiseRequest& request,
+                                                    const std::vector<Formulation>& formulations) {
+  ArchitectureSearch search(request);
+  search.formulations_ = formulations;
+  const scene::Scene& scene = formulations.front().loaded.scene;
+  MIXCMP_TRY(device, devices::find_device(scene.system.device));
+  search.device_ = std::move(device);
+  MIXCMP_DO(search.choose_areas());
+  for (const Formulation& formulation : search.formulations_) {
+    MIXCMP_DO(search.count_rates(formulation));
+  }
+  MIXCMP_DO(search.add_all({}));
+  return search;
+}
+
+Result<Done> ArchitectureSearch::move_to(const std::string& name) {
+  MIXCMP_TRY(device, devices::find_device(name));
+  const bool is_alike = has_like_areas(device, device_) && !has_measured_rows_;
+  device_ = std::move(device);
+  if (!is_alike) MIXCMP_DO(choose_areas());
+  for (Formulation& each : formulations_) {
+    each.loaded.scene.system.device = name;
+    name_device(each.settings, name);
+  }
+  std::vector<System> known;
+  if (is_alike) known = std::move(systems_);
+  for (System& each : known) {
+    each.scene.system.device = name;
+    each.table.device = device_.name;
+    name_device(each.settings, name);
+  }
+  const auto added = add_all(std::move(known));
+  if (!added.ok()) systems_.clear();
+  return added;
+}
+
+Result<Done> ArchitectureSearch::choose_areas() {
+  area_of_ = request_->area_of;
+  if (area_of_) return Done{};
+  MIXCMP_TRY(predictor, components::AreaPredictor::make(device_));
+  predictor_ = std::make_shared<components::AreaPredictor>(std::move(predictor));
+  area_of_ = [predictor = predictor_](const components::Component& component, const scene::Scene&) {
+    return predictor->of(component);
+  };
+  return Done{};
+}
+
+Result<Done> ArchitectureSearch::count_rates(const Formulation& formulation) {
+  if (request_->rates) {
+    rates_.push_back(*request_->rates);
+    return Done{};
+  }
+  const LoadedScene& loaded = formulation.loaded;
+  for (std::size_t k = 0; k < rates_.size(); ++k) {
+    if (formulations_[k].loaded.scene.variant != loaded.scene.variant) continue;
+    rates_.push_back(rates_[k]);  // rates do not depend on the system around a lane
+    return Done{};
+  }
+  MIXCMP_TRY(rates, tasks::count_rates(*request_, loaded));
+  rates_.push_back(std::move(rates));
+  return Done{};
+}
+
+Result<Done> ArchitectureSearch::add_all(std::vector<System> known) {
+  systems_.clear();
+  notes_.clear();
+  has_measured_rows_ = false;
+  for (std::size_t k = 0; k < formulations_.size(); ++k) {
+    // The lanes of an engine are chosen by what they take of the device.
+    const bool is_engine = formulations_[k].loaded.scene.system.engine.kind != EngineKind::none;
+    const std::size_t before = systems_.size();
+    for (System& each : known) {
+      if (each.formulation == k && !is_engine) systems_.push_back(std::move(each));
+    }
+    if (systems_.size() == before) {
+      tell_progress("areas predicted", k, formulations_.size());
+      MIXCMP_DO(add(k));
+    }
+    use_kept_rows(k);
+  }
+  if (predictor_ == nullptr) return Done{};
+  for (const std::string& changed : predictor_->outdated()) {
+    notes_.push_back(fmt::format(
+        "unit areas of {} were measured before it changed; mixcmp units measures them again",
+        changed));
+  }
+  for (const std::string& unknown : predictor_->unknown()) {
+    notes_.push_back(
+        fmt::format("components with {} left out: the library of unit areas lacks it", unknown));
+  }
+  return Done{};
+}
+
+Result<Done> ArchitectureSearch::add(std::size_t number) {
+  const Formulation& formulation = formulations_[number];
+  std::vector<std::string> settings = request_->planning.scene.settings;
+  settings.insert(settings.end(), formulation.settings.begin(), formulation.settings.end());
+  MIXCMP_TRY(read, scene::read_scene_settings(request_->planning.scene.source, settings));
+  const optimise::OpenKeys open = optimise::open_keys(read.settings);
+  const std::size_t before = systems_.size();
+  const bool streams = formulation.loaded.scene.system.engine.kind == EngineKind::none;
+  MIXCMP_DO(streams ? add_streams(number, open) : add_engine(number, open));
+  MIXCMP_CHECK(systems_.size() > before);
+  return Done{};
+}
+
+void ArchitectureSearch::add_system(std::size_t formulation,
+                                    const optimise::Architecture& architecture,
+                                    const optimise::OpenKeys& open, Characterisation table) {
+  const scene::Scene& given = formulations_[formulation].loaded.scene;
+  sort_rows(table);
+  table.device = device_.name;
+  System system{.formulation = formulation,
+                .settings = formulations_[formulation].settings,
+                .interface = {},
+                .scene = with_architecture(given, architecture, open),
+                .table = std::move(table)};
+  for (std::string& setting : settings_of(architecture, given, open)) {
+    system.settings.push_back(std::move(setting));
+  }
+  system.interface = optimise::interface_of(system.scene);
+  systems_.push_back(std::move(system));
+}
+
+Result<Done> ArchitectureSearch::add_streams(std::size_t formulation,
+                                             const optimise::OpenKeys& open) {
+  const scene::Scene& given = formulations_[formulation].loaded.scene;
+  const data::Comparisons* data = formulations_[formulation].loaded.data_if_any();
+  ComponentQuery query = query_for(request_->choice, given, open);
+  MIXCMP_TRY(useful, useful_lanes(given, query, rates_[formulation]));
+  MIXCMP_TRY(left_out, left_out_lanes(given, query, rates_[formulation], useful,
+                                      "fewer digits leave nothing undecided"));
+  query.lanes = std::move(useful);
+  MIXCMP_TRY(datapaths, predict_table(area_of_, given, data, query));
+  query.lanes = lanes_by_slots(datapaths, given);
+  query.kinds = {ComponentKind::fifo, ComponentKind::crossbar, ComponentKind::reference_port};
+  if (given.second_tier) query.kinds.insert(ComponentKind::second_lane);
+  for (const optimise::Architecture& architecture : architectures_of(given, open)) {
+    const scene::Scene scene = with_architecture(given, architecture, open);
+    MIXCMP_TRY(streams, predict_table(area_of_, scene, data, query));
+    Characterisation table = datapaths;
+    table.rows.insert(table.rows.end(), streams.rows.begin(), streams.rows.end());
+    add_system(formulation, architecture, open, std::move(table));
+    systems_.back().left_out = left_out;
+  }
+  return Done{};
+}
+
+/// All components of an engine depend on its groups, and each kind of lane has its own: only
+/// promising ones are predicted.
+Result<Done> ArchitectureSearch::add_engine(std::size_t formulation,
+                                            const optimise::OpenKeys& open) {
+  const LoadedScene& loaded = formulations_[formulation].loaded;
+  const data::Comparisons* data = loaded.data_if_any();
+  MIXCMP_TRY(given, with_chain_lanes(loaded.scene, data, request_->planning.scene));
+  ComponentQuery query = query_for(request_->choice, given, open);
+  components::ComponentMaker maker(given, data);
+  MIXCMP_TRY(promising, shortlist(maker, query, device_, rates_[formulation]));
+  MIXCMP_TRY(longer, with_longer(promising.lanes, given, query));
+  MIXCMP_TRY(left_out, left_out_lanes(given, query, rates_[formulation], longer,
+                                      "rough areas rank them behind those that are predicted"));
+  query.lanes = std::move(longer);
+  const std::set<ComponentKind> of_groups = {ComponentKind::lane, ComponentKind::reference,
+                                             ComponentKind::segment, ComponentKind::conversion};
+  std::set<ComponentKind> of_engine = {ComponentKind::reference_port, ComponentKind::engine};
+  if (given.system.engine.kind == EngineKind::arg_min) {
+    of_engine.insert({ComponentKind::operand_memory, ComponentKind::crossbar});
+  }
+  std::map<int, Characterisation> groups;  // by their lanes: counters and streams change nothing
+  for (const optimise::Architecture& architecture : architectures_of(given, open)) {
+    const scene::Scene scene = with_architecture(given, architecture, open);
+    const auto [group, is_new] = groups.try_emplace(architecture.lanes_per_group);
+    if (is_new) {
+      query.kinds = of_groups;
+      MIXCMP_TRY(parts, predict_table(area_of_, scene, data, query));
+      group->second = std::move(parts);
+    }
+    query.kinds = of_engine;
+    MIXCMP_TRY(parts, predict_table(area_of_, scene, data, query));
+    const std::vector<Measurement>& shared = group->second.rows;
+    parts.rows.insert(parts.rows.end(), shared.begin(), shared.end());
+    add_system(formulation, architecture, open, std::move(parts));
+    systems_.back().scene.lanes = given.lanes;
+    systems_.back().scene.system.lanes = given.system.lanes;
+    systems_.back().left_out = left_out;
+  }
+  return Done{};
+}
+
+void ArchitectureSearch::use_kept_rows(std::size_t number) {
+  const Formulation& formulation = formulations_[number];
+  const scene::Scene& given = formulation.loaded.scene;
+  if (formulation.is_engine_added || request_->planning.scene.source.text) return;
+  const std::filesystem::path path = table_of(request_->planning, given);
+  if (!path_exists(path)) return;
+  const Result<Characterisation> table = optimise::read_table(path, given, device_);
+  if (!table.ok()) {
+    notes_.push_back("not used: " + table.error().to_string());
+    return;
+  }
+  const data::Comparisons* data = formulation.loaded.data_if_any();
+  const Characterisation datapaths = part_of(*table, true);
+  const Characterisation others = part_of(*table, false);
+  std::set<ComponentKey> used;
+  has_measured_rows_ = true;
+  const auto use = [&](System& system, const std::vector<const Measurement*>& rows) {
+    for (const Measurement* row : rows) {
+      if (put(system.table, *row)) used.insert(row->key);
+    }
+  };
+  const auto current = components::current_rows(datapaths, given, data, device_);
+  for (System& system : systems_) {
+    if (system.formulation != number) continue;
+    use(system, current);
+    if (!has_streams_of(*table, system.scene.system)) continue;
+    use(system, components::current_rows(others, system.scene, data, device_));
+  }
+  notes_.push_back(fmt::format(
+      "{}: {} of {} rows take the place of predicted areas; the others are of other RTL or of "
+      "lanes that no plan needs, and --table plans with them",
+      path.filename().string(), used.size(), table->rows.size()));
+}
+
+void ArchitectureSearch::replace(const PlannedSystem& planned,
+                                 const std::vector<Measurement>& rows) {
+  const std::size_t formulation = systems_[planned.number].formulation;
+  const bool streams = systems_[planned.number].scene.system.engine.kind == EngineKind::none;
+  has_measured_rows_ = true;
+  for (std::size_t k = 0; k < systems_.size(); ++k) {
+    if (systems_[k].formulation != formulation) continue;
+    for (const Measurement& row : rows) {
+      const bool is_shared = streams && is_datapath(row.key);
+      if (k == planned.number || is_shared) put(systems_[k].table, row);
+    }
+  }
+}
+
+}  // namespace mixcmp::tasks
