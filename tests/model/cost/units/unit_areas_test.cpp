@@ -271,7 +271,8 @@ TEST(UnitAreas, MistakesAreNamedWithTheirLine) {
 
 /// The measured memories of 1,024 bits, predicted from those of up to 512.
 TEST(ShippedLibraries, KnowWideMemoriesByNarrowOnes) {
-  for (units::UnitAreas& library : units::shipped_libraries().value()) {
+  auto libraries = units::shipped_libraries().value();
+  for (units::UnitAreas& library : libraries) {
     const units::TemplateAreas all = *library.find("dual_port_memory");
     units::TemplateAreas narrow{.module = all.module, .rtl = all.rtl, .units = {}, .areas = {}};
     const auto is_wide = [](const Unit& unit) { return unit.parameters.front().size() >= 576; };
