@@ -8,6 +8,7 @@
 #include <mutex>
 #include <set>
 
+#include "generator/hardware/emit/template_ports.hpp"
 #include "generator/synthesis/components/component_list.hpp"
 #include "generator/synthesis/components/synthesis_jobs.hpp"
 #include "generator/synthesis/components/unit_library.hpp"
@@ -101,6 +102,17 @@ ComponentQuery streams_of(const scene::Scene& scene) {
   return query;
 }
 
+/// Whether Yosys maps a unit otherwise in the template around it: arbiters of four words at full
+/// rate take two to five LUTs a bit by themselves, and one to two in a crossbar.
+bool depends_on_surroundings(const rtl::TemplateInstance& instance) {
+  const rtl::Instance arbiter{instance.module, "unit", instance.parameters, {}};
+  const auto number = [&](const char* name) {
+    return emit::template_parameter(arbiter, name).value_or(0);
+  };
+  return instance.module == "stream_arbiter" && number("INPUTS") >= 4 && number("HALF_RATE") == 0 &&
+         number("BEAT_BITS") == 0;
+}
+
 using Candidates = std::map<std::string, std::vector<rtl::TemplateInstance>>;  ///< by template
 
 /// Collects units, each once.
@@ -123,11 +135,14 @@ public:
   }
 
   /// At most `most` of each template, those whose hash is the least: a choice at random that only
-  /// names decide. Delay lines are measured by the bit, and memories by depth: tools choose between
-  /// kinds of memory, which no formula tells.
+  /// names decide. Delay lines are measured by the bit, and memories by depth and up to the width
+  /// from which they repeat (UnitAreas::of): tools choose between kinds of memory, which no formula
+  /// tells.
   Candidates chosen(std::size_t most) {
     Candidates chosen;
-    for (auto& [name, instance] : units_) chosen[instance.module].push_back(instance);
+    for (auto& [name, instance] : units_) {
+      if (!depends_on_surroundings(instance)) chosen[instance.module].push_back(instance);
+    }
     for (auto& [module, units] : chosen) {
       std::sort(units.begin(), units.end(),
                 [](const auto& a, const auto& b) { return hash_of(a) < hash_of(b); });
@@ -154,8 +169,9 @@ private:
     constexpr int most_address_bits = 12;
     std::vector<rtl::TemplateInstance> memories;
     for (int bits = 1; bits <= most_address_bits; ++bits) {
-      for (const int width : {1,  2,  3,  4,  5,  6,  7,  8,  10, 12, 14,  16,  18,  20,  24,
-                              28, 32, 36, 40, 48, 56, 64, 72, 80, 96, 128, 192, 256, 512, 1024}) {
+      for (const int width :
+           {1,  2,  3,  4,  5,  6,  7,  8,   10,  12,  14,  16,  18,  20,  24,  28,  32, 36,
+            40, 48, 56, 64, 72, 80, 96, 128, 144, 192, 256, 288, 320, 384, 448, 512, 576}) {
         memories.push_back({"dual_port_memory", {{"WIDTH", width}, {"ADDRESS_BITS", bits}}});
       }
     }

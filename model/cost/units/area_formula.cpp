@@ -160,6 +160,7 @@ struct Spread {
   bool varies() const { return least < most; }
   bool is_flag() const { return literal_bits == 0 && least >= 0 && most <= 1; }
   bool is_size() const { return literal_bits == 0 && !is_flag(); }
+  bool starts_at_one() const { return is_size() && least == 1; }
 };
 
 std::vector<Spread> spreads_of(const std::vector<Unit>& units) {
@@ -206,6 +207,7 @@ private:
       }
     }
     if (spreads_[p].is_flag()) add_flagged_products(p);
+    if (spreads_[p].starts_at_one()) add_sizes_of_many(p);
     if (names_[p].name.ends_with("_BITS") && spreads_[p].most <= most_address_bits) add_powers(p);
   }
 
@@ -216,6 +218,12 @@ private:
         terms_.push_back({size(flag), size(p), size(q)});
       }
     }
+  }
+
+  void add_sizes_of_many(std::size_t p) {
+    const Factor many = {.parameter = p, .kind = Factor::Kind::many};
+    terms_.push_back({many});
+    for (const std::size_t q : varying_) terms_.push_back({many, size(q)});
   }
 
   void add_powers(std::size_t p) {
@@ -250,6 +258,7 @@ double Factor::of(const Unit& unit) const {
     case Kind::log: return std::log2(std::max(of.size(), 1.0));
     case Kind::power: return std::exp2(of.size());
     case Kind::bit: return of.bit(index) ? 1 : 0;
+    case Kind::many: return of.size() > 1 ? 1 : 0;
   }
   MIXCMP_CHECK(false);
 }
@@ -270,6 +279,7 @@ std::string to_string(const Term& term, const Unit& unit) {
       case Factor::Kind::log: text += "lg(" + name + ")"; break;
       case Factor::Kind::power: text += "2^" + name; break;
       case Factor::Kind::bit: text += fmt::format("{}[{}]", name, factor.index); break;
+      case Factor::Kind::many: text += "(" + name + ">1)"; break;
     }
   }
   return text.empty() ? "1" : text;

@@ -15,6 +15,7 @@ struct Factor {
     log,    ///< its base-2 logarithm; 0 below 1
     power,  ///< two to the power of it
     bit,    ///< one bit of a literal
+    many,   ///< 1 above one, else 0: a single stream needs no multiplexer
   };
   std::size_t parameter = 0;  ///< index in Unit::parameters
   Kind kind = Kind::size;
@@ -40,8 +41,9 @@ struct Formula {
 
 /// The terms that a formula of these units may have: products of up to two sizes, also times a
 /// parameter that is only 0 or 1, sizes times logarithms, powers of two of parameters that count
-/// address bits, and bits of literals times sizes. Parameters that do not vary, and exponents of
-/// limits, are left out. The units are of one template.
+/// address bits, bits of literals times sizes, and sizes where a count that starts at one is above
+/// it. Parameters that do not vary, and exponents of limits, are left out. The units are of one
+/// template.
 std::vector<Term> possible_terms(const std::vector<Unit>& units);
 
 /// Fits a formula to measured amounts by orthogonal least squares: the term that explains most of

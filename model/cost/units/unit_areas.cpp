@@ -189,16 +189,41 @@ bool has_embedded_products(const Unit& unit) {
   });
 }
 
-/// A delay line of one bit, and how many of them a wider one is; any other unit is one.
-std::pair<Unit, int> line_of_one_bit(const Unit& unit) {
-  std::pair<Unit, int> line(unit, 1);
-  if (unit.module != "delay_line") return line;
-  for (Parameter& parameter : line.first.parameters) {
-    if (parameter.name != "WIDTH") continue;
-    line.second = static_cast<int>(parameter.size());
-    parameter = integer("WIDTH", 1);
-  }
-  return line;
+/// Templates whose bits lie side by side. A unit of more than `widest` bits is some units of
+/// `repeated` bits and one of the rest, so that no wide unit has to be measured. 288 bits fill
+/// whole primitives of memory in most families (of 3, 4, 6, 16, 18, 32, 36 or 72 bits), and all of
+/// these but a fiftieth elsewhere.
+struct Repetition {
+  std::string_view module;
+  int repeated = 0;
+  int widest = 0;
+};
+constexpr std::array<Repetition, 2> repetitions = {
+    {{.module = "delay_line", .repeated = 1, .widest = 1},
+     {.module = "dual_port_memory", .repeated = 288, .widest = 575}}};
+
+/// So many of the first unit and one of the second.
+struct Split {
+  Unit repeated;
+  int count = 0;
+  Unit rest;
+};
+
+std::optional<Split> split_of(const Unit& unit) {
+  const auto* const found =
+      std::find_if(repetitions.begin(), repetitions.end(),
+                   [&](const Repetition& repetition) { return repetition.module == unit.module; });
+  if (found == repetitions.end()) return std::nullopt;
+  const auto width = std::find_if(unit.parameters.begin(), unit.parameters.end(),
+                                  [](const Parameter& each) { return each.name == "WIDTH"; });
+  if (width == unit.parameters.end() || width->size() <= found->widest) return std::nullopt;
+  const auto place = static_cast<std::size_t>(width - unit.parameters.begin());
+  const int bits = static_cast<int>(width->size());
+  const int least = found->widest - found->repeated + 1;  // of the rest
+  Split split{.repeated = unit, .count = (bits - least) / found->repeated, .rest = unit};
+  split.repeated.parameters[place] = integer("WIDTH", found->repeated);
+  split.rest.parameters[place] = integer("WIDTH", bits - split.count * found->repeated);
+  return split;
 }
 
 bool same_names(const Unit& a, const Unit& b) {
@@ -421,11 +446,17 @@ std::optional<devices::Area> UnitAreas::predicted(const Unit& unit) const {
 std::optional<devices::Area> UnitAreas::of(const Unit& unit) const {
   const auto known = known_.find(unit);
   if (known != known_.end()) return known->second;
-  const auto [line, width] = line_of_one_bit(unit);
-  const devices::Area* const as_measured = measured(line);
-  std::optional<devices::Area> area =
-      as_measured != nullptr ? std::optional(*as_measured) : predicted(line);
-  if (area) area = width * *area;
+  const devices::Area* const as_measured = measured(unit);
+  std::optional<devices::Area> area;
+  if (as_measured != nullptr) {
+    area = *as_measured;
+  } else if (const std::optional<Split> split = split_of(unit)) {
+    area = of(split->rest);
+    const std::optional<devices::Area> repeated = of(split->repeated);
+    if (area && repeated) *area += split->count * *repeated;
+  } else {
+    area = predicted(unit);
+  }
   known_.emplace(unit, area);
   return area;
 }

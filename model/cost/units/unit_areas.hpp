@@ -63,8 +63,9 @@ public:
   /// The area of a unit. One that is not in the library has the areas of its parts, and the rest by
   /// a formula fitted to the rests of its template's measured units. A part whose template is not
   /// in the library is taken apart in turn or, if it has no parts, belongs to the rest. A delay
-  /// line is as many lines of one bit as it is wide. None if the library has no unit of this
-  /// template with these parameters' names.
+  /// line is as many lines of one bit as it is wide, and a memory of more than 575 bits some of 288
+  /// bits and one of the rest. None if the library has no unit of this template with these
+  /// parameters' names.
   std::optional<devices::Area> of(const Unit& unit) const;
 
 private:
