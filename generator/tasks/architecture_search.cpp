@@ -195,8 +195,7 @@ Result<ArchitectureSearch> ArchitectureSearch::make(const OptimiseRequest& reque
 }
 
 void ArchitectureSearch::tell_progress(const char* step, std::size_t done, std::size_t of) const {
-  if (!request_->progress) return;
-  request_->progress(step, static_cast<double>(done) / static_cast<double>(of));
+  if (request_->progress) request_->progress(step, double(done) / double(of));
 }
 
 Result<Done> ArchitectureSearch::choose_areas() {
