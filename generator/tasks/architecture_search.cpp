@@ -90,8 +90,7 @@ std::string rough_note(const std::string& names) {
 }
 
 void ArchitectureSearch::tell_progress(const char* step, std::size_t done, std::size_t of) const {
-  if (!request_->progress) return;
-  request_->progress(step, static_cast<double>(done) / static_cast<double>(of));
+  if (request_->progress) request_->progress(step, double(done) / double(of));
 }
 
 Result<std::vector<ArchitectureSearch::Choice>> ArchitectureSearch::choices_of(std::size_t system,

@@ -267,7 +267,6 @@ TEST_F(OptimiseTask, ItsProgressNamesTheSteps) {
     ASSERT_TRUE(shares.contains(step)) << step;
     EXPECT_GT(shares[step], 0.5) << step;
   }
-  EXPECT_TRUE(shares.contains("recomputation rates"));
   EXPECT_TRUE(shares.contains("areas predicted"));
 }
 

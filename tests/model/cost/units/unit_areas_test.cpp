@@ -92,7 +92,7 @@ TEST(UnitAreas, DoNotDependOnTheSizeOfNumbers) {
         .value();
   };
   for (const int top : {-996, -20, 2, 7, 20, 300}) {
-    EXPECT_NEAR(operand(top).luts, 24, 5) << top;  // by Yosys 0.23: 23 to 26
+    EXPECT_NEAR(operand(top).luts, 24, 12) << top;  // by Yosys 0.23: 22 to 26
     EXPECT_NEAR(operand(top).registers, 11, 1) << top;
   }
 }
