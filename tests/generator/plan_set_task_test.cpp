@@ -125,7 +125,7 @@ TEST_F(PlanSetTask, EnginesHoldTheItemsOfTheScenesOwnData) {
   request.optimise.choice.first_precision = request.optimise.choice.last_precision = 10;
   request.optimise.area_of = [](const components::Component& component, const scene::Scene& scene) {
     std::optional<devices::Area> area = made_up(component, scene);
-    if (std::holds_alternative<measured::Fifo>(component.key)) area->luts = 20'000;
+    if (std::holds_alternative<measured::Fifo>(component.key)) area->luts = 200'000;
     return area;
   };
   const auto capacity = [&] {
