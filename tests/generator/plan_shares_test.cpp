@@ -48,6 +48,12 @@ TEST_F(PlanShares, LanesAndSecondTiersWithoutWhatIsAroundThem) {
                           {"engine", 50}}));
 }
 
+/// A predicted lane beside a measured segment may seem larger than its share of the segment.
+TEST_F(PlanShares, NoPartIsLessThanNothing) {
+  plan_.lanes.front().datapath = Area{.luts = 9};
+  EXPECT_EQ(luts(), (Luts{{"24 x q7", 200}, {"1 x reference s53e8", 40}, {"engine", 50}}));
+}
+
 TEST_F(PlanShares, AnEngineWithACrossbarTellsOfBoth) {
   plan_.problem.communication.crossbar.assign(25, Area{.luts = 7});
   EXPECT_EQ(luts(),

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "model/base/common/check.hpp"
 #include "model/cost/performance/performance.hpp"
 
@@ -20,8 +22,16 @@ Area difference(const Area& whole, const Area& part) {
   return left;
 }
 
+bool is_within(const Area& part, const Area& whole) {
+  return std::all_of(bounded_resources.begin(), bounded_resources.end(),
+                     [&](const devices::Resource& resource) {
+                       return part.*resource.amount <= whole.*resource.amount;
+                     });
+}
+
 /// The lanes of each kind, the second tiers behind them, and the parts around both. Lanes that were
-/// not measured by themselves count together with the parts around them.
+/// not measured by themselves count together with the parts around them. So do lanes whose area is
+/// predicted, beside a measured segment that is smaller.
 std::vector<PartShare> shares_of_lanes(const optimise::PrecisionPlan& plan,
                                        const optimise::Allocation& chosen, bool in_engine) {
   std::vector<PartShare> parts;
@@ -31,9 +41,10 @@ std::vector<PartShare> shares_of_lanes(const optimise::PrecisionPlan& plan,
     const int count = chosen.lanes[k];
     if (count == 0) continue;
     Area rest = area_of(lane.kind, count);
-    const Area lanes = lane.datapath ? count * *lane.datapath : rest;
+    const bool is_apart = lane.datapath && is_within(count * *lane.datapath, rest);
+    const Area lanes = is_apart ? count * *lane.datapath : rest;
     parts.push_back({fmt::format("{} x {}", count, lane.kind.name), lanes});
-    if (!lane.datapath) continue;
+    if (!is_apart) continue;
     rest = difference(rest, lanes);
     if (plan.second_lanes) {
       rest = difference(rest, count / lane.kind.group * plan.second_lanes->area_per_group);
