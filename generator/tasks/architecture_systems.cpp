@@ -251,7 +251,7 @@ Result<Done> ArchitectureSearch::add_engine(std::size_t formulation,
   MIXCMP_TRY(promising, shortlist(maker, query, device_, rates_[formulation]));
   MIXCMP_TRY(longer, with_longer(promising.lanes, given, query));
   MIXCMP_TRY(left_out, left_out_lanes(given, query, rates_[formulation], longer,
-                                      "rough areas rank them behind those that are predicted"));
+                                      "by rough areas they are slower than others"));
   query.lanes = std::move(longer);
   const std::set<ComponentKind> of_groups = {ComponentKind::lane, ComponentKind::reference,
                                              ComponentKind::segment, ComponentKind::conversion};

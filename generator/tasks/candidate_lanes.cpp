@@ -130,7 +130,8 @@ void tell_of(const LeftOutLanes& left_out, optimise::Optimisation& found) {
     if (!left_out.precisions.contains(plan.precision)) continue;
     told.push_back(plan.precision);
     if (auto* none = std::get_if<optimise::Infeasible>(&plan.result)) {
-      none->message = fmt::format("{}; other lanes: {}", left_out.why, none->message);
+      none->message =
+          fmt::format("some lanes are left out ({}), the others: {}", left_out.why, none->message);
     }
   }
   if (told.empty()) return;
