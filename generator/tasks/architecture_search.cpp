@@ -288,6 +288,13 @@ Result<std::vector<PlannedSystem>> ArchitectureSearch::fastest_of(std::vector<Ch
   }
   std::vector<PlannedSystem> systems;
   for (auto& [key, system] : best) systems.push_back(std::move(system));
+  const auto place = [&](const PlannedSystem& system) {
+    return std::pair(systems_[system.number].formulation,
+                     system.known.scene.system.engine.report_streams);
+  };
+  std::stable_sort(
+      systems.begin(), systems.end(),
+      [&](const PlannedSystem& a, const PlannedSystem& b) { return place(a) < place(b); });
   return systems;
 }
 
