@@ -193,7 +193,7 @@ Error DeviceSearch::too_slow() const {
         return a.second.plan.throughput_per_s < b.second.plan.throughput_per_s;
       });
   const DevicePlan& most = fastest->second;
-  return {.field = "at_least",
+  return {.field = request_.at_least_option,
           .message = "no system on these devices is so fast",
           .received = fmt::format("{:.4g} G comparisons/s", request_.at_least_per_s / 1e9),
           .accepted = fmt::format("at most {:.4g}, which {} reaches",
@@ -233,6 +233,8 @@ Result<OptimiseOnResult> DeviceSearch::run() {
   if (!is_any) return nothing_fits();
   if (is_least) MIXCMP_DO(choose_smallest());
   for (auto& [name, plan] : found_) result_.devices.push_back(std::move(plan));
+  if (result_.smallest)
+    notes_.insert(result_.smallest->notes.begin(), result_.smallest->notes.end());
   result_.notes.assign(notes_.begin(), notes_.end());
   if (!rough_.empty()) {
     result_.notes.push_back(rough_note(fmt::format("{}", fmt::join(rough_, ", "))));

@@ -336,6 +336,9 @@ TEST_F(Fit, APlanThatStatesItsAreaIsNotEstimatedAgain) {
   const Outcome planned = mixcmp("generate plan.toml" + options);
   EXPECT_EQ(planned.exit_code, 0) << planned.output;
   EXPECT_EQ(planned.output.find("do not fit"), std::string::npos) << planned.output;
+  write("larger.toml", "scene = \"scene.toml\"\n[plan]\nlut = 6000\n");
+  const Outcome other = mixcmp("generate larger.toml -o larger" + options);
+  EXPECT_NE(other.output.find("do not fit"), std::string::npos) << "a plan for a larger device";
 }
 
 TEST_F(Fit, ATableOfOtherRtlIsNoMeasurement) {

@@ -1,6 +1,7 @@
 #include "generator/faces/cli/fit.hpp"
 
-#include <algorithm>
+#include <charconv>
+#include <system_error>
 
 #include "generator/faces/cli/planning.hpp"
 #include "generator/synthesis/components/characterise.hpp"
@@ -23,12 +24,16 @@ std::optional<measured::Characterisation> table_beside(const std::filesystem::pa
   return std::move(table).value();
 }
 
-/// Whether the scene is a plan that states its LUTs: they are closer than a rough estimate.
-bool states_area(const scene::Scene& scene) {
+/// Whether the scene is a plan that states its LUTs, and the device has so many. They are more
+/// exact than a rough estimate.
+bool states_that_it_fits(const scene::Scene& scene, const devices::Device& device) {
   if (!scene.plan) return false;
-  const auto& values = scene.plan->values;
-  return std::any_of(values.begin(), values.end(),
-                     [](const auto& value) { return value.first == "lut"; });
+  for (const auto& [key, text] : scene.plan->values) {
+    int luts = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), luts);
+    if (key == "lut" && read.ec == std::errc()) return luts <= device.available.luts;
+  }
+  return false;
 }
 
 }  // namespace
@@ -40,7 +45,7 @@ std::optional<std::string> fit_note(const LoadedScene& loaded, const design::Des
   const std::filesystem::path path = optimise::default_table(scene.path, scene, device->name);
   const auto table = table_beside(path, scene, *device);
   const auto note = [&](const measured::Characterisation* areas) -> std::optional<std::string> {
-    if (areas == nullptr && states_area(scene)) return std::nullopt;
+    if (areas == nullptr && states_that_it_fits(scene, *device)) return std::nullopt;
     const auto footprint = optimise::footprint_of(design, areas, *device);
     return excess_of(footprint, design, *device, path.string());
   };

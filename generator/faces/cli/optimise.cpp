@@ -166,13 +166,8 @@ void run_on_devices(const OptimiseCommand& command, const tasks::OptimiseRequest
                     const LoadedScene& loaded) {
   check_on(command);
   const tasks::OptimiseOnRequest on{.optimise = request, .devices = devices_on(command.on)};
-  auto found = with_shortcuts(tasks::optimise_on(on, loaded), command.planning.scene);
-  if (!found.ok() && found.error().field == "at_least") {
-    Error error = found.error();
-    error.field = "--at-least";
-    fail(error);
-  }
-  const tasks::OptimiseOnResult result = value_or_exit(std::move(found));
+  const tasks::OptimiseOnResult result =
+      value_or_exit(with_shortcuts(tasks::optimise_on(on, loaded), command.planning.scene));
   show_progress("");
   for (const std::string& note : result.notes) tell_note(note);
   if (result.smallest) write_files(command, request, result.smallest->best());

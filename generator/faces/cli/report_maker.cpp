@@ -245,7 +245,7 @@ std::optional<IfThere<report::Front>> ReportMaker::front() {
   if (has_rates()) request.rates = optimise::Rates::of(all_rates_);
   auto front = tasks::front_of(request, loaded_);
   show_progress("");
-  if (!front.ok()) return Missing{on_page(front.error()), ""};
+  if (!front.ok()) return not_made("front", front.error(), "");
   return std::move(front).value();
 }
 

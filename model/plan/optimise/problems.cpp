@@ -464,6 +464,7 @@ void count_idle_cycles(PrecisionPlan& plan, const performance::ItemSet& set) {
   if (const Allocation* chosen = plan.allocation()) {
     plan.busy = performance::busy_share(set, chosen->lane_count());
   }
+  if (plan.problem.lanes.empty()) return;
   double least_interval_s = std::numeric_limits<double>::infinity();
   for (const LaneKind& kind : plan.problem.lanes) {
     least_interval_s = std::min(least_interval_s, 1 / throughput_per_s(kind));
@@ -473,27 +474,27 @@ void count_idle_cycles(PrecisionPlan& plan, const performance::ItemSet& set) {
   if (lanes > 0) plan.bound_per_s = performance::busy_share(set, lanes) * lanes / least_interval_s;
 }
 
-/// Two plans: of groups that never wait for their streams of reports, and of one group more a
-/// stream, where all wait. Still more groups would only wait longer.
+/// Two plans. The first has as many groups as never wait for their streams of reports. The second
+/// has one more on each stream, and all wait. Still more groups would only wait longer.
 std::vector<PrecisionPlan> plans_of_pairwise_engines(PrecisionSearch& search, const Rows& rows) {
   const scene::EngineSpec& engine = search.system().engine;
   PrecisionPlan plan = plan_segments(search, rows);
   plan.problem.sharing = ReferenceSharing::pooled;  // whichever is free takes the next pair
   // Each stream of reports has a group of lanes.
   const int least = engine.report_streams * engine.lanes_per_segment();
-  const int most = most_useful_lanes(search);
+  const int most = std::max(least, most_useful_lanes(search));
   const double words = report_words_of(plan, search);
   const int groups = words * most < 1 ? most : static_cast<int>(1 / words);  // a stream
+  const int all = (most + least - 1) / least;  // of the busiest stream, with all lanes
   std::vector<PrecisionPlan> plans;
   if (groups > 0) {
     PrecisionPlan& none_waits = plans.emplace_back(plan);
     none_waits.problem.min_lanes = least;
-    none_waits.problem.max_lanes = std::min(most, groups < most / least ? groups * least : most);
-    none_waits.problem.max_lanes = std::max(least, none_waits.problem.max_lanes);
+    none_waits.problem.max_lanes = groups < all ? groups * least : most;
     solve(none_waits, search);
   }
-  if (groups < most / least) {
-    plan.problem.min_lanes = plan.problem.max_lanes = (groups + 1) * least;
+  if (groups < all) {
+    plan.problem.min_lanes = plan.problem.max_lanes = std::min(most, (groups + 1) * least);
     for (LaneImplementation& lane : plan.lanes) {
       lane.kind.initiation_interval = (groups + 1) * words;
     }

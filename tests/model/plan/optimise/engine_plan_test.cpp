@@ -264,6 +264,33 @@ TEST_F(EnginePlan, MoreGroupsThanAStreamServesWait) {
   expect_plans_at_rates(rates_of({{8, 10'000}, {10, 10'000}}, 100'000));
 }
 
+/// 40 items have use for five groups. Two streams serve two groups each without waiting, a third
+/// group of one stream would wait.
+TEST_F(EnginePlan, ABusyStreamIsTheOneWithMoreGroups) {
+  rates_ = rates_of({{8, 0}, {10, 0}}, 60'000);  // 0.48 reports a cycle and group
+  device_.available = {.luts = 1'000'000, .registers = 1'000'000, .dsps = 10'000};
+  options_.clocks.lane_mhz = options_.clocks.reference_mhz = 100;
+  options_.set = performance::ItemSet{.items = 40};
+  scene_.system.engine.report_streams = 2;
+  for (const optimise::PrecisionPlan& plan : optimise_now().plans) {
+    const auto here = at_rates(plan, scene_, rates_);
+    EXPECT_NEAR(here->throughput_per_s / plan.throughput_per_s(), 1, 1e-9);
+    EXPECT_EQ(plan.allocation()->lane_count(), 4 * lanes) << "40 would wait, and make no more";
+  }
+}
+
+/// 20 items have use for three groups, and 32 streams need as many.
+TEST_F(EnginePlan, EachStreamHasAGroupAlsoWhereItemsAreFew) {
+  device_.available = {.luts = 1'000'000, .registers = 1'000'000, .dsps = 10'000};
+  options_.set = performance::ItemSet{.items = 20};
+  scene_.system.engine.report_streams = 32;
+  for (const std::uint64_t reported : {0, 900'000}) {
+    rates_ = rates_of({{8, 0}, {10, 0}}, reported);
+    ASSERT_NE(optimise_now().best(), nullptr) << reported;
+    EXPECT_EQ(optimise_now().best()->allocation()->lane_count(), 32 * lanes) << reported;
+  }
+}
+
 /// A counting engine has no report of a pair; a bitmap is one report of all that a group found.
 TEST_F(EnginePlan, ReportsAreCountedAsTheyLeave) {
   rates_ = rates_of({{8, 0}, {10, 0}}, 840'000);
