@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "model/base/common/check.hpp"
 #include "model/cost/performance/performance.hpp"
@@ -23,7 +24,7 @@ Area difference(const Area& whole, const Area& part) {
 }
 
 bool is_within(const Area& part, const Area& whole) {
-  return std::all_of(bounded_resources.begin(), bounded_resources.end(),
+  return std::all_of(std::begin(bounded_resources), std::end(bounded_resources),
                      [&](const devices::Resource& resource) {
                        return part.*resource.amount <= whole.*resource.amount;
                      });
