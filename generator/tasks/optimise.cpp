@@ -195,7 +195,6 @@ void note_left_out_tier(const scene::Scene& given, OptimiseResult& result) {
 void note_system(const LoadedScene& loaded, OptimiseResult& result) {
   note_left_out_tier(loaded.scene, result);
   note_idle_lanes(loaded, result);
-  note_traffic(result);
 }
 
 }  // namespace
@@ -249,6 +248,7 @@ Result<OptimiseResult> completed(const OptimiseRequest& request, const LoadedSce
   MIXCMP_TRY(front, search.front(result.best()));
   result.front = std::move(front);
   note_system(loaded, result);
+  note_traffic(result);
   return result;
 }
 
