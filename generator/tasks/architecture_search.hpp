@@ -12,7 +12,7 @@
 
 namespace mixcmp::tasks {
 
-/// What a pairwise engine compares on these data; none without pairs.
+/// The sizes of the sets that a pairwise engine compares on these data; none without pairs.
 std::optional<performance::ItemSet> set_of(const data::Comparisons* data);
 
 /// Counts the rates of all lanes that a plan of the request may have.

@@ -41,7 +41,8 @@ std::string scene_text(const NewScene& scene, const LoadedScene& loaded);
 std::vector<std::pair<std::string, std::string>> next_commands(const NewScene& scene,
                                                                const std::filesystem::path& file);
 
-/// Those commands, each on a line that begins with `margin`, their purposes in a column.
+/// The text of those commands. Each has a line that begins with `margin`, and its purpose stands in
+/// a column behind them.
 std::string next_text(const NewScene& scene, const std::filesystem::path& file,
                       const std::string& margin);
 

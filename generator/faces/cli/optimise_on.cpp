@@ -35,14 +35,14 @@ std::vector<std::string> devices_of_word(const std::string& word) {
   fail(error);
 }
 
-/// What a device is.
+/// The columns that describe a device.
 Fields<DevicePlan> device_fields() {
   return {{{"device", "device", 16, 1}, [](const DevicePlan& each) { return each.device.name; }},
           {{"family", "family", 18}, [](const DevicePlan& each) { return each.device.family; }},
           {{"six_input_luts", "LUTs", 8, 1, "{:.0f}"}, &DevicePlan::six_input_luts}};
 }
 
-/// What its plan is.
+/// The columns of the plan on a device.
 Fields<DevicePlan> figures() {
   const auto plan =
       within(pick(report::plan_fields(), {"precision", "lanes", "references", "throughput_per_s"}),

@@ -47,8 +47,8 @@ private:
   std::set<std::string> unknown_, outdated_, seen_;
 };
 
-/// As many LUTs of six inputs as do the work of all of a device's. LUTs of other families differ in
-/// more than that, so it compares families only roughly.
+/// The device's LUTs, counted in LUTs of six inputs. LUTs of two families differ in more than their
+/// inputs, so this compares families only roughly.
 double six_input_luts(const devices::Device& device);
 
 /// The area of a component of a scene; none if it cannot be predicted.

@@ -39,8 +39,8 @@ struct OptimiseOptions {
   double at_least_per_s = 0;
   /// Programs of many kinds are solved in seconds where the last 0.1 % would take minutes.
   Effort effort = {};
-  /// What a pairwise engine compares: a plan then counts the cycles in which lanes have no item.
-  /// None: T(equ) as in the paper, by lanes and clocks alone.
+  /// The size of a pairwise engine's set: a plan then counts the cycles in which lanes have no
+  /// item. None: they are not counted, as in the paper's T(equ).
   std::optional<performance::ItemSet> set = {};
 };
 
