@@ -171,7 +171,7 @@ void add_front(page::Section& section, const std::optional<IfThere<Front>>& ther
     section.content.push_back(page::missing(missing->why, missing->command));
     return;
   }
-  const Front& front = std::get<Front>(*there);
+  const auto& front = std::get<Front>(*there);
   if (front.empty()) return;
   section.content.push_back(page::figure(
       draw(front_chart(front)),
