@@ -6,6 +6,7 @@
 #include "generator/synthesis/components/shortlist.hpp"
 #include "generator/tasks/architecture_search.hpp"
 #include "model/base/common/file.hpp"
+#include "model/scene/plan.hpp"
 
 namespace mixcmp::tasks {
 namespace {
