@@ -69,19 +69,6 @@ std::string why_none(const optimise::Optimisation& found) {
 
 }  // namespace
 
-std::optional<performance::ItemSet> set_of(const data::Comparisons* data) {
-  if (data == nullptr) return std::nullopt;
-  switch (data->pairing()) {
-    case data::Pairing::all: return performance::ItemSet{.items = data->table().rows()};
-    case data::Pairing::cross:
-      return performance::ItemSet{.items = data->tables()[0].rows(),
-                                  .others = data->tables()[1].rows()};
-    case data::Pairing::rows:
-    case data::Pairing::arg_min: return std::nullopt;
-  }
-  MIXCMP_CHECK(false);
-}
-
 std::string rough_note(const std::string& names) {
   return fmt::format(
       "no library of unit areas for {}: those of Xilinx' 7 series stand in, and predictions are "
@@ -93,12 +80,17 @@ void ArchitectureSearch::tell_progress(const char* step, std::size_t done, std::
   if (request_->progress) request_->progress(step, double(done) / double(of));
 }
 
+std::optional<performance::ItemSet> ArchitectureSearch::set_of(std::size_t formulation) const {
+  const data::Comparisons* data = formulations_[formulation].loaded.data_if_any();
+  return data == nullptr ? std::nullopt : profile::set_of(*data);
+}
+
 Result<std::vector<ArchitectureSearch::Choice>> ArchitectureSearch::choices_of(std::size_t system,
                                                                                Share share) const {
   optimise::OptimiseOptions options = request_->choice;
   options.at_least_per_s = std::numeric_limits<double>::infinity();  // bounds, and no plans
   const System& each = systems_[system];
-  options.set = set_of(formulations_[each.formulation].loaded.data_if_any());
+  options.set = set_of(each.formulation);
   MIXCMP_TRY(found, optimise::optimise(scene_in(each.scene, share), device_, each.table,
                                        rates_[each.formulation], options));
   std::vector<Choice> choices;
@@ -113,7 +105,7 @@ Result<PlannedSystem> ArchitectureSearch::planned(std::size_t number, Share shar
                                                   optimise::OptimiseOptions options) const {
   options.effort = effort;
   const System& system = systems_[number];
-  options.set = set_of(formulations_[system.formulation].loaded.data_if_any());
+  options.set = set_of(system.formulation);
   scene::Scene scene = scene_in(system.scene, share);
   MIXCMP_TRY(found,
              optimise::optimise(scene, device_, system.table, rates_[system.formulation], options));

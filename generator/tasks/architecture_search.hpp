@@ -12,9 +12,6 @@
 
 namespace mixcmp::tasks {
 
-/// The sizes of the sets that a pairwise engine compares on these data; none without pairs.
-std::optional<performance::ItemSet> set_of(const data::Comparisons* data);
-
 /// Counts the rates of all lanes that a plan of the request may have.
 Result<optimise::Rates> count_rates(const OptimiseRequest& request, const LoadedScene& loaded);
 
@@ -97,6 +94,7 @@ private:
   Result<OptimiseResult> fastest_in(Share share) const;
   Result<OptimiseResult> best_in(Share share) const;
   std::string name_of(std::size_t formulation) const;
+  std::optional<performance::ItemSet> set_of(std::size_t formulation) const;
   /// Adds the formulations that have no plan in this share, with a reason, unless none has one.
   Result<Done> tell_of_others(const std::map<std::size_t, std::size_t>& possible, Share share,
                               OptimiseResult& result) const;

@@ -7,6 +7,7 @@
 
 #include "generator/tasks/architecture_search.hpp"
 #include "model/base/common/file.hpp"
+#include "model/plan/optimise/problems.hpp"
 #include "model/scene/plan.hpp"
 
 namespace mixcmp::tasks {
@@ -114,19 +115,29 @@ Result<OptimiseResult> plan_by_tables(const OptimiseRequest& request,
   return result;
 }
 
-/// Tells how far the lanes of a pairwise engine are idle on a set of the scene's size.
+/// Tells in which part of their cycles the lanes of a pairwise engine compare.
 void note_idle_lanes(const LoadedScene& loaded, OptimiseResult& result) {
   const PlannedSystem& best = result.best();
   const optimise::PrecisionPlan* plan = best.found.best();
-  const auto set = set_of(loaded.data_if_any());
-  const bool is_pairwise = best.known.scene.system.engine.kind == scene::EngineKind::pairwise;
-  if (plan == nullptr || !set || !is_pairwise) return;
-  const double busy = performance::busy_share(*set, plan->allocation()->lane_count());
-  result.notes.push_back(fmt::format(
-      "on sets of {} items the lanes compare in {:.3g} % of their cycles, since a block "
-      "of items is loaded one by one; {}",
-      set->items, 100 * busy,
-      plan->busy < 1 ? "G/s count that" : "T(equ) is lanes times clock, without that"));
+  const scene::Scene& scene = best.known.scene;
+  const bool is_pairwise = scene.system.engine.kind == scene::EngineKind::pairwise;
+  if (plan == nullptr || !is_pairwise || loaded.data_if_any() == nullptr) return;
+  const auto set = profile::set_of(*loaded.data_if_any());
+  if (!set) return;
+  optimise::Rates unhindered;
+  unhindered.assume_nothing_reported(*set);
+  auto engine = optimise::engine_of(*plan, scene.system, plan->allocation()->lane_count());
+  engine.undecided = 0;
+  const double busy = *optimise::busy_share(engine, unhindered, true);
+  result.notes.push_back(
+      plan->counts_idle_lanes
+          ? fmt::format(
+                "on sets of {} items lanes compare in {:.3g} % of their cycles, and would in "
+                "{:.3g} % without reports, since items come one by one; G/s count that",
+                set->items, 100 * plan->busy, 100 * busy)
+          : fmt::format("on sets of {} items lanes compare in at most {:.3g} % of their cycles, "
+                        "since items are loaded one by one; T(equ) does not count that",
+                        set->items, 100 * busy));
 }
 
 /// Tells what must reach a system of streams: each comparison brings all of its operands.

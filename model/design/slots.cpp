@@ -24,6 +24,15 @@ int slots_beside(int lane_latency_cycles, int waiting) {
   return static_cast<int>(std::bit_ceil(static_cast<unsigned>(needed)));
 }
 
+/// MAY_COME of pair_segment.v and pair_tier.v, without the latency of the lanes.
+constexpr int segment_cycles = 3;
+constexpr int tier_cycles = 4;
+
+int queue_bits(int may_come) {
+  constexpr int waiting = 16;
+  return std::bit_width(static_cast<unsigned>(may_come + waiting - 1));
+}
+
 }  // namespace
 
 int slots_for(int lane_latency_cycles, bool recomputes) {
@@ -40,6 +49,18 @@ int second_tier_slots_for(const scene::SystemSpec& system, int lane_latency_cycl
 
 int chain_slots_for(int lane_latency_cycles) {
   return slots_beside(lane_latency_cycles, chain_slots);
+}
+
+int segment_queue_bits(int lane_latency_cycles) {
+  return queue_bits(lane_latency_cycles + segment_cycles);
+}
+
+int tier_queue_bits(int lane_latency_cycles) {
+  return queue_bits(lane_latency_cycles + tier_cycles);
+}
+
+int beats_before_stop(int queue_bits, int lane_latency_cycles) {
+  return (1 << queue_bits) - lane_latency_cycles - segment_cycles;
 }
 
 }  // namespace mixcmp::design

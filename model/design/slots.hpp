@@ -19,4 +19,14 @@ int chain_slots_for(int lane_latency_cycles);
 int second_tier_slots_for(const scene::SystemSpec& system, int lane_latency_cycles,
                           int reference_latency_cycles);
 
+/// QUEUE_BITS of pair_segment.v and pair_tier.v, log2 of the beats that their queue of exceptions
+/// holds, with lanes or a tier's lane of this latency. Beside the beats that may still come when it
+/// says stop there is room for 16: a burst of exceptions in one segment would otherwise hold up the
+/// whole chain.
+int segment_queue_bits(int lane_latency_cycles);
+int tier_queue_bits(int lane_latency_cycles);
+
+/// The largest number of beats in the queue with which a segment takes another word.
+int beats_before_stop(int queue_bits, int lane_latency_cycles);
+
 }  // namespace mixcmp::design

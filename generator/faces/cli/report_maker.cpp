@@ -193,6 +193,10 @@ IfThere<optimise::Optimisation> ReportMaker::search_plans() {
   auto result = tasks::optimise(search_request(planning_options_, !is_plan), loaded_);
   show_progress("");
   if (!result.ok()) return not_made("plan", result.error(), command("optimise"));
+  if (const auto& failed = result->confirmation->failed; !failed.empty()) {
+    return not_made("plan", failed.front().label + ": " + failed.front().message,
+                    command("optimise"));
+  }
   end_if_not_confirmed(*result);
   const tasks::PlannedSystem& best = result->best();
   optimise::Optimisation plans = best.found;

@@ -136,11 +136,15 @@ long long every_cycle_mask(const SystemShape& system) {
   return mask;
 }
 
-/// Adds a register that keeps a request for a folded reference. The reference reads its operands
-/// over several cycles, and the engine goes on with other requests meanwhile. Returns the nets of
-/// its output stream.
+/// Adds a register that keeps a request for a reference of a folded group. The reference reads its
+/// operands over several cycles, and the engine goes on with other requests meanwhile. A reference
+/// that reads them up to its last phase needs the next request at once, so that its register takes
+/// that in the cycle in which it gives out the last. Returns the nets of its output stream.
 std::vector<Connection> add_request_register(const std::vector<Connection>& request, int bits,
+                                             const DatapathGroup& group,
                                              std::vector<ModuleItem>& items) {
+  const datapath::Schedule& schedule = group.schedule;
+  const bool is_next_at_once = schedule.last_operand_phase + 1 == schedule.initiation_interval;
   items.push_back(Wire{1, "waiting_tvalid", nullptr});
   items.push_back(Wire{1, "waiting_tready", nullptr});
   items.push_back(Wire{bits, "waiting_tdata", nullptr});
@@ -156,7 +160,7 @@ std::vector<Connection> add_request_register(const std::vector<Connection>& requ
   }
   items.push_back(Instance{"stream_arbiter",
                            "request",
-                           {{"INPUTS", 1}, {"WIDTH", bits}, {"HALF_RATE", 1}},
+                           {{"INPUTS", 1}, {"WIDTH", bits}, {"HALF_RATE", is_next_at_once ? 0 : 1}},
                            std::move(connections)});
   return waiting;
 }
@@ -198,7 +202,7 @@ ModuleItem engine_reference_loop(const SystemShape& system, const DatapathGroup&
       {"s_request_tdata", concatenation({net("request_tag"), net("request_operands")})}};
   std::vector<Connection> connections = clock_and_reset();
   if (!takes_every_cycle(group)) {
-    request = add_request_register(request, system.tag_bits + system.operand_bits(), items);
+    request = add_request_register(request, system.tag_bits + system.operand_bits(), group, items);
     connections.push_back({"reset_phase", one(reset_phases_name(group),
                                               phase_bits(group.schedule.initiation_interval))});
   }

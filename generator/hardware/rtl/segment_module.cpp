@@ -3,31 +3,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <bit>
 
 #include "generator/hardware/rtl/connections.hpp"
 #include "generator/hardware/rtl/engine_operands.hpp"
 #include "generator/hardware/rtl/unread_bits.hpp"
+#include "model/design/slots.hpp"
 
 namespace mixcmp::rtl {
 namespace {
-
-/// Beats that may wait in a queue, beside those that may still come. A second tier takes a burst of
-/// undecided pairs one by one; a short queue before it would hold up the whole chain of segments
-/// meanwhile (docs/theory.md).
-constexpr int few_beats = 4;
-constexpr int many_beats = 16;
-
-/// MAY_COME of pair_segment.v and pair_tier.v, without the lanes' latency: beats that may still
-/// come when a queue says stop.
-constexpr int segment_cycles = 3;
-constexpr int tier_cycles = 4;
-
-/// Bits of the address of a queue with room for the beats that may still come when it says stop,
-/// and for `waiting` beats.
-int queue_bits(int may_come, int waiting) {
-  return std::bit_width(static_cast<unsigned>(may_come + waiting - 1));
-}
 
 /// Consumes the bits of an item's word that no port of a lane reads.
 void consume_unread(const std::string& word, const WordLane& lane, data::Item item, int bits,
@@ -100,8 +83,7 @@ void add_second_tier(const SystemShape& system, const EngineShape& engine, const
   consume_unread("tier_item_j", *words.second_tier, data::Item::second, bits, items);
   std::vector<Parameter> parameters =
       common_parameters(engine, lanes, bits, tier.schedule.latency_cycles);
-  parameters.push_back(
-      {"QUEUE_BITS", queue_bits(tier.schedule.latency_cycles + tier_cycles, few_beats)});
+  parameters.push_back({"QUEUE_BITS", design::tier_queue_bits(tier.schedule.latency_cycles)});
   std::vector<Connection> connections = clock_and_reset();
   for (const char* part : {"tvalid", "tready", "tdata", "tlast"}) {
     connections.push_back({std::string("s_axis_") + part, net(std::string("beat_") + part)});
@@ -204,8 +186,7 @@ Module segment_module(const SystemShape& system, const EngineShape& engine, cons
   append(connections, {"held_words", "verdicts", "decided"});
   const int latency_cycles = system.lane_groups[segments.lane_group].schedule.latency_cycles;
   std::vector<Parameter> parameters = common_parameters(engine, lanes, bits, latency_cycles);
-  parameters.push_back({"QUEUE_BITS", queue_bits(latency_cycles + segment_cycles,
-                                                 system.second_tier ? many_beats : few_beats)});
+  parameters.push_back({"QUEUE_BITS", design::segment_queue_bits(latency_cycles)});
   if (system.second_tier) {
     constexpr int flags = 2;  // first, stays
     const int pairs_bits = lane_bits(lanes) + 1;

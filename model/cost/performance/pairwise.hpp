@@ -2,8 +2,6 @@
 
 #include <cstdint>
 
-#include "model/scene/engine.hpp"
-
 namespace mixcmp::performance {
 
 /// Items that a pairwise engine compares with each other, or with those of a second table.
@@ -33,24 +31,10 @@ struct PairwiseSet {
 /// items from its first one on. With `others` a block is loaded and then meets the M others.
 std::uint64_t pairwise_word_cycles(std::uint64_t items, std::uint64_t others, int lanes);
 
-/// The part of their cycles, 0..1, in which `lanes` lanes compare while words enter: while a block
-/// is loaded only those lanes do that have their item.
-double busy_share(const ItemSet& set, int lanes);
-
 /// Approximate cycles from a set's first item to its closing beat. It is the way of a word through
 /// all segments and the last one's lanes, plus the longest of several needs: words; exceptions (a
 /// cycle each); a second tier; recomputations at the items' memory (a cycle each); recomputations
 /// at the references (N / p_H cycles each).
 double pairwise_cycles(const PairwiseSet& set);
-
-/// Words that a group of lanes sends to its stream of reports in each cycle in which it takes a
-/// pair a lane. `reported` and `undecided` are parts of all pairs, and independent of each other:
-/// an undecided pair leaves its group to be recomputed, and once more if it is then reported. In
-/// a bitmap all reported pairs of a cycle are one word.
-double report_words(const scene::EngineSpec& engine, double reported, double undecided);
-
-/// Cycles from one pair of a lane to the next, at least 1, where the busiest stream of reports
-/// takes one word a cycle. `words`: of a group, as from report_words.
-double cycles_between_reports(const scene::EngineSpec& engine, int groups, double words);
 
 }  // namespace mixcmp::performance

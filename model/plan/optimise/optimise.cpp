@@ -108,8 +108,23 @@ void note_full_streams(const scene::Scene& scene, const Rates& rates, Optimisati
   found.notes.push_back(fmt::format(
       "more lanes would wait for the streams of reports, of which engine.report_streams gives {}: "
       "each takes one word a cycle, {:.3g} % of the pairs are reported and {:.3g} % recomputed",
-      engine.report_streams, 100 * rates.share_of(engine.report).value_or(0),
+      engine.report_streams, 100 * rates.reported_share().value_or(0),
       100 * best->recomputation_rate()));
+}
+
+/// The rates, with the pairs of a set without reports where an engine needs pairs and they have
+/// none.
+Rates known_pairs(const scene::Scene& scene, const Rates& rates, const OptimiseOptions& options,
+                  Findings& findings) {
+  Rates known = rates;
+  const scene::EngineSpec& engine = scene.system.engine;
+  if (engine.kind != scene::EngineKind::pairwise || rates.reported_share()) return known;
+  if (engine.report_as != scene::ReportForm::count) {
+    findings.notes.insert(
+        "how many pairs are reported is not known: streams of reports are taken to suffice");
+  }
+  if (options.set) known.assume_nothing_reported(*options.set);
+  return known;
 }
 
 /// Names the precisions whose plan may not be the best.
@@ -285,8 +300,9 @@ Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& 
   MIXCMP_DO(check_options(options));
   MIXCMP_TRY(known_chain, design::with_chain_lanes(scene, nullptr));
   MIXCMP_TRY(second_tier, second_tier_lane(scene));
-  const PlanningInputs inputs{scene, table, rates, options, second_tier};
   Findings findings;
+  const Rates known = known_pairs(scene, rates, options, findings);
+  const PlanningInputs inputs{scene, table, known, options, second_tier};
   const Candidates candidates = candidates_of(inputs, findings);
   if (candidates.lanes.empty()) return no_lane(scene);
   if (candidates.references.empty()) return nothing_to_choose_from(scene, "reference");

@@ -40,7 +40,7 @@ struct OptimiseOptions {
   /// Programs of many kinds are solved in seconds where the last 0.1 % would take minutes.
   Effort effort = {};
   /// The size of a pairwise engine's set: a plan then counts the cycles in which lanes have no
-  /// item. None: they are not counted, as in the paper's T(equ).
+  /// item. None: it counts only those in which words wait, beyond the paper's T(equ).
   std::optional<performance::ItemSet> set = {};
 };
 
@@ -96,8 +96,10 @@ struct PrecisionPlan {
   std::optional<SecondLanes> second_lanes = {};
   AllocationProblem problem;
   AllocationResult result;
-  double bound_per_s = 0;      ///< see throughput_bound; 0 without OptimiseOptions::at_least_per_s
-  double busy = 1;             ///< part of their cycles in which lanes have items to compare
+  double bound_per_s = 0;  ///< see throughput_bound; 0 without OptimiseOptions::at_least_per_s
+  double busy = 1;         ///< part of their cycles in which lanes compare
+  bool counts_idle_lanes =
+      false;                   ///< `busy` counts lanes that have no item, not only waiting words
   bool fills_streams = false;  ///< more lanes would wait for the streams of reports
 
   const Allocation* allocation() const { return std::get_if<Allocation>(&result); }

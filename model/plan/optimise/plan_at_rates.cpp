@@ -123,16 +123,16 @@ double allowed_by_slowest(const Loaded& loaded) {
   return part;
 }
 
-/// The part that the streams of reports of a pairwise engine allow.
-double allowed_by_reports(const Loaded& loaded, const scene::EngineSpec& engine, double reported) {
-  int groups = 0;
-  double undecided = 0;  // by the kind of lane that leaves most
+/// The part of their cycles in which the lanes of a plan's pairwise engine compare.
+double busy_at(const PrecisionPlan& plan, const scene::Scene& scene, const Loaded& loaded,
+               const Rates& rates) {
+  performance::PairwiseEngine engine =
+      engine_of(plan, scene.system, plan.allocation()->lane_count());
+  engine.undecided = 0;
   for (const Datapaths& kind : loaded.groups) {
-    groups += kind.count;
-    undecided = std::max(undecided, kind.recomputation_rate);
+    engine.undecided = std::max(engine.undecided, kind.recomputation_rate);
   }
-  const double words = performance::report_words(engine, reported, undecided);
-  return 1 / performance::cycles_between_reports(engine, groups, words);
+  return busy_share(engine, rates, plan.counts_idle_lanes).value_or(plan.busy);
 }
 
 double throughput_of(const PrecisionPlan& plan, const scene::Scene& scene, const Loaded& loaded) {
@@ -160,12 +160,10 @@ std::optional<PlanAtRates> at_rates(const PrecisionPlan& plan, const scene::Scen
   const bool is_pairwise = scene.system.engine.kind == EngineKind::pairwise;
   double throughput = throughput_of(plan, scene, *loaded);
   if (is_pairwise) {
-    const scene::EngineSpec& engine = scene.system.engine;
-    const double reported = rates.share_of(engine.report).value_or(0);
-    throughput =
-        std::min(throughput, loaded->comparisons * allowed_by_reports(*loaded, engine, reported));
+    const double busy = busy_at(plan, scene, *loaded, rates);
+    throughput = std::min(throughput, busy * loaded->comparisons);
   }
-  return PlanAtRates{.throughput_per_s = plan.busy * throughput,
+  return PlanAtRates{.throughput_per_s = throughput,
                      .counted_rate = is_pairwise ? again : loaded->undecided_rate()};
 }
 

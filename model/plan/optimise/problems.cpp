@@ -432,82 +432,83 @@ PrecisionPlan plan_segments(PrecisionSearch& search, const Rows& rows) {
   return plan;
 }
 
-/// Words that a group of the plan's lanes sends to its stream of reports in a cycle: of the kind of
-/// lane that sends most.
-double report_words_of(const PrecisionPlan& plan, PrecisionSearch& search) {
-  double undecided = 0;
-  for (const LaneImplementation& lane : plan.lanes) {
-    undecided = std::max(undecided, lane.kind.recomputation_rate);
+/// Recomputations per cycle of the lanes that the references can start, at most 1. Without
+/// references undecided pairs leave, one a cycle.
+double recomputations_per_cycle(const PrecisionPlan& plan, const Allocation& chosen) {
+  double system_hz = any_clock;
+  for (std::size_t k = 0; k < chosen.lanes.size(); ++k) {
+    if (chosen.lanes[k] > 0) system_hz = std::min(system_hz, plan.problem.lanes[k].clock_hz);
   }
-  const scene::EngineSpec& engine = search.system().engine;
-  const std::optional<double> reported = search.inputs.rates.share_of(engine.report);
-  if (!reported && engine.report_as != scene::ReportForm::count) {
-    search.findings.notes.insert(
-        "how many pairs are reported is not known: streams of reports are taken to suffice");
+  double started = 0;
+  for (std::size_t k = 0; k < chosen.references.size(); ++k) {
+    const ReferenceKind& kind = plan.problem.references[k];
+    const bool has_own_clock = plan.problem.clocks == ClockDomains::separate;
+    const double cycles_per_cycle = has_own_clock ? kind.clock_hz / system_hz : 1;
+    started += chosen.references[k] * cycles_per_cycle / kind.initiation_interval;
   }
-  return performance::report_words(engine, reported.value_or(0), undecided);
+  return started > 0 ? std::min(1.0, started) : 1;  // without references undecided pairs leave
 }
 
-/// Lanes of a pairwise engine beyond those that its set has items for would never compare.
-int most_useful_lanes(const PrecisionSearch& search) {
-  const int most = settings::limits::engine_lanes.most;
-  const std::optional<performance::ItemSet>& set = search.options().set;
-  if (!set || set->items >= static_cast<std::uint64_t>(most)) return most;
+/// The least number of lanes with which the plan's engine makes 98 % of the pairs per cycle that it
+/// makes with as many as its items have use for: more would wait for streams of reports.
+int most_useful_lanes(const PrecisionPlan& plan, const PrecisionSearch& search) {
+  constexpr double enough = 0.98;
   const int group = search.system().engine.lanes_per_segment();
-  const int items = static_cast<int>(set->items);
-  return std::min(most, (items + group - 1) / group * group);
+  const int least = search.system().engine.report_streams;  // groups: each stream has one
+  int most = settings::limits::engine_lanes.most / group;
+  if (search.options().set) {
+    const auto lanes = static_cast<std::uint64_t>(group);
+    const std::uint64_t for_items = (search.options().set->items + lanes - 1) / lanes;
+    most = std::max(least, static_cast<int>(std::min<std::uint64_t>(most, for_items)));
+  }
+  const auto cycles = [&](int groups) {
+    const auto engine = engine_of(plan, search.system(), groups * group);
+    return search.inputs.rates.cycles_per_pair(engine);
+  };
+  const std::optional<double> fewest = cycles(most);
+  int too_few = least - 1;
+  while (fewest && most - too_few > 1) {
+    const int middle = (too_few + most) / 2;
+    (enough * *cycles(middle) <= *fewest ? most : too_few) = middle;
+  }
+  return most * group;
 }
 
-/// Counts the cycles in which lanes have no item. Pairs per cycle rise with the number of lanes, so
-/// that a bound on lanes is one on pairs.
-void count_idle_cycles(PrecisionPlan& plan, const performance::ItemSet& set) {
+/// Counts the cycles in which the plan's lanes compare nothing, in the plan and in its bound.
+void count_idle_cycles(PrecisionPlan& plan, const PrecisionSearch& search) {
+  const Rates& rates = search.inputs.rates;
+  plan.counts_idle_lanes = search.options().set.has_value();
   if (const Allocation* chosen = plan.allocation()) {
-    plan.busy = performance::busy_share(set, chosen->lane_count());
+    const performance::PairwiseEngine engine =
+        engine_of(plan, search.system(), chosen->lane_count());
+    plan.busy = busy_share(engine, rates, plan.counts_idle_lanes).value_or(1);
   }
-  if (plan.problem.lanes.empty()) return;
+  if (!plan.counts_idle_lanes || plan.bound_per_s == 0) return;
   double least_interval_s = std::numeric_limits<double>::infinity();
   for (const LaneKind& kind : plan.problem.lanes) {
     least_interval_s = std::min(least_interval_s, 1 / throughput_per_s(kind));
   }
   const int lanes = std::min(plan.problem.max_lanes,
                              static_cast<int>(std::ceil(plan.bound_per_s * least_interval_s)));
-  if (lanes > 0) plan.bound_per_s = performance::busy_share(set, lanes) * lanes / least_interval_s;
+  if (lanes == 0) return;
+  constexpr double margin = 1.02;  // fewer lanes may be that much faster
+  const performance::PairwiseEngine engine = engine_of(plan, search.system(), lanes);
+  const double pairs_per_cycle = 1 / rates.cycles_per_pair(engine).value();
+  plan.bound_per_s = std::min(plan.bound_per_s, margin * pairs_per_cycle / least_interval_s);
 }
 
-/// Two plans. The first has as many groups as never wait for their streams of reports. The second
-/// has one more on each stream, and all wait. Still more groups would only wait longer.
-std::vector<PrecisionPlan> plans_of_pairwise_engines(PrecisionSearch& search, const Rows& rows) {
-  const scene::EngineSpec& engine = search.system().engine;
+PrecisionPlan plan_of_pairwise_engine(PrecisionSearch& search, const Rows& rows) {
   PrecisionPlan plan = plan_segments(search, rows);
+  if (plan.lanes.empty()) return plan;
+  const scene::EngineSpec& engine = search.system().engine;
   plan.problem.sharing = ReferenceSharing::pooled;  // whichever is free takes the next pair
-  // Each stream of reports has a group of lanes.
-  const int least = engine.report_streams * engine.lanes_per_segment();
-  const int most = std::max(least, most_useful_lanes(search));
-  const double words = report_words_of(plan, search);
-  const int groups = words * most < 1 ? most : static_cast<int>(1 / words);  // a stream
-  const int all = (most + least - 1) / least;  // of the busiest stream, with all lanes
-  std::vector<PrecisionPlan> plans;
-  if (groups > 0) {
-    PrecisionPlan& none_waits = plans.emplace_back(plan);
-    none_waits.problem.min_lanes = least;
-    none_waits.problem.max_lanes = groups < all ? groups * least : most;
-    solve(none_waits, search);
-  }
-  if (groups < all) {
-    plan.problem.min_lanes = plan.problem.max_lanes = std::min(most, (groups + 1) * least);
-    for (LaneImplementation& lane : plan.lanes) {
-      lane.kind.initiation_interval = (groups + 1) * words;
-    }
-    solve(plan, search);
-    plans.push_back(std::move(plan));
-  }
-  for (PrecisionPlan& each : plans) {
-    const Allocation* chosen = each.allocation();
-    each.fills_streams = chosen != nullptr && each.problem.max_lanes < most &&
-                         chosen->lane_count() == each.problem.max_lanes;
-    if (search.options().set) count_idle_cycles(each, *search.options().set);
-  }
-  return plans;
+  plan.problem.min_lanes = engine.report_streams * engine.lanes_per_segment();
+  plan.problem.max_lanes = most_useful_lanes(plan, search);
+  solve(plan, search);
+  const Allocation* chosen = plan.allocation();
+  plan.fills_streams = chosen != nullptr && chosen->lane_count() == plan.problem.max_lanes;
+  count_idle_cycles(plan, search);
+  return plan;
 }
 
 /// Chains, each of lanes with the number of slots with which they were measured.
@@ -538,7 +539,7 @@ std::vector<PrecisionPlan> plans_of(PrecisionSearch& search, const Rows& lanes) 
     case scene::EngineKind::none:
       return search.inputs.second_tier ? plans_of_tiers(search, lanes)
                                        : plans_of_streams(search, lanes);
-    case scene::EngineKind::pairwise: return plans_of_pairwise_engines(search, lanes);
+    case scene::EngineKind::pairwise: return {plan_of_pairwise_engine(search, lanes)};
     case scene::EngineKind::arg_min: return plans_of_arg_min_engines(search, lanes);
   }
   MIXCMP_CHECK(false);
@@ -553,6 +554,38 @@ double cycles_per_word(const scene::Scene& scene, double recomputation_rate) {
                          system.engine.kind == scene::EngineKind::none;
   if (!refetches) return 1;
   return 1 + performance::undecided_words(recomputation_rate, system.lanes_per_group);
+}
+
+performance::PairwiseEngine engine_of(const PrecisionPlan& plan, const scene::SystemSpec& system,
+                                      int lanes) {
+  performance::PairwiseEngine engine{.lanes = lanes,
+                                     .lanes_per_segment = system.engine.lanes_per_segment(),
+                                     .streams = system.engine.report_streams,
+                                     .report_as = system.engine.report_as};
+  const Allocation* chosen = plan.allocation();
+  for (std::size_t k = 0; k < plan.lanes.size(); ++k) {
+    if (chosen != nullptr && chosen->lanes[k] == 0) continue;
+    const LaneImplementation& lane = plan.lanes[k];
+    engine.undecided = std::max(engine.undecided, lane.kind.recomputation_rate);
+    engine.lane_latency_cycles = std::max(engine.lane_latency_cycles, lane.measured.latency_cycles);
+  }
+  if (chosen != nullptr) engine.recomputations_per_cycle = recomputations_per_cycle(plan, *chosen);
+  return engine;
+}
+
+std::optional<double> busy_share(const performance::PairwiseEngine& engine, const Rates& rates,
+                                 bool counts_idle_lanes) {
+  const std::optional<double> cycles = rates.cycles_per_pair(engine);
+  if (!cycles) return std::nullopt;
+  if (counts_idle_lanes) return 1 / (engine.lanes * *cycles);
+  performance::PairwiseEngine unhindered = engine;
+  unhindered.report_as = scene::ReportForm::count;
+  unhindered.undecided = 0;
+  const double flowing = *rates.cycles_per_pair(unhindered) / *cycles;
+  if (engine.report_as != scene::ReportForm::pairs) return flowing;
+  // The cycles with idle lanes have fewer reports than the others.
+  const double reported = engine.lanes * rates.reported_share().value();
+  return reported > engine.streams ? std::min(flowing, engine.streams / reported) : flowing;
 }
 
 std::vector<ReferenceImplementation> references_of(const PlanningInputs& inputs, const Rows& rows,

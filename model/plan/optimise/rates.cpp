@@ -75,12 +75,8 @@ double Rate::value() const {
 Rates Rates::of(const std::vector<profile::RateProfile>& profiles) {
   Rates rates;
   for (const profile::RateProfile& profile : profiles) {
-    if (!rates.verdicts_ && profile.comparisons > 0) {
-      VerdictShares& shares = rates.verdicts_.emplace();
-      for (std::size_t v = 0; v < shares.size(); ++v) {
-        shares[v] =
-            static_cast<double>(profile.verdicts[v]) / static_cast<double>(profile.comparisons);
-      }
+    if (rates.pairs_.empty() && profile.pairs) {
+      rates.pairs_.push_back({1, std::make_shared<performance::PairwiseFlow>(*profile.pairs)});
     }
     for (const profile::SchemeProfile& scheme : profile.schemes) {
       if (!scheme.bound) continue;  // lanes without a bound recompute nothing
@@ -144,11 +140,7 @@ void Rates::raise_to(const Rates& other) {
     const auto [place, added] = rates_.emplace(key, rate);
     if (!added && rate.value() > place->second.value()) place->second = rate;
   }
-  if (!verdicts_) verdicts_ = other.verdicts_;
-  if (!other.verdicts_) return;
-  for (std::size_t v = 0; v < verdicts_->size(); ++v) {
-    (*verdicts_)[v] = std::max((*verdicts_)[v], (*other.verdicts_)[v]);
-  }
+  if (other.reported_share().value_or(-1) > reported_share().value_or(-1)) pairs_ = other.pairs_;
 }
 
 Rates Rates::mixed_with(const Rates& other, double of_other) const {
@@ -161,21 +153,35 @@ Rates Rates::mixed_with(const Rates& other, double of_other) const {
     mixed.rates_[key] = {static_cast<std::uint64_t>(std::llround(value * comparisons)),
                          comparisons};
   }
-  if (!verdicts_ || !other.verdicts_) return mixed;
-  VerdictShares& shares = mixed.verdicts_.emplace();
-  for (std::size_t v = 0; v < shares.size(); ++v) {
-    shares[v] = std::lerp((*verdicts_)[v], (*other.verdicts_)[v], of_other);
+  if (pairs_.empty() || other.pairs_.empty()) return mixed;
+  for (const PairsOfSet& each : pairs_) {
+    mixed.pairs_.push_back({(1 - of_other) * each.part, each.flow});
+  }
+  for (const PairsOfSet& each : other.pairs_) {
+    mixed.pairs_.push_back({of_other * each.part, each.flow});
   }
   return mixed;
 }
 
-std::optional<double> Rates::share_of(VerdictSet verdicts) const {
-  if (!verdicts_) return std::nullopt;
+std::optional<double> Rates::reported_share() const {
+  if (pairs_.empty()) return std::nullopt;
   double share = 0;
-  for (const Verdict verdict : all_verdicts) {
-    if (verdicts.contains(verdict)) share += (*verdicts_)[static_cast<std::size_t>(verdict)];
+  for (const PairsOfSet& each : pairs_) share += each.part * each.flow->reported_share();
+  return share;
+}
+
+std::optional<double> Rates::cycles_per_pair(const performance::PairwiseEngine& engine) const {
+  if (pairs_.empty()) return std::nullopt;
+  double cycles = 0;
+  for (const PairsOfSet& each : pairs_) {
+    cycles += each.part * each.flow->cycles(engine) / each.flow->pairs();
   }
-  return std::min(1.0, share);
+  return cycles;
+}
+
+void Rates::assume_nothing_reported(const performance::ItemSet& set) {
+  pairs_ = {
+      {1, std::make_shared<performance::PairwiseFlow>(performance::PairwiseData{.set = set})}};
 }
 
 std::optional<Rate> Rates::find(const RateKey& key) const {

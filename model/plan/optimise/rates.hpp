@@ -1,10 +1,10 @@
 #pragma once
 
-#include <array>
 #include <compare>
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,17 +46,22 @@ public:
   /// Reads figure5.csv as written by `mixcmp profile`. Errors name the line and the column.
   static Result<Rates> read(const std::filesystem::path& path);
 
-  /// Raises each rate, and the share of each verdict, to the larger of the two, for scenario II.
-  /// What only one of the two has is used unchanged.
+  /// Raises each rate to the larger of the two, for scenario II, and takes the pairs of which more
+  /// are reported. What only one of the two has is used unchanged.
   void raise_to(const Rates& other);
 
   /// The rates on data of which the part `of_other`, in [0, 1], is the other data. What only one of
   /// the two has is left out.
   Rates mixed_with(const Rates& other, double of_other) const;
 
-  /// The part of the comparisons, 0..1, whose verdict is one of these. None if it was not counted:
-  /// figure5.csv does not have it.
-  std::optional<double> share_of(VerdictSet verdicts) const;
+  /// The part of the pairs, 0..1, that an engine of the scene reports. None if it was not counted:
+  /// the data are no pairs, or the rates are from figure5.csv, which does not have it.
+  std::optional<double> reported_share() const;
+  /// Cycles for each pair in an engine of these numbers; none where reported_share has none.
+  std::optional<double> cycles_per_pair(const performance::PairwiseEngine& engine) const;
+
+  /// Gives rates without pairs those of such a set, of which none is reported.
+  void assume_nothing_reported(const performance::ItemSet& set);
 
   /// Lanes in fixed point have one rate for all kinds of inputs.
   std::optional<Rate> find(const RateKey& key) const;
@@ -66,10 +71,14 @@ public:
   std::vector<RateKey> keys() const;
 
 private:
-  using VerdictShares = std::array<double, all_verdicts.size()>;
+  /// Data sets of pairs, each with its part of the comparisons.
+  struct PairsOfSet {
+    double part;
+    std::shared_ptr<const performance::PairwiseFlow> flow;
+  };
 
   std::map<RateKey, Rate> rates_;
-  std::optional<VerdictShares> verdicts_;
+  std::vector<PairsOfSet> pairs_;
   std::optional<Origin> origin_;
 };
 

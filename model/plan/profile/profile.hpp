@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "model/base/number/verdict.hpp"
 #include "model/comparison/data/comparisons.hpp"
 #include "model/comparison/expression/typed_graph.hpp"
+#include "model/cost/performance/pairwise_flow.hpp"
 #include "model/scene/scene.hpp"
 
 /// Errors, recomputations and wrong verdicts of a scene's comparisons at every precision: figures 4
@@ -105,10 +105,13 @@ struct RateProfile {
   /// Undetermined true verdicts; no verdict counts as wrong for these.
   std::uint64_t undetermined = 0;
   std::uint64_t emulated = 0;  ///< lane evaluations
-  /// Comparisons by true verdict; undetermined ones left out.
-  std::array<std::uint64_t, all_verdicts.size()> verdicts = {};
+  /// Of data that are pairs: those whose true verdict an engine of the scene reports.
+  std::optional<performance::PairwiseData> pairs = {};
   std::vector<SchemeProfile> schemes;
 };
+
+/// The sizes of the sets that a pairwise engine compares on these data; none if they are no pairs.
+std::optional<performance::ItemSet> set_of(const data::Comparisons& data);
 
 RateProfile profile_rates(const scene::Scene& scene, const data::Comparisons& data,
                           const ErrorProfile& errors, const ProfileOptions& options);

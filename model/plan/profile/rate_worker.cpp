@@ -37,7 +37,6 @@ void RateTally::add(const RateTally& other) {
   true_verdicts += other.true_verdicts;
   undetermined += other.undetermined;
   emulated += other.emulated;
-  for (std::size_t k = 0; k < decisions.size(); ++k) decisions[k] += other.decisions[k];
 }
 
 RateWorker::RateWorker(const RateJob& job)
@@ -111,8 +110,17 @@ void RateWorker::find_true_verdicts(std::uint64_t first, UnsettledComparisons& u
     if (is_wrong(unsettled.reference[k], unsettled.truth[k])) ++tally_.reference_wrong;
   }
   tally_.true_verdicts += indices.size();
+  if (job_.pairs != nullptr) mark_reported(first, unsettled);
+}
+
+void RateWorker::mark_reported(std::uint64_t first, const UnsettledComparisons& unsettled) {
+  static_assert(block % 64 == 0, "blocks share no element");
+  const VerdictSet& report = job_.scene.system.engine.report;
   for (std::size_t k = 0; k < unsettled.size(); ++k) {
-    ++tally_.decisions[static_cast<std::size_t>(unsettled.truth[k])];
+    const Decision truth = unsettled.truth[k];
+    const bool is_reported =
+        truth != Decision::undecided && report.contains(static_cast<Verdict>(truth));
+    job_.pairs->reported[(first + k) / 64] |= std::uint64_t{is_reported} << (first + k) % 64;
   }
 }
 

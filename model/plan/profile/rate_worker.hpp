@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -26,6 +25,8 @@ struct RateJob {
     std::vector<std::uint32_t> of_row;
   };
   std::vector<Failing> failing;
+  /// Of data that are pairs. Each block of comparisons has elements of its own.
+  performance::PairwiseData* pairs = nullptr;
 };
 
 /// Counts over comparisons. They are integers, so the order of addition does not matter.
@@ -33,7 +34,6 @@ struct RateTally {
   /// counts[scheme][precision - first precision].
   std::vector<std::vector<SchemeCounts>> counts;
   std::uint64_t reference_wrong = 0, true_verdicts = 0, undetermined = 0, emulated = 0;
-  std::array<std::uint64_t, all_verdicts.size() + 1> decisions = {};  ///< true ones, by Decision
 
   explicit RateTally(const RateJob& job);
   void add(const RateTally& other);
@@ -60,6 +60,7 @@ private:
   void make_room(std::size_t band, std::size_t count);
   void classify(const PrecisionBand& band, UnsettledComparisons& unsettled, bool is_first);
   void find_true_verdicts(std::uint64_t first, UnsettledComparisons& unsettled);
+  void mark_reported(std::uint64_t first, const UnsettledComparisons& unsettled);
   void settle_finished(const PrecisionBand& band, const UnsettledComparisons& unsettled);
   void run_scheme(const PrecisionBand& band, std::size_t scheme,
                   const UnsettledComparisons& unsettled);

@@ -3,6 +3,7 @@
 #include <mutex>
 #include <utility>
 
+#include "model/base/common/check.hpp"
 #include "model/judge/golden/fixed_evaluate.hpp"
 #include "model/plan/profile/rate_worker.hpp"
 
@@ -135,6 +136,18 @@ bool SchemeProfile::exists() const {
                      [](const SchemeCounts& each) { return each.exists; });
 }
 
+std::optional<performance::ItemSet> set_of(const data::Comparisons& data) {
+  switch (data.pairing()) {
+    case data::Pairing::all: return performance::ItemSet{.items = data.table().rows()};
+    case data::Pairing::cross:
+      return performance::ItemSet{.items = data.tables()[0].rows(),
+                                  .others = data.tables()[1].rows()};
+    case data::Pairing::rows:
+    case data::Pairing::arg_min: return std::nullopt;
+  }
+  MIXCMP_CHECK(false);
+}
+
 RateProfile profile_rates(const scene::Scene& scene, const data::Comparisons& data,
                           const ErrorProfile& errors, const ProfileOptions& options) {
   const std::vector<SchemeLanes> schemes = make_schemes(scene, errors, options.bounds);
@@ -146,6 +159,11 @@ RateProfile profile_rates(const scene::Scene& scene, const data::Comparisons& da
               .bands = {},
               .reference = emulator::Emulator(reference_graph(scene.graph, scene.reference)),
               .failing = {}};
+  std::optional<performance::PairwiseData> pairs;
+  if (const auto set = set_of(data)) {
+    job.pairs = &pairs.emplace(performance::PairwiseData{.set = *set});
+    pairs->reported.resize((data.size() + 63) / 64);
+  }
   find_failing(job);
   add_bands(job, errors);
   const RateTally tally = run(job, options);
@@ -156,9 +174,8 @@ RateProfile profile_rates(const scene::Scene& scene, const data::Comparisons& da
                       .true_verdicts = tally.true_verdicts,
                       .undetermined = tally.undetermined,
                       .emulated = tally.emulated,
-                      .verdicts = {},
+                      .pairs = std::move(pairs),
                       .schemes = {}};
-  std::copy_n(tally.decisions.begin(), profile.verdicts.size(), profile.verdicts.begin());
   std::size_t counted = 0;
   for (const SchemeLanes& scheme : schemes) {
     SchemeProfile& row = profile.schemes.emplace_back(

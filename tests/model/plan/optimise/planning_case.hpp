@@ -87,12 +87,9 @@ protected:
               [](const auto& a, const auto& b) { return a.key < b.key; });
   }
 
-  /// Undecided of a million, by precision, for exact inputs; profiled lanes the same. `less`: those
-  /// of a million with this verdict; the others are greater.
-  static optimise::Rates rates_of(const std::map<int, std::uint64_t>& undecided,
-                                  std::uint64_t less = 0) {
+  /// Undecided of a million, by precision, for exact inputs; profiled lanes the same.
+  static profile::RateProfile profile_of(const std::map<int, std::uint64_t>& undecided) {
     profile::RateProfile profile{.comparisons = 1'000'000};
-    profile.verdicts = {less, 0, profile.comparisons - less, 0};
     for (const auto& [name, kind] : {std::pair("relative", profile::SchemeKind::certified),
                                      std::pair("profiled", profile::SchemeKind::profiled)}) {
       profile.schemes.push_back({.name = name,
@@ -106,6 +103,21 @@ protected:
         profile.schemes.back().counts.push_back(
             {.exists = exists, .undecided = exists ? found->second : 0});
       }
+    }
+    return profile;
+  }
+
+  /// With the pairs of 2000 items. `reported`: those of a million that an engine reports.
+  static optimise::Rates rates_of(const std::map<int, std::uint64_t>& undecided,
+                                  std::uint64_t reported = 0) {
+    profile::RateProfile profile = profile_of(undecided);
+    performance::PairwiseData& pairs =
+        profile.pairs.emplace(performance::PairwiseData{.set = {.items = 2000}});
+    pairs.reported.resize((pairs.pairs() + 63) / 64);
+    for (std::uint64_t k = 0; k < pairs.pairs(); ++k) {
+      const double drawn = static_cast<double>(k * 0x9E3779B97F4A7C15ull >> 11) * 0x1p-53;
+      const bool is_reported = drawn < 1e-6 * static_cast<double>(reported);
+      pairs.reported[k / 64] |= std::uint64_t{is_reported} << k % 64;
     }
     return optimise::Rates::of({profile});
   }

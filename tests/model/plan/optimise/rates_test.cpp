@@ -43,31 +43,45 @@ TEST(RateValue, NoneUndecidedIsNotTakenForNever) {
   EXPECT_DOUBLE_EQ((Rate{0, 2}).value(), 1);
 }
 
-Rates with_verdicts(std::uint64_t less, std::uint64_t equal) {
-  profile::RateProfile profile{.comparisons = 100};
-  profile.verdicts = {less, equal, 100 - less - equal, 0};
+/// Of 64 pairs of items the first `reported` ones are reported.
+Rates with_pairs(int reported) {
+  profile::RateProfile profile{.comparisons = 64};
+  profile.pairs = {.set = {.items = 8, .others = 8},
+                   .reported = {(std::uint64_t{1} << reported) - 1}};
   return Rates::of({profile});
 }
 
-TEST(RatesOfVerdicts, AreTheirPartOfAllComparisons) {
-  const Rates rates = with_verdicts(20, 5);
-  EXPECT_DOUBLE_EQ(rates.share_of({Verdict::less, Verdict::equal}).value(), 0.25);
-  EXPECT_DOUBLE_EQ(rates.share_of({}).value(), 0);
-  EXPECT_DOUBLE_EQ(rates.share_of({Verdict::greater}).value(), 0.75);
-  EXPECT_FALSE(Rates().share_of({Verdict::less})) << "nothing was counted";
+constexpr performance::PairwiseEngine engine_of_8{.lanes = 8, .lane_latency_cycles = 5};
+
+TEST(RatesOfPairs, KnowWhatIsReportedAndTheCyclesForIt) {
+  EXPECT_DOUBLE_EQ(with_pairs(16).reported_share().value(), 0.25);
+  EXPECT_GT(with_pairs(60).cycles_per_pair(engine_of_8).value(),
+            with_pairs(0).cycles_per_pair(engine_of_8).value());
+  EXPECT_FALSE(Rates().reported_share()) << "nothing was counted";
+  EXPECT_FALSE(Rates().cycles_per_pair(engine_of_8));
 }
 
-TEST(RatesOfVerdicts, OfTwoDataSetsAreMixedOrTheLarger) {
-  const Rates a = with_verdicts(20, 5), b = with_verdicts(60, 1);
-  EXPECT_DOUBLE_EQ(a.mixed_with(b, 0.25).share_of({Verdict::less}).value(), 0.3);
-  EXPECT_FALSE(a.mixed_with(Rates(), 0.25).share_of({Verdict::less}));
-  Rates worst = a;
-  worst.raise_to(b);
-  EXPECT_DOUBLE_EQ(worst.share_of({Verdict::less}).value(), 0.6);
-  EXPECT_DOUBLE_EQ(worst.share_of({Verdict::equal}).value(), 0.05);
-  Rates none;
-  none.raise_to(b);
-  EXPECT_DOUBLE_EQ(none.share_of({Verdict::less}).value(), 0.6);
+TEST(RatesOfPairs, OfTwoDataSetsAreMixedOrThoseWithMoreReports) {
+  const Rates a = with_pairs(16), b = with_pairs(60);
+  const Rates mixed = a.mixed_with(b, 0.25);
+  EXPECT_DOUBLE_EQ(mixed.reported_share().value(), 0.25 + 0.25 * (60.0 / 64 - 0.25));
+  EXPECT_DOUBLE_EQ(mixed.cycles_per_pair(engine_of_8).value(),
+                   0.75 * a.cycles_per_pair(engine_of_8).value() +
+                       0.25 * b.cycles_per_pair(engine_of_8).value());
+  EXPECT_FALSE(a.mixed_with(Rates(), 0.25).reported_share());
+  for (Rates worst : {a, b, Rates()}) {
+    worst.raise_to(b);
+    EXPECT_DOUBLE_EQ(worst.reported_share().value(), 60.0 / 64);
+    worst.raise_to(a);
+    EXPECT_DOUBLE_EQ(worst.reported_share().value(), 60.0 / 64);
+  }
+}
+
+TEST(RatesOfPairs, MayAssumeThatNothingIsReported) {
+  Rates rates;
+  rates.assume_nothing_reported({.items = 8, .others = 8});
+  EXPECT_DOUBLE_EQ(rates.reported_share().value(), 0);
+  EXPECT_EQ(rates.cycles_per_pair(engine_of_8), with_pairs(0).cycles_per_pair(engine_of_8));
 }
 
 TEST_F(RatesFile, GivesWhatAProfileCounted) {

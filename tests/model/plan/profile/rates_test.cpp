@@ -91,11 +91,13 @@ void expect_golden(const Scene& scene, const Comparisons& data, const ErrorProfi
   const auto wrong = std::count_if(truth.begin(), truth.end(),
                                    [](const Truth& t) { return t.reference != t.real; });
   EXPECT_EQ(profile.reference_wrong, static_cast<std::uint64_t>(wrong)) << what;
-  for (const Verdict verdict : all_verdicts) {
-    const auto all = std::count_if(truth.begin(), truth.end(),
-                                   [&](const Truth& t) { return t.real == verdict; });
-    EXPECT_EQ(profile.verdicts[static_cast<std::size_t>(verdict)], static_cast<std::uint64_t>(all))
-        << what << ": " << to_string(verdict);
+  const bool are_pairs =
+      data.pairing() == data::Pairing::all || data.pairing() == data::Pairing::cross;
+  ASSERT_EQ(profile.pairs.has_value(), are_pairs) << what;
+  for (std::size_t k = 0; profile.pairs && k < truth.size(); ++k) {
+    const bool is_reported = scene.system.engine.report.contains(truth[k].real);
+    EXPECT_EQ(profile.pairs->reported[k / 64] >> k % 64 & 1, is_reported ? 1u : 0u)
+        << what << ": " << k;
   }
   const std::vector<SchemeLanes> schemes = make_schemes(scene, errors);
   ASSERT_EQ(profile.schemes.size(), schemes.size());

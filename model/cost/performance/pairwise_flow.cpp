@@ -1,0 +1,425 @@
+#include "model/cost/performance/pairwise_flow.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <deque>
+#include <numeric>
+
+#include "model/base/common/check.hpp"
+#include "model/design/slots.hpp"
+
+namespace mixcmp::performance {
+namespace {
+
+/// Cycles in which an engine converts the first item, and in which the closing beats pass the
+/// trees: about as many in simulated engines of 13 to 35 segments.
+constexpr int closing_cycles = 30;
+
+/// Words times segments that are simulated of a large set: about 10 ms.
+constexpr std::uint64_t most_steps = std::uint64_t{1} << 18;
+/// Cycles for each word, by the busiest stream or by the references, beyond which nothing else
+/// limits an engine, and a simulation would take long to say so.
+constexpr double overloaded = 3;
+/// Consecutive words of a sample.
+constexpr std::uint64_t window = 256;
+
+/// A word on its way through the chain.
+struct Word {
+  std::uint64_t row = 0;    ///< of the counts
+  std::uint64_t needs = 0;  ///< items that have to be loaded before it is read
+  int stays = -1;           ///< the segment in which it stays; -1: in none
+};
+
+/// The words of a set, or of a sample of it, in the order in which they enter the chain, and the
+/// reported pairs that each of them forms in each segment.
+struct Walk {
+  int segments = 1;
+  std::vector<Word> words;
+  std::vector<std::uint8_t> counts;  ///< by word and segment
+  std::uint64_t pairs = 0;
+  std::uint64_t reported = 0;
+  std::uint64_t all_words = 0;  ///< of the set
+
+  /// How often a word passes a segment.
+  std::uint64_t passes() const {
+    std::uint64_t sum = 0;
+    for (const Word& word : words) {
+      sum += static_cast<std::uint64_t>(word.stays < 0 ? segments : word.stays + 1);
+    }
+    return sum;
+  }
+
+  int count(const Word& word, int segment) const {
+    return counts[word.row * static_cast<std::uint64_t>(segments) +
+                  static_cast<std::uint64_t>(segment)];
+  }
+};
+
+/// Walks a set block by block, as pair_walker.v does.
+class Walker {
+public:
+  Walker(const PairwiseData& data, const PairwiseEngine& engine) : data_(data), engine_(engine) {
+    walk_.segments = (engine.lanes + engine.lanes_per_segment - 1) / engine.lanes_per_segment;
+    walk_.all_words = pairwise_word_cycles(data.set.items, data.set.others, engine.lanes) + 1;
+  }
+
+  Walk walk() {
+    const std::uint64_t budget =
+        std::max(window, most_steps / static_cast<std::uint64_t>(walk_.segments));
+    const std::uint64_t every = std::max<std::uint64_t>(1, walk_.all_words / budget);
+    const auto lanes = static_cast<std::uint64_t>(engine_.lanes);
+    std::uint64_t entered = 0;  // words of the set so far
+    for (std::uint64_t base = 0; base < data_.set.items; base += lanes) {
+      const std::uint64_t held = std::min(lanes, data_.set.items - base);
+      const std::uint64_t words =
+          data_.set.others > 0 ? held + data_.set.others : data_.set.items - base;
+      for (std::uint64_t first = 0; first < words;) {
+        const std::uint64_t last = std::min(words, first + window - (entered + first) % window);
+        const bool is_sampled = (entered + first) / window % every == 0;
+        if (is_sampled) add(base, held, first, last);
+        first = last;
+      }
+      entered += words;
+    }
+    close();
+    return std::move(walk_);
+  }
+
+private:
+  /// Adds the words first .. last - 1 of the block that holds the items base .. base + held - 1.
+  void add(std::uint64_t base, std::uint64_t held, std::uint64_t first, std::uint64_t last) {
+    const std::uint64_t row = walk_.words.size();
+    const std::uint64_t items = data_.set.items;
+    for (std::uint64_t offset = first; offset < last; ++offset) {
+      const bool stays = offset < held;
+      const std::uint64_t item = data_.set.others == 0 ? base + offset
+                                 : stays               ? items
+                                                       : items + offset - held;
+      walk_.words.push_back(
+          {.row = row + offset - first,
+           .needs = item + 1,
+           .stays = stays ? static_cast<int>(offset) / engine_.lanes_per_segment : -1});
+    }
+    walk_.counts.resize(walk_.words.size() * static_cast<std::uint64_t>(walk_.segments));
+    for (std::uint64_t k = 0; k < held; ++k) {
+      // Item base + k meets the words behind it, or all of the second table.
+      const std::uint64_t meets = data_.set.others == 0 ? k + 1 : held;
+      const std::uint64_t from = std::max(first, meets);
+      if (from >= last) continue;
+      count_reported(row + from - first, static_cast<int>(k) / engine_.lanes_per_segment,
+                     first_pair(base + k) + from - meets, last - from);
+    }
+  }
+
+  /// Adds the word that closes the set. It forms no pair and passes all segments.
+  void close() {
+    walk_.words.push_back({.row = walk_.words.size()});
+    walk_.counts.resize(walk_.words.size() * static_cast<std::uint64_t>(walk_.segments));
+  }
+
+  /// The number of the first pair of item i.
+  std::uint64_t first_pair(std::uint64_t i) const {
+    return data_.set.others > 0 ? i * data_.set.others : i * data_.set.items - i * (i + 1) / 2;
+  }
+
+  void count_reported(std::uint64_t row, int segment, std::uint64_t pair, std::uint64_t pairs) {
+    walk_.pairs += pairs;
+    if (data_.reported.empty()) return;
+    const auto segments = static_cast<std::uint64_t>(walk_.segments);
+    for (std::uint64_t k = 0; k < pairs;) {
+      const std::uint64_t bit = (pair + k) % 64;
+      const std::uint64_t bits = data_.reported[(pair + k) / 64] >> bit;
+      if (bits == 0) {
+        k += 64 - bit;
+        continue;
+      }
+      k += static_cast<std::uint64_t>(std::countr_zero(bits));
+      if (k >= pairs) break;
+      ++walk_.counts[(row + k) * segments + static_cast<std::uint64_t>(segment)];
+      ++walk_.reported;
+      ++k;
+    }
+  }
+
+  const PairwiseData& data_;
+  const PairwiseEngine& engine_;
+  Walk walk_;
+};
+
+/// A beat in a queue of exceptions: what its pairs send out, and those to recompute among them.
+struct Beat {
+  std::uint64_t ready = 0;  ///< the cycle in which it can leave
+  int reports = 0;
+  int undecided = 0;
+};
+
+/// stream_fifo.v of two words and its output register: the link in front of a segment.
+class Link {
+public:
+  bool is_full() const { return count_ == places; }
+  bool is_empty() const { return count_ == 0; }
+  void push(const Word& word, std::uint64_t cycle) {
+    const int place = (head_ + count_++) % places;
+    words_[place] = word;
+    ready_[place] = cycle + latency_cycles;
+  }
+  bool is_ready(std::uint64_t cycle) const { return count_ > 0 && ready_[head_] <= cycle; }
+  const Word& front() const { return words_[head_]; }
+  void pop() {
+    head_ = (head_ + 1) % places;
+    --count_;
+  }
+
+private:
+  static constexpr int places = 3;
+  static constexpr int latency_cycles = 2;
+
+  std::array<Word, places> words_;
+  std::array<std::uint64_t, places> ready_ = {};
+  int head_ = 0, count_ = 0;
+};
+
+struct Segment {
+  Link link;
+  bool was_full = false;  ///< the link, when the cycle began
+  std::deque<Beat> queue;
+  int arrived = 0;  ///< beats of the queue that have left the lanes
+  double undecided = 0, twice = 0;
+};
+
+/// A stream of reports with the segments that it serves.
+struct Stream {
+  int first = 0, segments = 1;
+  int turn = 0;                            ///< the segment served next
+  std::array<std::uint64_t, 4> free = {};  ///< the cycle in which a subtree of the root can send
+  std::deque<Beat> entries;
+  Beat current;
+};
+
+/// The words that leave for a word with so many reported pairs in a segment.
+int reports_of(int reported, scene::ReportForm form) {
+  switch (form) {
+    case scene::ReportForm::pairs: return reported;
+    case scene::ReportForm::bitmap: return std::min(reported, 1);
+    case scene::ReportForm::count: return 0;
+  }
+  MIXCMP_CHECK(false);
+}
+
+/// The segment at which the segments of a stream begin, as in pairwise_engine.v.
+int first_segment(int stream, int segments, int streams) {
+  return stream * segments / streams;
+}
+
+/// Cycles that the busiest stream of reports and the references need at least.
+double least_cycles(const Walk& walk, const PairwiseEngine& engine) {
+  std::vector<std::uint64_t> of_segment(static_cast<std::size_t>(walk.segments));
+  for (const Word& word : walk.words) {
+    for (int s = 0; s < walk.segments; ++s) {
+      of_segment[s] +=
+          static_cast<std::uint64_t>(reports_of(walk.count(word, s), engine.report_as));
+    }
+  }
+  const double undecided = engine.undecided * static_cast<double>(walk.pairs);
+  double least = undecided / engine.recomputations_per_cycle;
+  for (int s = 0; s < engine.streams; ++s) {
+    const auto from = of_segment.begin() + first_segment(s, walk.segments, engine.streams);
+    const auto to = of_segment.begin() + first_segment(s + 1, walk.segments, engine.streams);
+    const auto reports = static_cast<double>(std::accumulate(from, to, std::uint64_t{0}));
+    least = std::max(least, reports + undecided / engine.streams);
+  }
+  return least;
+}
+
+/// One engine on one walk, cycle by cycle.
+class Simulation {
+public:
+  /// `items`: those that are loaded meanwhile.
+  Simulation(const Walk& walk, const PairwiseEngine& engine, std::uint64_t items)
+      : walk_(walk),
+        engine_(engine),
+        to_load_(items),
+        segments_(static_cast<std::size_t>(walk.segments)),
+        streams_(static_cast<std::size_t>(engine.streams)) {
+    const int count = engine.streams;
+    for (int s = 0; s < count; ++s) {
+      streams_[s].first = first_segment(s, walk.segments, count);
+      streams_[s].segments = first_segment(s + 1, walk.segments, count) - streams_[s].first;
+    }
+    const double undecided = engine.undecided * static_cast<double>(walk.pairs);
+    is_spread_ = static_cast<double>(walk.reported) < undecided;
+    undecided_ =
+        undecided / std::max(1.0, static_cast<double>(is_spread_ ? walk.passes() : walk.reported));
+    const int bits = design::segment_queue_bits(engine.lane_latency_cycles);
+    most_queued_ = design::beats_before_stop(bits, engine.lane_latency_cycles);
+  }
+
+  std::uint64_t run() {
+    while (next_ < walk_.words.size() || in_chain_ > 0 || beats_ > 0 || waiting_ > 0) {
+      step();
+      ++cycle_;
+    }
+    return cycle_;
+  }
+
+private:
+  static constexpr int entry_places = 3;  ///< of the FIFO in front of a stream's expander
+  static constexpr int pair_places = 4;   ///< in front of the items' memory
+
+  void step() {
+    for (Segment& segment : segments_) segment.was_full = segment.link.is_full();
+    use_memory();
+    for (Stream& stream : streams_) serve(stream);
+    for (int s = walk_.segments; s-- > 0;) pass(s);
+    enter();
+  }
+
+  /// The items' memory reads a pair, or else an item can be stored.
+  void use_memory() {
+    const double rate = engine_.recomputations_per_cycle;
+    started_ = std::min(1 + rate, started_ + rate);
+    if (waiting_ > 0 && started_ >= 1) {
+      --waiting_;
+      started_ -= 1;
+    } else if (to_load_ > 0) {
+      --to_load_;
+      ++loaded_;
+    }
+  }
+
+  /// The stream's expander sends a pair, and its tree fetches a beat.
+  void serve(Stream& stream) {
+    Beat& current = stream.current;
+    if (current.reports > 0) {
+      --current.reports;
+    } else if (current.undecided > 0 && waiting_ < pair_places) {
+      --current.undecided;
+      ++waiting_;
+    }
+    if (current.reports == 0 && current.undecided == 0 && !stream.entries.empty()) {
+      current = stream.entries.front();
+      stream.entries.pop_front();
+      --beats_;
+    }
+    if (static_cast<int>(stream.entries.size()) < entry_places) fetch(stream);
+  }
+
+  /// A tree has at most four inputs in its root; a subtree below it sends in every other cycle.
+  void fetch(Stream& stream) {
+    for (int k = 0; k < stream.segments; ++k) {
+      const int place = (stream.turn + k) % stream.segments;
+      Segment& segment = segments_[stream.first + place];
+      if (segment.arrived == 0) continue;
+      std::uint64_t& free = stream.free[place * stream.free.size() / stream.segments];
+      if (stream.segments > static_cast<int>(stream.free.size()) && free > cycle_) continue;
+      free = cycle_ + 2;
+      stream.entries.push_back(segment.queue.front());
+      segment.queue.pop_front();
+      --segment.arrived;
+      stream.turn = (place + 1) % stream.segments;
+      return;
+    }
+  }
+
+  /// The word in front of a segment goes past its lanes and to the next segment.
+  void pass(int number) {
+    Segment& segment = segments_[number];
+    while (segment.arrived < static_cast<int>(segment.queue.size()) &&
+           segment.queue[segment.arrived].ready <= cycle_) {
+      ++segment.arrived;
+    }
+    if (!segment.link.is_ready(cycle_) || segment.arrived > most_queued_) return;
+    const Word word = segment.link.front();
+    const bool leaves = word.stays != number && number + 1 < walk_.segments;
+    if (leaves && segments_[number + 1].was_full) return;
+    segment.link.pop();
+    if (leaves) {
+      segments_[number + 1].link.push(word, cycle_);
+    } else {
+      --in_chain_;
+    }
+    push_exceptions(segment, walk_.count(word, number));
+  }
+
+  void push_exceptions(Segment& segment, int reported) {
+    int undecided = 0;
+    segment.undecided += is_spread_ ? undecided_ : reported * undecided_;
+    for (; segment.undecided >= 1; segment.undecided -= 1) {
+      ++undecided;
+      segment.twice += 0.5;
+      if (segment.twice < 1 || reported == 0) continue;
+      segment.twice -= 1;
+      --reported;
+    }
+    reported = reports_of(reported, engine_.report_as);
+    if (reported + undecided == 0) return;
+    constexpr std::uint64_t way_to_queue_cycles = 3;
+    const auto latency = static_cast<std::uint64_t>(engine_.lane_latency_cycles);
+    segment.queue.push_back({cycle_ + latency + way_to_queue_cycles, reported, undecided});
+    ++beats_;
+  }
+
+  void enter() {
+    if (next_ == walk_.words.size() || segments_.front().was_full) return;
+    const Word& word = walk_.words[next_];
+    if (to_load_ > 0 && word.needs > loaded_) return;
+    segments_.front().link.push(word, cycle_);
+    ++in_chain_;
+    ++next_;
+  }
+
+  const Walk& walk_;
+  const PairwiseEngine& engine_;
+  std::uint64_t to_load_;  ///< items
+  std::vector<Segment> segments_;
+  std::vector<Stream> streams_;
+  bool is_spread_ = false;  ///< undecided pairs are spread over all words
+  double undecided_ = 0;    ///< of a word, or of a reported pair
+  int most_queued_ = 0;
+  std::uint64_t cycle_ = 0;
+  std::uint64_t next_ = 0;      ///< the word that enters next
+  std::uint64_t in_chain_ = 0;  ///< words
+  std::uint64_t beats_ = 0;     ///< in queues
+  std::uint64_t loaded_ = 0;    ///< items
+  int waiting_ = 0;             ///< pairs in front of the items' memory
+  double started_ = 0;          ///< recomputations that could have started
+};
+
+}  // namespace
+
+std::uint64_t PairwiseData::pairs() const {
+  return set.others > 0 ? set.items * set.others : set.items * (set.items - 1) / 2;
+}
+
+double PairwiseData::reported_share() const {
+  std::uint64_t count = 0;
+  for (const std::uint64_t bits : reported) {
+    count += static_cast<std::uint64_t>(std::popcount(bits));
+  }
+  return pairs() == 0 ? 0 : static_cast<double>(count) / static_cast<double>(pairs());
+}
+
+PairwiseFlow::PairwiseFlow(PairwiseData data)
+    : data_(std::move(data)), reported_share_(data_.reported_share()) {}
+
+double PairwiseFlow::cycles(const PairwiseEngine& engine) const {
+  const std::lock_guard lock(mutex_);
+  const auto [place, is_new] = known_.try_emplace(engine);
+  if (!is_new) return place->second;
+  const Walk walk = Walker(data_, engine).walk();
+  const bool is_sampled = walk.words.size() < walk.all_words;
+  const ItemSet& set = data_.set;
+  const double part = static_cast<double>(walk.words.size()) / static_cast<double>(walk.all_words);
+  double cycles = least_cycles(walk, engine);
+  if (cycles < overloaded * static_cast<double>(walk.words.size())) {
+    // While the first block of a large set passes, its items come; targets come before that.
+    Simulation simulation(walk, engine, is_sampled ? 0 : set.items + set.others);
+    cycles = static_cast<double>(simulation.run());
+  }
+  place->second = cycles / part + closing_cycles + engine.lane_latency_cycles;
+  if (is_sampled && set.others > 0) place->second += static_cast<double>(set.items);
+  return place->second;
+}
+
+}  // namespace mixcmp::performance

@@ -1,0 +1,120 @@
+#include "model/cost/performance/pairwise_flow.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace mixcmp::test::pairwise_flow_test {
+namespace {
+
+using performance::ItemSet;
+using performance::pairwise_word_cycles;
+using performance::PairwiseData;
+using performance::PairwiseEngine;
+using performance::PairwiseFlow;
+
+/// Pairs of which those with such numbers are reported.
+PairwiseData data_of(ItemSet set, const std::function<bool(std::uint64_t)>& is_reported) {
+  PairwiseData data{.set = set};
+  data.reported.resize((data.pairs() + 63) / 64);
+  for (std::uint64_t k = 0; k < data.pairs(); ++k) {
+    data.reported[k / 64] |= std::uint64_t{is_reported(k)} << k % 64;
+  }
+  return data;
+}
+
+PairwiseData none_of(ItemSet set) {
+  return {.set = set};
+}
+
+/// One in `every` pairs, without a pattern.
+bool is_drawn(std::uint64_t pair, std::uint64_t every) {
+  return (pair * 0x9E3779B97F4A7C15ull >> 40) % every == 0;
+}
+
+constexpr PairwiseEngine engine_of_64{
+    .lanes = 64, .lanes_per_segment = 8, .streams = 1, .lane_latency_cycles = 6};
+
+/// Words enter one a cycle and pass eight segments in three cycles each.
+TEST(PairwiseFlow, WithoutReportsTakesTheCyclesOfItsWords) {
+  for (const ItemSet set : {ItemSet{.items = 500}, ItemSet{.items = 65}, ItemSet{.items = 9}}) {
+    const auto words = static_cast<double>(pairwise_word_cycles(set.items, 0, 64));
+    const double cycles = PairwiseFlow(none_of(set)).cycles(engine_of_64);
+    EXPECT_GT(cycles, words) << set.items;
+    EXPECT_LT(cycles, words + 24 + 60) << set.items;
+  }
+}
+
+TEST(PairwiseFlow, LoadsAllTargetsBeforeTheOthersMeetThem) {
+  const ItemSet set{.items = 100, .others = 300};
+  const auto words = static_cast<double>(pairwise_word_cycles(100, 300, 64));
+  const double cycles = PairwiseFlow(none_of(set)).cycles(engine_of_64);
+  EXPECT_GT(cycles, 100 + words);
+  EXPECT_LT(cycles, 100 + words + 24 + 60);
+}
+
+TEST(PairwiseFlow, AStreamTakesOneReportACycle) {
+  const PairwiseFlow all(data_of({.items = 600}, [](std::uint64_t) { return true; }));
+  EXPECT_DOUBLE_EQ(all.reported_share(), 1);
+  for (const int streams : {1, 2, 8}) {
+    PairwiseEngine engine = engine_of_64;
+    engine.streams = streams;
+    EXPECT_NEAR(all.cycles(engine) / (all.pairs() / streams), 1, 0.1) << streams;
+  }
+}
+
+/// A word with the eight lanes of a segment is one report.
+TEST(PairwiseFlow, ABitmapIsOneReport) {
+  const PairwiseFlow all(data_of({.items = 300}, [](std::uint64_t) { return true; }));
+  PairwiseEngine engine = engine_of_64;
+  engine.report_as = scene::ReportForm::bitmap;
+  EXPECT_NEAR(all.cycles(engine) / (all.pairs() / 8), 1, 0.15);
+  engine.report_as = scene::ReportForm::count;
+  EXPECT_EQ(all.cycles(engine), PairwiseFlow(none_of({.items = 300})).cycles(engine_of_64));
+}
+
+/// One pair in 100 is reported. Spread out, 64 lanes report in two of three cycles; the same number
+/// beside each other fills the queues.
+TEST(PairwiseFlow, BurstsTakeLongerThanSpreadReports) {
+  constexpr std::uint64_t items = 1000;
+  const PairwiseFlow spread(
+      data_of({.items = items}, [](std::uint64_t k) { return is_drawn(k, 100); }));
+  const PairwiseFlow bursts(
+      data_of({.items = items}, [](std::uint64_t k) { return is_drawn(k / 500, 100); }));
+  EXPECT_NEAR(bursts.reported_share(), spread.reported_share(), 0.004);
+  const auto words = static_cast<double>(pairwise_word_cycles(items, 0, 64));
+  EXPECT_LT(spread.cycles(engine_of_64), 1.05 * words);
+  EXPECT_GT(bursts.cycles(engine_of_64), 1.2 * words);
+}
+
+/// Lanes that leave one pair in 50 undecided ask for 1.28 recomputations a cycle.
+TEST(PairwiseFlow, WaitsForItsReferences) {
+  const PairwiseFlow flow(none_of({.items = 600}));
+  PairwiseEngine engine = engine_of_64;
+  engine.undecided = 0.02;
+  EXPECT_NEAR(flow.cycles(engine) / (0.02 * flow.pairs()), 1, 0.2) << "and stores items";
+  engine.recomputations_per_cycle = 0.25;
+  EXPECT_NEAR(flow.cycles(engine) / (0.02 * flow.pairs() * 4), 1, 0.1);
+}
+
+/// The items' memory reads a pair or stores an item: while a set of one block is loaded, each
+/// recomputation holds up a word.
+TEST(PairwiseFlow, ARecomputationHoldsUpAnItem) {
+  const PairwiseFlow flow(none_of({.items = 64}));
+  PairwiseEngine engine = engine_of_64;
+  const double without = flow.cycles(engine);
+  engine.undecided = 0.01;  // of 2016 pairs
+  EXPECT_NEAR(flow.cycles(engine) - without, 20, 12);
+}
+
+TEST(PairwiseFlow, OfALargeSetIsThatOfASample) {
+  for (const ItemSet set : {ItemSet{.items = 5000}, ItemSet{.items = 3000, .others = 4000}}) {
+    const PairwiseFlow flow(data_of(set, [](std::uint64_t k) { return is_drawn(k, 1000); }));
+    const auto words = static_cast<double>(pairwise_word_cycles(set.items, set.others, 64));
+    const double load = set.others > 0 ? static_cast<double>(set.items) : 0;
+    EXPECT_NEAR(flow.cycles(engine_of_64) / (words + load), 1, 0.02) << set.items;
+  }
+}
+
+}  // namespace
+}  // namespace mixcmp::test::pairwise_flow_test
