@@ -157,6 +157,8 @@ struct Beat {
 /// stream_fifo.v of two words and its output register: the link in front of a segment.
 class Link {
 public:
+  static constexpr int latency_cycles = 2;
+
   bool is_full() const { return count_ == places; }
   bool is_empty() const { return count_ == 0; }
   void push(const Word& word, std::uint64_t cycle) {
@@ -173,7 +175,6 @@ public:
 
 private:
   static constexpr int places = 3;
-  static constexpr int latency_cycles = 2;
 
   std::array<Word, places> words_;
   std::array<std::uint64_t, places> ready_ = {};
@@ -411,13 +412,14 @@ double PairwiseFlow::cycles(const PairwiseEngine& engine) const {
   const bool is_sampled = walk.words.size() < walk.all_words;
   const ItemSet& set = data_.set;
   const double part = static_cast<double>(walk.words.size()) / static_cast<double>(walk.all_words);
+  const double way = Link::latency_cycles * walk.segments;  // of the last word through the chain
   double cycles = least_cycles(walk, engine);
   if (cycles < overloaded * static_cast<double>(walk.words.size())) {
     // While the first block of a large set passes, its items come; targets come before that.
     Simulation simulation(walk, engine, is_sampled ? 0 : set.items + set.others);
-    cycles = static_cast<double>(simulation.run());
+    cycles = static_cast<double>(simulation.run()) - way;
   }
-  place->second = cycles / part + closing_cycles + engine.lane_latency_cycles;
+  place->second = cycles / part + way + closing_cycles + engine.lane_latency_cycles;
   if (is_sampled && set.others > 0) place->second += static_cast<double>(set.items);
   return place->second;
 }
