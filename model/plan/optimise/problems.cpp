@@ -449,10 +449,12 @@ double recomputations_per_cycle(const PrecisionPlan& plan, const Allocation& cho
   return started > 0 ? std::min(1.0, started) : 1;  // without references undecided pairs leave
 }
 
+/// The part of the throughput of any number of lanes with which a pairwise engine has enough lanes.
+constexpr double enough = 0.98;
+
 /// The least number of lanes with which the plan's engine makes 98 % of the pairs per cycle that it
-/// makes with as many as its items have use for: more would wait for streams of reports.
+/// makes with as many as its items have use for.
 int most_useful_lanes(const PrecisionPlan& plan, const PrecisionSearch& search) {
-  constexpr double enough = 0.98;
   const int group = search.system().engine.lanes_per_segment();
   const int least = search.system().engine.report_streams;  // groups: each stream has one
   int most = settings::limits::engine_lanes.most / group;
@@ -482,6 +484,8 @@ void count_idle_cycles(PrecisionPlan& plan, const PrecisionSearch& search) {
     const performance::PairwiseEngine engine =
         engine_of(plan, search.system(), chosen->lane_count());
     plan.busy = busy_share(engine, rates, plan.counts_idle_lanes).value_or(1);
+    plan.fills_streams = chosen->lane_count() == plan.problem.max_lanes &&
+                         busy_share(engine, rates, false).value_or(1) < enough;
   }
   if (!plan.counts_idle_lanes || plan.bound_per_s == 0) return;
   double least_interval_s = std::numeric_limits<double>::infinity();
@@ -505,8 +509,6 @@ PrecisionPlan plan_of_pairwise_engine(PrecisionSearch& search, const Rows& rows)
   plan.problem.min_lanes = engine.report_streams * engine.lanes_per_segment();
   plan.problem.max_lanes = most_useful_lanes(plan, search);
   solve(plan, search);
-  const Allocation* chosen = plan.allocation();
-  plan.fills_streams = chosen != nullptr && chosen->lane_count() == plan.problem.max_lanes;
   count_idle_cycles(plan, search);
   return plan;
 }
