@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "model/base/common/counter_random.hpp"
 #include "verilator_tb/arg_min_judge.hpp"
 #include "verilator_tb/engine_model.hpp"
 #include "verilator_tb/engine_verify.hpp"

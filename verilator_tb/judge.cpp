@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <numeric>
 
+#include "model/base/common/counter_random.hpp"
 #include "model/base/number/verdict.hpp"
 #include "verilator_tb/judgement.hpp"
 

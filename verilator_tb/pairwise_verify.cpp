@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "model/base/common/counter_random.hpp"
 #include "model/cost/performance/pairwise.hpp"
 #include "verilator_tb/engine_model.hpp"
 #include "verilator_tb/engine_verify.hpp"

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "model/base/common/counter_random.hpp"
+
 namespace mixcmp::verilator_tb {
 
 namespace {
@@ -41,13 +43,6 @@ std::uint64_t Selection::index(std::uint64_t position) const {
   if (options_.sampling == Sampling::first) return options_.start + in_whole;
   const std::uint64_t start = stratum_start(in_whole);
   return start + counter_random(options_.seed, in_whole) % (stratum_start(in_whole + 1) - start);
-}
-
-std::uint64_t counter_random(std::uint64_t seed, std::uint64_t counter) {
-  std::uint64_t z = seed * 0xd1342543de82ef95u + (counter + 1) * 0x9e3779b97f4a7c15u;
-  z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ z >> 27) * 0x94d049bb133111ebu;
-  return z ^ z >> 31;
 }
 
 void pack_operands(std::span<const Bits> operands, int width, bool padding,

@@ -44,9 +44,6 @@ private:
   std::uint64_t size_;
 };
 
-/// SplitMix64's output for a counter: the same however the work is split.
-std::uint64_t counter_random(std::uint64_t seed, std::uint64_t counter);
-
 /// Packs operand k to bits [k * width, (k + 1) * width) of `tdata`. The bits above are padding; all
 /// are set to `padding`, so that a system that reads them is detected.
 void pack_operands(std::span<const Bits> operands, int width, bool padding,

@@ -13,6 +13,7 @@
 #include <iterator>
 #include <mutex>
 
+#include "model/base/common/counter_random.hpp"
 #include "model/base/number/double.hpp"
 #include "model/design/engine_data.hpp"
 #include "verilator_tb/arg_min_verify.hpp"

@@ -126,18 +126,20 @@ void note_idle_lanes(const LoadedScene& loaded, OptimiseResult& result) {
   if (!set) return;
   optimise::Rates unhindered;
   unhindered.assume_nothing_reported(*set);
-  auto engine = optimise::engine_of(*plan, scene.system, plan->allocation()->lane_count());
+  auto engine = optimise::engine_of(*plan, scene.system, *plan->allocation());
   engine.undecided = 0;
   const double busy = *optimise::busy_share(engine, unhindered, true);
+  const std::string sizes = set->others > 0 ? fmt::format("{} and {}", set->items, set->others)
+                                            : std::to_string(set->items);
   result.notes.push_back(
       plan->counts_idle_lanes
           ? fmt::format(
-                "on sets of {} items lanes compare in {:.3g} % of their cycles, and would in "
-                "{:.3g} % without reports, since items come one by one; G/s count that",
-                set->items, 100 * plan->busy, 100 * busy)
+                "on sets of {} items lanes compare in {:.3g} % of their cycles ({:.3g} % if "
+                "nothing were reported), since items are loaded one by one; G/s count this",
+                sizes, 100 * plan->busy, 100 * busy)
           : fmt::format("on sets of {} items lanes compare in at most {:.3g} % of their cycles, "
-                        "since items are loaded one by one; T(equ) does not count that",
-                        set->items, 100 * busy));
+                        "since items are loaded one by one; T(equ) does not count this",
+                        sizes, 100 * busy));
 }
 
 /// Tells what must reach a system of streams: each comparison brings all of its operands.

@@ -28,8 +28,7 @@ int slots_beside(int lane_latency_cycles, int waiting) {
 constexpr int segment_cycles = 3;
 constexpr int tier_cycles = 4;
 
-int queue_bits(int may_come) {
-  constexpr int waiting = 16;
+int queue_bits(int may_come, int waiting) {
   return std::bit_width(static_cast<unsigned>(may_come + waiting - 1));
 }
 
@@ -52,11 +51,13 @@ int chain_slots_for(int lane_latency_cycles) {
 }
 
 int segment_queue_bits(int lane_latency_cycles) {
-  return queue_bits(lane_latency_cycles + segment_cycles);
+  constexpr int waiting = 16;
+  return queue_bits(lane_latency_cycles + segment_cycles, waiting);
 }
 
 int tier_queue_bits(int lane_latency_cycles) {
-  return queue_bits(lane_latency_cycles + tier_cycles);
+  constexpr int waiting = 4;
+  return queue_bits(lane_latency_cycles + tier_cycles, waiting);
 }
 
 int beats_before_stop(int queue_bits, int lane_latency_cycles) {

@@ -19,14 +19,15 @@ int chain_slots_for(int lane_latency_cycles);
 int second_tier_slots_for(const scene::SystemSpec& system, int lane_latency_cycles,
                           int reference_latency_cycles);
 
-/// QUEUE_BITS of pair_segment.v and pair_tier.v, log2 of the beats that their queue of exceptions
-/// holds, with lanes or a tier's lane of this latency. Beside the beats that may still come when it
-/// says stop there is room for 16: a burst of exceptions in one segment would otherwise hold up the
-/// whole chain.
+/// QUEUE_BITS of pair_segment.v, log2 of the beats that its queue of exceptions holds, with lanes
+/// of this latency. The queue has room for 16 beats besides those that may come after it says stop;
+/// otherwise a burst in one segment would stop the whole chain.
 int segment_queue_bits(int lane_latency_cycles);
+
+/// QUEUE_BITS of pair_tier.v, with room for four such beats: the queue in front of it takes bursts.
 int tier_queue_bits(int lane_latency_cycles);
 
-/// The largest number of beats in the queue with which a segment takes another word.
+/// A segment takes a word while its queue holds at most this many beats.
 int beats_before_stop(int queue_bits, int lane_latency_cycles);
 
 }  // namespace mixcmp::design

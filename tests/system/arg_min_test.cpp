@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "model/base/common/counter_random.hpp"
 #include "model/base/number/exact.hpp"
 #include "model/base/number/verdict.hpp"
 #include "model/comparison/expression/parser.hpp"
@@ -67,8 +68,7 @@ data::Table points(FloatFormat format, const std::vector<std::string>& columns, 
   data::Table table{format, columns, {}, {}};
   for (std::size_t k = 0; k < columns.size() * count; ++k) {
     const std::size_t twice = k / columns.size() / 2 * columns.size() + k % columns.size();
-    const std::uint64_t random =
-        verilator_tb::counter_random(seed, special == Special::twins ? twice : k);
+    const std::uint64_t random = counter_random(seed, special == Special::twins ? twice : k);
     const bool is_special = (random >> 32) % 16 == 0;
     if (special == Special::nans && is_special) {
       table.values.push_back(format.quiet_nan());
@@ -188,7 +188,7 @@ data::Comparisons vanishing(const design::Design& design, std::size_t rows,
                         std::uint64_t seed) {
     data::Table table{format, columns, {}, {}};
     for (std::size_t k = 0; k < columns.size() * count; ++k) {
-      const std::uint64_t number = verilator_tb::counter_random(seed, k) % 8;
+      const std::uint64_t number = counter_random(seed, k) % 8;
       table.values.push_back(from_rational(format, mpq_class(number) / (mpz_class(1) << 80)));
     }
     return table;

@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 
+#include "model/base/common/counter_random.hpp"
 #include "model/base/number/exact.hpp"
 #include "model/comparison/expression/parser.hpp"
 #include "model/judge/golden/fixed_evaluate.hpp"
@@ -66,7 +67,7 @@ data::Table points(const std::vector<std::string>& columns, std::size_t count, s
   constexpr std::uint64_t steps = 1 << 20;
   data::Table table{format("s24e8"), columns, {}, {}};
   for (std::size_t k = 0; k < columns.size() * count; ++k) {
-    const std::uint64_t step = verilator_tb::counter_random(seed, k) % steps;
+    const std::uint64_t step = counter_random(seed, k) % steps;
     table.values.push_back(from_rational(table.format, mpq_class(8 * step, steps)));
   }
   return table;

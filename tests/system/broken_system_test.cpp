@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "model/base/common/counter_random.hpp"
 #include "model/base/number/exact.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
@@ -54,7 +55,7 @@ design::Design two_lanes() {
 data::Comparisons spheres_of_whole_numbers(const design::Design& design) {
   data::Table table{design.reference.input_format, {"cx", "cy", "cz", "r"}, {}, {}};
   for (std::uint64_t k = 0; k < 4 * 60; ++k) {
-    const std::uint64_t number = verilator_tb::counter_random(5, k) % 64;
+    const std::uint64_t number = counter_random(5, k) % 64;
     table.values.push_back(from_rational(table.format, number));
   }
   return data::Comparisons::all_pairs(table, design.inputs).value();

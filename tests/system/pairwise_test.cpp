@@ -8,6 +8,7 @@
 #include <functional>
 #include <iterator>
 
+#include "model/base/common/counter_random.hpp"
 #include "model/base/number/exact.hpp"
 #include "model/base/number/verdict.hpp"
 #include "model/comparison/data/uniform_spheres.hpp"
@@ -42,7 +43,7 @@ data::Comparisons random_spheres(const design::Design& design, std::uint64_t cou
 data::Comparisons grid_spheres(const design::Design& design, std::size_t count) {
   data::Table table{design.reference.input_format, {"cx", "cy", "cz", "r"}, {}, {}};
   for (std::size_t k = 0; k < 4 * count; ++k) {
-    const auto number = verilator_tb::counter_random(7, k) % (k % 4 == 3 ? 2 : 4);
+    const auto number = counter_random(7, k) % (k % 4 == 3 ? 2 : 4);
     table.values.push_back(from_rational(table.format, number));
   }
   return data::Comparisons::all_pairs(table, design.inputs).value();

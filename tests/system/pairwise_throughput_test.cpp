@@ -124,7 +124,7 @@ double planned_cycles(const design::Design& design, const data::Comparisons& pai
     data.reported[k / 64] |= std::uint64_t{truth == Verdict::less} << k % 64;
   }
   const double references = set.references;
-  return performance::PairwiseFlow(std::move(data))
+  return performance::PairwiseFlow(std::make_shared<performance::PairwiseData>(std::move(data)))
       .cycles({.lanes = set.lanes,
                .lanes_per_segment = design.system.engine.lanes_per_group,
                .streams = design.system.engine.report_streams,

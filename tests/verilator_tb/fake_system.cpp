@@ -7,6 +7,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "model/base/common/counter_random.hpp"
+
 namespace mixcmp::test {
 
 namespace {
@@ -141,7 +143,7 @@ design::Design fake_design(const FakeSystem& fake) {
 data::Comparisons fake_comparisons(std::size_t count) {
   data::Table table{.format = binary16(), .columns = {"a", "b"}};
   for (std::size_t k = 0; k < count; ++k) {
-    const std::uint64_t random = verilator_tb::counter_random(7, k);
+    const std::uint64_t random = counter_random(7, k);
     const std::uint64_t a = 0x0800 + random % 0x7000;
     const std::uint64_t near = a + (random >> 32) % 9 - 4;
     const std::uint64_t far = 0x0800 + (random >> 32) % 0x7000;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "model/base/common/counter_random.hpp"
+
 namespace mixcmp::test::selection_test {
 namespace {
 
@@ -76,8 +78,7 @@ TEST(PackOperands, AgreesWithBitsPutOneByOne) {
   for (int width = 3; width <= 128; ++width) {
     std::vector<Bits> operands;
     for (std::uint64_t k = 0; k < 10; k += 2) {
-      const Bits random =
-          Bits{verilator_tb::counter_random(1, k)} << 64 | verilator_tb::counter_random(1, k + 1);
+      const Bits random = Bits{counter_random(1, k)} << 64 | counter_random(1, k + 1);
       operands.push_back(random & low_mask(width));
     }
     std::vector<std::uint8_t> tdata((operands.size() * static_cast<std::size_t>(width) + 7) / 8);

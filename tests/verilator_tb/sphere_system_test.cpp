@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "generator/hardware/emit/system.hpp"
+#include "model/base/common/counter_random.hpp"
 #include "model/base/number/decimal.hpp"
 #include "model/base/number/exact.hpp"
 #include "tests/support/sphere.hpp"
@@ -16,7 +17,7 @@ data::Comparisons sphere_pairs(std::size_t random_spheres) {
   const FloatFormat s24e8 = format("s24e8");
   data::Table table{.format = s24e8, .columns = {"cx", "cy", "cz", "r"}};
   for (std::size_t k = 0; k < 4 * random_spheres; ++k) {
-    const mpz_class random(static_cast<unsigned long>(verilator_tb::counter_random(5, k) >> 11));
+    const mpz_class random(static_cast<unsigned long>(counter_random(5, k) >> 11));
     mpq_class value(random, mpz_class(1) << 53);
     value *= k % 4 == 3 ? 25 : 100;
     value.canonicalize();
@@ -89,7 +90,7 @@ data::Comparisons half_tangent(std::size_t rows) {
   const auto inputs = test::sphere_graph().inputs();
   data::Table table{.format = s24e8, .columns = inputs};
   for (std::size_t k = 0; k < rows; ++k) {
-    const auto scale = static_cast<long>(1 + verilator_tb::counter_random(9, k) % 1000);
+    const auto scale = static_cast<long>(1 + counter_random(9, k) % 1000);
     const long gap = k % 2 == 0 ? 0 : scale;
     const long values[] = {3 * scale + gap, 0, 4 * scale, 0, gap, 0, 2 * scale, 3 * scale};
     for (const long value : values) {

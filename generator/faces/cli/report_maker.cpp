@@ -193,7 +193,9 @@ IfThere<optimise::Optimisation> ReportMaker::search_plans() {
   auto result = tasks::optimise(search_request(planning_options_, !is_plan), loaded_);
   show_progress("");
   if (!result.ok()) return not_made("plan", result.error(), command("optimise"));
-  if (const auto& failed = result->confirmation->failed; !failed.empty()) {
+  const tasks::Confirmation& confirmation = *result->confirmation;
+  const auto& failed = confirmation.failed;
+  if (!failed.empty() && confirmation.interrupted_by == 0) {
     return not_made("plan", failed.front().label + ": " + failed.front().message,
                     command("optimise"));
   }

@@ -138,8 +138,9 @@ long long every_cycle_mask(const SystemShape& system) {
 
 /// Adds a register that keeps a request for a reference of a folded group. The reference reads its
 /// operands over several cycles, and the engine goes on with other requests meanwhile. A reference
-/// that reads them up to its last phase needs the next request at once, so that its register takes
-/// that in the cycle in which it gives out the last. Returns the nets of its output stream.
+/// that reads them up to its last phase needs the next request at once: its register therefore
+/// takes the next request in the cycle in which the previous one leaves. Returns the nets of its
+/// output stream.
 std::vector<Connection> add_request_register(const std::vector<Connection>& request, int bits,
                                              const DatapathGroup& group,
                                              std::vector<ModuleItem>& items) {

@@ -5,8 +5,10 @@
 #include <bit>
 #include <deque>
 #include <numeric>
+#include <utility>
 
 #include "model/base/common/check.hpp"
+#include "model/base/common/counter_random.hpp"
 #include "model/design/slots.hpp"
 
 namespace mixcmp::performance {
@@ -16,13 +18,13 @@ namespace {
 /// trees: about as many in simulated engines of 13 to 35 segments.
 constexpr int closing_cycles = 30;
 
-/// Words times segments that are simulated of a large set: about 10 ms.
+/// Words times segments that are simulated of a large set: about 10 ms for segments of eight lanes.
 constexpr std::uint64_t most_steps = std::uint64_t{1} << 18;
-/// Cycles for each word, by the busiest stream or by the references, beyond which nothing else
-/// limits an engine, and a simulation would take long to say so.
+/// Above this many cycles for each word the busiest stream or the references set the pace, and the
+/// simulation, which would take long, is skipped.
 constexpr double overloaded = 3;
 /// Consecutive words of a sample.
-constexpr std::uint64_t window = 256;
+constexpr std::uint64_t window = 64;
 
 /// A word on its way through the chain.
 struct Word {
@@ -70,14 +72,17 @@ public:
     const std::uint64_t every = std::max<std::uint64_t>(1, walk_.all_words / budget);
     const auto lanes = static_cast<std::uint64_t>(engine_.lanes);
     std::uint64_t entered = 0;  // words of the set so far
+    // One window of each `every`, at a place that follows no period of the blocks.
+    const auto is_in_sample = [&](std::uint64_t number) {
+      return number % every == counter_random(0, number / every) % every;
+    };
     for (std::uint64_t base = 0; base < data_.set.items; base += lanes) {
       const std::uint64_t held = std::min(lanes, data_.set.items - base);
       const std::uint64_t words =
           data_.set.others > 0 ? held + data_.set.others : data_.set.items - base;
       for (std::uint64_t first = 0; first < words;) {
         const std::uint64_t last = std::min(words, first + window - (entered + first) % window);
-        const bool is_sampled = (entered + first) / window % every == 0;
-        if (is_sampled) add(base, held, first, last);
+        if (is_in_sample((entered + first) / window)) add(base, held, first, last);
         first = last;
       }
       entered += words;
@@ -185,18 +190,32 @@ struct Segment {
   Link link;
   bool was_full = false;  ///< the link, when the cycle began
   std::deque<Beat> queue;
-  int arrived = 0;  ///< beats of the queue that have left the lanes
-  double undecided = 0, twice = 0;
+  int arrived = 0;            ///< beats of the queue that have left the lanes
+  double undecided = 0;       ///< pairs that are due to be undecided
+  double reported_later = 0;  ///< reported pairs that are due to be reported by a reference
 };
 
 /// A stream of reports with the segments that it serves.
 struct Stream {
   int first = 0, segments = 1;
   int turn = 0;                            ///< the segment served next
-  std::array<std::uint64_t, 4> free = {};  ///< the cycle in which a subtree of the root can send
+  int subtrees = 0;                        ///< of the tree's root; 0: segments are its inputs
+  std::array<std::uint64_t, 4> free = {};  ///< the cycle in which each subtree can send
   std::deque<Beat> entries;
   Beat current;
+
+  bool is_idle() const { return current.reports == 0 && current.undecided == 0; }
 };
+
+/// Inputs of the root of stream_tree.v, of which each has at most four; 0 if it is the only node.
+int subtrees_of(int inputs) {
+  constexpr int radix = 4;
+  int subtrees = 0;
+  for (; inputs > radix; inputs = (inputs + radix - 1) / radix) {
+    subtrees = (inputs + radix - 1) / radix;
+  }
+  return subtrees;
+}
 
 /// The words that leave for a word with so many reported pairs in a segment.
 int reports_of(int reported, scene::ReportForm form) {
@@ -223,12 +242,14 @@ double least_cycles(const Walk& walk, const PairwiseEngine& engine) {
     }
   }
   const double undecided = engine.undecided * static_cast<double>(walk.pairs);
-  double least = undecided / engine.recomputations_per_cycle;
+  const bool has_references = engine.recomputations_per_cycle > 0;
+  double least = has_references ? undecided / engine.recomputations_per_cycle : 0;
   for (int s = 0; s < engine.streams; ++s) {
     const auto from = of_segment.begin() + first_segment(s, walk.segments, engine.streams);
     const auto to = of_segment.begin() + first_segment(s + 1, walk.segments, engine.streams);
     const auto reports = static_cast<double>(std::accumulate(from, to, std::uint64_t{0}));
-    least = std::max(least, reports + undecided / engine.streams);
+    const double of_stream = undecided / engine.streams;
+    least = std::max(least, of_stream + std::max(0.0, reports - of_stream / 2));
   }
   return least;
 }
@@ -247,6 +268,7 @@ public:
     for (int s = 0; s < count; ++s) {
       streams_[s].first = first_segment(s, walk.segments, count);
       streams_[s].segments = first_segment(s + 1, walk.segments, count) - streams_[s].first;
+      streams_[s].subtrees = subtrees_of(streams_[s].segments);
     }
     const double undecided = engine.undecided * static_cast<double>(walk.pairs);
     is_spread_ = static_cast<double>(walk.reported) < undecided;
@@ -257,7 +279,8 @@ public:
   }
 
   std::uint64_t run() {
-    while (next_ < walk_.words.size() || in_chain_ > 0 || beats_ > 0 || waiting_ > 0) {
+    while (next_ < walk_.words.size() || in_chain_ > 0 || beats_ > 0 || waiting_ > 0 ||
+           verdicts_ >= 1 || !are_streams_idle()) {
       step();
       ++cycle_;
     }
@@ -266,7 +289,12 @@ public:
 
 private:
   static constexpr int entry_places = 3;  ///< of the FIFO in front of a stream's expander
-  static constexpr int pair_places = 4;   ///< in front of the items' memory
+  static constexpr int pair_places = 20;  ///< of the FIFOs in front of the items' memory
+
+  bool are_streams_idle() const {
+    return std::all_of(streams_.begin(), streams_.end(),
+                       [](const Stream& stream) { return stream.is_idle(); });
+  }
 
   void step() {
     for (Segment& segment : segments_) segment.was_full = segment.link.is_full();
@@ -276,29 +304,38 @@ private:
     enter();
   }
 
-  /// The items' memory reads a pair, or else an item can be stored.
+  /// The items' memory reads a pair, or else an item can be stored. Half of the recomputed pairs
+  /// are reported.
   void use_memory() {
     const double rate = engine_.recomputations_per_cycle;
-    started_ = std::min(1 + rate, started_ + rate);
-    if (waiting_ > 0 && started_ >= 1) {
+    starts_ = std::min(1 + rate, starts_ + rate);
+    if (waiting_ > 0 && starts_ >= 1) {
       --waiting_;
-      started_ -= 1;
+      starts_ -= 1;
+      if (engine_.report_as != scene::ReportForm::count) verdicts_ += 0.5;
     } else if (to_load_ > 0) {
       --to_load_;
       ++loaded_;
     }
   }
 
-  /// The stream's expander sends a pair, and its tree fetches a beat.
+  /// The stream's expander sends a pair, and its tree fetches a beat. The first stream also sends
+  /// the references' verdicts, in turn with its own.
   void serve(Stream& stream) {
     Beat& current = stream.current;
+    bool is_port_free = true;
+    if (&stream == &streams_.front() && verdicts_ >= 1 && (current.reports == 0 || was_report_)) {
+      verdicts_ -= 1;
+      is_port_free = was_report_ = false;
+    }
     if (current.reports > 0) {
-      --current.reports;
+      if (is_port_free) --current.reports;
+      was_report_ = was_report_ || (is_port_free && &stream == &streams_.front());
     } else if (current.undecided > 0 && waiting_ < pair_places) {
       --current.undecided;
       ++waiting_;
     }
-    if (current.reports == 0 && current.undecided == 0 && !stream.entries.empty()) {
+    if (stream.is_idle() && !stream.entries.empty()) {
       current = stream.entries.front();
       stream.entries.pop_front();
       --beats_;
@@ -306,15 +343,17 @@ private:
     if (static_cast<int>(stream.entries.size()) < entry_places) fetch(stream);
   }
 
-  /// A tree has at most four inputs in its root; a subtree below it sends in every other cycle.
+  /// A subtree below the root sends in every other cycle.
   void fetch(Stream& stream) {
     for (int k = 0; k < stream.segments; ++k) {
       const int place = (stream.turn + k) % stream.segments;
       Segment& segment = segments_[stream.first + place];
       if (segment.arrived == 0) continue;
-      std::uint64_t& free = stream.free[place * stream.free.size() / stream.segments];
-      if (stream.segments > static_cast<int>(stream.free.size()) && free > cycle_) continue;
-      free = cycle_ + 2;
+      if (stream.subtrees > 0) {
+        std::uint64_t& free = stream.free[place * stream.subtrees / stream.segments];
+        if (free > cycle_) continue;
+        free = cycle_ + 2;
+      }
       stream.entries.push_back(segment.queue.front());
       segment.queue.pop_front();
       --segment.arrived;
@@ -348,12 +387,13 @@ private:
     segment.undecided += is_spread_ ? undecided_ : reported * undecided_;
     for (; segment.undecided >= 1; segment.undecided -= 1) {
       ++undecided;
-      segment.twice += 0.5;
-      if (segment.twice < 1 || reported == 0) continue;
-      segment.twice -= 1;
+      segment.reported_later += 0.5;
+      if (segment.reported_later < 1 || reported == 0) continue;
+      segment.reported_later -= 1;
       --reported;
     }
     reported = reports_of(reported, engine_.report_as);
+    if (engine_.recomputations_per_cycle == 0) reported += std::exchange(undecided, 0);
     if (reported + undecided == 0) return;
     constexpr std::uint64_t way_to_queue_cycles = 3;
     const auto latency = static_cast<std::uint64_t>(engine_.lane_latency_cycles);
@@ -376,7 +416,7 @@ private:
   std::vector<Segment> segments_;
   std::vector<Stream> streams_;
   bool is_spread_ = false;  ///< undecided pairs are spread over all words
-  double undecided_ = 0;    ///< of a word, or of a reported pair
+  double undecided_ = 0;    ///< pairs for a word in a segment if spread, else for a reported pair
   int most_queued_ = 0;
   std::uint64_t cycle_ = 0;
   std::uint64_t next_ = 0;      ///< the word that enters next
@@ -384,7 +424,9 @@ private:
   std::uint64_t beats_ = 0;     ///< in queues
   std::uint64_t loaded_ = 0;    ///< items
   int waiting_ = 0;             ///< pairs in front of the items' memory
-  double started_ = 0;          ///< recomputations that could have started
+  double starts_ = 0;           ///< recomputations that may start
+  double verdicts_ = 0;         ///< of references, to be reported
+  bool was_report_ = false;     ///< the last word of the first stream was its own
 };
 
 }  // namespace
@@ -401,26 +443,29 @@ double PairwiseData::reported_share() const {
   return pairs() == 0 ? 0 : static_cast<double>(count) / static_cast<double>(pairs());
 }
 
-PairwiseFlow::PairwiseFlow(PairwiseData data)
-    : data_(std::move(data)), reported_share_(data_.reported_share()) {}
+PairwiseFlow::PairwiseFlow(std::shared_ptr<const PairwiseData> data)
+    : data_(std::move(data)), reported_share_(data_->reported_share()) {}
 
 double PairwiseFlow::cycles(const PairwiseEngine& engine) const {
   const std::lock_guard lock(mutex_);
   const auto [place, is_new] = known_.try_emplace(engine);
   if (!is_new) return place->second;
-  const Walk walk = Walker(data_, engine).walk();
+  const Walk walk = Walker(*data_, engine).walk();
   const bool is_sampled = walk.words.size() < walk.all_words;
-  const ItemSet& set = data_.set;
+  const ItemSet& set = data_->set;
   const double part = static_cast<double>(walk.words.size()) / static_cast<double>(walk.all_words);
   const double way = Link::latency_cycles * walk.segments;  // of the last word through the chain
   double cycles = least_cycles(walk, engine);
+  bool is_loaded = false;  // `cycles` has those in which items come
   if (cycles < overloaded * static_cast<double>(walk.words.size())) {
-    // While the first block of a large set passes, its items come; targets come before that.
+    // In a sample all items count as loaded.
     Simulation simulation(walk, engine, is_sampled ? 0 : set.items + set.others);
     cycles = static_cast<double>(simulation.run()) - way;
+    is_loaded = !is_sampled;
   }
   place->second = cycles / part + way + closing_cycles + engine.lane_latency_cycles;
-  if (is_sampled && set.others > 0) place->second += static_cast<double>(set.items);
+  // Targets come before the first word.
+  if (!is_loaded && set.others > 0) place->second += static_cast<double>(set.items);
   return place->second;
 }
 

@@ -3,6 +3,7 @@
 #include <compare>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <vector>
 
@@ -22,38 +23,42 @@ struct PairwiseData {
   double reported_share() const;  ///< 0..1
 };
 
-/// What decides how fast words pass the lanes of a pairwise engine.
+/// The numbers of a pairwise engine on which its speed depends.
 struct PairwiseEngine {
   int lanes = 1;
   int lanes_per_segment = 8;
   int streams = 1;  ///< of reports, no more than segments
   scene::ReportForm report_as = scene::ReportForm::pairs;
   int lane_latency_cycles = 0;
-  double undecided = 0;                 ///< part of the pairs that lanes leave undecided
-  double recomputations_per_cycle = 1;  ///< that references can start, above 0 and at most 1
+  double undecided = 0;  ///< part of the pairs that lanes leave undecided
+  /// Recomputations that references can start, at most 1. 0: there are none, and undecided pairs
+  /// leave as reports.
+  double recomputations_per_cycle = 1;
 
   friend auto operator<=>(const PairwiseEngine&, const PairwiseEngine&) = default;
 };
 
-/// Counts the cycles of pairwise engines on one set of data, by a simulation of what can hold up a
-/// word: the segments' queues of exceptions, the trees that merge them, the streams of reports, the
-/// references, and the memory that either stores an item or reads a pair. So bursts of reports
-/// count, which a mean rate of reports does not tell. Where lanes leave pairs undecided, these are
-/// taken to lie among the reported ones, half of them reported; docs/theory.md compares the result
-/// with simulated Verilog. A set of many words is sampled. Threads may share an object.
+/// Counts the cycles of pairwise engines on one set of data. A simulation of the engine has all
+/// that may hold up a word: the segments' queues of exceptions, the trees that merge them, the
+/// streams of reports, the references, and the memory that either stores an item or reads a pair. A
+/// mean rate of reports would miss bursts.
+///
+/// Which pairs are undecided is not known. They are placed beside reported pairs, or evenly if
+/// there are more of them; half are taken to be reported. Second tiers are not simulated. Of a
+/// large set some words stand for all. docs/theory.md compares the cycles with those of simulated
+/// Verilog. Threads may share an object.
 class PairwiseFlow {
 public:
-  explicit PairwiseFlow(PairwiseData data);
+  explicit PairwiseFlow(std::shared_ptr<const PairwiseData> data);
 
-  const ItemSet& set() const { return data_.set; }
   double reported_share() const { return reported_share_; }
-  double pairs() const { return static_cast<double>(data_.pairs()); }
+  double pairs() const { return static_cast<double>(data_->pairs()); }
 
   /// Cycles from the first item of the set to the last report.
   double cycles(const PairwiseEngine& engine) const;
 
 private:
-  PairwiseData data_;
+  std::shared_ptr<const PairwiseData> data_;
   double reported_share_;
   mutable std::mutex mutex_;
   mutable std::map<PairwiseEngine, double> known_;

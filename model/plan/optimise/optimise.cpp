@@ -112,8 +112,7 @@ void note_full_streams(const scene::Scene& scene, const Rates& rates, Optimisati
       100 * best->recomputation_rate()));
 }
 
-/// The rates, with the pairs of a set without reports where an engine needs pairs and they have
-/// none.
+/// Rates that do not know their pairs get a set of the scene's size in which nothing is reported.
 Rates known_pairs(const scene::Scene& scene, const Rates& rates, const OptimiseOptions& options,
                   Findings& findings) {
   Rates known = rates;

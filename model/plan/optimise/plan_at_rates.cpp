@@ -126,8 +126,7 @@ double allowed_by_slowest(const Loaded& loaded) {
 /// The part of their cycles in which the lanes of a plan's pairwise engine compare.
 double busy_at(const PrecisionPlan& plan, const scene::Scene& scene, const Loaded& loaded,
                const Rates& rates) {
-  performance::PairwiseEngine engine =
-      engine_of(plan, scene.system, plan.allocation()->lane_count());
+  performance::PairwiseEngine engine = engine_of(plan, scene.system, *plan.allocation());
   engine.undecided = 0;
   for (const Datapaths& kind : loaded.groups) {
     engine.undecided = std::max(engine.undecided, kind.recomputation_rate);

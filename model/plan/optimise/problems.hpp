@@ -13,11 +13,10 @@ namespace mixcmp::optimise {
 /// request (rtl_templates/stream/README.md).
 double cycles_per_word(const scene::Scene& scene, double recomputation_rate);
 
-/// The pairwise engine of a plan with this number of lanes. All leave as much undecided as the
-/// plan's kind of lane that leaves most. Without an allocation all kinds count, and references keep
-/// up.
+/// The pairwise engine of a plan's allocation. All of its lanes leave as much undecided as those
+/// that leave most.
 performance::PairwiseEngine engine_of(const PrecisionPlan& plan, const scene::SystemSpec& system,
-                                      int lanes);
+                                      const Allocation& chosen);
 
 /// The part of their cycles in which the lanes of a pairwise engine compare. If idle lanes do not
 /// count, the part in which no word waits. None if the rates do not know the pairs.

@@ -76,7 +76,7 @@ Rates Rates::of(const std::vector<profile::RateProfile>& profiles) {
   Rates rates;
   for (const profile::RateProfile& profile : profiles) {
     if (rates.pairs_.empty() && profile.pairs) {
-      rates.pairs_.push_back({1, std::make_shared<performance::PairwiseFlow>(*profile.pairs)});
+      rates.pairs_.push_back({1, std::make_shared<performance::PairwiseFlow>(profile.pairs)});
     }
     for (const profile::SchemeProfile& scheme : profile.schemes) {
       if (!scheme.bound) continue;  // lanes without a bound recompute nothing
@@ -180,8 +180,8 @@ std::optional<double> Rates::cycles_per_pair(const performance::PairwiseEngine& 
 }
 
 void Rates::assume_nothing_reported(const performance::ItemSet& set) {
-  pairs_ = {
-      {1, std::make_shared<performance::PairwiseFlow>(performance::PairwiseData{.set = set})}};
+  auto pairs = std::make_shared<performance::PairwiseData>(performance::PairwiseData{.set = set});
+  pairs_ = {{1, std::make_shared<performance::PairwiseFlow>(std::move(pairs))}};
 }
 
 std::optional<Rate> Rates::find(const RateKey& key) const {

@@ -60,7 +60,7 @@ public:
   /// Cycles for each pair in an engine of these numbers; none where reported_share has none.
   std::optional<double> cycles_per_pair(const performance::PairwiseEngine& engine) const;
 
-  /// Gives rates without pairs those of such a set, of which none is reported.
+  /// Takes the pairs to be those of a set of this size, of which none is reported.
   void assume_nothing_reported(const performance::ItemSet& set);
 
   /// Lanes in fixed point have one rate for all kinds of inputs.

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -105,8 +106,9 @@ struct RateProfile {
   /// Undetermined true verdicts; no verdict counts as wrong for these.
   std::uint64_t undetermined = 0;
   std::uint64_t emulated = 0;  ///< lane evaluations
-  /// Of data that are pairs: those whose true verdict an engine of the scene reports.
-  std::optional<performance::PairwiseData> pairs = {};
+  /// The pairs, with those marked whose true verdict an engine of the scene reports; null if the
+  /// data are not pairs, or no engine holds their items.
+  std::shared_ptr<const performance::PairwiseData> pairs = {};
   std::vector<SchemeProfile> schemes;
 };
 

@@ -25,7 +25,7 @@ struct RateJob {
     std::vector<std::uint32_t> of_row;
   };
   std::vector<Failing> failing;
-  /// Of data that are pairs. Each block of comparisons has elements of its own.
+  /// Null if reported pairs are not marked. Each block of comparisons has elements of its own.
   performance::PairwiseData* pairs = nullptr;
 };
 

@@ -159,10 +159,12 @@ RateProfile profile_rates(const scene::Scene& scene, const data::Comparisons& da
               .bands = {},
               .reference = emulator::Emulator(reference_graph(scene.graph, scene.reference)),
               .failing = {}};
-  std::optional<performance::PairwiseData> pairs;
-  if (const auto set = set_of(data)) {
-    job.pairs = &pairs.emplace(performance::PairwiseData{.set = *set});
+  std::shared_ptr<performance::PairwiseData> pairs;
+  const std::optional<performance::ItemSet> set = set_of(data);
+  if (set && set->items + set->others <= scene::EngineSpec::max_capacity) {
+    pairs = std::make_shared<performance::PairwiseData>(performance::PairwiseData{.set = *set});
     pairs->reported.resize((data.size() + 63) / 64);
+    job.pairs = pairs.get();
   }
   find_failing(job);
   add_bands(job, errors);

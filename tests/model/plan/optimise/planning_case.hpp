@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "model/base/common/counter_random.hpp"
 #include "model/base/settings/bound_name.hpp"
 #include "model/plan/optimise/optimise.hpp"
 #include "model/plan/optimise/plan_at_rates.hpp"
@@ -107,18 +109,17 @@ protected:
     return profile;
   }
 
-  /// With the pairs of 2000 items. `reported`: those of a million that an engine reports.
+  /// With the pairs of 1000 items. `reported`: those of a million that an engine reports.
   static optimise::Rates rates_of(const std::map<int, std::uint64_t>& undecided,
                                   std::uint64_t reported = 0) {
     profile::RateProfile profile = profile_of(undecided);
-    performance::PairwiseData& pairs =
-        profile.pairs.emplace(performance::PairwiseData{.set = {.items = 2000}});
+    performance::PairwiseData pairs{.set = {.items = 1000}};
     pairs.reported.resize((pairs.pairs() + 63) / 64);
     for (std::uint64_t k = 0; k < pairs.pairs(); ++k) {
-      const double drawn = static_cast<double>(k * 0x9E3779B97F4A7C15ull >> 11) * 0x1p-53;
-      const bool is_reported = drawn < 1e-6 * static_cast<double>(reported);
+      const bool is_reported = counter_random(0, k) % 1'000'000 < reported;
       pairs.reported[k / 64] |= std::uint64_t{is_reported} << k % 64;
     }
+    profile.pairs = std::make_shared<performance::PairwiseData>(std::move(pairs));
     return optimise::Rates::of({profile});
   }
 

@@ -46,8 +46,8 @@ TEST(RateValue, NoneUndecidedIsNotTakenForNever) {
 /// Of 64 pairs of items the first `reported` ones are reported.
 Rates with_pairs(int reported) {
   profile::RateProfile profile{.comparisons = 64};
-  profile.pairs = {.set = {.items = 8, .others = 8},
-                   .reported = {(std::uint64_t{1} << reported) - 1}};
+  profile.pairs = std::make_shared<performance::PairwiseData>(performance::PairwiseData{
+      .set = {.items = 8, .others = 8}, .reported = {(std::uint64_t{1} << reported) - 1}});
   return Rates::of({profile});
 }
 

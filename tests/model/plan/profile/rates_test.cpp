@@ -93,7 +93,7 @@ void expect_golden(const Scene& scene, const Comparisons& data, const ErrorProfi
   EXPECT_EQ(profile.reference_wrong, static_cast<std::uint64_t>(wrong)) << what;
   const bool are_pairs =
       data.pairing() == data::Pairing::all || data.pairing() == data::Pairing::cross;
-  ASSERT_EQ(profile.pairs.has_value(), are_pairs) << what;
+  ASSERT_EQ(profile.pairs != nullptr, are_pairs) << what;
   for (std::size_t k = 0; profile.pairs && k < truth.size(); ++k) {
     const bool is_reported = scene.system.engine.report.contains(truth[k].real);
     EXPECT_EQ(profile.pairs->reported[k / 64] >> k % 64 & 1, is_reported ? 1u : 0u)
