@@ -7,7 +7,7 @@
 
 #include "generator/tasks/architecture_search.hpp"
 #include "model/base/common/file.hpp"
-#include "model/plan/optimise/problems.hpp"
+#include "model/plan/optimise/pairwise_busy.hpp"
 #include "model/scene/plan.hpp"
 
 namespace mixcmp::tasks {

@@ -7,6 +7,7 @@
 #include "model/cost/performance/pairwise.hpp"
 #include "model/cost/performance/performance.hpp"
 #include "model/cost/performance/streams.hpp"
+#include "model/plan/optimise/pairwise_busy.hpp"
 #include "model/plan/optimise/problems.hpp"
 #include "model/plan/optimise/second_tier.hpp"
 

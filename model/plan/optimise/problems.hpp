@@ -13,16 +13,6 @@ namespace mixcmp::optimise {
 /// request (rtl_templates/stream/README.md).
 double cycles_per_word(const scene::Scene& scene, double recomputation_rate);
 
-/// The pairwise engine of a plan's allocation. All of its lanes leave as much undecided as those
-/// that leave most.
-performance::PairwiseEngine engine_of(const PrecisionPlan& plan, const scene::SystemSpec& system,
-                                      const Allocation& chosen);
-
-/// The part of their cycles in which the lanes of a pairwise engine compare. If idle lanes do not
-/// count, the part in which no word waits. None if the rates do not know the pairs.
-std::optional<double> busy_share(const performance::PairwiseEngine& engine, const Rates& rates,
-                                 bool counts_idle_lanes);
-
 std::vector<ReferenceImplementation> references_of(const PlanningInputs& inputs, const Rows& rows,
                                                    Findings& findings);
 
