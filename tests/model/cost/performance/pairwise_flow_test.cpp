@@ -109,21 +109,22 @@ TEST(PairwiseFlow, ARecomputationHoldsUpAnItem) {
   const PairwiseFlow flow(none_of({.items = 64}));
   PairwiseEngine engine = engine_of_64;
   const double without = flow.cycles(engine);
-  engine.undecided = 0.01;  // of 2016 pairs
-  EXPECT_NEAR(flow.cycles(engine) - without, 20, 12);
+  engine.undecided = 0.02;  // of 2016 pairs
+  EXPECT_NEAR(flow.cycles(engine) - without, 40, 8);
 }
 
 /// The words that enter first meet few lanes, and half of the second table has all reports: only a
 /// sample of all parts knows how many reports there are.
 TEST(PairwiseFlow, ASampleStandsForALargeSet) {
+  constexpr int items = 8192, lanes = 4096;
   const PairwiseFlow half(
-      data_of({.items = 6000}, [](std::uint64_t k) { return counter_random(1, k) % 2 == 0; }));
+      data_of({.items = items}, [](std::uint64_t k) { return counter_random(1, k) % 2 == 0; }));
   PairwiseEngine engine = engine_of_64;
-  engine.lanes = 1024;
+  engine.lanes = lanes;
   engine.streams = 16;
-  double pairs = 0;  // of the first 64 lanes in each block, which have the busiest stream
-  for (int base = 0; base < 6000; base += 1024) pairs += 64.0 * (6000 - base - 32);
-  EXPECT_NEAR(half.cycles(engine) / (half.reported_share() * pairs), 1, 0.03);
+  double pairs = 0;  // of the first 256 lanes in both blocks, which have the busiest stream
+  for (int base = 0; base < items; base += lanes) pairs += 256.0 * (items - base - 128);
+  EXPECT_NEAR(half.cycles(engine) / (half.reported_share() * pairs), 1, 0.05);
   const PairwiseFlow cross(data_of({.items = 2048, .others = 8192}, [](std::uint64_t k) {
     return k % 8192 < 4096 && counter_random(1, k) % 2 == 0;
   }));
@@ -133,7 +134,7 @@ TEST(PairwiseFlow, ASampleStandsForALargeSet) {
 }
 
 TEST(PairwiseFlow, OfALargeSetWithFewReportsIsThatOfItsWords) {
-  for (const ItemSet set : {ItemSet{.items = 5000}, ItemSet{.items = 3000, .others = 4000}}) {
+  for (const ItemSet set : {ItemSet{.items = 5000}, ItemSet{.items = 20000, .others = 800}}) {
     const PairwiseFlow flow(data_of(set, [](std::uint64_t k) { return is_drawn(k, 1000); }));
     const auto words = static_cast<double>(pairwise_word_cycles(set.items, set.others, 64));
     const double load = set.others > 0 ? static_cast<double>(set.items) : 0;
