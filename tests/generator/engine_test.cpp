@@ -178,6 +178,18 @@ TEST(Engine, FoldedReferencesBeginInDifferentPhases) {
       << text;
 }
 
+/// In an interval of two cycles a reference reads operands in its last phase: its register takes
+/// the next request while the last one leaves.
+TEST(Engine, AReferenceThatReadsLateGetsARequestInEachInterval) {
+  design::Design design = spheres(8, 1);
+  for (const auto& [interval, parameter] :
+       {std::pair(2, ".HALF_RATE(0)"), std::pair(16, ".HALF_RATE(1)")}) {
+    design.references.front().structure.initiation_interval = interval;
+    const std::string top = verilog_of(generated(design), "sphere_s17e8_8x1_pairwise");
+    EXPECT_NE(top.find(parameter), std::string::npos) << interval;
+  }
+}
+
 TEST(ArgMinEngine, SignatureTellsItsStreams) {
   const emit::SignatureEngine engine = *arg_min_of_four().signature.engine;
   EXPECT_EQ(engine.kind, scene::EngineKind::arg_min);

@@ -165,7 +165,6 @@ public:
   static constexpr int latency_cycles = 2;
 
   bool is_full() const { return count_ == places; }
-  bool is_empty() const { return count_ == 0; }
   void push(const Word& word, std::uint64_t cycle) {
     const int place = (head_ + count_++) % places;
     words_[place] = word;

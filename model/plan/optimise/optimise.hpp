@@ -98,8 +98,8 @@ struct PrecisionPlan {
   AllocationResult result;
   double bound_per_s = 0;  ///< see throughput_bound; 0 without OptimiseOptions::at_least_per_s
   double busy = 1;         ///< part of their cycles in which lanes compare
-  bool counts_idle_lanes =
-      false;                   ///< `busy` counts lanes that have no item, not only waiting words
+  /// `busy` counts lanes that have no item, not only waiting words.
+  bool counts_idle_lanes = false;
   bool fills_streams = false;  ///< more lanes would wait for the streams of reports
 
   const Allocation* allocation() const { return std::get_if<Allocation>(&result); }

@@ -4,6 +4,7 @@
 
 #include "model/base/number/decimal.hpp"
 #include "model/base/number/exact.hpp"
+#include "model/design/slots.hpp"
 #include "model/judge/workload/compare_by_reference.hpp"
 #include "model/plan/profile/profiled_error.hpp"
 #include "tests/support/float_samples.hpp"
@@ -448,6 +449,18 @@ TEST(MakeDesign, APairwiseEngineHoldsAllItemsOfTheData) {
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().field, "engine.capacity");
   EXPECT_EQ(refused.error().received, "5 items, a capacity of 4");
+}
+
+/// A queue with half of the beats would have room for fewer.
+TEST(SegmentQueue, HasRoomForABurstBesidesWhatMayStillCome) {
+  for (int latency = 0; latency <= 70; ++latency) {
+    const int bits = design::segment_queue_bits(latency);
+    EXPECT_GE(design::beats_before_stop(bits, latency), 16) << latency;
+    EXPECT_LT(design::beats_before_stop(bits - 1, latency), 16) << latency;
+    EXPECT_LE(design::tier_queue_bits(latency), bits) << latency;
+  }
+  EXPECT_EQ(design::segment_queue_bits(13), 5);
+  EXPECT_EQ(design::segment_queue_bits(14), 6);
 }
 
 }  // namespace

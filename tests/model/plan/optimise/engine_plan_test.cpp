@@ -1,3 +1,4 @@
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -59,7 +60,7 @@ protected:
     return rates;
   }
 
-  /// Of a million, lanes of 8 digits leave 5000 undecided, those of 10 digits 200.
+  /// Lanes of 8 digits leave 5000 of a million undecided, those of 10 digits 200.
   static optimise::Rates rates_without_pairs() {
     return optimise::Rates::of({profile_of({{8, 5000}, {10, 200}})});
   }
@@ -248,9 +249,11 @@ TEST_F(EnginePlan, PairsThatAreReportedLeaveByStreams) {
     const optimise::PrecisionPlan& plan = *found.best();
     EXPECT_NEAR(plan.throughput_per_s() / (streams * 100e6 / 0.84), 1, 0.03);
     EXPECT_EQ(plan.allocation()->lane_count(), streams * lanes);
+    const std::string reported =
+        fmt::format("{:.3g} % of the pairs are reported", 100 * rates_.reported_share().value());
     EXPECT_EQ(std::count_if(found.notes.begin(), found.notes.end(),
-                            [](const std::string& note) {
-                              return note.find(" % of the pairs are reported") != std::string::npos;
+                            [&](const std::string& note) {
+                              return note.find(reported) != std::string::npos;
                             }),
               1);
   }
@@ -278,7 +281,8 @@ TEST_F(EnginePlan, CountsWaitingWordsWithoutASetsSize) {
   const optimise::PrecisionPlan plan = *optimise_now().best();
   EXPECT_NEAR(plan.throughput_per_s() / (plan.allocation()->lane_count() * 100e6), 1, 1e-9);
   const auto other = at_rates(plan, scene_, rates_of({{8, 0}, {10, 0}}, 50'000));
-  EXPECT_NEAR(other->throughput_per_s / (100e6 / 0.05), 1, 0.35) << "lanes are idle then, too";
+  EXPECT_LE(other->throughput_per_s, 1.01 * 100e6 / 0.05) << "a stream takes no more";
+  EXPECT_GT(other->throughput_per_s, 0.9 * 100e6 / 0.05);
 }
 
 /// 20 items have use for three groups, and 32 streams need as many.
