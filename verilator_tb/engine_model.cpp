@@ -1,6 +1,7 @@
 #include "verilator_tb/engine_model.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "generator/hardware/emit/scheduled_system.hpp"
 
@@ -16,42 +17,34 @@ int word_latency_cycles(const emit::ScheduledSystem& scheduled) {
   return scheduled.words()->latency_cycles() + slowest;
 }
 
-/// The longest initiation interval of the design's references.
-int initiation_interval(const design::Design& design) {
-  int slowest = 1;
+/// Recomputations that the design's references can start in a cycle, at most 1.
+double recomputations_per_cycle(const design::Design& design) {
+  double started = 0;
   for (const design::ReferenceGroup& group : design.references) {
-    slowest = std::max(slowest, group.structure.initiation_interval);
+    started += static_cast<double>(group.count) / group.structure.initiation_interval;
   }
-  return slowest;
+  return std::min(1.0, started);
 }
 
 }  // namespace
 
-performance::PairwiseSet pairwise_set_of(const design::Design& design, const VerifyReport& report) {
+performance::PairwiseEngine pairwise_engine_of(const design::Design& design,
+                                               const VerifyReport& report) {
   const emit::ScheduledSystem scheduled = emit::schedule_system(design).value();
-  const int segments = scheduled.pairwise->segment_count();
-  const int streams = scheduled.pairwise->streams();
-  const bool tells_pairs = design.system.engine.report_as != scene::ReportForm::count;
-  const std::uint64_t leave =
-      report.undecided + report.recomputations + (tells_pairs ? report.engine->reported : 0);
-  // Streams share the segments. Where these do not divide evenly, one stream has more than others.
-  const int segments_of_one = (segments + streams - 1) / streams;
-  const double share = double(segments_of_one) / segments;
-  return {.items = report.engine->items - report.engine->others,
-          .others = report.engine->others,
-          .lanes = scheduled.shape.lanes,
-          .segments = segments,
-          .lane_latency_cycles = word_latency_cycles(scheduled),
-          .exceptions = static_cast<std::uint64_t>(static_cast<double>(leave) * share),
-          .recomputations = report.recomputations,
-          .references = scheduled.shape.references,
-          .initiation_interval = initiation_interval(design)};
+  const auto undecided = static_cast<double>(report.undecided + report.recomputations);
+  return {
+      .lanes = scheduled.shape.lanes,
+      .lanes_per_segment = design.system.engine.lanes_per_segment(),
+      .streams = scheduled.pairwise->streams(),
+      .report_as = design.system.engine.report_as,
+      .lane_latency_cycles = word_latency_cycles(scheduled),
+      .undecided = undecided / static_cast<double>(std::max<std::uint64_t>(report.comparisons, 1)),
+      .recomputations_per_cycle = recomputations_per_cycle(design)};
 }
 
-std::optional<double> expected_pairwise_cycles(const design::Design& design,
-                                               const VerifyReport& report) {
-  if (design.system.engine.report_as == scene::ReportForm::bitmap) return std::nullopt;
-  return performance::pairwise_cycles(pairwise_set_of(design, report));
+double expected_pairwise_cycles(const design::Design& design, const VerifyReport& report,
+                                std::shared_ptr<const performance::PairwiseData> data) {
+  return performance::PairwiseFlow(std::move(data)).cycles(pairwise_engine_of(design, report));
 }
 
 performance::Chain chain_of(const design::Design& design) {

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "model/base/number/verdict.hpp"
+#include "model/judge/golden/evaluate.hpp"
 #include "verilator_tb/judgement.hpp"
 
 namespace mixcmp::verilator_tb {
@@ -75,6 +76,9 @@ PairwiseJudge::PairwiseJudge(const emit::Signature& signature, const design::Des
                       .others = others,
                       .item_bytes = static_cast<std::uint64_t>(signature.engine->item_bytes),
                       .pair_bytes = static_cast<std::uint64_t>(signature.tdata_bytes)};
+  data_ = std::make_shared<performance::PairwiseData>(
+      performance::PairwiseData{.set = {comparisons.table().rows(), others}});
+  data_->reported.resize((data_->pairs() + 63) / 64);
 }
 
 data::Items PairwiseJudge::rows_of(const SetRange& set, std::uint64_t i, std::uint64_t j) const {
@@ -225,12 +229,21 @@ void PairwiseJudge::count(const SetRange& set, std::uint64_t i, std::uint64_t j,
   } else {
     ++report_.verdicts[static_cast<std::size_t>(word.verdict())];
   }
+  mark(pair_of(set, i, j), word);
   if (options_.truth) {
     check_against_truth(*options_.truth, design_, operands_, word, *report_.truth, group);
   }
   if (options_.on_result && is_reported(word)) {
     options_.on_result({pair_of(set, i, j), rows_of(set, i, j), word});
   }
+}
+
+void PairwiseJudge::mark(std::uint64_t pair, ResultWord word) {
+  const Verdict verdict = word.is_undecided()
+                              ? golden::evaluate_reference(design_.reference, operands_)
+                              : word.verdict();
+  const bool is_marked = design_.system.engine.report.contains(verdict);
+  data_->reported[pair / 64] |= std::uint64_t{is_marked} << pair % 64;
 }
 
 void PairwiseJudge::add_mismatch(const SetRange& set, std::uint64_t i, std::uint64_t j,

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
+#include "model/cost/performance/pairwise_flow.hpp"
 #include "verilator_tb/engine_judge.hpp"
 #include "verilator_tb/pairwise_simulation.hpp"
 
@@ -37,6 +39,10 @@ public:
 
   void take(const SetRange& set, const SetAnswer& answer, Use use);
 
+  /// The set whose figures the report has. Its marks are the verdicts of the design's own model; an
+  /// undecided pair, which has none, has that of the reference format.
+  std::shared_ptr<const performance::PairwiseData> data() const { return data_; }
+
 private:
   /// The reports of one set, in the order of pairs.
   class Reports;
@@ -53,10 +59,12 @@ private:
   void add_mismatch(const SetRange& set, std::uint64_t i, std::uint64_t j, ResultWord expected,
                     const harness::wire::ReportedPair* got);
   void count(const SetRange& set, std::uint64_t i, std::uint64_t j, ResultWord word);
+  void mark(std::uint64_t pair, ResultWord word);
   std::uint64_t pair_of(const SetRange& set, std::uint64_t i, std::uint64_t j) const;
   std::size_t lane_of(std::uint64_t i) const { return i % group_of_lane_.size(); }
   bool counts_only() const { return signature_.engine->report_as == scene::ReportForm::count; }
 
+  std::shared_ptr<performance::PairwiseData> data_;
   std::uint64_t recomputations_ = 0;  ///< by the golden model, since reset
   std::uint64_t due_ = 0;             ///< reports of this set, by the golden model
 };

@@ -118,7 +118,7 @@ Result<VerifyReport> verify_pairwise(const System& system, const design::Design&
              }));
   const bool is_whole = report.cycles > 0;
   if (is_whole && options.traffic == TrafficKind::full_rate) {
-    report.engine->expected_cycles = expected_pairwise_cycles(design, report);
+    report.engine->expected_cycles = expected_pairwise_cycles(design, report, judge.data());
   }
   return report;
 }

@@ -73,9 +73,10 @@ TEST_P(PairwiseSystem, ReportsWhatTheModelSaysAtFullRate) {
   expect_passed(report, capacity);
   EXPECT_GT(report.recomputations + report.undecided, 0u);
   EXPECT_EQ(report.counters.size(), 3u);
-  // The model does not know that the last pair waits for its recomputation.
+  // Cycles in which a set begins and ends are a constant in the model.
   const double expected = report.engine->expected_cycles.value();
-  EXPECT_NEAR(static_cast<double>(report.cycles), expected + 30, 0.01 * expected + 30);
+  fmt::print("{} cycles, {:.0f} expected\n", report.cycles, expected);
+  EXPECT_NEAR(static_cast<double>(report.cycles), expected, 0.01 * expected + 20);
 }
 
 TEST_P(PairwiseSystem, ReportsItUnderStallsAndResets) {

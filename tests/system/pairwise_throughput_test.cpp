@@ -4,12 +4,9 @@
 #include <algorithm>
 
 #include "model/comparison/data/uniform_spheres.hpp"
-#include "model/cost/performance/pairwise_flow.hpp"
-#include "model/judge/golden/evaluate.hpp"
 #include "model/judge/golden/fixed_evaluate.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
-#include "verilator_tb/engine_model.hpp"
 
 /// The cycles that a whole engine takes for a set, beside those of the performance model.
 namespace mixcmp::test::pairwise_throughput_test {
@@ -28,7 +25,7 @@ struct Load {
   const char* lane_format;
   double radius_max;
   int second_tier = 0;  ///< its bits; 0: none. First lanes are then in fixed point of four bits.
-  double tolerance = 0.05;
+  double tolerance = 0.02;
   const char* device = "virtex6-lx760";
   scene::Multipliers multipliers = scene::Multipliers::embedded;
 };
@@ -112,27 +109,6 @@ std::uint64_t second_tier_cycles(const FirstVerdicts& verdicts, std::uint64_t la
   return most;
 }
 
-/// The cycles that a plan would count for the engine.
-double planned_cycles(const design::Design& design, const data::Comparisons& pairs,
-                      const performance::PairwiseSet& set, double recomputation_rate) {
-  performance::PairwiseData data{.set = {.items = items}};
-  data.reported.resize((pairs.size() + 63) / 64);
-  std::vector<Bits> operands(pairs.input_count());
-  for (std::uint64_t k = 0; k < pairs.size(); ++k) {
-    pairs.fetch(k, operands);
-    const auto truth = golden::true_verdict(sphere_graph(), pairs.format(), operands);
-    data.reported[k / 64] |= std::uint64_t{truth == Verdict::less} << k % 64;
-  }
-  const double references = set.references;
-  return performance::PairwiseFlow(std::make_shared<performance::PairwiseData>(std::move(data)))
-      .cycles({.lanes = set.lanes,
-               .lanes_per_segment = design.system.engine.lanes_per_group,
-               .streams = design.system.engine.report_streams,
-               .lane_latency_cycles = set.lane_latency_cycles,
-               .undecided = recomputation_rate,
-               .recomputations_per_cycle = std::min(1.0, references / set.initiation_interval)});
-}
-
 class PairwiseThroughput : public testing::TestWithParam<Load> {};
 
 TEST_P(PairwiseThroughput, IsThePredictedOne) {
@@ -144,20 +120,15 @@ TEST_P(PairwiseThroughput, IsThePredictedOne) {
   const data::Comparisons pairs = data::Comparisons::all_pairs(table, design.inputs).value();
   const auto report = simulate(design, pairs, {});
   ASSERT_TRUE(report.passed()) << to_text(report);
-  performance::PairwiseSet set = verilator_tb::pairwise_set_of(design, report);
-  EXPECT_EQ(report.engine->expected_cycles, performance::pairwise_cycles(set));
+  double predicted = report.engine->expected_cycles.value();
   if (design.second_tier) {
-    set.second_tier_cycles =
+    const std::uint64_t of_tier =
         second_tier_cycles(FirstVerdicts(design, pairs), static_cast<std::uint64_t>(load.lanes));
+    predicted = std::max(predicted, static_cast<double>(of_tier));
   }
-  const double predicted = performance::pairwise_cycles(set);
   fmt::print("{}: {} cycles, {:.0f} predicted\n", load.name, report.cycles, predicted);
   EXPECT_NEAR(static_cast<double>(report.cycles), predicted, load.tolerance * predicted)
       << to_text(report);
-  if (design.second_tier) return;
-  const double planned = planned_cycles(design, pairs, set, report.recomputation_rate());
-  fmt::print("{}: {:.0f} planned\n", load.name, planned);
-  EXPECT_NEAR(static_cast<double>(report.cycles), planned, 0.02 * planned);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -171,10 +142,10 @@ INSTANTIATE_TEST_SUITE_P(
                     // It reads its operands in its last phase, and needs the next ones at once.
                     Load{"AReferenceOfTwoCycles", 16, 2, 1, 2, "s4e8", 20},
                     // References that read their operands late.
-                    Load{"ALateReference", 16, 2, 1, 16, "s8e8", 20, 0, 0.05, "ice40-hx8k", logic},
-                    Load{"LateReferencesBesideEachOther", 16, 2, 3, 16, "s6e8", 20, 0, 0.05,
+                    Load{"ALateReference", 16, 2, 1, 16, "s8e8", 20, 0, 0.02, "ice40-hx8k", logic},
+                    Load{"LateReferencesBesideEachOther", 16, 2, 3, 16, "s6e8", 20, 0, 0.02,
                          "ice40-hx8k", logic},
-                    Load{"ASecondTier", 16, 2, 1, 1, "s12e8", 10, 11},  // words
+                    Load{"ASecondTier", 16, 2, 1, 1, "s12e8", 10, 11, 0.05},  // words
                     // Bursts at one of two tiers hold up the other.
                     Load{"ASecondTierAskedTooOften", 16, 2, 1, 1, "s12e8", 60, 11, 0.1}),
     [](const auto& load) { return std::string(load.param.name); });

@@ -277,13 +277,14 @@ public:
     most_queued_ = design::beats_before_stop(bits, engine.lane_latency_cycles);
   }
 
+  /// Cycles until the word that closes the set has passed the last lanes and all reports have left.
   std::uint64_t run() {
     while (next_ < walk_.words.size() || in_chain_ > 0 || beats_ > 0 || waiting_ > 0 ||
            verdicts_ >= 1 || !are_streams_idle()) {
       step();
       ++cycle_;
     }
-    return cycle_;
+    return std::max(cycle_, last_answer_);
   }
 
 private:
@@ -377,6 +378,7 @@ private:
       segments_[number + 1].link.push(word, cycle_);
     } else {
       --in_chain_;
+      last_answer_ = cycle_ + static_cast<std::uint64_t>(engine_.lane_latency_cycles);
     }
     push_exceptions(segment, walk_.count(word, number));
   }
@@ -418,14 +420,15 @@ private:
   double undecided_ = 0;    ///< pairs for a word in a segment if spread, else for a reported pair
   int most_queued_ = 0;
   std::uint64_t cycle_ = 0;
-  std::uint64_t next_ = 0;      ///< the word that enters next
-  std::uint64_t in_chain_ = 0;  ///< words
-  std::uint64_t beats_ = 0;     ///< in queues
-  std::uint64_t loaded_ = 0;    ///< items
-  int waiting_ = 0;             ///< pairs in front of the items' memory
-  double starts_ = 0;           ///< recomputations that may start
-  double verdicts_ = 0;         ///< of references, to be reported
-  bool was_report_ = false;     ///< the last word of the first stream was its own
+  std::uint64_t last_answer_ = 0;  ///< the cycle in which lanes answer for the last word
+  std::uint64_t next_ = 0;         ///< the word that enters next
+  std::uint64_t in_chain_ = 0;     ///< words
+  std::uint64_t beats_ = 0;        ///< in queues
+  std::uint64_t loaded_ = 0;       ///< items
+  int waiting_ = 0;                ///< pairs in front of the items' memory
+  double starts_ = 0;              ///< recomputations that may start
+  double verdicts_ = 0;            ///< of references, to be reported
+  bool was_report_ = false;        ///< the last word of the first stream was its own
 };
 
 }  // namespace
@@ -453,7 +456,8 @@ double PairwiseFlow::cycles(const PairwiseEngine& engine) const {
   const bool is_sampled = walk.words.size() < walk.all_words;
   const ItemSet& set = data_->set;
   const double part = static_cast<double>(walk.words.size()) / static_cast<double>(walk.all_words);
-  const double way = Link::latency_cycles * walk.segments;  // of the last word through the chain
+  // Of the last word through the chain and the last lanes.
+  const double way = Link::latency_cycles * walk.segments + engine.lane_latency_cycles;
   double cycles = least_cycles(walk, engine);
   bool is_loaded = false;  // `cycles` has those in which items come
   if (cycles < overloaded * static_cast<double>(walk.words.size())) {
@@ -462,7 +466,7 @@ double PairwiseFlow::cycles(const PairwiseEngine& engine) const {
     cycles = static_cast<double>(simulation.run()) - way;
     is_loaded = !is_sampled;
   }
-  place->second = cycles / part + way + closing_cycles + engine.lane_latency_cycles;
+  place->second = cycles / part + way + closing_cycles;
   // Targets come before the first word.
   if (!is_loaded && set.others > 0) place->second += static_cast<double>(set.items);
   return place->second;

@@ -109,8 +109,8 @@ TEST(PairwiseFlow, ARecomputationHoldsUpAnItem) {
   const PairwiseFlow flow(none_of({.items = 64}));
   PairwiseEngine engine = engine_of_64;
   const double without = flow.cycles(engine);
-  engine.undecided = 0.02;  // of 2016 pairs
-  EXPECT_NEAR(flow.cycles(engine) - without, 40, 8);
+  engine.undecided = 0.02;  // of 2016 pairs: 40, the last of them behind the last item
+  EXPECT_NEAR(flow.cycles(engine) - without, 32, 8);
 }
 
 /// The words that enter first meet few lanes, and half of the second table has all reports: only a
