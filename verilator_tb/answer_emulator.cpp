@@ -32,8 +32,7 @@ AnswerEmulator::AnswerEmulator(const design::Design& design)
 }
 
 bool AnswerEmulator::emulates(std::size_t group) const {
-  return lanes_[group].is_exact_in_double() &&
-         (!second_tier_ || second_tier_->is_exact_in_double());
+  return lanes_[group].is_emulated() && (!second_tier_ || second_tier_->is_emulated());
 }
 
 void AnswerEmulator::find(std::size_t group, Batch& batch, std::span<ResultWord> words) const {

@@ -225,13 +225,14 @@ Result<Done> ArchitectureSearch::add_streams(std::size_t formulation,
   MIXCMP_TRY(left_out, left_out_lanes(given, query, rates_[formulation], useful,
                                       "fewer digits leave nothing undecided"));
   query.lanes = std::move(useful);
-  MIXCMP_TRY(datapaths, predict_table(area_of_, given, data, query));
+  components::ComponentMaker maker(given, data);
+  MIXCMP_TRY(datapaths, predict_table(area_of_, maker, query));
   query.lanes = lanes_by_slots(datapaths, given);
   query.kinds = {ComponentKind::fifo, ComponentKind::crossbar, ComponentKind::reference_port};
   if (given.second_tier) query.kinds.insert(ComponentKind::second_lane);
   for (const optimise::Architecture& architecture : architectures_of(given, open)) {
-    const scene::Scene scene = with_architecture(given, architecture, open);
-    MIXCMP_TRY(streams, predict_table(area_of_, scene, data, query));
+    maker.move_to(with_architecture(given, architecture, open));
+    MIXCMP_TRY(streams, predict_table(area_of_, maker, query));
     Characterisation table = datapaths;
     table.rows.insert(table.rows.end(), streams.rows.begin(), streams.rows.end());
     add_system(formulation, architecture, open, std::move(table));
@@ -262,15 +263,15 @@ Result<Done> ArchitectureSearch::add_engine(std::size_t formulation,
   }
   std::map<int, Characterisation> groups;  // by their lanes: counters and streams change nothing
   for (const optimise::Architecture& architecture : architectures_of(given, open)) {
-    const scene::Scene scene = with_architecture(given, architecture, open);
+    maker.move_to(with_architecture(given, architecture, open));
     const auto [group, is_new] = groups.try_emplace(architecture.lanes_per_group);
     if (is_new) {
       query.kinds = of_groups;
-      MIXCMP_TRY(parts, predict_table(area_of_, scene, data, query));
+      MIXCMP_TRY(parts, predict_table(area_of_, maker, query));
       group->second = std::move(parts);
     }
     query.kinds = of_engine;
-    MIXCMP_TRY(parts, predict_table(area_of_, scene, data, query));
+    MIXCMP_TRY(parts, predict_table(area_of_, maker, query));
     const std::vector<Measurement>& shared = group->second.rows;
     parts.rows.insert(parts.rows.end(), shared.begin(), shared.end());
     add_system(formulation, architecture, open, std::move(parts));

@@ -119,20 +119,27 @@ private:
   Result<Done> visit_lanes() {
     MIXCMP_TRY(lanes, lanes_of(maker_.scene(), query_));
     for (const measured::Lane& wanted : lanes) {
-      const Result<Component> lane = maker_.make(wanted);
-      if (!lane.ok()) {
-        missing_.push_back({wanted, lane.error()});
+      const Result<design::Lane> designed = maker_.lane(wanted);
+      if (!designed.ok()) {
+        missing_.push_back({wanted, designed.error()});
         continue;
       }
       if (!maker_.has_engine()) {
-        const int registers = maker_.scene().system.input_registers;
-        slots_.insert(design::slots_for(lane->latency_cycles + registers, recomputes()));
+        MIXCMP_DO(visit_stream_lane(wanted));
+        continue;
       }
-      take(*lane);
-      if (maker_.has_engine()) {
-        MIXCMP_TRY(visited, visit_engine_parts(wanted));
-      }
+      if (asked(ComponentKind::lane) || asked(ComponentKind::unit)) MIXCMP_DO(visit(wanted));
+      MIXCMP_DO(visit_engine_parts(wanted));
     }
+    return Done{};
+  }
+
+  /// Visits a lane and notes the slots that it needs.
+  Result<Done> visit_stream_lane(const measured::Lane& wanted) {
+    MIXCMP_TRY(lane, maker_.make(wanted));
+    const int registers = maker_.scene().system.input_registers;
+    slots_.insert(design::slots_for(lane.latency_cycles + registers, recomputes()));
+    take(lane);
     return Done{};
   }
 

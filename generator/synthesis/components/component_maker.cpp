@@ -140,6 +140,11 @@ Result<Component> ComponentMaker::made(const measured::Unit& key) {
 }
 
 Result<design::Lane> ComponentMaker::lane(const measured::Lane& key) {
+  const auto known = lanes_.find(key);
+  return known == lanes_.end() ? lanes_.emplace(key, designed(key)).first->second : known->second;
+}
+
+Result<design::Lane> ComponentMaker::designed(const measured::Lane& key) {
   const Multipliers multipliers = multipliers_of(key.multipliers);
   scene::ReducedSpec reduced = scene::with_bound(scene_.reduced, key.bound);
   reduced.format = key.format.floating;

@@ -58,8 +58,11 @@ public:
   /// The component of a key, or why there is none. A component without a product has no kind of
   /// multipliers in its key, even if the given key has one.
   Result<Component> make(const measured::ComponentKey& key);
-  /// A lane that is not yet hardware.
+  /// A lane that is not yet hardware. It is designed once.
   Result<design::Lane> lane(const measured::Lane& key);
+
+  /// Goes on with the same comparison in another system: lanes need not be designed again.
+  void move_to(scene::Scene scene) { scene_ = std::move(scene); }
 
   const scene::Scene& scene() const { return scene_; }
   const scene::EngineSpec& engine() const { return scene_.system.engine; }
@@ -73,6 +76,7 @@ public:
 private:
   using Constants = std::pair<std::optional<mpq_class>, std::optional<mpq_class>>;  ///< RE_f, RE_g
 
+  Result<design::Lane> designed(const measured::Lane& key);
   static Result<Component> made(const measured::Unit& key);
   Result<Component> made(const measured::Lane& key);
   Result<Component> made_word_lane(const measured::Lane& key);
@@ -109,6 +113,7 @@ private:
 
   scene::Scene scene_;
   const data::Comparisons* data_;
+  std::map<measured::Lane, Result<design::Lane>> lanes_;
   std::map<LaneInputs, std::map<int, Constants>> constants_;  ///< by precision; as measured
 };
 

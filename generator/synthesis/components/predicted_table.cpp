@@ -70,10 +70,9 @@ double six_input_luts(const devices::Device& device) {
 }
 
 Result<measured::Characterisation> predict_table(const PredictedArea& area_of,
-                                                 const scene::Scene& scene,
-                                                 const data::Comparisons* data,
+                                                 ComponentMaker& maker,
                                                  const ComponentQuery& query) {
-  ComponentMaker maker(scene, data);
+  const scene::Scene& scene = maker.scene();
   measured::Characterisation table{
       .device = scene.system.device, .scene = scene.name, .command = {}, .spec = {}, .rows = {}};
   const auto use = [&](const Component& component) {

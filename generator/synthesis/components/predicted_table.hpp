@@ -55,11 +55,10 @@ double six_input_luts(const devices::Device& device);
 using PredictedArea =
     std::function<std::optional<devices::Area>(const Component&, const scene::Scene&)>;
 
-/// The components that a query asks for, with predicted areas and no clocks: no tool runs. Those
-/// without a predicted area are left out. `data` may be null.
+/// The components of the maker's scene that a query asks for, with predicted areas and no clocks:
+/// no tool runs. Those without a predicted area are left out.
 Result<measured::Characterisation> predict_table(const PredictedArea& area_of,
-                                                 const scene::Scene& scene,
-                                                 const data::Comparisons* data,
+                                                 ComponentMaker& maker,
                                                  const ComponentQuery& query);
 
 /// The areas that are predicted for the rows of a scene's table, in their order; none where the

@@ -12,6 +12,7 @@
 #include "model/judge/emulator/combine_parts.hpp"
 #include "model/judge/emulator/execution.hpp"
 #include "model/judge/emulator/fixed_code.hpp"
+#include "model/judge/emulator/wide_lane.hpp"
 #include "model/judge/golden/evaluate.hpp"
 #include "model/judge/golden/fixed_evaluate.hpp"
 
@@ -28,7 +29,7 @@ public:
   virtual void compare(OperandColumns operands, std::span<Decision> decisions) const = 0;
   virtual void compute(OperandColumns operands, std::span<double> f, std::span<double> g,
                        std::span<std::uint8_t> exceptional) const = 0;
-  virtual bool is_exact_in_double() const = 0;
+  virtual bool is_emulated() const = 0;
 
   std::size_t inputs() const { return inputs_; }
   std::uint64_t fallbacks() const { return fallbacks_.load(std::memory_order_relaxed); }
@@ -109,7 +110,7 @@ public:
         lane_(std::move(lane)),
         code_(make_code(graph_, lane_ ? &*lane_ : nullptr)) {}
 
-  bool is_exact_in_double() const override { return true; }
+  bool is_emulated() const override { return code_.has_value(); }
   void decide(OperandColumns operands, std::span<Decision> decisions) const override;
   void compare(OperandColumns operands, std::span<Decision> decisions) const override;
   void compute(OperandColumns operands, std::span<double> f, std::span<double> g,
@@ -185,11 +186,14 @@ public:
   explicit FixedProgram(fixed::FixedLane lane)
       : Program(lane.input_format, lane.input_names.size()),
         lane_(std::move(lane)),
-        code_(make_fixed_code(lane_)) {}
+        code_(make_fixed_code(lane_)) {
+    if (!code_) wide_ = WideLane::make(lane_);
+  }
 
-  bool is_exact_in_double() const override { return code_.has_value(); }
+  bool is_emulated() const override { return code_ || wide_; }
 
   void decide(OperandColumns operands, std::span<Decision> decisions) const override {
+    if (wide_) return wide_->decide(operands, decisions);
     if (!code_) {
       for (std::size_t k = 0; k < decisions.size(); ++k) {
         decisions[k] = lane_decision(golden::evaluate_lane(lane_, encoded(operands, k)));
@@ -215,6 +219,7 @@ public:
 private:
   fixed::FixedLane lane_;
   std::optional<FixedCode> code_;
+  std::optional<WideLane> wide_;  ///< if there is no code
 };
 
 Emulator::Emulator(const error::Lane& lane) : combination_(lane.graph.combination) {
@@ -271,9 +276,9 @@ void Emulator::compute(OperandColumns operands, std::size_t count, std::span<dou
   parts_.front()->compute(operands, f.first(count), g.first(count), exceptional.first(count));
 }
 
-bool Emulator::is_exact_in_double() const {
+bool Emulator::is_emulated() const {
   return std::all_of(parts_.begin(), parts_.end(),
-                     [](const auto& part) { return part->is_exact_in_double(); });
+                     [](const auto& part) { return part->is_emulated(); });
 }
 
 std::uint64_t Emulator::fallbacks() const {

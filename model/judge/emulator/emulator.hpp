@@ -23,9 +23,10 @@ using OperandColumns = std::span<const double* const>;
 ///
 /// If double cannot be trusted (a result that may be out of range, a NaN), the comparison falls
 /// back to the golden model by itself. Formats that double cannot hold at all (precision above 53,
-/// more than 11 exponent bits, integers of more than 53 bits) always fall back. Results do not
-/// depend on how comparisons are split into batches. Thread-safe: all members are const, scratch
-/// memory belongs to the call.
+/// more than 11 exponent bits) always fall back, and so do integers of more than 125 bits; those of
+/// more than 53 are computed one comparison after the other. Results do not depend on how
+/// comparisons are split into batches. Thread-safe: all members are const, scratch memory belongs
+/// to the call.
 class Emulator {
 public:
   explicit Emulator(const error::Lane& lane);
@@ -48,8 +49,8 @@ public:
   void compute(OperandColumns operands, std::size_t count, std::span<double> f, std::span<double> g,
                std::span<std::uint8_t> exceptional) const;
 
-  /// Whether double holds every integer of a lane in fixed point; true of all others.
-  bool is_exact_in_double() const;
+  /// Whether not every comparison falls back.
+  bool is_emulated() const;
   /// Comparisons that fell back to the golden model since construction.
   std::uint64_t fallbacks() const;
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -7,6 +8,7 @@
 #include "model/base/number/double.hpp"
 #include "model/judge/emulator/emulator.hpp"
 #include "model/judge/emulator/fixed_code.hpp"
+#include "model/judge/emulator/wide_lane.hpp"
 #include "model/judge/golden/fixed_evaluate.hpp"
 #include "tests/model/judge/emulator/against_golden.hpp"
 #include "tests/support/bounded_comparisons.hpp"
@@ -78,20 +80,28 @@ std::vector<Decision> golden_decisions(const FixedLane& lane, const Columns& col
   return decisions;
 }
 
+/// One failure names the first decision that differs.
+void expect_same(const std::string& name, const std::vector<Decision>& got,
+                 const std::vector<Decision>& expected) {
+  const auto [other, due] = std::mismatch(got.begin(), got.end(), expected.begin());
+  if (other == got.end()) return;
+  ADD_FAILURE() << name << ", comparison " << other - got.begin() << ": expected "
+                << static_cast<int>(*due) << ", got " << static_cast<int>(*other);
+}
+
+/// The lane is also computed in integers of 128 bits, wherever these suffice.
 void expect_golden(const std::string& name, const FixedLane& lane, const Columns& columns) {
   const std::vector<Decision> expected = golden_decisions(lane, columns);
   const Emulator emulator(lane);
+  std::vector<Decision> got(expected.size());
   for_each_instruction_set([&] {
-    std::vector<Decision> got(expected.size());
     emulator.decide(pointers(columns), got.size(), got);
-    for (std::size_t k = 0; k < got.size(); ++k) {
-      if (got[k] == expected[k]) continue;
-      ADD_FAILURE() << Emulator::instruction_set() << ", " << name << ", comparison " << k
-                    << ": expected " << static_cast<int>(expected[k]) << ", got "
-                    << static_cast<int>(got[k]);
-      return;
-    }
+    expect_same(std::string(Emulator::instruction_set()) + ", " + name, got, expected);
   });
+  const auto wide = emulator::WideLane::make(lane);
+  if (!wide) return;
+  wide->decide(pointers(columns), got);
+  expect_same("128 bits, " + name, got, expected);
 }
 
 class FixedEmulation : public testing::TestWithParam<BoundedComparison> {};
@@ -99,7 +109,8 @@ class FixedEmulation : public testing::TestWithParam<BoundedComparison> {};
 TEST_P(FixedEmulation, IsTheGoldenModelsBitForBit) {
   Random random(1);
   const Columns columns = hard_columns(GetParam().ranges(), 301, random);
-  const auto lanes = fixed_lanes(GetParam(), format("s53e11"), {1, 2, 4, 7, 13, 17, 22, 24, 30});
+  const auto lanes =
+      fixed_lanes(GetParam(), format("s53e11"), {1, 2, 4, 7, 13, 17, 22, 24, 30, 45, 60});
   for (const auto& [name, lane] : lanes) expect_golden(name, lane, columns);
 }
 
@@ -122,20 +133,20 @@ TEST_P(FixedEmulation, OfBlocksIsTheGoldenModelsBitForBit) {
   Random random(6);
   Columns columns = hard_columns(GetParam().ranges(), 301, random);
   spread(columns, random);
-  const auto lanes = block_lanes(GetParam(), format("s53e11"), {1, 2, 7, 13, 22, 30});
+  const auto lanes = block_lanes(GetParam(), format("s53e11"), {1, 2, 7, 13, 22, 30, 55});
   for (const auto& [name, lane] : lanes) expect_golden(name, lane, columns);
 }
 
 TEST_P(FixedEmulation, WithGuardDigitsIsTheGoldenModelsBitForBit) {
   Random random(7);
   Columns columns = hard_columns(GetParam().ranges(), 301, random);
-  const auto in_ranges =
-      guarded_lanes(GetParam(), format("s53e11"),
-                    {{1, false, 1}, {4, false, 9}, {13, false, 3}, {17, false, 30}});
+  const auto in_ranges = guarded_lanes(
+      GetParam(), format("s53e11"),
+      {{1, false, 1}, {4, false, 9}, {13, false, 3}, {17, false, 30}, {40, false, 9}});
   for (const auto& [name, lane] : in_ranges) expect_golden(name, lane, columns);
   spread(columns, random);
-  const auto in_blocks =
-      guarded_lanes(GetParam(), format("s53e11"), {{2, true, 3}, {13, true, 7}, {22, true, 2}});
+  const auto in_blocks = guarded_lanes(GetParam(), format("s53e11"),
+                                       {{2, true, 3}, {13, true, 7}, {22, true, 2}, {50, true, 3}});
   for (const auto& [name, lane] : in_blocks) expect_golden(name, lane, columns);
 }
 
@@ -177,7 +188,7 @@ TEST(FixedSums, AreTheGoldenModels) {
       const std::vector ranges(graph.inputs().size(), std::optional(range));
       for (const std::size_t count : {1, 31, 33, 300}) {
         const Columns columns = hard_columns(ranges, count, random);
-        for (const int bits : {1, 3, 13, 25}) {
+        for (const int bits : {1, 3, 13, 25, 40}) {
           expect_golden(std::string(f) + " against " + g, lane_of(graph, bits, ranges), columns);
         }
       }
@@ -192,7 +203,7 @@ TEST(FixedSums, OfTermsThatDoubleCannotAddAreAddedNodeByNode) {
       graph_of("within(a, 2040, 2046) + (within(b, 1024, 1025) - within(c, 1024, 1025))",
                "within(d, 2040, 2046)");
   const FixedLane lane = lane_of(graph, 53, std::vector(4, std::optional(Range{1024, 2047})));
-  ASSERT_TRUE(Emulator(lane).is_exact_in_double());
+  ASSERT_TRUE(emulator::make_fixed_code(lane).has_value());
   Random random(8);
   Columns columns(4);
   const auto fraction = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
@@ -215,7 +226,7 @@ TEST(FixedEmulationOfParts, IsTheGoldenModels) {
   for (const Graph& graph : {any, all}) {
     const std::vector<std::optional<Range>> ranges(3, Range{-4, 6});
     const Columns columns = hard_columns(ranges, 1000, random);
-    for (const int bits : {2, 5, 13}) {
+    for (const int bits : {2, 5, 13, 40}) {
       const auto lane = fixed::fixed_lane(graph, format("s53e11"),
                                           {.format = {bits}, .bound = {}, .ranges = ranges});
       ASSERT_TRUE(lane.ok());
@@ -240,7 +251,8 @@ TEST(GuardedParts, AreTheGoldenModelsBitForBit) {
   const std::vector<std::optional<Range>> ranges(4, Range{-3, 3});
   Random random(8);
   const Columns columns = hard_columns(ranges, 2001, random);
-  for (const FixedPoint format : {FixedPoint{3, false, 4}, {7, false, 2}, {4, true, 3}}) {
+  for (const FixedPoint format :
+       {FixedPoint{3, false, 4}, {7, false, 2}, {4, true, 3}, {40, false, 5}}) {
     const auto lane = fixed::fixed_lane(graph, mixcmp::test::format("s53e11"),
                                         {.format = format, .ranges = ranges});
     expect_golden(format.name(), lane.value(), columns);
@@ -259,15 +271,17 @@ TEST(FixedCode, OfSpheresStoresOnlyTheOperands) {
   EXPECT_EQ(code->criteria.front().radius.size(), 2u);
 }
 
-TEST(WideFixedLanes, FallBackToTheGoldenModel) {
+TEST(WideFixedLanes, OfTooManyBitsFallBackToTheGoldenModel) {
   Random random(4);
   const Columns columns = hard_columns(std::vector(8, std::optional(Range{0, 100})), 10, random);
   std::vector<Decision> decisions(10);
-  for (const auto& [bits, fallbacks] : {std::pair{25, 0u}, std::pair{26, 10u}}) {
+  EXPECT_TRUE(emulator::make_fixed_code(sphere_lane(25)).has_value());
+  EXPECT_FALSE(emulator::make_fixed_code(sphere_lane(26)).has_value());
+  for (const auto& [bits, fallbacks] : {std::pair{26, 0u}, {60, 0u}, {63, 10u}}) {
     const Emulator emulator(sphere_lane(bits));
     emulator.decide(pointers(columns), 10, decisions);
     EXPECT_EQ(emulator.fallbacks(), fallbacks) << bits;
-    EXPECT_EQ(emulator.is_exact_in_double(), fallbacks == 0) << bits;
+    EXPECT_EQ(emulator.is_emulated(), fallbacks == 0) << bits;
   }
 }
 
