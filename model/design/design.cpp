@@ -257,6 +257,48 @@ Result<LaneGroup> design_group(const scene::Scene& scene, const scene::LaneGroup
                    .count = count};
 }
 
+/// Refuses lanes that do not fill their groups.
+Result<Done> check_whole_groups(const scene::Scene& scene) {
+  const int group = scene.system.lanes_per_group;
+  for (const scene::LaneGroupSpec& lanes : scene.lane_groups()) {
+    if (*lanes.count % group == 0) continue;
+    return Error{.file = lanes.place.file,
+                 .line = lanes.place.line,
+                 .field = lanes.place.line > 0 ? "lanes.count" : "system.lanes",
+                 .message = "lanes in lock step come in whole groups",
+                 .received = fmt::format("{}", *lanes.count),
+                 .accepted = fmt::format("a multiple of system.lanes_per_group, {}", group)};
+  }
+  return Done{};
+}
+
+/// Refuses more streams of reports than a pairwise engine has groups of lanes: each group fills at
+/// most one.
+Result<Done> check_report_streams(const scene::Scene& scene) {
+  const scene::EngineSpec& engine = scene.system.engine;
+  int groups = 0;
+  for (const scene::LaneGroupSpec& lanes : scene.lane_groups()) {
+    groups += (*lanes.count + engine.lanes_per_group - 1) / engine.lanes_per_group;
+  }
+  if (engine.report_streams <= groups) return Done{};
+  return Error{.field = "engine.report_streams",
+               .message = "each group of lanes has one at most",
+               .received = fmt::format("{}", engine.report_streams),
+               .accepted = fmt::format("1..{}, or more groups, by more lanes or a smaller "
+                                       "engine.lanes_per_group than {}",
+                                       groups, engine.lanes_per_group)};
+}
+
+/// Plans choose how many lanes there are, so only a design has to fit its groups.
+Result<Done> check_groups(const scene::Scene& scene) {
+  switch (scene.system.engine.kind) {
+    case scene::EngineKind::none: return check_whole_groups(scene);
+    case scene::EngineKind::pairwise: return check_report_streams(scene);
+    case scene::EngineKind::arg_min: return Done{};
+  }
+  MIXCMP_CHECK(false);
+}
+
 /// In a system of streams a second tier must have a known number of lanes, and references behind
 /// it.
 Result<Done> check_second_tier(const scene::Scene& scene) {
@@ -302,6 +344,7 @@ Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
     MIXCMP_TRY(group, design_group(scene, spec, data, measure));
     design.lanes.push_back(std::move(group));
   }
+  MIXCMP_DO(check_groups(scene));
   MIXCMP_DO(check_second_tier(scene));
   MIXCMP_TRY(second_tier, design_second_tier(scene));
   design.second_tier = std::move(second_tier);

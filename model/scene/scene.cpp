@@ -269,54 +269,15 @@ Result<Done> check_sums(const settings::Settings& settings, const Graph& graph, 
                          in_quotes(std::string(to_string(sums))), "\"composed\"");
 }
 
-/// Refuses lanes that do not fill their groups, and tags that cannot name a group's lanes.
-Result<Done> check_groups(const settings::Settings& settings,
-                          const std::vector<LaneGroupSpec>& groups, const SystemSpec& system) {
-  const std::string accepted =
-      fmt::format("a multiple of system.lanes_per_group, {}", system.lanes_per_group);
-  const auto is_whole = [&](const std::optional<int>& lanes) {
-    return !lanes || *lanes % system.lanes_per_group == 0;
-  };
-  for (const LaneGroupSpec& group : groups) {
-    if (is_whole(group.count)) continue;
-    return Error{.file = group.place.file,
-                 .line = group.place.line,
-                 .field = "lanes.count",
-                 .message = "lanes in lock step come in whole groups",
-                 .received = fmt::format("{}", *group.count),
-                 .accepted = accepted};
-  }
-  const settings::Section section(settings, "system");
+/// Refuses tags that cannot name a group's lanes.
+Result<Done> check_tag_bits(const settings::Settings& settings, const SystemSpec& system) {
   const int name_bits = std::bit_width(static_cast<unsigned>(system.lanes_per_group - 1));
-  if (system.operands == OperandStore::refetched && system.tag_bits < name_bits) {
-    return section.mistake("tag_bits", "too few to name the lanes of a group",
-                           fmt::format("{}", system.tag_bits),
-                           fmt::format("at least {}, or a smaller system.lanes_per_group than {}",
-                                       name_bits, system.lanes_per_group));
-  }
-  if (!groups.empty() || is_whole(system.lanes)) return Done{};
-  return section.mistake("lanes", "lanes in lock step come in whole groups",
-                         fmt::format("{}", *system.lanes), accepted);
-}
-
-/// Refuses more streams of reports than a pairwise engine has groups of lanes: each group fills at
-/// most one. Not checked if the number of lanes is still open.
-Result<Done> check_report_streams(const settings::Settings& settings,
-                                  const std::vector<LaneGroupSpec>& lanes, const SystemSpec& system,
-                                  const EngineSpec& engine) {
-  if (engine.kind != EngineKind::pairwise) return Done{};
-  const auto groups_of = [&](int count) {
-    return (count + engine.lanes_per_group - 1) / engine.lanes_per_group;
-  };
-  int groups = lanes.empty() ? groups_of(system.lanes.value_or(max_lanes)) : 0;
-  for (const LaneGroupSpec& kind : lanes) groups += groups_of(kind.count.value_or(max_lanes));
-  if (engine.report_streams <= groups) return Done{};
-  const settings::Section section(settings, "engine");
-  return section.mistake("report_streams", "each group of lanes has one at most",
-                         fmt::format("{}", engine.report_streams),
-                         fmt::format("1..{}, or more groups, by more lanes or a smaller "
-                                     "engine.lanes_per_group than {}",
-                                     groups, engine.lanes_per_group));
+  if (system.operands != OperandStore::refetched || system.tag_bits >= name_bits) return Done{};
+  const settings::Section section(settings, "system");
+  return section.mistake("tag_bits", "too few to name the lanes of a group",
+                         fmt::format("{}", system.tag_bits),
+                         fmt::format("at least {}, or a smaller system.lanes_per_group than {}",
+                                     name_bits, system.lanes_per_group));
 }
 
 /// Notes keys of a system of streams that an engine does not read.
@@ -394,10 +355,9 @@ Result<Scene> interpret(SceneSettings read) {
   }
   MIXCMP_TRY(engine, read_engine(settings, graph.inputs(), data));
   if (engine.kind == EngineKind::none) {
-    MIXCMP_DO(check_groups(settings, lanes.groups, system));
+    MIXCMP_DO(check_tag_bits(settings, system));
   } else {
     note_stream_keys(system, engine, notes);
-    MIXCMP_DO(check_report_streams(settings, lanes.groups, system, engine));
   }
   MIXCMP_TRY(second_tier, read_second_tier(settings, format, engine.kind));
   const bool has_no_tier = engine.kind != EngineKind::arg_min && !second_tier.reduced;

@@ -121,6 +121,15 @@ protected:
 
 /// Few intervals and groups keep the exhaustive side small: each architecture is a search of its
 /// own, with all of its keys given.
+/// The scene's own number of lanes is for generate; a plan has another one.
+TEST_F(OptimiseTask, GroupsNeedNotDivideTheScenesLanes) {
+  const tasks::OptimiseResult found =
+      found_for(request_with({"system.lanes=6", "system.lanes_per_group=4"}));
+  const optimise::Allocation& chosen = *found.best().found.best()->allocation();
+  EXPECT_GT(chosen.lane_count(), 0);
+  EXPECT_EQ(chosen.lane_count() % 4, 0);
+}
+
 TEST_F(OptimiseTask, FindsTheBestOfAllArchitectures) {
   const std::vector<std::string> some = {"reference.initiation_interval=1",
                                          "system.request_beats=1"};

@@ -173,6 +173,36 @@ TEST(MakeDesign, IsCertifiedOnlyIfAllLanesAre) {
   EXPECT_FALSE(design::make_design(scene, nullptr)->certified());
 }
 
+TEST(MakeDesign, LanesInLockStepComeInWholeGroups) {
+  Scene scene = complete_scene();
+  scene.system.lanes_per_group = 4;
+  EXPECT_TRUE(design::make_design(scene, nullptr).ok());
+  scene.system.lanes = 10;
+  EXPECT_EQ(error_of(scene).to_string(),
+            "squares.toml: system.lanes: lanes in lock step come in whole groups: received 10; "
+            "accepted a multiple of system.lanes_per_group, 4");
+  scene.lanes = {LaneGroupSpec{.count = 8, .reduced = scene.reduced},
+                 {.count = 6, .reduced = scene.reduced, .place = {"squares.toml", 20}}};
+  EXPECT_EQ(error_of(scene).to_string(),
+            "squares.toml:20: lanes.count: lanes in lock step come in whole groups: received 6; "
+            "accepted a multiple of system.lanes_per_group, 4");
+}
+
+TEST(MakeDesign, EachGroupOfLanesHasOneStreamOfReportsAtMost) {
+  Scene scene = complete_scene();
+  scene.system.engine = {.kind = scene::EngineKind::pairwise, .report_streams = 3};
+  scene.system.lanes = 16;
+  EXPECT_EQ(error_of(scene).to_string(),
+            "squares.toml: engine.report_streams: each group of lanes has one at most: received 3; "
+            "accepted 1..2, or more groups, by more lanes or a smaller engine.lanes_per_group than "
+            "8");
+  scene.system.lanes = 17;
+  EXPECT_TRUE(design::make_design(scene, nullptr).ok());
+  scene.lanes = {LaneGroupSpec{.count = 1, .reduced = scene.reduced},
+                 {.count = 9, .reduced = scene.reduced}};
+  EXPECT_TRUE(design::make_design(scene, nullptr).ok());
+}
+
 TEST(LaneGroupNames, SayWhatTellsLanesOfOneFormatApart) {
   Scene scene = complete_scene();
   scene.lanes = {group_of(scene, 1), group_of(scene, 1), group_of(scene, 1), group_of(scene, 1)};

@@ -158,18 +158,6 @@ TEST_F(EngineSection, MistakesAreToldInOneLine) {
             "received nothing; accepted pairs = \"all\" or pairs = \"cross\"");
 }
 
-TEST_F(EngineSection, EachGroupOfLanesHasOneStreamOfReportsAtMost) {
-  const std::string engine = "[engine]\nkind = \"pairwise\"\nreport_streams = 3\n";
-  EXPECT_EQ(error(engine + "[system]\nlanes = 16\n"),
-            ":9: engine.report_streams: each group of lanes has one at most: received 3; accepted "
-            "1..2, or more groups, by more lanes or a smaller engine.lanes_per_group than 8");
-  EXPECT_TRUE(load(engine + "[system]\nlanes = 17\n").ok());
-  EXPECT_TRUE(load(engine).ok()) << "the number of lanes is open";
-  const std::string kind = "[[lanes]]\nformat = \"s8e8\"\ncount = ";
-  EXPECT_NE(error(engine + kind + "1\n" + kind + "8\n").find("accepted 1..2"), std::string::npos);
-  EXPECT_TRUE(load(engine + kind + "1\n" + kind + "9\n").ok());
-}
-
 TEST_F(EngineSection, ASecondTierIsALaneInFixedPoint) {
   const std::string engine = "[engine]\nkind = \"pairwise\"\n";
   EXPECT_FALSE(load(engine)->second_tier.has_value());

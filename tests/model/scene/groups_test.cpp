@@ -106,18 +106,7 @@ TEST_F(Groups, AutoTakesBackWhatReducedSays) {
   EXPECT_FALSE(scene->lanes[0].reduced.error_bound.has_value());
 }
 
-TEST_F(Groups, LanesInLockStepComeInWholeGroups) {
-  const std::string groups = "[system]\nlanes_per_group = 4\n";
-  EXPECT_TRUE(load(head + groups + "lanes = 12\n").ok());
-  EXPECT_TRUE(load(head + groups + "[[lanes]]\ncount = 8\n[[lanes]]\ncount = 4\n").ok());
-  EXPECT_EQ(error(groups + "lanes = 10\n"),
-            ":18: system.lanes: lanes in lock step come in whole groups: received 10; accepted a "
-            "multiple "
-            "of system.lanes_per_group, 4");
-  EXPECT_EQ(
-      error(groups + "[[lanes]]\ncount = 8\n[[lanes]]\ncount = 6\n"),
-      ":20: lanes.count: lanes in lock step come in whole groups: received 6; accepted a multiple "
-      "of system.lanes_per_group, 4");
+TEST_F(Groups, TagsNameTheLanesOfAGroup) {
   EXPECT_EQ(error("[system]\nlanes_per_group = 5\noperands = \"refetched\"\ntag_bits = 2\n"),
             ":19: system.tag_bits: too few to name the lanes of a group: received 2; accepted at "
             "least 3, "
