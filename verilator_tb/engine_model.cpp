@@ -8,13 +8,13 @@
 namespace mixcmp::verilator_tb {
 namespace {
 
-/// Cycles of the slowest lane, and of the conversion in front of the lanes.
-int word_latency_cycles(const emit::ScheduledSystem& scheduled) {
+/// Cycles of the slowest lane, without the conversion in front of the lanes.
+int lane_latency_cycles(const emit::ScheduledSystem& scheduled) {
   int slowest = 0;
   for (const rtl::DatapathGroup& lanes : scheduled.shape.lane_groups) {
     slowest = std::max(slowest, lanes.schedule.latency_cycles);
   }
-  return scheduled.words()->latency_cycles() + slowest;
+  return slowest;
 }
 
 /// Recomputations that the design's references can start in a cycle, at most 1.
@@ -32,12 +32,15 @@ performance::PairwiseEngine pairwise_engine_of(const design::Design& design,
                                                const VerifyReport& report) {
   const emit::ScheduledSystem scheduled = emit::schedule_system(design).value();
   const auto undecided = static_cast<double>(report.undecided + report.recomputations);
+  // Kinds of lanes that do not fill their segments have more segments than this.
+  const int of_segment = design.system.engine.lanes_per_segment();
+  const int segments = (scheduled.shape.lanes + of_segment - 1) / of_segment;
   return {
       .lanes = scheduled.shape.lanes,
-      .lanes_per_segment = design.system.engine.lanes_per_segment(),
-      .streams = scheduled.pairwise->streams(),
+      .lanes_per_segment = of_segment,
+      .streams = std::min(scheduled.pairwise->streams(), segments),
       .report_as = design.system.engine.report_as,
-      .lane_latency_cycles = word_latency_cycles(scheduled),
+      .lane_latency_cycles = lane_latency_cycles(scheduled),
       .undecided = undecided / static_cast<double>(std::max<std::uint64_t>(report.comparisons, 1)),
       .recomputations_per_cycle = recomputations_per_cycle(design)};
 }

@@ -10,8 +10,7 @@
 /// The performance model (docs/theory.md) of an engine, for the data of a simulation.
 namespace mixcmp::verilator_tb {
 
-/// The numbers of a pairwise engine's design. The part of the undecided pairs is the one that the
-/// report has counted.
+/// The numbers of a pairwise engine's design. `undecided` is the share that the report counted.
 performance::PairwiseEngine pairwise_engine_of(const design::Design& design,
                                                const VerifyReport& report);
 

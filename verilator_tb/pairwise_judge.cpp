@@ -229,7 +229,7 @@ void PairwiseJudge::count(const SetRange& set, std::uint64_t i, std::uint64_t j,
   } else {
     ++report_.verdicts[static_cast<std::size_t>(word.verdict())];
   }
-  mark(pair_of(set, i, j), word);
+  mark_if_reported(pair_of(set, i, j), word);
   if (options_.truth) {
     check_against_truth(*options_.truth, design_, operands_, word, *report_.truth, group);
   }
@@ -238,7 +238,7 @@ void PairwiseJudge::count(const SetRange& set, std::uint64_t i, std::uint64_t j,
   }
 }
 
-void PairwiseJudge::mark(std::uint64_t pair, ResultWord word) {
+void PairwiseJudge::mark_if_reported(std::uint64_t pair, ResultWord word) {
   const Verdict verdict = word.is_undecided()
                               ? golden::evaluate_reference(design_.reference, operands_)
                               : word.verdict();

@@ -39,8 +39,9 @@ public:
 
   void take(const SetRange& set, const SetAnswer& answer, Use use);
 
-  /// The set whose figures the report has. Its marks are the verdicts of the design's own model; an
-  /// undecided pair, which has none, has that of the reference format.
+  /// The pairs of the set whose figures the report has, with those marked that the design should
+  /// report; complete once that set was taken. A pair that leaves the engine undecided is marked by
+  /// its verdict in the reference format.
   std::shared_ptr<const performance::PairwiseData> data() const { return data_; }
 
 private:
@@ -59,7 +60,7 @@ private:
   void add_mismatch(const SetRange& set, std::uint64_t i, std::uint64_t j, ResultWord expected,
                     const harness::wire::ReportedPair* got);
   void count(const SetRange& set, std::uint64_t i, std::uint64_t j, ResultWord word);
-  void mark(std::uint64_t pair, ResultWord word);
+  void mark_if_reported(std::uint64_t pair, ResultWord word);
   std::uint64_t pair_of(const SetRange& set, std::uint64_t i, std::uint64_t j) const;
   std::size_t lane_of(std::uint64_t i) const { return i % group_of_lane_.size(); }
   bool counts_only() const { return signature_.engine->report_as == scene::ReportForm::count; }

@@ -231,7 +231,7 @@ Result<Done> ArchitectureSearch::add_streams(std::size_t formulation,
   query.kinds = {ComponentKind::fifo, ComponentKind::crossbar, ComponentKind::reference_port};
   if (given.second_tier) query.kinds.insert(ComponentKind::second_lane);
   for (const optimise::Architecture& architecture : architectures_of(given, open)) {
-    maker.move_to(with_architecture(given, architecture, open));
+    maker.use_system_of(with_architecture(given, architecture, open));
     MIXCMP_TRY(streams, predict_table(area_of_, maker, query));
     Characterisation table = datapaths;
     table.rows.insert(table.rows.end(), streams.rows.begin(), streams.rows.end());
@@ -263,7 +263,7 @@ Result<Done> ArchitectureSearch::add_engine(std::size_t formulation,
   }
   std::map<int, Characterisation> groups;  // by their lanes: counters and streams change nothing
   for (const optimise::Architecture& architecture : architectures_of(given, open)) {
-    maker.move_to(with_architecture(given, architecture, open));
+    maker.use_system_of(with_architecture(given, architecture, open));
     const auto [group, is_new] = groups.try_emplace(architecture.lanes_per_group);
     if (is_new) {
       query.kinds = of_groups;

@@ -261,7 +261,7 @@ Result<LaneGroup> design_group(const scene::Scene& scene, const scene::LaneGroup
 Result<Done> check_whole_groups(const scene::Scene& scene) {
   const int group = scene.system.lanes_per_group;
   for (const scene::LaneGroupSpec& lanes : scene.lane_groups()) {
-    if (*lanes.count % group == 0) continue;
+    if (!lanes.count || *lanes.count % group == 0) continue;
     return Error{.file = lanes.place.file,
                  .line = lanes.place.line,
                  .field = lanes.place.line > 0 ? "lanes.count" : "system.lanes",
@@ -272,12 +272,12 @@ Result<Done> check_whole_groups(const scene::Scene& scene) {
   return Done{};
 }
 
-/// Refuses more streams of reports than a pairwise engine has groups of lanes: each group fills at
-/// most one.
+/// Refuses more streams of reports than a pairwise engine has groups of lanes.
 Result<Done> check_report_streams(const scene::Scene& scene) {
   const scene::EngineSpec& engine = scene.system.engine;
   int groups = 0;
   for (const scene::LaneGroupSpec& lanes : scene.lane_groups()) {
+    if (!lanes.count) return Done{};
     groups += (*lanes.count + engine.lanes_per_group - 1) / engine.lanes_per_group;
   }
   if (engine.report_streams <= groups) return Done{};
@@ -289,7 +289,7 @@ Result<Done> check_report_streams(const scene::Scene& scene) {
                                        groups, engine.lanes_per_group)};
 }
 
-/// Plans choose how many lanes there are, so only a design has to fit its groups.
+/// Checked here and not when the scene is read, since `optimise` chooses another number of lanes.
 Result<Done> check_groups(const scene::Scene& scene) {
   switch (scene.system.engine.kind) {
     case scene::EngineKind::none: return check_whole_groups(scene);
@@ -340,11 +340,11 @@ Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
                 .reference = reference_graph(scene.graph, scene.reference),
                 .references = {},
                 .system = scene.system};
+  MIXCMP_DO(check_groups(scene));
   for (const scene::LaneGroupSpec& spec : scene.lane_groups()) {
     MIXCMP_TRY(group, design_group(scene, spec, data, measure));
     design.lanes.push_back(std::move(group));
   }
-  MIXCMP_DO(check_groups(scene));
   MIXCMP_DO(check_second_tier(scene));
   MIXCMP_TRY(second_tier, design_second_tier(scene));
   design.second_tier = std::move(second_tier);

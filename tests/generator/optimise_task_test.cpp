@@ -119,8 +119,6 @@ protected:
   }
 };
 
-/// Few intervals and groups keep the exhaustive side small: each architecture is a search of its
-/// own, with all of its keys given.
 /// The scene's own number of lanes is for generate; a plan has another one.
 TEST_F(OptimiseTask, GroupsNeedNotDivideTheScenesLanes) {
   const tasks::OptimiseResult found =
@@ -130,6 +128,8 @@ TEST_F(OptimiseTask, GroupsNeedNotDivideTheScenesLanes) {
   EXPECT_EQ(chosen.lane_count() % 4, 0);
 }
 
+/// Few intervals and groups keep the exhaustive side small: each architecture is a search of its
+/// own, with all of its keys given.
 TEST_F(OptimiseTask, FindsTheBestOfAllArchitectures) {
   const std::vector<std::string> some = {"reference.initiation_interval=1",
                                          "system.request_beats=1"};

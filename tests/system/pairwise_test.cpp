@@ -73,7 +73,7 @@ TEST_P(PairwiseSystem, ReportsWhatTheModelSaysAtFullRate) {
   expect_passed(report, capacity);
   EXPECT_GT(report.recomputations + report.undecided, 0u);
   EXPECT_EQ(report.counters.size(), 3u);
-  // Cycles in which a set begins and ends are a constant in the model.
+  // The model has a constant for the beginning and the end of a set.
   const double expected = report.engine->expected_cycles.value();
   fmt::print("{} cycles, {:.0f} expected\n", report.cycles, expected);
   EXPECT_NEAR(static_cast<double>(report.cycles), expected, 0.01 * expected + 20);

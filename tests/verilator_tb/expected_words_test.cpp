@@ -88,7 +88,7 @@ TEST(ExpectedWords, OfASecondTierSayWhetherItsAnswerCameThroughACrossbar) {
   EXPECT_EQ(word(), ResultWord::decided(Verdict::greater));
 }
 
-TEST(ExpectedWords, OfASecondTierBeyond128BitsAreLeftToTheGoldenModel) {
+TEST(ExpectedWords, OfASecondTierTooWideFor128BitsAreLeftToTheGoldenModel) {
   design::Design design = every_kind_of_lane();
   const data::Comparisons comparisons = spheres(3);
   design.second_tier = {.lane = fixed_spheres({.bits = 40}, format("s24e8"))};
@@ -97,7 +97,7 @@ TEST(ExpectedWords, OfASecondTierBeyond128BitsAreLeftToTheGoldenModel) {
   EXPECT_FALSE(verilator_tb::ExpectedWords(design, comparisons).emulates(0));
 }
 
-TEST(ExpectedWords, OfIntegersBeyond128BitsAreLeftToTheGoldenModel) {
+TEST(ExpectedWords, OfIntegersTooWideFor128BitsAreLeftToTheGoldenModel) {
   design::Design design = mixed_sphere_design();
   design.lanes.push_back({.lane = fixed_spheres({.bits = 70}, format("s24e8")), .count = 1});
   const data::Comparisons comparisons = spheres(3);

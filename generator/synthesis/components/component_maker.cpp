@@ -130,6 +130,11 @@ measured::Reference reference_key(const scene::Scene& scene,
 ComponentMaker::ComponentMaker(scene::Scene scene, const data::Comparisons* data)
     : scene_(std::move(scene)), data_(data) {}
 
+void ComponentMaker::use_system_of(const scene::Scene& other) {
+  scene_.system = other.system;
+  scene_.reference_structure = other.reference_structure;
+}
+
 Result<Component> ComponentMaker::make(const ComponentKey& key) {
   return std::visit([this](const auto& component) { return made(component); }, key);
 }

@@ -61,8 +61,9 @@ public:
   /// A lane that is not yet hardware. It is designed once.
   Result<design::Lane> lane(const measured::Lane& key);
 
-  /// Goes on with the same comparison in another system: lanes need not be designed again.
-  void move_to(scene::Scene scene) { scene_ = std::move(scene); }
+  /// Takes the system and the references' structure of another scene of the same comparison. Lanes
+  /// need not be designed again.
+  void use_system_of(const scene::Scene& other);
 
   const scene::Scene& scene() const { return scene_; }
   const scene::EngineSpec& engine() const { return scene_.system.engine; }

@@ -378,7 +378,7 @@ private:
       segments_[number + 1].link.push(word, cycle_);
     } else {
       --in_chain_;
-      last_answer_ = cycle_ + static_cast<std::uint64_t>(engine_.lane_latency_cycles);
+      last_answer_ = cycle_ + 1 + static_cast<std::uint64_t>(engine_.lane_latency_cycles);
     }
     push_exceptions(segment, walk_.count(word, number));
   }
@@ -420,7 +420,7 @@ private:
   double undecided_ = 0;    ///< pairs for a word in a segment if spread, else for a reported pair
   int most_queued_ = 0;
   std::uint64_t cycle_ = 0;
-  std::uint64_t last_answer_ = 0;  ///< the cycle in which lanes answer for the last word
+  std::uint64_t last_answer_ = 0;  ///< cycles until lanes have answered for the last word
   std::uint64_t next_ = 0;         ///< the word that enters next
   std::uint64_t in_chain_ = 0;     ///< words
   std::uint64_t beats_ = 0;        ///< in queues
@@ -456,7 +456,7 @@ double PairwiseFlow::cycles(const PairwiseEngine& engine) const {
   const bool is_sampled = walk.words.size() < walk.all_words;
   const ItemSet& set = data_->set;
   const double part = static_cast<double>(walk.words.size()) / static_cast<double>(walk.all_words);
-  // Of the last word through the chain and the last lanes.
+  // Cycles in which the last word passes the chain and the last lanes; a sample has them once.
   const double way = Link::latency_cycles * walk.segments + engine.lane_latency_cycles;
   double cycles = least_cycles(walk, engine);
   bool is_loaded = false;  // `cycles` has those in which items come

@@ -54,7 +54,7 @@ public:
   double reported_share() const { return reported_share_; }
   double pairs() const { return static_cast<double>(data_->pairs()); }
 
-  /// Cycles from the first item of the set to the last report.
+  /// Cycles from the first item of the set to the closing beat of the last stream.
   double cycles(const PairwiseEngine& engine) const;
 
 private:

@@ -22,9 +22,9 @@ using OperandColumns = std::span<const double* const>;
 /// from a reference; `compute` equals evaluate. docs/emulator.md proves it.
 ///
 /// If double cannot be trusted (a result that may be out of range, a NaN), the comparison falls
-/// back to the golden model by itself. Formats that double cannot hold at all (precision above 53,
-/// more than 11 exponent bits) always fall back, and so do integers of more than 125 bits; those of
-/// more than 53 are computed one comparison after the other. Results do not depend on how
+/// back to the golden model by itself. Some lanes always do: those with a precision above 53, more
+/// than 11 exponent bits, or integers of more than 125 bits. Lanes with integers of 54 to 125 bits
+/// are slow, since they are computed one comparison after the other. Results do not depend on how
 /// comparisons are split into batches. Thread-safe: all members are const, scratch memory belongs
 /// to the call.
 class Emulator {
@@ -49,7 +49,7 @@ public:
   void compute(OperandColumns operands, std::size_t count, std::span<double> f, std::span<double> g,
                std::span<std::uint8_t> exceptional) const;
 
-  /// Whether not every comparison falls back.
+  /// False if a part is left to the golden model in every comparison.
   bool is_emulated() const;
   /// Comparisons that fell back to the golden model since construction.
   std::uint64_t fallbacks() const;

@@ -18,7 +18,7 @@ struct FixedCode {
   std::vector<FixedCriterion> criteria;  ///< one per part
 };
 
-/// None if some integer has more bits than a double.
+/// None if double cannot hold some integer, unit or threshold exactly.
 std::optional<FixedCode> make_fixed_code(const fixed::FixedLane& lane);
 
 }  // namespace mixcmp::emulator

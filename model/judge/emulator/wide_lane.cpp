@@ -16,7 +16,7 @@ using fixed::FixedNode;
 /// Magnitudes are at most 2^most_bits, so that the sum of two of them fits as well.
 constexpr int most_bits = 125;
 
-Wide power(int exponent) {
+Wide power_of_two(int exponent) {
   return Wide{1} << exponent;
 }
 
@@ -24,12 +24,14 @@ int bits_of(const mpz_class& value) {
   return static_cast<int>(mpz_sizeinbase(value.get_mpz_t(), 2));
 }
 
-/// The number; or, if it has more than most_bits bits, the nearest one beyond all magnitudes.
+/// A number of more than most_bits + 1 bits becomes 2^(most_bits + 1) or its negation, which
+/// compares with every result as the number does.
 Wide wide(const mpz_class& value) {
   const mpz_class magnitude = abs(value);
   const mpz_class low = magnitude % (mpz_class(1) << 64), high = magnitude >> 64;
-  const Wide found = bits_of(value) > most_bits ? power(most_bits + 1)
-                                                : (Wide{high.get_ui()} << 64) + Wide{low.get_ui()};
+  const Wide found = bits_of(value) > most_bits + 1
+                         ? power_of_two(most_bits + 1)
+                         : (Wide{high.get_ui()} << 64) + Wide{low.get_ui()};
   return value < 0 ? -found : found;
 }
 
@@ -47,9 +49,11 @@ bool fits(Wide value, int bits) {
 
 /// The square root, rounded down.
 Wide root_of(Wide value) {
-  auto root = static_cast<Wide>(std::sqrt(static_cast<long double>(value)));
-  while (root * root > value) --root;
-  while ((root + 1) * (root + 1) <= value) ++root;
+  Wide root = 0;
+  for (int bit = most_bits / 2; bit >= 0; --bit) {
+    const Wide tried = root + power_of_two(bit);
+    if (tried * tried <= value) root = tried;
+  }
   return root;
 }
 
@@ -57,7 +61,7 @@ Wide root_of(Wide value) {
 Wide power_above_root(Wide value) {
   int k = 0;
   while ((value >> (2 * k)) != 0) ++k;
-  return power(k);
+  return power_of_two(k);
 }
 
 bool aligns_operands(Operation operation) {
@@ -71,8 +75,8 @@ Decision negated(Decision decision) {
 
 }  // namespace
 
-/// Makes a lane, and follows how many bits its integers may have. The nodes' formats would not do:
-/// they leave out what lies beyond a reach.
+/// Makes a lane, and bounds the bits of each node's results from those of its operands. The nodes'
+/// formats are no such bound: a number beyond its reach does not fit its format.
 class WideLane::Maker {
 public:
   explicit Maker(const FixedLane& lane) : lane_(lane) {}
@@ -87,7 +91,7 @@ public:
     made_.inputs_read_ = fixed::inputs_read(lane_);
     made_.cut_in_common_ = fixed::cut_in_common(lane_);
     made_.combination_ = lane_.combination;
-    made_.bits_ = lane_.format.bits;
+    made_.format_bits_ = lane_.format.bits;
     if (lane_.format.is_block) {
       made_.least_block_exponent_ = fixed::least_block_exponent(lane_.input_format);
     }
@@ -112,7 +116,8 @@ private:
     if (fixed::is_limit(node)) set_limits(added, node.value);
     const int bits = result_bits(added, node);
     fits_ = fits_ && bits <= most_bits;
-    bits_.push_back(std::max(0, bits - node.dropped_bits));
+    const int most = fixed::is_common_cut(node) ? lane_.format.bits : most_bits;
+    node_bits_.push_back(std::clamp(bits - node.dropped_bits, 0, most));
     made_.nodes_.push_back(added);
   }
 
@@ -133,13 +138,13 @@ private:
   }
 
   /// The bits of the exact result, and of operands once they are aligned.
-  int result_bits(const Node& node, const FixedNode& of) const {
+  int result_bits(const Node& node, const FixedNode& source) const {
     const auto operand = [&](int k) {
-      return bits_[node.operands[k]] + std::max(0, node.shifts[k]);
+      return node_bits_[node.operands[k]] + std::max(0, node.shifts[k]);
     };
     switch (node.operation) {
       case Operation::input: return node.format.magnitude_bits();
-      case Operation::constant: return bits_of(of.constant);
+      case Operation::constant: return bits_of(source.constant);
       case Operation::convert: return operand(0);
       case Operation::negate:
       case Operation::absolute: return operand(0) + 1;
@@ -162,8 +167,8 @@ private:
   }
 
   Criterion converted(const fixed::NormThresholds& thresholds) {
-    const int bits =
-        thresholds.radius_is_squared ? bits_[thresholds.radius] / 2 + 1 : bits_[thresholds.radius];
+    const int bits = thresholds.radius_is_squared ? node_bits_[thresholds.radius] / 2 + 1
+                                                  : node_bits_[thresholds.radius];
     const int most = bits + std::max({0, thresholds.shift_above, thresholds.shift_below});
     fits_ = fits_ && std::max(most, bits_of(thresholds.offset_above)) < most_bits;
     return Norm{thresholds.radius, thresholds.radius_is_squared, thresholds.shift_above,
@@ -178,7 +183,7 @@ private:
 
   const FixedLane& lane_;
   WideLane made_;
-  std::vector<int> bits_;  ///< by node: results are from -2^bits to 2^bits
+  std::vector<int> node_bits_;  ///< by node: results are from -2^bits to 2^bits
   bool fits_ = true;
 };
 
@@ -256,7 +261,7 @@ private:
   int common_drop() const {
     int dropped = 0;
     for (const NodeId id : lane_.cut_in_common_) {
-      while (!fits(values_[id] >> dropped, lane_.bits_)) ++dropped;
+      while (!fits(values_[id] >> dropped, lane_.format_bits_)) ++dropped;
     }
     return dropped;
   }

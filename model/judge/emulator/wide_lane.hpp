@@ -15,13 +15,13 @@ namespace mixcmp::emulator {
 __extension__ using Wide = __int128;
 
 /// A lane in fixed point, computed in integers of 128 bits, one comparison after the other. It
-/// serves lanes whose integers are too wide for doubles.
+/// serves the lanes that doubles cannot compute (make_fixed_code).
 class WideLane {
 public:
   /// None if some integer may have more than 125 bits of magnitude.
   static std::optional<WideLane> make(const fixed::FixedLane& lane);
 
-  /// `operands` has one array of doubles per input, of one number per decision.
+  /// `operands` has one column per input, with as many doubles as there are decisions.
   void decide(std::span<const double* const> operands, std::span<Decision> decisions) const;
 
 private:
@@ -31,7 +31,8 @@ private:
     std::array<NodeId, 2> operands;
     int input;
     FixedFormat format;
-    std::array<int, 2> shifts = {};  ///< of the operands, to the left
+    std::array<int, 2> shifts =
+        {};  ///< of the operands before the operation, to the left; negative: to the right
     int dropped_bits;
     Wide constant = 0;
     Wide low = 0, high = 0;  ///< of Conversion::limit
@@ -64,7 +65,7 @@ private:
   std::vector<int> inputs_read_;
   std::vector<NodeId> cut_in_common_;
   Combination combination_ = Combination::all;
-  int bits_ = 0;  ///< of the lane's format: those of the longest integer after common cuts
+  int format_bits_ = 0;                      ///< magnitude bits of every integer after a common cut
   std::optional<int> least_block_exponent_;  ///< in block floating point
 };
 

@@ -109,7 +109,7 @@ TEST(PairwiseFlow, ARecomputationHoldsUpAnItem) {
   const PairwiseFlow flow(none_of({.items = 64}));
   PairwiseEngine engine = engine_of_64;
   const double without = flow.cycles(engine);
-  engine.undecided = 0.02;  // of 2016 pairs: 40, the last of them behind the last item
+  engine.undecided = 0.02;  // 40 pairs, some of them after the last item
   EXPECT_NEAR(flow.cycles(engine) - without, 32, 8);
 }
 

@@ -161,7 +161,7 @@ FixedLane lane_of(const Graph& graph, int bits, const std::vector<std::optional<
 
 /// Texts of f and g. They have every kind of term with either sign: by itself, in sums of sums, and
 /// shared by two readers.
-constexpr std::array<std::pair<const char*, const char*>, 17> sums = {
+constexpr std::array<std::pair<const char*, const char*>, 18> sums = {
     {{"a + b", "c"},
      {"-a - b", "c - d"},
      {"-(a - (b - (c + d)))", "0.25"},
@@ -177,6 +177,7 @@ constexpr std::array<std::pair<const char*, const char*>, 17> sums = {
      {"(a - c / 0x1p30)^2 - b", "d"},
      {"(a + b + c)^2 - d", "(a - b - c)^2"},
      {"(a - b)^2 * c", "(a - b)^2 - d"},
+     {"within(a - b, -1.3, 1.7)^2", "c"},
      {"(a * b - c)^2", "(a * b)^2 + (c - d)"},
      {"min(a - b, c)^2 - max(a + b, d)", "(a + b) * (c - d)"}}};
 
@@ -283,6 +284,22 @@ TEST(WideFixedLanes, OfTooManyBitsFallBackToTheGoldenModel) {
     EXPECT_EQ(emulator.fallbacks(), fallbacks) << bits;
     EXPECT_EQ(emulator.is_emulated(), fallbacks == 0) << bits;
   }
+  const std::vector ranges(4, std::optional(Range{0, 100}));
+  EXPECT_TRUE(emulator::WideLane::make(lane_of(graph_of("a * b", "c * d"), 62, ranges)));
+  EXPECT_FALSE(emulator::WideLane::make(lane_of(graph_of("a * b", "c * d"), 63, ranges)));
+}
+
+/// Operands of both parts are divided by one power of two.
+TEST(BlocksOfParts, AreUndecidedWhereAnyOperandIsInfinite) {
+  const Graph graph = graph_of({{"a", "b"}, {"c", "d"}}, Combination::any);
+  const auto lane = fixed::fixed_lane(
+      graph, format("s53e11"),
+      {.format = {5, true}, .bound = {}, .ranges = std::vector<std::optional<Range>>(4)});
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const Columns columns = {{1, 1, 1}, {3, 3, 3}, {2, infinity, std::nan("")}, {1, 1, 1}};
+  EXPECT_EQ(golden_decisions(lane.value(), columns),
+            (std::vector{Decision::less, Decision::undecided, Decision::undecided}));
+  expect_golden("blocks", lane.value(), columns);
 }
 
 TEST(FixedBatches, WriteNothingBeyondThem) {
