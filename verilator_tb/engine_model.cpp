@@ -17,6 +17,15 @@ int lane_latency_cycles(const emit::ScheduledSystem& scheduled) {
   return slowest;
 }
 
+/// Cycles of the slowest reference; 0 without references.
+int reference_latency_cycles(const emit::ScheduledSystem& scheduled) {
+  int slowest = 0;
+  for (const rtl::DatapathGroup& references : scheduled.shape.reference_groups) {
+    slowest = std::max(slowest, references.schedule.latency_cycles);
+  }
+  return slowest;
+}
+
 /// Recomputations that the design's references can start in a cycle, at most 1.
 double recomputations_per_cycle(const design::Design& design) {
   double started = 0;
@@ -42,7 +51,8 @@ performance::PairwiseEngine pairwise_engine_of(const design::Design& design,
       .report_as = design.system.engine.report_as,
       .lane_latency_cycles = lane_latency_cycles(scheduled),
       .undecided = undecided / static_cast<double>(std::max<std::uint64_t>(report.comparisons, 1)),
-      .recomputations_per_cycle = recomputations_per_cycle(design)};
+      .recomputations_per_cycle = recomputations_per_cycle(design),
+      .reference_latency_cycles = reference_latency_cycles(scheduled)};
 }
 
 double expected_pairwise_cycles(const design::Design& design, const VerifyReport& report,

@@ -280,7 +280,7 @@ public:
   /// Cycles until the word that closes the set has passed the last lanes and all reports have left.
   std::uint64_t run() {
     while (next_ < walk_.words.size() || in_chain_ > 0 || beats_ > 0 || waiting_ > 0 ||
-           verdicts_ >= 1 || !are_streams_idle()) {
+           !answers_.empty() || verdicts_ >= 1 || !are_streams_idle()) {
       step();
       ++cycle_;
     }
@@ -309,10 +309,13 @@ private:
   void use_memory() {
     const double rate = engine_.recomputations_per_cycle;
     starts_ = std::min(1 + rate, starts_ + rate);
+    for (; !answers_.empty() && answers_.front() <= cycle_; answers_.pop_front()) {
+      if (engine_.report_as != scene::ReportForm::count) verdicts_ += 0.5;
+    }
     if (waiting_ > 0 && starts_ >= 1) {
       --waiting_;
       starts_ -= 1;
-      if (engine_.report_as != scene::ReportForm::count) verdicts_ += 0.5;
+      answers_.push_back(cycle_ + static_cast<std::uint64_t>(engine_.reference_latency_cycles));
     } else if (to_load_ > 0) {
       --to_load_;
       ++loaded_;
@@ -420,15 +423,16 @@ private:
   double undecided_ = 0;    ///< pairs for a word in a segment if spread, else for a reported pair
   int most_queued_ = 0;
   std::uint64_t cycle_ = 0;
-  std::uint64_t last_answer_ = 0;  ///< cycles until lanes have answered for the last word
-  std::uint64_t next_ = 0;         ///< the word that enters next
-  std::uint64_t in_chain_ = 0;     ///< words
-  std::uint64_t beats_ = 0;        ///< in queues
-  std::uint64_t loaded_ = 0;       ///< items
-  int waiting_ = 0;                ///< pairs in front of the items' memory
-  double starts_ = 0;              ///< recomputations that may start
-  double verdicts_ = 0;            ///< of references, to be reported
-  bool was_report_ = false;        ///< the last word of the first stream was its own
+  std::uint64_t last_answer_ = 0;      ///< cycles until lanes have answered for the last word
+  std::uint64_t next_ = 0;             ///< the word that enters next
+  std::uint64_t in_chain_ = 0;         ///< words
+  std::uint64_t beats_ = 0;            ///< in queues
+  std::uint64_t loaded_ = 0;           ///< items
+  int waiting_ = 0;                    ///< pairs in front of the items' memory
+  double starts_ = 0;                  ///< recomputations that may start
+  std::deque<std::uint64_t> answers_;  ///< the cycles in which references will answer
+  double verdicts_ = 0;                ///< of references, to be reported
+  bool was_report_ = false;            ///< the last word of the first stream was its own
 };
 
 }  // namespace

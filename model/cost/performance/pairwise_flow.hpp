@@ -34,6 +34,7 @@ struct PairwiseEngine {
   /// Recomputations that references can start, at most 1. 0: there are none, and undecided pairs
   /// leave as reports.
   double recomputations_per_cycle = 1;
+  int reference_latency_cycles = 0;
 
   friend auto operator<=>(const PairwiseEngine&, const PairwiseEngine&) = default;
 };

@@ -35,6 +35,7 @@ struct ReferenceKind {
   double clock_hz = 0;          ///< the highest that it runs at
   int initiation_interval = 1;  ///< cycles from one comparison to the next
   devices::Area area;           ///< C(H)
+  int latency_cycles = 0;
   bool has_own_target = false;  ///< its registers are not placed for the system's target
 };
 

@@ -72,6 +72,11 @@ performance::PairwiseEngine engine_of(const PrecisionPlan& plan, const scene::Sy
     engine.lane_latency_cycles = std::max(engine.lane_latency_cycles, lane.measured.latency_cycles);
   }
   engine.recomputations_per_cycle = recomputations_per_cycle(plan, chosen);
+  for (std::size_t k = 0; k < chosen.references.size(); ++k) {
+    if (chosen.references[k] == 0) continue;
+    engine.reference_latency_cycles =
+        std::max(engine.reference_latency_cycles, plan.problem.references[k].latency_cycles);
+  }
   return engine;
 }
 

@@ -503,7 +503,7 @@ std::vector<ReferenceImplementation> references_of(const PlanningInputs& inputs,
     all.push_back({*row,
                    {reference_name(reference), mhz * hertz_per_mhz,
                     design::planned_service_cycles(reference.initiation_interval, beats), area,
-                    reference.target_mhz.has_value()}});
+                    row->latency_cycles, reference.target_mhz.has_value()}});
   }
   return all;
 }

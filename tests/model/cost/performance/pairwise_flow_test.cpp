@@ -113,6 +113,17 @@ TEST(PairwiseFlow, ARecomputationHoldsUpAnItem) {
   EXPECT_NEAR(flow.cycles(engine) - without, 32, 8);
 }
 
+TEST(PairwiseFlow, ASetEndsWithTheLastReferencesAnswer) {
+  const PairwiseFlow flow(none_of({.items = 64}));
+  PairwiseEngine engine = engine_of_64;
+  engine.undecided = 0.02;
+  const double at_once = flow.cycles(engine);
+  engine.reference_latency_cycles = 100;
+  EXPECT_NEAR(flow.cycles(engine) - at_once, 90, 10);
+  engine.undecided = 0;
+  EXPECT_LT(flow.cycles(engine), at_once) << "no answer is waited for";
+}
+
 /// The words that enter first meet few lanes, and half of the second table has all reports: only a
 /// sample of all parts knows how many reports there are.
 TEST(PairwiseFlow, ASampleStandsForALargeSet) {
