@@ -16,7 +16,7 @@ namespace {
 
 /// Cycles in which an engine converts the first item, and in which the closing beats pass the
 /// trees: about as many in simulated engines of 13 to 35 segments.
-constexpr int closing_cycles = 30;
+constexpr int closing_cycles = 20;
 
 /// Words times segments that are simulated of a large set: about 10 ms for segments of eight lanes.
 constexpr std::uint64_t most_steps = std::uint64_t{1} << 18;
@@ -159,10 +159,11 @@ struct Beat {
   int undecided = 0;
 };
 
-/// stream_fifo.v of two words and its output register: the link in front of a segment.
+/// The link in front of a segment: stream_fifo.v of two words with its output register, and the
+/// register behind the segment before.
 class Link {
 public:
-  static constexpr int latency_cycles = 2;
+  static constexpr int latency_cycles = 3;
 
   bool is_full() const { return count_ == places; }
   void push(const Word& word, std::uint64_t cycle) {
@@ -178,7 +179,7 @@ public:
   }
 
 private:
-  static constexpr int places = 3;
+  static constexpr int places = 4;
 
   std::array<Word, places> words_;
   std::array<std::uint64_t, places> ready_ = {};
