@@ -319,7 +319,7 @@ TEST_F(EnginePlan, LanesWithoutItemsDoNotCount) {
   options_.set = performance::ItemSet{.items = 400};
   const Optimisation found = optimise_now();
   EXPECT_LE(found.best()->allocation()->lane_count(), 400);
-  const double latency = 2 * 400 / lanes + 45;  // the chain and the closing beat
+  const double latency = 3 * 400 / lanes + 35;  // the chain and the closing beat
   EXPECT_NEAR(found.best()->throughput_per_s() / (100e6 * 79800 / (400 + latency)), 1, 0.03);
   EXPECT_EQ(std::count_if(found.notes.begin(), found.notes.end(),
                           [](const std::string& note) {
