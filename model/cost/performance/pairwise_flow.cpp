@@ -15,7 +15,7 @@ namespace mixcmp::performance {
 namespace {
 
 /// Cycles in which an engine converts the first item, and in which the closing beats pass the
-/// trees: about as many in simulated engines of 13 to 35 segments.
+/// trees: about as many in the simulated engines of docs/theory.md.
 constexpr int closing_cycles = 20;
 
 /// Words times segments that are simulated of a large set: about 10 ms for segments of eight lanes.
@@ -305,8 +305,8 @@ private:
     enter();
   }
 
-  /// The items' memory reads a pair, or else an item can be stored. Half of the recomputed pairs
-  /// are reported.
+  /// The items' memory reads a pair, or else an item can be stored. References answer; half of the
+  /// recomputed pairs are reported.
   void use_memory() {
     const double rate = engine_.recomputations_per_cycle;
     starts_ = std::min(1 + rate, starts_ + rate);

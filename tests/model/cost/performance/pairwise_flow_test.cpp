@@ -40,7 +40,7 @@ bool is_drawn(std::uint64_t pair, std::uint64_t every) {
 constexpr PairwiseEngine engine_of_64{
     .lanes = 64, .lanes_per_segment = 8, .streams = 1, .lane_latency_cycles = 6};
 
-/// Words enter one a cycle and pass eight segments in two cycles each.
+/// Words enter one a cycle and pass eight segments in three cycles each.
 TEST(PairwiseFlow, WithoutReportsTakesTheCyclesOfItsWords) {
   for (const ItemSet set : {ItemSet{.items = 500}, ItemSet{.items = 65}, ItemSet{.items = 9}}) {
     const auto words = static_cast<double>(pairwise_word_cycles(set.items, 0, 64));
@@ -48,6 +48,22 @@ TEST(PairwiseFlow, WithoutReportsTakesTheCyclesOfItsWords) {
     EXPECT_GT(cycles, words) << set.items;
     EXPECT_LT(cycles, words + 24 + 60) << set.items;
   }
+}
+
+TEST(PairwiseFlow, ASetEndsWithTheLastWordsAnswer) {
+  const PairwiseFlow flow(none_of({.items = 100}));
+  PairwiseEngine slower = engine_of_64;
+  slower.lane_latency_cycles += 40;
+  EXPECT_EQ(flow.cycles(slower), flow.cycles(engine_of_64) + 40);
+}
+
+TEST(PairwiseFlow, UndecidedPairsAreReportedWithoutReferences) {
+  const ItemSet set{.items = 500};
+  PairwiseEngine engine = engine_of_64;
+  engine.undecided = 0.1;
+  engine.recomputations_per_cycle = 0;
+  const double cycles = PairwiseFlow(none_of(set)).cycles(engine);
+  EXPECT_NEAR(cycles / (0.1 * 124'750), 1, 0.05) << "one stream takes a pair a cycle";
 }
 
 TEST(PairwiseFlow, LoadsAllTargetsBeforeTheOthersMeetThem) {

@@ -207,7 +207,9 @@ TEST(Rates, CallNobodyWrongWhereTheTruthIsUndetermined) {
   EXPECT_EQ(report::to_json(report)["recomputation_rates"][0]["truth_undetermined"], 10);
 }
 
-TEST(Rates, OfHardFamiliesAreTheGoldenModels) {
+class RatesOfInputs : public testing::TestWithParam<LaneInputs> {};
+
+TEST_P(RatesOfInputs, OnHardFamiliesAreTheGoldenModels) {
   const Scene scene = sphere_scene();
   for (const std::string& name : data::sphere_family_names()) {
     auto pairs = data::sphere_family({.name = name, .count = 8, .seed = 3}, scene.reference.format);
@@ -216,12 +218,13 @@ TEST(Rates, OfHardFamiliesAreTheGoldenModels) {
     if (!pairs.ok() || (near_tie && !aimed)) continue;
     const Comparisons data =
         Comparisons::rows(std::move(pairs).value(), scene.graph.inputs()).value();
-    for (const LaneInputs inputs :
-         {LaneInputs::exact, LaneInputs::of_digits(20), LaneInputs::rounded}) {
-      checked_profile(scene, data, inputs, options_of(4, 52), name);
-    }
+    checked_profile(scene, data, GetParam(), options_of(4, 52), name);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Inputs, RatesOfInputs,
+                         testing::Values(LaneInputs(LaneInputs::exact), LaneInputs::of_digits(20),
+                                         LaneInputs(LaneInputs::rounded)));
 
 /// Every expression on every family of operands, formats and roundings drawn.
 TEST(Rates, OfAnyExpressionAreTheGoldenModels) {
@@ -320,33 +323,37 @@ TEST(Rates, DoNotDependOnThreadsOrMethod) {
 }
 
 /// The fast way looks at each part by itself, and separately at the parts that outweigh others.
-TEST(Rates, OfSeveralPartsAreTheGoldenModels) {
+class RatesOfParts : public testing::TestWithParam<Combination> {};
+
+TEST_P(RatesOfParts, AreTheGoldenModels) {
   std::mt19937_64 random(11);
   const std::vector<std::pair<std::string, std::string>> parts = {
       {"max(a, b)", "min(c, d)"}, {"(a - b)^2", "c * d"}, {"b - c", "d - a"}};
-  for (const Combination combination : {Combination::all, Combination::any}) {
-    for (const Family family : all_families) {
-      Scene scene =
-          scene_of(graph_of(parts, combination), format_of(53, 8), nearest(format_of(8, 8)));
-      scene.reduced.fixed_point = FixedPoint{.bits = 8, .is_block = true, .guard_digits = 2};
+  const Combination combination = GetParam();
+  for (const Family family : all_families) {
+    Scene scene =
+        scene_of(graph_of(parts, combination), format_of(53, 8), nearest(format_of(8, 8)));
+    scene.reduced.fixed_point = FixedPoint{.bits = 8, .is_block = true, .guard_digits = 2};
+    if (family == Family::uniform) {
+      for (auto& range : scene.ranges) range = Range{1, 2};
+    }
+    const Comparisons data = random_rows(scene, family, 300, random);
+    const auto what =
+        fmt::format("{}, family {}", to_string(combination), static_cast<int>(family));
+    for (const LaneInputs inputs : {LaneInputs::exact, LaneInputs::rounded}) {
+      const RateProfile fast = checked_profile(scene, data, inputs, options_of(6, 16), what);
+      ProfileOptions slowly = options_of(6, 16);
+      slowly.method = profile::ProfileMethod::brute_force;
+      const RateProfile slow = checked_profile(scene, data, inputs, slowly, what);
       if (family == Family::uniform) {
-        for (auto& range : scene.ranges) range = Range{1, 2};
-      }
-      const Comparisons data = random_rows(scene, family, 300, random);
-      const auto what =
-          fmt::format("{}, family {}", to_string(combination), static_cast<int>(family));
-      for (const LaneInputs inputs : {LaneInputs::exact, LaneInputs::rounded}) {
-        const RateProfile fast = checked_profile(scene, data, inputs, options_of(6, 16), what);
-        ProfileOptions slowly = options_of(6, 16);
-        slowly.method = profile::ProfileMethod::brute_force;
-        const RateProfile slow = checked_profile(scene, data, inputs, slowly, what);
-        if (family == Family::uniform) {
-          EXPECT_LT(fast.emulated, slow.emulated / 2) << what;
-        }
+        EXPECT_LT(fast.emulated, slow.emulated / 2) << what;
       }
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Combinations, RatesOfParts,
+                         testing::Values(Combination::all, Combination::any));
 
 /// A comparison that lanes in fixed point decide by norms, of inputs in [0, 4), and how far the
 /// roots of f and g are apart; that grows with the last input.
