@@ -79,11 +79,31 @@ Characterisation part_of(const Characterisation& table, bool datapaths) {
   return part;
 }
 
+/// Says which rates are those of a sample; none where all data were counted.
+std::optional<std::string> note_on_sample(const optimise::Rates& rates) {
+  std::uint64_t all = 0, sample = 0;
+  int most_digits = 0;
+  const std::vector<optimise::RateKey> keys = rates.keys();
+  for (const optimise::RateKey& key : keys) all = std::max(all, rates.find(key)->comparisons);
+  for (const optimise::RateKey& key : keys) {
+    const std::uint64_t counted = rates.find(key)->comparisons;
+    if (counted == all) continue;
+    sample = counted;
+    most_digits = std::max(most_digits, key.precision);
+  }
+  if (sample == 0) return std::nullopt;
+  return fmt::format(
+      "recomputation rates of lanes of at most {} digits are those of a sample, {} of {} "
+      "comparisons",
+      most_digits, sample, all);
+}
+
 }  // namespace
 
 Result<optimise::Rates> count_rates(const OptimiseRequest& request, const LoadedScene& loaded) {
   optimise::OptimiseOptions choice = request.choice;
   choice.bounds = bounds_for(choice, loaded.scene);
+  choice.samples_rates = true;
   MIXCMP_TRY(tier, optimise::second_tier_lane(loaded.scene));
   if (tier) choice.last_precision = std::max(choice.last_precision, tier->format.precision());
   const std::vector<LaneInputs> inputs = inputs_for(choice);
@@ -172,6 +192,11 @@ Result<Done> ArchitectureSearch::add_all(std::vector<System> known) {
     }
     use_kept_rows(k);
   }
+  std::set<std::string> of_samples;
+  for (const optimise::Rates& rates : rates_) {
+    if (auto note = note_on_sample(rates)) of_samples.insert(*std::move(note));
+  }
+  notes_.insert(notes_.end(), of_samples.begin(), of_samples.end());
   if (predictor_ == nullptr) return Done{};
   for (const std::string& changed : predictor_->outdated()) {
     notes_.push_back(fmt::format(

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <map>
+#include <mutex>
 #include <string>
+#include <utility>
 
 #include "generator/hardware/emit/constants.hpp"
 #include "generator/hardware/emit/template_ports.hpp"
@@ -118,15 +121,27 @@ private:
   }
 };
 
+/// The tokens behind a template's head, read once: predictions of areas ask thousands of times.
+const Tokens& body_of(const std::string& module) {
+  static std::mutex mutex;
+  static std::map<std::string, Tokens> known;
+  const std::lock_guard lock(mutex);
+  const auto place = known.find(module);
+  if (place != known.end()) return place->second;
+  Tokens tokens = tokens_of(template_text(module));
+  const auto end_of_head = std::find(tokens.begin(), tokens.end(), ";");
+  MIXCMP_CHECK(end_of_head != tokens.end());
+  tokens.erase(tokens.begin(), end_of_head + 1);
+  return known.emplace(module, std::move(tokens)).first->second;
+}
+
 }  // namespace
 
 std::vector<rtl::TemplateInstance> template_parts(const rtl::TemplateInstance& instance) {
   Constants constants;
   const std::vector<rtl::Parameter> parameters = template_parameters(instance);
   for (const rtl::Parameter& each : parameters) constants.set(each.name, integer_of(each));
-  Cursor cursor(tokens_of(template_text(instance.module)));
-  cursor.take_until({";"});
-  cursor.expect(";");
+  Cursor cursor(body_of(instance.module));
   BodyReader reader;
   reader.read_items(cursor, constants);
   if (reader.is_refused) return {};

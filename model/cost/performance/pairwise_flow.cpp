@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <deque>
 #include <numeric>
 #include <utility>
 
 #include "model/base/common/check.hpp"
-#include "model/base/common/counter_random.hpp"
 #include "model/design/slots.hpp"
 
 namespace mixcmp::performance {
@@ -18,139 +16,9 @@ namespace {
 /// trees: about as many in the simulated engines of docs/theory.md.
 constexpr int closing_cycles = 20;
 
-/// Words times segments that are simulated of a large set: about 10 ms for segments of eight lanes.
-constexpr std::uint64_t most_steps = std::uint64_t{1} << 18;
 /// Above this many cycles for each word the busiest stream or the references set the pace, and the
 /// simulation, which would take long, is skipped.
 constexpr double overloaded = 3;
-/// Consecutive words of a sample.
-constexpr std::uint64_t window = 64;
-
-/// A word on its way through the chain.
-struct Word {
-  std::uint64_t row = 0;    ///< of the counts
-  std::uint64_t needs = 0;  ///< items that have to be loaded before it is read
-  int stays = -1;           ///< the segment in which it stays; -1: in none
-};
-
-/// The words of a set, or of a sample of it, in the order in which they enter the chain, and the
-/// reported pairs that each of them forms in each segment.
-struct Walk {
-  int segments = 1;
-  std::vector<Word> words;
-  std::vector<std::uint8_t> counts;  ///< by word and segment
-  std::uint64_t pairs = 0;
-  std::uint64_t reported = 0;
-  std::uint64_t all_words = 0;  ///< of the set
-
-  /// How often a word passes a segment.
-  std::uint64_t passes() const {
-    std::uint64_t sum = 0;
-    for (const Word& word : words) {
-      sum += static_cast<std::uint64_t>(word.stays < 0 ? segments : word.stays + 1);
-    }
-    return sum;
-  }
-
-  int count(const Word& word, int segment) const {
-    return counts[word.row * static_cast<std::uint64_t>(segments) +
-                  static_cast<std::uint64_t>(segment)];
-  }
-};
-
-/// Walks a set block by block, as pair_walker.v does.
-class Walker {
-public:
-  Walker(const PairwiseData& data, const PairwiseEngine& engine) : data_(data), engine_(engine) {
-    walk_.segments = (engine.lanes + engine.lanes_per_segment - 1) / engine.lanes_per_segment;
-    walk_.all_words = pairwise_word_cycles(data.set.items, data.set.others, engine.lanes) + 1;
-  }
-
-  Walk walk() {
-    const std::uint64_t budget =
-        std::max(window, most_steps / static_cast<std::uint64_t>(walk_.segments));
-    const std::uint64_t every = std::max<std::uint64_t>(1, walk_.all_words / budget);
-    const auto lanes = static_cast<std::uint64_t>(engine_.lanes);
-    std::uint64_t entered = 0;  // words of the set so far
-    // One window of each `every`, at a place that follows no period of the blocks.
-    const auto is_in_sample = [&](std::uint64_t number) {
-      return number % every == counter_random(0, number / every) % every;
-    };
-    for (std::uint64_t base = 0; base < data_.set.items; base += lanes) {
-      const std::uint64_t held = std::min(lanes, data_.set.items - base);
-      const std::uint64_t words =
-          data_.set.others > 0 ? held + data_.set.others : data_.set.items - base;
-      for (std::uint64_t first = 0; first < words;) {
-        const std::uint64_t last = std::min(words, first + window - (entered + first) % window);
-        if (is_in_sample((entered + first) / window)) add(base, held, first, last);
-        first = last;
-      }
-      entered += words;
-    }
-    close();
-    return std::move(walk_);
-  }
-
-private:
-  /// Adds the words first .. last - 1 of the block that holds the items base .. base + held - 1.
-  void add(std::uint64_t base, std::uint64_t held, std::uint64_t first, std::uint64_t last) {
-    const std::uint64_t row = walk_.words.size();
-    const std::uint64_t items = data_.set.items;
-    for (std::uint64_t offset = first; offset < last; ++offset) {
-      const bool stays = offset < held;
-      const std::uint64_t item = data_.set.others == 0 ? base + offset
-                                 : stays               ? items
-                                                       : items + offset - held;
-      walk_.words.push_back(
-          {.row = row + offset - first,
-           .needs = item + 1,
-           .stays = stays ? static_cast<int>(offset) / engine_.lanes_per_segment : -1});
-    }
-    walk_.counts.resize(walk_.words.size() * static_cast<std::uint64_t>(walk_.segments));
-    for (std::uint64_t k = 0; k < held; ++k) {
-      // Item base + k meets the words behind it, or all of the second table.
-      const std::uint64_t meets = data_.set.others == 0 ? k + 1 : held;
-      const std::uint64_t from = std::max(first, meets);
-      if (from >= last) continue;
-      count_reported(row + from - first, static_cast<int>(k) / engine_.lanes_per_segment,
-                     first_pair(base + k) + from - meets, last - from);
-    }
-  }
-
-  /// Adds the word that closes the set. It forms no pair and passes all segments.
-  void close() {
-    walk_.words.push_back({.row = walk_.words.size()});
-    walk_.counts.resize(walk_.words.size() * static_cast<std::uint64_t>(walk_.segments));
-  }
-
-  /// The number of the first pair of item i.
-  std::uint64_t first_pair(std::uint64_t i) const {
-    return data_.set.others > 0 ? i * data_.set.others : i * data_.set.items - i * (i + 1) / 2;
-  }
-
-  void count_reported(std::uint64_t row, int segment, std::uint64_t pair, std::uint64_t pairs) {
-    walk_.pairs += pairs;
-    if (data_.reported.empty()) return;
-    const auto segments = static_cast<std::uint64_t>(walk_.segments);
-    for (std::uint64_t k = 0; k < pairs;) {
-      const std::uint64_t bit = (pair + k) % 64;
-      const std::uint64_t bits = data_.reported[(pair + k) / 64] >> bit;
-      if (bits == 0) {
-        k += 64 - bit;
-        continue;
-      }
-      k += static_cast<std::uint64_t>(std::countr_zero(bits));
-      if (k >= pairs) break;
-      ++walk_.counts[(row + k) * segments + static_cast<std::uint64_t>(segment)];
-      ++walk_.reported;
-      ++k;
-    }
-  }
-
-  const PairwiseData& data_;
-  const PairwiseEngine& engine_;
-  Walk walk_;
-};
 
 /// A beat in a queue of exceptions: what its pairs send out, and those to recompute among them.
 struct Beat {
@@ -166,13 +34,13 @@ public:
   static constexpr int latency_cycles = 3;
 
   bool is_full() const { return count_ == places; }
-  void push(const Word& word, std::uint64_t cycle) {
+  void push(std::uint32_t word, std::uint64_t cycle) {
     const int place = (head_ + count_++) % places;
     words_[place] = word;
     ready_[place] = cycle + latency_cycles;
   }
   bool is_ready(std::uint64_t cycle) const { return count_ > 0 && ready_[head_] <= cycle; }
-  const Word& front() const { return words_[head_]; }
+  std::uint32_t front() const { return words_[head_]; }
   void pop() {
     head_ = (head_ + 1) % places;
     --count_;
@@ -181,7 +49,7 @@ public:
 private:
   static constexpr int places = 4;
 
-  std::array<Word, places> words_;
+  std::array<std::uint32_t, places> words_ = {};  ///< their numbers in the walk
   std::array<std::uint64_t, places> ready_ = {};
   int head_ = 0, count_ = 0;
 };
@@ -233,9 +101,9 @@ int first_segment(int stream, int segments, int streams) {
 }
 
 /// Cycles that the busiest stream of reports and the references need at least.
-double least_cycles(const Walk& walk, const PairwiseEngine& engine) {
+double least_cycles(const PairwiseWalk& walk, const PairwiseEngine& engine) {
   std::vector<std::uint64_t> of_segment(static_cast<std::size_t>(walk.segments));
-  for (const Word& word : walk.words) {
+  for (std::uint64_t word = 0; word < walk.words.size(); ++word) {
     for (int s = 0; s < walk.segments; ++s) {
       of_segment[s] +=
           static_cast<std::uint64_t>(reports_of(walk.count(word, s), engine.report_as));
@@ -254,11 +122,23 @@ double least_cycles(const Walk& walk, const PairwiseEngine& engine) {
   return least;
 }
 
+/// The value of a key; it is made if there is none yet. The mutex guards the map.
+template <class Key, class Value, class Make>
+Value kept(std::mutex& mutex, std::map<Key, Value>& map, const Key& key, const Make& make) {
+  {
+    const std::lock_guard lock(mutex);
+    if (const auto place = map.find(key); place != map.end()) return place->second;
+  }
+  Value value = make();
+  const std::lock_guard lock(mutex);
+  return map[key] = std::move(value);
+}
+
 /// One engine on one walk, cycle by cycle.
 class Simulation {
 public:
   /// `items`: those that are loaded meanwhile.
-  Simulation(const Walk& walk, const PairwiseEngine& engine, std::uint64_t items)
+  Simulation(const PairwiseWalk& walk, const PairwiseEngine& engine, std::uint64_t items)
       : walk_(walk),
         engine_(engine),
         to_load_(items),
@@ -374,8 +254,8 @@ private:
       ++segment.arrived;
     }
     if (!segment.link.is_ready(cycle_) || segment.arrived > most_queued_) return;
-    const Word word = segment.link.front();
-    const bool leaves = word.stays != number && number + 1 < walk_.segments;
+    const std::uint32_t word = segment.link.front();
+    const bool leaves = walk_.words[word].stays != number && number + 1 < walk_.segments;
     if (leaves && segments_[number + 1].was_full) return;
     segment.link.pop();
     if (leaves) {
@@ -408,14 +288,13 @@ private:
 
   void enter() {
     if (next_ == walk_.words.size() || segments_.front().was_full) return;
-    const Word& word = walk_.words[next_];
-    if (to_load_ > 0 && word.needs > loaded_) return;
-    segments_.front().link.push(word, cycle_);
+    if (to_load_ > 0 && walk_.words[next_].needs > loaded_) return;
+    segments_.front().link.push(static_cast<std::uint32_t>(next_), cycle_);
     ++in_chain_;
     ++next_;
   }
 
-  const Walk& walk_;
+  const PairwiseWalk& walk_;
   const PairwiseEngine& engine_;
   std::uint64_t to_load_;  ///< items
   std::vector<Segment> segments_;
@@ -438,43 +317,34 @@ private:
 
 }  // namespace
 
-std::uint64_t PairwiseData::pairs() const {
-  return set.others > 0 ? set.items * set.others : set.items * (set.items - 1) / 2;
-}
-
-double PairwiseData::reported_share() const {
-  std::uint64_t count = 0;
-  for (const std::uint64_t bits : reported) {
-    count += static_cast<std::uint64_t>(std::popcount(bits));
-  }
-  return pairs() == 0 ? 0 : static_cast<double>(count) / static_cast<double>(pairs());
-}
-
 PairwiseFlow::PairwiseFlow(std::shared_ptr<const PairwiseData> data)
     : data_(std::move(data)), reported_share_(data_->reported_share()) {}
 
 double PairwiseFlow::cycles(const PairwiseEngine& engine) const {
-  const std::lock_guard lock(mutex_);
-  const auto [place, is_new] = known_.try_emplace(engine);
-  if (!is_new) return place->second;
-  const Walk walk = Walker(*data_, engine).walk();
-  const bool is_sampled = walk.words.size() < walk.all_words;
+  return kept(mutex_, known_, engine, [&] { return simulated(engine); });
+}
+
+double PairwiseFlow::simulated(const PairwiseEngine& engine) const {
+  const std::pair lanes(engine.lanes, engine.lanes_per_segment);
+  const auto walk = kept(mutex_, walks_, lanes, [&] {
+    return std::make_shared<const PairwiseWalk>(walk_pairs(*data_, lanes.first, lanes.second));
+  });
   const ItemSet& set = data_->set;
-  const double part = static_cast<double>(walk.words.size()) / static_cast<double>(walk.all_words);
+  const double part = walk->part();
   // Cycles in which the last word passes the chain and the last lanes; a sample has them once.
-  const double way = Link::latency_cycles * walk.segments + engine.lane_latency_cycles;
-  double cycles = least_cycles(walk, engine);
+  const double way = Link::latency_cycles * walk->segments + engine.lane_latency_cycles;
+  double cycles = least_cycles(*walk, engine);
   bool is_loaded = false;  // `cycles` has those in which items come
-  if (cycles < overloaded * static_cast<double>(walk.words.size())) {
+  if (cycles < overloaded * static_cast<double>(walk->words.size())) {
     // In a sample all items count as loaded.
-    Simulation simulation(walk, engine, is_sampled ? 0 : set.items + set.others);
+    Simulation simulation(*walk, engine, walk->is_sample() ? 0 : set.items + set.others);
     cycles = static_cast<double>(simulation.run()) - way;
-    is_loaded = !is_sampled;
+    is_loaded = !walk->is_sample();
   }
-  place->second = cycles / part + way + closing_cycles;
+  cycles = cycles / part + way + closing_cycles;
   // Targets come before the first word.
-  if (!is_loaded && set.others > 0) place->second += static_cast<double>(set.items);
-  return place->second;
+  if (!is_loaded && set.others > 0) cycles += static_cast<double>(set.items);
+  return cycles;
 }
 
 }  // namespace mixcmp::performance

@@ -5,23 +5,12 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <vector>
+#include <utility>
 
-#include "model/cost/performance/pairwise.hpp"
+#include "model/cost/performance/pairwise_walk.hpp"
 #include "model/scene/engine.hpp"
 
 namespace mixcmp::performance {
-
-/// The pairs of a set of items, and which of them an engine reports.
-struct PairwiseData {
-  ItemSet set;
-  /// Bit k % 64 of element k / 64 is 1 if pair k is reported; pairs have the order of
-  /// data::Comparisons. Empty: none is.
-  std::vector<std::uint64_t> reported = {};
-
-  std::uint64_t pairs() const;
-  double reported_share() const;  ///< 0..1
-};
 
 /// The numbers of a pairwise engine on which its speed depends.
 struct PairwiseEngine {
@@ -59,10 +48,14 @@ public:
   double cycles(const PairwiseEngine& engine) const;
 
 private:
+  double simulated(const PairwiseEngine& engine) const;
+
   std::shared_ptr<const PairwiseData> data_;
   double reported_share_;
-  mutable std::mutex mutex_;
+  mutable std::mutex mutex_;  ///< of the maps
   mutable std::map<PairwiseEngine, double> known_;
+  /// By lanes and lanes of a segment.
+  mutable std::map<std::pair<int, int>, std::shared_ptr<const PairwiseWalk>> walks_;
 };
 
 }  // namespace mixcmp::performance

@@ -106,21 +106,25 @@ int most_useful_groups(const PrecisionPlan& plan, const PlanningInputs& inputs) 
     most = std::max(least, static_cast<int>(std::min<std::uint64_t>(most, for_items)));
   }
   if (!inputs.rates.reported_share()) return most;
-  const auto pairs = [&](int groups) {
-    return *most_pairs_per_cycle(plan, inputs, groups * group);
+  // No lane compares more than one pair per cycle: small engines need no simulation.
+  const auto makes = [&](double pairs, int groups) {
+    return groups * group >= pairs && *most_pairs_per_cycle(plan, inputs, groups * group) >= pairs;
   };
   std::vector<int> tried;  // up to a factor of two from any number
   for (int groups = least; groups < most; groups *= 2) tried.push_back(groups);
   tried.push_back(most);
   double best = 0;
-  for (const int groups : tried) best = std::max(best, pairs(groups));
-  const auto first = std::find_if(tried.begin(), tried.end(),
-                                  [&](int groups) { return pairs(groups) >= enough * best; });
+  for (auto groups = tried.rbegin(); groups != tried.rend(); ++groups) {
+    if (makes(best, *groups)) best = *most_pairs_per_cycle(plan, inputs, *groups * group);
+  }
+  const double wanted = enough * best;
+  const auto first =
+      std::find_if(tried.begin(), tried.end(), [&](int groups) { return makes(wanted, groups); });
   int too_few = first == tried.begin() ? least - 1 : *(first - 1);
   int many = *first;
   while (many - too_few > 1) {
     const int middle = (too_few + many) / 2;
-    (pairs(middle) >= enough * best ? many : too_few) = middle;
+    (makes(wanted, middle) ? many : too_few) = middle;
   }
   return many;
 }

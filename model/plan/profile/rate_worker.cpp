@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/base/common/counter_random.hpp"
 #include "model/judge/golden/evaluate.hpp"
 
 namespace mixcmp::profile {
@@ -17,6 +18,12 @@ bool is_wrong(Decision verdict, Decision truth) {
 constexpr std::size_t countable = 255;
 
 }  // namespace
+
+std::uint64_t RateJob::comparison(std::uint64_t k) const {
+  if (one_of == 1) return k;
+  const std::uint64_t first = k * one_of;
+  return first + counter_random(0, k) % std::min(one_of, source.data().size() - first);
+}
 
 RateTally::RateTally(const RateJob& job) {
   for (const SchemeLanes& scheme : job.schemes) {
@@ -59,20 +66,31 @@ void RateWorker::run(const BlockSource& next) {
 /// Takes new comparisons through the first band: range checks, envelopes, true verdicts and lanes.
 void RateWorker::start(std::uint64_t first, std::size_t count) {
   UnsettledComparisons& unsettled = pending_.front();
-  job_.source.fetch(first, count, unsettled.operands());
+  fetch(first, count, unsettled.operands());
   const auto all = static_cast<std::uint32_t>((std::uint64_t{1} << job_.schemes.size()) - 1);
   std::fill_n(unsettled.schemes.begin(), count, all);
   for (std::size_t k = 0; k < count; ++k) {
     if (job_.failing.empty()) break;
-    const data::Items items = job_.source.data().items(first + k);
+    const data::Items items = job_.source.data().items(fetched_[k]);
     unsettled.failing[k] = 0;
     for (const RateJob::Failing& failing : job_.failing) {
       unsettled.failing[k] |= failing.of_row[items.of(failing.item)];
     }
   }
   classify(job_.bands.front(), unsettled, true);
-  find_true_verdicts(first, unsettled);
+  find_true_verdicts(unsettled);
   process(0);
+}
+
+/// Neighbouring comparisons are fetched faster together.
+void RateWorker::fetch(std::uint64_t first, std::size_t count, data::OperandBlock& operands) {
+  fetched_.resize(count);
+  for (std::size_t k = 0; k < count; ++k) fetched_[k] = job_.comparison(first + k);
+  if (job_.one_of == 1) {
+    job_.source.fetch(first, count, operands);
+  } else {
+    job_.source.fetch(fetched_, operands);
+  }
 }
 
 /// Evaluates the band's envelopes on all unsettled comparisons; for new ones it also finds the
@@ -90,17 +108,20 @@ void RateWorker::classify(const PrecisionBand& band, UnsettledComparisons& unset
   }
 }
 
-void RateWorker::find_true_verdicts(std::uint64_t first, UnsettledComparisons& unsettled) {
+void RateWorker::find_true_verdicts(UnsettledComparisons& unsettled) {
   unsettled.reference = unsettled.truth;
+  std::vector<std::size_t> rows;
   std::vector<std::uint64_t> indices;
   for (std::size_t k = 0; k < unsettled.size(); ++k) {
-    if (doubtful_[k] != 0) indices.push_back(first + k);
+    if (doubtful_[k] == 0) continue;
+    rows.push_back(k);
+    indices.push_back(fetched_[k]);
   }
   job_.source.fetch(indices, picked_.operands());
   job_.reference.decide(picked_.operands().columns(), indices.size(), decisions_);
   std::vector<Bits> operands(job_.source.data().input_count());
   for (std::size_t n = 0; n < indices.size(); ++n) {
-    const std::size_t k = indices[n] - first;
+    const std::size_t k = rows[n];
     job_.source.data().fetch(indices[n], operands);
     unsettled.reference[k] = decisions_[n];
     const auto truth =
@@ -110,17 +131,17 @@ void RateWorker::find_true_verdicts(std::uint64_t first, UnsettledComparisons& u
     if (is_wrong(unsettled.reference[k], unsettled.truth[k])) ++tally_.reference_wrong;
   }
   tally_.true_verdicts += indices.size();
-  if (job_.pairs != nullptr) mark_reported(first, unsettled);
+  if (job_.pairs != nullptr) mark_reported(unsettled);
 }
 
-void RateWorker::mark_reported(std::uint64_t first, const UnsettledComparisons& unsettled) {
+void RateWorker::mark_reported(const UnsettledComparisons& unsettled) {
   static_assert(block % 64 == 0, "blocks share no element");
   const VerdictSet& report = job_.scene.system.engine.report;
   for (std::size_t k = 0; k < unsettled.size(); ++k) {
     const Decision truth = unsettled.truth[k];
     const bool is_reported =
         truth != Decision::undecided && report.contains(static_cast<Verdict>(truth));
-    job_.pairs->reported[(first + k) / 64] |= std::uint64_t{is_reported} << (first + k) % 64;
+    job_.pairs->reported[fetched_[k] / 64] |= std::uint64_t{is_reported} << fetched_[k] % 64;
   }
 }
 

@@ -25,8 +25,14 @@ struct RateJob {
     std::vector<std::uint32_t> of_row;
   };
   std::vector<Failing> failing;
-  /// Null if reported pairs are not marked. Each block of comparisons has elements of its own.
+  /// Null if reported pairs are not marked. Then `one_of` is 1, and each block of comparisons has
+  /// elements of its own.
   performance::PairwiseData* pairs = nullptr;
+  std::uint64_t one_of = 1;  ///< comparisons: each is counted, or one at random of so many
+
+  std::uint64_t counted() const { return (source.data().size() + one_of - 1) / one_of; }
+  /// The comparison that is counted as number `k`.
+  std::uint64_t comparison(std::uint64_t k) const;
 };
 
 /// Counts over comparisons. They are integers, so the order of addition does not matter.
@@ -56,11 +62,12 @@ private:
   static constexpr std::size_t capacity = 2 * block;
 
   void start(std::uint64_t first, std::size_t count);
+  void fetch(std::uint64_t first, std::size_t count, data::OperandBlock& operands);
   void process(std::size_t band);
   void make_room(std::size_t band, std::size_t count);
   void classify(const PrecisionBand& band, UnsettledComparisons& unsettled, bool is_first);
-  void find_true_verdicts(std::uint64_t first, UnsettledComparisons& unsettled);
-  void mark_reported(std::uint64_t first, const UnsettledComparisons& unsettled);
+  void find_true_verdicts(UnsettledComparisons& unsettled);
+  void mark_reported(const UnsettledComparisons& unsettled);
   void settle_finished(const PrecisionBand& band, const UnsettledComparisons& unsettled);
   void run_scheme(const PrecisionBand& band, std::size_t scheme,
                   const UnsettledComparisons& unsettled);
@@ -78,10 +85,11 @@ private:
   std::vector<UnsettledComparisons> pending_;  ///< one per band
   std::vector<LastOpen> last_;                 ///< [scheme * capacity + row of the unsettled]
   std::vector<std::uint8_t> doubtful_;
-  std::vector<std::uint32_t> left_;   ///< schemes that the next band has to settle
-  std::vector<std::uint32_t> order_;  ///< rows of the unsettled, longest open first
-  std::vector<std::size_t> open_at_;  ///< [L - anchor]: number of unsettled open at L
-  UnsettledComparisons picked_;       ///< the open unsettled of one scheme, in the order of order_
+  std::vector<std::uint64_t> fetched_;  ///< the comparisons of the newest block
+  std::vector<std::uint32_t> left_;     ///< schemes that the next band has to settle
+  std::vector<std::uint32_t> order_;    ///< rows of the unsettled, longest open first
+  std::vector<std::size_t> open_at_;    ///< [L - anchor]: number of unsettled open at L
+  UnsettledComparisons picked_;  ///< the open unsettled of one scheme, in the order of order_
   std::vector<Decision> decisions_;
 };
 

@@ -115,8 +115,7 @@ void add_bands(RateJob& job, const ErrorProfile& errors) {
 RateTally run(const RateJob& job, const ProfileOptions& options) {
   RateTally total(job);
   std::mutex mutex;
-  WorkSplit split{
-      .size = job.source.data().size(), .block = RateWorker::block, .threads = options.threads};
+  WorkSplit split{.size = job.counted(), .block = RateWorker::block, .threads = options.threads};
   if (options.progress) {
     split.progress = [&](double share) { options.progress("recomputation rates", share); };
   }
@@ -158,10 +157,12 @@ RateProfile profile_rates(const scene::Scene& scene, const data::Comparisons& da
               .schemes = existing_schemes(schemes),
               .bands = {},
               .reference = emulator::Emulator(reference_graph(scene.graph, scene.reference)),
-              .failing = {}};
+              .failing = {},
+              .one_of = options.one_of};
   std::shared_ptr<performance::PairwiseData> pairs;
   const std::optional<performance::ItemSet> set = set_of(data);
-  if (set && set->items + set->others <= scene::EngineSpec::max_capacity) {
+  const bool holds_items = set && set->items + set->others <= scene::EngineSpec::max_capacity;
+  if (holds_items && options.one_of == 1) {
     pairs = std::make_shared<performance::PairwiseData>(performance::PairwiseData{.set = *set});
     pairs->reported.resize((data.size() + 63) / 64);
     job.pairs = pairs.get();
@@ -171,7 +172,7 @@ RateProfile profile_rates(const scene::Scene& scene, const data::Comparisons& da
   const RateTally tally = run(job, options);
   RateProfile profile{.inputs = errors.inputs,
                       .first_precision = errors.precisions.front().precision,
-                      .comparisons = data.size(),
+                      .comparisons = job.counted(),
                       .reference_wrong = tally.reference_wrong,
                       .true_verdicts = tally.true_verdicts,
                       .undetermined = tally.undetermined,

@@ -242,6 +242,11 @@ TEST(TwoTiers, AreAsFastAsTheSlowerOfBoth) {
   // Lanes that wait long for answers run out of slots.
   first.slots = second.slots = 32;
   EXPECT_LT(performance::two_tier_throughput(first, second, 0.1, 0.1), 0.99);
+  // They wait longer if the second tier has to ask the references.
+  second.initiation_interval_cycles = 1;
+  first.slots = 16, second.slots = 1000;
+  EXPECT_LT(performance::two_tier_throughput(first, second, 0.05, 0.2),
+            performance::two_tier_throughput(first, second, 0.05, 0));
 }
 
 }  // namespace

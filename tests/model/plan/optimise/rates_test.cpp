@@ -4,7 +4,11 @@
 
 #include <fstream>
 
+#include "model/comparison/data/uniform_spheres.hpp"
+#include "model/plan/optimise/plan_inputs.hpp"
+#include "tests/model/plan/profile/profile_cases.hpp"
 #include "tests/support/scratch_directory.hpp"
+#include "tests/support/sphere.hpp"
 
 namespace mixcmp::test::rates_test {
 namespace {
@@ -82,6 +86,32 @@ TEST(RatesOfPairs, MayAssumeThatNothingIsReported) {
   rates.assume_nothing_reported({.items = 8, .others = 8});
   EXPECT_DOUBLE_EQ(rates.reported_share().value(), 0);
   EXPECT_EQ(rates.cycles_per_pair(engine_of_8), with_pairs(0).cycles_per_pair(engine_of_8));
+}
+
+/// 8.4 M pairs: twice the comparisons of a sample.
+TEST(MeasuredRates, OfFewDigitsAreThoseOfASampleOfLargeData) {
+  scene::Scene scene = scene_of(sphere_graph(), format_of(53, 8), {format_of(8, 8)});
+  for (auto& range : scene.ranges) range = Range{0, 100};
+  data::Table table =
+      data::uniform_spheres({.count = 4097, .side = 100, .radius_max = 40}, scene.reference.format);
+  const auto data = data::Comparisons::all_pairs(std::move(table), scene.graph.inputs()).value();
+  const Bound norm{NumberSystem::fixed, BoundKind::norm};
+  optimise::OptimiseOptions choice{.first_precision = 10, .last_precision = 11};
+  const auto rates_of = [&](std::vector<Bound> bounds, bool samples) {
+    choice.bounds = std::move(bounds);
+    choice.samples_rates = samples;
+    return measure_rates(scene, data, {LaneInputs::exact, LaneInputs::rounded}, choice, {}).value();
+  };
+  const auto counted = rates_of({norm}, true);
+  ASSERT_EQ(counted.size(), 2u) << "lanes in fixed point are counted for one kind of inputs";
+  EXPECT_EQ(counted[0].comparisons, data.size() / 2);
+  EXPECT_EQ(counted[1].comparisons, data.size());
+  const Rates rates = Rates::of(counted), all = Rates::of(rates_of({norm}, false));
+  const RateKey ten{LaneInputs::exact, norm, 10}, eleven{LaneInputs::exact, norm, 11};
+  EXPECT_NEAR(rates.find(ten)->value() / all.find(ten)->value(), 1, 0.02);
+  EXPECT_EQ(rates.find(ten)->comparisons, data.size() / 2);
+  EXPECT_EQ(rates.find(eleven)->undecided, all.find(eleven)->undecided);
+  EXPECT_EQ(rates.reported_share(), all.reported_share());
 }
 
 TEST_F(RatesFile, GivesWhatAProfileCounted) {

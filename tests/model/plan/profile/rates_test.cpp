@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "generator/present/report/profile_report.hpp"
 #include "model/base/number/double.hpp"
@@ -320,6 +321,47 @@ TEST(Rates, DoNotDependOnThreadsOrMethod) {
   const auto one = counts({.threads = 1});
   EXPECT_EQ(counts({.threads = 3}), one);
   EXPECT_EQ(counts({.threads = 2, .method = profile::ProfileMethod::brute_force}), one);
+}
+
+/// One of seven comparisons, each from another seven of the data.
+TEST(Rates, OfASampleAreThoseOfItsComparisons) {
+  const Scene scene = sphere_scene();
+  const Comparisons data = spheres(scene, 60, 40);
+  ProfileOptions options = options_of(4, 20);
+  const ErrorProfile errors = profile_errors(scene, data, {LaneInputs::exact}, options).front();
+  options.one_of = 7;
+  options.method = profile::ProfileMethod::brute_force;  // asks for every true verdict
+  const RateProfile sampled = profile_rates(scene, data, errors, options);
+  const data::OperandSource source(data);
+  const profile::RateJob job{
+      .scene = scene,
+      .source = source,
+      .method = options.method,
+      .schemes = {},
+      .bands = {},
+      .reference = emulator::Emulator(reference_graph(scene.graph, scene.reference)),
+      .failing = {},
+      .one_of = options.one_of};
+  ASSERT_EQ(job.counted(), (data.size() + 6) / 7);
+  std::vector<Bits> rows, operands(data.input_count());
+  std::set<std::uint64_t> places;
+  for (std::uint64_t k = 0; k < job.counted(); ++k) {
+    const std::uint64_t comparison = job.comparison(k);
+    ASSERT_EQ(comparison / 7, k);
+    ASSERT_LT(comparison, data.size());
+    places.insert(comparison % 7);
+    data.fetch(comparison, operands);
+    rows.insert(rows.end(), operands.begin(), operands.end());
+  }
+  EXPECT_EQ(places.size(), 7u);
+  options.one_of = 1;
+  const Comparisons alone = rows_of(scene.graph, scene.reference.format, rows);
+  const RateProfile expected = profile_rates(scene, alone, errors, options);
+  EXPECT_EQ(sampled.comparisons, expected.comparisons);
+  EXPECT_EQ(sampled.pairs, nullptr);
+  for (std::size_t k = 0; k < expected.schemes.size(); ++k) {
+    EXPECT_EQ(sampled.schemes[k].counts, expected.schemes[k].counts) << expected.schemes[k].name;
+  }
 }
 
 /// The fast way looks at each part by itself, and separately at the parts that outweigh others.
