@@ -63,4 +63,22 @@ Result<Done> take_ranges_from_data(const data::DataSpec* data,
   return Done{};
 }
 
+Result<Done> draw_from_ranges(const settings::Settings& settings,
+                              const std::vector<std::string>& inputs,
+                              const InputDeclarations& declared, data::DataSpec& data) {
+  if (data.items != "uniform") return Done{};
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    const std::optional<Range>& range = declared.ranges[k];
+    if (!range) {
+      return settings::Section(settings, "data")
+          .mistake("items", fmt::format("the input {} has no range to draw from", inputs[k]),
+                   "\"uniform\"",
+                   fmt::format("{} = {{ range = [low, high] }} in [inputs], or data from a file",
+                               inputs[k]));
+    }
+    data.numbers.push_back({range->low, range->high, declared.grids[k]});
+  }
+  return Done{};
+}
+
 }  // namespace mixcmp::scene

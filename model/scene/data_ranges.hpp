@@ -11,4 +11,10 @@ Result<Done> take_ranges_from_data(const data::DataSpec* data,
                                    const std::vector<std::string>& inputs, FloatFormat format,
                                    InputDeclarations& declared);
 
+/// Gives data with items = "uniform" the inputs' ranges and grids, from which they are drawn.
+/// Error: an input without a range of its own.
+Result<Done> draw_from_ranges(const settings::Settings& settings,
+                              const std::vector<std::string>& inputs,
+                              const InputDeclarations& declared, data::DataSpec& data);
+
 }  // namespace mixcmp::scene

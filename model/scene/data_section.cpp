@@ -94,12 +94,19 @@ void read_second_table(settings::Section& section, const std::filesystem::path& 
                        data::DataSpec& spec) {
   read_data_file(section, "with", scene, spec.with);
   read_columns(section, "with_columns", spec.with_columns);
+  section.integer("with_count", spec.with_count, settings::limits::items);
   const bool given = section.find("with") != nullptr;
+  const bool is_drawn = spec.items == "uniform";
+  if (given && is_drawn) {
+    section.fail("with", "not used: both tables are drawn", section.find("with")->shown(),
+                 "with_count beside items = \"uniform\", or file in place of items");
+    return;
+  }
   if (given && !data::has_second_table(spec.pairing)) {
     section.fail("with", "a second file needs pairs that use it", section.find("with")->shown(),
                  "pairs = \"cross\" or \"arg_min\" beside it");
   }
-  if (!given && data::has_second_table(spec.pairing)) {
+  if (!given && !is_drawn && data::has_second_table(spec.pairing)) {
     section.fail("with", "required", "nothing",
                  fmt::format("a second file, for pairs = \"{}\"", to_string(spec.pairing)));
   }
@@ -153,12 +160,13 @@ void check_data_source(settings::Section& section, const settings::Settings& set
         items ? later_source(section, settings) : "",
         items ? "two sources of data" : "no source of data",
         items ? "items and file" : "neither items nor file",
-        "items = \"uniform_spheres\" or \"sphere_family\", or file = a .pdb, .csv or .npy file");
+        "items = \"uniform\", \"uniform_spheres\" or \"sphere_family\", or file = a .pdb, .csv or "
+        ".npy file");
   }
-  const bool family = spec.items == "sphere_family";
-  if (items && !family && spec.items != "uniform_spheres") {
+  const bool family = spec.items == "sphere_family", uniform = spec.items == "uniform";
+  if (items && !family && !uniform && spec.items != "uniform_spheres") {
     section.fail("items", "not a choice", fmt::format("\"{}\"", spec.items),
-                 "uniform_spheres, sphere_family");
+                 "uniform, uniform_spheres, sphere_family");
   }
   check_family(section, spec);
   if (file) {
@@ -167,6 +175,15 @@ void check_data_source(settings::Section& section, const settings::Settings& set
   } else if (family) {
     refuse_unused(section, {"side", "radius_max"}, "a family has its own sizes",
                   "items = \"uniform_spheres\" beside it");
+  } else if (uniform) {
+    refuse_unused(section, {"side", "radius_max"}, "numbers are drawn from the inputs' ranges",
+                  "items = \"uniform_spheres\" beside it");
+    refuse_unused(section, {"columns", "with_columns"}, "columns have the inputs' names",
+                  "file in place of items");
+  }
+  if (!uniform || !data::has_second_table(spec.pairing)) {
+    refuse_unused(section, {"with_count"}, "no second table is drawn",
+                  "items = \"uniform\" with pairs = \"cross\" or \"arg_min\" beside it");
   }
 }
 

@@ -345,6 +345,7 @@ Result<Scene> interpret(SceneSettings read) {
   MIXCMP_DO(check_constants(settings, graph, reference.arithmetic, notes));
   MIXCMP_DO(check_sums(settings, graph, reference.arithmetic.sums));
   MIXCMP_TRY(data, read_data(settings));
+  if (data) MIXCMP_DO(draw_from_ranges(settings, graph.inputs(), declared, *data));
   MIXCMP_DO(take_ranges_from_data(data ? &*data : nullptr, graph.inputs(), format, declared));
   note_missed_ends(declared.ranges, format, notes);
   MIXCMP_TRY(lanes, read_lanes(settings, graph, format, declared.ranges));

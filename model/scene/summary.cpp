@@ -106,6 +106,11 @@ std::string data_source(const data::DataSpec& data) {
     return fmt::format("{} \"{}\" (count {}, seed {})", data.items, data.family, data.count,
                        data.seed);
   }
+  if (data.items == "uniform") {
+    const std::string second =
+        data::has_second_table(data.pairing) ? fmt::format(", with_count {}", data.with_count) : "";
+    return fmt::format("{} (count {}{}, seed {})", data.items, data.count, second, data.seed);
+  }
   return fmt::format("{} (count {}, side {}, radius_max {}, seed {})", data.items, data.count,
                      data.side, data.radius_max, data.seed);
 }
@@ -204,7 +209,9 @@ DataSummary summarise_data(const Scene& scene, const data::Comparisons& data) {
   return {.source = scene.data ? data_source(*scene.data) : "",
           .pairing = data.pairing(),
           .rows = data.table().rows(),
-          .with = scene.data ? scene.data->with.filename().string() : "",
+          .with = scene.data && data::has_second_table(scene.data->pairing)
+                      ? data::table_name(*scene.data, 1)
+                      : "",
           .with_rows = data::has_second_table(data.pairing()) ? data.tables()[1].rows() : 0,
           .comparisons = data.size(),
           .out_of_range = check.ranges().count,

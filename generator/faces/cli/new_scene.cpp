@@ -168,7 +168,10 @@ std::string data_text(const NewScene& scene, const LoadedScene& loaded) {
   if (!loaded.data) {
     return "# Data are needed to verify, to profile and to optimise: .csv, .npy or .pdb.\n"
            "# [data]\n"
-           "# file = \"points.csv\"           # its columns are called as the inputs above\n";
+           "# file = \"points.csv\"           # its columns are called as the inputs above\n"
+           "# Without a file: numbers drawn from the ranges of all inputs.\n"
+           "# [data]\n"
+           "# items = \"uniform\"\n";
   }
   std::string text = fmt::format("# {} comparisons: {}.\n[data]\nfile = {}\n", loaded.data->size(),
                                  meaning_of(scene.pairing), toml_string(scene.file));

@@ -3,8 +3,8 @@
 namespace mixcmp::data {
 
 std::string table_name(const DataSpec& data, std::size_t which) {
-  if (which == 1) return data.with.filename().string();
-  return data.file.empty() ? data.items : data.file.filename().string();
+  const std::filesystem::path& file = which == 0 ? data.file : data.with;
+  return file.empty() ? data.items : file.filename().string();
 }
 
 }  // namespace mixcmp::data

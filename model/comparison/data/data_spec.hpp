@@ -10,6 +10,7 @@
 #include "model/base/common/place.hpp"
 #include "model/comparison/data/column_names.hpp"
 #include "model/comparison/data/pairing.hpp"
+#include "model/comparison/data/uniform_table.hpp"
 
 namespace mixcmp::data {
 
@@ -19,6 +20,7 @@ struct DataSpec {
   std::string family;          ///< one of sphere_family_names(); only for items "sphere_family"
   std::filesystem::path file;  ///< .pdb, .csv or .npy; relative to the scene file
   std::int64_t count = 8192;
+  std::int64_t with_count = 16;  ///< of items "uniform": rows of the second table
   double side = 100;
   double radius_max = 25;
   std::uint64_t seed = 1;
@@ -26,6 +28,8 @@ struct DataSpec {
   std::filesystem::path with;        ///< the second table's file, if the pairing has one
   std::vector<ColumnNames> columns;  ///< the names that the scene gives to columns
   std::vector<ColumnNames> with_columns;
+  /// Of items "uniform": what is drawn for each input, in the order of the graph's inputs.
+  std::vector<UniformNumbers> numbers;
   /// The place of each given key, and of [data] itself under "", for errors that are found when
   /// data are read.
   std::map<std::string, Place> places;

@@ -86,7 +86,7 @@ Place place_of(const DataSpec& data, const std::string& key) {
 }
 
 std::string source_key(const DataSpec& data, std::size_t which) {
-  if (which == 1) return "with";
+  if (which == 1) return data.with.empty() ? "items" : "with";
   return data.file.empty() ? "items" : "file";
 }
 
@@ -170,6 +170,7 @@ private:
   }
 
   Result<Table> load_table(std::size_t which, const std::vector<std::string>& wanted) const {
+    if (data_.items == "uniform" && data_.with.empty()) return drawn_table(which, wanted);
     MIXCMP_DO(check_source(data_, which));
     MIXCMP_TRY(columns, file_columns(which == 0 ? data_.columns : data_.with_columns, wanted));
     const Result<Table> table = read_table(data_, which, format_, columns);
@@ -181,6 +182,40 @@ private:
         columns.begin(), columns.end(),
         [&](const WantedColumn& column) { return column.column == ColumnKey(error.field); });
     return with_input(which, missing->name, error);
+  }
+
+  Result<Table> drawn_table(std::size_t which, const std::vector<std::string>& wanted) const {
+    UniformTable uniform{
+        .columns = {},
+        .count = static_cast<std::uint64_t>(which == 0 ? data_.count : data_.with_count),
+        .seed = data_.seed,
+        .which = static_cast<std::uint32_t>(which)};
+    for (const std::string& column : wanted) {
+      uniform.columns.push_back({column, numbers_of(which, column)});
+    }
+    MIXCMP_TRY(table, uniform_table(uniform, format_));
+    table.source = table_name(data_, which);
+    for (std::size_t k = 0; k < table.columns.size(); ++k) {
+      table.origins.push_back({.number = k, .name = table.columns[k]});
+    }
+    return table;
+  }
+
+  /// What is drawn for a column: numbers that all inputs allow which read it. A coarser grid, a
+  /// power of two, is one of the finer grid as well.
+  UniformNumbers numbers_of(std::size_t which, const std::string& column) const {
+    std::optional<UniformNumbers> numbers;
+    for (std::size_t k = 0; k < inputs_.size(); ++k) {
+      const Result<InputColumn> needed = input_column(data_.pairing, inputs_[k]);
+      if (!needed.ok() || needed->table != which || needed->name != column) continue;
+      const UniformNumbers& allowed = data_.numbers[k];
+      if (!numbers) numbers = allowed;
+      numbers->low = std::max(numbers->low, allowed.low);
+      numbers->high = std::min(numbers->high, allowed.high);
+      if (allowed.grid) numbers->grid = std::max(numbers->grid.value_or(0), *allowed.grid);
+    }
+    MIXCMP_CHECK(numbers.has_value());
+    return *numbers;
   }
 
   const DataSpec& data_;

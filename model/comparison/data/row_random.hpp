@@ -3,10 +3,18 @@
 #include <gmpxx.h>
 
 #include <cstdint>
+#include <string_view>
 
 #include "model/comparison/data/philox.hpp"
 
 namespace mixcmp::data {
+
+/// The stream of a name: its 32-bit FNV-1a hash.
+constexpr std::uint32_t stream_of(std::string_view name) {
+  std::uint32_t hash = 0x811c9dc5;
+  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x01000193;
+  return hash;
+}
 
 /// The random numbers of one row: a pure function of seed, stream and row, so no row depends on the
 /// number of rows. Block b of row n is philox(counter = {n low, n high, b, stream}, key = {seed

@@ -58,12 +58,6 @@ std::optional<int> near_tie_precision(std::string_view name) {
   return precision;
 }
 
-std::uint32_t stream_of(std::string_view name) {
-  std::uint32_t hash = 0x811c9dc5;
-  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x01000193;
-  return hash;
-}
-
 Error too_large(const std::string& name, FloatFormat format) {
   return {.field = "data.family",
           .message = fmt::format("{} has numbers beyond the largest of {}", name, format.name()),

@@ -51,7 +51,8 @@ TEST(Limits, DocumentationStatesThem) {
            {"[engine]", "capacity", capacity},
            {"[engine]", "tag_bits", to_string(settings::limits::tag_bits)},
            {"[[lanes]] and [[references]]", "count", to_string(settings::limits::lanes)},
-           {"[data]", "count", to_string(settings::limits::items)}}) {
+           {"[data]", "count", to_string(settings::limits::items)},
+           {"[data]", "with_count", to_string(settings::limits::items)}}) {
     EXPECT_NE(row_of(stated.section, stated.key).find(stated.limits), std::string::npos)
         << stated.section << " " << stated.key << " " << stated.limits;
   }

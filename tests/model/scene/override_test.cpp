@@ -60,9 +60,10 @@ TEST_F(OverrideTest, AMistakeThatAnOverrideBringsAboutIsItsOwn) {
   EXPECT_EQ(error({"comparison.f=cxi", "comparison.g=cxj"}),
             "--set comparison.g: inputs.r*: matches no input of f and g (at scene.toml:8): "
             "received \"r*\"; accepted cxi, cxj");
-  EXPECT_EQ(error({"data.file=a.csv"}),
-            "--set: data.file: two sources of data: received items and file; accepted items = "
-            "\"uniform_spheres\" or \"sphere_family\", or file = a .pdb, .csv or .npy file");
+  EXPECT_EQ(
+      error({"data.file=a.csv"}),
+      "--set: data.file: two sources of data: received items and file; accepted items = "
+      "\"uniform\", \"uniform_spheres\" or \"sphere_family\", or file = a .pdb, .csv or .npy file");
 }
 
 TEST_F(OverrideTest, AMistakeOfTheSceneStaysTheScenes) {
@@ -108,7 +109,7 @@ TEST_F(OverrideTest, MistakesNameTheOption) {
   EXPECT_EQ(
       error({"data.cuont=3"}),
       "--set: data.cuont: unknown key: received cuont; accepted count (the nearest), columns, "
-      "family, file, items, pairs, radius_max, seed, side, with, with_columns");
+      "family, file, items, pairs, radius_max, seed, side, with, with_columns, with_count");
   EXPECT_EQ(error({"dato.count=3"}).substr(0, 28), "--set: dato: unknown section");
   EXPECT_EQ(error({"comparison.f=cxi +* 2"}),
             "--set: comparison.f: unexpected character at character 6 of the text: received '*'; "

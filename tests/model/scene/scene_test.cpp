@@ -325,10 +325,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"slack = 0.25", "operand_memory = \"registers\"",
                 ":23: system.operand_memory: not a choice: received \"registers\"; accepted logic, "
                 "block"},
-        Mistake{
-            "seed = 7", "sead = 7",
-            ":30: data.sead: unknown key: received sead; accepted seed (the nearest), "
-            "columns, count, family, file, items, pairs, radius_max, side, with, with_columns"}));
+        Mistake{"seed = 7", "sead = 7",
+                ":30: data.sead: unknown key: received sead; accepted seed (the nearest), "
+                "columns, count, family, file, items, pairs, radius_max, side, with, "
+                "with_columns, with_count"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Types, SceneMistake,
@@ -437,14 +437,16 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"count = 512", "count = 0",
                 ":28: data.count: out of range: received 0; accepted an integer 1..16777216"},
         Mistake{"\"uniform_spheres\"", "\"cubes\"",
-                ":27: data.items: not a choice: received \"cubes\"; accepted uniform_spheres, "
-                "sphere_family"},
+                ":27: data.items: not a choice: received \"cubes\"; accepted uniform, "
+                "uniform_spheres, sphere_family"},
         Mistake{"seed = 7", "file = \"a.csv\"",
                 ":27: data.items: two sources of data: received items and file; accepted items = "
-                "\"uniform_spheres\" or \"sphere_family\", or file = a .pdb, .csv or .npy file"},
+                "\"uniform\", \"uniform_spheres\" or \"sphere_family\", or file = a .pdb, .csv or "
+                ".npy file"},
         Mistake{"items = \"uniform_spheres\"\n", "",
                 ":26: data: no source of data: received neither items nor file; accepted items = "
-                "\"uniform_spheres\" or \"sphere_family\", or file = a .pdb, .csv or .npy file"},
+                "\"uniform\", \"uniform_spheres\" or \"sphere_family\", or file = a .pdb, .csv or "
+                ".npy file"},
         Mistake{
             "items = \"uniform_spheres\"", "file = \"a.txt\"",
             ":27: data.file: not a data file by its ending: received \"a.txt\"; accepted a file "

@@ -135,6 +135,40 @@ TEST_F(DataMistakes, StandWhereTheWrongKeyIsSet) {
             "--set: data.items: two sources of data: rec");
 }
 
+TEST_F(DataMistakes, UniformNumbersAreDrawnFromRanges) {
+  const std::string uniform = "items = \"uniform\"\n", inputs = "[inputs]\nx = { range = ";
+  const auto no_range = [](int line, const std::string& input) {
+    return "scene.toml:" + std::to_string(line) + ": data.items: the input " + input +
+           " has no range to draw from: received \"uniform\"; accepted " + input +
+           " = { range = [low, high] } in [inputs], or data from a file";
+  };
+  EXPECT_EQ(error("x", "y", uniform), no_range(7, "x"));
+  EXPECT_EQ(error("x", "y", uniform + inputs + "[0, 1] }\n"), no_range(7, "y"));
+  EXPECT_EQ(error("x", "y", uniform + inputs + "\"data\" }\n"), no_range(7, "x"));
+  EXPECT_EQ(error("xi", "xj",
+                  uniform + "pairs = \"all\"\n[inputs]\nxi = { range = [0, 1] }\n" +
+                      "xj = { range = [2, 3] }\n"),
+            "scene.toml:7: data.items: s53e11 has no number to draw for the column x: received [2, "
+            "1]; accepted a range that contains some of the reference format's numbers");
+}
+
+TEST_F(DataMistakes, UniformNumbersHaveNoKeysOfOtherData) {
+  const std::string uniform = "items = \"uniform\"\n";
+  EXPECT_EQ(error("x", "y", uniform + "radius_max = 2\n"),
+            "scene.toml:8: data.radius_max: not used: numbers are drawn from the inputs' ranges: "
+            "received 2; accepted no such key here, or items = \"uniform_spheres\" beside it");
+  EXPECT_EQ(error("x", "y", uniform + "columns = { x = \"y\" }\n"),
+            "scene.toml:8: data.columns: not used: columns have the inputs' names: received a "
+            "table with the key \"x\"; accepted no such key here, or file in place of items");
+  EXPECT_EQ(error("xi", "xj", uniform + "pairs = \"cross\"\nwith = \"one.csv\"\n"),
+            "scene.toml:9: data.with: not used: both tables are drawn: received \"one.csv\"; "
+            "accepted with_count beside items = \"uniform\", or file in place of items");
+  EXPECT_EQ(error("x", "y", uniform + "with_count = 3\n"),
+            "scene.toml:8: data.with_count: not used: no second table is drawn: received 3; "
+            "accepted no such key here, or items = \"uniform\" with pairs = \"cross\" or "
+            "\"arg_min\" beside it");
+}
+
 TEST_F(DataMistakes, TooFewRowsNameTheirFile) {
   EXPECT_EQ(error("x * ci", "x * cj", arg_min, {"data.with=one.csv"}),
             "--set: data.with: too few rows: received 1 rows in one.csv; accepted 2..2147483648 "

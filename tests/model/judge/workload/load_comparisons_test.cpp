@@ -53,6 +53,31 @@ std::vector<double> operands(const data::Comparisons& data, std::uint64_t index)
   return values;
 }
 
+/// A column that two inputs read has numbers that both allow; the tables differ.
+TEST_F(TwoTables, MayBothBeDrawn) {
+  const auto cross = load("xi + yi", "xj + yj",
+                          "items = \"uniform\"\ncount = 3\nwith_count = 5\nseed = 9\n"
+                          "pairs = \"cross\"\n[inputs]\nxi = { range = [0, 10], grid = 1 }\n"
+                          "xj = { range = [5, 20], grid = 4 }\n\"y*\" = { range = [0, 1] }\n");
+  ASSERT_TRUE(cross.ok()) << cross.error().to_string();
+  ASSERT_EQ(cross->size(), 15u);
+  EXPECT_NE(operands(*cross, 0)[1], operands(*cross, 0)[3]);
+  for (std::uint64_t k = 0; k < 15; ++k) {
+    const std::vector<double> row = operands(*cross, k);
+    EXPECT_EQ(row[0], std::floor(row[0]));
+    EXPECT_LE(row[0], 10);
+    EXPECT_EQ(std::fmod(row[2], 4), 0);
+    EXPECT_GE(row[2], 8);
+    EXPECT_LE(row[2], 20);
+  }
+  const auto all = load("xi", "xj",
+                        "items = \"uniform\"\ncount = 50\npairs = \"all\"\n[inputs]\n"
+                        "xi = { range = [0, 10], grid = 1 }\nxj = { range = [5, 20], grid = 4 }\n");
+  ASSERT_TRUE(all.ok()) << all.error().to_string();
+  ASSERT_EQ(all->size(), 50u * 49 / 2);
+  for (std::uint64_t k = 0; k < all->size(); ++k) EXPECT_EQ(operands(*all, k)[0], 8);
+}
+
 TEST_F(TwoTables, ColumnsHaveTheScenesNames) {
   write("points.csv", "name,width,height,size\na,1,2,3\nb,4,5,6\n");
   write("centres.csv", "x,y\n7,8\n");
