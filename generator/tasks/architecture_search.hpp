@@ -116,6 +116,7 @@ private:
   std::vector<System> systems_;
   bool has_measured_rows_ = false;  ///< in the systems' tables
   std::vector<std::string> notes_;
+  std::set<std::string> sample_notes_;  ///< on rates, which no device changes
 };
 
 }  // namespace mixcmp::tasks

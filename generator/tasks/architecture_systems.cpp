@@ -79,7 +79,8 @@ Characterisation part_of(const Characterisation& table, bool datapaths) {
   return part;
 }
 
-/// Says which rates are those of a sample; none where all data were counted.
+/// A note that names the lanes that were counted on a sample of the scene's data; none if all were
+/// counted on all data.
 std::optional<std::string> note_on_sample(const optimise::Rates& rates) {
   std::uint64_t all = 0, sample = 0;
   int most_digits = 0;
@@ -93,7 +94,7 @@ std::optional<std::string> note_on_sample(const optimise::Rates& rates) {
   }
   if (sample == 0) return std::nullopt;
   return fmt::format(
-      "recomputation rates of lanes of at most {} digits are those of a sample, {} of {} "
+      "recomputation rates of lanes of at most {} digits were counted on a sample of {} of {} "
       "comparisons",
       most_digits, sample, all);
 }
@@ -171,6 +172,7 @@ Result<Done> ArchitectureSearch::count_rates(const Formulation& formulation) {
     return Done{};
   }
   MIXCMP_TRY(rates, tasks::count_rates(*request_, loaded));
+  if (auto note = note_on_sample(rates)) sample_notes_.insert(*std::move(note));
   rates_.push_back(std::move(rates));
   return Done{};
 }
@@ -192,11 +194,7 @@ Result<Done> ArchitectureSearch::add_all(std::vector<System> known) {
     }
     use_kept_rows(k);
   }
-  std::set<std::string> of_samples;
-  for (const optimise::Rates& rates : rates_) {
-    if (auto note = note_on_sample(rates)) of_samples.insert(*std::move(note));
-  }
-  notes_.insert(notes_.end(), of_samples.begin(), of_samples.end());
+  notes_.insert(notes_.end(), sample_notes_.begin(), sample_notes_.end());
   if (predictor_ == nullptr) return Done{};
   for (const std::string& changed : predictor_->outdated()) {
     notes_.push_back(fmt::format(

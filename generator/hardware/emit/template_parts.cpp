@@ -121,7 +121,7 @@ private:
   }
 };
 
-/// The tokens behind a template's head, read once: predictions of areas ask thousands of times.
+/// The tokens after a template's head, cached: area prediction asks for them thousands of times.
 const Tokens& body_of(const std::string& module) {
   static std::mutex mutex;
   static std::map<std::string, Tokens> known;

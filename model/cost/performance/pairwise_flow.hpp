@@ -48,13 +48,13 @@ public:
   double cycles(const PairwiseEngine& engine) const;
 
 private:
-  double simulated(const PairwiseEngine& engine) const;
+  double count_cycles(const PairwiseEngine& engine) const;
 
   std::shared_ptr<const PairwiseData> data_;
   double reported_share_;
-  mutable std::mutex mutex_;  ///< of the maps
+  mutable std::mutex mutex_;  ///< guards known_ and walks_
   mutable std::map<PairwiseEngine, double> known_;
-  /// By lanes and lanes of a segment.
+  /// By the engine's lanes and its lanes of a segment.
   mutable std::map<std::pair<int, int>, std::shared_ptr<const PairwiseWalk>> walks_;
 };
 

@@ -9,10 +9,10 @@
 namespace mixcmp::performance {
 namespace {
 
-/// Words times segments of a sample: their simulation takes about 10 ms for segments of eight
-/// lanes.
+/// Words times segments of a sample, or up to twice as many: about 10 ms of simulation for segments
+/// of eight lanes.
 constexpr std::uint64_t most_steps = std::uint64_t{1} << 18;
-/// Consecutive words of a sample.
+/// A sample consists of windows of so many consecutive words.
 constexpr std::uint64_t window = 64;
 
 class Walker {

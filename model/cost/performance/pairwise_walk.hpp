@@ -37,13 +37,13 @@ struct PairwiseWalk {
     return counts[word * static_cast<std::uint64_t>(segments) +
                   static_cast<std::uint64_t>(segment)];
   }
-  std::uint64_t passes() const;  ///< of words past segments
+  std::uint64_t passes() const;  ///< how often a word passes a segment
   bool is_sample() const { return words.size() < all_words; }
   double part() const;  ///< of the set's words, 0..1
 };
 
-/// Walks a set block by block, as pair_walker.v does. A large set is sampled: some thousand words,
-/// in windows of 64 consecutive ones.
+/// Walks a set block by block, as pair_walker.v does. A large set is sampled: 2^18 to 2^19 words
+/// divided by segments, in windows of 64 consecutive ones.
 PairwiseWalk walk_pairs(const PairwiseData& data, int lanes, int lanes_per_segment);
 
 }  // namespace mixcmp::performance

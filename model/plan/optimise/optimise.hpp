@@ -39,8 +39,8 @@ struct OptimiseOptions {
   double at_least_per_s = 0;
   /// Programs of many kinds are solved in seconds where the last 0.1 % would take minutes.
   Effort effort = {};
-  /// Counts the rates of lanes of few digits on a sample of large data: within one percent, in a
-  /// fraction of the time.
+  /// Counts frequently undecided lanes of few digits on a sample of large data, with a standard
+  /// error of at most 1 %.
   bool samples_rates = false;
   /// The size of a pairwise engine's set: a plan then counts the cycles in which lanes have no
   /// item. None: it counts only those in which words wait, beyond the paper's T(equ).

@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "model/base/common/check.hpp"
+
 namespace mixcmp::optimise {
 namespace {
 
@@ -106,8 +108,9 @@ int most_useful_groups(const PrecisionPlan& plan, const PlanningInputs& inputs) 
     most = std::max(least, static_cast<int>(std::min<std::uint64_t>(most, for_items)));
   }
   if (!inputs.rates.reported_share()) return most;
-  // No lane compares more than one pair per cycle: small engines need no simulation.
-  const auto makes = [&](double pairs, int groups) {
+  // A lane compares at most one pair per cycle, so that an engine of fewer lanes than `pairs` needs
+  // no simulation.
+  const auto reaches = [&](double pairs, int groups) {
     return groups * group >= pairs && *most_pairs_per_cycle(plan, inputs, groups * group) >= pairs;
   };
   std::vector<int> tried;  // up to a factor of two from any number
@@ -115,16 +118,17 @@ int most_useful_groups(const PrecisionPlan& plan, const PlanningInputs& inputs) 
   tried.push_back(most);
   double best = 0;
   for (auto groups = tried.rbegin(); groups != tried.rend(); ++groups) {
-    if (makes(best, *groups)) best = *most_pairs_per_cycle(plan, inputs, *groups * group);
+    if (reaches(best, *groups)) best = *most_pairs_per_cycle(plan, inputs, *groups * group);
   }
   const double wanted = enough * best;
   const auto first =
-      std::find_if(tried.begin(), tried.end(), [&](int groups) { return makes(wanted, groups); });
+      std::find_if(tried.begin(), tried.end(), [&](int groups) { return reaches(wanted, groups); });
+  MIXCMP_CHECK(first != tried.end());
   int too_few = first == tried.begin() ? least - 1 : *(first - 1);
   int many = *first;
   while (many - too_few > 1) {
     const int middle = (too_few + many) / 2;
-    (makes(wanted, middle) ? many : too_few) = middle;
+    (reaches(wanted, middle) ? many : too_few) = middle;
   }
   return many;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -67,38 +68,58 @@ bool has_profiled(const std::vector<Bound>& bounds) {
                      [](const Bound& bound) { return bound.is_profiled(); });
 }
 
-/// Lanes of fewer digits than this leave many comparisons undecided: a sample counts them well, and
-/// the whole data would take most of the time.
-constexpr int least_precision_of_all = 11;
-/// Comparisons of a sample. Of 4 M the rate 0.01 is counted with a standard error of 0.5 %.
+/// Lanes of at least this many digits are counted on all data. Shorter ones usually leave many
+/// comparisons undecided, so that a sample is enough; emulating them all would take most of the
+/// time.
+constexpr int first_on_all = 11;
+/// A sample has at least so many comparisons.
 constexpr std::uint64_t sample_size = std::uint64_t{1} << 22;
+/// A sample is enough where each lane leaves so many of it undecided: a standard error of 1 %.
+constexpr std::uint64_t enough_undecided = 10'000;
 
 /// The errors at the precisions first .. last - 1.
-profile::ErrorProfile between(profile::ErrorProfile errors, int first, int last) {
+profile::ErrorProfile errors_at(profile::ErrorProfile errors, int first, int last) {
   std::erase_if(errors.precisions, [&](const profile::ErrorAtPrecision& each) {
     return each.precision < first || each.precision >= last;
   });
   return errors;
 }
 
-/// The rates of lanes of few digits on a sample, if it is less than half of the data, and all
-/// others on all of the data.
+/// Drops the precisions of a sample from the first one on at which some lane leaves too little
+/// undecided; returns that one.
+int keep_frequent(profile::RateProfile& sample) {
+  std::size_t kept = sample.schemes.front().counts.size();
+  for (const profile::SchemeProfile& scheme : sample.schemes) {
+    const auto rare = std::find_if(
+        scheme.counts.begin(), scheme.counts.end(),
+        [](const auto& counts) { return counts.exists && counts.undecided < enough_undecided; });
+    kept = std::min(kept, static_cast<std::size_t>(rare - scheme.counts.begin()));
+  }
+  for (profile::SchemeProfile& scheme : sample.schemes) scheme.counts.resize(kept);
+  return sample.first_precision + static_cast<int>(kept);
+}
+
+/// Counts lanes of few digits on a sample if the data are at least twice as large, and all other
+/// lanes on all data. The last precision is always among these: only they tell which pairs are
+/// reported.
 std::vector<profile::RateProfile> sampled_rates(const scene::Scene& scene,
                                                 const data::Comparisons& data,
                                                 const profile::ErrorProfile& errors,
                                                 profile::ProfileOptions options) {
-  const int first = errors.precisions.front().precision,
-            end = errors.precisions.back().precision + 1;
-  const std::uint64_t one_of = data.size() / sample_size;
+  const int last = errors.precisions.back().precision;
+  int first = errors.precisions.front().precision;
+  const std::uint64_t stretch = data.size() / sample_size;
   std::vector<profile::RateProfile> rates;
-  int counted = first;
-  if (one_of > 1 && first < least_precision_of_all && least_precision_of_all < end) {
-    options.one_of = one_of;
-    counted = least_precision_of_all;
-    rates.push_back(profile_rates(scene, data, between(errors, first, counted), options));
-    options.one_of = 1;
+  const int sampled_to = std::min(first_on_all, last);
+  if (stretch > 1 && first < sampled_to) {
+    options.stretch = stretch;
+    auto sample = profile_rates(scene, data, errors_at(errors, first, sampled_to), options);
+    options.stretch = 1;
+    const int frequent_to = keep_frequent(sample);
+    if (frequent_to > first) rates.push_back(std::move(sample));
+    first = frequent_to;
   }
-  rates.push_back(profile_rates(scene, data, between(errors, counted, end), options));
+  rates.push_back(profile_rates(scene, data, errors_at(errors, first, last + 1), options));
   return rates;
 }
 
@@ -182,7 +203,8 @@ Result<std::vector<profile::RateProfile>> measure_rates(
     } else {
       rates.push_back(profile_rates(scene, data, each, options));
     }
-    // Lanes in fixed point take their inputs as they are: one count is that of all kinds of inputs.
+    // Lanes in fixed point take their operands as they are: only the first kind of inputs counts
+    // them. No bounds stand for all of them, so that none can be erased.
     if (options.bounds.empty()) continue;
     std::erase_if(options.bounds, [](const Bound& bound) { return bound.is_fixed_point(); });
     if (options.bounds.empty()) break;

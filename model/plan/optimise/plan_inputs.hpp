@@ -36,8 +36,10 @@ Result<scene::Scene> with_target_of(const measured::Characterisation& table,
 std::set<LaneInputs> inputs_of_lanes(const measured::Characterisation& table);
 
 /// Recomputation rates of every kind of lane on these data, for these kinds of inputs, at the
-/// precisions and with the bounds of `choice`, and those of the scene's second tier. `progress` is
-/// that of profile::ProfileOptions.
+/// precisions and with the bounds of `choice`, and those of the scene's second tier. A kind of
+/// inputs has two profiles if lanes of few digits were counted on a sample
+/// (`choice.samples_rates`). If bounds are given, lanes in fixed point are only among those of the
+/// first kind. `progress` is that of profile::ProfileOptions.
 Result<std::vector<profile::RateProfile>> measure_rates(
     const scene::Scene& scene, const data::Comparisons& data, const std::set<LaneInputs>& inputs,
     const OptimiseOptions& choice, const std::function<void(const std::string&, double)>& progress);

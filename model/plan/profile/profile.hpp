@@ -33,8 +33,8 @@ struct ProfileOptions {
   /// The bounds of the lanes that are counted. Empty: lanes of every kind, and lanes without a
   /// bound.
   std::vector<Bound> bounds = {};
-  /// For rates: 1, or so many comparisons of which one at random is counted.
-  std::uint64_t one_of = 1;
+  /// Rates count one random comparison from each stretch of so many consecutive ones; with 1, all.
+  std::uint64_t stretch = 1;
   unsigned threads = 0;  ///< 0: as many as the machine has
   ProfileMethod method = ProfileMethod::envelope;
   /// Called with the name of the current step and its completed fraction, 0..1; from any thread,
@@ -102,14 +102,14 @@ struct SchemeProfile {
 struct RateProfile {
   LaneInputs inputs = LaneInputs::exact;
   int first_precision = settings::limits::lane_precision.least;
-  std::uint64_t comparisons = 0;      ///< counted
+  std::uint64_t comparisons = 0;      ///< how many were counted: all, or a sample
   std::uint64_t reference_wrong = 0;  ///< wrong verdicts of the reference datapath itself
   std::uint64_t true_verdicts = 0;    ///< how many true verdicts MPFR had to compute
   /// Undetermined true verdicts; no verdict counts as wrong for these.
   std::uint64_t undetermined = 0;
   std::uint64_t emulated = 0;  ///< lane evaluations
   /// The pairs, with those marked whose true verdict an engine of the scene reports; null if the
-  /// data are not pairs, only a sample of them was counted, or no engine holds their items.
+  /// data are no pairs, no engine holds their items, or only a sample was counted.
   std::shared_ptr<const performance::PairwiseData> pairs = {};
   std::vector<SchemeProfile> schemes;
 };

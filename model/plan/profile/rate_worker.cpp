@@ -20,9 +20,9 @@ constexpr std::size_t countable = 255;
 }  // namespace
 
 std::uint64_t RateJob::comparison(std::uint64_t k) const {
-  if (one_of == 1) return k;
-  const std::uint64_t first = k * one_of;
-  return first + counter_random(0, k) % std::min(one_of, source.data().size() - first);
+  if (stretch == 1) return k;
+  const std::uint64_t first = k * stretch;
+  return first + counter_random(0, k) % std::min(stretch, source.data().size() - first);
 }
 
 RateTally::RateTally(const RateJob& job) {
@@ -82,11 +82,11 @@ void RateWorker::start(std::uint64_t first, std::size_t count) {
   process(0);
 }
 
-/// Neighbouring comparisons are fetched faster together.
+/// Consecutive comparisons are fetched together, which is faster.
 void RateWorker::fetch(std::uint64_t first, std::size_t count, data::OperandBlock& operands) {
   fetched_.resize(count);
   for (std::size_t k = 0; k < count; ++k) fetched_[k] = job_.comparison(first + k);
-  if (job_.one_of == 1) {
+  if (job_.stretch == 1) {
     job_.source.fetch(first, count, operands);
   } else {
     job_.source.fetch(fetched_, operands);

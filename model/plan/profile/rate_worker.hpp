@@ -25,12 +25,13 @@ struct RateJob {
     std::vector<std::uint32_t> of_row;
   };
   std::vector<Failing> failing;
-  /// Null if reported pairs are not marked. Then `one_of` is 1, and each block of comparisons has
-  /// elements of its own.
+  /// Null if reported pairs are not marked. If it is set, `stretch` is 1, so that no two blocks
+  /// write to the same element.
   performance::PairwiseData* pairs = nullptr;
-  std::uint64_t one_of = 1;  ///< comparisons: each is counted, or one at random of so many
+  /// One random comparison is counted from each stretch of so many consecutive ones.
+  std::uint64_t stretch = 1;
 
-  std::uint64_t counted() const { return (source.data().size() + one_of - 1) / one_of; }
+  std::uint64_t counted() const { return (source.data().size() + stretch - 1) / stretch; }
   /// The comparison that is counted as number `k`.
   std::uint64_t comparison(std::uint64_t k) const;
 };

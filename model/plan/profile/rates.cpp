@@ -113,6 +113,7 @@ void add_bands(RateJob& job, const ErrorProfile& errors) {
 }
 
 RateTally run(const RateJob& job, const ProfileOptions& options) {
+  MIXCMP_CHECK(job.stretch > 0 && (job.pairs == nullptr || job.stretch == 1));
   RateTally total(job);
   std::mutex mutex;
   WorkSplit split{.size = job.counted(), .block = RateWorker::block, .threads = options.threads};
@@ -158,11 +159,11 @@ RateProfile profile_rates(const scene::Scene& scene, const data::Comparisons& da
               .bands = {},
               .reference = emulator::Emulator(reference_graph(scene.graph, scene.reference)),
               .failing = {},
-              .one_of = options.one_of};
+              .stretch = options.stretch};
   std::shared_ptr<performance::PairwiseData> pairs;
   const std::optional<performance::ItemSet> set = set_of(data);
   const bool holds_items = set && set->items + set->others <= scene::EngineSpec::max_capacity;
-  if (holds_items && options.one_of == 1) {
+  if (holds_items && options.stretch == 1) {
     pairs = std::make_shared<performance::PairwiseData>(performance::PairwiseData{.set = *set});
     pairs->reported.resize((data.size() + 63) / 64);
     job.pairs = pairs.get();

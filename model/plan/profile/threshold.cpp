@@ -276,20 +276,19 @@ MIXCMP_VECTOR_CLONES void Threshold::evaluate(const EnvelopeBlock& block, Envelo
     });
   } else if (const auto* in_block = std::get_if<Block>(&kind_)) {
     const Roots& below_one = in_block->of_scaled;
-    alignas(64) EnvelopeRow grown_by;
-    grown_by.fill(in_block->least_scale);
+    alignas(64) EnvelopeRow scale;
+    scale.fill(in_block->least_scale);
     for (const NodeId input : in_block->inputs) {
       const NodeEnvelope& read = block.nodes[input];
-      for_each_lane(
-          [&](std::size_t k) { grown_by[k] = std::max(grown_by[k], 2 * largest(read, k)); });
+      for_each_lane([&](std::size_t k) { scale[k] = std::max(scale[k], 2 * largest(read, k)); });
     }
     if (in_block->degree == 2) {  // usual, and std::pow is slow
-      for_each_lane([&](std::size_t k) { grown_by[k] *= grown_by[k]; });
+      for_each_lane([&](std::size_t k) { scale[k] *= scale[k]; });
     } else {
-      for_each_lane([&](std::size_t k) { grown_by[k] = std::pow(grown_by[k], in_block->degree); });
+      for_each_lane([&](std::size_t k) { scale[k] = std::pow(scale[k], in_block->degree); });
     }
     for_each_lane([&](std::size_t k) {
-      const double grown = grown_by[k] * outward;
+      const double grown = scale[k] * outward;
       const double of_roots = sum_of_roots(f, g, below_one.error_of_double, k);
       scaled[k] =
           (below_one.constant * grown + below_one.per_root * std::sqrt(grown) * of_roots) * outward;

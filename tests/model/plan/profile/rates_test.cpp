@@ -329,7 +329,7 @@ TEST(Rates, OfASampleAreThoseOfItsComparisons) {
   const Comparisons data = spheres(scene, 60, 40);
   ProfileOptions options = options_of(4, 20);
   const ErrorProfile errors = profile_errors(scene, data, {LaneInputs::exact}, options).front();
-  options.one_of = 7;
+  options.stretch = 7;
   options.method = profile::ProfileMethod::brute_force;  // asks for every true verdict
   const RateProfile sampled = profile_rates(scene, data, errors, options);
   const data::OperandSource source(data);
@@ -341,7 +341,7 @@ TEST(Rates, OfASampleAreThoseOfItsComparisons) {
       .bands = {},
       .reference = emulator::Emulator(reference_graph(scene.graph, scene.reference)),
       .failing = {},
-      .one_of = options.one_of};
+      .stretch = options.stretch};
   ASSERT_EQ(job.counted(), (data.size() + 6) / 7);
   std::vector<Bits> rows, operands(data.input_count());
   std::set<std::uint64_t> places;
@@ -354,7 +354,7 @@ TEST(Rates, OfASampleAreThoseOfItsComparisons) {
     rows.insert(rows.end(), operands.begin(), operands.end());
   }
   EXPECT_EQ(places.size(), 7u);
-  options.one_of = 1;
+  options.stretch = 1;
   const Comparisons alone = rows_of(scene.graph, scene.reference.format, rows);
   const RateProfile expected = profile_rates(scene, alone, errors, options);
   EXPECT_EQ(sampled.comparisons, expected.comparisons);
