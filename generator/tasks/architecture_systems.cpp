@@ -202,8 +202,10 @@ Result<Done> ArchitectureSearch::add_all(std::vector<System> known) {
         changed));
   }
   for (const std::string& unknown : predictor_->unknown()) {
-    notes_.push_back(
-        fmt::format("components with {} left out: the library of unit areas lacks it", unknown));
+    notes_.push_back(fmt::format(
+        "components with {0} left out: the library of unit areas lacks it; mixcmp units "
+        "SCENE --device {1} --template {0} measures it",
+        unknown, device_.name));
   }
   return Done{};
 }

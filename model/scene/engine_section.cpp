@@ -234,7 +234,10 @@ Result<EngineSpec> read_engine(const settings::Settings& settings,
                                const std::optional<data::DataSpec>& data) {
   settings::Section section(settings, "engine");
   EngineSpec engine;
-  if (section.present()) section.require("kind");
+  if (section.present() && section.find("kind") == nullptr) {
+    section.fail("kind", "missing beside other keys of the engine", "nothing",
+                 "kind = \"pairwise\", \"arg_min\" or \"none\"");
+  }
   section.choice("kind", engine.kind,
                  {EngineKind::none, EngineKind::pairwise, EngineKind::arg_min});
   // A key of the other kind of engine is an error; with kind = "none" all keys are read and unused.

@@ -148,7 +148,7 @@ std::string to_text(const OptimiseResult& result) {
   const PlannedSystem& best = result.best();
   std::string text = compare("interfaces", interfaces_of(result), best,
                              [](const PlannedSystem& system) { return system.interface; }) +
-                     compare("formulations", formulations_of(result), best,
+                     compare("formulations in the chosen interface", formulations_of(result), best,
                              [](const PlannedSystem& system) { return system.formulation; });
   if (result.systems.size() > 1) {
     text += fmt::format("the chosen system at each precision ({}; {})\n", best.formulation,

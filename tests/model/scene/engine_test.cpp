@@ -125,8 +125,10 @@ TEST_F(EngineSection, ArgMinTellsItsMistakes) {
 
 TEST_F(EngineSection, MistakesAreToldInOneLine) {
   const std::string engine = "[engine]\nkind = \"pairwise\"\n";
-  EXPECT_EQ(error("[engine]\ncapacity = 7\n"),
-            ":7: engine.kind: missing: received nothing; accepted a key kind");
+  EXPECT_EQ(
+      error("[engine]\ncapacity = 7\n"),
+      ":7: engine.kind: missing beside other keys of the engine: received nothing; accepted kind = "
+      "\"pairwise\", \"arg_min\" or \"none\"");
   EXPECT_EQ(error("[engine]\nkind = \"pairs\"\n"),
             ":8: engine.kind: not a choice: received \"pairs\"; accepted none, "
             "pairwise, arg_min");

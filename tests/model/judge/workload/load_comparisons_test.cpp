@@ -70,12 +70,15 @@ TEST_F(TwoTables, MayBothBeDrawn) {
     EXPECT_GE(row[2], 8);
     EXPECT_LE(row[2], 20);
   }
-  const auto all = load("xi", "xj",
-                        "items = \"uniform\"\ncount = 50\npairs = \"all\"\n[inputs]\n"
-                        "xi = { range = [0, 10], grid = 1 }\nxj = { range = [5, 20], grid = 4 }\n");
-  ASSERT_TRUE(all.ok()) << all.error().to_string();
-  ASSERT_EQ(all->size(), 50u * 49 / 2);
-  for (std::uint64_t k = 0; k < all->size(); ++k) EXPECT_EQ(operands(*all, k)[0], 8);
+  const std::string pairs = "items = \"uniform\"\ncount = 50\npairs = \"all\"\n[inputs]\n";
+  for (const char* ranges :
+       {"xi = { range = [0, 10], grid = 1 }\nxj = { range = [5, 20], grid = 4 }\n",
+        "xi = { range = [5, 20], grid = 4 }\nxj = { range = [0, 10], grid = 1 }\n"}) {
+    const auto all = load("xi", "xj", pairs + ranges);
+    ASSERT_TRUE(all.ok()) << all.error().to_string();
+    ASSERT_EQ(all->size(), 50u * 49 / 2);
+    for (std::uint64_t k = 0; k < all->size(); ++k) EXPECT_EQ(operands(*all, k)[0], 8);
+  }
 }
 
 TEST_F(TwoTables, ColumnsHaveTheScenesNames) {

@@ -88,30 +88,56 @@ TEST(RatesOfPairs, MayAssumeThatNothingIsReported) {
   EXPECT_EQ(rates.cycles_per_pair(engine_of_8), with_pairs(0).cycles_per_pair(engine_of_8));
 }
 
-/// 8.4 M pairs: twice the comparisons of a sample.
-TEST(MeasuredRates, OfFewDigitsAreThoseOfASampleOfLargeData) {
-  scene::Scene scene = scene_of(sphere_graph(), format_of(53, 8), {format_of(8, 8)});
-  for (auto& range : scene.ranges) range = Range{0, 100};
-  data::Table table =
-      data::uniform_spheres({.count = 4097, .side = 100, .radius_max = 40}, scene.reference.format);
-  const auto data = data::Comparisons::all_pairs(std::move(table), scene.graph.inputs()).value();
-  const Bound norm{NumberSystem::fixed, BoundKind::norm};
-  optimise::OptimiseOptions choice{.first_precision = 10, .last_precision = 11};
-  const auto rates_of = [&](std::vector<Bound> bounds, bool samples) {
-    choice.bounds = std::move(bounds);
-    choice.samples_rates = samples;
-    return measure_rates(scene, data, {LaneInputs::exact, LaneInputs::rounded}, choice, {}).value();
-  };
-  const auto counted = rates_of({norm}, true);
+/// 8.4 M pairs of spheres: twice the comparisons of a sample.
+class MeasuredRates : public testing::Test {
+protected:
+  MeasuredRates() {
+    for (auto& range : scene_.ranges) range = Range{0, 100};
+  }
+
+  data::Comparisons spheres(double radius_max) const {
+    data::Table table =
+        data::uniform_spheres({.count = 4097, .radius_max = radius_max}, scene_.reference.format);
+    return data::Comparisons::all_pairs(std::move(table), scene_.graph.inputs()).value();
+  }
+
+  /// Rates of lanes in q10 and q11.
+  std::vector<profile::RateProfile> rates_of(const data::Comparisons& data, bool samples) const {
+    const optimise::OptimiseOptions choice{
+        .first_precision = 10, .last_precision = 11, .bounds = {norm}, .samples_rates = samples};
+    return measure_rates(scene_, data, {LaneInputs::exact, LaneInputs::rounded}, choice, {})
+        .value();
+  }
+
+  static constexpr Bound norm{NumberSystem::fixed, BoundKind::norm};
+
+private:
+  scene::Scene scene_ = scene_of(sphere_graph(), format_of(53, 8), {format_of(8, 8)});
+};
+
+TEST_F(MeasuredRates, OfFewDigitsAreThoseOfASampleOfLargeData) {
+  const data::Comparisons data = spheres(40);
+  const auto counted = rates_of(data, true);
   ASSERT_EQ(counted.size(), 2u) << "lanes in fixed point are counted for one kind of inputs";
   EXPECT_EQ(counted[0].comparisons, data.size() / 2);
   EXPECT_EQ(counted[1].comparisons, data.size());
-  const Rates rates = Rates::of(counted), all = Rates::of(rates_of({norm}, false));
+  const Rates rates = Rates::of(counted), all = Rates::of(rates_of(data, false));
   const RateKey ten{LaneInputs::exact, norm, 10}, eleven{LaneInputs::exact, norm, 11};
   EXPECT_NEAR(rates.find(ten)->value() / all.find(ten)->value(), 1, 0.02);
   EXPECT_EQ(rates.find(ten)->comparisons, data.size() / 2);
   EXPECT_EQ(rates.find(eleven)->undecided, all.find(eleven)->undecided);
   EXPECT_EQ(rates.reported_share(), all.reported_share());
+}
+
+/// Small spheres are rarely close.
+TEST_F(MeasuredRates, OfRareRecomputationsAreThoseOfAllData) {
+  const data::Comparisons data = spheres(1);
+  const auto counted = rates_of(data, true);
+  ASSERT_EQ(counted.size(), 1u);
+  EXPECT_EQ(counted[0].comparisons, data.size());
+  const RateKey ten{LaneInputs::exact, norm, 10};
+  EXPECT_EQ(Rates::of(counted).find(ten)->undecided,
+            Rates::of(rates_of(data, false)).find(ten)->undecided);
 }
 
 TEST_F(RatesFile, GivesWhatAProfileCounted) {
