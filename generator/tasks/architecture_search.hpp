@@ -15,6 +15,10 @@ namespace mixcmp::tasks {
 /// Counts the rates of all lanes that a plan of the request may have.
 Result<optimise::Rates> count_rates(const OptimiseRequest& request, const LoadedScene& loaded);
 
+/// A note that names the lanes that were counted on a sample of the scene's data; none if all were
+/// counted on all data. `rates` are those of count_rates.
+std::optional<std::string> note_on_sample(const optimise::Rates& rates);
+
 /// Says that the areas of these devices or families are rough predictions.
 std::string rough_note(const std::string& names);
 

@@ -79,8 +79,20 @@ Characterisation part_of(const Characterisation& table, bool datapaths) {
   return part;
 }
 
-/// A note that names the lanes that were counted on a sample of the scene's data; none if all were
-/// counted on all data.
+}  // namespace
+
+Result<optimise::Rates> count_rates(const OptimiseRequest& request, const LoadedScene& loaded) {
+  optimise::OptimiseOptions choice = request.choice;
+  choice.bounds = bounds_for(choice, loaded.scene);
+  choice.samples_rates = true;
+  MIXCMP_TRY(tier, optimise::second_tier_lane(loaded.scene));
+  if (tier) choice.last_precision = std::max(choice.last_precision, tier->format.precision());
+  const std::vector<LaneInputs> inputs = inputs_for(choice);
+  MIXCMP_TRY(counted,
+             measure_rates(loaded, {inputs.begin(), inputs.end()}, choice, request.progress));
+  return optimise::Rates::of(counted);
+}
+
 std::optional<std::string> note_on_sample(const optimise::Rates& rates) {
   std::uint64_t all = 0, sample = 0;
   int most_digits = 0;
@@ -97,20 +109,6 @@ std::optional<std::string> note_on_sample(const optimise::Rates& rates) {
       "recomputation rates of lanes of at most {} digits were counted on a sample of {} of {} "
       "comparisons",
       most_digits, sample, all);
-}
-
-}  // namespace
-
-Result<optimise::Rates> count_rates(const OptimiseRequest& request, const LoadedScene& loaded) {
-  optimise::OptimiseOptions choice = request.choice;
-  choice.bounds = bounds_for(choice, loaded.scene);
-  choice.samples_rates = true;
-  MIXCMP_TRY(tier, optimise::second_tier_lane(loaded.scene));
-  if (tier) choice.last_precision = std::max(choice.last_precision, tier->format.precision());
-  const std::vector<LaneInputs> inputs = inputs_for(choice);
-  MIXCMP_TRY(counted,
-             measure_rates(loaded, {inputs.begin(), inputs.end()}, choice, request.progress));
-  return optimise::Rates::of(counted);
 }
 
 Result<ArchitectureSearch> ArchitectureSearch::make(const OptimiseRequest& request,

@@ -142,6 +142,7 @@ Result<const optimise::Rates*> PlanSetSearch::rates_of(const DataSet& set, const
   if (known != rates_.end()) return &known->second;
   MIXCMP_TRY(loaded, loaded_with(set, variant));
   MIXCMP_TRY(rates, counted_rates(request_->optimise, loaded));
+  if (auto note = note_on_sample(rates)) notes_.insert(*std::move(note));
   return &rates_.emplace(key, std::move(rates)).first->second;
 }
 

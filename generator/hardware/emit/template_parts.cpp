@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <initializer_list>
-#include <map>
-#include <mutex>
 #include <string>
 #include <utility>
 
@@ -11,6 +9,7 @@
 #include "generator/hardware/emit/template_ports.hpp"
 #include "generator/hardware/emit/templates.hpp"
 #include "model/base/common/check.hpp"
+#include "model/base/common/memo.hpp"
 
 namespace mixcmp::emit {
 namespace {
@@ -123,16 +122,13 @@ private:
 
 /// The tokens after a template's head, cached: area prediction asks for them thousands of times.
 const Tokens& body_of(const std::string& module) {
-  static std::mutex mutex;
-  static std::map<std::string, Tokens> known;
-  const std::lock_guard lock(mutex);
-  const auto place = known.find(module);
-  if (place != known.end()) return place->second;
-  Tokens tokens = tokens_of(template_text(module));
-  const auto end_of_head = std::find(tokens.begin(), tokens.end(), ";");
-  MIXCMP_CHECK(end_of_head != tokens.end());
-  tokens.erase(tokens.begin(), end_of_head + 1);
-  return known.emplace(module, std::move(tokens)).first->second;
+  static Memo<std::string, Tokens> known;
+  return *known.of(module, [&] {
+    Cursor cursor(tokens_of(template_text(module)));
+    cursor.take_until({";"});
+    cursor.expect(";");
+    return cursor.take_until({Token()});
+  });
 }
 
 }  // namespace

@@ -3,8 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <map>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +10,7 @@
 #include "generator/hardware/emit/constants.hpp"
 #include "generator/hardware/emit/templates.hpp"
 #include "model/base/common/check.hpp"
+#include "model/base/common/memo.hpp"
 
 namespace mixcmp::emit {
 namespace {
@@ -77,14 +76,10 @@ Head read_head(std::string_view text) {
   return head;
 }
 
-/// The head of a template, read once: predictions of areas ask thousands of times.
+/// The head of a template, cached: area prediction asks for it thousands of times.
 const Head& head_of(const std::string& module) {
-  static std::mutex mutex;
-  static std::map<std::string, Head> known;
-  const std::lock_guard lock(mutex);
-  const auto place = known.find(module);
-  if (place != known.end()) return place->second;
-  return known.emplace(module, read_head(template_text(module))).first->second;
+  static Memo<std::string, Head> known;
+  return *known.of(module, [&] { return read_head(template_text(module)); });
 }
 
 /// The parameters of a template, with the values of an instance.

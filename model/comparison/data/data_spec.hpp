@@ -28,7 +28,7 @@ struct DataSpec {
   std::filesystem::path with;        ///< the second table's file, if the pairing has one
   std::vector<ColumnNames> columns;  ///< the names that the scene gives to columns
   std::vector<ColumnNames> with_columns;
-  /// Of items "uniform": what is drawn for each input, in the order of the graph's inputs.
+  /// The numbers that items "uniform" may draw for each of the graph's inputs; empty elsewhere.
   std::vector<UniformNumbers> numbers;
   /// The place of each given key, and of [data] itself under "", for errors that are found when
   /// data are read.

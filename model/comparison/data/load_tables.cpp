@@ -170,7 +170,7 @@ private:
   }
 
   Result<Table> load_table(std::size_t which, const std::vector<std::string>& wanted) const {
-    if (data_.items == "uniform" && data_.with.empty()) return drawn_table(which, wanted);
+    if (data_.items == "uniform") return drawn_table(which, wanted);
     MIXCMP_DO(check_source(data_, which));
     MIXCMP_TRY(columns, file_columns(which == 0 ? data_.columns : data_.with_columns, wanted));
     const Result<Table> table = read_table(data_, which, format_, columns);
@@ -201,8 +201,8 @@ private:
     return table;
   }
 
-  /// What is drawn for a column: numbers that all inputs allow which read it. A coarser grid, a
-  /// power of two, is one of the finer grid as well.
+  /// The numbers that all inputs of a column allow. Grids are powers of two, so that the coarsest
+  /// one is part of the others.
   UniformNumbers numbers_of(std::size_t which, const std::string& column) const {
     std::optional<UniformNumbers> numbers;
     for (std::size_t k = 0; k < inputs_.size(); ++k) {

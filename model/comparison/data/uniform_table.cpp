@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "model/base/number/dyadic.hpp"
 #include "model/base/number/exact.hpp"
 #include "model/comparison/data/row_random.hpp"
 
@@ -12,18 +13,6 @@ namespace {
 
 /// Draws for one number before its column counts as empty.
 constexpr int most_draws = 1000;
-
-mpz_class rounded_up(const mpq_class& value) {
-  mpz_class result;
-  mpz_cdiv_q(result.get_mpz_t(), value.get_num_mpz_t(), value.get_den_mpz_t());
-  return result;
-}
-
-mpz_class rounded_down(const mpq_class& value) {
-  mpz_class result;
-  mpz_fdiv_q(result.get_mpz_t(), value.get_num_mpz_t(), value.get_den_mpz_t());
-  return result;
-}
 
 std::string text_of(const UniformNumbers& numbers) {
   const std::string range = fmt::format("[{:g}, {:g}]", numbers.low.get_d(), numbers.high.get_d());
@@ -43,8 +32,8 @@ public:
         seed_(table.seed),
         stream_(stream_of(column.name) + table.which) {
     if (!numbers_.grid) return;
-    first_ = rounded_up(numbers_.low / *numbers_.grid);
-    count_ = rounded_down(numbers_.high / *numbers_.grid) - first_ + 1;
+    first_ = ceiling_of(numbers_.low / *numbers_.grid);
+    count_ = floor_of(numbers_.high / *numbers_.grid) - first_ + 1;
   }
 
   std::optional<Bits> draw(std::uint64_t row) const {

@@ -19,8 +19,8 @@ constexpr int closing_cycles = 20;
 /// Above this many cycles for each word the busiest stream or the references set the pace, and the
 /// simulation, which would take long, is skipped.
 constexpr double overloaded = 3;
-/// Results that are kept: a walk takes about a megabyte.
-constexpr std::size_t most_walks = 64, most_counts = 1'000'000;
+/// Walks that are kept; one takes about a megabyte.
+constexpr std::size_t most_walks = 64;
 
 /// A beat in a queue of exceptions: what its pairs send out, and those to recompute among them.
 struct Beat {
@@ -122,21 +122,6 @@ double least_cycles(const PairwiseWalk& walk, const PairwiseEngine& engine) {
     least = std::max(least, of_stream + std::max(0.0, reports - of_stream / 2));
   }
   return least;
-}
-
-/// The map's value for this key. A missing one is made without the lock, so that two threads may
-/// both make it.
-template <class Key, class Value, class Make>
-Value find_or_make(std::mutex& mutex, std::map<Key, Value>& map, std::size_t most_kept,
-                   const Key& key, const Make& make) {
-  {
-    const std::lock_guard lock(mutex);
-    if (const auto place = map.find(key); place != map.end()) return place->second;
-  }
-  Value value = make();
-  const std::lock_guard lock(mutex);
-  if (map.size() >= most_kept) map.clear();
-  return map.try_emplace(key, std::move(value)).first->second;
 }
 
 /// One engine on one walk, cycle by cycle.
@@ -323,17 +308,15 @@ private:
 }  // namespace
 
 PairwiseFlow::PairwiseFlow(std::shared_ptr<const PairwiseData> data)
-    : data_(std::move(data)), reported_share_(data_->reported_share()) {}
+    : data_(std::move(data)), reported_share_(data_->reported_share()), walks_(most_walks) {}
 
 double PairwiseFlow::cycles(const PairwiseEngine& engine) const {
-  return find_or_make(mutex_, known_, most_counts, engine, [&] { return count_cycles(engine); });
+  return *cycles_.of(engine, [&] { return count_cycles(engine); });
 }
 
 double PairwiseFlow::count_cycles(const PairwiseEngine& engine) const {
   const std::pair lanes(engine.lanes, engine.lanes_per_segment);
-  const auto walk = find_or_make(mutex_, walks_, most_walks, lanes, [&] {
-    return std::make_shared<const PairwiseWalk>(walk_pairs(*data_, lanes.first, lanes.second));
-  });
+  const auto walk = walks_.of(lanes, [&] { return walk_pairs(*data_, lanes.first, lanes.second); });
   const ItemSet& set = data_->set;
   const double part = walk->part();
   // Cycles in which the last word passes the chain and the last lanes; a sample has them once.

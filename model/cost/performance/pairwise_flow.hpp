@@ -2,11 +2,10 @@
 
 #include <compare>
 #include <cstdint>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <utility>
 
+#include "model/base/common/memo.hpp"
 #include "model/cost/performance/pairwise_walk.hpp"
 #include "model/scene/engine.hpp"
 
@@ -52,10 +51,9 @@ private:
 
   std::shared_ptr<const PairwiseData> data_;
   double reported_share_;
-  mutable std::mutex mutex_;  ///< guards known_ and walks_
-  mutable std::map<PairwiseEngine, double> known_;
+  mutable Memo<PairwiseEngine, double> cycles_;
   /// By the engine's lanes and its lanes of a segment.
-  mutable std::map<std::pair<int, int>, std::shared_ptr<const PairwiseWalk>> walks_;
+  mutable Memo<std::pair<int, int>, PairwiseWalk> walks_;
 };
 
 }  // namespace mixcmp::performance

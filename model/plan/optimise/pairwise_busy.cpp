@@ -108,27 +108,27 @@ int most_useful_groups(const PrecisionPlan& plan, const PlanningInputs& inputs) 
     most = std::max(least, static_cast<int>(std::min<std::uint64_t>(most, for_items)));
   }
   if (!inputs.rates.reported_share()) return most;
-  // A lane compares at most one pair per cycle, so that an engine of fewer lanes than `pairs` needs
-  // no simulation.
-  const auto reaches = [&](double pairs, int groups) {
-    return groups * group >= pairs && *most_pairs_per_cycle(plan, inputs, groups * group) >= pairs;
+  // A lane compares at most one pair per cycle, so that an engine of fewer lanes than `wanted`
+  // needs no simulation.
+  const auto pairs = [&](int groups, double wanted) {
+    return groups * group < wanted ? 0 : *most_pairs_per_cycle(plan, inputs, groups * group);
   };
   std::vector<int> tried;  // up to a factor of two from any number
   for (int groups = least; groups < most; groups *= 2) tried.push_back(groups);
   tried.push_back(most);
   double best = 0;
   for (auto groups = tried.rbegin(); groups != tried.rend(); ++groups) {
-    if (reaches(best, *groups)) best = *most_pairs_per_cycle(plan, inputs, *groups * group);
+    best = std::max(best, pairs(*groups, best));
   }
   const double wanted = enough * best;
-  const auto first =
-      std::find_if(tried.begin(), tried.end(), [&](int groups) { return reaches(wanted, groups); });
+  const auto first = std::find_if(tried.begin(), tried.end(),
+                                  [&](int groups) { return pairs(groups, wanted) >= wanted; });
   MIXCMP_CHECK(first != tried.end());
   int too_few = first == tried.begin() ? least - 1 : *(first - 1);
   int many = *first;
   while (many - too_few > 1) {
     const int middle = (too_few + many) / 2;
-    (reaches(wanted, middle) ? many : too_few) = middle;
+    (pairs(middle, wanted) >= wanted ? many : too_few) = middle;
   }
   return many;
 }

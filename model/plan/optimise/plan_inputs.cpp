@@ -87,8 +87,8 @@ profile::ErrorProfile errors_at(profile::ErrorProfile errors, int first, int las
 
 /// Drops the precisions of a sample from the first one on at which some lane leaves too little
 /// undecided; returns that one.
-int keep_frequent(profile::RateProfile& sample) {
-  std::size_t kept = sample.schemes.front().counts.size();
+int keep_frequent(profile::RateProfile& sample, std::size_t precisions) {
+  std::size_t kept = precisions;
   for (const profile::SchemeProfile& scheme : sample.schemes) {
     const auto rare = std::find_if(
         scheme.counts.begin(), scheme.counts.end(),
@@ -113,9 +113,10 @@ std::vector<profile::RateProfile> sampled_rates(const scene::Scene& scene,
   const int sampled_to = std::min(first_on_all, last);
   if (stretch > 1 && first < sampled_to) {
     options.stretch = stretch;
-    auto sample = profile_rates(scene, data, errors_at(errors, first, sampled_to), options);
+    const profile::ErrorProfile few_digits = errors_at(errors, first, sampled_to);
+    auto sample = profile_rates(scene, data, few_digits, options);
     options.stretch = 1;
-    const int frequent_to = keep_frequent(sample);
+    const int frequent_to = keep_frequent(sample, few_digits.precisions.size());
     if (frequent_to > first) rates.push_back(std::move(sample));
     first = frequent_to;
   }
