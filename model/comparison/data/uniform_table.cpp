@@ -37,7 +37,6 @@ public:
   }
 
   std::optional<Bits> draw(std::uint64_t row) const {
-    if (numbers_.grid && count_ <= 0) return std::nullopt;
     RowRandom random(seed_, stream_, row);
     for (int k = 0; k < most_draws; ++k) {
       const Bits bits = from_rational(format_, number(random));
