@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "model/plan/optimise/plan_parts.hpp"
@@ -80,6 +81,16 @@ void ArchitectureSearch::tell_progress(const char* step, std::size_t done, std::
   if (request_->progress) request_->progress(step, double(done) / double(of));
 }
 
+WorkSplit ArchitectureSearch::split_of(const char* step, std::size_t size) const {
+  WorkSplit split{.size = size};
+  if (request_->progress) {
+    split.progress = [step, &progress = request_->progress](double share) {
+      progress(step, share);
+    };
+  }
+  return split;
+}
+
 std::optional<performance::ItemSet> ArchitectureSearch::set_of(std::size_t formulation) const {
   const data::Comparisons* data = formulations_[formulation].loaded.data_if_any();
   return data == nullptr ? std::nullopt : profile::set_of(*data);
@@ -99,6 +110,17 @@ Result<std::vector<ArchitectureSearch::Choice>> ArchitectureSearch::choices_of(s
     choices.push_back({system, plan.precision, plan.bound_per_s});
   }
   return choices;
+}
+
+std::vector<Result<std::vector<ArchitectureSearch::Choice>>> ArchitectureSearch::choices_of(
+    const std::vector<std::size_t>& systems, Share share, const char* step) const {
+  std::vector<Result<std::vector<Choice>>> found(systems.size(), std::vector<Choice>());
+  const auto done = for_each_in_threads(split_of(step, systems.size()), [&](std::uint64_t k) {
+    found[k] = choices_of(systems[k], share);
+    return Result<Done>(Done{});
+  });
+  MIXCMP_CHECK(done.ok());
+  return found;
 }
 
 Result<PlannedSystem> ArchitectureSearch::planned(std::size_t number, Share share,
@@ -146,18 +168,19 @@ Result<OptimiseResult> ArchitectureSearch::best() const {
 }
 
 Result<std::vector<FrontPoint>> ArchitectureSearch::front(const PlannedSystem& system) const {
+  std::vector<std::size_t> alike;
+  for (std::size_t k = 0; k < systems_.size(); ++k) {
+    const bool is_alike = systems_[k].formulation == systems_[system.number].formulation &&
+                          systems_[k].interface == system.interface;
+    if (is_alike) alike.push_back(k);
+  }
   std::vector<FrontPoint> points;
   for (const double part : {1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0}) {
     const Share share = part * (1 - system.known.scene.system.slack) /
                         (1 - systems_[system.number].scene.system.slack);
     std::vector<Choice> choices;
-    for (std::size_t k = 0; k < systems_.size(); ++k) {
-      const bool is_alike = systems_[k].formulation == systems_[system.number].formulation &&
-                            systems_[k].interface == system.interface;
-      if (!is_alike) continue;
-      if (const auto found = choices_of(k, share); found.ok()) {
-        choices.insert(choices.end(), found->begin(), found->end());
-      }
+    for (const auto& found : choices_of(alike, share, "smaller systems bounded")) {
+      if (found.ok()) choices.insert(choices.end(), found->begin(), found->end());
     }
     MIXCMP_TRY(fastest, fastest_of(std::move(choices), share));
     if (fastest.empty()) continue;  // nothing fits
@@ -181,16 +204,17 @@ Result<OptimiseResult> ArchitectureSearch::fastest_in(Share share) const {
   std::vector<Choice> choices;
   std::map<std::size_t, std::size_t> possible;  // by formulation: a system with lanes
   std::map<std::size_t, Error> errors;
-  for (std::size_t k = 0; k < systems_.size(); ++k) {
-    tell_progress("systems bounded", k, systems_.size());
-    const auto found = choices_of(k, share);
+  std::vector<std::size_t> systems(systems_.size());
+  std::iota(systems.begin(), systems.end(), std::size_t{0});
+  const auto bounded = choices_of(systems, share, "systems bounded");
+  for (const std::size_t k : systems) {
     const std::size_t formulation = systems_[k].formulation;
-    if (!found.ok()) {
-      errors.emplace(formulation, found.error());
+    if (!bounded[k].ok()) {
+      errors.emplace(formulation, bounded[k].error());
       continue;
     }
     possible.emplace(formulation, k);
-    choices.insert(choices.end(), found->begin(), found->end());
+    choices.insert(choices.end(), bounded[k]->begin(), bounded[k]->end());
   }
   MIXCMP_TRY(fastest, fastest_of(std::move(choices), share));
   for (std::size_t k = 0; k < formulations_.size(); ++k) {

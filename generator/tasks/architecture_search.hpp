@@ -8,6 +8,7 @@
 #include "generator/synthesis/components/predicted_table.hpp"
 #include "generator/tasks/candidate_lanes.hpp"
 #include "generator/tasks/optimise.hpp"
+#include "model/base/common/workers.hpp"
 #include "model/plan/optimise/architecture.hpp"
 
 namespace mixcmp::tasks {
@@ -87,11 +88,13 @@ private:
   /// Adds the systems of all formulations on the device. `known`: those on another one, with the
   /// areas that are predicted for this one.
   Result<Done> add_all(std::vector<System> known);
-  Result<Done> add(std::size_t formulation);
-  Result<Done> add_streams(std::size_t formulation, const optimise::OpenKeys& open);
-  Result<Done> add_engine(std::size_t formulation, const optimise::OpenKeys& open);
-  void add_system(std::size_t formulation, const optimise::Architecture& architecture,
-                  const optimise::OpenKeys& open, measured::Characterisation table);
+  Result<std::vector<System>> systems_of(std::size_t formulation) const;
+  Result<std::vector<System>> systems_of_streams(std::size_t formulation,
+                                                 const optimise::OpenKeys& open) const;
+  Result<std::vector<System>> systems_of_engine(std::size_t formulation,
+                                                const optimise::OpenKeys& open) const;
+  System system_of(std::size_t formulation, const optimise::Architecture& architecture,
+                   const optimise::OpenKeys& open, measured::Characterisation table) const;
   void use_kept_rows(std::size_t formulation);
   /// A share of the room that the scene's slack leaves, above 0 and at most 1.
   using Share = double;
@@ -103,10 +106,15 @@ private:
   Result<Done> tell_of_others(const std::map<std::size_t, std::size_t>& possible, Share share,
                               OptimiseResult& result) const;
   void tell_progress(const char* step, std::size_t done, std::size_t of) const;
+  /// Work on so many items in threads, which tells its progress.
+  WorkSplit split_of(const char* step, std::size_t size) const;
   /// Why no system has lanes and references: names the templates that the library of unit areas
   /// lacks, or is the error unchanged.
   Error explained(const Error& error) const;
   Result<std::vector<Choice>> choices_of(std::size_t system, Share share) const;
+  /// Those of each of these systems.
+  std::vector<Result<std::vector<Choice>>> choices_of(const std::vector<std::size_t>& systems,
+                                                      Share share, const char* step) const;
   Result<PlannedSystem> planned(std::size_t system, Share share,
                                 optimise::OptimiseOptions options) const;
   Result<std::vector<PlannedSystem>> fastest_of(std::vector<Choice> choices, Share share) const;

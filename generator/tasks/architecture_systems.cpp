@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "generator/synthesis/components/shortlist.hpp"
@@ -179,17 +180,21 @@ Result<Done> ArchitectureSearch::add_all(std::vector<System> known) {
   systems_.clear();
   notes_.clear();
   has_measured_rows_ = false;
-  for (std::size_t k = 0; k < formulations_.size(); ++k) {
+  std::vector<std::vector<System>> systems(formulations_.size());
+  for (System& each : known) {
     // The lanes of an engine are chosen by what they take of the device.
-    const bool is_engine = formulations_[k].loaded.scene.system.engine.kind != EngineKind::none;
-    const std::size_t before = systems_.size();
-    for (System& each : known) {
-      if (each.formulation == k && !is_engine) systems_.push_back(std::move(each));
-    }
-    if (systems_.size() == before) {
-      tell_progress("areas predicted", k, formulations_.size());
-      MIXCMP_DO(add(k));
-    }
+    const bool is_engine = each.scene.system.engine.kind != EngineKind::none;
+    if (!is_engine) systems[each.formulation].push_back(std::move(each));
+  }
+  MIXCMP_DO(for_each_in_threads(split_of("areas predicted", systems.size()),
+                                [&](std::uint64_t k) -> Result<Done> {
+                                  if (!systems[k].empty()) return Done{};
+                                  MIXCMP_TRY(found, systems_of(k));
+                                  systems[k] = std::move(found);
+                                  return Done{};
+                                }));
+  for (std::size_t k = 0; k < systems.size(); ++k) {
+    std::ranges::move(systems[k], std::back_inserter(systems_));
     use_kept_rows(k);
   }
   notes_.insert(notes_.end(), sample_notes_.begin(), sample_notes_.end());
@@ -208,22 +213,23 @@ Result<Done> ArchitectureSearch::add_all(std::vector<System> known) {
   return Done{};
 }
 
-Result<Done> ArchitectureSearch::add(std::size_t number) {
+Result<std::vector<ArchitectureSearch::System>> ArchitectureSearch::systems_of(
+    std::size_t number) const {
   const Formulation& formulation = formulations_[number];
   std::vector<std::string> settings = request_->planning.scene.settings;
   settings.insert(settings.end(), formulation.settings.begin(), formulation.settings.end());
   MIXCMP_TRY(read, scene::read_scene_settings(request_->planning.scene.source, settings));
   const optimise::OpenKeys open = optimise::open_keys(read.settings);
-  const std::size_t before = systems_.size();
   const bool streams = formulation.loaded.scene.system.engine.kind == EngineKind::none;
-  MIXCMP_DO(streams ? add_streams(number, open) : add_engine(number, open));
-  MIXCMP_CHECK(systems_.size() > before);
-  return Done{};
+  MIXCMP_TRY(systems, streams ? systems_of_streams(number, open) : systems_of_engine(number, open));
+  MIXCMP_CHECK(!systems.empty());
+  return systems;
 }
 
-void ArchitectureSearch::add_system(std::size_t formulation,
-                                    const optimise::Architecture& architecture,
-                                    const optimise::OpenKeys& open, Characterisation table) {
+ArchitectureSearch::System ArchitectureSearch::system_of(std::size_t formulation,
+                                                         const optimise::Architecture& architecture,
+                                                         const optimise::OpenKeys& open,
+                                                         Characterisation table) const {
   const scene::Scene& given = formulations_[formulation].loaded.scene;
   sort_rows(table);
   table.device = device_.name;
@@ -236,11 +242,11 @@ void ArchitectureSearch::add_system(std::size_t formulation,
     system.settings.push_back(std::move(setting));
   }
   system.interface = optimise::interface_of(system.scene);
-  systems_.push_back(std::move(system));
+  return system;
 }
 
-Result<Done> ArchitectureSearch::add_streams(std::size_t formulation,
-                                             const optimise::OpenKeys& open) {
+Result<std::vector<ArchitectureSearch::System>> ArchitectureSearch::systems_of_streams(
+    std::size_t formulation, const optimise::OpenKeys& open) const {
   const scene::Scene& given = formulations_[formulation].loaded.scene;
   const data::Comparisons* data = formulations_[formulation].loaded.data_if_any();
   ComponentQuery query = query_for(request_->choice, given, open);
@@ -253,21 +259,22 @@ Result<Done> ArchitectureSearch::add_streams(std::size_t formulation,
   query.lanes = lanes_by_slots(datapaths, given);
   query.kinds = {ComponentKind::fifo, ComponentKind::crossbar, ComponentKind::reference_port};
   if (given.second_tier) query.kinds.insert(ComponentKind::second_lane);
+  std::vector<System> systems;
   for (const optimise::Architecture& architecture : architectures_of(given, open)) {
     maker.use_system_of(with_architecture(given, architecture, open));
     MIXCMP_TRY(streams, predict_table(area_of_, maker, query));
     Characterisation table = datapaths;
     table.rows.insert(table.rows.end(), streams.rows.begin(), streams.rows.end());
-    add_system(formulation, architecture, open, std::move(table));
-    systems_.back().left_out = left_out;
+    systems.push_back(system_of(formulation, architecture, open, std::move(table)));
+    systems.back().left_out = left_out;
   }
-  return Done{};
+  return systems;
 }
 
 /// All components of an engine depend on its groups, and each kind of lane has its own: only
 /// promising ones are predicted.
-Result<Done> ArchitectureSearch::add_engine(std::size_t formulation,
-                                            const optimise::OpenKeys& open) {
+Result<std::vector<ArchitectureSearch::System>> ArchitectureSearch::systems_of_engine(
+    std::size_t formulation, const optimise::OpenKeys& open) const {
   const LoadedScene& loaded = formulations_[formulation].loaded;
   const data::Comparisons* data = loaded.data_if_any();
   MIXCMP_TRY(given, with_chain_lanes(loaded.scene, data, request_->planning.scene));
@@ -284,6 +291,7 @@ Result<Done> ArchitectureSearch::add_engine(std::size_t formulation,
   if (given.system.engine.kind == EngineKind::arg_min) {
     of_engine.insert({ComponentKind::operand_memory, ComponentKind::crossbar});
   }
+  std::vector<System> systems;
   std::map<int, Characterisation> groups;  // by their lanes: counters and streams change nothing
   for (const optimise::Architecture& architecture : architectures_of(given, open)) {
     maker.use_system_of(with_architecture(given, architecture, open));
@@ -297,12 +305,13 @@ Result<Done> ArchitectureSearch::add_engine(std::size_t formulation,
     MIXCMP_TRY(parts, predict_table(area_of_, maker, query));
     const std::vector<Measurement>& shared = group->second.rows;
     parts.rows.insert(parts.rows.end(), shared.begin(), shared.end());
-    add_system(formulation, architecture, open, std::move(parts));
-    systems_.back().scene.lanes = given.lanes;
-    systems_.back().scene.system.lanes = given.system.lanes;
-    systems_.back().left_out = left_out;
+    System& system =
+        systems.emplace_back(system_of(formulation, architecture, open, std::move(parts)));
+    system.scene.lanes = given.lanes;
+    system.scene.system.lanes = given.system.lanes;
+    system.left_out = left_out;
   }
-  return Done{};
+  return systems;
 }
 
 void ArchitectureSearch::use_kept_rows(std::size_t number) {

@@ -19,14 +19,15 @@ constexpr int of_four = 3, of_six = 2;
 AreaPredictor::AreaPredictor(UnitLibrary library, const devices::Device& device)
     : library_(std::move(library)),
       device_(device),
-      packs_(device.synthesis.starts_with("synth_xilinx")) {}
+      packs_(device.synthesis.starts_with("synth_xilinx")),
+      used_(std::make_unique<Used>()) {}
 
 Result<AreaPredictor> AreaPredictor::make(const devices::Device& device) {
   MIXCMP_TRY(library, unit_library(device));
   return AreaPredictor(std::move(library), device);
 }
 
-std::optional<devices::Area> AreaPredictor::of(const Component& component) {
+std::optional<devices::Area> AreaPredictor::of(const Component& component) const {
   const ComponentParts parts = component.parts();
   devices::Area sum = parts.statements;
   for (const Part& part : parts.instances) {
@@ -44,24 +45,26 @@ devices::Area AreaPredictor::as_on_device(devices::Area area) const {
   return area;
 }
 
-std::optional<devices::Area> AreaPredictor::of(const Part& part) {
+std::optional<devices::Area> AreaPredictor::of(const Part& part) const {
   if (packs_ && part.is_absorbed) return devices::Area{};
   std::optional<devices::Area> area = of(part.instance);
   if (area && packs_) area->registers -= std::min(part.absorbed_registers, area->registers);
   return area;
 }
 
-std::optional<devices::Area> AreaPredictor::of(const rtl::TemplateInstance& instance) {
-  const auto [known, is_new] = areas_.try_emplace(instance_name(instance));
-  if (is_new) known->second = library_.areas.of(unit_of(instance));
-  if (!known->second) unknown_.insert(instance.module);
-  if (is_new && known->second) note_if_outdated(instance.module);
-  return known->second;
+std::optional<devices::Area> AreaPredictor::of(const rtl::TemplateInstance& instance) const {
+  return *used_->areas.of(instance_name(instance), [&] {
+    const std::optional<devices::Area> area = library_.areas.of(unit_of(instance));
+    note(instance.module, area.has_value());
+    return area;
+  });
 }
 
-void AreaPredictor::note_if_outdated(const std::string& module) {
-  if (!seen_.insert(module).second) return;
-  if (library_.areas.find(module)->rtl != template_hash(module)) outdated_.insert(module);
+void AreaPredictor::note(const std::string& module, bool is_known) const {
+  const std::lock_guard lock(used_->mutex);
+  if (!is_known) used_->unknown.insert(module);
+  if (!is_known || !used_->seen.insert(module).second) return;
+  if (library_.areas.find(module)->rtl != template_hash(module)) used_->outdated.insert(module);
 }
 
 double six_input_luts(const devices::Device& device) {

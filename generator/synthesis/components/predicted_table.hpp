@@ -1,7 +1,8 @@
 #pragma once
 
 #include <functional>
-#include <map>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "generator/synthesis/components/component_list.hpp"
 #include "generator/synthesis/components/unit_library.hpp"
+#include "model/base/common/memo.hpp"
 #include "model/cost/devices/device.hpp"
 #include "model/cost/measured/measurement.hpp"
 
@@ -22,36 +24,43 @@ public:
   static Result<AreaPredictor> make(const devices::Device& device);
 
   /// The area that `characterise` would measure; none if the library lacks a template.
-  std::optional<devices::Area> of(const Component& component);
+  /// Threads may ask at the same time.
+  std::optional<devices::Area> of(const Component& component) const;
 
   /// Whether the device's family has no library and another one stands in.
   bool is_rough() const { return library_.stands_in; }
   /// The templates that the library lacked so far.
-  const std::set<std::string>& unknown() const { return unknown_; }
+  const std::set<std::string>& unknown() const { return used_->unknown; }
   /// The templates used so far that have changed since the library was measured.
-  const std::set<std::string>& outdated() const { return outdated_; }
+  const std::set<std::string>& outdated() const { return used_->outdated; }
 
 private:
+  /// The instances that components had so far.
+  struct Used {
+    Memo<std::string, std::optional<devices::Area>> areas;  ///< by name
+    std::mutex mutex;                                       ///< guards the members below
+    std::set<std::string> unknown, outdated, seen;          ///< templates
+  };
+
   AreaPredictor(UnitLibrary library, const devices::Device& device);
 
-  std::optional<devices::Area> of(const Part& part);
-  std::optional<devices::Area> of(const rtl::TemplateInstance& instance);
+  std::optional<devices::Area> of(const Part& part) const;
+  std::optional<devices::Area> of(const rtl::TemplateInstance& instance) const;
 
-  void note_if_outdated(const std::string& module);
+  void note(const std::string& module, bool is_known) const;
   devices::Area as_on_device(devices::Area area) const;
 
   UnitLibrary library_;
   devices::Device device_;
   bool packs_;  ///< Yosys packs registers and sums into multipliers (component_parts.hpp)
-  std::map<std::string, std::optional<devices::Area>> areas_;  ///< of instances, by name
-  std::set<std::string> unknown_, outdated_, seen_;
+  std::unique_ptr<Used> used_;
 };
 
 /// The device's LUTs, counted in LUTs of six inputs. LUTs of two families differ in more than their
 /// inputs, so this compares families only roughly.
 double six_input_luts(const devices::Device& device);
 
-/// The area of a component of a scene; none if it cannot be predicted.
+/// The area of a component of a scene; none if it cannot be predicted. Called from several threads.
 using PredictedArea =
     std::function<std::optional<devices::Area>(const Component&, const scene::Scene&)>;
 

@@ -5,12 +5,12 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <utility>
+#include <optional>
 
 namespace mixcmp::inline common {
 
-/// Keeps the value that was made for each key. Threads may share it. A missing value is made
-/// without the lock, so that two threads may both make it.
+/// Keeps the value that was made for each key. Threads may share it: one of them makes a missing
+/// value, while those that ask for the same key wait. A value may be made of other keys' values.
 template <class Key, class Value>
 class Memo {
 public:
@@ -19,20 +19,29 @@ public:
 
   template <class Make>
   std::shared_ptr<const Value> of(const Key& key, const Make& make) {
-    {
-      const std::lock_guard lock(mutex_);
-      if (const auto place = values_.find(key); place != values_.end()) return place->second;
-    }
-    auto value = std::make_shared<const Value>(make());
-    const std::lock_guard lock(mutex_);
-    if (values_.size() >= most_) values_.clear();
-    return values_.try_emplace(key, std::move(value)).first->second;
+    const std::shared_ptr<Place> place = place_of(key);
+    // No std::once_flag: with the thread sanitizer it never returns after an exception.
+    const std::lock_guard making(place->making);
+    if (!place->value) place->value.emplace(make());
+    return {place, &*place->value};
   }
 
 private:
+  struct Place {
+    std::mutex making;
+    std::optional<Value> value;
+  };
+
+  std::shared_ptr<Place> place_of(const Key& key) {
+    const std::lock_guard lock(mutex_);
+    if (const auto known = places_.find(key); known != places_.end()) return known->second;
+    if (places_.size() >= most_) places_.clear();
+    return places_.emplace(key, std::make_shared<Place>()).first->second;
+  }
+
   std::size_t most_;
   std::mutex mutex_;
-  std::map<Key, std::shared_ptr<const Value>> values_;
+  std::map<Key, std::shared_ptr<Place>> places_;
 };
 
 }  // namespace mixcmp::inline common

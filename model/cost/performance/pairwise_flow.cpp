@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -22,6 +23,8 @@ constexpr double overloaded = 3;
 /// Walks that are kept; one takes about a megabyte.
 constexpr std::size_t most_walks = 64;
 
+constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
+
 /// A beat in a queue of exceptions: what its pairs send out, and those to recompute among them.
 struct Beat {
   std::uint64_t ready = 0;  ///< the cycle in which it can leave
@@ -37,7 +40,7 @@ public:
 
   bool is_full() const { return count_ == places; }
   void push(std::uint32_t word, std::uint64_t cycle) {
-    const int place = (head_ + count_++) % places;
+    const unsigned place = (head_ + count_++) % places;
     words_[place] = word;
     ready_[place] = cycle + latency_cycles;
   }
@@ -49,25 +52,28 @@ public:
   }
 
 private:
-  static constexpr int places = 4;
+  static constexpr unsigned places = 4;
 
   std::array<std::uint32_t, places> words_ = {};  ///< their numbers in the walk
   std::array<std::uint64_t, places> ready_ = {};
-  int head_ = 0, count_ = 0;
+  unsigned head_ = 0, count_ = 0;
 };
 
 struct Segment {
   Link link;
   bool was_full = false;  ///< the link, when the cycle began
   std::deque<Beat> queue;
-  int arrived = 0;            ///< beats of the queue that have left the lanes
-  double undecided = 0;       ///< pairs that are due to be undecided
+  int stream = 0;
+  int arrived = 0;                     ///< beats of the queue that have left the lanes
+  std::uint64_t next_arrival = never;  ///< the cycle in which the next one has
+  double undecided = 0;                ///< pairs that are due to be undecided
   double reported_later = 0;  ///< reported pairs that are due to be reported by a reference
 };
 
 /// A stream of reports with the segments that it serves.
 struct Stream {
   int first = 0, segments = 1;
+  int arrived = 0;                         ///< beats that wait in its segments
   int turn = 0;                            ///< the segment served next
   int subtrees = 0;                        ///< of the tree's root; 0: segments are its inputs
   std::array<std::uint64_t, 4> free = {};  ///< the cycle in which each subtree can send
@@ -105,8 +111,8 @@ int first_segment(int stream, int segments, int streams) {
 /// Cycles that the busiest stream of reports and the references need at least.
 double least_cycles(const PairwiseWalk& walk, const PairwiseEngine& engine) {
   std::vector<std::uint64_t> of_segment(static_cast<std::size_t>(walk.segments));
-  for (std::uint64_t word = 0; word < walk.words.size(); ++word) {
-    for (int s = 0; s < walk.segments; ++s) {
+  for (int s = 0; s < walk.segments; ++s) {
+    for (std::uint64_t word = 0; word < walk.words.size(); ++word) {
       of_segment[s] +=
           static_cast<std::uint64_t>(reports_of(walk.count(word, s), engine.report_as));
     }
@@ -139,6 +145,7 @@ public:
       streams_[s].first = first_segment(s, walk.segments, count);
       streams_[s].segments = first_segment(s + 1, walk.segments, count) - streams_[s].first;
       streams_[s].subtrees = subtrees_of(streams_[s].segments);
+      for (int k = 0; k < streams_[s].segments; ++k) segments_[streams_[s].first + k].stream = s;
     }
     const double undecided = engine.undecided * static_cast<double>(walk.pairs);
     is_spread_ = static_cast<double>(walk.reported) < undecided;
@@ -168,7 +175,6 @@ private:
   }
 
   void step() {
-    for (Segment& segment : segments_) segment.was_full = segment.link.is_full();
     use_memory();
     for (Stream& stream : streams_) serve(stream);
     for (int s = walk_.segments; s-- > 0;) pass(s);
@@ -219,6 +225,7 @@ private:
 
   /// A subtree below the root sends in every other cycle.
   void fetch(Stream& stream) {
+    if (stream.arrived == 0) return;
     for (int k = 0; k < stream.segments; ++k) {
       const int place = (stream.turn + k) % stream.segments;
       Segment& segment = segments_[stream.first + place];
@@ -231,6 +238,7 @@ private:
       stream.entries.push_back(segment.queue.front());
       segment.queue.pop_front();
       --segment.arrived;
+      --stream.arrived;
       stream.turn = (place + 1) % stream.segments;
       return;
     }
@@ -239,10 +247,8 @@ private:
   /// The word in front of a segment goes past its lanes and to the next segment.
   void pass(int number) {
     Segment& segment = segments_[number];
-    while (segment.arrived < static_cast<int>(segment.queue.size()) &&
-           segment.queue[segment.arrived].ready <= cycle_) {
-      ++segment.arrived;
-    }
+    segment.was_full = segment.link.is_full();  // nothing has entered or left it in this cycle
+    if (segment.next_arrival <= cycle_) count_arrivals(segment);
     if (!segment.link.is_ready(cycle_) || segment.arrived > most_queued_) return;
     const std::uint32_t word = segment.link.front();
     const bool leaves = walk_.words[word].stays != number && number + 1 < walk_.segments;
@@ -257,7 +263,18 @@ private:
     push_exceptions(segment, walk_.count(word, number));
   }
 
+  void count_arrivals(Segment& segment) {
+    const auto queued = static_cast<int>(segment.queue.size());
+    while (segment.arrived < queued && segment.queue[segment.arrived].ready <= cycle_) {
+      ++segment.arrived;
+      ++streams_[segment.stream].arrived;
+    }
+    const bool is_last = segment.arrived == queued;
+    segment.next_arrival = is_last ? never : segment.queue[segment.arrived].ready;
+  }
+
   void push_exceptions(Segment& segment, int reported) {
+    if (reported == 0 && !is_spread_) return;
     int undecided = 0;
     segment.undecided += is_spread_ ? undecided_ : reported * undecided_;
     for (; segment.undecided >= 1; segment.undecided -= 1) {
@@ -272,7 +289,9 @@ private:
     if (reported + undecided == 0) return;
     constexpr std::uint64_t way_to_queue_cycles = 3;
     const auto latency = static_cast<std::uint64_t>(engine_.lane_latency_cycles);
-    segment.queue.push_back({cycle_ + latency + way_to_queue_cycles, reported, undecided});
+    const std::uint64_t ready = cycle_ + latency + way_to_queue_cycles;
+    segment.queue.push_back({ready, reported, undecided});
+    segment.next_arrival = std::min(segment.next_arrival, ready);
     ++beats_;
   }
 

@@ -61,7 +61,7 @@ private:
       walk_.words.push_back(
           {.needs = item + 1, .stays = stays ? static_cast<int>(offset) / lanes_per_segment_ : -1});
     }
-    walk_.counts.resize(walk_.words.size() * static_cast<std::uint64_t>(walk_.segments));
+    counts_.resize(walk_.words.size() * segments());
     for (std::uint64_t k = 0; k < held; ++k) {
       // Item base + k meets the words behind it, or all of the second table.
       const std::uint64_t meets = data_.set.others == 0 ? k + 1 : held;
@@ -75,8 +75,21 @@ private:
   /// Adds the word that closes the set. It forms no pair and passes all segments.
   void close() {
     walk_.words.emplace_back();
-    walk_.counts.resize(walk_.words.size() * static_cast<std::uint64_t>(walk_.segments));
+    counts_.resize(walk_.words.size() * segments());
+    walk_.counts.resize(counts_.size());
+    // By windows of words, so that what is read stays in the nearest cache.
+    const std::uint64_t words = walk_.words.size();
+    for (std::uint64_t first = 0; first < words; first += window) {
+      const std::uint64_t last = std::min(words, first + window);
+      for (std::uint64_t s = 0; s < segments(); ++s) {
+        for (std::uint64_t word = first; word < last; ++word) {
+          walk_.counts[s * words + word] = counts_[word * segments() + s];
+        }
+      }
+    }
   }
+
+  std::uint64_t segments() const { return static_cast<std::uint64_t>(walk_.segments); }
 
   /// The number of the first pair of item i.
   std::uint64_t first_pair(std::uint64_t i) const {
@@ -86,7 +99,6 @@ private:
   void count_reported(std::uint64_t row, int segment, std::uint64_t pair, std::uint64_t pairs) {
     walk_.pairs += pairs;
     if (data_.reported.empty()) return;
-    const auto segments = static_cast<std::uint64_t>(walk_.segments);
     for (std::uint64_t k = 0; k < pairs;) {
       const std::uint64_t bit = (pair + k) % 64;
       const std::uint64_t bits = data_.reported[(pair + k) / 64] >> bit;
@@ -96,7 +108,7 @@ private:
       }
       k += static_cast<std::uint64_t>(std::countr_zero(bits));
       if (k >= pairs) break;
-      ++walk_.counts[(row + k) * segments + static_cast<std::uint64_t>(segment)];
+      ++counts_[(row + k) * segments() + static_cast<std::uint64_t>(segment)];
       ++walk_.reported;
       ++k;
     }
@@ -105,6 +117,7 @@ private:
   const PairwiseData& data_;
   int lanes_, lanes_per_segment_;
   PairwiseWalk walk_;
+  std::vector<std::uint8_t> counts_;  ///< by word and segment
 };
 
 }  // namespace

@@ -28,14 +28,14 @@ struct PairwiseWalk {
 
   int segments = 1;
   std::vector<Word> words;
-  std::vector<std::uint8_t> counts;  ///< by word and segment
+  /// By segment and word: a simulation reads each segment's words one after the other.
+  std::vector<std::uint8_t> counts;
   std::uint64_t pairs = 0;
   std::uint64_t reported = 0;
   std::uint64_t all_words = 0;  ///< of the set
 
   int count(std::uint64_t word, int segment) const {
-    return counts[word * static_cast<std::uint64_t>(segments) +
-                  static_cast<std::uint64_t>(segment)];
+    return counts[static_cast<std::uint64_t>(segment) * words.size() + word];
   }
   std::uint64_t passes() const;  ///< how often a word passes a segment
   bool is_sample() const { return words.size() < all_words; }

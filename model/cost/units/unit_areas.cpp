@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "embedded/library_files.hpp"
+#include "model/base/common/memo.hpp"
 #include "model/base/common/quote.hpp"
 
 namespace mixcmp::units {
@@ -323,7 +324,13 @@ struct UnitAreas::Formulas {
   }
 };
 
-UnitAreas::UnitAreas(std::string synthesis) : synthesis_(std::move(synthesis)) {}
+struct UnitAreas::Known {
+  Memo<std::string, Formulas> formulas;  ///< by template
+  Memo<Unit, std::optional<devices::Area>> areas;
+};
+
+UnitAreas::UnitAreas(std::string synthesis)
+    : synthesis_(std::move(synthesis)), known_(std::make_unique<Known>()) {}
 UnitAreas::UnitAreas(UnitAreas&&) noexcept = default;
 UnitAreas& UnitAreas::operator=(UnitAreas&&) noexcept = default;
 UnitAreas::~UnitAreas() = default;
@@ -362,16 +369,18 @@ const TemplateAreas* UnitAreas::find(const std::string& module) const {
 }
 
 void UnitAreas::set(TemplateAreas areas) {
-  formulas_.clear();  // those of templates with such parts as well
-  known_.clear();
+  known_ = std::make_unique<Known>();  // templates with such parts change as well
   const std::string module = areas.module;
   if (!areas.units.empty()) templates_.insert_or_assign(module, std::move(areas));
 }
 
-const UnitAreas::Formulas& UnitAreas::formulas_of(const TemplateAreas& areas) const {
-  std::unique_ptr<Formulas>& formulas = formulas_[areas.module];
-  if (formulas) return *formulas;
-  auto made = std::make_unique<Formulas>();
+std::shared_ptr<const UnitAreas::Formulas> UnitAreas::formulas_of(
+    const TemplateAreas& areas) const {
+  return known_->formulas.of(areas.module, [&] { return fitted(areas); });
+}
+
+UnitAreas::Formulas UnitAreas::fitted(const TemplateAreas& areas) const {
+  Formulas made;
   std::vector<Amounts> rests;
   for (std::size_t k = 0; k < areas.units.size(); ++k) {
     const devices::Area of_parts = area_of_parts(areas.units[k]);
@@ -389,7 +398,7 @@ const UnitAreas::Formulas& UnitAreas::formulas_of(const TemplateAreas& areas) co
       rows.push_back(k);
     }
     if (units.empty()) continue;
-    Formulas::OfColumns& of = embedded ? made->with_products : made->without;
+    Formulas::OfColumns& of = embedded ? made.with_products : made.without;
     for (std::size_t c = 0; c < area_columns.size(); ++c) {
       std::vector<double> rest, whole;
       for (const std::size_t k : rows) {
@@ -400,17 +409,15 @@ const UnitAreas::Formulas& UnitAreas::formulas_of(const TemplateAreas& areas) co
     }
   }
   for (std::size_t k = 0; k < rests.size(); ++k) {
-    Amounts& miss = made->misses.emplace_back(made->by_formula(areas.units[k]));
+    Amounts& miss = made.misses.emplace_back(made.by_formula(areas.units[k]));
     for (std::size_t c = 0; c < miss.size(); ++c) miss[c] = rests[k][c] - miss[c];
   }
-  formulas = std::move(made);
-  return *formulas;
+  return made;
 }
 
 void UnitAreas::take_apart(PartsOf parts_of) {
   parts_of_ = std::move(parts_of);
-  formulas_.clear();
-  known_.clear();
+  known_ = std::make_unique<Known>();
 }
 
 const devices::Area* UnitAreas::measured(const Unit& unit) const {
@@ -434,7 +441,7 @@ devices::Area UnitAreas::area_of_parts(const Unit& unit) const {
 std::optional<devices::Area> UnitAreas::predicted(const Unit& unit) const {
   const TemplateAreas* const known = find(unit.module);
   if (known == nullptr || !same_names(known->units.front(), unit)) return std::nullopt;
-  const Amounts rest = formulas_of(*known).of(known->units, unit);
+  const Amounts rest = formulas_of(*known)->of(known->units, unit);
   devices::Area area = area_of_parts(unit);
   for (std::size_t c = 0; c < area_columns.size(); ++c) {
     int& amount = area.*area_columns[c].amount;
@@ -444,20 +451,17 @@ std::optional<devices::Area> UnitAreas::predicted(const Unit& unit) const {
 }
 
 std::optional<devices::Area> UnitAreas::of(const Unit& unit) const {
-  const auto known = known_.find(unit);
-  if (known != known_.end()) return known->second;
+  return *known_->areas.of(unit, [&] { return found(unit); });
+}
+
+std::optional<devices::Area> UnitAreas::found(const Unit& unit) const {
   const devices::Area* const as_measured = measured(unit);
-  std::optional<devices::Area> area;
-  if (as_measured != nullptr) {
-    area = *as_measured;
-  } else if (const std::optional<Split> split = split_of(unit)) {
-    area = of(split->rest);
-    const std::optional<devices::Area> repeated = of(split->repeated);
-    if (area && repeated) *area += split->count * *repeated;
-  } else {
-    area = predicted(unit);
-  }
-  known_.emplace(unit, area);
+  if (as_measured != nullptr) return *as_measured;
+  const std::optional<Split> split = split_of(unit);
+  if (!split) return predicted(unit);
+  std::optional<devices::Area> area = of(split->rest);
+  const std::optional<devices::Area> repeated = of(split->repeated);
+  if (area && repeated) *area += split->count * *repeated;
   return area;
 }
 

@@ -29,7 +29,8 @@ class LibraryReader;
 /// for one that is kept whole.
 using PartsOf = std::function<std::vector<Unit>(const Unit&)>;
 
-/// A library: areas of units after one synthesis command. Its text has a section for each template:
+/// A library: areas of units after one synthesis command. Threads may share one that no longer
+/// changes. Its text has a section for each template:
 ///
 ///     # synthesis: synth_xilinx -family xc7 -flatten -noiopad -noclkbuf
 ///     # also: synth_xilinx -family xc6v -flatten -noiopad -noclkbuf
@@ -71,17 +72,19 @@ public:
 private:
   friend class LibraryReader;
   struct Formulas;
-  const Formulas& formulas_of(const TemplateAreas& areas) const;
+  struct Known;
+  std::shared_ptr<const Formulas> formulas_of(const TemplateAreas& areas) const;
   const devices::Area* measured(const Unit& unit) const;
   std::optional<devices::Area> predicted(const Unit& unit) const;
+  Formulas fitted(const TemplateAreas& areas) const;
+  std::optional<devices::Area> found(const Unit& unit) const;
   /// The sum over the parts that the library knows.
   devices::Area area_of_parts(const Unit& unit) const;
 
   std::string synthesis_;
   std::vector<std::string> also_;
   std::map<std::string, TemplateAreas> templates_;
-  mutable std::map<std::string, std::unique_ptr<Formulas>> formulas_;  ///< made when asked for
-  mutable std::map<Unit, std::optional<devices::Area>> known_;         ///< asked for before
+  std::unique_ptr<Known> known_;  ///< asked for before
   PartsOf parts_of_;
 };
 

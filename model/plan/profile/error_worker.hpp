@@ -3,12 +3,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/base/common/workers.hpp"
 #include "model/comparison/data/operand_source.hpp"
 #include "model/comparison/data/permutation.hpp"
 #include "model/judge/emulator/emulator.hpp"
 #include "model/judge/golden/true_values.hpp"
 #include "model/plan/profile/profile.hpp"
-#include "model/plan/profile/workers.hpp"
 
 namespace mixcmp::profile {
 

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/base/common/workers.hpp"
 #include "model/plan/profile/precision_band.hpp"
 #include "model/plan/profile/unsettled_comparisons.hpp"
-#include "model/plan/profile/workers.hpp"
 
 namespace mixcmp::profile {
 

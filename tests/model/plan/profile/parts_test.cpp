@@ -1,15 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <mutex>
-#include <stdexcept>
 
 #include "model/base/number/exact.hpp"
 #include "model/comparison/data/operand_source.hpp"
 #include "model/comparison/data/uniform_spheres.hpp"
 #include "model/judge/golden/evaluate.hpp"
 #include "model/plan/profile/node_magnitudes.hpp"
-#include "model/plan/profile/workers.hpp"
 #include "tests/model/plan/profile/profile_cases.hpp"
 #include "tests/support/sphere.hpp"
 
@@ -20,7 +17,6 @@ using data::Comparisons;
 using data::OperandBlock;
 using data::OperandSource;
 using profile::NodeMagnitude;
-using profile::run_workers;
 
 const FloatFormat binary64 = format_of(53, 11);
 
@@ -129,34 +125,6 @@ TEST(NodeMagnitudes, HoldForEverythingComputed) {
     }
   }
   EXPECT_GT(grids, 1000);
-}
-
-TEST(Workers, TakeEveryItemOnce) {
-  for (const unsigned threads : {1u, 2u, 5u}) {
-    std::vector<int> taken(1003, 0);
-    std::mutex mutex;
-    run_workers({.size = taken.size(), .block = 17, .threads = threads},
-                [&](const profile::BlockSource& next) {
-                  std::uint64_t first = 0, count = 0;
-                  while (next(first, count)) {
-                    const std::lock_guard lock(mutex);
-                    for (std::uint64_t k = first; k < first + count; ++k) ++taken[k];
-                  }
-                });
-    EXPECT_EQ(taken, std::vector<int>(taken.size(), 1));
-  }
-}
-
-TEST(Workers, PassOnWhatOneThrows) {
-  const auto run = [] {
-    run_workers({.size = 100, .block = 1, .threads = 3}, [](const profile::BlockSource& next) {
-      std::uint64_t first = 0, count = 0;
-      while (next(first, count)) {
-        if (first == 40) throw std::runtime_error("forty");
-      }
-    });
-  };
-  EXPECT_THROW(run(), std::runtime_error);
 }
 
 }  // namespace

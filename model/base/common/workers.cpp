@@ -1,14 +1,16 @@
-#include "model/plan/profile/workers.hpp"
+#include "model/base/common/workers.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
-namespace mixcmp::profile {
+namespace mixcmp::inline common {
 namespace {
 
 class Job {
@@ -49,7 +51,7 @@ private:
   std::atomic<bool> failed_ = false;
   std::mutex mutex_;
   std::exception_ptr failure_;
-  double told_ = 0;
+  double told_ = -1;  ///< of the last report; below 0: there was none
 };
 
 }  // namespace
@@ -79,4 +81,29 @@ void run_workers(const WorkSplit& split, const std::function<void(const BlockSou
   job.finish();
 }
 
-}  // namespace mixcmp::profile
+Result<Done> for_each_in_threads(const WorkSplit& split,
+                                 const std::function<Result<Done>(std::uint64_t)>& work) {
+  std::mutex mutex;
+  std::optional<std::pair<std::uint64_t, Error>> lowest;  // with its item
+  // Blocks are taken in rising order: those below an error's item have been taken before it.
+  const auto is_needed = [&](std::uint64_t item) {
+    const std::lock_guard lock(mutex);
+    return !lowest || item < lowest->first;
+  };
+  run_workers(split, [&](const BlockSource& next) {
+    std::uint64_t first = 0, count = 0;
+    while (next(first, count)) {
+      for (std::uint64_t item = first; item < first + count; ++item) {
+        if (!is_needed(item)) return;
+        const Result<Done> done = work(item);
+        if (done.ok()) continue;
+        const std::lock_guard lock(mutex);
+        if (!lowest || item < lowest->first) lowest.emplace(item, done.error());
+        return;
+      }
+    }
+  });
+  return lowest ? Result<Done>(lowest->second) : Done{};
+}
+
+}  // namespace mixcmp::inline common
