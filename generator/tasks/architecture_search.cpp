@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -20,6 +22,10 @@ using components::ComponentQuery;
 using measured::ComponentKey;
 using measured::Measurement;
 using scene::Multipliers;
+
+/// Steps of the progress.
+constexpr auto areas_predicted = "areas predicted", systems_bounded = "systems bounded",
+               plans_searched = "plans searched";
 
 /// The scene's limit of system.slack.
 constexpr double most_slack = 0.95;
@@ -77,17 +83,21 @@ std::string rough_note(const std::string& names) {
       names);
 }
 
-void ArchitectureSearch::tell_progress(const char* step, std::size_t done, std::size_t of) const {
-  if (request_->progress) request_->progress(step, double(done) / double(of));
+double progress_of_search(const std::string& step, double share) {
+  constexpr double areas = 0.3, bounds = 0.2;  // of the time, about
+  if (step == areas_predicted) return areas * share;
+  if (step == systems_bounded) return areas + bounds * share;
+  return areas + bounds + (1 - areas - bounds) * share;
 }
 
-WorkSplit ArchitectureSearch::split_of(const char* step, std::size_t size) const {
+void ArchitectureSearch::tell_progress(const char* step, double done, double of) const {
+  if (request_->progress) request_->progress(step, done / of);
+}
+
+WorkSplit ArchitectureSearch::split_of(std::size_t size, const char* step,
+                                       const StepProgress& progress) {
   WorkSplit split{.size = size};
-  if (request_->progress) {
-    split.progress = [step, &progress = request_->progress](double share) {
-      progress(step, share);
-    };
-  }
+  if (progress) split.progress = [step, &progress](double share) { progress(step, share); };
   return split;
 }
 
@@ -113,9 +123,10 @@ Result<std::vector<ArchitectureSearch::Choice>> ArchitectureSearch::choices_of(s
 }
 
 std::vector<Result<std::vector<ArchitectureSearch::Choice>>> ArchitectureSearch::choices_of(
-    const std::vector<std::size_t>& systems, Share share, const char* step) const {
+    const std::vector<std::size_t>& systems, Share share, const StepProgress& progress) const {
   std::vector<Result<std::vector<Choice>>> found(systems.size(), std::vector<Choice>());
-  const auto done = for_each_in_threads(split_of(step, systems.size()), [&](std::uint64_t k) {
+  const WorkSplit split = split_of(systems.size(), systems_bounded, progress);
+  const auto done = for_each_in_threads(split, [&](std::uint64_t k) {
     found[k] = choices_of(systems[k], share);
     return Result<Done>(Done{});
   });
@@ -143,9 +154,8 @@ Result<PlannedSystem> ArchitectureSearch::planned(std::size_t number, Share shar
 }
 
 Result<OptimiseResult> ArchitectureSearch::best() const {
-  constexpr int steps = 64;
   const double least_per_s = request_->at_least_per_s;
-  MIXCMP_TRY(best, best_in(1));
+  MIXCMP_TRY(best, best_in(1, request_->progress));
   if (least_per_s == 0 || best.best().found.best() == nullptr) return best;
   if (best.best().throughput_per_s() < least_per_s) {
     return Error{.file = formulations_.front().loaded.scene.path.string(),
@@ -155,11 +165,22 @@ Result<OptimiseResult> ArchitectureSearch::best() const {
                  .accepted = fmt::format("less than {:.4g} G comparisons/s",
                                          best.best().throughput_per_s() / 1e9)};
   }
+  return smallest(std::move(best));
+}
+
+Result<OptimiseResult> ArchitectureSearch::smallest(OptimiseResult best) const {
+  constexpr int steps = 64;
+  const double least_per_s = request_->at_least_per_s;
   const double usable = 1 - systems_[best.best().number].scene.system.slack;
   int too_small = static_cast<int>(std::ceil(steps * (1 - most_slack) / usable));
-  for (int enough = steps; enough - too_small > 1;) {
+  const int halvings = std::bit_width(static_cast<unsigned>(steps - too_small - 1));
+  int halved = 0;
+  const StepProgress progress = [&](const std::string& step, double share) {
+    tell_progress("smallest system searched", halved + progress_of_search(step, share), halvings);
+  };
+  for (int enough = steps; enough - too_small > 1; ++halved) {
     const int middle = (too_small + enough) / 2;
-    auto found = best_in(static_cast<double>(middle) / steps);
+    auto found = best_in(static_cast<double>(middle) / steps, progress);
     const bool is_enough = found.ok() && found->best().throughput_per_s() >= least_per_s;
     (is_enough ? enough : too_small) = middle;
     if (is_enough) best = std::move(found).value();
@@ -167,7 +188,12 @@ Result<OptimiseResult> ArchitectureSearch::best() const {
   return best;
 }
 
+Result<OptimiseResult> ArchitectureSearch::fastest_without_slack() const {
+  return fastest_in(1 / (1 - formulations_.front().loaded.scene.system.slack), {});
+}
+
 Result<std::vector<FrontPoint>> ArchitectureSearch::front(const PlannedSystem& system) const {
+  constexpr std::array parts = {1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0};
   std::vector<std::size_t> alike;
   for (std::size_t k = 0; k < systems_.size(); ++k) {
     const bool is_alike = systems_[k].formulation == systems_[system.number].formulation &&
@@ -175,16 +201,19 @@ Result<std::vector<FrontPoint>> ArchitectureSearch::front(const PlannedSystem& s
     if (is_alike) alike.push_back(k);
   }
   std::vector<FrontPoint> points;
-  for (const double part : {1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0}) {
-    const Share share = part * (1 - system.known.scene.system.slack) /
-                        (1 - systems_[system.number].scene.system.slack);
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    const double of_device = parts[part] * (1 - system.known.scene.system.slack);
+    const Share share = of_device / (1 - systems_[system.number].scene.system.slack);
     std::vector<Choice> choices;
-    for (const auto& found : choices_of(alike, share, "smaller systems bounded")) {
+    for (const auto& found : choices_of(alike, share, {})) {
       if (found.ok()) choices.insert(choices.end(), found->begin(), found->end());
     }
-    MIXCMP_TRY(fastest, fastest_of(std::move(choices), share));
+    const auto progress = [&](const std::string&, double done) {
+      tell_progress("plans of smaller systems searched", double(part) + done, parts.size());
+    };
+    MIXCMP_TRY(fastest, fastest_of(std::move(choices), share, progress));
     if (fastest.empty()) continue;  // nothing fits
-    points.push_back({part, summary_of(fastest.front().found), fastest.front().settings});
+    points.push_back({of_device, summary_of(fastest.front().found), fastest.front().settings});
   }
   return points;
 }
@@ -199,14 +228,15 @@ Error ArchitectureSearch::explained(const Error& error) const {
           .accepted = "what this measures: " + command};
 }
 
-Result<OptimiseResult> ArchitectureSearch::fastest_in(Share share) const {
+Result<OptimiseResult> ArchitectureSearch::fastest_in(Share share,
+                                                      const StepProgress& progress) const {
   OptimiseResult result;
   std::vector<Choice> choices;
   std::map<std::size_t, std::size_t> possible;  // by formulation: a system with lanes
   std::map<std::size_t, Error> errors;
   std::vector<std::size_t> systems(systems_.size());
   std::iota(systems.begin(), systems.end(), std::size_t{0});
-  const auto bounded = choices_of(systems, share, "systems bounded");
+  const auto bounded = choices_of(systems, share, progress);
   for (const std::size_t k : systems) {
     const std::size_t formulation = systems_[k].formulation;
     if (!bounded[k].ok()) {
@@ -216,7 +246,7 @@ Result<OptimiseResult> ArchitectureSearch::fastest_in(Share share) const {
     possible.emplace(formulation, k);
     choices.insert(choices.end(), bounded[k]->begin(), bounded[k]->end());
   }
-  MIXCMP_TRY(fastest, fastest_of(std::move(choices), share));
+  MIXCMP_TRY(fastest, fastest_of(std::move(choices), share, progress));
   for (std::size_t k = 0; k < formulations_.size(); ++k) {
     if (possible.contains(k)) continue;
     result.left_out.emplace_back(name_of(k), errors.at(k));
@@ -237,8 +267,9 @@ Result<OptimiseResult> ArchitectureSearch::fastest_in(Share share) const {
   return result;
 }
 
-Result<OptimiseResult> ArchitectureSearch::best_in(Share share) const {
-  MIXCMP_TRY(result, fastest_in(share));
+Result<OptimiseResult> ArchitectureSearch::best_in(Share share,
+                                                   const StepProgress& progress) const {
+  MIXCMP_TRY(result, fastest_in(share, progress));
   PlannedSystem& most = result.systems[result.chosen];
   if (most.found.best() == nullptr) return result;
   MIXCMP_TRY(whole, planned(most.number, share, request_->choice));
@@ -270,8 +301,8 @@ Result<Done> ArchitectureSearch::tell_of_others(const std::map<std::size_t, std:
   return Done{};
 }
 
-Result<std::vector<PlannedSystem>> ArchitectureSearch::fastest_of(std::vector<Choice> choices,
-                                                                  Share share) const {
+Result<std::vector<PlannedSystem>> ArchitectureSearch::fastest_of(
+    std::vector<Choice> choices, Share share, const StepProgress& progress) const {
   // Fewer streams of reports come first: more of them must make a system faster.
   const auto order = [&](const Choice& choice) {
     const int streams = systems_[choice.system].scene.system.engine.report_streams;
@@ -280,9 +311,8 @@ Result<std::vector<PlannedSystem>> ArchitectureSearch::fastest_of(std::vector<Ch
   std::stable_sort(choices.begin(), choices.end(),
                    [&](const Choice& a, const Choice& b) { return order(a) < order(b); });
   BestSystems best;
-  const char* const step = share == 1 ? "plans searched" : "plans of smaller systems searched";
   for (std::size_t k = 0; k < choices.size(); ++k) {
-    tell_progress(step, k, choices.size());
+    if (progress) progress(plans_searched, double(k) / double(choices.size()));
     const Choice& choice = choices[k];
     const System& system = systems_[choice.system];
     const BestSystems::key_type key{system.formulation, system.interface};

@@ -23,6 +23,10 @@ std::optional<std::string> note_on_sample(const optimise::Rates& rates);
 /// Says that the areas of these devices or families are rough predictions.
 std::string rough_note(const std::string& names);
 
+/// How far a search on one device is after this share of one of its steps: "areas predicted",
+/// "systems bounded", "plans searched". They come in this order.
+double progress_of_search(const std::string& step, double share);
+
 /// The systems of all architectures of a scene's formulations, with predicted areas. Lanes and
 /// references do not depend on the streams around them, so they are predicted once for each
 /// formulation.
@@ -47,7 +51,10 @@ public:
 
   /// The same on the whole device, whatever the least throughput: the systems have no plans of
   /// other precisions, and are at most half a percent slower.
-  Result<OptimiseResult> fastest() const { return fastest_in(1); }
+  Result<OptimiseResult> fastest() const { return fastest_in(1, request_->progress); }
+
+  /// The same on a device of which no slack leaves anything free.
+  Result<OptimiseResult> fastest_without_slack() const;
 
   /// The best system of this interface and formulation in parts of the room that `system` has.
   Result<std::vector<FrontPoint>> front(const PlannedSystem& system) const;
@@ -98,26 +105,30 @@ private:
   void use_kept_rows(std::size_t formulation);
   /// A share of the room that the scene's slack leaves, above 0 and at most 1.
   using Share = double;
-  Result<OptimiseResult> fastest_in(Share share) const;
-  Result<OptimiseResult> best_in(Share share) const;
+  Result<OptimiseResult> fastest_in(Share share, const StepProgress& progress) const;
+  Result<OptimiseResult> best_in(Share share, const StepProgress& progress) const;
+  /// The smallest share in which a system is fast enough, if `best` is the fastest one.
+  Result<OptimiseResult> smallest(OptimiseResult best) const;
   std::string name_of(std::size_t formulation) const;
   std::optional<performance::ItemSet> set_of(std::size_t formulation) const;
   /// Adds the formulations that have no plan in this share, with a reason, unless none has one.
   Result<Done> tell_of_others(const std::map<std::size_t, std::size_t>& possible, Share share,
                               OptimiseResult& result) const;
-  void tell_progress(const char* step, std::size_t done, std::size_t of) const;
-  /// Work on so many items in threads, which tells its progress.
-  WorkSplit split_of(const char* step, std::size_t size) const;
+  void tell_progress(const char* step, double done, double of) const;
+  /// Work on so many items in threads, which tells its progress if it can.
+  static WorkSplit split_of(std::size_t size, const char* step, const StepProgress& progress);
   /// Why no system has lanes and references: names the templates that the library of unit areas
   /// lacks, or is the error unchanged.
   Error explained(const Error& error) const;
   Result<std::vector<Choice>> choices_of(std::size_t system, Share share) const;
   /// Those of each of these systems.
   std::vector<Result<std::vector<Choice>>> choices_of(const std::vector<std::size_t>& systems,
-                                                      Share share, const char* step) const;
+                                                      Share share,
+                                                      const StepProgress& progress) const;
   Result<PlannedSystem> planned(std::size_t system, Share share,
                                 optimise::OptimiseOptions options) const;
-  Result<std::vector<PlannedSystem>> fastest_of(std::vector<Choice> choices, Share share) const;
+  Result<std::vector<PlannedSystem>> fastest_of(std::vector<Choice> choices, Share share,
+                                                const StepProgress& progress) const;
 
   const OptimiseRequest* request_;
   devices::Device device_;

@@ -133,13 +133,13 @@ Result<Done> ArchitectureSearch::move_to(const std::string& name) {
   device_ = std::move(device);
   if (!is_alike) MIXCMP_DO(choose_areas());
   for (Formulation& each : formulations_) {
-    each.loaded.scene.system.device = name;
+    use_device(each.loaded.scene.system, name);
     name_device(each.settings, name);
   }
   std::vector<System> known;
   if (is_alike) known = std::move(systems_);
   for (System& each : known) {
-    each.scene.system.device = name;
+    use_device(each.scene.system, name);
     each.table.device = device_.name;
     name_device(each.settings, name);
   }
@@ -186,7 +186,7 @@ Result<Done> ArchitectureSearch::add_all(std::vector<System> known) {
     const bool is_engine = each.scene.system.engine.kind != EngineKind::none;
     if (!is_engine) systems[each.formulation].push_back(std::move(each));
   }
-  MIXCMP_DO(for_each_in_threads(split_of("areas predicted", systems.size()),
+  MIXCMP_DO(for_each_in_threads(split_of(systems.size(), "areas predicted", request_->progress),
                                 [&](std::uint64_t k) -> Result<Done> {
                                   if (!systems[k].empty()) return Done{};
                                   MIXCMP_TRY(found, systems_of(k));
@@ -216,8 +216,10 @@ Result<Done> ArchitectureSearch::add_all(std::vector<System> known) {
 Result<std::vector<ArchitectureSearch::System>> ArchitectureSearch::systems_of(
     std::size_t number) const {
   const Formulation& formulation = formulations_[number];
-  std::vector<std::string> settings = request_->planning.scene.settings;
-  settings.insert(settings.end(), formulation.settings.begin(), formulation.settings.end());
+  std::vector<std::string> settings =
+      joined(request_->planning.scene.settings, formulation.settings);
+  // No key is open because of a device, and after move_to both may name one.
+  std::erase_if(settings, [](const auto& each) { return each.starts_with("system.device="); });
   MIXCMP_TRY(read, scene::read_scene_settings(request_->planning.scene.source, settings));
   const optimise::OpenKeys open = optimise::open_keys(read.settings);
   const bool streams = formulation.loaded.scene.system.engine.kind == EngineKind::none;

@@ -6,8 +6,11 @@
 #include <bit>
 
 #include "generator/tasks/architecture_search.hpp"
+#include "generator/tasks/candidate_lanes.hpp"
+#include "generator/tasks/remedies.hpp"
 #include "model/base/common/file.hpp"
 #include "model/plan/optimise/pairwise_busy.hpp"
+#include "model/scene/expression_notes.hpp"
 #include "model/scene/plan.hpp"
 
 namespace mixcmp::tasks {
@@ -115,6 +118,11 @@ Result<OptimiseResult> plan_by_tables(const OptimiseRequest& request,
   return result;
 }
 
+/// Adds a note to the chosen plan: its report has it, in text, in JSON and on a page.
+void note_in_plan(OptimiseResult& result, std::string note) {
+  result.systems[result.chosen].found.notes.push_back(std::move(note));
+}
+
 /// Tells in which part of their cycles the lanes of a pairwise engine compare.
 void note_idle_lanes(const LoadedScene& loaded, OptimiseResult& result) {
   const PlannedSystem& best = result.best();
@@ -131,7 +139,8 @@ void note_idle_lanes(const LoadedScene& loaded, OptimiseResult& result) {
   const double busy = *optimise::busy_share(engine, unhindered, true);
   const std::string sizes = set->others > 0 ? fmt::format("{} and {}", set->items, set->others)
                                             : std::to_string(set->items);
-  result.notes.push_back(
+  note_in_plan(
+      result,
       plan->counts_idle_lanes
           ? fmt::format(
                 "on sets of {} items lanes compare in {:.3g} % of their cycles ({:.3g} % if "
@@ -149,7 +158,8 @@ void note_traffic(OptimiseResult& result) {
   if (best.found.best() == nullptr || scene.system.engine.kind != scene::EngineKind::none) return;
   const auto inputs = static_cast<int>(scene.graph.inputs().size());
   const int bits = inputs * scene.reference.format.width();
-  result.notes.push_back(
+  note_in_plan(
+      result,
       fmt::format("all operands of each comparison arrive at its ports, {} bits: {:.3g} GB/s", bits,
                   best.throughput_per_s() / 1e9 * bits / 8));
 }
@@ -200,14 +210,41 @@ void note_left_out_tier(const scene::Scene& given, OptimiseResult& result) {
   const std::string why =
       is_any ? "the fastest system has none; --set second_tier.format=" + tier + " plans with it"
              : "no system with it has a plan";
-  result.notes.push_back(
-      fmt::format("the plan is without the scene's second tier ({}): {}", tier, why));
+  note_in_plan(result,
+               fmt::format("the plan is without the scene's second tier ({}): {}", tier, why));
+}
+
+/// Tells which operation keeps lanes in fixed point out of the plan.
+void note_fixed_point(const OptimiseRequest& request, OptimiseResult& result) {
+  const scene::Scene& scene = result.best().known.scene;
+  const std::vector<Bound> bounds = bounds_for(request.choice, scene);
+  const bool is_choice = std::any_of(bounds.begin(), bounds.end(),
+                                     [](const Bound& bound) { return bound.is_fixed_point(); });
+  if (!is_choice) return;
+  if (auto note = scene::fixed_point_note(scene.graph, scene.reference.format, scene.ranges)) {
+    note_in_plan(result, *std::move(note));
+  }
+}
+
+/// Whether some precision has no plan for want of room only, and none has a plan.
+bool lacks_room(const optimise::Optimisation& found) {
+  const auto is_short = [](const optimise::PrecisionPlan& plan) {
+    const auto* none = std::get_if<optimise::Infeasible>(&plan.result);
+    return none != nullptr && !none->shortages.empty();
+  };
+  const auto& plans = found.plans;
+  return std::all_of(plans.begin(), plans.end(),
+                     [](const auto& plan) { return plan.allocation() == nullptr; }) &&
+         std::any_of(plans.begin(), plans.end(), is_short);
 }
 
 /// What the user should know of the system that was chosen.
-void note_system(const LoadedScene& loaded, OptimiseResult& result) {
+void note_system(const OptimiseRequest& request, const LoadedScene& loaded,
+                 OptimiseResult& result) {
+  note_fixed_point(request, result);
   note_left_out_tier(loaded.scene, result);
   note_idle_lanes(loaded, result);
+  note_traffic(result);
 }
 
 }  // namespace
@@ -232,7 +269,12 @@ Result<optimise::Rates> rates_by_table(const OptimiseRequest& request, const Loa
 }
 
 std::vector<std::string> settings_of(const OptimiseRequest& request, const PlannedSystem& system) {
-  return joined(request.planning.scene.settings, system.settings);
+  Words given = request.planning.scene.settings;
+  const std::string device = "system.device";  // that of --on takes the place of the request's
+  if (is_set(system.settings, device)) {
+    std::erase_if(given, [&](const auto& each) { return each.starts_with(device + "="); });
+  }
+  return joined(given, system.settings);
 }
 
 Result<std::vector<Formulation>> formulations_of(const OptimiseRequest& request,
@@ -260,8 +302,7 @@ Result<OptimiseResult> completed(const OptimiseRequest& request, const LoadedSce
   if (result.best().found.best() == nullptr) return result;
   MIXCMP_TRY(front, search.front(result.best()));
   result.front = std::move(front);
-  note_system(loaded, result);
-  note_traffic(result);
+  note_system(request, loaded, result);
   return result;
 }
 
@@ -286,13 +327,16 @@ Result<OptimiseResult> optimise(const OptimiseRequest& request, const LoadedScen
   }
   if (by_table) {
     MIXCMP_TRY(result, plan_by_tables(request, formulations));
-    note_system(loaded, result);
+    note_system(request, loaded, result);
     return result;
   }
   MIXCMP_TRY(search, ArchitectureSearch::make(request, formulations));
   MIXCMP_TRY(predicted, search.best());
   MIXCMP_TRY(result, completed(request, loaded, search, std::move(predicted)));
   if (search.is_rough()) result.notes.push_back(rough_note(search.device().name));
+  if (lacks_room(result.best().found)) {
+    note_in_plan(result, note_on_room(search, loaded.scene.system.slack));
+  }
   return result;
 }
 

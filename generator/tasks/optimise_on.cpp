@@ -78,11 +78,18 @@ public:
   DeviceSearch(const OptimiseOnRequest& request, const LoadedScene& loaded)
       : request_(request.optimise), names_(request.devices), loaded_(loaded) {
     request_.predict_only = true;
+    if (!request_.progress) return;
+    request_.progress = [this, tell = request_.progress](const std::string& step, double share) {
+      tell_progress(tell, step, share);
+    };
   }
+  DeviceSearch(const DeviceSearch&) = delete;  // its progress refers to it
+  DeviceSearch& operator=(const DeviceSearch&) = delete;
 
   Result<OptimiseOnResult> run();
 
 private:
+  void tell_progress(const StepProgress& tell, const std::string& step, double share) const;
   Result<Done> plan_all(Family family);
   Result<Done> plan_needed(Family family);
   Result<DevicePlan> plan_on(const NamedDevice& named);
@@ -98,19 +105,27 @@ private:
   std::vector<std::pair<std::string, DevicePlan>> found_;  ///< with names as the user gave them
   std::size_t settled_ = 0;                                ///< devices, for the progress
   std::size_t count_ = 0;                                  ///< devices that differ
+  std::string now_;                                        ///< the device that is planned on
   std::optional<Error> why_none_;                          ///< of the first without a system
   std::vector<std::string> rough_;                         ///< families
   std::set<std::string> notes_;
   OptimiseOnResult result_;
 };
 
+/// Tells how far the search is over all devices, whose share never falls. Steps before the first
+/// device, and those that complete the chosen plan, have shares of their own.
+void DeviceSearch::tell_progress(const StepProgress& tell, const std::string& step,
+                                 double share) const {
+  if (now_.empty()) return tell(step, share);
+  const double done = static_cast<double>(settled_) + progress_of_search(step, share);
+  tell(fmt::format("device {} of {}, {}", settled_ + 1, count_, now_),
+       done / static_cast<double>(count_));
+}
+
 /// Plans on a device. That a device has no plan is no error of the search.
 Result<DevicePlan> DeviceSearch::plan_on(const NamedDevice& named) {
   const Device& device = named.device;
-  if (request_.progress) {
-    request_.progress("plans on devices, now " + device.name,
-                      static_cast<double>(settled_) / static_cast<double>(count_));
-  }
+  now_ = device.name;
   DevicePlan plan{.device = device,
                   .alike = named.alike,
                   .six_input_luts = components::six_input_luts(device),
@@ -205,6 +220,7 @@ Result<Done> DeviceSearch::choose_smallest() {
     return each.second.plan.throughput_per_s >= request_.at_least_per_s;
   });
   if (chosen == found_.end()) return too_slow();
+  now_.clear();
   MIXCMP_DO(search_->move_to(chosen->first));
   MIXCMP_TRY(best, search_->best());
   MIXCMP_TRY(smallest, completed(request_, loaded_, *search_, std::move(best)));
@@ -217,7 +233,7 @@ Result<OptimiseOnResult> DeviceSearch::run() {
   for (const Family& family : families) count_ += family.size();
   MIXCMP_TRY(formulations, formulations_of(request_, loaded_));
   for (Formulation& each : formulations) {
-    each.loaded.scene.system.device = families.front().front().name;
+    use_device(each.loaded.scene.system, families.front().front().name);
   }
   MIXCMP_TRY(search, ArchitectureSearch::make(request_, formulations));
   search_ = std::move(search);

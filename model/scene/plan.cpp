@@ -54,7 +54,7 @@ bool is_text(const settings::Setting& setting) {
 
 Result<PlanNotes> read_notes(const settings::Settings& plan) {
   constexpr std::array numbers = {"throughput_per_s", "clock_mhz", "recomputation_rate", "slack"};
-  constexpr std::array texts = {"device", "command", "clock_basis"};
+  constexpr std::array texts = {"device", "command", "clock_basis", "areas"};
   PlanNotes notes{.path = plan.path, .values = {}};
   const settings::Section section(plan, "plan");
   if (const auto error = section.finish(); error && !section.present()) return *error;

@@ -15,9 +15,9 @@
 #include "model/comparison/expression/text.hpp"
 #include "model/lane/error/exponent_range.hpp"
 #include "model/scene/data_ranges.hpp"
+#include "model/scene/expression_notes.hpp"
 #include "model/scene/input_ranges.hpp"
 #include "model/scene/override_error.hpp"
-#include "model/scene/pairing_notes.hpp"
 #include "model/scene/plan.hpp"
 #include "model/scene/sections.hpp"
 #include "model/scene/variant.hpp"
@@ -349,6 +349,11 @@ Result<Scene> interpret(SceneSettings read) {
   MIXCMP_DO(take_ranges_from_data(data ? &*data : nullptr, graph.inputs(), format, declared));
   note_missed_ends(declared.ranges, format, notes);
   MIXCMP_TRY(lanes, read_lanes(settings, graph, format, declared.ranges));
+  const bool is_open = !lanes.reduced.format && !lanes.reduced.fixed_point && lanes.groups.empty();
+  if (is_open && !lanes.reduced.is_profiled) {
+    const auto note = fixed_point_note(graph, format, declared.ranges);
+    if (note) notes.push_back(*note);
+  }
   MIXCMP_TRY(references, read_reference_groups(settings, reference.structure));
   MIXCMP_TRY(system, read_system(settings));
   if (data) {

@@ -119,6 +119,7 @@ struct SystemSpec {
                                   ///< comparisons are reported as such
   double slack = 0.2;             ///< R_S: share of the device that is left unused
   double target_mhz = 200;
+  bool has_own_target = false;  ///< false: target_mhz is that of the device's family
   int lanes_per_group = 1;  ///< lanes in lock step, 1..64; in an engine 1: it has its own groups
   int input_registers = 0;  ///< between the operands' ports and a lane, 0..2; 0 in an engine
   ResultOrder order = ResultOrder::tagged;
@@ -134,6 +135,10 @@ struct SystemSpec {
   /// sets `order`: see with_engine.
   EngineSpec engine;
 };
+
+/// Puts the system on another device, whose family's target_mhz it takes unless it has its own. An
+/// unknown device changes no target: find_device reports it where the device is used.
+void use_device(SystemSpec& system, const std::string& device);
 
 /// The system with an engine around it. A pairwise engine's memory holds the operands of a
 /// recomputation, and a tag names two items in it. An arg_min engine needs verdicts in order.

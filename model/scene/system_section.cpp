@@ -6,6 +6,7 @@
 #include "model/base/common/quote.hpp"
 #include "model/base/settings/section.hpp"
 #include "model/comparison/expression/name.hpp"
+#include "model/cost/devices/device.hpp"
 #include "model/scene/sections.hpp"
 
 namespace mixcmp::scene {
@@ -59,6 +60,13 @@ void read_counters(settings::Section& section, SystemSpec& spec) {
 
 }  // namespace
 
+void use_device(SystemSpec& system, const std::string& device) {
+  system.device = device;
+  if (system.has_own_target) return;
+  const auto found = devices::find_device(device);
+  if (found.ok()) system.target_mhz = found->delays.target_mhz;
+}
+
 void read_structure(settings::Section& section, ReferenceStructureSpec& structure) {
   section.choice("multipliers", structure.multipliers, {Multipliers::embedded, Multipliers::logic});
   section.integer_or_auto("initiation_interval", structure.initiation_interval,
@@ -102,10 +110,12 @@ settings::Limits lane_limits(const settings::Settings& settings) {
 Result<SystemSpec> read_system(const settings::Settings& settings) {
   SystemSpec spec;
   settings::Section section(settings, "system");
+  const bool names_device = section.find("device") != nullptr;
   section.text("device", spec.device);
   section.integer_or_auto("lanes", spec.lanes, lane_limits(settings));
   section.integer_or_auto("references", spec.references, settings::limits::references);
   section.number("slack", spec.slack, 0, 0.95);
+  spec.has_own_target = section.find("target_mhz") != nullptr;
   section.number("target_mhz", spec.target_mhz, settings::limits::target_mhz.least,
                  settings::limits::target_mhz.most);
   section.integer("lanes_per_group", spec.lanes_per_group, settings::limits::lanes_per_group);
@@ -119,6 +129,7 @@ Result<SystemSpec> read_system(const settings::Settings& settings) {
   check_prefix(section, spec.prefix);
   if (spec.device.empty()) section.fail("device", "empty", "\"\"", "a device's name");
   if (const auto error = section.finish()) return *error;
+  if (names_device) use_device(spec, spec.device);
   return spec;
 }
 

@@ -60,6 +60,7 @@ TEST_F(NewCommand, RowsAreComparisonsWhereInputsAreColumns) {
   EXPECT_NE(read("rows.toml").find("24 bits of significand, the leading one included, and 8 "),
             std::string::npos);
   EXPECT_EQ(read("rows.toml").find("\npairs = "), std::string::npos);
+  EXPECT_NE(read("rows.toml").find("\ntarget_mhz = 100\n"), std::string::npos) << "the ECP5's";
   checked("rows.toml");
 }
 
@@ -76,6 +77,24 @@ TEST_F(NewCommand, ASecondFileAndColumnsOfOtherNamesAreTakenOver) {
       << text;
   const auto scene = checked("scenes/far.toml");
   EXPECT_EQ(scene.at("data").at("comparisons"), 6);
+}
+
+/// A user who has not given --pairs is not told that --pairs is wrong.
+TEST_F(NewCommand, AGuessedPairingIsNamedWithItsReason) {
+  const std::string both = "new a --data points.csv --with others.csv --f 'x * y' --g ";
+  const std::string guess =
+      " (pairs = cross is a guess, since --with gives a second file; --pairs chooses): received x";
+  expect_refused(both + "dj", "--with: data.pairs: ");
+  expect_refused(both + "dj", guess);
+  expect_refused("new a --data points.csv --f '(xi - xj)^2' --g zj",
+                 "(pairs = all is a guess, since all inputs end in i or j; --pairs chooses)");
+  expect_refused("new a --data points.csv --f '(xi - xj)^2' --g r",
+                 "(pairs = rows is a guess, since not all inputs end in i or j; --pairs chooses)");
+  const Outcome given = mixcmp(both + "dj --pairs cross");
+  EXPECT_NE(given.output.find("--pairs: data.pairs: "), std::string::npos) << given.output;
+  EXPECT_EQ(given.output.find("guess"), std::string::npos) << given.output;
+  const Outcome plain = mixcmp("new a --data points.csv --f x --g z");
+  EXPECT_EQ(plain.output.find("guess"), std::string::npos) << plain.output;
 }
 
 TEST_F(NewCommand, WithoutDataTheSceneStillReads) {

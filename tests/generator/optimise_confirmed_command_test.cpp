@@ -129,6 +129,7 @@ TEST_F(Confirmed, ThePlanIsMadeAgainWithTheAreasOfItsComponents) {
   ASSERT_EQ(found.exit_code, 0) << found.output;
   EXPECT_NE(found.output.find("note: predicted "), std::string::npos) << found.output;
   EXPECT_NE(found.output.find("areas: measured; predicted "), std::string::npos) << found.output;
+  EXPECT_NE(read("plan.toml").find("\nareas = \"measured\"\n"), std::string::npos);
   EXPECT_EQ(mixcmp("check plan.toml").exit_code, 0);
   const Outcome again = mixcmp(few + " --json", environment());
   EXPECT_EQ(again.output.find("jobs, "), std::string::npos) << "the store has the results\n"
@@ -174,8 +175,19 @@ TEST_F(Confirmed, ComponentsThatCannotBeSynthesisedMakeNoPlan) {
   EXPECT_NE(failed.output.find("kept in "), std::string::npos) << failed.output;
   EXPECT_FALSE(fs::exists(path("plan.toml")));
   ASSERT_EQ(mixcmp(few + " --predict-only").exit_code, 0);
-  const Outcome page = mixcmp("report plan.toml --without profile front waves -o page.html",
-                              "XDG_CACHE_HOME=\"$PWD/cache\" " + yosys);
+  const auto report = [&] {
+    return mixcmp("report plan.toml --without profile front waves -o page.html",
+                  "XDG_CACHE_HOME=\"$PWD/cache\" " + yosys);
+  };
+  const Outcome predicted = report();
+  EXPECT_EQ(predicted.exit_code, 0) << "nothing is synthesised for a predicted plan\n"
+                                    << predicted.output;
+  EXPECT_NE(read("page.html").find("Note: areas are predicted;"), std::string::npos);
+  std::string plan = read("plan.toml");
+  const std::string areas = "areas = \"predicted\"\n";
+  ASSERT_NE(plan.find(areas), std::string::npos) << plan;
+  write("plan.toml", plan.replace(plan.find(areas), areas.size(), "areas = \"measured\"\n"));
+  const Outcome page = report();
   EXPECT_NE(page.output.find("plan: "), std::string::npos) << page.output;
   EXPECT_TRUE(fs::exists(path("page.html"))) << "the page says what is missing";
 }

@@ -140,6 +140,43 @@ TEST_F(OptimiseOn, EachDeviceHasThePlanThatItHasByItself) {
   EXPECT_NE(all.notes.front().find("ecp5, ice40-lp:"), std::string::npos) << all.notes.front();
 }
 
+/// The progress over several devices is one: it names each of them, and its share never falls.
+TEST_F(OptimiseOn, TheProgressCountsTheDevices) {
+  for (const double at_least_per_s : {0.0, 1e9}) {
+    tasks::OptimiseRequest request = request_for({}, at_least_per_s);
+    std::vector<std::string> steps;
+    std::vector<double> shares;
+    request.progress = [&](const std::string& step, double share) {
+      if (!step.starts_with("device ")) return;
+      if (steps.empty() || steps.back() != step) steps.push_back(step);
+      shares.push_back(share);
+    };
+    const std::vector<std::string> names = {"xc7k70t", "xc7a25t", "xc7a100t"};
+    ASSERT_TRUE(optimise_on({request, names}, load(request)).ok());
+    ASSERT_FALSE(steps.empty());
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_LT(shares.front(), 0.2);
+    EXPECT_LE(shares.back(), 1);
+    if (at_least_per_s > 0) continue;  // devices are passed over
+    EXPECT_EQ(steps, (std::vector<std::string>{"device 1 of 3, xc7k70t", "device 2 of 3, xc7a25t",
+                                               "device 3 of 3, xc7a100t"}));
+    EXPECT_GT(shares.back(), 0.8);
+  }
+}
+
+/// The device that the user gives as a setting is not one of those that are planned on.
+TEST_F(OptimiseOn, ADeviceAmongTheSettingsIsReplaced) {
+  const tasks::OptimiseRequest request = request_for({"system.device=ecp5-85k"}, 1e9);
+  const auto found = optimise_on({request, {"xc7a25t", "lfe5u-25f"}}, load(request));
+  ASSERT_TRUE(found.ok()) << found.error().to_string();
+  const std::vector<std::string> settings = settings_of(request, found->smallest->best());
+  const auto names_device = [](const std::string& each) {
+    return each.starts_with("system.device=");
+  };
+  EXPECT_EQ(std::count_if(settings.begin(), settings.end(), names_device), 1);
+  EXPECT_EQ(found->smallest->best().known.scene.system.target_mhz, 200) << "not the ECP5's";
+}
+
 TEST_F(OptimiseOn, TheSmallestDeviceHasTheSmallestSystemThatItHasByItself) {
   const double wanted = planned_by_itself("xc7a100t").best().throughput_per_s() / 3;
   const OptimiseOnResult found = planned_on({"xc7a200t", "xc7a25t", "xc7a100t"}, wanted).value();

@@ -199,14 +199,14 @@ TEST_F(Report, DrawsTheFrontThatOptimiseFinds) {
   ASSERT_EQ(front.size(), 5U);
   for (const json& point : front) {
     const std::string share =
-        fmt::format("{:g} % of the room\nL = {}\np_L = {}, p_H = {}\n",
+        fmt::format("{:g} % of the device\nL = {}\np_L = {}, p_H = {}\n",
                     100 * point.at("share").get<double>(), point.at("precision").get<int>(),
                     point.at("lanes").get<int>(), point.at("references").get<int>());
     EXPECT_NE(html.find(share), std::string::npos) << share;
     const bool is_marked = html.find("knee: " + share) != std::string::npos;
     EXPECT_EQ(is_marked, point.at("is_knee").get<bool>()) << share;
   }
-  EXPECT_EQ(page("--without profile,front,waves " + keys, 3).find("of the room"),
+  EXPECT_EQ(page("--without profile,front,waves " + keys, 3).find("% of the device"),
             std::string::npos);
 }
 

@@ -147,20 +147,40 @@ std::vector<Pairing> possible_pairings(const NewCommand& command) {
   return {Pairing::rows, Pairing::all};
 }
 
-/// Whether each input names a column of an item i or j. If so, an error of pairs tells more than
-/// one of rows.
-bool names_items(const NewScene& scene) {
+/// How many inputs name a column of an item i or j.
+enum class ItemNames { none, some, all };
+
+ItemNames item_names_of(const NewScene& scene) {
   NewScene without_data = scene;
   without_data.file.clear();
   const auto loaded = load_new(without_data);
-  if (!loaded.ok()) return false;
+  if (!loaded.ok()) return ItemNames::none;
   const std::vector<std::string>& inputs = loaded->scene.graph.inputs();
-  return std::all_of(inputs.begin(), inputs.end(),
-                     [](const std::string& input) { return data::item_column(input).has_value(); });
+  const auto items = std::count_if(inputs.begin(), inputs.end(), [](const std::string& input) {
+    return data::item_column(input).has_value();
+  });
+  if (items == 0) return ItemNames::none;
+  return static_cast<std::size_t>(items) == inputs.size() ? ItemNames::all : ItemNames::some;
+}
+
+/// An error that follows from a guessed pairing, with the guess: the user did not give it. Where no
+/// input names an item, nothing but rows was meant.
+Error with_guess(Error error, Pairing guessed, ItemNames names) {
+  if (error.file != "--pairs" && error.kind != ErrorKind::missing_column) return error;
+  if (guessed == Pairing::rows && names == ItemNames::none) return error;
+  const bool is_cross = guessed == Pairing::cross;
+  const char* const reason = is_cross                   ? "--with gives a second file"
+                             : guessed == Pairing::rows ? "not all inputs end in i or j"
+                                                        : "all inputs end in i or j";
+  if (error.file == "--pairs") error.file = is_cross ? "--with" : "--data";
+  error.message += fmt::format(" (pairs = {} is a guess, since {}; --pairs chooses)",
+                               to_string(guessed), reason);
+  return error;
 }
 
 /// Loads the scene with the first pairing that suits the data, and puts that pairing into `scene`.
-/// If none does, the error is that of the pairing that the inputs' names suggest.
+/// If none does, the error is that of the pairing that the inputs' names suggest: if all of them
+/// name items, an error of pairs tells more than one of rows.
 Result<LoadedScene> load_with_pairing(const NewCommand& command, NewScene& scene) {
   const std::vector<Pairing> possible = possible_pairings(command);
   for (const Pairing pairing : possible) {
@@ -168,8 +188,12 @@ Result<LoadedScene> load_with_pairing(const NewCommand& command, NewScene& scene
     Result<LoadedScene> loaded = load_new(scene);
     if (loaded.ok()) return loaded;
   }
-  scene.pairing = possible.size() > 1 && !names_items(scene) ? possible.front() : possible.back();
-  return load_new(scene);
+  const ItemNames names = item_names_of(scene);
+  scene.pairing =
+      possible.size() > 1 && names != ItemNames::all ? possible.front() : possible.back();
+  Result<LoadedScene> loaded = load_new(scene);
+  if (loaded.ok() || !command.pairs.empty()) return loaded;
+  return with_guess(loaded.error(), scene.pairing, names);
 }
 
 /// Asks which column is meant by a name that the data do not have. `missing` is the error if the

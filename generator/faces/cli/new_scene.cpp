@@ -210,7 +210,7 @@ std::string formats_text(const NewScene& scene, const LoadedScene& loaded) {
       format.precision(), format.exponent_bits(), toml_string(scene.reference));
 }
 
-std::string system_text(const NewScene& scene) {
+std::string system_text(const NewScene& scene, const LoadedScene& loaded) {
   return fmt::format(
       "# A device is an FPGA's part number, a board (`mixcmp devices` lists both), or the path of "
       "a\n"
@@ -218,8 +218,8 @@ std::string system_text(const NewScene& scene) {
       "# How many lanes and references there are `mixcmp optimise` finds out; it leaves the share\n"
       "# `slack` of the device to the rest of your design. Registers are placed for target_mhz.\n"
       "[system]\ndevice = {}\nlanes = \"auto\"\nreferences = \"auto\"\nslack = 0.2\n"
-      "target_mhz = 200\n",
-      toml_string(scene.device));
+      "target_mhz = {:g}\n",
+      toml_string(scene.device), loaded.scene.system.target_mhz);
 }
 
 Result<LoadedScene> load_from(settings::Settings all) {
@@ -248,7 +248,7 @@ Result<LoadedScene> load_new(const NewScene& scene) {
 
 std::string scene_text(const NewScene& scene, const LoadedScene& loaded) {
   return fmt::format("{}\n{}\n{}\n{}\n{}\n{}", head_text(scene), comparison_text(scene),
-                     ranges_text(loaded), formats_text(scene, loaded), system_text(scene),
+                     ranges_text(loaded), formats_text(scene, loaded), system_text(scene, loaded),
                      data_text(scene, loaded));
 }
 

@@ -108,18 +108,20 @@ void tell_of_older(const fs::path& file) {
 }
 
 std::string text_of_plan(const OptimiseCommand& command, const tasks::OptimiseRequest& request,
-                         const tasks::PlannedSystem& chosen) {
+                         const tasks::OptimiseResult& result) {
+  const tasks::PlannedSystem& chosen = result.best();
   PlanningOptions planning = command.planning;
   planning.scene.settings = settings_of(request, chosen);
-  const optimise::PlanSource source =
+  optimise::PlanSource source =
       plan_source(planning, chosen.known.scene.system.device, command.plan, command_of(command));
+  if (result.confirmation) source.areas = areas_of(*result.confirmation);
   return plan_toml(chosen.found, *chosen.found.best(), source);
 }
 
 /// Writes the files that were asked for: all of them, or none if one cannot be written.
 void write_files(const OptimiseCommand& command, const tasks::OptimiseRequest& request,
-                 const tasks::PlannedSystem& chosen) {
-  const optimise::Optimisation& found = chosen.found;
+                 const tasks::OptimiseResult& result) {
+  const optimise::Optimisation& found = result.best().found;
   std::vector<std::pair<fs::path, std::string>> files;
   const auto add = [&files](const fs::path& path, auto text) {
     if (!path.empty()) files.emplace_back(path, text());
@@ -127,7 +129,7 @@ void write_files(const OptimiseCommand& command, const tasks::OptimiseRequest& r
   add(command.csv, [&] { return report::figure9_csv(found); });
   if (const optimise::PrecisionPlan* best = found.best(); best != nullptr) {
     add(command.lp, [&] { return to_lp(best->problem); });
-    add(command.plan, [&] { return text_of_plan(command, request, chosen); });
+    add(command.plan, [&] { return text_of_plan(command, request, result); });
   } else {
     tell_of_older(command.plan);
     tell_of_older(command.lp);
@@ -170,7 +172,7 @@ void run_on_devices(const OptimiseCommand& command, const tasks::OptimiseRequest
       value_or_exit(with_shortcuts(tasks::optimise_on(on, loaded), command.planning.scene));
   show_progress("");
   for (const std::string& note : result.notes) tell_note(note);
-  if (result.smallest) write_files(command, request, result.smallest->best());
+  if (result.smallest) write_files(command, request, *result.smallest);
   if (command.planning.scene.json) {
     nlohmann::ordered_json json =
         result.smallest ? cli::to_json(*result.smallest) : nlohmann::ordered_json::object();
@@ -207,7 +209,7 @@ void run(OptimiseCommand& command) {
   show_progress("");
   tell_notes(command, loaded.scene, result);
   end_if_not_confirmed(result);
-  write_files(command, request, result.best());
+  write_files(command, request, result);
   print_result(command, result);
   if (result.best().found.best() == nullptr) throw Exit(ExitCode::refuted);
 }

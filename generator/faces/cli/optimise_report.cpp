@@ -70,11 +70,6 @@ std::string compare(const std::string& title, const Systems& systems, const Plan
   return text + "\n";
 }
 
-const char* areas_of(const tasks::Confirmation& confirmation) {
-  if (confirmation.is_measured) return "measured";
-  return confirmation.rounds == 0 ? "predicted" : "partly measured";
-}
-
 std::string confirmation_text(const OptimiseResult& result) {
   if (!result.confirmation) return "";
   const std::string predicted = giga_text(result.confirmation->predicted_per_s);
@@ -87,10 +82,12 @@ std::string confirmation_text(const OptimiseResult& result) {
 }
 
 /// The best systems in parts of the device, and where more area brings little more per area.
-std::string front_text(const std::vector<tasks::FrontPoint>& front) {
+std::string front_text(const std::vector<tasks::FrontPoint>& front, double slack) {
   if (front.empty()) return "";
-  std::string text =
-      "smaller systems of this formulation and interface, by the part of what R_S leaves\n";
+  std::string text = fmt::format(
+      "smaller systems of this formulation and interface, by the part of the device (R_S leaves "
+      "{:g} %)\n",
+      100 * (1 - slack));
   for (const tasks::FrontPoint& point : front) {
     const optimise::PlanSummary& s = point.plan;
     text += fmt::format("{} {:>6.2f} %  L = {:>2}, {:>3} x {}: {:>8} G/s; {} G/s per 1 %\n",
@@ -137,6 +134,11 @@ Json json_of_interface(const PlannedSystem& system) {
 
 }  // namespace
 
+const char* areas_of(const tasks::Confirmation& confirmation) {
+  if (confirmation.is_measured) return "measured";
+  return confirmation.rounds == 0 ? "predicted" : "partly measured";
+}
+
 std::string giga_text(double per_s) {
   constexpr double giga = 1e9;
   const double value = per_s / giga;
@@ -158,7 +160,7 @@ std::string to_text(const OptimiseResult& result) {
   if (!result.confirmation || best.found.best() == nullptr) return text;
   text += fmt::format("system: {}\n", best.interface);
   if (!best.settings.empty()) text += fmt::format("  {}\n", fmt::join(best.settings, " "));
-  return text + front_text(result.front) + confirmation_text(result);
+  return text + front_text(result.front, best.found.slack) + confirmation_text(result);
 }
 
 Json to_json(const OptimiseResult& result) {

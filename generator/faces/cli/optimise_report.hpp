@@ -12,6 +12,9 @@ namespace mixcmp::cli {
 std::string to_text(const tasks::OptimiseResult& result);
 nlohmann::ordered_json to_json(const tasks::OptimiseResult& result);
 
+/// "predicted", "partly measured" or "measured": the areas of the chosen plan.
+const char* areas_of(const tasks::Confirmation& confirmation);
+
 /// Comparisons per second in G/s, with two decimals and at least two digits: "48.58", "0.0031".
 std::string giga_text(double per_s);
 

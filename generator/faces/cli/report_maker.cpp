@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "generator/faces/cli/exit.hpp"
 #include "generator/faces/cli/lane_traffic.hpp"
 #include "generator/faces/cli/profiling.hpp"
@@ -10,6 +12,7 @@
 #include "generator/hardware/emit/version.hpp"
 #include "generator/tasks/optimise.hpp"
 #include "model/base/common/file.hpp"
+#include "model/base/common/quote.hpp"
 #include "model/scene/plan.hpp"
 
 namespace mixcmp::cli {
@@ -184,13 +187,19 @@ std::filesystem::path ReportMaker::table_beside_a_layer() const {
   return optimise::default_table(options.scene, scene, name);
 }
 
-/// Plans without a table. The areas of a plan file's components are measured, since `optimise` has
-/// left them in the store; those of a scene are predicted.
+/// Whether the file is a plan whose areas are measured: `optimise` has left them in the store.
+bool ReportMaker::is_measured_plan() const {
+  if (!loaded_.scene.plan) return false;
+  const auto& values = loaded_.scene.plan->values;
+  if (values.empty()) return false;  // laid over its scene by hand
+  const std::pair<std::string, std::string> predicted = {"areas", in_quotes("predicted")};
+  return std::find(values.begin(), values.end(), predicted) == values.end();
+}
+
+/// Plans without a table. The areas of a measured plan's components are those of the store; others
+/// are predicted, so that nothing is synthesised.
 IfThere<optimise::Optimisation> ReportMaker::search_plans() {
-  const SceneOptions& options = planning_options_.scene;
-  const auto read = value_or_exit(scene::read_scene_settings(options.scene, options.settings));
-  const bool is_plan = read.files.size() > 1;
-  auto result = tasks::optimise(search_request(planning_options_, !is_plan), loaded_);
+  auto result = tasks::optimise(search_request(planning_options_, !is_measured_plan()), loaded_);
   show_progress("");
   if (!result.ok()) return not_made("plan", result.error(), command("optimise"));
   const tasks::Confirmation& confirmation = *result->confirmation;

@@ -50,6 +50,7 @@ private:
   report::IfThere<report::ProfileReport> measure();
   const Planning* plannable();
   std::filesystem::path table_beside_a_layer() const;
+  bool is_measured_plan() const;
   report::IfThere<optimise::Optimisation> search_plans();
   report::IfThere<optimise::Optimisation> find_plans();
   bool has_rates() const;

@@ -145,7 +145,7 @@ page::Chart front_chart(const Front& front) {
   for (const optimise::FrontPoint& point : front) {
     systems.points.push_back(
         {point.share / percent, point.plan.throughput_per_s / giga,
-         fmt::format("{:g} % of the room\n{}", point.share / percent, tip_of(point.plan))});
+         fmt::format("{:g} % of the device\n{}", point.share / percent, tip_of(point.plan))});
     most_per_share = std::max(most_per_share, point.per_share());
   }
   const double share = front.back().share;
@@ -158,9 +158,9 @@ page::Chart front_chart(const Front& front) {
   const optimise::FrontPoint& at = *knee_of(front);
   knee.points.push_back(
       {at.share / percent, at.plan.throughput_per_s / giga,
-       fmt::format("knee: {:g} % of the room\n{}", at.share / percent, tip_of(at.plan))});
+       fmt::format("knee: {:g} % of the device\n{}", at.share / percent, tip_of(at.plan))});
   return {.title = "Throughput of the best system in a part of the device",
-          .x = {"part of the room that R_S leaves, %", page::Scaling::linear},
+          .x = {"part of the device, %", page::Scaling::linear},
           .y = {"T(equ), G comparisons/s", page::Scaling::linear},
           .series = {std::move(systems), std::move(highest), std::move(knee)}};
 }

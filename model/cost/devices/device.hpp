@@ -40,6 +40,7 @@ struct DelayTable {
   double multiplier_add_ns = 1.0;   ///< adding its product to another's
   double memory_ns = 2.0;           ///< from a memory block's clock to the word that it has read
   double register_ns = 0.6;         ///< clock-to-output plus set-up
+  double target_mhz = 200;          ///< for placing registers where a scene names no clock
   int lut_inputs = 6;
   /// Whether a look-up table has more than four inputs.
   bool has_wide_tables() const { return lut_inputs >= 5; }

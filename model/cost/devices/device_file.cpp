@@ -68,6 +68,8 @@ Result<Done> read_figures(const settings::Settings& settings, Device& device) {
   for (const char* key : {"multiplier_a_bits", "multiplier_b_bits"}) {
     if (device.available.dsps > 0) section.require(key);
   }
+  section.number("target_mhz", device.delays.target_mhz, settings::limits::target_mhz.least,
+                 settings::limits::target_mhz.most);
   section.integer("lut_inputs", device.delays.lut_inputs, 4, 8);
   device.delays.sum_selects = device.delays.lut_inputs < 6 ? 0 : 2;
   section.integer("sum_selects", device.delays.sum_selects, 0, 2);

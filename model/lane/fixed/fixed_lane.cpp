@@ -220,6 +220,11 @@ int most_dropped_in_common(const FixedLane& lane) {
   return most;
 }
 
+bool has_quotient(const Graph& graph, NodeId quotient) {
+  const Node& divisor = graph.nodes()[graph.nodes()[quotient].operands[1]];
+  return divisor.operation == Operation::constant && divisor.value != 0;
+}
+
 std::set<NodeId> fan_in(const FixedLane& lane, NodeId node) {
   const std::vector<NodeId> cut = cut_in_common(lane);
   std::set<NodeId> found, open = {node};

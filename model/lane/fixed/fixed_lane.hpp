@@ -175,6 +175,9 @@ struct FixedOptions {
 Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
                              const FixedOptions& options);
 
+/// Whether a lane in fixed point has this quotient: its divisor is a constant other than zero.
+bool has_quotient(const Graph& graph, NodeId quotient);
+
 /// The inputs that the lane reads, in the order of its nodes.
 std::vector<int> inputs_read(const FixedLane& lane);
 

@@ -277,12 +277,11 @@ std::optional<FixedNode> FixedGraphBuilder::multiple_of_square(const mpq_class& 
 /// Division by a constant is made a multiplication by its reciprocal.
 Result<FixedNode> FixedGraphBuilder::quotient(NodeId id) {
   const auto [dividend, divisor] = graph_.nodes()[id].operands;
-  const Node& constant_node = graph_.nodes()[divisor];
-  if (constant_node.operation != Operation::constant || constant_node.value == 0) {
+  if (!has_quotient(graph_, id)) {
     return refused(id, "fixed point divides only by constants",
                    "a floating-point format, or f and g without other quotients");
   }
-  const mpq_class reciprocal = 1 / constant_node.value;
+  const mpq_class reciprocal = 1 / graph_.nodes()[divisor].value;
   if (const auto square = multiple_of_square(reciprocal, dividend)) return *square;
   return product(operand(id, 0), add(constant(reciprocal, options_.format.bits)));
 }

@@ -9,7 +9,7 @@ namespace mixcmp::optimise {
 
 /// The best system in a part of the device.
 struct FrontPoint {
-  double share = 1;  ///< of the room of one system, which the others of the front also have
+  double share = 1;  ///< of the whole device: 0.8 where a system may fill all that R_S = 0.2 leaves
   PlanSummary plan;
   std::vector<std::string> settings;  ///< those that make its scene
 

@@ -105,6 +105,7 @@ std::string plan_toml(const Optimisation& optimisation, const PrecisionPlan& pla
       optimisation.scene, optimisation.device.name, source.command,
       settings::toml_string(source.scene_file), plan.throughput_per_s(), plan.clock_mhz(),
       describe_clocks(optimisation), plan.recomputation_rate(), optimisation.slack);
+  if (!source.areas.empty()) text += fmt::format("areas = \"{}\"\n", source.areas);
   for (const devices::Resource& resource : devices::bounded_resources) {
     text += fmt::format("{} = {}\n", resource.name, chosen.used.*resource.amount);
   }

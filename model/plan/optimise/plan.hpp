@@ -13,6 +13,7 @@ struct PlanSource {
   settings::Setting::Table overrides;  ///< keys given by --set, by section; the plan repeats them
   std::string device;                  ///< as system.device names it
   std::string command;                 ///< the command that makes the plan again
+  std::string areas = {};              ///< "predicted", "measured", ...; empty: a table's
 };
 
 /// A plan file (docs/scene_file.md), which `generate` and `verify` take instead of the scene.

@@ -179,6 +179,7 @@ TEST(DeviceFile, LeavesTheRestToItsFamily) {
   EXPECT_EQ(device->timing_arguments, std::vector<std::string>{"--25k"});
   EXPECT_EQ(device->delays.lut_ns, 9);
   EXPECT_EQ(device->delays.memory_ns, 4.5);
+  EXPECT_EQ(device->delays.target_mhz, 100);
   EXPECT_EQ(device->delays.multiplier_size, (devices::MultiplierSize{.a_bits = 18, .b_bits = 18}));
   EXPECT_EQ(std::count(device->sources.begin(), device->sources.end(), "luts: counted"), 1);
 }

@@ -38,6 +38,21 @@ TEST(Parts, EveryRowIsAPlausibleDevice) {
   }
 }
 
+/// Only families whose routed systems are slower than 200 MHz have another target, so that plans on
+/// all others stay as they are.
+TEST(Parts, OnlySlowFamiliesHaveAnotherTarget) {
+  for (const devices::Part& part : devices::parts()) {
+    const devices::Device device = devices::find_device(part.name).value();
+    const bool is_routed = device.timing != devices::TimingTool::none &&
+                           device.timing != devices::TimingTool::yosys_sta;
+    const bool is_slow = is_routed || part.family == "certuspro-nx";
+    EXPECT_EQ(device.delays.target_mhz < 200, is_slow) << part.name;
+    EXPECT_LE(device.delays.target_mhz, 200) << part.name;
+  }
+  EXPECT_GT(devices::find_device("ice40-hx8k")->delays.target_mhz,
+            devices::find_device("ice40-up5k")->delays.target_mhz);
+}
+
 /// A mistyped row shows beside its neighbours.
 TEST(Parts, AreSortedBySizeWithinTheirFamily) {
   const std::vector<devices::Part> parts = devices::parts();

@@ -1,10 +1,10 @@
-#include "model/scene/pairing_notes.hpp"
+#include "model/scene/expression_notes.hpp"
 
 #include <gtest/gtest.h>
 
 #include "model/comparison/expression/parser.hpp"
 
-namespace mixcmp::test::pairing_notes_test {
+namespace mixcmp::test::expression_notes_test {
 namespace {
 
 std::vector<std::string> notes(const std::string& f, const std::string& g, data::Pairing pairing) {
@@ -14,6 +14,41 @@ std::vector<std::string> notes(const std::string& f, const std::string& g, data:
   EXPECT_TRUE(left.ok() && right.ok());
   graph.compare(*left, *right);
   return scene::pairing_notes(graph, pairing);
+}
+
+/// The note on fixed point of these parts, whose inputs all have this range; "" without a note.
+std::string fixed_point_note(const std::vector<std::pair<std::string, std::string>>& parts,
+                             const std::optional<Range>& range) {
+  Graph graph;
+  std::vector<Sides> sides;
+  for (const auto& [f, g] : parts) {
+    sides.push_back({*parse_expression(graph, f, {}), *parse_expression(graph, g, {})});
+  }
+  graph.compare(sides, Combination::all);
+  const std::vector<std::optional<Range>> ranges(graph.inputs().size(), range);
+  return scene::fixed_point_note(graph, FloatFormat::make(24, 8).value(), ranges).value_or("");
+}
+
+TEST(FixedPointNotes, NameTheQuotientAndItsPlace) {
+  const std::string none = "no lane in fixed point can be planned: ";
+  const std::string divides = none + "it divides only by constants, and ";
+  for (const std::optional<Range>& range : {std::optional<Range>(), std::optional(Range{1, 2})}) {
+    EXPECT_EQ(fixed_point_note({{"a / b", "c"}}, range), divides + "f has a / b");
+    EXPECT_EQ(fixed_point_note({{"a", "2 + sqrt(b / (c - a))"}}, range),
+              divides + "g has b / (c - a)");
+    EXPECT_EQ(fixed_point_note({{"a", "b"}, {"1 / a", "b"}}, range),
+              divides + "f of part 1 has 1 / a");
+    EXPECT_EQ(fixed_point_note({{"a / 3", "b * c"}}, range), "");
+  }
+}
+
+TEST(FixedPointNotes, NameARootOfWhatMayBeNegative) {
+  const std::vector<std::pair<std::string, std::string>> root = {{"sqrt(a - b)", "c"}};
+  EXPECT_EQ(fixed_point_note(root, Range{0, 1}),
+            "no lane in fixed point can be planned: the radicand of a root may be negative: "
+            "sqrt(a - b)");
+  EXPECT_EQ(fixed_point_note({{"sqrt(a + b)", "c"}}, Range{0, 1}), "");
+  EXPECT_EQ(fixed_point_note(root, std::nullopt), "") << "the ranges are missing first of all";
 }
 
 const std::string no_cost =
@@ -52,4 +87,4 @@ TEST(PairingNotes, AnInputOfOneItemAloneIsTold) {
 }
 
 }  // namespace
-}  // namespace mixcmp::test::pairing_notes_test
+}  // namespace mixcmp::test::expression_notes_test

@@ -1,8 +1,12 @@
-#include "model/scene/pairing_notes.hpp"
+#include "model/scene/expression_notes.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
+
+#include "model/comparison/expression/text.hpp"
+#include "model/lane/fixed/fixed_lane.hpp"
 
 namespace mixcmp::scene {
 namespace {
@@ -69,7 +73,56 @@ bool is_one_cost(const Graph& graph, const Sides& part) {
   return image[static_cast<std::size_t>(part.f)] == part.g;
 }
 
+/// The first of these operations in f or g that `is_meant`, and its place; none without one.
+template <class IsMeant>
+std::optional<std::pair<NodeId, std::string>> first_of(const Graph& graph, Operation operation,
+                                                       IsMeant is_meant) {
+  const std::vector<Sides>& parts = graph.parts();
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    for (const auto& [name, side] :
+         {std::pair("f", parts[part].f), std::pair("g", parts[part].g)}) {
+      const std::vector<bool> needed = cone_of(graph, side);
+      for (NodeId id = 0; id <= side; ++id) {
+        const auto place = static_cast<std::size_t>(id);
+        if (!needed[place] || graph.nodes()[place].operation != operation || !is_meant(id))
+          continue;
+        return std::pair(id, parts.size() == 1 ? name : fmt::format("{} of part {}", name, part));
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+/// Why there is no lane in this format; empty if there is one.
+std::string why_no_lane(const Graph& graph, FloatFormat reference,
+                        const std::vector<std::optional<Range>>& ranges, FixedPoint format) {
+  const auto lane = fixed::fixed_lane(graph, reference, {.format = format, .ranges = ranges});
+  return lane.ok() ? "" : lane.error().message;
+}
+
 }  // namespace
+
+std::optional<std::string> fixed_point_note(const Graph& graph, FloatFormat reference,
+                                            const std::vector<std::optional<Range>>& ranges) {
+  constexpr std::size_t most_characters = 60;
+  constexpr auto none = "no lane in fixed point can be planned: ";
+  const auto quotient = first_of(graph, Operation::divide,
+                                 [&](NodeId id) { return !fixed::has_quotient(graph, id); });
+  if (quotient) {
+    return fmt::format("{}it divides only by constants, and {} has {}", none, quotient->second,
+                       to_text(graph, quotient->first, most_characters));
+  }
+  const auto root = first_of(graph, Operation::square_root, [](NodeId) { return true; });
+  const bool has_all_ranges = std::all_of(ranges.begin(), ranges.end(),
+                                          [](const auto& range) { return range.has_value(); });
+  if (!root || !has_all_ranges) return std::nullopt;
+  constexpr int usual_bits = 13;
+  const auto why = [&](FixedPoint format) { return why_no_lane(graph, reference, ranges, format); };
+  const std::string fixed = why({.bits = usual_bits});
+  const bool has_block = why({.bits = usual_bits, .is_block = true}).empty();
+  if (fixed.empty() || has_block) return std::nullopt;
+  return none + fixed;
+}
 
 std::vector<std::string> pairing_notes(const Graph& graph, data::Pairing pairing) {
   if (pairing != data::Pairing::all && pairing != data::Pairing::arg_min) return {};
