@@ -54,10 +54,10 @@ CandidateLoad load_of(const emit::SignatureEngine& engine, const data::Compariso
                       .reload_after = trial.reload_after,
                       .reset_after = trial.reset_after,
                       .last = last ? 1u : 0u},
-          .candidates = row_bytes(comparisons.tables()[1], engine.columns, engine.item_bytes, 0,
-                                  load.candidates),
-          .rows = row_bytes(comparisons.table(), engine.row_columns, engine.row_bytes, load.first,
-                            load.rows)};
+          .candidates = row_bytes(comparisons.tables()[1], engine.columns, engine.column_formats,
+                                  engine.item_bytes, 0, load.candidates),
+          .rows = row_bytes(comparisons.table(), engine.row_columns, engine.row_column_formats,
+                            engine.row_bytes, load.first, load.rows)};
 }
 
 Result<Done> run_trials(const System& system, const data::Comparisons& comparisons,

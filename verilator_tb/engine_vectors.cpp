@@ -20,8 +20,9 @@ using Indices = std::vector<std::uint64_t>;
 /// The bytes of these rows of a table, one vector for each.
 std::vector<std::vector<std::uint8_t>> beats(const data::Table& table,
                                              const std::vector<std::string>& columns,
+                                             const std::vector<OperandFormat>& formats,
                                              int bytes_of_one, const Indices& rows) {
-  const std::vector<std::uint8_t> bytes = row_bytes(table, columns, bytes_of_one, rows);
+  const std::vector<std::uint8_t> bytes = row_bytes(table, columns, formats, bytes_of_one, rows);
   std::vector<std::vector<std::uint8_t>> beats;
   for (auto at = bytes.begin(); at != bytes.end(); at += bytes_of_one) {
     beats.emplace_back(at, at + bytes_of_one);
@@ -78,7 +79,8 @@ PairwiseVectors pairs_of_one_table(const design::Design& design,
   const std::uint64_t most = std::min<std::uint64_t>(comparisons.table().rows(),
                                                      static_cast<std::uint64_t>(engine.capacity));
   const Indices items = choose_items(design, comparisons, std::min(items_for(count), most));
-  return {.items = beats(comparisons.table(), engine.columns, engine.item_bytes, items),
+  return {.items = beats(comparisons.table(), engine.columns, engine.column_formats,
+                         engine.item_bytes, items),
           .expected = expected_words(design, comparisons, items, nullptr)};
 }
 
@@ -93,11 +95,12 @@ PairwiseVectors pairs_of_two_tables(const design::Design& design,
     return spread(table.rows(), std::min<std::uint64_t>(table.rows(), each));
   };
   const Indices targets = choose(comparisons.tables()[0]), others = choose(comparisons.tables()[1]);
-  PairwiseVectors vectors{
-      .items = beats(comparisons.tables()[0], engine.columns, engine.item_bytes, targets),
-      .targets = targets.size(),
-      .expected = expected_words(design, comparisons, targets, &others)};
-  for (auto& item : beats(comparisons.tables()[1], engine.columns, engine.item_bytes, others)) {
+  PairwiseVectors vectors{.items = beats(comparisons.tables()[0], engine.columns,
+                                         engine.column_formats, engine.item_bytes, targets),
+                          .targets = targets.size(),
+                          .expected = expected_words(design, comparisons, targets, &others)};
+  for (auto& item : beats(comparisons.tables()[1], engine.columns, engine.column_formats,
+                          engine.item_bytes, others)) {
     vectors.items.push_back(std::move(item));
   }
   return vectors;
@@ -153,8 +156,10 @@ ArgMinVectors arg_min_vectors(const design::Design& design, const data::Comparis
   const auto lanes = static_cast<std::uint64_t>(signature.lanes);
   const Indices rows = choose_rows(chain, candidates.size(), available,
                                    std::clamp<std::uint64_t>(count / lanes, 1, available));
-  ArgMinVectors vectors{beats(all, engine.columns, engine.item_bytes, candidates), {}};
-  const auto data = beats(comparisons.table(), engine.row_columns, engine.row_bytes, rows);
+  ArgMinVectors vectors{
+      beats(all, engine.columns, engine.column_formats, engine.item_bytes, candidates), {}};
+  const auto data = beats(comparisons.table(), engine.row_columns, engine.row_column_formats,
+                          engine.row_bytes, rows);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     vectors.rows.push_back(row_vector(chain, rows[k], candidates.size()));
     vectors.rows.back().tdata = data[k];

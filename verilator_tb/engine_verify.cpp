@@ -45,15 +45,17 @@ Result<Done> check_engine_options(const VerifyOptions& options, const std::strin
 }
 
 std::vector<std::uint8_t> row_bytes(const data::Table& table,
-                                    const std::vector<std::string>& columns, int bytes_of_one,
+                                    const std::vector<std::string>& columns,
+                                    const std::vector<OperandFormat>& formats, int bytes_of_one,
                                     std::uint64_t first, std::uint64_t count) {
   std::vector<std::uint64_t> rows(count);
   for (std::uint64_t k = 0; k < count; ++k) rows[k] = (first + k) % table.rows();
-  return row_bytes(table, columns, bytes_of_one, rows);
+  return row_bytes(table, columns, formats, bytes_of_one, rows);
 }
 
 std::vector<std::uint8_t> row_bytes(const data::Table& table,
-                                    const std::vector<std::string>& columns, int bytes_of_one,
+                                    const std::vector<std::string>& columns,
+                                    const std::vector<OperandFormat>& formats, int bytes_of_one,
                                     const std::vector<std::uint64_t>& rows) {
   const std::vector<std::optional<std::size_t>> places = places_of(table, columns);
   const auto size = static_cast<std::size_t>(bytes_of_one);
@@ -63,7 +65,7 @@ std::vector<std::uint8_t> row_bytes(const data::Table& table,
     for (std::size_t c = 0; c < places.size(); ++c) {
       values[c] = places[c] ? table.at(rows[k], *places[c]) : Bits{0};
     }
-    pack_operands(values, table.format.width(), k % 2 != 0,
+    pack_operands(values, table.format, formats, k % 2 != 0,
                   std::span(bytes).subspan(size * k, size));
   }
   return bytes;

@@ -16,15 +16,17 @@ namespace mixcmp::verilator_tb {
 Result<Done> check_engine_options(const VerifyOptions& options, const std::string& compares);
 
 /// The bytes of `count` rows of a table from row `first` on, each as a tdata of `bytes_of_one`
-/// bytes; after the table's last row its first follows. Padding bits are zeros in one row and ones
-/// in the next.
+/// bytes that holds these columns in these formats; after the table's last row its first follows.
+/// Padding bits are zeros in one row and ones in the next.
 std::vector<std::uint8_t> row_bytes(const data::Table& table,
-                                    const std::vector<std::string>& columns, int bytes_of_one,
+                                    const std::vector<std::string>& columns,
+                                    const std::vector<OperandFormat>& formats, int bytes_of_one,
                                     std::uint64_t first, std::uint64_t count);
 
 /// The bytes of these rows of a table, as above.
 std::vector<std::uint8_t> row_bytes(const data::Table& table,
-                                    const std::vector<std::string>& columns, int bytes_of_one,
+                                    const std::vector<std::string>& columns,
+                                    const std::vector<OperandFormat>& formats, int bytes_of_one,
                                     const std::vector<std::uint64_t>& rows);
 
 /// Builds the simulator, calls `trials` with it, and returns the judge's report. Gives the wave

@@ -75,12 +75,13 @@ void tell(const VerifyOptions& options, const System& system, const Trial& trial
 
 std::vector<std::uint8_t> bytes_of(const SetRange& set, const emit::SignatureEngine& engine,
                                    const data::Comparisons& comparisons) {
-  std::vector<std::uint8_t> bytes = row_bytes(comparisons.table(), engine.columns,
-                                              engine.item_bytes, set.items.first, set.items.count);
+  std::vector<std::uint8_t> bytes =
+      row_bytes(comparisons.table(), engine.columns, engine.column_formats, engine.item_bytes,
+                set.items.first, set.items.count);
   if (set.others.count == 0) return bytes;
   const std::vector<std::uint8_t> others =
-      row_bytes(comparisons.tables()[1], engine.columns, engine.item_bytes, set.others.first,
-                set.others.count);
+      row_bytes(comparisons.tables()[1], engine.columns, engine.column_formats, engine.item_bytes,
+                set.others.first, set.others.count);
   bytes.insert(bytes.end(), others.begin(), others.end());
   return bytes;
 }

@@ -45,7 +45,8 @@ std::uint64_t Selection::index(std::uint64_t position) const {
   return start + counter_random(options_.seed, in_whole) % (stratum_start(in_whole + 1) - start);
 }
 
-void pack_operands(std::span<const Bits> operands, int width, bool padding,
+void pack_operands(std::span<const Bits> operands, FloatFormat encoding,
+                   std::span<const OperandFormat> formats, bool padding,
                    std::span<std::uint8_t> tdata) {
   std::size_t at = 0;
   Bits waiting = 0;  // the bits that are not in tdata yet
@@ -60,10 +61,11 @@ void pack_operands(std::span<const Bits> operands, int width, bool padding,
     waiting >>= 64;
     count -= 64;
   };
-  const int low = std::min(width, 64);
-  for (const Bits operand : operands) {
-    put(operand & low_mask(low), low);
-    put(operand >> low, width - low);
+  for (std::size_t k = 0; k < operands.size(); ++k) {
+    const Bits word = formats[k].word_of(encoding, operands[k]);
+    const int width = formats[k].width(), low = std::min(width, 64);
+    put(word & low_mask(low), low);
+    put(word >> low, width - low);
   }
   const Bits ones = padding ? ~Bits{0} : 0;
   waiting |= ones << count;
@@ -74,15 +76,15 @@ void pack_operands(std::span<const Bits> operands, int width, bool padding,
 }
 
 std::vector<std::uint8_t> stimulus(const data::Comparisons& comparisons, const Selection& selection,
-                                   int width, int tdata_bytes, std::uint64_t first,
+                                   const emit::Signature& signature, std::uint64_t first,
                                    std::uint64_t count) {
-  const auto bytes = static_cast<std::size_t>(tdata_bytes);
+  const auto bytes = static_cast<std::size_t>(signature.tdata_bytes);
   std::vector<std::uint8_t> packed(bytes * count);
   std::vector<Bits> operands(comparisons.input_count());
   for (std::uint64_t k = 0; k < count; ++k) {
     comparisons.fetch(selection.index(first + k), operands);
-    pack_operands(operands, width, (first + k) % 2 != 0,
-                  std::span(packed).subspan(bytes * k, bytes));
+    pack_operands(operands, signature.reference_format, signature.input_formats,
+                  (first + k) % 2 != 0, std::span(packed).subspan(bytes * k, bytes));
   }
   return packed;
 }

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "generator/hardware/emit/signature.hpp"
+#include "model/base/number/operand_format.hpp"
 #include "model/comparison/data/comparisons.hpp"
 
 namespace mixcmp::verilator_tb {
@@ -44,14 +46,16 @@ private:
   std::uint64_t size_;
 };
 
-/// Packs operand k to bits [k * width, (k + 1) * width) of `tdata`. The bits above are padding; all
-/// are set to `padding`, so that a system that reads them is detected.
-void pack_operands(std::span<const Bits> operands, int width, bool padding,
+/// Packs operands side by side into `tdata`, the first lowest, each in its format; they are given
+/// in `encoding`. The bits above are padding; all are set to `padding`, so that a system that reads
+/// them is detected.
+void pack_operands(std::span<const Bits> operands, FloatFormat encoding,
+                   std::span<const OperandFormat> formats, bool padding,
                    std::span<std::uint8_t> tdata);
 
 /// The operands of positions first .. first + count - 1 as a simulator takes them.
 std::vector<std::uint8_t> stimulus(const data::Comparisons& comparisons, const Selection& selection,
-                                   int width, int tdata_bytes, std::uint64_t first,
+                                   const emit::Signature& signature, std::uint64_t first,
                                    std::uint64_t count);
 
 }  // namespace mixcmp::verilator_tb

@@ -6,6 +6,8 @@
 #include <set>
 
 #include "model/base/number/double.hpp"
+#include "model/base/number/dyadic.hpp"
+#include "model/base/number/exact.hpp"
 #include "model/comparison/expression/typed_graph.hpp"
 #include "verilator_tb/expected_words.hpp"
 #include "verilator_tb/judgement.hpp"
@@ -82,6 +84,7 @@ class EdgeCases {
 public:
   EdgeCases(const design::Design& design, const data::Comparisons& comparisons)
       : comparisons_(comparisons),
+        formats_(design.formats_of_inputs()),
         values_(values_in(comparisons.format())),
         inputs_of_parts_(inputs_of_parts(design.reference)) {}
 
@@ -91,6 +94,17 @@ public:
 
   /// The operands of case number `number` of `count`.
   std::vector<Bits> operands(std::uint64_t number, std::uint64_t count) const {
+    std::vector<Bits> operands = edge_operands(number, count);
+    for (std::size_t k = 0; k < operands.size(); ++k) operands[k] = number_of(k, operands[k]);
+    return operands;
+  }
+
+private:
+  static constexpr std::size_t positive_zero = 0, negative_zero = 1;
+  static constexpr std::size_t ties_of_a_part = 8;
+
+  /// The operands before they become numbers of their inputs.
+  std::vector<Bits> edge_operands(std::uint64_t number, std::uint64_t count) const {
     const std::size_t inputs = comparisons_.input_count();
     std::vector<Bits> operands(inputs);
     comparisons_.fetch(number * comparisons_.size() / count, operands);
@@ -109,10 +123,6 @@ public:
     }
     return operands;
   }
-
-private:
-  static constexpr std::size_t positive_zero = 0, negative_zero = 1;
-  static constexpr std::size_t ties_of_a_part = 8;
 
   std::uint64_t ties() const {
     return inputs_of_parts_.size() > 1 ? ties_of_a_part * inputs_of_parts_.size() : 0;
@@ -144,7 +154,23 @@ private:
             smallest};
   }
 
+  /// A number of an input in place of a special value: in fixed point the nearest, and the largest
+  /// for a NaN. Numbers nearer to zero than a unit become the unit.
+  Bits number_of(std::size_t input, Bits value) const {
+    const FloatFormat format = comparisons_.format();
+    const FixedFormat* fixed = formats_[input].fixed();
+    if (fixed == nullptr) return value;
+    const bool is_negative = format.sign(value) && !format.is_nan(value);
+    mpz_class units = is_negative ? fixed->smallest() : fixed->largest();
+    if (!format.is_nan(value) && !format.is_infinite(value)) {
+      const mpz_class exact = ceiling_of(to_rational(format, value) / fixed->unit());
+      units = std::clamp(exact, fixed->smallest(), fixed->largest());
+    }
+    return from_rational(format, units * fixed->unit());
+  }
+
   const data::Comparisons& comparisons_;
+  std::vector<OperandFormat> formats_;
   std::vector<Bits> values_;
   std::vector<std::vector<int>> inputs_of_parts_;
 };
@@ -199,7 +225,7 @@ std::vector<emit::TestVector> test_vectors(const design::Design& design,
   for (const std::vector<Bits>& operands : all_operands(design, comparisons, count)) {
     const std::size_t k = vectors.size();
     std::vector<std::uint8_t> tdata(static_cast<std::size_t>(signature.tdata_bytes));
-    pack_operands(operands, signature.reference_format.width(), k % 2 != 0, tdata);
+    pack_operands(operands, signature.reference_format, signature.input_formats, k % 2 != 0, tdata);
     const auto lane = static_cast<int>(k % static_cast<std::size_t>(signature.lanes));
     vectors.push_back(
         {std::move(tdata), expected_word(design, design.group_of_lane(lane), operands)});

@@ -177,12 +177,11 @@ std::uint64_t block_size(const VerifyOptions& options) {
 }
 
 Block make_block(const Run& run, const Share& share, std::uint64_t first) {
-  const emit::Signature& s = run.system.signature;
   const std::uint64_t count = std::min(block_size(run.options), share.selection.size() - first);
-  Block block{.comparisons = count,
-              .operands = stimulus(run.comparisons, share.selection, s.reference_format.width(),
-                                   s.tdata_bytes, first, count),
-              .last = first + count == share.selection.size()};
+  Block block{
+      .comparisons = count,
+      .operands = stimulus(run.comparisons, share.selection, run.system.signature, first, count),
+      .last = first + count == share.selection.size()};
   std::copy_if(share.resets.begin(), share.resets.end(), std::back_inserter(block.resets),
                [&](std::uint64_t at) { return at >= first && at < first + count; });
   return block;

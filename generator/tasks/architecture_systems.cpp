@@ -253,8 +253,10 @@ Result<std::vector<ArchitectureSearch::System>> ArchitectureSearch::systems_of_s
   const data::Comparisons* data = formulations_[formulation].loaded.data_if_any();
   ComponentQuery query = query_for(request_->choice, given, open);
   MIXCMP_TRY(useful, useful_lanes(given, query, rates_[formulation]));
-  MIXCMP_TRY(left_out, left_out_lanes(given, query, rates_[formulation], useful,
-                                      "fewer digits leave nothing undecided"));
+  const char* const why = given.has_fixed_operands()
+                              ? "the exact lane of the fewest digits needs no reference"
+                              : "fewer digits leave nothing undecided";
+  MIXCMP_TRY(left_out, left_out_lanes(given, query, rates_[formulation], useful, why));
   query.lanes = std::move(useful);
   components::ComponentMaker maker(given, data);
   MIXCMP_TRY(datapaths, predict_table(area_of_, maker, query));

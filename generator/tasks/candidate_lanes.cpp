@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "model/design/slots.hpp"
+#include "model/plan/optimise/exact_lanes.hpp"
 #include "model/plan/optimise/second_tier.hpp"
 
 namespace mixcmp::tasks {
@@ -104,6 +105,8 @@ Result<std::set<measured::Lane>> useful_lanes(const scene::Scene& scene,
   }
   std::set<measured::Lane> useful;
   for (const measured::Lane& lane : lanes) {
+    const bool needs_reference = scene.has_fixed_operands() && !optimise::is_exact(scene, lane);
+    if (needs_reference) continue;
     const auto most = certain.find(kind_of_lane(lane));
     const bool is_longer = most != certain.end() && lane.format.precision() > most->second;
     if (rate_of(lane) && !is_longer) useful.insert(lane);

@@ -156,8 +156,7 @@ void note_traffic(OptimiseResult& result) {
   const PlannedSystem& best = result.best();
   const scene::Scene& scene = best.known.scene;
   if (best.found.best() == nullptr || scene.system.engine.kind != scene::EngineKind::none) return;
-  const auto inputs = static_cast<int>(scene.graph.inputs().size());
-  const int bits = inputs * scene.reference.format.width();
+  const int bits = total_width(scene.operand_formats);
   note_in_plan(
       result,
       fmt::format("all operands of each comparison arrive at its ports, {} bits: {:.3g} GB/s", bits,

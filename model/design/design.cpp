@@ -222,8 +222,12 @@ bool can_decide(const fixed::FixedLane& lane) {
 Result<fixed::FixedLane> design_fixed_lane(const scene::Scene& scene,
                                            const scene::ReducedSpec& reduced) {
   MIXCMP_DO(check_fixed_bound(reduced));
-  const fixed::FixedOptions options{
-      .format = *reduced.fixed_point, .bound = reduced.error_bound, .ranges = scene.ranges};
+  const fixed::FixedOptions options{.format = *reduced.fixed_point,
+                                    .bound = reduced.error_bound,
+                                    .ranges = scene.ranges,
+                                    .operand_formats = scene.has_fixed_operands()
+                                                           ? scene.operand_formats
+                                                           : std::vector<OperandFormat>()};
   MIXCMP_TRY(lane, fixed::fixed_lane(scene.graph, scene.reference.format, options));
   if (can_decide(lane)) return lane;
   return undecidable(reduced.format_name());
@@ -339,7 +343,8 @@ Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
                 .planned_clock = planned_clock(scene),
                 .reference = reference_graph(scene.graph, scene.reference),
                 .references = {},
-                .system = scene.system};
+                .system = scene.system,
+                .operand_formats = scene.operand_formats};
   MIXCMP_DO(check_groups(scene));
   for (const scene::LaneGroupSpec& spec : scene.lane_groups()) {
     MIXCMP_TRY(group, design_group(scene, spec, data, measure));
@@ -367,8 +372,8 @@ Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
     shortest = std::min(shortest.value_or(*interval), *interval);
     MIXCMP_DO(check_request_beats(scene.system, *interval));
   }
-  const int operand_bits = static_cast<int>(design.inputs.size()) * scene.reference.format.width();
-  design.system.request_beats = request_beats(scene.system, operand_bits, shortest.value_or(1));
+  design.system.request_beats =
+      request_beats(scene.system, total_width(design.formats_of_inputs()), shortest.value_or(1));
   if (data != nullptr) {
     MIXCMP_DO(check_engine_data(scene.system.engine, design.lane_count(), *data));
   }
@@ -383,6 +388,11 @@ int total(const Groups& groups) {
 }
 
 }  // namespace
+
+std::vector<OperandFormat> Design::formats_of_inputs() const {
+  if (!operand_formats.empty()) return operand_formats;
+  return std::vector<OperandFormat>(inputs.size(), OperandFormat(reference.input_format));
+}
 
 int Design::lane_count() const {
   return total(lanes);

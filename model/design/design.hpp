@@ -41,7 +41,11 @@ struct Design {
   TypedGraph reference;
   std::vector<ReferenceGroup> references;  ///< empty: p_H = 0
   scene::SystemSpec system;
+  /// One per input: the format in which it arrives. Empty: all have the reference's format.
+  std::vector<OperandFormat> operand_formats = {};
 
+  /// The same, with an entry for each input.
+  std::vector<OperandFormat> formats_of_inputs() const;
   int lane_count() const;       ///< p_L
   int reference_count() const;  ///< p_H
   /// The group that lane number `lane` belongs to, as an index of `lanes`.

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::scene {
@@ -27,6 +29,11 @@ std::string Scene::f_text() const {
 
 std::string Scene::g_text() const {
   return joined(parts, &PartText::g);
+}
+
+bool Scene::has_fixed_operands() const {
+  return std::any_of(operand_formats.begin(), operand_formats.end(),
+                     [](const OperandFormat& format) { return format.fixed() != nullptr; });
 }
 
 std::vector<bool> Scene::nonnegative_inputs() const {

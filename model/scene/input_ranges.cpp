@@ -21,16 +21,43 @@ bool is_pattern(const std::string& key) {
 struct InputDeclaration {
   std::optional<Range> range;  ///< none: from the data
   std::optional<mpq_class> grid;
+  std::optional<OperandFormat> format = {};
 };
+
+/// Reads the format of an input. Its range and its grid are those of the format.
+Result<InputDeclaration> read_format(settings::Section& section) {
+  const settings::Setting& setting = *section.find("format");
+  const auto* word = std::get_if<std::string>(&setting.value);
+  const Result<OperandFormat> format = OperandFormat::parse_fixed(word == nullptr ? "" : *word);
+  if (!format.ok()) {
+    return section.mistake(
+        "format", format.error().message, setting.shown(),
+        format.error().accepted + "; in floating point all inputs have the format of [reference]");
+  }
+  for (const char* key : {"range", "grid"}) {
+    const settings::Setting* other = section.find(key);
+    if (other == nullptr) continue;
+    return section.mistake(key, "it follows from the input's format", other->shown(),
+                           "one of the two");
+  }
+  if (const auto error = section.finish()) return *error;
+  const FixedFormat& fixed = *format->fixed();
+  return InputDeclaration{.range = Range{.low = fixed.smallest() * fixed.unit(),
+                                         .high = fixed.largest() * fixed.unit()},
+                          .grid = fixed.unit(),
+                          .format = *format};
+}
 
 Result<InputDeclaration> read_input(const settings::Setting& entry) {
   const std::string field = "inputs." + entry.key;
   const std::string accepted =
-      "{ range = [low, high] }, low <= high, or { range = \"data\" }, and a grid beside it";
+      "{ range = [low, high] }, low <= high, or { range = \"data\" }, and a grid beside it; or { "
+      "format = \"uint10\" }";
   if (!std::holds_alternative<settings::Setting::Table>(entry.value)) {
     return settings::mistake_at(entry, field, "wrong type", entry.shown(), accepted);
   }
   settings::Section section(field, entry);
+  if (section.find("format") != nullptr) return read_format(section);
   section.require("range");
   const settings::Setting* range = section.find("range");
   std::optional<mpq_class> grid;
@@ -142,11 +169,13 @@ Result<InputDeclarations> read_inputs(const settings::Settings& settings,
     MIXCMP_TRY(entry, entry_for(section.entries(), input));
     declared.ranges.emplace_back();
     declared.grids.emplace_back();
+    declared.formats.emplace_back();
     declared.from_data.push_back(nullptr);
     if (entry == nullptr) continue;
     MIXCMP_TRY(declaration, read_input(*entry));
     declared.ranges.back() = declaration.range;
     declared.grids.back() = declaration.grid;
+    declared.formats.back() = declaration.format;
     if (!declaration.range) declared.from_data.back() = entry;
   }
   return declared;

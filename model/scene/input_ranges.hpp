@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/base/number/operand_format.hpp"
 #include "model/base/settings/settings.hpp"
 #include "model/scene/scene.hpp"
 
@@ -9,6 +10,8 @@ namespace mixcmp::scene {
 struct InputDeclarations {
   std::vector<std::optional<Range>> ranges;
   std::vector<std::optional<mpq_class>> grids;  ///< powers of two; an input with a grid has a range
+  /// Formats in fixed point, from which range and grid follow; none: the reference's.
+  std::vector<std::optional<OperandFormat>> formats;
   /// The entries with range = "data", whose inputs have no range yet; null for other inputs. They
   /// live as long as the settings.
   std::vector<const settings::Setting*> from_data;

@@ -21,7 +21,8 @@ std::string accepted_lane_formats(FloatFormat reference) {
   const settings::Limits precisions = settings::lane_precisions(reference);
   const bool narrowed = precisions.most < settings::limits::lane_precision.most;
   return fmt::format(
-      "\"auto\", sP or {}{}; qW or blockW with W {}, likewise W + G of qWgG and blockWgG",
+      "\"auto\", \"exact\", sP or {}{}; qW or blockW with W {}, likewise W + G of qWgG and "
+      "blockWgG",
       FloatFormat::accepted(precisions.least, precisions.most),
       narrowed ? "; P at most the reference's" : "",
       to_string(settings::lane_fixed_bits(reference)));
@@ -33,10 +34,15 @@ void read_reduced_format(settings::Section& section, FloatFormat reference, Redu
   spec.format.reset();
   spec.fixed_point.reset();
   spec.exponent_bits_from_ranges = false;
+  spec.is_exact = false;
   const settings::Limits allowed = settings::lane_precisions(reference);
   const std::string accepted = accepted_lane_formats(reference);
   const auto* word = std::get_if<std::string>(&setting->value);
   if (word != nullptr && *word == "auto") return;
+  if (word != nullptr && *word == "exact") {
+    spec.is_exact = true;
+    return;
+  }
   if (word != nullptr) spec.fixed_point = FixedPoint::parse(*word);
   if (spec.fixed_point) {
     if (allow(settings::lane_fixed_bits(reference), *spec.fixed_point)) return;

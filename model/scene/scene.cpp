@@ -14,8 +14,10 @@
 #include "model/comparison/expression/name.hpp"
 #include "model/comparison/expression/text.hpp"
 #include "model/lane/error/exponent_range.hpp"
+#include "model/lane/fixed/exact_lane.hpp"
 #include "model/scene/data_ranges.hpp"
 #include "model/scene/expression_notes.hpp"
+#include "model/scene/fixed_operands.hpp"
 #include "model/scene/input_ranges.hpp"
 #include "model/scene/override_error.hpp"
 #include "model/scene/plan.hpp"
@@ -201,20 +203,38 @@ void choose_exponent_bits(ReducedSpec& reduced, const Graph& graph, FloatFormat 
   reduced.format = FloatFormat::make(reduced.format->precision(), bits).value();
 }
 
+/// Chooses the bits of a format written as "exact".
+Result<Done> choose_exact_bits(ReducedSpec& reduced, const Graph& graph,
+                               const std::vector<OperandFormat>& formats,
+                               const settings::Settings& settings) {
+  if (!reduced.is_exact) return Done{};
+  const auto bits = fixed::exact_bits(graph, formats, settings::limits::fixed_bits.most);
+  if (bits.ok()) {
+    reduced.fixed_point = FixedPoint{.bits = *bits};
+    return Done{};
+  }
+  const Error& error = bits.error();
+  return settings::Section(settings, "reduced")
+      .mistake("format", error.message, "\"exact\" with " + error.received,
+               error.accepted + ", or a format such as q13");
+}
+
 struct LaneSpecs {
   ReducedSpec reduced;
   std::vector<LaneGroupSpec> groups;
 };
 
-/// Reads [reduced] and [[lanes]], and chooses their exponent bits.
+/// Reads [reduced] and [[lanes]], and chooses their exponent bits and the bits of exact lanes.
 Result<LaneSpecs> read_lanes(const settings::Settings& settings, const Graph& graph,
-                             FloatFormat reference,
-                             const std::vector<std::optional<Range>>& ranges) {
+                             FloatFormat reference, const std::vector<std::optional<Range>>& ranges,
+                             const std::vector<OperandFormat>& formats) {
   MIXCMP_TRY(reduced, read_reduced(settings, reference));
   MIXCMP_TRY(groups, read_lane_groups(settings, reference, reduced));
   for (LaneGroupSpec& group : groups) {
     choose_exponent_bits(group.reduced, graph, reference, ranges);
+    MIXCMP_DO(choose_exact_bits(group.reduced, graph, formats, settings));
   }
+  MIXCMP_DO(choose_exact_bits(reduced, graph, formats, settings));
   choose_exponent_bits(reduced, graph, reference, ranges);
   return LaneSpecs{std::move(reduced), std::move(groups)};
 }
@@ -340,7 +360,7 @@ Result<Scene> interpret(SceneSettings read) {
   MIXCMP_TRY(comparison, read_formulation(formulations, lets, notes));
   Graph& graph = comparison.graph;
   MIXCMP_TRY(declared, read_inputs(settings, graph.inputs()));
-  MIXCMP_TRY(reference, read_reference(settings));
+  MIXCMP_TRY(reference, read_reference(settings, graph, declared.formats));
   const FloatFormat format = reference.arithmetic.format;
   MIXCMP_DO(check_constants(settings, graph, reference.arithmetic, notes));
   MIXCMP_DO(check_sums(settings, graph, reference.arithmetic.sums));
@@ -348,7 +368,11 @@ Result<Scene> interpret(SceneSettings read) {
   if (data) MIXCMP_DO(draw_from_ranges(settings, graph.inputs(), declared, *data));
   MIXCMP_DO(take_ranges_from_data(data ? &*data : nullptr, graph.inputs(), format, declared));
   note_missed_ends(declared.ranges, format, notes);
-  MIXCMP_TRY(lanes, read_lanes(settings, graph, format, declared.ranges));
+  std::vector<OperandFormat> operand_formats;
+  for (const std::optional<OperandFormat>& each : declared.formats) {
+    operand_formats.push_back(each.value_or(OperandFormat(format)));
+  }
+  MIXCMP_TRY(lanes, read_lanes(settings, graph, format, declared.ranges, operand_formats));
   const bool is_open = !lanes.reduced.format && !lanes.reduced.fixed_point && lanes.groups.empty();
   if (is_open && !lanes.reduced.is_profiled) {
     const auto note = fixed_point_note(graph, format, declared.ranges);
@@ -377,6 +401,7 @@ Result<Scene> interpret(SceneSettings read) {
               .ranges = std::move(declared.ranges),
               .grids = std::move(declared.grids),
               .data_ranges = are_from_data(declared),
+              .operand_formats = std::move(operand_formats),
               .reference = reference.arithmetic,
               .reference_structure = reference.structure,
               .reduced = std::move(lanes.reduced),
@@ -389,6 +414,9 @@ Result<Scene> interpret(SceneSettings read) {
               .data = std::move(data),
               .plan = std::move(read.plan),
               .notes = std::move(notes)};
+  const bool are_open = scene.references.empty() && !scene.system.references;
+  if (scene.has_fixed_operands() && are_open) scene.system.references = 0;
+  MIXCMP_DO(check_fixed_operands(settings, scene));
   note_unused_keys(scene, settings, scene.notes);
   return scene;
 }

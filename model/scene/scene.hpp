@@ -11,6 +11,7 @@
 
 #include "model/base/common/place.hpp"
 #include "model/base/number/lane_format.hpp"
+#include "model/base/number/operand_format.hpp"
 #include "model/base/settings/limits.hpp"
 #include "model/comparison/data/data_spec.hpp"
 #include "model/comparison/expression/parser.hpp"
@@ -67,6 +68,8 @@ std::string_view to_string(const std::optional<Multipliers>& multipliers);
 struct ReducedSpec {
   std::optional<FloatFormat> format;      ///< none: "auto", or fixed point
   std::optional<FixedPoint> fixed_point;  ///< written as "q13", "block13", "q13g3"
+  /// Written as "exact": `fixed_point` has the fewest bits with which the lane has no error.
+  bool is_exact = false;
   /// Written as "s17": the format has the fewest exponent bits that the ranges allow.
   bool exponent_bits_from_ranges = false;
   bool is_profiled = false;              ///< `bound`: by errors measured on data, without a proof
@@ -171,7 +174,10 @@ struct Scene {
   std::vector<std::optional<Range>> ranges;     ///< one per graph input
   std::vector<std::optional<mpq_class>> grids;  ///< one per graph input: a power of two
   std::vector<bool> data_ranges;  ///< one per graph input: its range is that of its data
-  Arithmetic reference;           ///< rounds to nearest even
+  /// One per graph input: the format in which it arrives, which is `reference.format` unless it is
+  /// in fixed point.
+  std::vector<OperandFormat> operand_formats;
+  Arithmetic reference;                        ///< rounds to nearest even
   ReferenceStructureSpec reference_structure;  ///< used if there is no [[references]]
   ReducedSpec reduced;
   std::vector<LaneGroupSpec> lanes;  ///< [[lanes]]; empty: system.lanes times `reduced`
@@ -191,6 +197,8 @@ struct Scene {
   /// The texts of f (or g) of all parts on one line, separated by semicolons.
   std::string f_text() const;
   std::string g_text() const;
+
+  bool has_fixed_operands() const;  ///< whether any input arrives in fixed point
 
   /// Tells for each input whether its declared range excludes negative values.
   std::vector<bool> nonnegative_inputs() const;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/base/number/operand_format.hpp"
 #include "model/base/settings/section.hpp"
 #include "model/base/settings/settings.hpp"
 #include "model/scene/scene.hpp"
@@ -55,7 +56,11 @@ struct ReferenceSpec {
   ReferenceStructureSpec structure;
 };
 
-Result<ReferenceSpec> read_reference(const settings::Settings& settings);
+/// Reads [reference]. With the format "exact", which is the default if every input arrives in fixed
+/// point, the reference rounds nothing. `formats` has an entry for each input; none: floating
+/// point.
+Result<ReferenceSpec> read_reference(const settings::Settings& settings, const Graph& graph,
+                                     std::span<const std::optional<OperandFormat>> formats);
 
 /// Reads [reduced]. Exponent bits that depend on ranges are chosen neither here nor in
 /// read_lane_groups.

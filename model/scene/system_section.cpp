@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 
 #include "model/base/common/check.hpp"
@@ -7,6 +8,7 @@
 #include "model/base/settings/section.hpp"
 #include "model/comparison/expression/name.hpp"
 #include "model/cost/devices/device.hpp"
+#include "model/lane/fixed/exact_lane.hpp"
 #include "model/scene/sections.hpp"
 
 namespace mixcmp::scene {
@@ -58,6 +60,30 @@ void read_counters(settings::Section& section, SystemSpec& spec) {
   }
 }
 
+bool all_fixed(std::span<const std::optional<OperandFormat>> formats) {
+  return std::all_of(formats.begin(), formats.end(),
+                     [](const std::optional<OperandFormat>& format) { return format.has_value(); });
+}
+
+/// The format of a reference that rounds nothing.
+Result<FloatFormat> read_exact_format(const settings::Section& section, const Graph& graph,
+                                      std::span<const std::optional<OperandFormat>> formats) {
+  const std::string shown = "\"exact\"";
+  if (!all_fixed(formats)) {
+    return section.mistake("format", "an exact reference needs every input in fixed point", shown,
+                           "inputs with a format such as uint10, or a format such as s53e11");
+  }
+  std::vector<OperandFormat> known;
+  for (const std::optional<OperandFormat>& format : formats) known.push_back(*format);
+  const Result<FloatFormat> format =
+      fixed::exact_format(graph, known, settings::limits::reference_precision.least);
+  if (format.ok()) return format;
+  const Error& error = format.error();
+  return section.mistake("format",
+                         fmt::format("an exact reference is not possible: {}", error.message),
+                         error.received, error.accepted + ", or a format such as s53e11");
+}
+
 }  // namespace
 
 void use_device(SystemSpec& system, const std::string& device) {
@@ -75,15 +101,24 @@ void read_structure(settings::Section& section, ReferenceStructureSpec& structur
   section.integer("target_mhz", structure.target_mhz.emplace(), settings::limits::target_mhz);
 }
 
-Result<ReferenceSpec> read_reference(const settings::Settings& settings) {
+Result<ReferenceSpec> read_reference(const settings::Settings& settings, const Graph& graph,
+                                     std::span<const std::optional<OperandFormat>> formats) {
   settings::Section section(settings, "reference");
   std::optional<FloatFormat> format;
   Subnormals subnormals = Subnormals::gradual;
   Sums sums = Sums::composed;
-  section.require("format");
-  constexpr settings::Limits precisions = settings::limits::reference_precision;
-  section.format("format", format, precisions,
-                 FloatFormat::accepted(precisions.least, precisions.most));
+  const settings::Setting* given = section.find("format");
+  const auto* word = given == nullptr ? nullptr : std::get_if<std::string>(&given->value);
+  const bool is_exact = given == nullptr ? all_fixed(formats) : word != nullptr && *word == "exact";
+  if (is_exact) {
+    MIXCMP_TRY(exact, read_exact_format(section, graph, formats));
+    format = exact;
+  } else {
+    section.require("format");
+    constexpr settings::Limits precisions = settings::limits::reference_precision;
+    section.format("format", format, precisions,
+                   "\"exact\", " + FloatFormat::accepted(precisions.least, precisions.most));
+  }
   section.choice("subnormals", subnormals, {Subnormals::flush, Subnormals::gradual});
   section.choice("sums", sums, {Sums::composed, Sums::fused});
   ReferenceStructureSpec structure;

@@ -4,7 +4,7 @@ import random
 
 from .expressions import Expressions, candidates_for_let, name
 from .rounded import Reference
-from .rows import Operands, draw_items, draw_rows
+from .rows import FixedOperands, Operands, draw_items, draw_rows
 from .scene import Scene, item_column
 from .trees import exchanged, literal, replaced, subtrees
 
@@ -27,6 +27,7 @@ class Draft:
         self.sides = "any"  # how f and g are drawn: a method sides_... below
         self.ranges = {}
         self.wants_ranges = False
+        self.fixed = None  # the FixedFormat of all operands; None: floating point
         self.row_count = self.rng.choice((12, 20, 30, 45))
         self.formats()
         self.scene.set("system", lanes=self.rng.choice((1, 1, 1, 2, 3)),
@@ -272,18 +273,26 @@ class Draft:
         if not names:
             self.scene.rows = [{"a": "1"}]
             return
-        if self.wants_ranges or self.chance(0.15):
+        if self.fixed:
+            self.scene.inputs["*"] = f'{{ format = "{self.fixed.name}" }}'
+        elif self.wants_ranges or self.chance(0.15):
             self.draw_ranges(names)
         allows_specials = not self.scene.inputs.get("*", "").count("data")
         form = self.scene.reference_format()
         if not self.scene.pairs:
-            operands = Operands(self.rng, form, self.ranges, allows_specials)
+            operands = self.operands(names, self.ranges, allows_specials)
             reference = Reference(graph, form, self.scene.get("reference", "sums") == "fused")
             self.scene.rows = draw_rows(operands, reference, names, self.row_count)
             return
-        self.draw_tables(names, form, allows_specials)
+        self.draw_tables(names, allows_specials)
 
-    def draw_tables(self, names, form, allows_specials):
+    def operands(self, names, ranges, allows_specials):
+        form = self.scene.reference_format()
+        if self.fixed:
+            return FixedOperands(self.rng, form, names, self.fixed)
+        return Operands(self.rng, form, ranges, allows_specials)
+
+    def draw_tables(self, names, allows_specials):
         """The items of an engine. Inputs of one column share the range of the first."""
         def is_item(word):
             return item_column(word)[1] in "ij"
@@ -294,11 +303,11 @@ class Draft:
             if is_item(word) and word in self.scene.inputs:
                 low, high = ranges[item_column(word)[0]]
                 self.scene.inputs[word] = table_of(exact_text(low), exact_text(high))
-        operands = Operands(self.rng, form, ranges, allows_specials)
+        rest = [word for word in names if not is_item(word)]
         columns = sorted({item_column(word)[0] for word in names if is_item(word)})
+        operands = self.operands(columns + rest, ranges, allows_specials)
         if self.scene.pairs == "arg_min":
             self.scene.others = draw_items(operands, columns, self.scene.lane_count() + 1)
-            rest = [word for word in names if not is_item(word)]
             self.scene.rows = draw_items(operands, rest, self.rng.choice((4, 6, 9)))
             return
         self.scene.rows = draw_items(operands, columns, self.rng.choice((4, 6, 8)))

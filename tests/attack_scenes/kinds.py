@@ -5,6 +5,7 @@ A kind sets the subject of its scenes; the rest of each scene is drawn at random
 
 from .draft import DEVICES, Draft
 from .expressions import name
+from .rows import FixedFormat
 
 
 def fold(draft):
@@ -285,9 +286,32 @@ def undecided(draft):
     draft.scene.set("system", references=0)
 
 
+def integers(draft):
+    """Operands in fixed point, with lanes that are exact and lanes that are not."""
+    rng = draft.rng
+    draft.sides = rng.choice(("polynomials", "homogeneous", "norms"))
+    if draft.chance(0.3):
+        pairwise(draft)
+        draft.scene.sections.pop("lanes", None)
+        draft.scene.sections.pop("second_tier", None)
+        draft.scene.sections["system"].setdefault("lanes", 4 * draft.scene.get("engine", "lanes_per_group"))
+    bits, is_signed = rng.randint(2, 12), draft.chance(0.6)
+    behind = rng.randint(1, bits - 1) if draft.chance(0.4) else 0
+    prefix = "" if is_signed else "u"
+    name = f"{prefix}q{bits - behind - is_signed}.{behind}" if behind else f"{prefix}int{bits}"
+    draft.fixed = FixedFormat(name, bits, behind, is_signed)
+    lanes = rng.choice(("exact", "q16", "q24", f"q{rng.randint(2, 12)}"))
+    draft.scene.set("reference", format="s53e11")
+    draft.scene.sections["reduced"] = {"format": lanes}
+    if draft.chance(0.3):
+        draft.scene.set("reduced", multipliers=rng.choice(("logic", "memory")))
+    draft.scene.set("system", references=0)
+
+
 KINDS = (fold, fused, formats, roundings, fixed, guarded, block, bounds, groups, second_tier, beats,
          memories, refetched, in_order, counters, devices, pairwise, arg_min, pairs, parts, mixed,
-         limited, quotients, choices, vectors, undecided)
+         limited, quotients, choices, vectors, undecided,
+         integers)
 NAMES_OF_KINDS = tuple(kind.__name__ for kind in KINDS)
 SPREAD = 7  # share in percent of each other option
 

@@ -1,5 +1,6 @@
 """Operands: small integers, ties and near ties, ends of ranges and formats, infinities, NaNs."""
 
+import dataclasses
 from fractions import Fraction
 import math
 
@@ -126,6 +127,40 @@ class Operands:
             return row
         moved = self.beside(literal(row[name]), self.rng.choice((1, -1, 1, -1, 2, -3)))
         return {**row, name: self.kept(moved, name)}
+
+
+@dataclasses.dataclass(frozen=True)
+class FixedFormat:
+    """A format of operands such as int8 or q3.12."""
+
+    name: str
+    bits: int
+    behind: int = 0  # bits behind the point
+    is_signed: bool = True
+
+    @property
+    def ends(self):
+        below = 2 ** (self.bits - 1 if self.is_signed else self.bits)
+        unit = TWO ** -self.behind
+        return (-below * unit if self.is_signed else Fraction(0)), (below - 1) * unit
+
+
+class FixedOperands(Operands):
+    """Draws operands that arrive in fixed point: each is one of its format."""
+
+    def __init__(self, rng, form, names, fixed):
+        super().__init__(rng, form, {name: fixed.ends for name in names}, allows_specials=False)
+        self.fixed = fixed
+        self.styles["decimal"] = self.random
+
+    def nearest(self, value):
+        unit = TWO ** -self.fixed.behind
+        low, high = self.fixed.ends
+        rounded = min(max(round(value / unit) * unit, low), high)
+        return ("-" if rounded < 0 else "") + dyadic_text(abs(rounded))
+
+    def beside(self, value, places):
+        return self.nearest(value + places * TWO ** -self.fixed.behind)
 
 
 def float_of(written):

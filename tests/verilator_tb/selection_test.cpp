@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "model/base/common/counter_random.hpp"
+#include "model/base/number/exact.hpp"
 
 namespace mixcmp::test::selection_test {
 namespace {
@@ -57,9 +58,22 @@ TEST(Selection, PartsAreTheWholeInOrder) {
   }
 }
 
+/// A floating-point format whose words have `width` bits.
+FloatFormat format_of_width(int width) {
+  const int exponent_bits =
+      std::max(FloatFormat::min_exponent_bits, width - FloatFormat::max_precision);
+  return *FloatFormat::make(width - exponent_bits, exponent_bits);
+}
+
+void pack(std::span<const Bits> operands, FloatFormat format, bool padding,
+          std::vector<std::uint8_t>& tdata) {
+  const std::vector<OperandFormat> formats(operands.size(), OperandFormat(format));
+  verilator_tb::pack_operands(operands, format, formats, padding, tdata);
+}
+
 TEST(PackOperands, PaddingMayBeLong) {
   std::vector<std::uint8_t> tdata(40);
-  verilator_tb::pack_operands(std::vector<Bits>{0}, 8, true, tdata);
+  pack(std::vector<Bits>{0}, format_of_width(8), true, tdata);
   EXPECT_EQ(tdata[0], 0);
   EXPECT_EQ(std::count(tdata.begin(), tdata.end(), 0xff), 39);
 }
@@ -67,22 +81,36 @@ TEST(PackOperands, PaddingMayBeLong) {
 TEST(PackOperands, PutsOperandKAtBitKTimesWidth) {
   std::vector<std::uint8_t> tdata(5);
   const Bits operands[] = {0x7ff, 0x001, 0x400};
-  verilator_tb::pack_operands(operands, 11, true, tdata);
+  pack(operands, format_of_width(11), true, tdata);
   EXPECT_EQ(tdata, (std::vector<std::uint8_t>{0xff, 0x0f, 0x00, 0x00, 0xff}));
-  verilator_tb::pack_operands(operands, 11, false, tdata);
+  pack(operands, format_of_width(11), false, tdata);
   EXPECT_EQ(tdata, (std::vector<std::uint8_t>{0xff, 0x0f, 0x00, 0x00, 0x01}));
+}
+
+TEST(PackOperands, PutsFixedPointInFieldsOfItsOwnWidth) {
+  const FloatFormat encoding = *FloatFormat::make(24, 8);
+  const auto number = [&](const mpq_class& value) { return from_rational(encoding, value); };
+  std::vector<OperandFormat> formats;
+  for (const char* name : {"uint10", "int4", "q1.2"}) {
+    formats.push_back(*OperandFormat::parse(name));
+  }
+  const Bits operands[] = {number(0x2a5), number(-3), number(mpq_class(-7, 4))};
+  std::vector<std::uint8_t> tdata(3);
+  verilator_tb::pack_operands(operands, encoding, formats, true, tdata);
+  const std::uint32_t word = 0x2a5 | 13U << 10 | 9U << 14 | 0x3fU << 18;
+  EXPECT_EQ(tdata[0] | tdata[1] << 8 | tdata[2] << 16, static_cast<int>(word));
 }
 
 /// Bit by bit, at every width that a format has.
 TEST(PackOperands, AgreesWithBitsPutOneByOne) {
-  for (int width = 3; width <= 128; ++width) {
+  for (int width = 4; width <= 128; ++width) {
     std::vector<Bits> operands;
     for (std::uint64_t k = 0; k < 10; k += 2) {
       const Bits random = Bits{counter_random(1, k)} << 64 | counter_random(1, k + 1);
       operands.push_back(random & low_mask(width));
     }
     std::vector<std::uint8_t> tdata((operands.size() * static_cast<std::size_t>(width) + 7) / 8);
-    verilator_tb::pack_operands(operands, width, true, tdata);
+    pack(operands, format_of_width(width), true, tdata);
     for (std::size_t at = 0; at < 8 * tdata.size(); ++at) {
       const std::size_t operand = at / static_cast<std::size_t>(width);
       const Bits bits = operand < operands.size() ? operands[operand] : low_mask(width);

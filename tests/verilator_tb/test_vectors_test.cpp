@@ -191,7 +191,9 @@ TEST(RowBytes, AColumnThatATableLacksIsZero) {
                           .columns = {"y"},
                           .values = {0x7f, 0x15},
                           .labels = {}};
-  const std::vector<std::uint8_t> bytes = verilator_tb::row_bytes(table, {"x", "y", "z"}, 3, 0, 2);
+  const std::vector<OperandFormat> formats(3, OperandFormat(table.format));
+  const std::vector<std::uint8_t> bytes =
+      verilator_tb::row_bytes(table, {"x", "y", "z"}, formats, 3, 0, 2);
   ASSERT_EQ(bytes.size(), 6u);
   // Seven bits a column: y in [13:7]; padding in [23:21], zeros and then ones.
   const auto row = [&](std::size_t k) {

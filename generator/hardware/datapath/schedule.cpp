@@ -173,8 +173,7 @@ public:
 
 private:
   void place_node(const FixedNode& node) {
-    const bool is_loaded = node.operation == Operation::input && !lane_.loaded_inputs.empty();
-    if (node.operation == Operation::constant || is_loaded) {
+    if (node.operation == Operation::constant || fixed::is_read_as_it_arrives(lane_, node)) {
       return schedule().steps.push_back({});
     }
     if (fixed::is_common_cut(node)) return place_common_cut(node);

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace mixcmp::emit {
 namespace {
 
@@ -26,6 +28,20 @@ std::string verdict_of(const design::Design& design) {
                      to_string(design.reference.combination), design.parts.size());
 }
 
+std::string meaning_of(const OperandFormat& kind) {
+  if (const FixedFormat* fixed = kind.fixed()) {
+    const std::string unit =
+        fixed->unit_exponent == 0 ? "" : fmt::format(" times 2^{}", fixed->unit_exponent);
+    return fmt::format("an integer from {} to {}{}{}", fixed->smallest().get_str(),
+                       fixed->largest().get_str(), unit,
+                       fixed->is_signed ? ", in two's complement" : "");
+  }
+  const FloatFormat& format = *kind.floating();
+  return fmt::format("sign [{}], exponent + {} [{}:{}], fraction [{}:0]", format.width() - 1,
+                     format.bias(), format.width() - 2, format.fraction_bits(),
+                     format.fraction_bits() - 1);
+}
+
 }  // namespace
 
 std::vector<std::string> formula_facts(const design::Design& design,
@@ -43,18 +59,36 @@ std::vector<std::string> formula_facts(const design::Design& design,
   return facts;
 }
 
-std::vector<std::string> layout_facts(const std::vector<std::string>& names, FloatFormat format) {
+std::vector<std::string> layout_facts(const std::vector<std::string>& names,
+                                      std::span<const OperandFormat> formats) {
+  std::vector<OperandFormat> kinds;
+  for (const OperandFormat& format : formats) {
+    if (std::find(kinds.begin(), kinds.end(), format) == kinds.end()) kinds.push_back(format);
+  }
   std::vector<std::string> fields;
   int low = 0;
-  for (const std::string& name : names) {
-    fields.push_back(fmt::format("{} [{}:{}]", name, low + format.width() - 1, low));
-    low += format.width();
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const int width = formats[k].width();
+    const std::string kind = kinds.size() > 1 ? " " + formats[k].name() : "";
+    fields.push_back(fmt::format("{} [{}:{}]{}", names[k], low + width - 1, low, kind));
+    low += width;
   }
   std::vector<std::string> facts = in_lines(fields);
-  facts.push_back(fmt::format("  each in {}: sign [{}], exponent + {} [{}:{}], fraction [{}:0].",
-                              format.name(), format.width() - 1, format.bias(), format.width() - 2,
-                              format.fraction_bits(), format.fraction_bits() - 1));
+  for (const OperandFormat& kind : kinds) {
+    facts.push_back(fmt::format("  {}{}: {}.", kinds.size() == 1 ? "each in " : "", kind.name(),
+                                meaning_of(kind)));
+  }
   return facts;
+}
+
+std::string widths_text(std::span<const OperandFormat> formats) {
+  const auto narrower = [](const OperandFormat& a, const OperandFormat& b) {
+    return a.width() < b.width();
+  };
+  const auto [least, most] = std::minmax_element(formats.begin(), formats.end(), narrower);
+  return least->width() == most->width()
+             ? fmt::format("{} bits each", least->width())
+             : fmt::format("{} to {} bits each", least->width(), most->width());
 }
 
 }  // namespace mixcmp::emit

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,12 @@ namespace mixcmp::emit {
 std::vector<std::string> formula_facts(const design::Design& design,
                                        const std::string& introduction);
 
-/// Lines that tell how numbers of one format are packed side by side: which bits of the packed word
-/// each name has, and then which bits of a number are its sign, exponent and fraction.
-std::vector<std::string> layout_facts(const std::vector<std::string>& names, FloatFormat format);
+/// Lines that tell how numbers are packed side by side, the first lowest: which bits of the packed
+/// word each name has, and then what the bits of each format mean.
+std::vector<std::string> layout_facts(const std::vector<std::string>& names,
+                                      std::span<const OperandFormat> formats);
+
+/// "10 bits each", or for several widths "8 to 20 bits each".
+std::string widths_text(std::span<const OperandFormat> formats);
 
 }  // namespace mixcmp::emit

@@ -73,14 +73,27 @@ std::vector<std::string> timing_facts(const datapath::Schedule& schedule) {
   return facts;
 }
 
+/// The operands of a lane, with their format if it is one: "s53e11, a, b".
+std::string operands_text(const Design& design) {
+  const std::vector<OperandFormat> formats = design.formats_of_inputs();
+  const bool alike = std::all_of(formats.begin(), formats.end(), [&](const OperandFormat& format) {
+    return format == formats.front();
+  });
+  std::vector<std::string> texts;
+  if (alike) texts.push_back(formats.front().name());
+  for (std::size_t k = 0; k < formats.size(); ++k) {
+    texts.push_back(alike ? design.inputs[k] : design.inputs[k] + " " + formats[k].name());
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
 Described describe_lane(const Design& design, const std::string& name,
                         const design::LaneGroup& group, const datapath::Schedule& schedule) {
-  Described lane = {rtl::lane_module(name, design.inputs, group.lane, schedule),
-                    {fmt::format("{}: decides {} in reduced precision, or says it cannot.", name,
-                                 what_is_asked(design)),
-                     fmt::format("Operands: {}, {}.", design.reference.input_format.name(),
-                                 fmt::join(design.inputs, ", ")),
-                     arithmetic_fact(group.lane)}};
+  Described lane = {
+      rtl::lane_module(name, design.inputs, group.lane, schedule),
+      {fmt::format("{}: decides {} in reduced precision, or says it cannot.", name,
+                   what_is_asked(design)),
+       fmt::format("Operands: {}.", operands_text(design)), arithmetic_fact(group.lane)}};
   for (std::string& fact : decision_facts(group.lane)) lane.facts.push_back(std::move(fact));
   for (std::string& fact : timing_facts(schedule)) lane.facts.push_back(std::move(fact));
   return lane;
@@ -183,10 +196,10 @@ std::vector<std::string> operand_facts(const Design& design, const ScheduledSyst
             fmt::format("  the row's, {} bits, and two candidates', {} bits each.",
                         words->rows.bits(), words->items.bits())};
   }
-  std::vector<std::string> facts = {fmt::format(
-      "s_axis_tdata, {} bits a lane, operands {} bits each, the first lowest:", tdata_bits,
-      shape.input_width)};
-  add_all(facts, layout_facts(design.inputs, design.reference.input_format));
+  std::vector<std::string> facts = {
+      fmt::format("s_axis_tdata, {} bits a lane, operands {}, the first lowest:", tdata_bits,
+                  widths_text(shape.input_formats))};
+  add_all(facts, layout_facts(design.inputs, shape.input_formats));
   return facts;
 }
 
@@ -245,17 +258,17 @@ std::vector<std::string> describe_arg_min(const Design& design, const rtl::ArgMi
                                "Candidate j replaces i, the best before it, where the "
                                "verdict is greater. It is "));
   add_all(facts, {"Streams s_candidate, s_axis, m_axis: AXI4-Stream.",
-                  fmt::format("s_candidate: a beat a candidate, tlast with the last; columns {} "
-                              "bits each, the first lowest:",
-                              engine.column_width)});
-  add_all(facts, layout_facts(engine.columns, design.reference.input_format));
+                  fmt::format("s_candidate: a beat a candidate, tlast with the last; columns {}, "
+                              "the first lowest:",
+                              widths_text(engine.column_formats))});
+  add_all(facts, layout_facts(engine.columns, engine.column_formats));
   add_all(
       facts,
       {"  Fewer are as good as the last one repeated; more are left out, overrun says so until "
        "the",
        "  next load, which is taken when no row is inside; while it is offered no row comes in.",
        "s_axis: a beat a row, tag in tuser; columns likewise:"});
-  add_all(facts, layout_facts(engine.row_columns, design.reference.input_format));
+  add_all(facts, layout_facts(engine.row_columns, engine.row_column_formats));
   add_all(facts,
           {fmt::format("m_axis: rows in their order; tdata: the candidate's number in [{}:0], from "
                        "0, the first of equals;",
@@ -325,10 +338,10 @@ Described describe_pairwise(const Design& design, const rtl::PairwiseShape& shap
                   system.lanes, shape.segment_count(), system.references)};
   add_all(facts, formula_facts(design, "The verdict of a pair is "));
   add_all(facts, {"Streams s_axis, m_axis: AXI4-Stream.",
-                  fmt::format("s_axis: a beat an item, tlast with the last; columns {} bits each, "
-                              "the first lowest:",
-                              engine.column_width)});
-  add_all(facts, layout_facts(engine.columns, design.reference.input_format));
+                  fmt::format("s_axis: a beat an item, tlast with the last; columns {}, the first "
+                              "lowest:",
+                              widths_text(engine.column_formats))});
+  add_all(facts, layout_facts(engine.columns, engine.column_formats));
   add_all(facts, {"  A set that begins with items with tuser compares each of these with each of "
                   "the others, and no other pairs.",
                   report_fact(shape, system.references)});
@@ -359,7 +372,7 @@ Described describe_conversion(const rtl::ItemWords& words, data::Item item, cons
   const rtl::Word& word = words.of(item);
   std::vector<std::string> facts = {
       fmt::format("{}: what the lanes know of {}, computed when it is loaded.", word.module, what),
-      fmt::format("Columns: {} bits each, {}.", engine.column_width,
+      fmt::format("Columns: {}, {}.", widths_text(engine.formats_of(item)),
                   fmt::join(engine.columns_of(item), ", ")),
       "word, the first field lowest:"};
   for (const rtl::Word::Field& field : word.fields) {

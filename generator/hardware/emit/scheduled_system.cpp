@@ -233,11 +233,12 @@ void add_engine(std::optional<rtl::ItemWords> words, rtl::SystemShape& shape,
 
 }  // namespace
 
-rtl::SystemShape stream_shape(const std::vector<std::string>& inputs, FloatFormat format,
+rtl::SystemShape stream_shape(const std::vector<std::string>& inputs,
+                              const std::vector<OperandFormat>& formats,
                               const scene::SystemSpec& system) {
   rtl::SystemShape shape;
   shape.input_ports = rtl::input_ports(inputs);
-  shape.input_width = format.width();
+  shape.input_formats = formats;
   shape.tag_bits = system.tag_bits;
   shape.counter_bits = system.counter_bits;
   shape.input_registers = system.input_registers;
@@ -254,8 +255,7 @@ rtl::SystemShape stream_shape(const std::vector<std::string>& inputs, FloatForma
 
 Result<ScheduledSystem> schedule_system(const design::Design& design) {
   MIXCMP_TRY(delays, datapath::delays_of(design.system.device));
-  rtl::SystemShape shape =
-      stream_shape(design.inputs, design.reference.input_format, design.system);
+  rtl::SystemShape shape = stream_shape(design.inputs, design.formats_of_inputs(), design.system);
   shape.top = top_name(design);
   shape.lanes = design.lane_count();
   shape.references = design.reference_count();

@@ -31,8 +31,9 @@ struct ScheduledSystem {
 };
 
 /// The part of a SystemShape that depends only on the streams; names, counts and latencies are left
-/// to the caller. `format` is that of the operands that arrive.
-rtl::SystemShape stream_shape(const std::vector<std::string>& inputs, FloatFormat format,
+/// to the caller. `formats`: one per input.
+rtl::SystemShape stream_shape(const std::vector<std::string>& inputs,
+                              const std::vector<OperandFormat>& formats,
                               const scene::SystemSpec& system);
 
 /// Schedules the datapaths and names the modules. An error means that the device is unknown.

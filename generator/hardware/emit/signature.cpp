@@ -120,6 +120,17 @@ public:
     return *FloatFormat::make(FloatFormat::min_precision, FloatFormat::min_exponent_bits);
   }
 
+  /// The formats of operands: "s53e11", "uint10".
+  std::vector<OperandFormat> operand_formats(const char* field) {
+    std::vector<OperandFormat> formats;
+    for (const auto& name : read<std::vector<std::string>>(field, "a list of formats")) {
+      const Result<OperandFormat> format = OperandFormat::parse(name);
+      if (!format.ok()) refuse(field, "formats such as \"s53e11\", \"uint10\"");
+      if (format.ok()) formats.push_back(*format);
+    }
+    return formats;
+  }
+
   template <class Value, std::size_t count>
   Value choice(const char* field, const std::array<Name<Value>, count>& names) {
     const std::string received = text(field);
@@ -203,15 +214,23 @@ Json to_json(const SignatureReferences& group) {
           {"multipliers", text_of(multipliers_names, group.multipliers)}};
 }
 
+Json names_of(const std::vector<OperandFormat>& formats) {
+  Json names = Json::array();
+  for (const OperandFormat& format : formats) names.push_back(format.name());
+  return names;
+}
+
 Json to_json(const SignatureEngine& engine) {
   Json json = {{"kind", text_of(engine_kinds, engine.kind)},
                {"top", engine.top},
                {"capacity", engine.capacity},
                {"index_bits", engine.index_bits},
                {"columns", engine.columns},
+               {"column_formats", names_of(engine.column_formats)},
                {"item_bytes", engine.item_bytes}};
   if (engine.kind == scene::EngineKind::arg_min) {
     json["row_columns"] = engine.row_columns;
+    json["row_column_formats"] = names_of(engine.row_column_formats);
     json["row_bytes"] = engine.row_bytes;
     json["tag_bits"] = engine.tag_bits;
   } else {
@@ -293,11 +312,13 @@ SignatureEngine read_engine(Reader& reader) {
       .capacity = reader.number("capacity", settings::limits::engine_capacity),
       .index_bits = reader.number("index_bits", 1, 16),
       .columns = reader.read<std::vector<std::string>>("columns", "a list of names"),
+      .column_formats = reader.operand_formats("column_formats"),
       .item_bytes = reader.number("item_bytes", 1, many),
       .report = {},
       .ports = reader.groups("ports", read_port)};
   if (engine.kind == scene::EngineKind::arg_min) {
     engine.row_columns = reader.read<std::vector<std::string>>("row_columns", "a list of names");
+    engine.row_column_formats = reader.operand_formats("row_column_formats");
     engine.row_bytes = reader.number("row_bytes", 1, many);
     engine.tag_bits = reader.number("tag_bits", settings::limits::tag_bits);
   } else {
@@ -363,6 +384,7 @@ std::string to_json(const Signature& s) {
                {"combine", text_of(combinations, s.combination)},
                {"lets", groups_to_json(s.lets)},
                {"inputs", s.inputs},
+               {"input_formats", names_of(s.input_formats)},
                {"lanes", s.lanes},
                {"lanes_per_group", s.lanes_per_group},
                {"references", s.references},
@@ -410,6 +432,7 @@ Result<Signature> read_signature(const std::filesystem::path& path) {
       .combination = reader.choice("combine", combinations),
       .lets = reader.groups("lets", read_let),
       .inputs = reader.read<std::vector<std::string>>("inputs", "a list of names"),
+      .input_formats = reader.operand_formats("input_formats"),
       .lanes = lanes,
       .lanes_per_group =
           reader.divisor("lanes_per_group", settings::limits::lanes_per_group, lanes),

@@ -70,16 +70,18 @@ struct SignatureEngine {
   std::string top;                   ///< the module; the system is inside
   int capacity = 0;                  ///< the most items of a set, or candidates
   int index_bits = 0;                ///< width of an item's or candidate's number
-  std::vector<std::string> columns;  ///< column k of an item is tdata[k * width +: width]
-  int item_bytes = 0;                ///< bytes of an item, padded
-  std::vector<std::string> report;   ///< pairwise: the verdicts whose pairs are reported
+  std::vector<std::string> columns;  ///< an item's, side by side in tdata, the first lowest
+  std::vector<OperandFormat> column_formats;
+  int item_bytes = 0;               ///< bytes of an item, padded
+  std::vector<std::string> report;  ///< pairwise: the verdicts whose pairs are reported
   scene::ReportForm report_as = scene::ReportForm::pairs;  ///< pairwise
   int report_streams = 1;                     ///< pairwise: streams m_axis side by side
   int report_lanes = 1;                       ///< pairwise: flags of a beat of a bitmap
   int report_bytes = 0;                       ///< pairwise: tdata of one stream
   std::vector<std::string> row_columns = {};  ///< arg_min: a row's, packed like `columns`
-  int row_bytes = 0;                          ///< arg_min: bytes of a row, padded
-  int tag_bits = 0;                           ///< arg_min: width of a row's tag
+  std::vector<OperandFormat> row_column_formats = {};
+  int row_bytes = 0;  ///< arg_min: bytes of a row, padded
+  int tag_bits = 0;   ///< arg_min: width of a row's tag
   std::vector<SignaturePort> ports;
 };
 
@@ -103,7 +105,8 @@ struct Signature {
   std::vector<scene::PartText> parts = {};     ///< f and g of each part, as the scene writes them
   Combination combination = Combination::all;  ///< meaningful only if there are several parts
   std::vector<LetDefinition> lets = {};        ///< those that f and g need
-  std::vector<std::string> inputs;             ///< input k is tdata[k * width +: width]
+  std::vector<std::string> inputs;             ///< side by side in tdata, the first lowest
+  std::vector<OperandFormat> input_formats;    ///< one per input
   int lanes = 0;  ///< p_L: every per-lane port is a vector of `lanes` fields, lane 0 lowest
   /// Lanes that share handshakes, tag and counters: these ports have a field for each group.
   int lanes_per_group = 1;

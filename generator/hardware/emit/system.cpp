@@ -92,6 +92,7 @@ Signature signature_of(const Design& design, const ScheduledSystem& scheduled) {
           .combination = design.reference.combination,
           .lets = design.lets,
           .inputs = design.inputs,
+          .input_formats = design.formats_of_inputs(),
           .lanes = shape.lanes,
           .lanes_per_group = shape.lanes_per_group,
           .references = shape.references,
@@ -157,11 +158,13 @@ SignatureEngine signature_engine(const ScheduledSystem& scheduled, const Module&
                             .capacity = engine.capacity,
                             .index_bits = engine.index_bits(),
                             .columns = engine.columns,
+                            .column_formats = engine.column_formats,
                             .item_bytes = engine.item_bytes(),
                             .report = {},
                             .ports = signature_ports(top)};
   if (engine.spec.kind == scene::EngineKind::arg_min) {
     signature.row_columns = engine.row_columns;
+    signature.row_column_formats = engine.row_column_formats;
     signature.row_bytes = engine.row_bytes();
     signature.tag_bits = engine.spec.row_tag_bits;
     return signature;

@@ -1,6 +1,7 @@
 #include "generator/hardware/rtl/engine_operands.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "generator/hardware/rtl/connections.hpp"
 #include "generator/hardware/rtl/datapath_builder.hpp"
@@ -10,9 +11,12 @@ namespace mixcmp::rtl {
 
 namespace {
 
-Operand column_of(const EngineShape& engine, const std::string& net, std::size_t column) {
-  const int low = static_cast<int>(column) * engine.column_width;
-  return slice(net, low + engine.column_width - 1, low);
+/// A column of an item or row that the net holds.
+Operand column_of(const EngineShape& engine, data::Item item, const std::string& net,
+                  std::size_t column) {
+  const std::span<const OperandFormat> formats = engine.formats_of(item);
+  const int low = total_width(formats.first(column));
+  return slice(net, low + formats[column].width() - 1, low);
 }
 
 /// Columns of the items that the comparison does not read.
@@ -26,7 +30,9 @@ std::vector<Operand> unused_columns(const EngineShape& engine, const ItemNets& n
           engine.sources.begin(), engine.sources.end(), [&](const EngineShape::Source& source) {
             return source.column == column && source.item == static_cast<data::Item>(item);
           });
-      if (!used) unused.push_back(column_of(engine, nets[item], column));
+      if (!used) {
+        unused.push_back(column_of(engine, static_cast<data::Item>(item), nets[item], column));
+      }
     }
   }
   return unused;
@@ -47,9 +53,9 @@ Operand packed_operands(const EngineShape& engine, const SystemShape& system, co
   for (std::size_t k = 0; k < engine.sources.size(); ++k) {
     const EngineShape::Source& source = engine.sources[k];
     const std::string name = names.unique("operand_" + system.input_ports[k]);
-    items.push_back(
-        Wire{engine.column_width, name,
-             column_of(engine, nets[static_cast<std::size_t>(source.item)], source.column)});
+    items.push_back(Wire{system.input_formats[k].width(), name,
+                         column_of(engine, source.item, nets[static_cast<std::size_t>(source.item)],
+                                   source.column)});
     operands.insert(operands.begin(), net(name));
   }
   std::vector<Operand> unused = unused_columns(engine, nets);
@@ -93,7 +99,7 @@ void add_conversion(const ItemWords& words, data::Item item, const EngineShape& 
   if (!word.converts()) {
     std::vector<Operand> fields;
     for (const std::size_t k : word.columns) {
-      fields.insert(fields.begin(), column_of(engine, nets.columns, k));
+      fields.insert(fields.begin(), column_of(engine, item, nets.columns, k));
     }
     items.push_back(Assignment{net(nets.word), concatenation(std::move(fields))});
     return;
@@ -101,7 +107,7 @@ void add_conversion(const ItemWords& words, data::Item item, const EngineShape& 
   std::vector<Connection> connections = {by_name("aclk")};
   const std::vector<std::string> ports = input_ports(engine.columns_of(item));
   for (std::size_t k = 0; k < ports.size(); ++k) {
-    connections.push_back({ports[k], column_of(engine, nets.columns, k)});
+    connections.push_back({ports[k], column_of(engine, item, nets.columns, k)});
   }
   connections.push_back({"word", net(nets.word)});
   items.push_back(Instance{word.module, nets.instance, {}, std::move(connections)});

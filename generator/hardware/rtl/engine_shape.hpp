@@ -24,15 +24,19 @@ struct EngineShape {
   std::vector<std::string> columns;  ///< an item's, lowest bits first, in the order of first use
   std::vector<std::string> row_columns;  ///< a row's, like `columns`; empty for a pairwise engine
   std::vector<Source> sources;           ///< one per input
-  int column_width = 0;                  ///< bits of one column
+  std::vector<OperandFormat> column_formats;      ///< one for each of `columns`
+  std::vector<OperandFormat> row_column_formats;  ///< one for each of `row_columns`
 
   const std::vector<std::string>& columns_of(data::Item item) const {
     return item == data::Item::row ? row_columns : columns;
   }
   int index_bits() const { return scene::index_bits_for(capacity); }
-  int row_bits() const { return column_width * static_cast<int>(row_columns.size()); }
+  const std::vector<OperandFormat>& formats_of(data::Item item) const {
+    return item == data::Item::row ? row_column_formats : column_formats;
+  }
+  int row_bits() const { return total_width(row_column_formats); }
   int row_bytes() const { return (row_bits() + 7) / 8; }
-  int item_bits() const { return column_width * static_cast<int>(columns.size()); }
+  int item_bits() const { return total_width(column_formats); }
   int item_bytes() const { return (item_bits() + 7) / 8; }
   /// Width in bits of an item's number on an output stream, padded to bytes.
   int index_field_bits() const { return (index_bits() + 7) / 8 * 8; }

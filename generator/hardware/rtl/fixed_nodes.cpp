@@ -42,6 +42,7 @@ void FixedNodes::build() {
 
 void FixedNodes::build_input(NodeId id) {
   if (!lane_.loaded_inputs.empty()) return build_loaded(id);
+  if (fixed::is_read_as_it_arrives(lane_, lane_.nodes[id])) return build_arriving(id);
   lane_.format.is_block ? build_aligned_operand(id) : build_operand(id);
 }
 
@@ -188,6 +189,17 @@ void FixedNodes::build_loaded(NodeId id) {
     flags.push_back({net(datapath_.port(index)), datapath_.port(index), 1, 0});
   }
   if (!flags.empty()) misfits_[id] = any_of("out_of_range", flags);
+}
+
+/// Builds an operand in fixed point, which is a port without the low bits that the lane drops.
+void FixedNodes::build_arriving(NodeId id) {
+  const FixedNode& node = lane_.nodes[id];
+  if (node.dropped_bits == 0) return;
+  const std::string& port = datapath_.port(node.input);
+  describe(id);
+  datapath_.add(Wire{node.format.width, names_[id],
+                     slice(port, node.dropped_bits + node.format.width - 1, node.dropped_bits)});
+  consume_low_bits(port, node.dropped_bits);
 }
 
 void FixedNodes::build_constant(NodeId id) {

@@ -38,6 +38,7 @@ private:
   void build_input(NodeId id);
   void build_operand(NodeId id);
   void build_loaded(NodeId id);
+  void build_arriving(NodeId id);
   void build_aligned_operand(NodeId id);
   Signal leading_bits(int input);
   void build_constant(NodeId id);

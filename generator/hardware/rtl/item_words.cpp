@@ -20,6 +20,13 @@ const fixed::FixedLane* splittable(const design::Lane& lane) {
   return made != nullptr && !made->format.is_block ? made : nullptr;
 }
 
+/// Whether a loader does more than select bits of operands that arrive in fixed point.
+bool computes(const fixed::FixedLane& loader) {
+  return std::any_of(loader.nodes.begin(), loader.nodes.end(), [&](const fixed::FixedNode& node) {
+    return !fixed::is_read_as_it_arrives(loader, node) && node.operation != Operation::convert;
+  });
+}
+
 fixed::ItemRole role_of(data::Item item) {
   switch (item) {
     case data::Item::row: return fixed::ItemRole::row;
@@ -84,7 +91,9 @@ private:
     for (const EngineShape::Source& source : engine_.sources) {
       inputs.push_back({.column = static_cast<int>(source.column), .role = role_of(source.item)});
     }
-    words_.split = fixed::split_by_item(lanes, inputs, engine_.columns, engine_.row_columns);
+    fixed::ItemSplit split =
+        fixed::split_by_item(lanes, inputs, engine_.columns, engine_.row_columns);
+    if (computes(split.items.lane) || computes(split.rows.lane)) words_.split = std::move(split);
   }
 
   void add_converted_fields(data::Item item) {
@@ -118,8 +127,9 @@ private:
   /// Makes a lane that reads words. It must be called for the lanes in the order in which they were
   /// split.
   WordLane word_lane(const design::Lane& lane) {
-    return splittable(lane) != nullptr ? lane_of_fields(words_.split->lanes[next_split_++])
-                                       : lane_of_columns(lane);
+    return words_.split && splittable(lane) != nullptr
+               ? lane_of_fields(words_.split->lanes[next_split_++])
+               : lane_of_columns(lane);
   }
 
   WordLane lane_of_fields(const fixed::FixedLane& lane) {
@@ -154,7 +164,8 @@ private:
     const auto place = static_cast<std::size_t>(known - word.columns.begin());
     if (known != word.columns.end()) return converted + place;
     word.columns.push_back(column);
-    return add_field(item, engine_.columns_of(item)[column], engine_.column_width);
+    return add_field(item, engine_.columns_of(item)[column],
+                     engine_.formats_of(item)[column].width());
   }
 
   const design::Design& design_;
@@ -190,7 +201,7 @@ void build_word(DatapathBuilder& datapath, const ItemWords& words, data::Item it
   }
   for (const std::size_t column : word.columns) {
     const std::string& port = datapath.port(static_cast<int>(column));
-    const int width = loader.input_format.width();
+    const int width = fixed::operand_format(loader, static_cast<int>(column)).width();
     fields.push_back(datapath.at({net(port), port, width, 0}, cycle));
   }
   std::reverse(fields.begin(), fields.end());
@@ -231,9 +242,11 @@ ItemWords item_words(const design::Design& design, const EngineShape& engine,
 
 Module item_word_module(const ItemWords& words, data::Item item, const EngineShape& engine) {
   const Word& word = words.of(item);
-  return datapath_module(word.module,
-                         operands_of_width(engine.columns_of(item), engine.column_width),
-                         {{Direction::output, word.bits(), "word"}},
+  std::vector<InputPort> ports;
+  for (std::size_t k = 0; k < engine.columns_of(item).size(); ++k) {
+    ports.push_back({engine.columns_of(item)[k], engine.formats_of(item)[k].width()});
+  }
+  return datapath_module(word.module, ports, {{Direction::output, word.bits(), "word"}},
                          [&](DatapathBuilder& datapath) { build_word(datapath, words, item); });
 }
 

@@ -225,18 +225,27 @@ void build_lane(DatapathBuilder& datapath, Parts lane, const datapath::Schedule&
   build_combination(datapath, lane.combination(), parts, schedule.combination);
 }
 
-FloatFormat input_format(const design::Lane& lane) {
-  return std::visit(Cases{[](const error::Lane& made) { return made.graph.input_format; },
-                          [](const FixedLane& made) { return made.input_format; }},
-                    lane);
+/// The ports of a lane that takes operands as they arrive.
+std::vector<InputPort> operand_ports(const std::vector<std::string>& inputs,
+                                     const design::Lane& lane) {
+  std::vector<InputPort> ports;
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    const int width =
+        std::visit(Cases{[](const error::Lane& made) { return made.graph.input_format.width(); },
+                         [&](const FixedLane& made) {
+                           return fixed::operand_format(made, static_cast<int>(k)).width();
+                         }},
+                   lane);
+    ports.push_back({inputs[k], width});
+  }
+  return ports;
 }
 
 }  // namespace
 
 Module lane_module(std::string name, const std::vector<std::string>& inputs,
                    const design::Lane& lane, const datapath::Schedule& schedule) {
-  return lane_module(std::move(name), operands_of_width(inputs, input_format(lane).width()), lane,
-                     schedule);
+  return lane_module(std::move(name), operand_ports(inputs, lane), lane, schedule);
 }
 
 Module lane_module(std::string name, const std::vector<InputPort>& ports, const design::Lane& lane,

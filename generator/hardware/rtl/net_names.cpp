@@ -150,7 +150,8 @@ std::vector<std::string> name_nodes(const fixed::FixedLane& lane,
     if (node.operation == Operation::input) {
       const std::string& port = ports[node.input];
       spellings.push_back(port);
-      names.push_back(lane.loaded_inputs.empty() ? pool.unique(port + "_fixed") : port);
+      const bool is_port = fixed::is_read_as_it_arrives(lane, node) && node.dropped_bits == 0;
+      names.push_back(is_port ? port : pool.unique(port + "_fixed"));
       continue;
     }
     const int count = arity(node.operation);

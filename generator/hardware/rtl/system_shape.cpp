@@ -14,10 +14,17 @@ int SystemShape::payload_bits() const {
                                                   : ask_bits();
 }
 
+int SystemShape::operand_bits() const {
+  return total_width(input_formats);
+}
+
 std::vector<OperandPort> SystemShape::operand_ports() const {
   std::vector<OperandPort> ports;
+  int low = 0;
   for (std::size_t k = 0; k < input_ports.size(); ++k) {
-    ports.push_back({input_ports[k], static_cast<int>(k) * input_width, input_width});
+    const int width = input_formats[k].width();
+    ports.push_back({input_ports[k], low, width});
+    low += width;
   }
   return ports;
 }

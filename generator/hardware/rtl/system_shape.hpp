@@ -6,6 +6,7 @@
 
 #include "generator/hardware/datapath/schedule.hpp"
 #include "generator/hardware/rtl/module.hpp"
+#include "model/base/number/operand_format.hpp"
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::rtl {
@@ -36,12 +37,12 @@ struct SystemShape {
   /// The lanes that are asked before the references are: one behind each segment of a pairwise
   /// engine, or in a system of streams `count` of them behind the crossbar.
   std::optional<DatapathGroup> second_tier;
-  int second_tier_slot_bits = 0;         ///< in a system of streams: slot_bits of these lanes
-  std::vector<std::string> input_ports;  ///< the datapaths' operand ports, in packing order
-  int input_width = 0;                   ///< bits of one operand
-  int lanes = 0;                         ///< p_L
-  int lanes_per_group = 1;               ///< lanes in lock step, which share a channel
-  int references = 0;                    ///< p_H
+  int second_tier_slot_bits = 0;             ///< in a system of streams: slot_bits of these lanes
+  std::vector<std::string> input_ports;      ///< the datapaths' operand ports, in packing order
+  std::vector<OperandFormat> input_formats;  ///< one per port
+  int lanes = 0;                             ///< p_L
+  int lanes_per_group = 1;                   ///< lanes in lock step, which share a channel
+  int references = 0;                        ///< p_H
   /// Bits of a comparison's words if lanes read words of an engine's items; 0: lanes read operands.
   int word_bits = 0;
   int tag_bits = 0;
@@ -57,7 +58,7 @@ struct SystemShape {
   /// Carried operands wait in block memories that are written whole and read beat by beat.
   bool block_memory = false;
 
-  int operand_bits() const { return input_width * static_cast<int>(input_ports.size()); }
+  int operand_bits() const;  ///< bits of a comparison's operands
   int tdata_bytes() const { return (operand_bits() + 7) / 8; }
   int lane_operand_bits() const { return word_bits > 0 ? word_bits : operand_bits(); }
   int lane_tdata_bytes() const { return (lane_operand_bits() + 7) / 8; }

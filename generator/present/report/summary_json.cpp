@@ -161,6 +161,7 @@ nlohmann::json to_json(const Summary& summary) {
   for (std::size_t k = 0; k < scene.ranges.size(); ++k) {
     json["inputs"].push_back({{"name", scene.graph.inputs()[k]},
                               {"range", json_of(scene.ranges[k])},
+                              {"format", scene.operand_formats[k].name()},
                               {"range_from_data", static_cast<bool>(scene.data_ranges[k])}});
   }
   constexpr std::size_t most_characters = 1000;

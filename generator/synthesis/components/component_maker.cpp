@@ -253,11 +253,10 @@ Result<Component> ComponentMaker::made(const measured::SecondLane& key) {
 
 rtl::SystemShape ComponentMaker::stream_shape() const {
   scene::SystemSpec system = scene_.system;
-  const FloatFormat format = scene_.reference.format;
-  const int operand_bits = static_cast<int>(scene_.graph.inputs().size()) * format.width();
+  const std::vector<OperandFormat>& formats = scene_.operand_formats;
   const std::optional<int> interval = scene_.reference_structure.initiation_interval;
-  system.request_beats = design::request_beats(system, operand_bits, interval.value_or(1));
-  rtl::SystemShape shape = emit::stream_shape(scene_.graph.inputs(), format, system);
+  system.request_beats = design::request_beats(system, total_width(formats), interval.value_or(1));
+  rtl::SystemShape shape = emit::stream_shape(scene_.graph.inputs(), formats, system);
   shape.lanes = shape.lanes_per_group;
   shape.references = scene_.system.references.value_or(1) > 0 ? 1 : 0;
   return shape;

@@ -45,8 +45,7 @@ devices::Area rough_area(double (*luts)(const Datapath&, estimated::Products),
 /// The bits of a request for recomputation.
 int request_bits(const scene::Scene& scene) {
   const bool carried = scene.system.operands == scene::OperandStore::carried;
-  const int operands = static_cast<int>(scene.graph.inputs().size());
-  return (carried ? operands * scene.reference.format.width() : 0) + scene.system.tag_bits;
+  return (carried ? total_width(scene.operand_formats) : 0) + scene.system.tag_bits;
 }
 
 /// Lanes that are measured together: those of a pairwise engine's segment.

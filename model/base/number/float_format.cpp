@@ -3,8 +3,9 @@
 #include <fmt/core.h>
 
 #include <array>
-#include <charconv>
 #include <utility>
+
+#include "model/base/number/whole_number.hpp"
 
 namespace mixcmp::inline number {
 namespace {
@@ -27,13 +28,6 @@ Error format_error(std::string received) {
   return {.message = "not a floating-point format",
           .received = std::move(received),
           .accepted = FloatFormat::accepted()};
-}
-
-/// Reads a decimal integer that fills `text`; -1 if `text` is none.
-int parse_whole(std::string_view text) {
-  int value = -1;
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return status == std::errc{} && end == text.data() + text.size() ? value : -1;
 }
 
 }  // namespace
@@ -63,8 +57,8 @@ Result<FloatFormat> FloatFormat::parse(std::string_view text) {
   if (text.empty() || text[0] != 's' || e == std::string_view::npos) {
     return format_error(fmt::format("\"{}\"", text));
   }
-  const int precision = parse_whole(text.substr(1, e - 1));
-  const int exponent_bits = parse_whole(text.substr(e + 1));
+  const int precision = whole_number(text.substr(1, e - 1)).value_or(0);
+  const int exponent_bits = whole_number(text.substr(e + 1)).value_or(0);
   Result<FloatFormat> format = make(precision, exponent_bits);
   if (!format.ok() || format->name() != text) return format_error(fmt::format("\"{}\"", text));
   return format;

@@ -2,24 +2,14 @@
 
 #include <fmt/core.h>
 
-#include <charconv>
-
 #include "model/base/common/quote.hpp"
+#include "model/base/number/whole_number.hpp"
 
 namespace mixcmp::inline number {
 namespace {
 
 constexpr std::string_view fixed_prefix = "q", block_prefix = "block";
 constexpr char guard_letter = 'g';
-
-/// The value of a word that is a number.
-std::optional<int> number_of(std::string_view word) {
-  unsigned short number = 0;  // unsigned: takes no sign
-  const char* const end = word.data() + word.size();
-  const auto read = std::from_chars(word.data(), end, number);
-  const bool whole = read.ec == std::errc() && read.ptr == end;
-  return whole ? std::optional<int>(number) : std::nullopt;
-}
 
 }  // namespace
 
@@ -35,8 +25,8 @@ std::optional<FixedPoint> FixedPoint::parse(std::string_view word) {
     const std::string_view digits = word.substr(prefix.size());
     const std::size_t letter = digits.find(guard_letter);
     const bool has_guard_digits = letter != std::string_view::npos;
-    const auto bits = number_of(digits.substr(0, letter));
-    const auto guard_digits = has_guard_digits ? number_of(digits.substr(letter + 1)) : 0;
+    const auto bits = whole_number(digits.substr(0, letter));
+    const auto guard_digits = has_guard_digits ? whole_number(digits.substr(letter + 1)) : 0;
     if (!bits || !guard_digits) continue;
     const FixedPoint format{*bits, is_block, *guard_digits};
     if (format.name() == word) return format;  // one name each: no "q013", no "q13g0"

@@ -247,6 +247,13 @@ private:
 
   FixedInstruction conversion(NodeId id, int from) const {
     const FixedFormat& format = node(id).format;
+    if (fixed::arriving_fixed(lane_, node(id)) != nullptr) {
+      return {.kernel = FixedKernel::truncate,
+              .result = id,
+              .a = from,
+              .b = from,
+              .unit = power(format.unit_exponent)};
+    }
     return {
         .kernel = format.is_signed ? FixedKernel::convert_signed : FixedKernel::convert_unsigned,
         .result = id,

@@ -108,6 +108,8 @@ private:
                .input = node.input,
                .format = node.format,
                .dropped_bits = node.dropped_bits,
+               .arrives_fixed = node.operation == Operation::input &&
+                                fixed::arriving_fixed(lane_, node) != nullptr,
                .constant = wide(node.constant)};
     if (aligns_operands(node.operation)) align(added);
     if (node.operation == Operation::square_root) {
@@ -117,7 +119,8 @@ private:
     const int bits = result_bits(added, node);
     fits_ = fits_ && bits <= most_bits;
     const int most = fixed::is_common_cut(node) ? lane_.format.bits : most_bits;
-    node_bits_.push_back(std::clamp(bits - node.dropped_bits, 0, most));
+    const bool is_input = node.operation == Operation::input;
+    node_bits_.push_back(std::clamp(is_input ? bits : bits - node.dropped_bits, 0, most));
     made_.nodes_.push_back(added);
   }
 
@@ -244,6 +247,10 @@ private:
   /// bit is set. False if the format does not hold the magnitude or the sign.
   static bool convert(const Node& node, double operand, int scale, Wide& value) {
     const FixedFormat& format = node.format;
+    if (node.arrives_fixed) {
+      value = static_cast<Wide>(std::floor(std::ldexp(operand, -format.unit_exponent)));
+      return true;
+    }
     const bool is_negative = std::signbit(operand);
     if (std::isnan(operand) || (is_negative && !format.is_signed)) return false;
     const double units = std::ldexp(std::abs(operand), -(format.unit_exponent + scale));

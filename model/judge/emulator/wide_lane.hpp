@@ -34,6 +34,7 @@ private:
     std::array<int, 2> shifts =
         {};  ///< of the operands before the operation, to the left; negative: to the right
     int dropped_bits;
+    bool arrives_fixed = false;  ///< an input that arrives in fixed point
     Wide constant = 0;
     Wide low = 0, high = 0;  ///< of Conversion::limit
   };

@@ -52,6 +52,12 @@ Integer converted(FloatFormat from, Bits bits, const FixedFormat& to) {
   return from.sign(bits) ? mpz_class(-magnitude - 1) : magnitude;
 }
 
+/// A number that arrived in fixed point, without the low bits that the input drops.
+mpz_class cut(FloatFormat from, Bits bits, const FixedFormat& to) {
+  const mpq_class value = to_rational(from, bits);
+  return floor_of(mixcmp::scaled(value, -to.unit_exponent));
+}
+
 /// The format whose numbers are 2^exponent times as large.
 FixedFormat scaled(FixedFormat format, int exponent) {
   format.unit_exponent += exponent;
@@ -204,6 +210,8 @@ std::vector<Integer> evaluate(const FixedLane& lane, std::span<const Bits> input
   for (const FixedNode& node : lane.nodes) {
     if (node.operation == Operation::input && !scale) {
       values.emplace_back();
+    } else if (node.operation == Operation::input && fixed::arriving_fixed(lane, node)) {
+      values.emplace_back(cut(lane.input_format, inputs[node.input], node.format));
     } else if (node.operation == Operation::input) {
       const FixedFormat format = scaled(node.format, *scale);
       values.push_back(converted(lane.input_format, inputs[node.input], format));
@@ -225,6 +233,7 @@ bool takes(const FixedLane& lane, int input, Bits operand) {
   const int scale = lane.format.is_block ? lane.input_format.max_exponent() + 1 : 0;
   return std::all_of(lane.nodes.begin(), lane.nodes.end(), [&](const FixedNode& node) {
     return node.operation != Operation::input || node.input != input ||
+           fixed::arriving_fixed(lane, node) ||
            converted(lane.input_format, operand, scaled(node.format, scale));
   });
 }

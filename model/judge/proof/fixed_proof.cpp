@@ -139,6 +139,9 @@ private:
     const int own = node.format.unit_exponent - node.dropped_bits;
     switch (node.operation) {
       case Operation::input:
+        if (const FixedFormat* arriving = fixed::arriving_fixed(lane_, node)) {
+          return own == arriving->unit_exponent;
+        }
         return !lane_.format.is_block ||
                (own == -lane_.format.operand_bits() && node.format.magnitude_bits() == -own);
       case Operation::constant:
@@ -259,11 +262,13 @@ private:
     });
   }
 
-  /// Theorem 1, by hand.
-  static void assume_operand(FixedNode& node) {
+  /// Theorem 1, by hand; an operand in fixed point loses only its dropped bits.
+  void assume_operand(FixedNode& node) const {
     const mpq_class unit = node.format.unit();
     node.value = {node.format.smallest() * unit, node.format.largest() * unit};
-    node.error = {-unit, 0};
+    const FixedFormat* arriving = fixed::arriving_fixed(lane_, node);
+    const mpq_class arriving_unit = arriving == nullptr ? mpq_class(0) : arriving->unit();
+    node.error = {arriving_unit - unit, 0};
   }
 
   void add_script(NodeId id, const Range& value, const Range& exact) {

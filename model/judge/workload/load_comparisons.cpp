@@ -1,7 +1,13 @@
 #include "model/judge/workload/load_comparisons.hpp"
 
+#include <fmt/core.h>
+
+#include <algorithm>
+
 #include "model/base/common/result.hpp"
+#include "model/base/number/decimal.hpp"
 #include "model/comparison/data/load_tables.hpp"
+#include "model/comparison/expression/text.hpp"
 #include "model/judge/workload/compare_by_reference.hpp"
 
 namespace mixcmp::workload {
@@ -17,6 +23,47 @@ data::CompareItems with_progress(data::CompareItems compare, const ComparisonPro
     done += items.size();
     progress(done, data.size());
   };
+}
+
+/// The row and the column of a table, in an error.
+std::string place_in(const data::Table& table, std::size_t row, std::size_t column) {
+  const std::string name =
+      table.origins.empty() ? table.columns[column] : table.origins[column].shown();
+  return fmt::format("row {}, {}", table.label(row), name);
+}
+
+/// Checks that the numbers of a column are of an input's format.
+Result<Done> check_column(const data::Table& table, std::size_t column, const std::string& input,
+                          const OperandFormat& format) {
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const Bits number = table.at(row, column);
+    if (format.holds(table.format, number)) continue;
+    return Error{
+        .file = table.source,
+        .field = place_in(table, row, column),
+        .message =
+            fmt::format("not a number of {}, the format of the input {}", format.name(), input),
+        .received = to_text(table.format, number),
+        .accepted = fmt::format("multiples of {} from {} to {}", to_text(format.fixed()->unit()),
+                                to_text(format.fixed()->smallest() * format.fixed()->unit()),
+                                to_text(format.fixed()->largest() * format.fixed()->unit()))};
+  }
+  return Done{};
+}
+
+/// Checks the numbers of all inputs in fixed point.
+Result<Done> check_numbers(const scene::Scene& scene, const std::vector<data::Table>& tables) {
+  for (std::size_t k = 0; k < scene.operand_formats.size(); ++k) {
+    const OperandFormat& format = scene.operand_formats[k];
+    if (format.fixed() == nullptr) continue;
+    const std::string& input = scene.graph.inputs()[k];
+    MIXCMP_TRY(source, data::input_column(scene.data->pairing, input));
+    const data::Table& table = tables[source.table];
+    const auto column = std::find(table.columns.begin(), table.columns.end(), source.name);
+    MIXCMP_DO(check_column(table, static_cast<std::size_t>(column - table.columns.begin()), input,
+                           format));
+  }
+  return Done{};
 }
 
 Result<data::Comparisons> arrange(const scene::Scene& scene, std::vector<data::Table> tables,
@@ -50,6 +97,7 @@ Result<data::Comparisons> load_comparisons(const scene::Scene& scene,
                  .accepted = "a section [data]"};
   }
   MIXCMP_TRY(tables, data::load_tables(*scene.data, scene.graph.inputs(), scene.reference.format));
+  MIXCMP_DO(check_numbers(scene, tables));
   Result<data::Comparisons> comparisons = arrange(scene, std::move(tables), progress);
   if (!comparisons.ok()) return data::with_place(*scene.data, comparisons.error());
   return comparisons;

@@ -13,6 +13,10 @@
 namespace mixcmp::fixed {
 namespace {
 
+bool has_no_error(const FixedNode& node) {
+  return node.error.low == 0 && node.error.high == 0;
+}
+
 /// The thresholds beyond which the difference, less its error, has a certain sign. Proof:
 /// docs/fixed_point.md, theorem 3.
 ConstantThresholds constant_thresholds(const FixedNode& difference) {
@@ -20,18 +24,19 @@ ConstantThresholds constant_thresholds(const FixedNode& difference) {
   const Range& error = difference.error;
   return {.greater_from = floor_of(error.high / unit) + 1,
           .less_to = ceiling_of(error.low / unit) - 1,
-          .exact = error.low == 0 && error.high == 0};
+          .exact = has_no_error(difference)};
 }
 
 Result<FixedPart> make_part(FixedGraphBuilder& builder, const Sides& sides,
                             const FixedOptions& options) {
   MIXCMP_TRY(f, builder.side(sides, sides.f));
   MIXCMP_TRY(g, builder.side(sides, sides.g));
-  if (!options.bound || options.bound == BoundKind::norm) {
+  const bool is_exact = has_no_error(builder.nodes()[f]) && has_no_error(builder.nodes()[g]);
+  if (!is_exact && (!options.bound || options.bound == BoundKind::norm)) {
     if (auto part = norm_part(builder, f, g)) return *part;
   }
   const NodeId difference = builder.difference(f, g);
-  if (options.bound == BoundKind::running) {
+  if (!is_exact && options.bound == BoundKind::running) {
     auto running = running_thresholds(builder.nodes(), options.format.bits, difference,
                                       builder.nodes_in_products(sides));
     if (running) return FixedPart{.difference = difference, .criterion = std::move(*running)};
@@ -73,6 +78,13 @@ void remove_unread(FixedLane& lane) {
   }
 }
 
+Error no_error_to_bound(BoundKind kind) {
+  return {.field = "reduced.error_bound",
+          .message = "the lane rounds nothing: there is no error to bound",
+          .received = std::string(to_string(kind)),
+          .accepted = "auto, constant"};
+}
+
 Error no_norm() {
   return {.field = "reduced.error_bound",
           .message =
@@ -87,6 +99,15 @@ Error no_running() {
           .message = "no running bound: no error grows with what f and g multiply",
           .received = "running",
           .accepted = "constant, or norm for sums of squares"};
+}
+
+Error no_block(const FixedPoint& format) {
+  return {.field = "reduced.format",
+          .message =
+              "block floating point finds its unit in the exponents of floating-point "
+              "operands: some inputs are in fixed point",
+          .received = format.name(),
+          .accepted = "qW or \"exact\""};
 }
 
 Error received(Error error, const FixedPoint& format) {
@@ -177,6 +198,10 @@ bool is_checked(const FixedNode& node) {
 
 Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
                              const FixedOptions& options) {
+  const bool any_fixed =
+      std::any_of(options.operand_formats.begin(), options.operand_formats.end(),
+                  [](const OperandFormat& format) { return format.fixed() != nullptr; });
+  if (options.format.is_block && any_fixed) return no_block(options.format);
   MIXCMP_TRY(degrees, degrees_of(graph, options.format));
   FixedGraphBuilder builder(graph, input_format, options);
   MIXCMP_DO(builder.cut_in_common());
@@ -185,7 +210,8 @@ Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
                  .input_names = graph.inputs(),
                  .input_format = input_format,
                  .parts = {},
-                 .combination = graph.combination()};
+                 .combination = graph.combination(),
+                 .operand_formats = options.operand_formats};
   for (std::size_t k = 0; k < graph.parts().size(); ++k) {
     MIXCMP_TRY(part, make_part(builder, graph.parts()[k], options));
     lane.parts.push_back(std::move(part));
@@ -193,9 +219,43 @@ Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
   }
   lane.nodes = std::move(builder.nodes());
   remove_unread(lane);
+  if (is_exact(lane))
+    return options.bound.value_or(BoundKind::constant) == BoundKind::constant
+               ? Result<FixedLane>(lane)
+               : no_error_to_bound(*options.bound);
   if (options.bound == BoundKind::norm && !has_norm(lane)) return no_norm();
   if (options.bound == BoundKind::running && !has_running(lane)) return no_running();
   return lane;
+}
+
+OperandFormat operand_format(const FixedLane& lane, int input) {
+  return lane.operand_formats.empty() ? OperandFormat(lane.input_format)
+                                      : lane.operand_formats[static_cast<std::size_t>(input)];
+}
+
+const FixedFormat* arriving_fixed(const FixedLane& lane, const FixedNode& node) {
+  if (lane.operand_formats.empty()) return nullptr;
+  return lane.operand_formats[static_cast<std::size_t>(node.input)].fixed();
+}
+
+bool is_read_as_it_arrives(const FixedLane& lane, const FixedNode& node) {
+  return node.operation == Operation::input &&
+         (!lane.loaded_inputs.empty() || arriving_fixed(lane, node) != nullptr);
+}
+
+bool rounds_nothing(const FixedLane& lane) {
+  return std::all_of(lane.parts.begin(), lane.parts.end(), [](const FixedPart& part) {
+    const auto* constants = std::get_if<ConstantThresholds>(&part.criterion);
+    return constants != nullptr && constants->exact;
+  });
+}
+
+bool is_exact(const FixedLane& lane) {
+  return rounds_nothing(lane) &&
+         std::all_of(lane.nodes.begin(), lane.nodes.end(), [&](const FixedNode& node) {
+           const bool is_input = node.operation == Operation::input;
+           return !is_checked(node) && (!is_input || arriving_fixed(lane, node) != nullptr);
+         });
 }
 
 std::vector<int> inputs_read(const FixedLane& lane) {

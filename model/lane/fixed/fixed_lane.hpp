@@ -12,6 +12,7 @@
 #include "model/base/number/fixed_format.hpp"
 #include "model/base/number/float_format.hpp"
 #include "model/base/number/lane_format.hpp"
+#include "model/base/number/operand_format.hpp"
 #include "model/comparison/expression/graph.hpp"
 #include "model/comparison/expression/range.hpp"
 
@@ -36,10 +37,12 @@ enum class Conversion {
 
 /// One operation. Its result is an integer of `format`, in that format's units.
 ///
-/// An input is an operand that arrives in floating point. Its magnitude is truncated to the unit
-/// and, if its sign bit is set, every bit is inverted. Both round down, to within a unit. Some
-/// operands leave the comparison undecided: NaN, infinity, a magnitude or sign that the format does
-/// not have, and a negative zero if the format is unsigned. The operands of an addition, a
+/// An input may arrive in floating point. Its magnitude is then truncated to the unit and, if its
+/// sign bit is set, every bit is inverted. Both round down, to within a unit. Some operands leave
+/// the comparison undecided: NaN, infinity, a magnitude or sign that the format does not have, and
+/// a negative zero if the format is unsigned. An input that arrives in fixed point loses
+/// `dropped_bits` low bits, often none, and never leaves anything undecided. The operands of an
+/// addition, a
 /// subtraction, a minimum and a maximum are aligned to the finer unit of the two. A square root is
 /// rounded down to its own unit, whatever its operand's unit is.
 struct FixedNode {
@@ -146,12 +149,14 @@ struct FixedLane {
   FixedPoint format;
   std::vector<FixedNode> nodes;  ///< in topological order
   std::vector<std::string> input_names;
-  FloatFormat input_format;  ///< the format of arriving operands
+  FloatFormat input_format;  ///< the format of operands that arrive in floating point
   std::vector<FixedPart> parts;
   Combination combination = Combination::all;  ///< valid only if there are several parts
   /// One per input of a lane that was split by item. Empty otherwise: operands arrive in
   /// `input_format`.
   std::vector<LoadedInput> loaded_inputs = {};
+  /// One per input: the format in which it arrives. Empty: all arrive in `input_format`.
+  std::vector<OperandFormat> operand_formats = {};
   /// The results of a graph without parts; empty elsewhere.
   std::vector<NodeId> outputs = {};
 
@@ -167,16 +172,35 @@ struct FixedOptions {
   /// One per input; a lane needs them all. In block floating point they are optional: an input
   /// whose range has no negative numbers needs no sign.
   std::vector<std::optional<Range>> ranges;
+  /// One per input, or none: all operands arrive in floating point.
+  std::vector<OperandFormat> operand_formats = {};
 };
 
-/// Makes the lane of a comparison whose operands arrive in `input_format`. Errors name the input
-/// without a range, the operation that fixed point does not have, the reason why f and g are not
-/// homogeneous, or the requested bound that no part has.
+/// Makes the lane of a comparison whose operands arrive in `input_format`, unless the options say
+/// otherwise. Errors name the input without a range, the operation that fixed point does not have,
+/// the reason why f and g are not homogeneous, or the requested bound that no part has.
 Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
                              const FixedOptions& options);
 
 /// Whether a lane in fixed point has this quotient: its divisor is a constant other than zero.
 bool has_quotient(const Graph& graph, NodeId quotient);
+
+/// The format in which an input arrives.
+OperandFormat operand_format(const FixedLane& lane, int input);
+
+/// The same if that is fixed point, else null. `node` is one of the lane's inputs.
+const FixedFormat* arriving_fixed(const FixedLane& lane, const FixedNode& node);
+
+/// Whether a node is an input that needs no conversion: it is a field of a word, or it arrives in
+/// fixed point.
+bool is_read_as_it_arrives(const FixedLane& lane, const FixedNode& node);
+
+/// Whether the difference has no error in any part.
+bool rounds_nothing(const FixedLane& lane);
+
+/// Whether the lane has no error and no limits, and so decides every comparison, also those of
+/// equal sides. All its operands arrive in fixed point.
+bool is_exact(const FixedLane& lane);
 
 /// The inputs that the lane reads, in the order of its nodes.
 std::vector<int> inputs_read(const FixedLane& lane);

@@ -322,9 +322,14 @@ NodeId FixedGraphBuilder::without_low_bits(NodeId id, int count) {
 }
 
 Result<FixedNode> FixedGraphBuilder::input(const Node& node) const {
-  const std::optional<Range>& range = options_.ranges[static_cast<std::size_t>(node.input)];
+  const auto number = static_cast<std::size_t>(node.input);
+  if (!options_.operand_formats.empty()) {
+    const FixedFormat* arriving = options_.operand_formats[number].fixed();
+    if (arriving != nullptr) return arriving_input(*arriving, node.input);
+  }
+  const std::optional<Range>& range = options_.ranges[number];
   if (options_.format.is_block) return input_below(0, range && range->low >= 0, node.input);
-  const std::string& name = graph_.inputs()[static_cast<std::size_t>(node.input)];
+  const std::string& name = graph_.inputs()[number];
   if (!range) {
     return Error{.field = fmt::format("inputs.{}.range", name),
                  .message = "a fixed-point lane needs a range for each input",
@@ -346,6 +351,16 @@ FixedNode FixedGraphBuilder::input_below(int top, bool nonnegative, int index) c
   if (nonnegative) return input;
   input.value.low = -greatest - unit;
   input.format = {.width = bits + 1, .unit_exponent = top - bits, .is_signed = true};
+  return input;
+}
+
+/// An operand in fixed point, without the low bits beyond those that the lane's format has.
+FixedNode FixedGraphBuilder::arriving_input(const FixedFormat& arriving, int index) const {
+  FixedNode input{.operation = Operation::input, .input = index, .constant = {}};
+  const mpq_class unit = arriving.unit();
+  input.format = arriving;
+  input.value = {arriving.smallest() * unit, arriving.largest() * unit};
+  drop_bits(input, arriving.magnitude_bits() - options_.format.operand_bits());
   return input;
 }
 

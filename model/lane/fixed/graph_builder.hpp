@@ -53,6 +53,7 @@ private:
   Result<FixedNode> make(NodeId id);  ///< the operands exist already
   Result<FixedNode> input(const Node& node) const;
   FixedNode input_below(int top, bool nonnegative, int index) const;
+  FixedNode arriving_input(const FixedFormat& arriving, int index) const;
   FixedNode constant(const mpq_class& value, int bits) const;
   Result<FixedNode> square_root(NodeId id);
   Result<FixedNode> quotient(NodeId id);

@@ -65,6 +65,7 @@ public:
         split_{.items = empty_loader(*lanes.front(), columns),
                .rows = empty_loader(*lanes.front(), row_columns),
                .lanes = {}} {
+    note_formats(*lanes.front());
     for (const FixedLane* lane : lanes) note_finest(*lane);
     for (const FixedLane* lane : lanes) split_.lanes.push_back(split_lane(*lane));
   }
@@ -82,6 +83,19 @@ private:
                      .input_format = lane.input_format,
                      .parts = {}},
             .flags = {}};
+  }
+
+  /// Gives the loaders' columns the formats of the inputs that they hold.
+  void note_formats(const FixedLane& lane) {
+    if (lane.operand_formats.empty()) return;
+    for (FixedLane* loader : {&split_.items.lane, &split_.rows.lane}) {
+      loader->operand_formats.assign(loader->input_names.size(), OperandFormat(lane.input_format));
+    }
+    for (std::size_t input = 0; input < inputs_.size(); ++input) {
+      FixedLane& loader = loading_of(inputs_[input].role).made.lane;
+      loader.operand_formats[static_cast<std::size_t>(inputs_[input].column)] =
+          lane.operand_formats[input];
+    }
   }
 
   Loading& loading_of(ItemRole role) { return role == ItemRole::row ? rows_ : items_; }
@@ -110,6 +124,7 @@ private:
     FixedLane rest = lane;
     rest.nodes.clear();
     rest.input_names.clear();
+    rest.operand_formats.clear();
     std::vector<NodeId> new_id(lane.nodes.size(), -1);
     for (const NodeId id : nodes_left(lane, reads)) {
       FixedNode node = lane.nodes[id];
@@ -231,7 +246,7 @@ private:
     for (std::size_t part = 0; part < lane.parts.size(); ++part) {
       for (const NodeId id : fan_in(lane, lane.parts[part].difference)) {
         const FixedNode& node = lane.nodes[id];
-        if (node.operation != Operation::input) continue;
+        if (node.operation != Operation::input || arriving_fixed(lane, node)) continue;
         const auto role = static_cast<std::size_t>(inputs_[node.input].role);
         loading_of(node).affected[finest_input(node)][role].emplace(number, part);
       }

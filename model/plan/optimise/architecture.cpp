@@ -71,6 +71,13 @@ std::string streams_of(const scene::EngineSpec& engine) {
   return fmt::format("{} streams of reports, ", engine.report_streams);
 }
 
+/// The open keys that change the scene's systems. Without references nothing keeps operands.
+OpenKeys keys_with_effect(OpenKeys open, const scene::Scene& scene) {
+  if (scene.reference_count() != 0) return open;
+  open.operands = open.operand_memory = open.request_beats = open.initiation_interval = false;
+  return open;
+}
+
 std::string setting(const char* key, std::string_view value) {
   return fmt::format("{}={}", key, value);
 }
@@ -90,8 +97,9 @@ OpenKeys open_keys(const settings::Settings& settings) {
           .report_streams = is_open(settings, "engine", "report_streams")};
 }
 
-std::vector<Architecture> architectures_of(const scene::Scene& scene, const OpenKeys& open) {
+std::vector<Architecture> architectures_of(const scene::Scene& scene, const OpenKeys& all_open) {
   const scene::SystemSpec& given = scene.system;
+  const OpenKeys open = keys_with_effect(all_open, scene);
   const std::array counters = {CounterAccess::ports, CounterAccess::none};
   const std::array stores = {OperandStore::carried, OperandStore::refetched};
   std::vector<Architecture> all;
@@ -154,7 +162,8 @@ scene::Scene with_architecture(scene::Scene scene, const Architecture& architect
 }
 
 std::vector<std::string> settings_of(const Architecture& architecture, const scene::Scene& scene,
-                                     const OpenKeys& open) {
+                                     const OpenKeys& all_open) {
+  const OpenKeys open = keys_with_effect(all_open, scene);
   std::vector<std::string> settings;
   const bool streams = scene.system.engine.kind == EngineKind::none;
   if (open.operands && streams) {
@@ -192,6 +201,7 @@ std::string interface_of(const scene::Scene& scene) {
                                    : "counters";
   switch (system.engine.kind) {
     case EngineKind::none:
+      if (scene.reference_count() == 0) return "no references, " + counters;
       return fmt::format("operands {}, {}", to_string(system.operands), counters);
     case EngineKind::pairwise:
       return fmt::format("pairwise engine, {}{}", streams_of(system.engine), counters);

@@ -304,7 +304,10 @@ Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& 
   const PlanningInputs inputs{scene, table, known, options, second_tier};
   const Candidates candidates = candidates_of(inputs, findings);
   if (candidates.lanes.empty()) return no_lane(scene);
-  if (candidates.references.empty()) return nothing_to_choose_from(scene, "reference");
+  const bool has_references = scene.reference_count() != 0;
+  if (has_references && candidates.references.empty()) {
+    return nothing_to_choose_from(scene, "reference");
+  }
   const Crossbars crossbars = crossbars_of(inputs, findings);
   Optimisation all{.scene = scene.name,
                    .device = device,

@@ -14,6 +14,7 @@
 #include "model/design/request_beats.hpp"
 #include "model/design/slots.hpp"
 #include "model/plan/optimise/engine_area.hpp"
+#include "model/plan/optimise/exact_lanes.hpp"
 #include "model/plan/optimise/pairwise_busy.hpp"
 #include "model/plan/optimise/second_tier.hpp"
 #include "model/plan/optimise/throughput_bound.hpp"
@@ -99,7 +100,8 @@ double lane_mhz(const PrecisionSearch& search, const Measurement& row,
 
 std::optional<Rate> known_rate(const PrecisionSearch& search, const Lane& lane) {
   const RateKey key = rate_key(lane);
-  const std::optional<Rate> rate = search.inputs.rates.find(key);
+  std::optional<Rate> rate = search.inputs.rates.find(key);
+  if (rate) rate->is_exact = is_exact(search.inputs.scene, lane);
   if (!rate) {
     search.findings.notes.insert(fmt::format("{}: no recomputation rate is known", name_of(key)));
   }

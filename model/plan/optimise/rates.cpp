@@ -66,6 +66,7 @@ Error unreadable(const std::filesystem::path& path, int number, std::string fiel
 }  // namespace
 
 double Rate::value() const {
+  if (is_exact) return 0;
   constexpr double rule_of_three = 3;
   const auto total = static_cast<double>(comparisons);
   if (undecided == 0) return std::min(1.0, rule_of_three / total);

@@ -26,10 +26,11 @@ struct RateKey {
 struct Rate {
   std::uint64_t undecided = 0;
   std::uint64_t comparisons = 0;
+  bool is_exact = false;  ///< the lane has no error, so no comparison is ever undecided
 
   /// undecided / comparisons. If none of n comparisons was undecided, it is 3 / n, at most 1. The
   /// true rate is below 3 / n with 95 % confidence (rule of three), and no plan should rely on a
-  /// lower one.
+  /// lower one. Only an exact lane has 0.
   double value() const;
 };
 

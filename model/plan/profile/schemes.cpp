@@ -73,7 +73,8 @@ std::vector<Bound> bounds_in_fixed_point(const scene::Scene& scene, std::span<co
   std::vector<Bound> bounds;
   const auto add_new = [&](const Bound& bound) {
     const bool known = std::find(bounds.begin(), bounds.end(), bound) != bounds.end();
-    if (bound.is_fixed_point() && !known) bounds.push_back(bound);
+    const bool takes_operands = bound.system != NumberSystem::block || !scene.has_fixed_operands();
+    if (bound.is_fixed_point() && takes_operands && !known) bounds.push_back(bound);
   };
   const auto add_format = [&](const scene::ReducedSpec& reduced) {
     if (!reduced.fixed_point) return;
@@ -87,6 +88,18 @@ std::vector<Bound> bounds_in_fixed_point(const scene::Scene& scene, std::span<co
   for (const scene::LaneGroupSpec& group : scene.lanes) add_format(group.reduced);
   for (const Bound& bound : asked) add_new(bound);
   return bounds;
+}
+
+void add_float_lanes(const scene::Scene& scene, const ErrorProfile& errors,
+                     const ErrorAtPrecision& error, std::vector<SchemeLanes>& schemes) {
+  const TypedGraph graph = graph_at(scene, error.precision, errors.inputs);
+  add(schemes, std::nullopt, SchemeKind::lanes_alone, design::Lane(lanes_alone(graph)));
+  add(schemes, Bound{.kind = BoundKind::profiled}, SchemeKind::profiled,
+      profiled_at(graph, error, errors.comparisons));
+  for (error::CandidateLane& candidate : error::candidate_lanes(graph, scene.ranges)) {
+    add(schemes, candidate.bound, SchemeKind::certified,
+        design::as_lane(std::move(candidate.lane)));
+  }
 }
 
 void add_fixed_lanes(const scene::Scene& scene, int bits, std::span<const Bound> bounds,
@@ -111,14 +124,8 @@ std::vector<SchemeLanes> make_schemes(const scene::Scene& scene, const ErrorProf
   std::vector<SchemeLanes> schemes;
   const std::vector<Bound> in_fixed_point = bounds_in_fixed_point(scene, bounds);
   for (const ErrorAtPrecision& error : errors.precisions) {
-    const TypedGraph graph = graph_at(scene, error.precision, errors.inputs);
-    add(schemes, std::nullopt, SchemeKind::lanes_alone, design::Lane(lanes_alone(graph)));
-    add(schemes, Bound{.kind = BoundKind::profiled}, SchemeKind::profiled,
-        profiled_at(graph, error, errors.comparisons));
-    for (error::CandidateLane& candidate : error::candidate_lanes(graph, scene.ranges)) {
-      add(schemes, candidate.bound, SchemeKind::certified,
-          design::as_lane(std::move(candidate.lane)));
-    }
+    // Lanes in floating point do not take operands in fixed point.
+    if (!scene.has_fixed_operands()) add_float_lanes(scene, errors, error, schemes);
     add_fixed_lanes(scene, error.precision, in_fixed_point, schemes);
   }
   const auto is_unwanted = [&](const SchemeLanes& scheme) {

@@ -208,7 +208,8 @@ TEST_F(Groups, MistakesAreToldWithTheLineOfTheirGroup) {
             ":18: lanes.bits: unknown key: r");
   EXPECT_EQ(
       error("[[lanes]]\ncount = 1\nformat = \"s60e8\"\n"),
-      ":18: lanes.format: precision out of range: received \"s60e8\"; accepted \"auto\", sP or "
+      ":18: lanes.format: precision out of range: received \"s60e8\"; accepted \"auto\", "
+      "\"exact\", sP or "
       "sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32; qW or blockW with W 2..48, "
       "likewise W + G of qWgG and blockWgG");
   EXPECT_EQ(error("[[references]]\ncount = 1\nformat = \"s24e8\"\n"),

@@ -129,7 +129,8 @@ TEST_F(Edges, ALanesDigitsEndAtTheReferences) {
   const auto wider = load("s11e5", {"reduced.format=s12e5"});
   ASSERT_FALSE(wider.ok());
   EXPECT_EQ(wider.error().accepted,
-            "\"auto\", sP or sPeE with P 4..11 and E 2..15, or binary16, bfloat16; P at most the "
+            "\"auto\", \"exact\", sP or sPeE with P 4..11 and E 2..15, or binary16, bfloat16; P at "
+            "most the "
             "reference's; qW or blockW with W 2..11, likewise W + G of qWgG and blockWgG");
 }
 

@@ -54,7 +54,8 @@ TEST_F(OverrideTest, AMistakeThatAnOverrideBringsAboutIsItsOwn) {
   EXPECT_EQ(
       error({"reference.format=binary16"}),
       "--set reference.format: reduced.format: precision out of range (at scene.toml:14): "
-      "received \"s17e8\"; accepted \"auto\", sP or sPeE with P 4..11 and E 2..15, or binary16, "
+      "received \"s17e8\"; accepted \"auto\", \"exact\", sP or sPeE with P 4..11 and E 2..15, or "
+      "binary16, "
       "bfloat16; P at most the reference's; qW or blockW with W 2..11, likewise W + G of qWgG and "
       "blockWgG");
   EXPECT_EQ(error({"comparison.f=cxi", "comparison.g=cxj"}),
@@ -91,7 +92,7 @@ TEST_F(OverrideTest, KeysBelowWhatHasNoneAreRefused) {
             "the name of a column, its number counted from 0, or a list of these");
   EXPECT_EQ(error({"inputs.cxi.rnge=[0, 1]"}),
             "--set: inputs.cxi.rnge: unknown key: received rnge; accepted range (the nearest), "
-            "grid");
+            "format, grid");
   for (const char* text : {"reduced..format=s8e8", ".reduced.format=s8e8", "reduced.=1", ".=1"}) {
     EXPECT_EQ(error({text}), std::string("--set: not an override: received \"") + text +
                                  "\"; accepted section.key=value");

@@ -389,7 +389,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "to 0.95"},
         Mistake{"\"r*\" = { range = [0, 0.1] }", "\"r*\" = [0, 0.1]",
                 ":8: inputs.r*: wrong type: received an array of 2; accepted { range = [low, high] "
-                "}, low <= high, or { range = \"data\" }, and a grid beside it"}));
+                "}, low <= high, or { range = \"data\" }, and a grid beside it; or { format = "
+                "\"uint10\" }"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Values, SceneMistake,
@@ -403,35 +404,43 @@ INSTANTIATE_TEST_SUITE_P(
                 "\"module\"; accepted a letter or '_', then letters, digits and '_', at most 64, "
                 "no Verilog or SystemVerilog keyword, no simulator's own word"},
         Mistake{"s53e8", "s10e8",
-                ":11: reference.format: precision out of range: received \"s10e8\"; accepted sPeE "
-                "with P 11..113 and E 2..15, or binary16, binary32, binary64, binary128"},
+                ":11: reference.format: precision out of range: received \"s10e8\"; accepted "
+                "\"exact\", "
+                "sPeE with P 11..113 and E 2..15, or binary16, binary32, binary64, binary128"},
         Mistake{"s53e8", "double",
                 ":11: reference.format: not a floating-point format: received \"double\"; accepted "
-                "sPeE with P 11..113 and E 2..15, or binary16, binary32, binary64, binary128"},
+                "\"exact\", sPeE with P 11..113 and E 2..15, or binary16, binary32, binary64, "
+                "binary128"},
         Mistake{
             "s17e8", "s3e8",
             ":14: reduced.format: precision out of range: received \"s3e8\"; accepted \"auto\", "
+            "\"exact\", "
             "sP or sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32; qW or blockW "
             "with W 2..48, likewise W + G of qWgG and blockWgG"},
         Mistake{"s17e8", "s53",
                 ":14: reduced.format: precision out of range: received \"s53\"; accepted \"auto\", "
+                "\"exact\", "
                 "sP or sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32; qW or "
                 "blockW with W 2..48, likewise W + G of qWgG and blockWgG"},
         Mistake{"s17e8", "float",
                 ":14: reduced.format: not a floating-point format: received \"float\"; accepted "
-                "\"auto\", sP or sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32; "
+                "\"auto\", \"exact\", sP or sPeE with P 4..52 and E 2..15, or binary16, bfloat16, "
+                "binary32; "
                 "qW or blockW with W 2..48, likewise W + G of qWgG and blockWgG"},
         Mistake{"s17e8", "q40g20",
                 ":14: reduced.format: bits out of range: received \"q40g20\"; accepted \"auto\", "
+                "\"exact\", "
                 "sP or sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32; qW or "
                 "blockW with W 2..48, likewise W + G of qWgG and blockWgG"},
         Mistake{"s17e8", "s53e8",
                 ":14: reduced.format: precision out of range: received \"s53e8\"; accepted "
-                "\"auto\", sP or sPeE with P 4..52 and E 2..15, or binary16, bfloat16, binary32; "
+                "\"auto\", \"exact\", sP or sPeE with P 4..52 and E 2..15, or binary16, bfloat16, "
+                "binary32; "
                 "qW or blockW with W 2..48, likewise W + G of qWgG and blockWgG"},
         Mistake{"s53e8", "s16e8",
                 ":14: reduced.format: precision out of range: received \"s17e8\"; accepted "
-                "\"auto\", sP or sPeE with P 4..16 and E 2..15, or binary16, bfloat16; P at most "
+                "\"auto\", \"exact\", sP or sPeE with P 4..16 and E 2..15, or binary16, bfloat16; "
+                "P at most "
                 "the reference's; qW or blockW with W 2..16, likewise W + G of qWgG and blockWgG"},
         Mistake{"\"profiled\"", "\"profield\"",
                 ":15: reduced.bound: not a choice: received \"profield\"; accepted profiled (the "
@@ -488,9 +497,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"\"r*\"", "\"*i\"",
                 ":8: inputs.*i: two patterns match the input cxi: received \"c*\" and \"*i\"; "
                 "accepted one pattern, or the exact key cxi"},
-        Mistake{
-            "range = [0, 100]", "rnage = [0, 100]",
-            ":7: inputs.c*.rnage: unknown key: received rnage; accepted range (the nearest), grid"},
+        Mistake{"range = [0, 100]", "rnage = [0, 100]",
+                ":7: inputs.c*.rnage: unknown key: received rnage; accepted range (the nearest), "
+                "format, grid"},
         Mistake{"range = [0, 100]", "range = [100, 0]",
                 ":7: inputs.c*.range: the range is empty: received [100, 0]; accepted [low, high], "
                 "low <= high, or \"data\""},

@@ -410,5 +410,37 @@ TEST(FixedProofOfOperands, DoesNotBelieveTheLane) {
   EXPECT_TRUE(read);
 }
 
+FixedLane lane_of_integers(int bits) {
+  const Graph graph = graph_of("(a - b) * c", "b^2");
+  const std::vector<OperandFormat> formats(3, *OperandFormat::parse("int8"));
+  return fixed::fixed_lane(graph, format_of(53, 8),
+                           {.format = {bits},
+                            .bound = {},
+                            .ranges = std::vector<std::optional<Range>>(3),
+                            .operand_formats = formats})
+      .value();
+}
+
+TEST(FixedProofOfIntegers, IsMachineCheckedButForTheDecision) {
+  if (!proof::gappa_version().ok()) GTEST_SKIP() << "gappa is not installed";
+  EXPECT_EQ(proof_of(lane_of_integers(7)).verdict(),
+            "machine-checked but for theorems 1 (operands) and 3, by hand");
+  EXPECT_EQ(proof_of(lane_of_integers(4)).verdict(),
+            "machine-checked but for theorems 1 (operands), 2 (dropped bits) and 3, by hand");
+}
+
+/// A lane may not count a dropped bit as if it were there, nor have a unit that hardware lacks.
+TEST(FixedProofOfIntegers, RefusesLanesThatForgetDroppedBits) {
+  EXPECT_FALSE(is_refused(lane_of_integers(7)));
+  EXPECT_FALSE(is_refused(lane_of_integers(5)));
+  FixedLane exact = lane_of_integers(5);
+  exact.parts.front().criterion =
+      fixed::ConstantThresholds{.greater_from = 1, .less_to = -1, .exact = true};
+  EXPECT_TRUE(is_refused(exact));
+  FixedLane shifted = lane_of_integers(5);
+  shifted.nodes.front().dropped_bits = 1;
+  EXPECT_TRUE(is_refused(shifted));
+}
+
 }  // namespace
 }  // namespace mixcmp::test::fixed_proof_test

@@ -267,5 +267,22 @@ TEST(ComparisonProgress, CountsUpToAllComparisons) {
   EXPECT_EQ(told, (std::vector<std::uint64_t>{4096, 8192, 9096, 10'000}));
 }
 
+/// Each number of an input in fixed point is one of its format.
+TEST_F(DataMistakes, ANumberThatAnInputsFormatLacks) {
+  write("numbers.csv", "x,y\n3,2\n3,16\n");
+  const std::string rows = "file = \"numbers.csv\"\n[inputs]\nx = { format = \"uint4\" }\n";
+  EXPECT_EQ(error("x", "y", rows + "y = { format = \"uint4\" }\n[reduced]\nformat = \"exact\"\n"),
+            "numbers.csv: row of line 3, y: not a number of uint4, the format of the input y: "
+            "received 16; accepted multiples of 1 from 0 to 15");
+  write("numbers.csv", "x,y\n3,2.125\n3,-2\n");
+  EXPECT_EQ(error("x", "y", rows + "y = { format = \"q1.2\" }\n[reduced]\nformat = \"exact\"\n"),
+            "numbers.csv: row of line 2, y: not a number of q1.2, the format of the input y: "
+            "received 2.125; accepted multiples of 0.25 from -2 to 1.75");
+  write("numbers.csv", "x,y\n3,2\n3,nan\n");
+  EXPECT_EQ(error("x", "y", rows + "y = { format = \"uint4\" }\n[reduced]\nformat = \"exact\"\n"),
+            "numbers.csv: row of line 3, y: not a number of uint4, the format of the input y: "
+            "received nan; accepted multiples of 1 from 0 to 15");
+}
+
 }  // namespace
 }  // namespace mixcmp::test::data_mistakes_test

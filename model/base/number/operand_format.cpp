@@ -1,0 +1,150 @@
+#include "model/base/number/operand_format.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "model/base/common/check.hpp"
+#include "model/base/common/quote.hpp"
+#include "model/base/number/whole_number.hpp"
+
+namespace mixcmp::inline number {
+namespace {
+
+/// Bits before and behind the point; an integer has none behind it.
+struct Places {
+  int before;
+  int behind;
+};
+
+std::optional<Places> places_of(std::string_view word, bool has_point) {
+  if (!has_point) {
+    const std::optional<int> bits = whole_number(word);
+    return bits ? std::optional(Places{*bits, 0}) : std::nullopt;
+  }
+  const std::size_t point = word.find('.');
+  if (point == std::string_view::npos) return std::nullopt;
+  const std::optional<int> before = whole_number(word.substr(0, point));
+  const std::optional<int> behind = whole_number(word.substr(point + 1));
+  return before && behind ? std::optional(Places{*before, *behind}) : std::nullopt;
+}
+
+/// A kind of names: `prefix` and then the number of bits.
+struct Kind {
+  std::string_view prefix;
+  bool has_point;
+  bool is_signed;
+};
+
+constexpr Kind kinds[] = {
+    {"uint", false, false}, {"int", false, true}, {"uq", true, false}, {"q", true, true}};
+
+std::optional<FixedFormat> parsed(const Kind& kind, std::string_view name) {
+  if (!name.starts_with(kind.prefix)) return std::nullopt;
+  const std::optional<Places> places = places_of(name.substr(kind.prefix.size()), kind.has_point);
+  if (!places) return std::nullopt;
+  const int sign_bits = kind.is_signed && kind.has_point ? 1 : 0;
+  const FixedFormat format{.width = sign_bits + places->before + places->behind,
+                           .unit_exponent = -places->behind,
+                           .is_signed = kind.is_signed};
+  const int fewest = kind.is_signed ? 2 : 1;
+  const bool is_possible = format.width >= fewest && format.width <= OperandFormat::most_fixed_bits;
+  return is_possible ? std::optional(format) : std::nullopt;
+}
+
+/// A finite number as negative, significand and the exponent of the significand's unit.
+struct Scientific {
+  bool is_negative;
+  Bits significand;
+  int unit_exponent;
+};
+
+Scientific scientific(FloatFormat format, Bits number) {
+  const int exponent = format.biased_exponent(number);
+  const Bits leading = exponent == 0 ? Bits{0} : Bits{1} << format.fraction_bits();
+  return {.is_negative = format.sign(number),
+          .significand = format.fraction(number) | leading,
+          .unit_exponent = std::max(exponent, 1) - format.bias() - format.fraction_bits()};
+}
+
+/// The integer that a finite number is in units of 2^unit_exponent; none if it is no integer, or
+/// one of more than 64 bits.
+std::optional<Bits> magnitude_in_units(const Scientific& number, int unit_exponent) {
+  if (number.significand == 0) return Bits{0};
+  Bits significand = number.significand;
+  int shift = number.unit_exponent - unit_exponent;
+  for (; shift < 0 && (significand & 1) == 0; ++shift) significand >>= 1;
+  const bool fits = shift >= 0 && shift < OperandFormat::most_fixed_bits &&
+                    significand <= (low_mask(OperandFormat::most_fixed_bits) >> shift);
+  return fits ? std::optional(significand << shift) : std::nullopt;
+}
+
+}  // namespace
+
+Result<OperandFormat> OperandFormat::parse_fixed(std::string_view name) {
+  for (const Kind& kind : kinds) {
+    const std::optional<FixedFormat> format = parsed(kind, name);
+    if (format && OperandFormat(*format).name() == name) return OperandFormat(*format);
+  }
+  return Error{.message = "not a format of operands in fixed point",
+               .received = in_quotes(name),
+               .accepted = accepted_fixed()};
+}
+
+Result<OperandFormat> OperandFormat::parse(std::string_view name) {
+  if (auto fixed = parse_fixed(name); fixed.ok()) return fixed;
+  MIXCMP_TRY(floating, FloatFormat::parse(name));
+  return OperandFormat(floating);
+}
+
+std::string OperandFormat::accepted_fixed() {
+  return fmt::format(
+      "uint1..uint{0}, int2..int{0}, qI.F or uqI.F with I bits before the point and F behind it, "
+      "such as q3.12, at most {0} bits with the sign",
+      most_fixed_bits);
+}
+
+int OperandFormat::width() const {
+  if (const FixedFormat* fixed_point = fixed()) return fixed_point->width;
+  return std::get<FloatFormat>(format_).width();
+}
+
+std::string OperandFormat::name() const {
+  const FixedFormat* format = fixed();
+  if (format == nullptr) return std::get<FloatFormat>(format_).name();
+  const int behind = -format->unit_exponent;
+  if (behind == 0) return fmt::format("{}int{}", format->is_signed ? "" : "u", format->width);
+  return fmt::format("{}q{}.{}", format->is_signed ? "" : "u", format->magnitude_bits() - behind,
+                     behind);
+}
+
+bool OperandFormat::holds(FloatFormat from, Bits number) const {
+  const FixedFormat* format = fixed();
+  if (format == nullptr) return std::get<FloatFormat>(format_) == from;
+  if (from.is_nan(number) || from.is_infinite(number)) return false;
+  const Scientific parts = scientific(from, number);
+  const std::optional<Bits> magnitude = magnitude_in_units(parts, format->unit_exponent);
+  if (!magnitude) return false;
+  const Bits below = Bits{1} << format->magnitude_bits();
+  if (!parts.is_negative || *magnitude == 0) return *magnitude < below;
+  return format->is_signed && *magnitude <= below;
+}
+
+Bits OperandFormat::word_of(FloatFormat from, Bits number) const {
+  const FixedFormat* format = fixed();
+  if (format == nullptr) return number;
+  const Scientific parts = scientific(from, number);
+  const std::optional<Bits> magnitude = magnitude_in_units(parts, format->unit_exponent);
+  MIXCMP_CHECK(magnitude);
+  const Bits word = parts.is_negative ? Bits{0} - *magnitude : *magnitude;
+  return word & low_mask(format->width);
+}
+
+int total_width(std::span<const OperandFormat> formats) {
+  int bits = 0;
+  for (const OperandFormat& format : formats) bits += format.width();
+  return bits;
+}
+
+}  // namespace mixcmp::inline number

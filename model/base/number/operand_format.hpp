@@ -1,0 +1,53 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "model/base/common/result.hpp"
+#include "model/base/number/fixed_format.hpp"
+#include "model/base/number/float_format.hpp"
+
+namespace mixcmp::inline number {
+
+/// The format in which an operand arrives at the ports of a system: floating point, or fixed point,
+/// which includes integers. Fixed-point words have at most 64 bits.
+class OperandFormat {
+public:
+  static constexpr int most_fixed_bits = 64;
+
+  explicit OperandFormat(FloatFormat format) : format_(format) {}
+  explicit OperandFormat(FixedFormat format) : format_(format) {}
+
+  /// Reads the name of any format.
+  static Result<OperandFormat> parse(std::string_view name);
+  /// Reads the name of a fixed-point format: "uint10" and "int8" are integers of 10 and 8 bits;
+  /// "q3.12" has a sign, 3 bits before the point and 12 behind it, so 16 bits; "uq4.12" has no
+  /// sign.
+  static Result<OperandFormat> parse_fixed(std::string_view name);
+  /// The names that parse_fixed accepts, in a message's words.
+  static std::string accepted_fixed();
+
+  int width() const;         ///< bits of a word
+  std::string name() const;  ///< "s53e11", "uint10", "q3.12"
+  /// The one of the two that it is; the other is null.
+  const FixedFormat* fixed() const { return std::get_if<FixedFormat>(&format_); }
+  const FloatFormat* floating() const { return std::get_if<FloatFormat>(&format_); }
+
+  /// Whether a number is one of this format. It is encoded in `from`.
+  bool holds(FloatFormat from, Bits number) const;
+  /// The word of a number that the format holds. The number is encoded in `from`, which must be
+  /// this format if that is in floating point.
+  Bits word_of(FloatFormat from, Bits number) const;
+
+  friend bool operator==(const OperandFormat&, const OperandFormat&) = default;
+
+private:
+  std::variant<FloatFormat, FixedFormat> format_;
+};
+
+/// The bits of words of these formats side by side.
+int total_width(std::span<const OperandFormat> formats);
+
+}  // namespace mixcmp::inline number

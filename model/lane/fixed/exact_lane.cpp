@@ -1,0 +1,108 @@
+#include "model/lane/fixed/exact_lane.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "model/base/number/dyadic.hpp"
+#include "model/comparison/expression/text.hpp"
+
+namespace mixcmp::fixed {
+namespace {
+
+constexpr std::size_t most_characters = 60;
+
+Error not_exact(std::string message, std::string received, std::string accepted) {
+  return {.field = "reduced.format",
+          .message = std::move(message),
+          .received = std::move(received),
+          .accepted = std::move(accepted)};
+}
+
+/// Why the lane, which has the most bits that are allowed, has an error.
+Error reason(const FixedLane& lane, const Graph& graph) {
+  for (const FixedNode& node : lane.nodes) {
+    if (node.operation == Operation::constant && node.error.low != 0) {
+      return not_exact("an exact lane needs constants that are multiples of a power of two",
+                       fmt::format("one near {}", rounded_text(node.value.low, 6)),
+                       "constants such as 0.25");
+    }
+    if (node.operation == Operation::square_root) {
+      return not_exact("an exact lane has no square roots", "sqrt in f or g",
+                       "the squares of both sides");
+    }
+    if (is_checked(node)) {
+      return not_exact("an exact lane has no limits", "a let or an input with limits",
+                       "f and g without limits");
+    }
+  }
+  const std::string text = to_text(graph, graph.parts().front().f, most_characters);
+  return not_exact("an exact lane would need more bits than a lane has", text,
+                   "operands with fewer bits");
+}
+
+/// The most bits of any operand's magnitude.
+int widest(const std::vector<OperandFormat>& operand_formats) {
+  int bits = 1;
+  for (const OperandFormat& format : operand_formats) {
+    bits = std::max(bits, format.fixed()->magnitude_bits());
+  }
+  return bits;
+}
+
+/// The digits of the numbers in a range of multiples of the unit.
+int digits_within(const Range& value, const mpq_class& unit) {
+  const mpq_class units = std::max<mpq_class>(abs(value.low), abs(value.high)) / unit;
+  return digits_of(ceiling_of(units));
+}
+
+/// The lane with the fewest bits for which `property` holds. Operands in floating point, of which
+/// it has none, would arrive in the widest format.
+Result<FixedLane> lane_with(bool (*property)(const FixedLane&), const Graph& graph,
+                            const std::vector<OperandFormat>& operand_formats, int most_bits) {
+  for (std::size_t input = 0; input < operand_formats.size(); ++input) {
+    if (operand_formats[input].fixed() != nullptr) continue;
+    return not_exact("an exact lane needs operands in fixed point",
+                     fmt::format("{} in {}", graph.inputs()[input], operand_formats[input].name()),
+                     "inputs with a format such as uint10");
+  }
+  constexpr int wide = FloatFormat::max_exponent_bits;
+  const auto lane_of = [&](int bits) {
+    return fixed_lane(
+        graph, FloatFormat::make(FloatFormat::max_precision, wide).value(),
+        {.format = {.bits = bits}, .bound = {}, .ranges = {}, .operand_formats = operand_formats});
+  };
+  for (int bits = std::max(2, widest(operand_formats)); bits <= most_bits; ++bits) {
+    MIXCMP_TRY(lane, lane_of(bits));
+    if (property(lane)) return lane;
+  }
+  MIXCMP_TRY(widest_lane, lane_of(most_bits));
+  return reason(widest_lane, graph);
+}
+
+}  // namespace
+
+Result<int> exact_bits(const Graph& graph, const std::vector<OperandFormat>& operand_formats,
+                       int most_bits) {
+  MIXCMP_TRY(lane, lane_with(is_exact, graph, operand_formats, most_bits));
+  return lane.format.bits;
+}
+
+Result<FloatFormat> exact_format(const Graph& graph,
+                                 const std::vector<OperandFormat>& operand_formats,
+                                 int least_precision) {
+  MIXCMP_TRY(lane, lane_with(rounds_nothing, graph, operand_formats, FloatFormat::max_precision));
+  int precision = least_precision, farthest = 1;  // exponents of units and of largest numbers
+  for (const FixedNode& node : lane.nodes) {
+    const int digits = digits_within(node.value, node.format.unit());
+    precision = std::max(precision, digits);
+    farthest = std::max({farthest, std::abs(node.format.unit_exponent) + 1,
+                         std::abs(node.format.unit_exponent + digits)});
+  }
+  int exponent_bits = FloatFormat::min_exponent_bits;
+  while ((1 << (exponent_bits - 1)) - 1 < farthest) ++exponent_bits;
+  return FloatFormat::make(precision, exponent_bits);
+}
+
+}  // namespace mixcmp::fixed

@@ -1,0 +1,101 @@
+#include "model/scene/fixed_operands.hpp"
+
+#include <fmt/core.h>
+
+#include <map>
+#include <utility>
+
+#include "model/base/common/quote.hpp"
+#include "model/base/settings/section.hpp"
+#include "model/comparison/data/pairing.hpp"
+
+namespace mixcmp::scene {
+namespace {
+
+/// Refuses a reference format that rounds some operand of an input.
+Result<Done> check_reference_format(const settings::Settings& settings, const Scene& scene) {
+  const FloatFormat reference = scene.reference.format;
+  for (std::size_t k = 0; k < scene.operand_formats.size(); ++k) {
+    const FixedFormat* format = scene.operand_formats[k].fixed();
+    if (format == nullptr) continue;
+    const int top = format->unit_exponent + format->magnitude_bits();
+    const bool is_held = reference.precision() >= format->magnitude_bits() &&
+                         top <= reference.max_exponent() &&
+                         format->unit_exponent >= reference.min_exponent();
+    if (is_held) continue;
+    return settings::Section(settings, "reference")
+        .mistake("format",
+                 fmt::format("it does not hold every number of {} in {}", scene.graph.inputs()[k],
+                             scene.operand_formats[k].name()),
+                 reference.name(), "\"exact\", or a format with more digits or exponent bits");
+  }
+  return Done{};
+}
+
+Result<Done> check_lanes(const settings::Settings& settings, const Scene& scene) {
+  const std::string message = "a lane in floating point takes no operands in fixed point";
+  const std::string accepted = "\"exact\", \"auto\", or qW such as q13";
+  for (const LaneGroupSpec& group : scene.lane_groups()) {
+    if (!group.reduced.format) continue;
+    const std::string received = in_quotes(group.reduced.format_name());
+    if (scene.lanes.empty()) {
+      return settings::Section(settings, "reduced").mistake("format", message, received, accepted);
+    }
+    return Error{.file = group.place.file,
+                 .line = group.place.line,
+                 .field = "lanes.format",
+                 .message = message,
+                 .received = received,
+                 .accepted = accepted};
+  }
+  return Done{};
+}
+
+Result<Done> check_references(const settings::Settings& settings, const Scene& scene) {
+  if (scene.reference_count() == 0) return Done{};
+  const bool is_list = !scene.references.empty();
+  return settings::Section(settings, "system")
+      .mistake("references", "references take no operands in fixed point",
+               is_list ? "[[references]]" : fmt::format("{}", *scene.reference_count()),
+               "0, the default: exact lanes decide everything, others tell what they leave "
+               "undecided");
+}
+
+/// Checks the columns of a pairwise engine's items.
+Result<Done> check_columns(const settings::Settings& settings, const Scene& scene) {
+  std::map<std::string, std::size_t> known;
+  for (std::size_t k = 0; k < scene.operand_formats.size(); ++k) {
+    const std::vector<std::string>& inputs = scene.graph.inputs();
+    const auto column = data::item_column(inputs[k]);
+    if (!column) continue;
+    const std::size_t first = known.emplace(column->name, k).first->second;
+    const OperandFormat &one = scene.operand_formats[first], &other = scene.operand_formats[k];
+    if (one == other) continue;
+    return settings::Section(settings, "engine")
+        .mistake("kind",
+                 fmt::format("{} and {} are the same column of an engine's items, in two formats",
+                             inputs[first], inputs[k]),
+                 fmt::format("{} and {}", one.name(), other.name()),
+                 "one format for both, or engine.kind = \"none\"");
+  }
+  return Done{};
+}
+
+}  // namespace
+
+Result<Done> check_fixed_operands(const settings::Settings& settings, const Scene& scene) {
+  if (!scene.has_fixed_operands()) return Done{};
+  MIXCMP_DO(check_reference_format(settings, scene));
+  MIXCMP_DO(check_lanes(settings, scene));
+  MIXCMP_DO(check_references(settings, scene));
+  switch (scene.system.engine.kind) {
+    case EngineKind::none: return Done{};
+    case EngineKind::pairwise: return check_columns(settings, scene);
+    case EngineKind::arg_min: break;
+  }
+  return settings::Section(settings, "engine")
+      .mistake("kind", "the arg-min engine has references, which take no operands in fixed point",
+               "\"arg_min\"", "\"none\" or \"pairwise\"");
+}
+
+}  // namespace mixcmp::scene

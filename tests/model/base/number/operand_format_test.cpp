@@ -1,0 +1,94 @@
+#include "model/base/number/operand_format.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "model/base/number/exact.hpp"
+#include "tests/support/float_samples.hpp"
+
+namespace mixcmp::test::operand_format_test {
+namespace {
+
+TEST(OperandFormat, IsNamed) {
+  const auto fixed = [](const char* name) { return *OperandFormat::parse_fixed(name)->fixed(); };
+  EXPECT_EQ(fixed("uint10"), (FixedFormat{.width = 10, .unit_exponent = 0, .is_signed = false}));
+  EXPECT_EQ(fixed("int8"), (FixedFormat{.width = 8, .unit_exponent = 0, .is_signed = true}));
+  EXPECT_EQ(fixed("q3.12"), (FixedFormat{.width = 16, .unit_exponent = -12, .is_signed = true}));
+  EXPECT_EQ(fixed("uq0.8"), (FixedFormat{.width = 8, .unit_exponent = -8, .is_signed = false}));
+  for (const char* name :
+       {"uint1", "uint64", "int2", "int64", "q0.1", "q31.32", "uq32.32", "s17e8", "s53e11"}) {
+    const auto format = OperandFormat::parse(name);
+    ASSERT_TRUE(format.ok()) << name;
+    EXPECT_EQ(format->name(), name);
+  }
+  EXPECT_EQ(OperandFormat::parse("binary32")->name(), "s24e8");
+  EXPECT_EQ(OperandFormat::parse("q31.32")->width(), 64);
+}
+
+TEST(OperandFormat, OtherNamesAreRefused) {
+  for (const char* name :
+       {"", "uint", "uint0", "uint65", "int1", "int08", "uint-1", "uint 8", "int8x", "q3", "q3.",
+        "q.3", "q3.0", "q40.24", "uq40.25", "q3.1.2", "Uint8"}) {
+    const auto format = OperandFormat::parse_fixed(name);
+    ASSERT_FALSE(format.ok()) << name;
+    EXPECT_EQ(format.error().received, "\"" + std::string(name) + "\"");
+  }
+  EXPECT_FALSE(OperandFormat::parse_fixed("s24e8").ok());
+}
+
+/// Every number of every format up to eight bits, its neighbours, and the numbers beyond its ends.
+TEST(OperandFormat, WordsAreTwosComplement) {
+  const FloatFormat from = format_of(24, 8);
+  for (const char* name :
+       {"uint1", "uint5", "uint8", "int2", "int8", "q0.7", "q3.4", "uq3.3", "uq0.8"}) {
+    const auto parsed = OperandFormat::parse_fixed(name);
+    ASSERT_TRUE(parsed.ok()) << name;
+    const FixedFormat& format = *parsed->fixed();
+    for (mpz_class n = format.smallest() - 3; n <= format.largest() + 3; ++n) {
+      const Bits number = from_rational(from, n * format.unit());
+      const bool is_held = format.smallest() <= n && n <= format.largest();
+      ASSERT_EQ(parsed->holds(from, number), is_held) << name << ", " << n;
+      ASSERT_FALSE(parsed->holds(from, from_rational(from, (n + mpq_class(1, 2)) * format.unit())));
+      if (!is_held) continue;
+      const mpz_class word = n >= 0 ? n : mpz_class(n + (mpz_class(1) << format.width));
+      ASSERT_EQ(to_integer(parsed->word_of(from, number)), word) << name << ", " << n;
+    }
+  }
+}
+
+TEST(OperandFormat, TheWidestWordsHaveSixtyFourBits) {
+  const FloatFormat from = format_of(113, 15);
+  const auto word = [&](const char* name, const mpq_class& value) {
+    return to_integer(OperandFormat::parse(name)->word_of(from, from_rational(from, value)));
+  };
+  const mpz_class all = (mpz_class(1) << 64) - 1;
+  EXPECT_EQ(word("uint64", all), all);
+  EXPECT_EQ(word("int64", -1), all);
+  EXPECT_EQ(word("int64", mpq_class(-(mpz_class(1) << 63))), mpz_class(1) << 63);
+  EXPECT_FALSE(OperandFormat::parse("int64")->holds(from, from_rational(from, all)));
+  EXPECT_FALSE(OperandFormat::parse("uint64")->holds(from, from_rational(from, all + 1)));
+}
+
+TEST(OperandFormat, SpecialNumbersAreNotHeld) {
+  const FloatFormat from = format_of(11, 5);
+  const OperandFormat format = *OperandFormat::parse("int16");
+  for (const Bits special : {from.quiet_nan(), from.infinity(false), from.infinity(true), Bits{1},
+                             from.smallest_normal(true)}) {
+    EXPECT_FALSE(format.holds(from, special));
+  }
+  EXPECT_TRUE(format.holds(from, from.zero(true)));
+  EXPECT_EQ(format.word_of(from, from.zero(true)), Bits{0});
+  EXPECT_TRUE(OperandFormat(from).holds(from, from.quiet_nan()));
+  EXPECT_EQ(OperandFormat(from).word_of(from, from.quiet_nan()), from.quiet_nan());
+}
+
+TEST(OperandFormat, WidthsAddUp) {
+  const std::vector<OperandFormat> formats = {*OperandFormat::parse("uint10"),
+                                              *OperandFormat::parse("q3.12"),
+                                              *OperandFormat::parse("s53e11")};
+  EXPECT_EQ(total_width(formats), 10 + 16 + 64);
+}
+
+}  // namespace
+}  // namespace mixcmp::test::operand_format_test

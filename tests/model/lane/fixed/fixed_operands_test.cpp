@@ -1,0 +1,168 @@
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/base/number/double.hpp"
+#include "model/base/number/exact.hpp"
+#include "model/judge/emulator/emulator.hpp"
+#include "model/judge/emulator/wide_lane.hpp"
+#include "model/judge/golden/evaluate.hpp"
+#include "model/judge/golden/fixed_evaluate.hpp"
+#include "model/lane/fixed/exact_lane.hpp"
+#include "tests/support/bounded_comparisons.hpp"
+#include "tests/support/float_samples.hpp"
+#include "tests/support/graphs.hpp"
+
+/// Tests lanes whose operands arrive in fixed point, on every operand of small formats.
+namespace mixcmp::test::fixed_operands_test {
+namespace {
+
+using fixed::FixedLane;
+
+std::vector<OperandFormat> formats(const std::vector<const char*>& names) {
+  std::vector<OperandFormat> made;
+  for (const char* name : names) made.push_back(*OperandFormat::parse(name));
+  return made;
+}
+
+/// Signed and unsigned integers and fractions, in the order of a graph's inputs.
+std::vector<OperandFormat> small_formats(const Graph& graph) {
+  const std::vector<OperandFormat> all = formats({"int3", "uint3", "q1.1"});
+  return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(graph.inputs().size())};
+}
+
+Result<FixedLane> lane_of(const Graph& graph, const std::vector<OperandFormat>& operands,
+                          int bits) {
+  return fixed::fixed_lane(graph, format_of(53, 11),
+                           {.format = {.bits = bits},
+                            .bound = {},
+                            .ranges = std::vector<std::optional<Range>>(operands.size()),
+                            .operand_formats = operands});
+}
+
+/// Every tuple of numbers that the formats hold.
+std::vector<std::vector<double>> every_tuple(const std::vector<OperandFormat>& operands) {
+  std::vector<std::vector<double>> tuples = {{}};
+  for (const OperandFormat& operand : operands) {
+    std::vector<std::vector<double>> longer;
+    const FixedFormat& format = *operand.fixed();
+    for (const std::vector<double>& tuple : tuples) {
+      for (mpz_class n = format.smallest(); n <= format.largest(); ++n) {
+        longer.push_back(tuple);
+        longer.back().push_back(mpq_class(n * format.unit()).get_d());
+      }
+    }
+    tuples = std::move(longer);
+  }
+  return tuples;
+}
+
+std::vector<Bits> encoded(const std::vector<double>& operands) {
+  std::vector<Bits> bits;
+  for (const double operand : operands) bits.push_back(from_double(format_of(53, 11), operand));
+  return bits;
+}
+
+Decision decision_of(const golden::LaneResult& result) {
+  return result.decided ? mixcmp::decision_of(result.verdict) : Decision::undecided;
+}
+
+/// The decisions of the emulator, and those of its integers of 128 bits, on one tuple.
+std::vector<Decision> emulated(const FixedLane& lane, const std::vector<double>& operands) {
+  std::vector<const double*> columns;
+  for (const double& operand : operands) columns.push_back(&operand);
+  std::vector<Decision> decisions(2, Decision::undecided);
+  emulator::Emulator(lane).decide(columns, 1, std::span(decisions).first(1));
+  const auto wide = emulator::WideLane::make(lane);
+  if (!wide) return {decisions.front()};
+  wide->decide(columns, std::span(decisions).last(1));
+  return decisions;
+}
+
+class FixedOperands : public testing::TestWithParam<BoundedComparison> {};
+
+TEST_P(FixedOperands, AreDecidedAsTheRealNumbersAre) {
+  const Graph graph = GetParam().graph();
+  const std::vector<OperandFormat> operands = small_formats(graph);
+  std::uint64_t decided = 0;
+  for (const int bits : {1, 2, 3, 5, 8}) {
+    const Result<FixedLane> lane = lane_of(graph, operands, bits);
+    if (!lane.ok()) continue;  // a root of what may be negative
+    for (const std::vector<double>& tuple : every_tuple(operands)) {
+      const std::vector<Bits> inputs = encoded(tuple);
+      const golden::LaneResult result = golden::evaluate_lane(*lane, inputs);
+      for (const Decision got : emulated(*lane, tuple)) ASSERT_EQ(got, decision_of(result));
+      ASSERT_TRUE(result.decided || !fixed::is_exact(*lane)) << testing::PrintToString(tuple);
+      if (!result.decided) continue;
+      ++decided;
+      ASSERT_EQ(result.verdict, golden::true_verdict(graph, format_of(53, 11), inputs))
+          << bits << " bits: " << testing::PrintToString(tuple);
+    }
+  }
+  EXPECT_TRUE(decided > 0 || !lane_of(graph, operands, 8).ok());
+}
+
+INSTANTIATE_TEST_SUITE_P(Comparisons, FixedOperands, testing::ValuesIn(bounded_comparisons()),
+                         [](const auto& parameter) { return parameter.param.name; });
+
+const char* const orientation_f = "(bx - ax) * (cy - ay)";
+const char* const orientation_g = "(by - ay) * (cx - ax)";
+
+TEST(ExactBits, HasTheFewestBits) {
+  const Graph graph = graph_of(orientation_f, orientation_g);
+  const std::vector<OperandFormat> operands(6, *OperandFormat::parse("uint10"));
+  const auto bits = fixed::exact_bits(graph, operands, 48);
+  ASSERT_TRUE(bits.ok());
+  EXPECT_EQ(*bits, 10);
+  EXPECT_TRUE(fixed::is_exact(*lane_of(graph, operands, 10)));
+  EXPECT_FALSE(fixed::is_exact(*lane_of(graph, operands, 9)));
+}
+
+/// A sum of eighth powers has more bits than 2 W + 16 of its operands' W.
+TEST(ExactBits, HasMoreBitsWhereResultsNeedThem) {
+  const Graph graph = graph_of("a^8", "b^8");
+  const auto bits = fixed::exact_bits(graph, formats({"uint6", "uint6"}), 48);
+  ASSERT_TRUE(bits.ok());
+  EXPECT_EQ(*bits, 17);  // f - g has 49 bits
+}
+
+TEST(ExactBits, SaysWhyThereIsNone) {
+  const auto reason = [](const char* f, const char* g, const char* format) {
+    const auto bits = fixed::exact_bits(
+        graph_of(f, g), std::vector<OperandFormat>(2, *OperandFormat::parse(format)), 24);
+    return bits.ok() ? "" : bits.error().message;
+  };
+  EXPECT_EQ(reason("0.1 * a", "b", "uint8"),
+            "an exact lane needs constants that are multiples of a power of two");
+  EXPECT_EQ(reason("sqrt(a)", "b", "uint8"), "an exact lane has no square roots");
+  EXPECT_EQ(reason("within(a, 0, 7)", "b", "uint8"), "an exact lane has no limits");
+  EXPECT_EQ(reason("a^4", "b", "uint20"), "an exact lane would need more bits than a lane has");
+  EXPECT_EQ(reason("a", "b", "s24e8"), "an exact lane needs operands in fixed point");
+  EXPECT_EQ(reason("a", "b", "uint24"), "");
+}
+
+TEST(ExactFormat, HoldsEveryResult) {
+  const Graph graph = graph_of(orientation_f, orientation_g);
+  const std::vector<OperandFormat> operands(6, *OperandFormat::parse("uint10"));
+  const auto format = fixed::exact_format(graph, operands, 11);
+  ASSERT_TRUE(format.ok());
+  EXPECT_EQ(format->name(), "s21e6");  // 2 * 1023^2 < 2^21
+  const auto tiny = fixed::exact_format(graph_of("a", "b"), formats({"uq0.30", "uint4"}), 11);
+  ASSERT_TRUE(tiny.ok());
+  EXPECT_EQ(tiny->name(), "s34e6");  // a - b: from -15 to 1, in units of 2^-30
+}
+
+TEST(FixedOperands, BlocksDoNotTakeThem) {
+  const auto lane = fixed::fixed_lane(graph_of("a", "b"), format_of(53, 11),
+                                      {.format = {.bits = 8, .is_block = true},
+                                       .bound = {},
+                                       .ranges = {std::nullopt, std::nullopt},
+                                       .operand_formats = formats({"uint8", "uint8"})});
+  ASSERT_FALSE(lane.ok());
+  EXPECT_EQ(lane.error().field, "reduced.format");
+}
+
+}  // namespace
+}  // namespace mixcmp::test::fixed_operands_test

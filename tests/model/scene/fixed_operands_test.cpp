@@ -1,0 +1,141 @@
+#include <string>
+#include <vector>
+
+#include "tests/model/scene/scene_fixture.hpp"
+
+/// Tests scenes whose inputs arrive in fixed point.
+namespace mixcmp::test::fixed_operands_scene_test {
+namespace {
+
+const std::string orientation = R"toml([comparison]
+name = "orientation"
+f = "(bx-ax)*(cy-ay)"
+g = "(by-ay)*(cx-ax)"
+[inputs]
+"*" = { format = "uint10" }
+[reduced]
+format = "exact"
+)toml";
+
+class FixedOperandsTest : public SceneTest {
+protected:
+  scene::Scene scene_of(const std::string& text, const std::vector<std::string>& settings = {}) {
+    Result<scene::Scene> scene = load(text, settings);
+    EXPECT_TRUE(scene.ok()) << scene.error().to_string();
+    return std::move(scene).value();
+  }
+
+  /// The scene's error, without the path of its file.
+  std::string error(const std::string& text, const std::vector<std::string>& settings = {}) {
+    const Result<scene::Scene> scene = load(text, settings);
+    EXPECT_FALSE(scene.ok()) << text;
+    std::string message = scene.ok() ? "" : scene.error().to_string();
+    const std::string path = path_.string();
+    if (message.starts_with(path)) message.erase(0, path.size());
+    return message;
+  }
+};
+
+TEST_F(FixedOperandsTest, RangeGridReferenceAndLaneFollow) {
+  const scene::Scene scene = scene_of(orientation);
+  ASSERT_EQ(scene.operand_formats.size(), 6u);
+  EXPECT_EQ(scene.operand_formats.front().name(), "uint10");
+  EXPECT_EQ(scene.ranges.front(), (Range{0, 1023}));
+  EXPECT_EQ(scene.grids.front(), mpq_class(1));
+  EXPECT_EQ(scene.reference.format.name(), "s21e6");
+  EXPECT_EQ(scene.reduced.format_name(), "q10");
+  EXPECT_TRUE(scene.reduced.is_exact);
+  EXPECT_EQ(scene.system.references, 0);
+}
+
+TEST_F(FixedOperandsTest, InputsHaveFormatsOfTheirOwn) {
+  const scene::Scene scene = scene_of(R"toml([comparison]
+name = "n"
+f = "a * b"
+g = "c"
+[inputs]
+a = { format = "q1.6" }
+b = { format = "int5" }
+[reference]
+format = "s24e8"
+[reduced]
+format = "q8"
+)toml",
+                                      {"inputs.c.range=[0, 9]"});
+  EXPECT_EQ(scene.operand_formats[0].name(), "q1.6");
+  EXPECT_EQ(scene.operand_formats[1].name(), "int5");
+  EXPECT_EQ(scene.operand_formats[2].name(), "s24e8");
+  EXPECT_EQ(scene.ranges[0], (Range{-2, mpq_class(127, 64)}));
+  EXPECT_EQ(scene.grids[0], mpq_class(1, 64));
+  EXPECT_EQ(scene.ranges[1], (Range{-16, 15}));
+  EXPECT_TRUE(scene.has_fixed_operands());
+}
+
+TEST_F(FixedOperandsTest, ScenesWithoutThemAreAsBefore) {
+  const scene::Scene scene = scene_of(sphere_scene);
+  EXPECT_FALSE(scene.has_fixed_operands());
+  EXPECT_FALSE(scene.system.references.has_value());
+  for (const OperandFormat& format : scene.operand_formats) EXPECT_EQ(format.name(), "s53e8");
+}
+
+TEST_F(FixedOperandsTest, MistakesNameTheKey) {
+  EXPECT_TRUE(error(orientation, {"inputs.*.format=uint65"})
+                  .starts_with("--set: inputs.*.format: not a format of operands in fixed point: "
+                               "received \"uint65\"; accepted uint1..uint64, "));
+  EXPECT_EQ(error(orientation, {"inputs.*.range=[0, 3]"}),
+            "--set: inputs.*.range: it follows from the input's format: received an array of 2; "
+            "accepted one of the two");
+  EXPECT_EQ(error(orientation, {"system.references=2"}),
+            "--set: system.references: references take no operands in fixed point: received 2; "
+            "accepted 0, the default: exact lanes decide everything, others tell what they leave "
+            "undecided");
+  EXPECT_EQ(error(orientation, {"reduced.format=s17e6"}),
+            "--set: reduced.format: a lane in floating point takes no operands in fixed point: "
+            "received \"s17e6\"; accepted \"exact\", \"auto\", or qW such as q13");
+  EXPECT_EQ(error(orientation, {"reference.format=s11e5", "inputs.*.format=uint12"}),
+            "--set: reference.format: it does not hold every number of bx in uint12: received "
+            "s11e5; accepted \"exact\", or a format with more digits or exponent bits");
+  EXPECT_EQ(error(orientation + "[[references]]\ncount = 1\n"),
+            ": system.references: references take no operands in fixed point: received "
+            "[[references]]; accepted 0, the default: exact lanes decide everything, others tell "
+            "what they leave undecided");
+  EXPECT_EQ(error(orientation + "[[lanes]]\ncount = 1\nformat = \"s9e6\"\n"),
+            ":9: lanes.format: a lane in floating point takes no operands in fixed point: "
+            "received \"s9e6\"; accepted \"exact\", \"auto\", or qW such as q13");
+}
+
+TEST_F(FixedOperandsTest, WhatCannotBeExactSaysWhy) {
+  const std::string root =
+      "[comparison]\nname = \"n\"\nf = \"sqrt(a)\"\ng = \"b\"\n[inputs]\n"
+      "\"*\" = { format = \"uint10\" }\n[reduced]\nformat = \"exact\"\n";
+  EXPECT_EQ(error(root),
+            ": reference.format: an exact reference is not possible: an exact lane has no square "
+            "roots: received sqrt in f or g; accepted the squares of both sides, or a format such "
+            "as s53e11");
+  EXPECT_EQ(error(root + "[reference]\nformat = \"s40e8\"\n"),
+            ":8: reduced.format: an exact lane has no square roots: received \"exact\" with sqrt "
+            "in f or g; accepted the squares of both sides, or a format such as q13");
+}
+
+TEST_F(FixedOperandsTest, ColumnsOfAnEngineHaveOneFormat) {
+  const std::string pairs = R"toml([comparison]
+name = "n"
+f = "xi"
+g = "xj"
+[inputs]
+xi = { format = "uint4" }
+xj = { format = "uint5" }
+[reduced]
+format = "exact"
+[engine]
+kind = "pairwise"
+)toml";
+  EXPECT_EQ(error(pairs),
+            ":11: engine.kind: xi and xj are the same column of an engine's items, in two "
+            "formats: received uint4 and uint5; accepted one format for both, or engine.kind = "
+            "\"none\"");
+  EXPECT_EQ(scene_of(pairs, {"inputs.xi.format=uint5"}).operand_formats[0].name(), "uint5");
+}
+
+}  // namespace
+}  // namespace mixcmp::test::fixed_operands_scene_test
