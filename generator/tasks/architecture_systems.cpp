@@ -252,9 +252,11 @@ Result<std::vector<ArchitectureSearch::System>> ArchitectureSearch::systems_of_s
   const scene::Scene& given = formulations_[formulation].loaded.scene;
   const data::Comparisons* data = formulations_[formulation].loaded.data_if_any();
   ComponentQuery query = query_for(request_->choice, given, open);
+  MIXCMP_DO(keep_exact_lanes(given, query));
   MIXCMP_TRY(useful, useful_lanes(given, query, rates_[formulation]));
   const char* const why = given.has_fixed_operands()
-                              ? "the exact lane of the fewest digits needs no reference"
+                              ? "only the smallest exact lane is planned: longer ones are larger, "
+                                "others need references"
                               : "fewer digits leave nothing undecided";
   MIXCMP_TRY(left_out, left_out_lanes(given, query, rates_[formulation], useful, why));
   query.lanes = std::move(useful);
@@ -283,6 +285,7 @@ Result<std::vector<ArchitectureSearch::System>> ArchitectureSearch::systems_of_e
   const data::Comparisons* data = loaded.data_if_any();
   MIXCMP_TRY(given, with_chain_lanes(loaded.scene, data, request_->planning.scene));
   ComponentQuery query = query_for(request_->choice, given, open);
+  MIXCMP_DO(keep_exact_lanes(given, query));
   components::ComponentMaker maker(given, data);
   MIXCMP_TRY(promising, shortlist(maker, query, device_, rates_[formulation]));
   MIXCMP_TRY(longer, with_longer(promising.lanes, given, query));

@@ -105,13 +105,31 @@ Result<std::set<measured::Lane>> useful_lanes(const scene::Scene& scene,
   }
   std::set<measured::Lane> useful;
   for (const measured::Lane& lane : lanes) {
-    const bool needs_reference = scene.has_fixed_operands() && !optimise::is_exact(scene, lane);
-    if (needs_reference) continue;
     const auto most = certain.find(kind_of_lane(lane));
     const bool is_longer = most != certain.end() && lane.format.precision() > most->second;
     if (rate_of(lane) && !is_longer) useful.insert(lane);
   }
   return useful;
+}
+
+Result<Done> keep_exact_lanes(const scene::Scene& scene, ComponentQuery& query) {
+  if (!scene.has_fixed_operands()) return Done{};
+  MIXCMP_TRY(lanes, lanes_of(scene, query));
+  std::set<measured::Lane> exact;
+  for (const measured::Lane& lane : lanes) {
+    if (optimise::is_exact(scene, lane)) exact.insert(lane);
+  }
+  if (exact.empty()) {
+    return Error{.file = scene.path.string(),
+                 .field = "inputs",
+                 .message = "no lane is exact, and references take no operands in fixed point",
+                 .received = "inputs, f and g for which every lane rounds",
+                 .accepted =
+                     "all inputs in fixed point, and f and g of sums and products of few "
+                     "bits; or inputs with ranges in place of formats"};
+  }
+  query.lanes = std::move(exact);
+  return Done{};
 }
 
 Result<LeftOutLanes> left_out_lanes(const scene::Scene& scene, ComponentQuery query,

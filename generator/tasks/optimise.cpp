@@ -219,7 +219,7 @@ void note_fixed_point(const OptimiseRequest& request, OptimiseResult& result) {
   const std::vector<Bound> bounds = bounds_for(request.choice, scene);
   const bool is_choice = std::any_of(bounds.begin(), bounds.end(),
                                      [](const Bound& bound) { return bound.is_fixed_point(); });
-  if (!is_choice) return;
+  if (!is_choice || scene.has_fixed_operands()) return;
   if (auto note = scene::fixed_point_note(scene.graph, scene.reference.format, scene.ranges)) {
     note_in_plan(result, *std::move(note));
   }

@@ -17,12 +17,17 @@ bool has_plan(const Result<OptimiseResult>& found) {
   return found.ok() && found->best().found.best() != nullptr;
 }
 
+/// A device of the table of parts.
+Device device_of(const std::string& name) {
+  return devices::find_device(name).value();
+}
+
 /// The devices of the family with no less of any resource and more of one, the smallest first.
 std::vector<std::string> larger_than(const Device& device) {
   std::vector<std::string> names;
   for (const devices::Part& part : devices::parts()) {
     if (part.family != device.family) continue;
-    const Device larger = devices::find_device(part.name).value();
+    const Device larger = device_of(part.name);
     const bool has_all =
         std::all_of(std::begin(devices::bounded_resources), std::end(devices::bounded_resources),
                     [&](const devices::Resource& resource) {
@@ -33,15 +38,21 @@ std::vector<std::string> larger_than(const Device& device) {
   return names;  // parts are listed by their size
 }
 
-/// The smallest of these devices on which a system fits; empty if none does.
+/// The first of these devices on which a system fits; empty if none does. Those that are smaller
+/// than no other are tried first: where none of them helps, no other one does.
 std::string smallest_of(const std::vector<std::string>& names, ArchitectureSearch& search) {
   const auto fits = [&](const std::string& name) {
     return search.move_to(name).ok() && has_plan(search.fastest());
   };
-  if (names.empty() || !fits(names.back())) return "";
-  // A system that fits on one of them also fits on larger ones.
-  return *std::partition_point(names.begin(), names.end() - 1,
-                               [&](const std::string& name) { return !fits(name); });
+  const auto is_largest = [&](const std::string& name) {
+    return larger_than(device_of(name)).empty();
+  };
+  if (std::none_of(names.begin(), names.end(),
+                   [&](const std::string& name) { return is_largest(name) && fits(name); })) {
+    return "";
+  }
+  const auto found = std::find_if(names.begin(), names.end(), fits);
+  return found == names.end() ? "" : *found;
 }
 
 }  // namespace

@@ -425,6 +425,12 @@ Result<Lane> design_lane(const scene::Scene& scene, const scene::ReducedSpec& re
     return unresolved(scene, "reduced.format", "--format s17e8",
                       "sPeE, such as s17e8, qW, such as q13, or blockW");
   }
+  if (scene.has_fixed_operands()) {
+    return Error{.field = "reduced.format",
+                 .message = "a lane in floating point takes no operands in fixed point",
+                 .received = reduced.format_name(),
+                 .accepted = "\"exact\", or qW such as q13"};
+  }
   const Arithmetic arithmetic{*reduced.format, reduced.rounding, reduced.subnormals};
   const FloatFormat reference = scene.reference.format;
   const TypedGraph graph =

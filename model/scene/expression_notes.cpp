@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/base/settings/limits.hpp"
 #include "model/comparison/expression/text.hpp"
 #include "model/lane/fixed/fixed_lane.hpp"
 
@@ -116,10 +117,11 @@ std::optional<std::string> fixed_point_note(const Graph& graph, FloatFormat refe
   const bool has_all_ranges = std::all_of(ranges.begin(), ranges.end(),
                                           [](const auto& range) { return range.has_value(); });
   if (!root || !has_all_ranges) return std::nullopt;
-  constexpr int usual_bits = 13;
+  // More digits leave the radicand of a root less room for errors below 0.
+  const int most_bits = settings::lane_fixed_bits(reference).most;
   const auto why = [&](FixedPoint format) { return why_no_lane(graph, reference, ranges, format); };
-  const std::string fixed = why({.bits = usual_bits});
-  const bool has_block = why({.bits = usual_bits, .is_block = true}).empty();
+  const std::string fixed = why({.bits = most_bits});
+  const bool has_block = why({.bits = most_bits, .is_block = true}).empty();
   if (fixed.empty() || has_block) return std::nullopt;
   return none + fixed;
 }

@@ -136,10 +136,11 @@ void drop_repeated_parts(ComparisonSpec& comparison, std::vector<std::string>& n
 }
 
 /// Reads the chosen formulation, and checks the others for mistakes. Notes name the lets that no
-/// formulation uses.
+/// formulation uses; `graphs` gets the graph of each formulation.
 Result<ComparisonSpec> read_formulation(const Formulations& formulations,
                                         std::span<const LetDefinition> lets,
-                                        std::vector<std::string>& notes) {
+                                        std::vector<std::string>& notes,
+                                        std::vector<Graph>& graphs) {
   const settings::Settings& settings = formulations.all.front().settings;
   MIXCMP_TRY(base, read_comparison(settings, lets));
   std::set<std::string> used_lets;
@@ -148,10 +149,12 @@ Result<ComparisonSpec> read_formulation(const Formulations& formulations,
   MIXCMP_DO(check_unused_lets(settings, lets, used_lets));
   base.graph = std::move(graph);
   ComparisonSpec chosen = base;
+  graphs = {base.graph};
   for (std::size_t k = 1; k < formulations.all.size(); ++k) {
     Result<ComparisonSpec> variant =
         read_variant(formulations.all[k], lets, settings, base, used_lets);
     if (!variant.ok()) return in_variant(formulations.all[k].variant, variant.error());
+    graphs.push_back(variant->graph);
     if (k == formulations.chosen) chosen = std::move(variant).value();
   }
   drop_repeated_parts(chosen, notes);
@@ -203,20 +206,36 @@ void choose_exponent_bits(ReducedSpec& reduced, const Graph& graph, FloatFormat 
   reduced.format = FloatFormat::make(reduced.format->precision(), bits).value();
 }
 
-/// Chooses the bits of a format written as "exact".
+/// Chooses the bits of a format written as "exact", or explains why there is no exact lane. The
+/// error's field is reduced.format.
 Result<Done> choose_exact_bits(ReducedSpec& reduced, const Graph& graph,
-                               const std::vector<OperandFormat>& formats,
-                               const settings::Settings& settings) {
+                               const std::vector<OperandFormat>& formats) {
   if (!reduced.is_exact) return Done{};
-  const auto bits = fixed::exact_bits(graph, formats, settings::limits::fixed_bits.most);
+  const auto bits =
+      fixed::exact_bits(graph, formats, reduced.error_bound, settings::limits::fixed_bits.most);
   if (bits.ok()) {
     reduced.fixed_point = FixedPoint{.bits = *bits};
     return Done{};
   }
   const Error& error = bits.error();
+  return Error{.field = error.field,
+               .message = "no lane is exact: " + error.message,
+               .received = "\"exact\" with " + error.received,
+               .accepted = error.accepted + ", or a format such as q13"};
+}
+
+Error at_format(const settings::Settings& settings, const Error& error) {
+  if (!error.file.empty()) return error;
   return settings::Section(settings, "reduced")
-      .mistake("format", error.message, "\"exact\" with " + error.received,
-               error.accepted + ", or a format such as q13");
+      .mistake("format", error.message, error.received, error.accepted);
+}
+
+/// The error at the format of one of [[lanes]].
+Error in_list(Error error, const Place& place) {
+  error.file = place.file;
+  error.line = place.line;
+  error.field = "lanes.format";
+  return error;
 }
 
 struct LaneSpecs {
@@ -232,9 +251,13 @@ Result<LaneSpecs> read_lanes(const settings::Settings& settings, const Graph& gr
   MIXCMP_TRY(groups, read_lane_groups(settings, reference, reduced));
   for (LaneGroupSpec& group : groups) {
     choose_exponent_bits(group.reduced, graph, reference, ranges);
-    MIXCMP_DO(choose_exact_bits(group.reduced, graph, formats, settings));
+    const auto chosen = choose_exact_bits(group.reduced, graph, formats);
+    if (!chosen.ok()) return in_list(chosen.error(), group.place);
   }
-  MIXCMP_DO(choose_exact_bits(reduced, graph, formats, settings));
+  if (groups.empty()) {
+    const auto chosen = choose_exact_bits(reduced, graph, formats);
+    if (!chosen.ok()) return at_format(settings, chosen.error());
+  }
   choose_exponent_bits(reduced, graph, reference, ranges);
   return LaneSpecs{std::move(reduced), std::move(groups)};
 }
@@ -357,10 +380,11 @@ Result<Scene> interpret(SceneSettings read) {
   const settings::Settings& settings = formulations.all[formulations.chosen].settings;
   std::vector<std::string> notes;
   MIXCMP_TRY(lets, read_lets(settings));
-  MIXCMP_TRY(comparison, read_formulation(formulations, lets, notes));
+  std::vector<Graph> graphs;
+  MIXCMP_TRY(comparison, read_formulation(formulations, lets, notes, graphs));
   Graph& graph = comparison.graph;
   MIXCMP_TRY(declared, read_inputs(settings, graph.inputs()));
-  MIXCMP_TRY(reference, read_reference(settings, graph, declared.formats));
+  MIXCMP_TRY(reference, read_reference(settings, graphs, declared.formats));
   const FloatFormat format = reference.arithmetic.format;
   MIXCMP_DO(check_constants(settings, graph, reference.arithmetic, notes));
   MIXCMP_DO(check_sums(settings, graph, reference.arithmetic.sums));
@@ -374,7 +398,10 @@ Result<Scene> interpret(SceneSettings read) {
   }
   MIXCMP_TRY(lanes, read_lanes(settings, graph, format, declared.ranges, operand_formats));
   const bool is_open = !lanes.reduced.format && !lanes.reduced.fixed_point && lanes.groups.empty();
-  if (is_open && !lanes.reduced.is_profiled) {
+  const bool all_float =
+      std::none_of(operand_formats.begin(), operand_formats.end(),
+                   [](const OperandFormat& each) { return each.fixed() != nullptr; });
+  if (is_open && all_float && !lanes.reduced.is_profiled) {
     const auto note = fixed_point_note(graph, format, declared.ranges);
     if (note) notes.push_back(*note);
   }

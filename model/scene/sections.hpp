@@ -59,7 +59,9 @@ struct ReferenceSpec {
 /// Reads [reference]. With the format "exact", which is the default if every input arrives in fixed
 /// point, the reference rounds nothing. `formats` has an entry for each input; none: floating
 /// point.
-Result<ReferenceSpec> read_reference(const settings::Settings& settings, const Graph& graph,
+/// `graphs`: of all formulations, which share their data and so the reference format.
+Result<ReferenceSpec> read_reference(const settings::Settings& settings,
+                                     std::span<const Graph> graphs,
                                      std::span<const std::optional<OperandFormat>> formats);
 
 /// Reads [reduced]. Exponent bits that depend on ranges are chosen neither here nor in

@@ -65,23 +65,30 @@ bool all_fixed(std::span<const std::optional<OperandFormat>> formats) {
                      [](const std::optional<OperandFormat>& format) { return format.has_value(); });
 }
 
-/// The format of a reference that rounds nothing.
-Result<FloatFormat> read_exact_format(const settings::Section& section, const Graph& graph,
+Error no_exact_reference(const settings::Section& section, const Error& error) {
+  return section.mistake("format", "no reference is exact: " + error.message, error.received,
+                         error.accepted + ", or a format such as s53e11");
+}
+
+/// The format of a reference that rounds nothing in any formulation.
+Result<FloatFormat> read_exact_format(const settings::Section& section,
+                                      std::span<const Graph> graphs,
                                       std::span<const std::optional<OperandFormat>> formats) {
-  const std::string shown = "\"exact\"";
   if (!all_fixed(formats)) {
-    return section.mistake("format", "an exact reference needs every input in fixed point", shown,
-                           "inputs with a format such as uint10, or a format such as s53e11");
+    return no_exact_reference(section, {.message = "not all inputs arrive in fixed point",
+                                        .received = "\"exact\"",
+                                        .accepted = "inputs with a format such as uint10"});
   }
   std::vector<OperandFormat> known;
   for (const std::optional<OperandFormat>& format : formats) known.push_back(*format);
-  const Result<FloatFormat> format =
-      fixed::exact_format(graph, known, settings::limits::reference_precision.least);
-  if (format.ok()) return format;
-  const Error& error = format.error();
-  return section.mistake("format",
-                         fmt::format("an exact reference is not possible: {}", error.message),
-                         error.received, error.accepted + ", or a format such as s53e11");
+  int precision = 0, exponent_bits = 0;
+  for (const Graph& graph : graphs) {
+    const Result<FloatFormat> format = fixed::exact_format(graph, known);
+    if (!format.ok()) return no_exact_reference(section, format.error());
+    precision = std::max(precision, format->precision());
+    exponent_bits = std::max(exponent_bits, format->exponent_bits());
+  }
+  return FloatFormat::make(precision, exponent_bits);
 }
 
 }  // namespace
@@ -101,7 +108,8 @@ void read_structure(settings::Section& section, ReferenceStructureSpec& structur
   section.integer("target_mhz", structure.target_mhz.emplace(), settings::limits::target_mhz);
 }
 
-Result<ReferenceSpec> read_reference(const settings::Settings& settings, const Graph& graph,
+Result<ReferenceSpec> read_reference(const settings::Settings& settings,
+                                     std::span<const Graph> graphs,
                                      std::span<const std::optional<OperandFormat>> formats) {
   settings::Section section(settings, "reference");
   std::optional<FloatFormat> format;
@@ -111,7 +119,7 @@ Result<ReferenceSpec> read_reference(const settings::Settings& settings, const G
   const auto* word = given == nullptr ? nullptr : std::get_if<std::string>(&given->value);
   const bool is_exact = given == nullptr ? all_fixed(formats) : word != nullptr && *word == "exact";
   if (is_exact) {
-    MIXCMP_TRY(exact, read_exact_format(section, graph, formats));
+    MIXCMP_TRY(exact, read_exact_format(section, graphs, formats));
     format = exact;
   } else {
     section.require("format");

@@ -29,7 +29,7 @@ std::vector<OperandFormat> formats_of(const Case& c) {
 
 /// The format in which nothing is rounded.
 Arithmetic exact_reference(const Graph& graph, const std::vector<OperandFormat>& formats) {
-  return {fixed::exact_format(graph, formats, 11).value()};
+  return {fixed::exact_format(graph, formats).value()};
 }
 
 /// An exact lane, and one of two bits whose multipliers are logic.
@@ -46,7 +46,8 @@ design::Design design_of(const Graph& graph, const std::vector<OperandFormat>& f
   design::Design design{
       .name = "fixed_operands",
       .inputs = graph.inputs(),
-      .lanes = {{.lane = lane(fixed::exact_bits(graph, formats, 48).value())}, {.lane = lane(2)}},
+      .lanes = {{.lane = lane(fixed::exact_bits(graph, formats, std::nullopt, 48).value())},
+                {.lane = lane(2)}},
       .reference = reference_graph(graph, reference),
       .references = {},
       .system = {}};

@@ -35,7 +35,8 @@ std::optional<Operand> nearest_operand(FloatFormat format, double value) {
 }
 
 Result<OperandRows> OperandRows::make(std::span<const double> numbers,
-                                      const std::vector<std::string>& inputs, FloatFormat format) {
+                                      const std::vector<std::string>& inputs, FloatFormat format,
+                                      std::span<const OperandFormat> formats) {
   if (inputs.empty() || numbers.size() % inputs.size() != 0) {
     return mixcmp::Error{
         .field = "operands",
@@ -54,6 +55,16 @@ Result<OperandRows> OperandRows::make(std::span<const double> numbers,
           .message = "out of range",
           .received = fmt::format("{}, beyond the largest of {}", numbers[k], format.name()),
           .accepted = "a smaller one, or a reference format with more exponent bits"};
+    }
+    const OperandFormat& arrives = formats[k % inputs.size()];
+    const bool is_held = arrives.fixed() == nullptr ||
+                         (operand->value == numbers[k] && arrives.holds(format, operand->bits));
+    if (!is_held) {
+      return mixcmp::Error{.field = fmt::format("operands, row {}, {}", k / inputs.size(),
+                                                inputs[k % inputs.size()]),
+                           .message = "not a number of the input's format",
+                           .received = fmt::format("{}", numbers[k]),
+                           .accepted = fmt::format("a number of {}", arrives.name())};
     }
     rows.values_.push_back(operand->value);
   }

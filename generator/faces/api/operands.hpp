@@ -8,6 +8,7 @@
 
 #include "model/base/common/result.hpp"
 #include "model/base/number/float_format.hpp"
+#include "model/base/number/operand_format.hpp"
 
 /// Operands of comparisons as the user gives them: rows of doubles.
 namespace mixcmp::api {
@@ -25,9 +26,11 @@ std::optional<Operand> nearest_operand(FloatFormat format, double value);
 /// Rows of operands, all of them numbers of one format.
 class OperandRows {
 public:
-  /// It is an error if the numbers fill no whole row, or if one is out of the format's range.
+  /// It is an error if the numbers fill no whole row, if one is out of the format's range, or if
+  /// one is no number of its input in fixed point. `formats`: one per input.
   static Result<OperandRows> make(std::span<const double> numbers,
-                                  const std::vector<std::string>& inputs, FloatFormat format);
+                                  const std::vector<std::string>& inputs, FloatFormat format,
+                                  std::span<const OperandFormat> formats);
 
   std::size_t rows() const { return values_.size() / inputs_; }
   double value(std::size_t row, std::size_t input) const { return values_[row * inputs_ + input]; }

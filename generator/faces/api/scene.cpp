@@ -22,7 +22,8 @@ SceneState load(tasks::SceneRequest request) {
 
 OperandRows rows_of(const SceneState& state, std::span<const double> numbers) {
   return value_or_throw(OperandRows::make(numbers, state.loaded.scene.graph.inputs(),
-                                          state.loaded.scene.reference.format));
+                                          state.loaded.scene.reference.format,
+                                          state.loaded.scene.operand_formats));
 }
 
 /// Tells whether a double, taken as an operand, gives this number of the format again. All NaNs

@@ -25,7 +25,8 @@ struct System::State {
 
   OperandRows operands(std::span<const double> rows, std::size_t group) const {
     if (group < lanes.size()) {
-      return value_or_throw(OperandRows::make(rows, design.inputs, design.reference.input_format));
+      return value_or_throw(OperandRows::make(rows, design.inputs, design.reference.input_format,
+                                              design.formats_of_inputs()));
     }
     fail({.field = "group",
           .message = "there is no such group of lanes",

@@ -66,7 +66,8 @@ CommandLine command_of(const std::string& verb, const SceneOptions& options,
 }
 
 /// The keys that make lanes of this kind; an empty value: the key keeps its default.
-std::map<std::string, std::string> keys_for(const LaneEstimate& lane) {
+/// `references`: how many the system has.
+std::map<std::string, std::string> keys_for(const LaneEstimate& lane, int references) {
   const scene::ReducedSpec reduced = scene::with_bound({}, lane.key.bound);
   const bool digits = lane.key.bound.kind == BoundKind::running && !lane.key.bound.is_fixed_point();
   return {
@@ -77,7 +78,7 @@ std::map<std::string, std::string> keys_for(const LaneEstimate& lane) {
       {"reduced.bound_digits", digits ? std::to_string(reduced.bound_digits) : ""},
       {"reduced.multipliers", std::string(to_string(lane.key.multipliers))},
       {"system.lanes", "4"},
-      {"system.references", "1"}};
+      {"system.references", std::to_string(references)}};
 }
 
 /// The command that verifies a small system of such lanes; empty where the scene itself says of
@@ -88,7 +89,8 @@ std::string verify_command(const LaneEstimate& lane, const SceneOptions& options
   const bool fixed_system = !scene.lanes.empty() || !scene.references.empty() ||
                             scene.system.engine.kind == scene::EngineKind::arg_min;
   if (fixed_system) return "";
-  CommandLine line = command_of("verify", options, keys_for(lane));
+  CommandLine line =
+      command_of("verify", options, keys_for(lane, scene.has_fixed_operands() ? 0 : 1));
   constexpr std::uint64_t enough = 100'000;
   const bool selects =
       scene.system.engine.kind == scene::EngineKind::none && loaded.data->size() > enough;

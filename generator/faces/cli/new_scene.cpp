@@ -216,10 +216,11 @@ std::string system_text(const NewScene& scene, const LoadedScene& loaded) {
       "a\n"
       "# device file.\n"
       "# How many lanes and references there are `mixcmp optimise` finds out; it leaves the share\n"
-      "# `slack` of the device to the rest of your design. Registers are placed for target_mhz.\n"
-      "[system]\ndevice = {}\nlanes = \"auto\"\nreferences = \"auto\"\nslack = 0.2\n"
-      "target_mhz = {:g}\n",
-      toml_string(scene.device), loaded.scene.system.target_mhz);
+      "# `slack` of the device to the rest of your design. Registers are placed for target_mhz, "
+      "by\n"
+      "# default a clock that suits the device: here {:g}.\n"
+      "[system]\ndevice = {}\nlanes = \"auto\"\nreferences = \"auto\"\nslack = 0.2\n",
+      loaded.scene.system.target_mhz, toml_string(scene.device));
 }
 
 Result<LoadedScene> load_from(settings::Settings all) {

@@ -82,7 +82,8 @@ void write_files(const PlanningOptions& planning, const PlanSetOptions& options,
     PlanningOptions own = planning;
     own.scene.settings = settings_of(base, each.system);
     const std::string& device = each.system.known.scene.system.device;
-    const optimise::PlanSource source = plan_source(own, device, options.output / name, command);
+    optimise::PlanSource source = plan_source(own, device, options.output / name, command);
+    source.areas = "predicted";
     files.add(name, plan_toml(each.system.found, each.plan(), source));
   }
   for (emit::GeneratedFile& file : switching_files(switching_of(result, command))) {

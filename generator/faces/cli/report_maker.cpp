@@ -191,9 +191,9 @@ std::filesystem::path ReportMaker::table_beside_a_layer() const {
 bool ReportMaker::is_measured_plan() const {
   if (!loaded_.scene.plan) return false;
   const auto& values = loaded_.scene.plan->values;
-  if (values.empty()) return false;  // laid over its scene by hand
-  const std::pair<std::string, std::string> predicted = {"areas", in_quotes("predicted")};
-  return std::find(values.begin(), values.end(), predicted) == values.end();
+  return std::any_of(values.begin(), values.end(), [](const auto& value) {
+    return value.first == "areas" && value.second != in_quotes("predicted");
+  });
 }
 
 /// Plans without a table. The areas of a measured plan's components are those of the store; others

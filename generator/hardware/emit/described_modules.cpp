@@ -45,10 +45,11 @@ std::string what_is_ordered(const Design& design) {
 
 std::string arithmetic_fact(const design::Lane& lane) {
   return std::visit(Cases{[](const error::Lane& l) { return arithmetic_fact(l.graph.arithmetic); },
-                          [&](const fixed::FixedLane&) {
-                            return fmt::format(
-                                "Format: {}, fixed point; operands are rounded down.",
-                                design::format_name(lane));
+                          [&](const fixed::FixedLane& made) {
+                            return fmt::format("Format: {}, fixed point; {}.",
+                                               design::format_name(lane),
+                                               fixed::is_exact(made) ? "nothing is rounded"
+                                                                     : "operands are rounded down");
                           }},
                     lane);
 }
@@ -56,9 +57,11 @@ std::string arithmetic_fact(const design::Lane& lane) {
 std::vector<std::string> decision_facts(const design::Lane& lane) {
   const std::string decision = "Decision: " + design::describe_criterion(lane) + ".";
   if (!design::is_certified(lane)) return {decision};
-  const bool fixed = std::holds_alternative<fixed::FixedLane>(lane);
-  return {decision, fixed ? "Operands out of range, infinities and NaNs are left undecided."
-                          : "Infinities, NaNs, overflow and underflow are left undecided."};
+  const auto* fixed = std::get_if<fixed::FixedLane>(&lane);
+  if (fixed != nullptr && fixed::is_exact(*fixed)) return {decision};
+  return {decision, fixed != nullptr
+                        ? "Operands out of range, infinities and NaNs are left undecided."
+                        : "Infinities, NaNs, overflow and underflow are left undecided."};
 }
 
 /// The facts about the cycles in which a datapath starts and ends.
@@ -71,6 +74,13 @@ std::vector<std::string> timing_facts(const datapath::Schedule& schedule) {
                                 schedule.last_operand_phase));
   }
   return facts;
+}
+
+std::string lane_fact(const Design& design, const std::string& module, const design::Lane& lane) {
+  const auto* fixed = std::get_if<fixed::FixedLane>(&lane);
+  const bool always = fixed != nullptr && fixed::is_exact(*fixed);
+  return fmt::format("{}: decides {} {}.", module, what_is_asked(design),
+                     always ? "exactly" : "in reduced precision, or says it cannot");
 }
 
 /// The operands of a lane, with their format if it is one: "s53e11, a, b".
@@ -91,9 +101,8 @@ Described describe_lane(const Design& design, const std::string& name,
                         const design::LaneGroup& group, const datapath::Schedule& schedule) {
   Described lane = {
       rtl::lane_module(name, design.inputs, group.lane, schedule),
-      {fmt::format("{}: decides {} in reduced precision, or says it cannot.", name,
-                   what_is_asked(design)),
-       fmt::format("Operands: {}.", operands_text(design)), arithmetic_fact(group.lane)}};
+      {lane_fact(design, name, group.lane), fmt::format("Operands: {}.", operands_text(design)),
+       arithmetic_fact(group.lane)}};
   for (std::string& fact : decision_facts(group.lane)) lane.facts.push_back(std::move(fact));
   for (std::string& fact : timing_facts(schedule)) lane.facts.push_back(std::move(fact));
   return lane;
@@ -394,8 +403,7 @@ Described describe_word_lane(const Design& design, const design::Lane& made,
   const char* const whose = of_row ? "the row and of candidates i and j" : "items i and j";
   Described described = {
       rtl::word_lane_module(lanes.datapath, lane, lanes.schedule),
-      {fmt::format("{}: decides {} in reduced precision, or says it cannot.", lanes.datapath,
-                   what_is_asked(design)),
+      {lane_fact(design, lanes.datapath, made),
        fmt::format("Operands: of the words of {}, {}.", whose, fmt::join(ports, ", ")),
        arithmetic_fact(made)}};
   for (std::string& fact : decision_facts(made)) {

@@ -131,6 +131,12 @@ public:
     return formats;
   }
 
+  /// Refuses a list of formats that does not have one for each name.
+  void require_formats(const char* field, const std::vector<std::string>& names,
+                       const std::vector<OperandFormat>& formats) {
+    if (formats.size() != names.size()) refuse(field, fmt::format("{} formats", names.size()));
+  }
+
   template <class Value, std::size_t count>
   Value choice(const char* field, const std::array<Name<Value>, count>& names) {
     const std::string received = text(field);
@@ -316,9 +322,11 @@ SignatureEngine read_engine(Reader& reader) {
       .item_bytes = reader.number("item_bytes", 1, many),
       .report = {},
       .ports = reader.groups("ports", read_port)};
+  reader.require_formats("column_formats", engine.columns, engine.column_formats);
   if (engine.kind == scene::EngineKind::arg_min) {
     engine.row_columns = reader.read<std::vector<std::string>>("row_columns", "a list of names");
     engine.row_column_formats = reader.operand_formats("row_column_formats");
+    reader.require_formats("row_column_formats", engine.row_columns, engine.row_column_formats);
     engine.row_bytes = reader.number("row_bytes", 1, many);
     engine.tag_bits = reader.number("tag_bits", settings::limits::tag_bits);
   } else {
@@ -462,6 +470,7 @@ Result<Signature> read_signature(const std::filesystem::path& path) {
   if (json.contains("project")) {
     signature.project = reader.read<std::vector<std::string>>("project", "a list of files");
   }
+  reader.require_formats("input_formats", signature.inputs, signature.input_formats);
   if (reader.error()) return *reader.error();
   return signature;
 }

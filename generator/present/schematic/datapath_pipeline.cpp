@@ -158,9 +158,10 @@ private:
   void add_operands() {
     for (const FixedNode& node : lane_.nodes) {
       if (node.operation != Operation::input) continue;
-      const bool loaded = !lane_.loaded_inputs.empty();
-      operands_.push_back(
-          maker_.add_input(node.input, loaded ? node.format.name() : lane_.input_format.name()));
+      const std::string format = lane_.loaded_inputs.empty()
+                                     ? fixed::operand_format(lane_, node.input).name()
+                                     : node.format.name();
+      operands_.push_back(maker_.add_input(node.input, format));
     }
     if (schedule_.largest_exponent.unit.module.empty()) return;
     exponent_ = maker_.add({.title = "largest exponent",
@@ -171,8 +172,8 @@ private:
   void add_node(NodeId id) {
     const FixedNode& node = lane_.nodes[id];
     if (node.operation == Operation::constant) return maker_.add_node(PipelineMaker::none);
-    if (node.operation == Operation::input && !lane_.loaded_inputs.empty()) {
-      return maker_.add_node(operands_[next_operand_++]);  // converted when it was loaded
+    if (fixed::is_read_as_it_arrives(lane_, node)) {
+      return maker_.add_node(operands_[next_operand_++]);
     }
     std::vector<int> operands = maker_.read_by(schedule_.steps[static_cast<std::size_t>(id)]);
     if (node.operation == Operation::input) {

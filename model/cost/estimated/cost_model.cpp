@@ -212,7 +212,10 @@ double lane_luts(const fixed::FixedLane& lane, Products products) {
                 : fixed::is_reach(node) ? 1
                                         : width * shift_luts(node.most_dropped);
         break;
-      case Operation::input: luts += 2.0 * width + exponent * (lane.format.is_block ? 4 : 1); break;
+      case Operation::input:
+        if (fixed::is_read_as_it_arrives(lane, node)) break;
+        luts += 2.0 * width + exponent * (lane.format.is_block ? 4 : 1);
+        break;
       case Operation::square:
         if (products == Products::squares_in_memory) {
           luts += fixed::magnitude_bits(lane, id);

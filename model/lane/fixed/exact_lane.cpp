@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "model/base/number/double.hpp"
 #include "model/base/number/dyadic.hpp"
 #include "model/comparison/expression/text.hpp"
 
@@ -20,26 +21,48 @@ Error not_exact(std::string message, std::string received, std::string accepted)
           .accepted = std::move(accepted)};
 }
 
-/// Why the lane, which has the most bits that are allowed, has an error.
+std::string text_of(const Graph& graph) {
+  return to_text(graph, graph.parts().front().f, most_characters);
+}
+
+Error too_wide(const Graph& graph, int most_bits) {
+  return not_exact(fmt::format("it takes more than {} bits", most_bits), text_of(graph),
+                   "operands with fewer bits");
+}
+
+/// Whether no node has an error, so that a reference in a format with enough digits rounds nothing.
+bool has_no_error(const FixedLane& lane) {
+  return std::all_of(lane.nodes.begin(), lane.nodes.end(), [](const FixedNode& node) {
+    return node.error.low == 0 && node.error.high == 0;
+  });
+}
+
+/// Whether a constant needs no more than some binary digits: its value is a multiple of a power of
+/// two.
+bool is_dyadic(const FixedNode& constant) {
+  const mpq_class exact = constant.value.low - constant.error.low;
+  return mixcmp::is_power_of_two(mpq_class(exact.get_den()));
+}
+
+/// Why the lane, which has the most bits that are allowed, has an error or leaves something
+/// undecided.
 Error reason(const FixedLane& lane, const Graph& graph) {
   for (const FixedNode& node : lane.nodes) {
-    if (node.operation == Operation::constant && node.error.low != 0) {
-      return not_exact("an exact lane needs constants that are multiples of a power of two",
+    if (node.operation == Operation::constant && !is_dyadic(node)) {
+      return not_exact("a constant is no multiple of a power of two",
                        fmt::format("one near {}", rounded_text(node.value.low, 6)),
                        "constants such as 0.25");
     }
     if (node.operation == Operation::square_root) {
-      return not_exact("an exact lane has no square roots", "sqrt in f or g",
-                       "the squares of both sides");
-    }
-    if (is_checked(node)) {
-      return not_exact("an exact lane has no limits", "a let or an input with limits",
-                       "f and g without limits");
+      return not_exact("square roots are rounded", "sqrt in f or g", "the squares of both sides");
     }
   }
-  const std::string text = to_text(graph, graph.parts().front().f, most_characters);
-  return not_exact("an exact lane would need more bits than a lane has", text,
-                   "operands with fewer bits");
+  const bool has_limits = std::any_of(lane.nodes.begin(), lane.nodes.end(), is_checked);
+  if (has_limits && has_no_error(lane)) {
+    return not_exact("limits leave comparisons undecided", text_of(graph),
+                     "f and g without limits");
+  }
+  return too_wide(graph, lane.format.bits);
 }
 
 /// The most bits of any operand's magnitude.
@@ -60,18 +83,21 @@ int digits_within(const Range& value, const mpq_class& unit) {
 /// The lane with the fewest bits for which `property` holds. Operands in floating point, of which
 /// it has none, would arrive in the widest format.
 Result<FixedLane> lane_with(bool (*property)(const FixedLane&), const Graph& graph,
-                            const std::vector<OperandFormat>& operand_formats, int most_bits) {
+                            const std::vector<OperandFormat>& operand_formats,
+                            std::optional<BoundKind> bound, int most_bits) {
   for (std::size_t input = 0; input < operand_formats.size(); ++input) {
     if (operand_formats[input].fixed() != nullptr) continue;
-    return not_exact("an exact lane needs operands in fixed point",
+    return not_exact("not all inputs arrive in fixed point",
                      fmt::format("{} in {}", graph.inputs()[input], operand_formats[input].name()),
                      "inputs with a format such as uint10");
   }
   constexpr int wide = FloatFormat::max_exponent_bits;
   const auto lane_of = [&](int bits) {
-    return fixed_lane(
-        graph, FloatFormat::make(FloatFormat::max_precision, wide).value(),
-        {.format = {.bits = bits}, .bound = {}, .ranges = {}, .operand_formats = operand_formats});
+    return fixed_lane(graph, FloatFormat::make(FloatFormat::max_precision, wide).value(),
+                      {.format = {.bits = bits},
+                       .bound = bound,
+                       .ranges = {},
+                       .operand_formats = operand_formats});
   };
   for (int bits = std::max(2, widest(operand_formats)); bits <= most_bits; ++bits) {
     MIXCMP_TRY(lane, lane_of(bits));
@@ -84,23 +110,25 @@ Result<FixedLane> lane_with(bool (*property)(const FixedLane&), const Graph& gra
 }  // namespace
 
 Result<int> exact_bits(const Graph& graph, const std::vector<OperandFormat>& operand_formats,
-                       int most_bits) {
-  MIXCMP_TRY(lane, lane_with(is_exact, graph, operand_formats, most_bits));
+                       std::optional<BoundKind> bound, int most_bits) {
+  MIXCMP_TRY(lane, lane_with(is_exact, graph, operand_formats, bound, most_bits));
   return lane.format.bits;
 }
 
 Result<FloatFormat> exact_format(const Graph& graph,
-                                 const std::vector<OperandFormat>& operand_formats,
-                                 int least_precision) {
-  MIXCMP_TRY(lane, lane_with(rounds_nothing, graph, operand_formats, FloatFormat::max_precision));
-  int precision = least_precision, farthest = 1;  // exponents of units and of largest numbers
+                                 const std::vector<OperandFormat>& operand_formats) {
+  // A lane with constants has a node for each of the graph's.
+  MIXCMP_TRY(lane, lane_with(has_no_error, graph, operand_formats, BoundKind::constant,
+                             FloatFormat::max_precision));
+  int precision = double_digits, farthest = 1;  // exponents of units and of largest numbers
   for (const FixedNode& node : lane.nodes) {
     const int digits = digits_within(node.value, node.format.unit());
     precision = std::max(precision, digits);
     farthest = std::max({farthest, std::abs(node.format.unit_exponent) + 1,
                          std::abs(node.format.unit_exponent + digits)});
   }
-  int exponent_bits = FloatFormat::min_exponent_bits;
+  if (precision > FloatFormat::max_precision) return too_wide(graph, FloatFormat::max_precision);
+  int exponent_bits = 11;  // of binary64
   while ((1 << (exponent_bits - 1)) - 1 < farthest) ++exponent_bits;
   return FloatFormat::make(precision, exponent_bits);
 }

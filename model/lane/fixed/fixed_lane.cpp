@@ -243,18 +243,26 @@ bool is_read_as_it_arrives(const FixedLane& lane, const FixedNode& node) {
          (!lane.loaded_inputs.empty() || arriving_fixed(lane, node) != nullptr);
 }
 
-bool rounds_nothing(const FixedLane& lane) {
-  return std::all_of(lane.parts.begin(), lane.parts.end(), [](const FixedPart& part) {
-    const auto* constants = std::get_if<ConstantThresholds>(&part.criterion);
-    return constants != nullptr && constants->exact;
-  });
+namespace {
+
+/// Whether each operand of an input fits: it arrives in fixed point, in a lane that was split also
+/// before it became part of a word.
+bool is_always_taken(const FixedLane& lane, const FixedNode& input) {
+  if (lane.loaded_inputs.empty()) return arriving_fixed(lane, input) != nullptr;
+  return lane.loaded_inputs[static_cast<std::size_t>(input.input)].flags.empty();
 }
 
+}  // namespace
+
 bool is_exact(const FixedLane& lane) {
-  return rounds_nothing(lane) &&
+  const auto decides_all = [](const FixedPart& part) {
+    const auto* constants = std::get_if<ConstantThresholds>(&part.criterion);
+    return constants != nullptr && constants->exact;
+  };
+  return std::all_of(lane.parts.begin(), lane.parts.end(), decides_all) &&
          std::all_of(lane.nodes.begin(), lane.nodes.end(), [&](const FixedNode& node) {
-           const bool is_input = node.operation == Operation::input;
-           return !is_checked(node) && (!is_input || arriving_fixed(lane, node) != nullptr);
+           return !is_checked(node) &&
+                  (node.operation != Operation::input || is_always_taken(lane, node));
          });
 }
 

@@ -195,11 +195,8 @@ const FixedFormat* arriving_fixed(const FixedLane& lane, const FixedNode& node);
 /// fixed point.
 bool is_read_as_it_arrives(const FixedLane& lane, const FixedNode& node);
 
-/// Whether the difference has no error in any part.
-bool rounds_nothing(const FixedLane& lane);
-
-/// Whether the lane has no error and no limits, and so decides every comparison, also those of
-/// equal sides. All its operands arrive in fixed point.
+/// Whether the lane decides every comparison, also those of equal sides: its differences have no
+/// error, it has no limits, and all its operands arrive in fixed point.
 bool is_exact(const FixedLane& lane);
 
 /// The inputs that the lane reads, in the order of its nodes.

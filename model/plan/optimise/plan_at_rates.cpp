@@ -77,8 +77,9 @@ std::optional<Loaded> load_of(const PrecisionPlan& plan, const scene::Scene& sce
   }
   for (const int k : lane_order(plan.problem)) {
     if (chosen.lanes[k] == 0) continue;
-    const std::optional<Rate> first = rates.find(rate_key(plan.lanes[k].lane()));
+    std::optional<Rate> first = rates.find(rate_key(plan.lanes[k].lane()));
     if (!first) return std::nullopt;
+    first->is_exact = plan.lanes[k].rate.is_exact;
     LaneKind kind = plan.problem.lanes[k];
     kind.clock_hz = std::min(kind.clock_hz, clock);
     add_lanes(loaded, scene, std::move(kind), chosen.lanes[k], first->value(),

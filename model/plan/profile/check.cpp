@@ -13,7 +13,9 @@ Error unsuitable(const scene::Scene& scene, const std::string& field, FloatForma
           .field = field,
           .message = "a profile computes in double, which does not hold this format",
           .received = format.name(),
-          .accepted = "up to 53 digits and 11 exponent bits"};
+          .accepted = scene.has_fixed_operands() && field == "reference.format"
+                          ? "\"s53e11\", which rounds what needs more digits"
+                          : "up to 53 digits and 11 exponent bits"};
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ TEST_F(FixedOperandsTest, RangeGridReferenceAndLaneFollow) {
   EXPECT_EQ(scene.operand_formats.front().name(), "uint10");
   EXPECT_EQ(scene.ranges.front(), (Range{0, 1023}));
   EXPECT_EQ(scene.grids.front(), mpq_class(1));
-  EXPECT_EQ(scene.reference.format.name(), "s21e6");
+  EXPECT_EQ(scene.reference.format.name(), "s53e11");
   EXPECT_EQ(scene.reduced.format_name(), "q10");
   EXPECT_TRUE(scene.reduced.is_exact);
   EXPECT_EQ(scene.system.references, 0);
@@ -109,12 +109,12 @@ TEST_F(FixedOperandsTest, WhatCannotBeExactSaysWhy) {
       "[comparison]\nname = \"n\"\nf = \"sqrt(a)\"\ng = \"b\"\n[inputs]\n"
       "\"*\" = { format = \"uint10\" }\n[reduced]\nformat = \"exact\"\n";
   EXPECT_EQ(error(root),
-            ": reference.format: an exact reference is not possible: an exact lane has no square "
-            "roots: received sqrt in f or g; accepted the squares of both sides, or a format such "
-            "as s53e11");
-  EXPECT_EQ(error(root + "[reference]\nformat = \"s40e8\"\n"),
-            ":8: reduced.format: an exact lane has no square roots: received \"exact\" with sqrt "
-            "in f or g; accepted the squares of both sides, or a format such as q13");
+            ": reference.format: no reference is exact: square roots are rounded: received sqrt in "
+            "f or g; accepted the squares of both sides, or a format such as s53e11");
+  EXPECT_EQ(
+      error(root + "[reference]\nformat = \"s40e8\"\n"),
+      ":8: reduced.format: no lane is exact: square roots are rounded: received \"exact\" with "
+      "sqrt in f or g; accepted the squares of both sides, or a format such as q13");
 }
 
 TEST_F(FixedOperandsTest, ColumnsOfAnEngineHaveOneFormat) {

@@ -113,7 +113,7 @@ const char* const orientation_g = "(by - ay) * (cx - ax)";
 TEST(ExactBits, HasTheFewestBits) {
   const Graph graph = graph_of(orientation_f, orientation_g);
   const std::vector<OperandFormat> operands(6, *OperandFormat::parse("uint10"));
-  const auto bits = fixed::exact_bits(graph, operands, 48);
+  const auto bits = fixed::exact_bits(graph, operands, std::nullopt, 48);
   ASSERT_TRUE(bits.ok());
   EXPECT_EQ(*bits, 10);
   EXPECT_TRUE(fixed::is_exact(*lane_of(graph, operands, 10)));
@@ -123,35 +123,62 @@ TEST(ExactBits, HasTheFewestBits) {
 /// A sum of eighth powers has more bits than 2 W + 16 of its operands' W.
 TEST(ExactBits, HasMoreBitsWhereResultsNeedThem) {
   const Graph graph = graph_of("a^8", "b^8");
-  const auto bits = fixed::exact_bits(graph, formats({"uint6", "uint6"}), 48);
+  const auto bits = fixed::exact_bits(graph, formats({"uint6", "uint6"}), std::nullopt, 48);
   ASSERT_TRUE(bits.ok());
   EXPECT_EQ(*bits, 17);  // f - g has 49 bits
 }
 
 TEST(ExactBits, SaysWhyThereIsNone) {
   const auto reason = [](const char* f, const char* g, const char* format) {
-    const auto bits = fixed::exact_bits(
-        graph_of(f, g), std::vector<OperandFormat>(2, *OperandFormat::parse(format)), 24);
+    const std::vector<OperandFormat> operands(2, *OperandFormat::parse(format));
+    const auto bits = fixed::exact_bits(graph_of(f, g), operands, std::nullopt, 24);
     return bits.ok() ? "" : bits.error().message;
   };
-  EXPECT_EQ(reason("0.1 * a", "b", "uint8"),
-            "an exact lane needs constants that are multiples of a power of two");
-  EXPECT_EQ(reason("sqrt(a)", "b", "uint8"), "an exact lane has no square roots");
-  EXPECT_EQ(reason("within(a, 0, 7)", "b", "uint8"), "an exact lane has no limits");
-  EXPECT_EQ(reason("a^4", "b", "uint20"), "an exact lane would need more bits than a lane has");
-  EXPECT_EQ(reason("a", "b", "s24e8"), "an exact lane needs operands in fixed point");
+  EXPECT_EQ(reason("0.1 * a", "b", "uint8"), "a constant is no multiple of a power of two");
+  EXPECT_EQ(reason("sqrt(a)", "b", "uint8"), "square roots are rounded");
+  EXPECT_EQ(reason("within(a, 0, 7)", "b", "uint8"), "limits leave comparisons undecided");
+  EXPECT_EQ(reason("a^4", "b", "uint20"), "it takes more than 24 bits");
+  EXPECT_EQ(reason("a", "b + 0x1.000001p30", "uint8"), "it takes more than 24 bits");
+  EXPECT_EQ(reason("a", "b", "s24e8"), "not all inputs arrive in fixed point");
   EXPECT_EQ(reason("a", "b", "uint24"), "");
 }
 
+/// (8193 x)^2 has a root with few digits, which a lane with constants does not use.
+TEST(ExactBits, DependOnTheBound) {
+  const Graph graph = graph_of("67125249 * a^2", "b");
+  const std::vector<OperandFormat> operands = formats({"uint4", "uint4"});
+  EXPECT_EQ(*fixed::exact_bits(graph, operands, std::nullopt, 48), 14);
+  EXPECT_EQ(*fixed::exact_bits(graph, operands, BoundKind::constant, 48), 27);
+  EXPECT_FALSE(fixed::exact_bits(graph, operands, BoundKind::norm, 48).ok());
+}
+
+std::string exact_format(const Graph& graph, const std::vector<const char*>& names) {
+  const auto format = fixed::exact_format(graph, formats(names));
+  return format.ok() ? format->name() : format.error().message;
+}
+
 TEST(ExactFormat, HoldsEveryResult) {
-  const Graph graph = graph_of(orientation_f, orientation_g);
-  const std::vector<OperandFormat> operands(6, *OperandFormat::parse("uint10"));
-  const auto format = fixed::exact_format(graph, operands, 11);
-  ASSERT_TRUE(format.ok());
-  EXPECT_EQ(format->name(), "s21e6");  // 2 * 1023^2 < 2^21
-  const auto tiny = fixed::exact_format(graph_of("a", "b"), formats({"uq0.30", "uint4"}), 11);
-  ASSERT_TRUE(tiny.ok());
-  EXPECT_EQ(tiny->name(), "s34e6");  // a - b: from -15 to 1, in units of 2^-30
+  EXPECT_EQ(exact_format(graph_of("a", "b"), {"uint10", "int4"}), "s53e11");
+  // The product has 80 digits, and so has the difference.
+  EXPECT_EQ(exact_format(graph_of("a * b", "a"), {"uint40", "uint40"}), "s80e11");
+  EXPECT_EQ(exact_format(graph_of("a", "b"), {"uq0.60", "uint4"}), "s64e11");
+}
+
+/// The square is a node of the reference, but not of a lane that takes the coefficient's root.
+TEST(ExactFormat, HoldsWhatALaneWithANormDoesNotCompute) {
+  EXPECT_EQ(exact_format(graph_of("a^2 / 0x1p100", "b"), {"uint50", "uint4"}), "s104e11");
+  EXPECT_EQ(exact_format(graph_of("a^2 / 0x1p120", "b"), {"uint60", "uint4"}),
+            "it takes more than 113 bits");
+}
+
+TEST(ExactFormat, NeedsOperationsThatAreExact) {
+  EXPECT_EQ(exact_format(graph_of("a + 0.1", "b + 0.1"), {"uint8", "uint8"}),
+            "a constant is no multiple of a power of two");
+}
+
+/// Limits leave comparisons undecided, but round nothing.
+TEST(ExactFormat, IsThatOfAComparisonWithLimits) {
+  EXPECT_EQ(exact_format(graph_of("within(a, 0, 7) * b", "b"), {"int6", "int6"}), "s53e11");
 }
 
 TEST(FixedOperands, BlocksDoNotTakeThem) {
