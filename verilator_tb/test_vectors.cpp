@@ -154,8 +154,8 @@ private:
             smallest};
   }
 
-  /// A number of an input in place of a special value: in fixed point the nearest, and the largest
-  /// for a NaN. Numbers nearer to zero than a unit become the unit.
+  /// A number of an input in place of a special value: in fixed point the next one above it, within
+  /// the format, and the largest for a NaN.
   Bits number_of(std::size_t input, Bits value) const {
     const FloatFormat format = comparisons_.format();
     const FixedFormat* fixed = formats_[input].fixed();

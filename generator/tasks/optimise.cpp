@@ -124,13 +124,12 @@ void note_in_plan(OptimiseResult& result, std::string note) {
 }
 
 /// Tells in which part of their cycles the lanes of a pairwise engine compare.
-void note_idle_lanes(const LoadedScene& loaded, OptimiseResult& result) {
-  const PlannedSystem& best = result.best();
-  const optimise::PrecisionPlan* plan = best.found.best();
-  const scene::Scene& scene = best.known.scene;
+void note_idle_lanes(const scene::Scene& scene, const data::Comparisons* data,
+                     optimise::Optimisation& found) {
+  const optimise::PrecisionPlan* plan = found.best();
   const bool is_pairwise = scene.system.engine.kind == scene::EngineKind::pairwise;
-  if (plan == nullptr || !is_pairwise || loaded.data_if_any() == nullptr) return;
-  const auto set = profile::set_of(*loaded.data_if_any());
+  if (plan == nullptr || !is_pairwise || data == nullptr) return;
+  const auto set = profile::set_of(*data);
   if (!set) return;
   optimise::Rates unhindered;
   unhindered.assume_nothing_reported(*set);
@@ -139,8 +138,7 @@ void note_idle_lanes(const LoadedScene& loaded, OptimiseResult& result) {
   const double busy = *optimise::busy_share(engine, unhindered, true);
   const std::string sizes = set->others > 0 ? fmt::format("{} and {}", set->items, set->others)
                                             : std::to_string(set->items);
-  note_in_plan(
-      result,
+  found.notes.push_back(
       plan->counts_idle_lanes
           ? fmt::format(
                 "on sets of {} items lanes compare in {:.3g} % of their cycles ({:.3g} % if "
@@ -152,15 +150,13 @@ void note_idle_lanes(const LoadedScene& loaded, OptimiseResult& result) {
 }
 
 /// Tells what must reach a system of streams: each comparison brings all of its operands.
-void note_traffic(OptimiseResult& result) {
-  const PlannedSystem& best = result.best();
-  const scene::Scene& scene = best.known.scene;
-  if (best.found.best() == nullptr || scene.system.engine.kind != scene::EngineKind::none) return;
+void note_traffic(const scene::Scene& scene, optimise::Optimisation& found) {
+  const optimise::PrecisionPlan* plan = found.best();
+  if (plan == nullptr || scene.system.engine.kind != scene::EngineKind::none) return;
   const int bits = total_width(scene.operand_formats);
-  note_in_plan(
-      result,
+  found.notes.push_back(
       fmt::format("all operands of each comparison arrive at its ports, {} bits: {:.3g} GB/s", bits,
-                  best.throughput_per_s() / 1e9 * bits / 8));
+                  plan->throughput_per_s() / 1e9 * bits / 8));
 }
 
 /// Synthesises the components of the best plan and plans again, until the best plan has measured
@@ -242,11 +238,17 @@ void note_system(const OptimiseRequest& request, const LoadedScene& loaded,
                  OptimiseResult& result) {
   note_fixed_point(request, result);
   note_left_out_tier(loaded.scene, result);
-  note_idle_lanes(loaded, result);
-  note_traffic(result);
+  PlannedSystem& best = result.systems[result.chosen];
+  note_use(best.known.scene, loaded.data_if_any(), best.found);
 }
 
 }  // namespace
+
+void note_use(const scene::Scene& scene, const data::Comparisons* data,
+              optimise::Optimisation& found) {
+  note_idle_lanes(scene, data, found);
+  note_traffic(scene, found);
+}
 
 double PlannedSystem::throughput_per_s() const {
   return found.best() == nullptr ? 0 : found.best()->throughput_per_s();

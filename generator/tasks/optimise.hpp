@@ -95,6 +95,11 @@ Result<OptimiseResult> completed(const OptimiseRequest& request, const LoadedSce
 /// The request's settings with those of a system: `generate` makes it of these.
 std::vector<std::string> settings_of(const OptimiseRequest& request, const PlannedSystem& system);
 
+/// Notes in the report of a plan what its use asks for: how many operands have to arrive or, in a
+/// pairwise engine, how long lanes wait for items. `data` may be null.
+void note_use(const scene::Scene& scene, const data::Comparisons* data,
+              optimise::Optimisation& found);
+
 /// One formulation: the comparison or a variant, with or without its second tier.
 struct Formulation {
   LoadedScene loaded;

@@ -27,7 +27,7 @@ std::vector<std::string> larger_than(const Device& device) {
   std::vector<std::string> names;
   for (const devices::Part& part : devices::parts()) {
     if (part.family != device.family) continue;
-    const Device larger = device_of(part.name);
+    const Device larger = device_of(std::string(part.name));
     const bool has_all =
         std::all_of(std::begin(devices::bounded_resources), std::end(devices::bounded_resources),
                     [&](const devices::Resource& resource) {

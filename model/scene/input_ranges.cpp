@@ -38,7 +38,7 @@ Result<InputDeclaration> read_format(settings::Section& section) {
     const settings::Setting* other = section.find(key);
     if (other == nullptr) continue;
     return section.mistake(key, "it follows from the input's format", other->shown(),
-                           "one of the two");
+                           "no such key beside format");
   }
   if (const auto error = section.finish()) return *error;
   const FixedFormat& fixed = *format->fixed();

@@ -7,6 +7,7 @@
 #include "generator/synthesis/components/predicted_table.hpp"
 #include "generator/tasks/optimise.hpp"
 #include "model/base/number/exact.hpp"
+#include "model/judge/workload/load_comparisons.hpp"
 #include "model/plan/optimise/architecture.hpp"
 #include "model/scene/plan.hpp"
 
@@ -163,6 +164,42 @@ TEST_F(OptimiseTask, FindsTheBestOfAllArchitectures) {
   EXPECT_GT(best.at("operands refetched, no counters"), best.at("operands refetched, counters"));
   EXPECT_EQ(found.best().interface, "operands refetched, no counters");
   EXPECT_GE(found.best().known.scene.system.lanes_per_group, 4);
+}
+
+/// Lanes of 16 bits and more leave nothing of these rows undecided, but only those of 20 are exact,
+/// and no reference takes such operands.
+TEST_F(OptimiseTask, IntegersAreForTheSmallestExactLane) {
+  const std::string integers = R"toml(
+[comparison]
+name = "orientation"
+f = "(bx-ax)*(cy-ay)"
+g = "(by-ay)*(cx-ax)"
+[inputs]
+"*" = { format = "uint20" }
+[data]
+items = "uniform"
+count = 300
+[system]
+device = "artix7-200t"
+)toml";
+  tasks::OptimiseRequest request = request_with({});
+  request.planning.scene.source = scene::SceneSource("scene.toml", integers);
+  request.choice.first_precision = 12;
+  request.choice.last_precision = 24;
+  const scene::Scene scene = scene::load_scene(request.planning.scene.source, {}).value();
+  const tasks::LoadedScene loaded = {scene, workload::load_comparisons(scene).value()};
+  const tasks::OptimiseResult found = tasks::optimise(request, loaded).value();
+  const optimise::PrecisionPlan& plan = *found.best().found.best();
+  EXPECT_EQ(plan.precision, 20);
+  EXPECT_EQ(plan.allocation()->reference_count(), 0);
+  EXPECT_EQ(plan.recomputation_rate(), 0);
+  EXPECT_GT(plan.allocation()->lane_count(), 8);
+  EXPECT_EQ(found.best().interface, "no references, no counters");
+  request.choice.last_precision = 19;
+  const auto none = tasks::optimise(request, loaded);
+  ASSERT_FALSE(none.ok());
+  EXPECT_EQ(none.error().message,
+            "no lane is exact, and references take no operands in fixed point");
 }
 
 TEST_F(OptimiseTask, GivenKeysStayAndOpenOnesAreSettings) {

@@ -4,6 +4,7 @@
 
 #include "generator/faces/api/state.hpp"
 #include "generator/present/report/plan_report.hpp"
+#include "generator/tasks/optimise.hpp"
 #include "generator/tasks/planning.hpp"
 #include "model/plan/optimise/plan_summary.hpp"
 
@@ -70,10 +71,11 @@ Plan plan(const Scene& scene, const PlanOptions& options) {
       value_or_throw(tasks::measure_rates(state.loaded, optimise::inputs_of_lanes(planning.table),
                                           choice, options.progress),
                      state);
-  const optimise::Optimisation found =
+  optimise::Optimisation found =
       value_or_throw(optimise::optimise(planning.scene, planning.device, planning.table,
                                         optimise::Rates::of(rates), choice),
                      state);
+  tasks::note_use(planning.scene, state.loaded.data_if_any(), found);
   Plan result{.baseline_per_s = optimise::baseline_per_s(found),
               .notes = planning.notes,
               .text = report::to_text(found)};

@@ -100,8 +100,8 @@ Result<OperandFormat> OperandFormat::parse(std::string_view name) {
 
 std::string OperandFormat::accepted_fixed() {
   return fmt::format(
-      "uint1..uint{0}, int2..int{0}, qI.F or uqI.F with I bits before the point and F behind it, "
-      "such as q3.12, at most {0} bits with the sign",
+      "uint1..uint{0}, int2..int{0}, qI.F or uqI.F with I bits before the point and F of at least "
+      "1 behind it, such as q3.12, at most {0} bits with the sign",
       most_fixed_bits);
 }
 

@@ -31,7 +31,7 @@ public:
 
   int width() const;         ///< bits of a word
   std::string name() const;  ///< "s53e11", "uint10", "q3.12"
-  /// The one of the two that it is; the other is null.
+  /// Null if the format is the other one of the two.
   const FixedFormat* fixed() const { return std::get_if<FixedFormat>(&format_); }
   const FloatFormat* floating() const { return std::get_if<FloatFormat>(&format_); }
 

@@ -37,14 +37,14 @@ enum class Conversion {
 
 /// One operation. Its result is an integer of `format`, in that format's units.
 ///
-/// An input may arrive in floating point. Its magnitude is then truncated to the unit and, if its
+/// The magnitude of an input that arrives in floating point is truncated to the unit and, if its
 /// sign bit is set, every bit is inverted. Both round down, to within a unit. Some operands leave
 /// the comparison undecided: NaN, infinity, a magnitude or sign that the format does not have, and
 /// a negative zero if the format is unsigned. An input that arrives in fixed point loses
-/// `dropped_bits` low bits, often none, and never leaves anything undecided. The operands of an
-/// addition, a
-/// subtraction, a minimum and a maximum are aligned to the finer unit of the two. A square root is
-/// rounded down to its own unit, whatever its operand's unit is.
+/// `dropped_bits` low bits, often none, and leaves nothing undecided.
+///
+/// The operands of an addition, a subtraction, a minimum and a maximum are aligned to the finer
+/// unit of the two. A square root is rounded down to its own unit, whatever its operand's unit is.
 struct FixedNode {
   Operation operation;
   std::array<NodeId, 2> operands = {-1, -1};

@@ -84,7 +84,7 @@ TEST_F(FixedOperandsTest, MistakesNameTheKey) {
                                "received \"uint65\"; accepted uint1..uint64, "));
   EXPECT_EQ(error(orientation, {"inputs.*.range=[0, 3]"}),
             "--set: inputs.*.range: it follows from the input's format: received an array of 2; "
-            "accepted one of the two");
+            "accepted no such key beside format");
   EXPECT_EQ(error(orientation, {"system.references=2"}),
             "--set: system.references: references take no operands in fixed point: received 2; "
             "accepted 0, the default: exact lanes decide everything, others tell what they leave "
