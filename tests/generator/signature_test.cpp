@@ -20,6 +20,8 @@ emit::Signature some_signature() {
           .combination = Combination::any,
           .lets = {{"near", "a^2"}},
           .inputs = {"a", "b", "c"},
+          .input_formats = {*OperandFormat::parse("s53e11"), *OperandFormat::parse("uint10"),
+                            *OperandFormat::parse("q3.4")},
           .lanes = 87,
           .lanes_per_group = 29,
           .references = 3,
@@ -77,6 +79,7 @@ TEST(Signature, ReadsBackAsWritten) {
   EXPECT_EQ(read->order, scene::ResultOrder::in_order);
   EXPECT_EQ(read->operands, scene::OperandStore::refetched);
   EXPECT_EQ(read->files, some_signature().files);
+  EXPECT_EQ(read->input_formats, some_signature().input_formats);
 }
 
 TEST(Signature, NamesTheFieldThatDoesNotFit) {
@@ -104,6 +107,13 @@ TEST(Signature, NamesTheFieldThatDoesNotFit) {
   const auto part = read_text(without(text, "\"near\",\n      \"g\"", "\"near\",\n      \"h\""));
   ASSERT_FALSE(part.ok());
   EXPECT_EQ(part.error().field, "parts[0].g");
+
+  for (const char* formats :
+       {"\"uint10\"", "\"uint10\",\n    \"q3\""}) {  // one too few, one unknown
+    const auto few = read_text(without(text, "\"uint10\",\n    \"q3.4\"", formats));
+    ASSERT_FALSE(few.ok());
+    EXPECT_EQ(few.error().field, "input_formats");
+  }
 
   const auto missing = read_text(without(text, "\"tag_bits\": 31,", ""));
   ASSERT_FALSE(missing.ok());

@@ -81,6 +81,7 @@ emit::Signature fake_signature(const FakeSystem& fake) {
       .reference_format = binary16(),
       .certified = true,
       .inputs = {"a", "b"},
+      .input_formats = {OperandFormat(binary16()), OperandFormat(binary16())},
       .lanes = fake.lanes,
       .references = fake.route == FakeRoute::none ? 0 : fake.lanes,
       .lane_groups = {{.count = fake.lanes, .module = "fake_channel", .format = binary16().name()}},
