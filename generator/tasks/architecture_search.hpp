@@ -53,7 +53,7 @@ public:
   /// other precisions, and are at most half a percent slower.
   Result<OptimiseResult> fastest() const { return fastest_in(1, request_->progress); }
 
-  /// The same on a device of which no slack leaves anything free.
+  /// The same without slack: a system may fill the whole device.
   Result<OptimiseResult> fastest_without_slack() const;
 
   /// The best system of this interface and formulation in parts of the room that `system` has.
@@ -121,7 +121,7 @@ private:
   /// lacks, or is the error unchanged.
   Error explained(const Error& error) const;
   Result<std::vector<Choice>> choices_of(std::size_t system, Share share) const;
-  /// Those of each of these systems.
+  /// The choices of each of these systems, found in threads.
   std::vector<Result<std::vector<Choice>>> choices_of(const std::vector<std::size_t>& systems,
                                                       Share share,
                                                       const StepProgress& progress) const;

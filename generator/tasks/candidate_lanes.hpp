@@ -39,8 +39,8 @@ struct LeftOutLanes {
   std::string why = {};      ///< for the user
 };
 
-/// Where operands arrive in fixed point, lets the query ask only for exact lanes, since systems
-/// have no references. It is an error if there is none.
+/// Lets the query ask only for exact lanes if some operands arrive in fixed point: such systems
+/// have no references. It is an error if no lane is exact.
 Result<Done> keep_exact_lanes(const scene::Scene& scene, components::ComponentQuery& query);
 
 /// Those that the query asks for by itself and that are not among `lanes`.

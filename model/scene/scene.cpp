@@ -358,6 +358,39 @@ void note_missed_ends(const std::vector<std::optional<Range>>& ranges, FloatForm
   }
 }
 
+/// Checks the keys of streams, or notes those that the engine does not read.
+Result<Done> check_streams(const settings::Settings& settings, const SystemSpec& system,
+                           const EngineSpec& engine, std::vector<std::string>& notes) {
+  if (engine.kind == EngineKind::none) return check_tag_bits(settings, system);
+  note_stream_keys(system, engine, notes);
+  return Done{};
+}
+
+/// One per input: its own format, or that of the reference.
+std::vector<OperandFormat> formats_of_operands(const InputDeclarations& declared,
+                                               FloatFormat reference) {
+  std::vector<OperandFormat> formats;
+  for (const std::optional<OperandFormat>& each : declared.formats) {
+    formats.push_back(each.value_or(OperandFormat(reference)));
+  }
+  return formats;
+}
+
+/// The default number of references is 0 if some operands arrive in fixed point.
+void leave_out_references(Scene& scene) {
+  const bool is_open = scene.references.empty() && !scene.system.references;
+  if (scene.has_fixed_operands() && is_open) scene.system.references = 0;
+}
+
+/// Notes what rules out lanes in fixed point, if the format of lanes is open.
+void note_open_format(Scene& scene) {
+  const ReducedSpec& reduced = scene.reduced;
+  const bool is_open = !reduced.format && !reduced.fixed_point && scene.lanes.empty();
+  if (!is_open || reduced.is_profiled || scene.has_fixed_operands()) return;
+  const auto note = fixed_point_note(scene.graph, scene.reference.format, scene.ranges);
+  if (note) scene.notes.push_back(*note);
+}
+
 /// Tells for each input whether its range is that of its data.
 std::vector<bool> are_from_data(const InputDeclarations& declared) {
   std::vector<bool> from_data;
@@ -392,30 +425,15 @@ Result<Scene> interpret(SceneSettings read) {
   if (data) MIXCMP_DO(draw_from_ranges(settings, graph.inputs(), declared, *data));
   MIXCMP_DO(take_ranges_from_data(data ? &*data : nullptr, graph.inputs(), format, declared));
   note_missed_ends(declared.ranges, format, notes);
-  std::vector<OperandFormat> operand_formats;
-  for (const std::optional<OperandFormat>& each : declared.formats) {
-    operand_formats.push_back(each.value_or(OperandFormat(format)));
-  }
+  std::vector<OperandFormat> operand_formats = formats_of_operands(declared, format);
   MIXCMP_TRY(lanes, read_lanes(settings, graph, format, declared.ranges, operand_formats));
-  const bool is_open = !lanes.reduced.format && !lanes.reduced.fixed_point && lanes.groups.empty();
-  const bool all_float =
-      std::none_of(operand_formats.begin(), operand_formats.end(),
-                   [](const OperandFormat& each) { return each.fixed() != nullptr; });
-  if (is_open && all_float && !lanes.reduced.is_profiled) {
-    const auto note = fixed_point_note(graph, format, declared.ranges);
-    if (note) notes.push_back(*note);
-  }
   MIXCMP_TRY(references, read_reference_groups(settings, reference.structure));
   MIXCMP_TRY(system, read_system(settings));
   if (data) {
     for (std::string& note : pairing_notes(graph, data->pairing)) notes.push_back(std::move(note));
   }
   MIXCMP_TRY(engine, read_engine(settings, graph.inputs(), data));
-  if (engine.kind == EngineKind::none) {
-    MIXCMP_DO(check_tag_bits(settings, system));
-  } else {
-    note_stream_keys(system, engine, notes);
-  }
+  MIXCMP_DO(check_streams(settings, system, engine, notes));
   MIXCMP_TRY(second_tier, read_second_tier(settings, format, engine.kind));
   const bool has_no_tier = engine.kind != EngineKind::arg_min && !second_tier.reduced;
   Scene scene{.path = settings.path,
@@ -441,9 +459,9 @@ Result<Scene> interpret(SceneSettings read) {
               .data = std::move(data),
               .plan = std::move(read.plan),
               .notes = std::move(notes)};
-  const bool are_open = scene.references.empty() && !scene.system.references;
-  if (scene.has_fixed_operands() && are_open) scene.system.references = 0;
+  leave_out_references(scene);
   MIXCMP_DO(check_fixed_operands(settings, scene));
+  note_open_format(scene);
   note_unused_keys(scene, settings, scene.notes);
   return scene;
 }

@@ -326,7 +326,7 @@ TEST_F(OptimiseTask, ItsNotesAreThoseOfThePlan) {
   EXPECT_FALSE(has_note(found_for(request), "no lane in fixed point")) << "none was asked for";
 }
 
-/// What is said to make room was tried: it does, and less does not.
+/// A system fits with each remedy that the note names, and with no smaller one.
 TEST_F(OptimiseTask, WithoutRoomItTriesWhatMakesRoom) {
   const std::vector<std::string> some = {"system.counters=none", "system.operands=refetched",
                                          "reference.initiation_interval=1",

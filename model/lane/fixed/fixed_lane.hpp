@@ -188,7 +188,7 @@ bool has_quotient(const Graph& graph, NodeId quotient);
 /// The format in which an input arrives.
 OperandFormat operand_format(const FixedLane& lane, int input);
 
-/// The same if that is fixed point, else null. `node` is one of the lane's inputs.
+/// The fixed-point format in which the input `node` arrives; null if it arrives in floating point.
 const FixedFormat* arriving_fixed(const FixedLane& lane, const FixedNode& node);
 
 /// Whether a node is an input that needs no conversion: it is a field of a word, or it arrives in
