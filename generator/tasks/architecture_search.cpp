@@ -23,10 +23,6 @@ using measured::ComponentKey;
 using measured::Measurement;
 using scene::Multipliers;
 
-/// Steps of the progress.
-constexpr auto areas_predicted = "areas predicted", systems_bounded = "systems bounded",
-               plans_searched = "plans searched";
-
 /// The scene's limit of system.slack.
 constexpr double most_slack = 0.95;
 

@@ -23,8 +23,11 @@ std::optional<std::string> note_on_sample(const optimise::Rates& rates);
 /// Says that the areas of these devices or families are rough predictions.
 std::string rough_note(const std::string& names);
 
-/// How far a search on one device is after this share of one of its steps: "areas predicted",
-/// "systems bounded", "plans searched". They come in this order.
+/// The steps of a search on one device, in their order, as its progress names them.
+inline constexpr auto areas_predicted = "areas predicted", systems_bounded = "systems bounded",
+                      plans_searched = "plans searched";
+
+/// The share of a search that is done when this share of one of its steps is done.
 double progress_of_search(const std::string& step, double share);
 
 /// The systems of all architectures of a scene's formulations, with predicted areas. Lanes and

@@ -186,7 +186,7 @@ Result<Done> ArchitectureSearch::add_all(std::vector<System> known) {
     const bool is_engine = each.scene.system.engine.kind != EngineKind::none;
     if (!is_engine) systems[each.formulation].push_back(std::move(each));
   }
-  MIXCMP_DO(for_each_in_threads(split_of(systems.size(), "areas predicted", request_->progress),
+  MIXCMP_DO(for_each_in_threads(split_of(systems.size(), areas_predicted, request_->progress),
                                 [&](std::uint64_t k) -> Result<Done> {
                                   if (!systems[k].empty()) return Done{};
                                   MIXCMP_TRY(found, systems_of(k));

@@ -10,7 +10,8 @@
 namespace mixcmp::inline common {
 
 /// Keeps the value that was made for each key. Threads may share it: one of them makes a missing
-/// value, while those that ask for the same key wait. A value may be made of other keys' values.
+/// value, while those that ask for the same key wait. Making a value may ask for other keys, but
+/// never, however indirectly, for its own: that would wait for ever.
 template <class Key, class Value>
 class Memo {
 public:

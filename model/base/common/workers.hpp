@@ -12,8 +12,8 @@ struct WorkSplit {
   std::uint64_t size = 0;   ///< items 0 .. size - 1
   std::uint64_t block = 1;  ///< items per block
   unsigned threads = 0;     ///< 0: as many as the machine has
-  /// Called with the part that has been taken, first 0, which rises by at least one percent from
-  /// call to call: from any of the threads, but from one at a time.
+  /// Called with the part that has been taken, which rises by at least one percent from call to
+  /// call: from any of the threads, but from one at a time.
   std::function<void(double)> progress = {};
 };
 
