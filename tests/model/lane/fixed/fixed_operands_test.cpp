@@ -164,9 +164,17 @@ TEST(ExactFormat, HoldsEveryResult) {
   EXPECT_EQ(exact_format(graph_of("a", "b"), {"uq0.60", "uint4"}), "s64e11");
 }
 
+/// No result is below the smallest normal number, even if subnormals are flushed: the products
+/// count units of 2^-1030.
+TEST(ExactFormat, HasNoSubnormalResults) {
+  EXPECT_EQ(exact_format(graph_of("a * 0x1p-970", "b * 0x1p-970"), {"uq0.60", "uq0.60"}), "s60e12");
+}
+
 /// The square is a node of the reference, but not of a lane that takes the coefficient's root.
 TEST(ExactFormat, HoldsWhatALaneWithANormDoesNotCompute) {
   EXPECT_EQ(exact_format(graph_of("a^2 / 0x1p100", "b"), {"uint50", "uint4"}), "s104e11");
+  EXPECT_EQ(exact_format(graph_of("(0x1p600 * a)^2 / 0x1p1200", "b"), {"uint8", "uint8"}),
+            "s53e12");
   EXPECT_EQ(exact_format(graph_of("a^2 / 0x1p120", "b"), {"uint60", "uint4"}),
             "it takes more than 113 bits");
 }
