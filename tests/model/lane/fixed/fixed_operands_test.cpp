@@ -118,6 +118,8 @@ TEST(ExactBits, HasTheFewestBits) {
   EXPECT_EQ(*bits, 10);
   EXPECT_TRUE(fixed::is_exact(*lane_of(graph, operands, 10)));
   EXPECT_FALSE(fixed::is_exact(*lane_of(graph, operands, 9)));
+  const std::vector<OperandFormat> with_signs(6, *OperandFormat::parse("int10"));
+  EXPECT_EQ(*fixed::exact_bits(graph, with_signs, std::nullopt, 48), 9) << "of a magnitude";
 }
 
 /// A sum of eighth powers has more bits than 2 W + 16 of its operands' W.
