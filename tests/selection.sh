@@ -14,19 +14,36 @@ turn() {
 # one_in N: ctest's selection of every N-th test, from the commit's turn on.
 one_in() { echo "$(($(turn "$1") + 1)),,$1"; }
 
-# template_stride HEAVY: for tests of templates. 1 if something that they read has changed within a day
-# of the commit or since (or if nobody knows), else 8: the templates, their benches and tables, and the
-# sources that say what a unit must give, and in how many cycles.
-template_stride() {
-  read_files="rtl_templates tests/rtl_templates model/base/number model/judge/golden model/lane/error
-    generator/hardware/datapath :!rtl_templates/*.md"
-  changed=$(git log -1 --format=%ct -- $read_files 2>/dev/null) || changed=
+# changed_lately FILES...: whether more than comments of FILES has changed within a day of the commit,
+# or is not committed, or nobody knows.
+changed_lately() {
+  changed=$(git log -1 --format=%ct -G'^[[:space:]]*[^/#[:space:]]' -- "$@" 2>/dev/null) || changed=
   now=$(git log -1 --format=%ct 2>/dev/null) || now=
-  if [ "$1" = ON ] || [ -z "$changed" ] || [ $((now - changed)) -lt 86400 ] ||
-    [ -n "$(git status --porcelain -- $read_files)" ]; then
+  [ -z "$changed" ] || [ $((now - changed)) -lt 86400 ] || [ -n "$(git status --porcelain -- "$@")" ]
+}
+
+# template_stride HEAVY: for tests of templates, of every how many one runs. All after a change of the
+# templates, their benches and tables; a quarter after one of the sources that say what a unit must give
+# and in how many cycles, since any format tells them wrong; else an eighth.
+template_stride() {
+  if [ "$1" = ON ] || changed_lately rtl_templates tests/rtl_templates ':!rtl_templates/*.md' \
+    ':!tests/rtl_templates/CMakeLists.txt'; then
     echo 1
+  elif changed_lately model/base/number model/judge/golden model/lane/error generator/hardware/datapath
+  then
+    echo 4
   else
     echo 8
+  fi
+}
+
+# tuple_stride HEAVY: for tests of lanes on every tuple of operands, of every how many one runs. All after
+# a change of the analysis or of a judge, else a quarter.
+tuple_stride() {
+  if [ "$1" = ON ] || changed_lately model/lane model/judge/golden tests/model/lane; then
+    echo 1
+  else
+    echo 4
   fi
 }
 
