@@ -4,6 +4,7 @@
 
 #include "generator/hardware/emit/verilog.hpp"
 #include "generator/project/builders.hpp"
+#include "generator/project/packing_files.hpp"
 #include "generator/project/stream_wrapper.hpp"
 #include "generator/project/vhdl.hpp"
 #include "model/base/common/check.hpp"
@@ -107,6 +108,21 @@ GeneratedFile counters_header(const ProjectSpec& spec) {
                    values);
 }
 
+/// What the module's streams take.
+std::vector<PackedRecord> packed_records(const emit::Signature& signature) {
+  if (!signature.engine) {
+    return {{"operands", "s_axis_tdata", signature.inputs, signature.input_formats,
+             signature.tdata_bytes}};
+  }
+  const emit::SignatureEngine& engine = *signature.engine;
+  if (engine.kind == scene::EngineKind::pairwise) {
+    return {{"item", "s_axis_tdata", engine.columns, engine.column_formats, engine.item_bytes}};
+  }
+  return {
+      {"candidate", "s_candidate_tdata", engine.columns, engine.column_formats, engine.item_bytes},
+      {"row", "s_axis_tdata", engine.row_columns, engine.row_column_formats, engine.row_bytes}};
+}
+
 }  // namespace
 
 std::vector<GeneratedFile> integration_files(const ProjectSpec& spec) {
@@ -119,6 +135,11 @@ std::vector<GeneratedFile> integration_files(const ProjectSpec& spec) {
   }
   files.push_back(instantiation_template(spec, units));
   files.push_back(vhdl_package(spec, units));
+  for (GeneratedFile& file : packing_files({spec.build_top(), packed_records(spec.signature)},
+                                           common_values(spec, "//").at("PROVENANCE"),
+                                           common_values(spec, "#").at("PROVENANCE"))) {
+    files.push_back(std::move(file));
+  }
   if (emit::counter_address_bits(spec.signature) > 0) files.push_back(counters_header(spec));
   return files;
 }
