@@ -99,12 +99,13 @@ private:
   /// areas that are predicted for this one.
   Result<Done> add_all(std::vector<System> known);
   Result<std::vector<System>> systems_of(std::size_t formulation) const;
-  Result<std::vector<System>> systems_of_streams(std::size_t formulation,
+  Result<std::vector<System>> systems_of_streams(std::size_t formulation, ReferenceChoice choice,
                                                  const optimise::OpenKeys& open) const;
-  Result<std::vector<System>> systems_of_engine(std::size_t formulation,
+  Result<std::vector<System>> systems_of_engine(std::size_t formulation, ReferenceChoice choice,
                                                 const optimise::OpenKeys& open) const;
-  System system_of(std::size_t formulation, const optimise::Architecture& architecture,
-                   const optimise::OpenKeys& open, measured::Characterisation table) const;
+  System system_of(std::size_t formulation, const ReferenceChoice& choice,
+                   const optimise::Architecture& architecture, const optimise::OpenKeys& open,
+                   measured::Characterisation table) const;
   void use_kept_rows(std::size_t formulation);
   /// A share of the room that the scene's slack leaves, above 0 and at most 1.
   using Share = double;

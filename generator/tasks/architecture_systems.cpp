@@ -222,21 +222,31 @@ Result<std::vector<ArchitectureSearch::System>> ArchitectureSearch::systems_of(
   std::erase_if(settings, [](const auto& each) { return each.starts_with("system.device="); });
   MIXCMP_TRY(read, scene::read_scene_settings(request_->planning.scene.source, settings));
   const optimise::OpenKeys open = optimise::open_keys(read.settings);
-  const bool streams = formulation.loaded.scene.system.engine.kind == EngineKind::none;
-  MIXCMP_TRY(systems, streams ? systems_of_streams(number, open) : systems_of_engine(number, open));
-  MIXCMP_CHECK(!systems.empty());
-  return systems;
+  const LoadedScene& loaded = formulation.loaded;
+  MIXCMP_TRY(given, with_chain_lanes(loaded.scene, loaded.data_if_any(), request_->planning.scene));
+  const bool streams = given.system.engine.kind == EngineKind::none;
+  ComponentQuery query = query_for(request_->choice, given, open);
+  MIXCMP_TRY(choices, reference_choices(given, std::move(query), open));
+  std::vector<System> all;
+  for (ReferenceChoice& choice : choices) {
+    MIXCMP_TRY(systems, streams ? systems_of_streams(number, std::move(choice), open)
+                                : systems_of_engine(number, std::move(choice), open));
+    std::move(systems.begin(), systems.end(), std::back_inserter(all));
+  }
+  MIXCMP_CHECK(!all.empty());
+  return all;
 }
 
 ArchitectureSearch::System ArchitectureSearch::system_of(std::size_t formulation,
+                                                         const ReferenceChoice& choice,
                                                          const optimise::Architecture& architecture,
                                                          const optimise::OpenKeys& open,
                                                          Characterisation table) const {
-  const scene::Scene& given = formulations_[formulation].loaded.scene;
+  const scene::Scene& given = choice.scene;
   sort_rows(table);
   table.device = device_.name;
   System system{.formulation = formulation,
-                .settings = formulations_[formulation].settings,
+                .settings = joined(formulations_[formulation].settings, choice.settings),
                 .interface = {},
                 .scene = with_architecture(given, architecture, open),
                 .table = std::move(table)};
@@ -248,17 +258,13 @@ ArchitectureSearch::System ArchitectureSearch::system_of(std::size_t formulation
 }
 
 Result<std::vector<ArchitectureSearch::System>> ArchitectureSearch::systems_of_streams(
-    std::size_t formulation, const optimise::OpenKeys& open) const {
-  const scene::Scene& given = formulations_[formulation].loaded.scene;
+    std::size_t formulation, ReferenceChoice choice, const optimise::OpenKeys& open) const {
+  const scene::Scene& given = choice.scene;
+  ComponentQuery& query = choice.query;
   const data::Comparisons* data = formulations_[formulation].loaded.data_if_any();
-  ComponentQuery query = query_for(request_->choice, given, open);
-  MIXCMP_DO(keep_exact_lanes(given, query));
   MIXCMP_TRY(useful, useful_lanes(given, query, rates_[formulation]));
-  const char* const why = given.has_fixed_operands()
-                              ? "only the smallest exact lane is planned: longer ones are larger, "
-                                "others need references"
-                              : "fewer digits leave nothing undecided";
-  MIXCMP_TRY(left_out, left_out_lanes(given, query, rates_[formulation], useful, why));
+  MIXCMP_TRY(left_out, left_out_lanes(given, query, rates_[formulation], useful,
+                                      "fewer digits leave nothing undecided"));
   query.lanes = std::move(useful);
   components::ComponentMaker maker(given, data);
   MIXCMP_TRY(datapaths, predict_table(area_of_, maker, query));
@@ -271,7 +277,7 @@ Result<std::vector<ArchitectureSearch::System>> ArchitectureSearch::systems_of_s
     MIXCMP_TRY(streams, predict_table(area_of_, maker, query));
     Characterisation table = datapaths;
     table.rows.insert(table.rows.end(), streams.rows.begin(), streams.rows.end());
-    systems.push_back(system_of(formulation, architecture, open, std::move(table)));
+    systems.push_back(system_of(formulation, choice, architecture, open, std::move(table)));
     systems.back().left_out = left_out;
   }
   return systems;
@@ -280,12 +286,10 @@ Result<std::vector<ArchitectureSearch::System>> ArchitectureSearch::systems_of_s
 /// All components of an engine depend on its groups, and each kind of lane has its own: only
 /// promising ones are predicted.
 Result<std::vector<ArchitectureSearch::System>> ArchitectureSearch::systems_of_engine(
-    std::size_t formulation, const optimise::OpenKeys& open) const {
-  const LoadedScene& loaded = formulations_[formulation].loaded;
-  const data::Comparisons* data = loaded.data_if_any();
-  MIXCMP_TRY(given, with_chain_lanes(loaded.scene, data, request_->planning.scene));
-  ComponentQuery query = query_for(request_->choice, given, open);
-  MIXCMP_DO(keep_exact_lanes(given, query));
+    std::size_t formulation, ReferenceChoice choice, const optimise::OpenKeys& open) const {
+  const scene::Scene& given = choice.scene;
+  ComponentQuery& query = choice.query;
+  const data::Comparisons* data = formulations_[formulation].loaded.data_if_any();
   components::ComponentMaker maker(given, data);
   MIXCMP_TRY(promising, shortlist(maker, query, device_, rates_[formulation]));
   MIXCMP_TRY(longer, with_longer(promising.lanes, given, query));
@@ -313,7 +317,7 @@ Result<std::vector<ArchitectureSearch::System>> ArchitectureSearch::systems_of_e
     const std::vector<Measurement>& shared = group->second.rows;
     parts.rows.insert(parts.rows.end(), shared.begin(), shared.end());
     System& system =
-        systems.emplace_back(system_of(formulation, architecture, open, std::move(parts)));
+        systems.emplace_back(system_of(formulation, choice, architecture, open, std::move(parts)));
     system.scene.lanes = given.lanes;
     system.scene.system.lanes = given.system.lanes;
     system.left_out = left_out;

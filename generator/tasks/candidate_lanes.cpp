@@ -112,30 +112,45 @@ Result<std::set<measured::Lane>> useful_lanes(const scene::Scene& scene,
   return useful;
 }
 
-Result<Done> keep_exact_lanes(const scene::Scene& scene, ComponentQuery& query) {
-  if (!scene.has_fixed_operands()) return Done{};
+Result<std::vector<ReferenceChoice>> reference_choices(const scene::Scene& scene,
+                                                       ComponentQuery query,
+                                                       const optimise::OpenKeys& open) {
+  if (!scene.has_fixed_operands()) return std::vector{ReferenceChoice{scene, std::move(query)}};
   MIXCMP_TRY(lanes, lanes_of(scene, query));
-  std::set<measured::Lane> exact;
+  std::set<measured::Lane> exact, rounding;
   for (const measured::Lane& lane : lanes) {
-    if (optimise::is_exact(scene, lane)) exact.insert(lane);
+    (optimise::is_exact(scene, lane) ? exact : rounding).insert(lane);
   }
-  if (exact.empty()) {
-    return Error{.file = scene.path.string(),
-                 .field = "inputs",
-                 .message = "no lane is exact, and references take no operands in fixed point",
-                 .received = "inputs, f and g for which every lane rounds",
-                 .accepted =
-                     "all inputs in fixed point, and f and g of sums and products of few "
-                     "bits; or inputs with ranges in place of formats"};
+  const bool is_chain = scene.system.engine.kind == scene::EngineKind::arg_min;
+  const bool may_have_none = !is_chain && (open.references || scene.reference_count() == 0);
+  std::vector<ReferenceChoice> choices;
+  if (may_have_none && !exact.empty()) {
+    ReferenceChoice& none = choices.emplace_back(scene, query);
+    none.scene.system.references = 0;
+    none.query.lanes = exact;
+    none.settings = {"system.references=0"};
   }
-  query.lanes = std::move(exact);
-  return Done{};
+  const Result<design::ReferenceDatapath> reference = design::reference_datapath(scene);
+  const bool may_have_some = open.references || scene.reference_count() != 0;
+  if (may_have_some && reference.ok()) {
+    if (!may_have_none) rounding.merge(exact);
+    ReferenceChoice& some = choices.emplace_back(scene, query);
+    if (open.references) some.scene.system.references.reset();
+    some.query.lanes = std::move(rounding);
+    some.query.initiation_intervals = {1};
+  }
+  if (!choices.empty()) return choices;
+  if (!reference.ok()) return reference.error();
+  return Error{.file = scene.path.string(),
+               .field = "system.references",
+               .message = "no lane is exact among those that may be planned",
+               .received = "0",
+               .accepted = "at least 1, or lanes of more bits"};
 }
 
-Result<LeftOutLanes> left_out_lanes(const scene::Scene& scene, ComponentQuery query,
+Result<LeftOutLanes> left_out_lanes(const scene::Scene& scene, const ComponentQuery& query,
                                     const optimise::Rates& rates,
                                     const std::set<measured::Lane>& lanes, std::string why) {
-  query.lanes.reset();
   MIXCMP_TRY(all, lanes_of(scene, query));
   LeftOutLanes left_out{.precisions = {}, .why = std::move(why)};
   for (const measured::Lane& lane : all) {

@@ -39,12 +39,23 @@ struct LeftOutLanes {
   std::string why = {};      ///< for the user
 };
 
-/// Lets the query ask only for exact lanes if some operands arrive in fixed point: such systems
-/// have no references. It is an error if no lane is exact.
-Result<Done> keep_exact_lanes(const scene::Scene& scene, components::ComponentQuery& query);
+/// Systems with references, or without any.
+struct ReferenceChoice {
+  scene::Scene scene;
+  components::ComponentQuery query;        ///< for their components
+  std::vector<std::string> settings = {};  ///< that the scene needs in order to be read so
+};
 
-/// Those that the query asks for by itself and that are not among `lanes`.
-Result<LeftOutLanes> left_out_lanes(const scene::Scene& scene, components::ComponentQuery query,
+/// The choices of a scene. If operands arrive in fixed point, exact lanes have no references and
+/// others do, except in an arg-min engine, which always has some. It is an error if there is no
+/// choice.
+Result<std::vector<ReferenceChoice>> reference_choices(const scene::Scene& scene,
+                                                       components::ComponentQuery query,
+                                                       const optimise::OpenKeys& open);
+
+/// Those that the query asks for and that are not among `lanes`.
+Result<LeftOutLanes> left_out_lanes(const scene::Scene& scene,
+                                    const components::ComponentQuery& query,
                                     const optimise::Rates& rates,
                                     const std::set<measured::Lane>& lanes, std::string why);
 

@@ -13,6 +13,7 @@
 #include "model/lane/error/certified_lane.hpp"
 #include "model/lane/error/hazards.hpp"
 #include "model/lane/error/range_analysis.hpp"
+#include "model/lane/fixed/exact_lane.hpp"
 #include "model/lane/fixed/square_tables.hpp"
 
 namespace mixcmp::design {
@@ -332,6 +333,31 @@ std::string planned_clock(const scene::Scene& scene) {
   return clock.empty() ? "" : clock + basis;
 }
 
+Result<fixed::FixedLane> design_exact_reference(const scene::Scene& scene) {
+  const int most_bits = settings::limits::fixed_bits.most;
+  const auto bits = fixed::exact_bits(scene.graph, scene.operand_formats, std::nullopt, most_bits);
+  if (bits.ok()) {
+    return fixed::fixed_lane(scene.graph, scene.reference.format,
+                             {.format = {.bits = *bits},
+                              .bound = std::nullopt,
+                              .ranges = {},
+                              .operand_formats = scene.operand_formats});
+  }
+  Error error = bits.error();
+  error.field = "system.references";
+  error.message = "a reference for operands in fixed point is an exact lane: " + error.message;
+  return error;
+}
+
+/// Refuses a folded reference for operands in fixed point.
+Result<Done> check_not_folded(const scene::Scene& scene, int interval) {
+  if (interval == 1 || !scene.has_fixed_operands()) return Done{};
+  return Error{.field = "reference.initiation_interval",
+               .message = "a reference for operands in fixed point takes one in each cycle",
+               .received = fmt::format("{}", interval),
+               .accepted = "1"};
+}
+
 Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
                       MeasureErrors measure) {
   Design design{.name = scene.name,
@@ -367,10 +393,15 @@ Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
                         "--set reference.initiation_interval=16",
                         to_string(settings::limits::initiation_interval));
     }
+    MIXCMP_DO(check_not_folded(scene, *interval));
     design.references.push_back(
         {.structure = {multipliers, *interval, target_mhz}, .count = *spec.count});
     shortest = std::min(shortest.value_or(*interval), *interval);
     MIXCMP_DO(check_request_beats(scene.system, *interval));
+  }
+  if (scene.has_fixed_operands() && !design.references.empty()) {
+    MIXCMP_TRY(exact, design_exact_reference(scene));
+    design.exact_reference = std::move(exact);
   }
   design.system.request_beats =
       request_beats(scene.system, total_width(design.formats_of_inputs()), shortest.value_or(1));
@@ -388,6 +419,19 @@ int total(const Groups& groups) {
 }
 
 }  // namespace
+
+Result<ReferenceDatapath> reference_datapath(const scene::Scene& scene) {
+  if (!scene.has_fixed_operands()) {
+    return ReferenceDatapath(reference_graph(scene.graph, scene.reference));
+  }
+  MIXCMP_TRY(lane, design_exact_reference(scene));
+  return ReferenceDatapath(std::move(lane));
+}
+
+ReferenceDatapath Design::reference_datapath() const {
+  if (exact_reference) return *exact_reference;
+  return reference;
+}
 
 std::vector<OperandFormat> Design::formats_of_inputs() const {
   if (!operand_formats.empty()) return operand_formats;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <variant>
 
 #include "model/comparison/data/comparisons.hpp"
 #include "model/design/lane.hpp"
@@ -25,6 +26,14 @@ struct ReferenceGroup {
   int count = 1;
 };
 
+/// What a reference computes: the comparison in the reference format or, if operands arrive in
+/// fixed point, the exact lane of the fewest bits. Both have the same verdicts.
+using ReferenceDatapath = std::variant<TypedGraph, fixed::FixedLane>;
+
+/// The datapath of a scene's references. It is an error if operands arrive in fixed point and no
+/// lane is exact.
+Result<ReferenceDatapath> reference_datapath(const scene::Scene& scene);
+
 /// A scene with every choice made. The generator builds it, and the golden model evaluates it.
 /// Lanes and references are numbered consecutively across their groups.
 struct Design {
@@ -38,12 +47,15 @@ struct Design {
   std::vector<scene::PartText> parts;  ///< f and g of each part, as in the scene, for display
   std::vector<LetDefinition> lets;     ///< those that f and g need, as in the scene, for display
   std::string planned_clock;           ///< "312.5 MHz (placed and routed)", from a plan; or empty
-  TypedGraph reference;
+  TypedGraph reference;                ///< says what references have to answer
   std::vector<ReferenceGroup> references;  ///< empty: p_H = 0
   scene::SystemSpec system;
   /// One per input: the format in which it arrives. Empty: all have the reference's format.
   std::vector<OperandFormat> operand_formats = {};
+  /// The datapath of references if operands arrive in fixed point.
+  std::optional<fixed::FixedLane> exact_reference = {};
 
+  ReferenceDatapath reference_datapath() const;
   /// The same, with an entry for each input.
   std::vector<OperandFormat> formats_of_inputs() const;
   int lane_count() const;       ///< p_L
@@ -90,6 +102,8 @@ Result<Done> check_multipliers(const Lane& lane, scene::Multipliers multipliers)
 /// trait.
 std::vector<std::string> lane_group_names(const Design& design);
 std::vector<std::string> reference_group_names(const Design& design);
+/// "s53e11" or, of an exact lane, "q9".
+std::string format_name(const ReferenceDatapath& reference);
 
 /// A lane of a design by the name of its group; "second_tier_q13" is a lane of the second tier.
 struct NamedLane {

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "model/base/common/cases.hpp"
 #include "model/design/design.hpp"
 #include "model/scene/lane_bound.hpp"
 
@@ -102,6 +103,12 @@ std::vector<std::string> lane_group_names(const Design& design) {
   return names;
 }
 
+std::string format_name(const ReferenceDatapath& reference) {
+  return std::visit(Cases{[](const TypedGraph& graph) { return graph.arithmetic.format.name(); },
+                          [](const fixed::FixedLane& lane) { return lane.format.name(); }},
+                    reference);
+}
+
 std::vector<std::string> reference_group_names(const Design& design) {
   const auto& groups = design.references;
   const auto alike = [&](auto trait) {
@@ -114,7 +121,7 @@ std::vector<std::string> reference_group_names(const Design& design) {
   const bool same_target = alike(&Structure::target_mhz);
   std::vector<std::string> names;
   for (const ReferenceGroup& group : groups) {
-    std::string& name = names.emplace_back(design.reference.arithmetic.format.name());
+    std::string& name = names.emplace_back(format_name(design.reference_datapath()));
     if (design.reference.arithmetic.sums == Sums::fused) name += "_fused";
     const auto& [multipliers, interval, target_mhz] = group.structure;
     if (!same_multipliers) name += fmt::format("_{}", to_string(multipliers));

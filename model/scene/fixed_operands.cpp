@@ -51,16 +51,6 @@ Result<Done> check_lanes(const settings::Settings& settings, const Scene& scene)
   return Done{};
 }
 
-Result<Done> check_references(const settings::Settings& settings, const Scene& scene) {
-  if (scene.reference_count() == 0) return Done{};
-  const bool is_list = !scene.references.empty();
-  return settings::Section(settings, "system")
-      .mistake("references", "references take no operands in fixed point",
-               is_list ? "[[references]]" : fmt::format("{}", *scene.reference_count()),
-               "0, the default: exact lanes decide everything, others tell what they leave "
-               "undecided");
-}
-
 /// Checks the columns of a pairwise engine's items.
 Result<Done> check_columns(const settings::Settings& settings, const Scene& scene) {
   std::map<std::string, std::size_t> known;
@@ -87,15 +77,8 @@ Result<Done> check_fixed_operands(const settings::Settings& settings, const Scen
   if (!scene.has_fixed_operands()) return Done{};
   MIXCMP_DO(check_reference_format(settings, scene));
   MIXCMP_DO(check_lanes(settings, scene));
-  MIXCMP_DO(check_references(settings, scene));
-  switch (scene.system.engine.kind) {
-    case EngineKind::none: return Done{};
-    case EngineKind::pairwise: return check_columns(settings, scene);
-    case EngineKind::arg_min: break;
-  }
-  return settings::Section(settings, "engine")
-      .mistake("kind", "the arg-min engine has references, which take no operands in fixed point",
-               "\"arg_min\"", "\"none\" or \"pairwise\"");
+  if (scene.system.engine.kind == EngineKind::none) return Done{};
+  return check_columns(settings, scene);
 }
 
 }  // namespace mixcmp::scene

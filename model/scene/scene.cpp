@@ -376,10 +376,29 @@ std::vector<OperandFormat> formats_of_operands(const InputDeclarations& declared
   return formats;
 }
 
-/// The default number of references is 0 if some operands arrive in fixed point.
-void leave_out_references(Scene& scene) {
+/// Whether the lanes, for operands in fixed point, have as many bits as an exact lane needs.
+bool has_exact_lanes(const Scene& scene) {
+  const std::vector<LaneGroupSpec> groups = scene.lane_groups();
+  return std::all_of(groups.begin(), groups.end(), [&](const LaneGroupSpec& group) {
+    if (!group.reduced.fixed_point) return false;
+    const auto bits = fixed::exact_bits(scene.graph, scene.operand_formats,
+                                        group.reduced.error_bound, group.reduced.fixed_point->bits);
+    return bits.ok();
+  });
+}
+
+/// The default number of references for operands in fixed point, unless formats of lanes are open:
+/// none behind exact lanes, otherwise one. An arg-min engine has at least one.
+void count_references(Scene& scene) {
   const bool is_open = scene.references.empty() && !scene.system.references;
-  if (scene.has_fixed_operands() && is_open) scene.system.references = 0;
+  if (!scene.has_fixed_operands() || !is_open) return;
+  const std::vector<LaneGroupSpec> groups = scene.lane_groups();
+  const bool is_known = std::all_of(groups.begin(), groups.end(), [](const auto& group) {
+    return group.reduced.fixed_point.has_value();
+  });
+  if (!is_known) return;
+  const bool needs_one = scene.system.engine.kind == EngineKind::arg_min;
+  scene.system.references = needs_one || !has_exact_lanes(scene) ? 1 : 0;
 }
 
 /// Notes what rules out lanes in fixed point, if the format of lanes is open.
@@ -459,7 +478,7 @@ Result<Scene> interpret(SceneSettings read) {
               .data = std::move(data),
               .plan = std::move(read.plan),
               .notes = std::move(notes)};
-  leave_out_references(scene);
+  count_references(scene);
   MIXCMP_DO(check_fixed_operands(settings, scene));
   note_open_format(scene);
   note_unused_keys(scene, settings, scene.notes);

@@ -305,7 +305,7 @@ def integers(draft):
     draft.scene.sections["reduced"] = {"format": lanes}
     if draft.chance(0.3):
         draft.scene.set("reduced", multipliers=rng.choice(("logic", "memory")))
-    draft.scene.set("system", references=0)
+    draft.scene.set("system", references=rng.choice((0, 1, 2)))
 
 
 KINDS = (fold, fused, formats, roundings, fixed, guarded, block, bounds, groups, second_tier, beats,

@@ -59,16 +59,18 @@ std::string lane_count(const emit::Signature& s) {
 void print_parts(const emit::Signature& s) {
   if (s.lane_groups.size() == 1 && s.reference_groups.size() <= 1) {
     const emit::SignatureLanes& lanes = s.lane_groups.front();
-    const std::string reference = s.reference_groups.empty()
-                                      ? ""
-                                      : fmt::format(" in {} ({})", s.reference_format.name(),
-                                                    timing(s.reference_groups.front()));
+    const std::string reference =
+        s.reference_groups.empty() ? ""
+                                   : fmt::format(" in {} ({})", s.reference_groups.front().format,
+                                                 timing(s.reference_groups.front()));
     return print(fmt::format("{}: {} in {} ({} cycles), p_H = {}{}, {}\n", s.top, lane_count(s),
                              lanes.format, lanes.latency_cycles, s.references, reference,
                              certainty(s.certified)));
   }
-  print(fmt::format("{}: {}, p_H = {} in {}, {}\n", s.top, lane_count(s), s.references,
-                    s.reference_format.name(), certainty(s.certified)));
+  const std::string reference =
+      s.reference_groups.empty() ? "" : " in " + s.reference_groups.front().format;
+  print(fmt::format("{}: {}, p_H = {}{}, {}\n", s.top, lane_count(s), s.references, reference,
+                    certainty(s.certified)));
   for (const emit::SignatureLanes& group : s.lane_groups) {
     print(fmt::format("  {} in {}: {} cycles, inputs {}, multipliers {}; {}\n",
                       counted(group.count, "lane"), group.format, group.latency_cycles,

@@ -296,17 +296,8 @@ Schedule scheduled(const FixedLane& lane, scene::Multipliers multipliers, const 
   return FixedScheduler(lane, multipliers, delays, target_mhz).run();
 }
 
-}  // namespace
-
-Schedule schedule_lane(const design::Lane& lane, scene::Multipliers multipliers,
-                       const DelayTable& delays, double target_mhz) {
-  return std::visit(
-      [&](const auto& made) { return scheduled(made, multipliers, delays, target_mhz); }, lane);
-}
-
-Schedule schedule_reference(const TypedGraph& reference,
-                            const design::ReferenceStructure& structure, const DelayTable& delays,
-                            double target_mhz) {
+Schedule scheduled(const TypedGraph& reference, const design::ReferenceStructure& structure,
+                   const DelayTable& delays, double target_mhz) {
   const bool folded = structure.initiation_interval > 1;
   FloatScheduler scheduler(reference, structure.multipliers,
                            folded ? SquaredSums::apart : SquaredSums::together, delays, target_mhz);
@@ -319,6 +310,26 @@ Schedule schedule_reference(const TypedGraph& reference,
   Schedule schedule = scheduler.finish();
   if (folded) schedule.last_operand_phase = last_operand_phase(reference, schedule);
   return schedule;
+}
+
+}  // namespace
+
+Schedule schedule_lane(const design::Lane& lane, scene::Multipliers multipliers,
+                       const DelayTable& delays, double target_mhz) {
+  return std::visit(
+      [&](const auto& made) { return scheduled(made, multipliers, delays, target_mhz); }, lane);
+}
+
+Schedule schedule_reference(const design::ReferenceDatapath& reference,
+                            const design::ReferenceStructure& structure, const DelayTable& delays,
+                            double target_mhz) {
+  return std::visit(Cases{[&](const TypedGraph& graph) {
+                            return scheduled(graph, structure, delays, target_mhz);
+                          },
+                          [&](const fixed::FixedLane& lane) {
+                            return scheduled(lane, structure.multipliers, delays, target_mhz);
+                          }},
+                    reference);
 }
 
 }  // namespace mixcmp::datapath

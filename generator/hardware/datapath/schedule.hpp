@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "generator/hardware/datapath/units.hpp"
-#include "model/design/lane.hpp"
-#include "model/design/reference_structure.hpp"
+#include "model/design/design.hpp"
 #include "model/lane/fixed/square_tables.hpp"
 #include "model/scene/scene.hpp"
 
@@ -77,7 +76,7 @@ struct Schedule {
 /// `target_mhz` > 0.
 Schedule schedule_lane(const design::Lane& lane, scene::Multipliers multipliers,
                        const DelayTable& delays, double target_mhz);
-Schedule schedule_reference(const TypedGraph& reference,
+Schedule schedule_reference(const design::ReferenceDatapath& reference,
                             const design::ReferenceStructure& structure, const DelayTable& delays,
                             double target_mhz);
 

@@ -108,13 +108,22 @@ Described describe_lane(const Design& design, const std::string& name,
   return lane;
 }
 
+std::vector<std::string> reference_facts(const Design& design, const std::string& name) {
+  if (design.exact_reference) {
+    const design::Lane lane = *design.exact_reference;
+    return {lane_fact(design, name, lane), fmt::format("Operands: {}.", operands_text(design)),
+            arithmetic_fact(lane)};
+  }
+  return {fmt::format("{}: {} in reference precision.", name, what_is_ordered(design)),
+          arithmetic_fact(design.reference.arithmetic),
+          "A NaN operand or result makes the verdict unordered."};
+}
+
 Described describe_reference(const Design& design, const std::string& name,
                              const datapath::Schedule& schedule) {
   Described reference = {
-      rtl::reference_module(name, design.inputs, design.reference, schedule),
-      {fmt::format("{}: {} in reference precision.", name, what_is_ordered(design)),
-       arithmetic_fact(design.reference.arithmetic),
-       "A NaN operand or result makes the verdict unordered."}};
+      rtl::reference_module(name, design.inputs, design.reference_datapath(), schedule),
+      reference_facts(design, name)};
   for (std::string& fact : timing_facts(schedule)) reference.facts.push_back(std::move(fact));
   return reference;
 }
@@ -157,7 +166,7 @@ Described describe_second_tier_channel(const rtl::SystemShape& shape) {
 /// Counts and formats of lanes and references: one sentence if there is one kind of each, otherwise
 /// also a line for each group.
 std::vector<std::string> count_facts(const Design& design, const rtl::SystemShape& shape) {
-  const std::string reference = design.reference.arithmetic.format.name();
+  const std::string reference = design::format_name(design.reference_datapath());
   if (design.lanes.size() == 1 && design.references.size() <= 1 && !design.second_tier) {
     return {fmt::format("{}: p_L = {} in {}, p_H = {} in {}.", shape.top, shape.lanes,
                         design::format_name(design.lanes.front().lane), shape.references,

@@ -102,7 +102,7 @@ std::vector<rtl::DatapathGroup> reference_groups(const design::Design& design,
   for (std::size_t k = 0; k < names.size(); ++k) {
     const design::ReferenceGroup& references = design.references[k];
     datapath::Schedule schedule = datapath::schedule_reference(
-        design.reference, references.structure, delays,
+        design.reference_datapath(), references.structure, delays,
         references.structure.target_mhz.value_or(design.system.target_mhz));
     add_group(groups,
               {.datapath = fmt::format("{}{}_reference_{}_l{}", design.system.prefix, design.name,

@@ -215,6 +215,7 @@ Json to_json(const SignatureLanes& group) {
 Json to_json(const SignatureReferences& group) {
   return {{"count", group.count},
           {"module", group.module},
+          {"format", group.format},
           {"latency_cycles", group.latency_cycles},
           {"initiation_interval_cycles", group.initiation_interval_cycles},
           {"multipliers", text_of(multipliers_names, group.multipliers)}};
@@ -305,6 +306,7 @@ SignatureLanes read_lanes(Reader& reader) {
 SignatureReferences read_references(Reader& reader) {
   return {.count = reader.number("count", 1, settings::limits::references.most),
           .module = reader.text("module"),
+          .format = reader.text("format"),
           .latency_cycles = reader.number("latency_cycles", 0, many),
           .initiation_interval_cycles =
               reader.number("initiation_interval_cycles", settings::limits::initiation_interval),

@@ -64,6 +64,7 @@ std::vector<SignatureReferences> references_of(const Design& design,
     references.push_back(
         {.count = design.references[k].count,
          .module = shape.reference_groups[k].channel,
+         .format = design::format_name(design.reference_datapath()),
          .latency_cycles = shape.reference_groups[k].schedule.latency_cycles,
          .initiation_interval_cycles = design.references[k].structure.initiation_interval,
          .multipliers = design.references[k].structure.multipliers});

@@ -101,8 +101,13 @@ private:
 /// The nodes, checks and decisions of a lane in fixed point.
 class FixedParts {
 public:
-  FixedParts(DatapathBuilder& datapath, const FixedLane& lane, const datapath::Schedule& schedule)
-      : datapath_(datapath), lane_(lane), schedule_(schedule), nodes_(datapath, lane, schedule) {}
+  FixedParts(DatapathBuilder& datapath, const FixedLane& lane, const datapath::Schedule& schedule,
+             Decides decides = Decides::sometimes)
+      : datapath_(datapath),
+        lane_(lane),
+        schedule_(schedule),
+        decides_(decides),
+        nodes_(datapath, lane, schedule) {}
 
   void build_nodes() { nodes_.build(); }
 
@@ -198,7 +203,14 @@ private:
     operands.insert(operands.begin(),
                     {"difference", nodes_.signed_value(difference, start_of(part))});
     operands.push_back({"out_of_range", out_of_range});
+    if (decides_ == Decides::always) operands.push_back({"decided", net(unused_bit())});
     return {std::move(what), std::move(parameters), std::move(operands)};
+  }
+
+  std::string unused_bit() {
+    std::string name = datapath_.pool().unique("unused_decided");
+    datapath_.add(Wire{1, name, nullptr});
+    return name;
   }
 
   int start_of(std::size_t part) const { return schedule_.parts[part].decision.start_cycle; }
@@ -211,16 +223,18 @@ private:
   DatapathBuilder& datapath_;
   const FixedLane& lane_;
   const datapath::Schedule& schedule_;
+  Decides decides_;
   FixedNodes nodes_;
 };
 
 template <class Parts>
-void build_lane(DatapathBuilder& datapath, Parts lane, const datapath::Schedule& schedule) {
+void build_lane(DatapathBuilder& datapath, Parts lane, const datapath::Schedule& schedule,
+                Decides decides = Decides::sometimes) {
   lane.build_nodes();
   std::vector<PartDecision> parts;
   for (std::size_t part = 0; part < schedule.parts.size(); ++part) {
     parts.push_back(build_decision(datapath, schedule.parts[part].decision, part,
-                                   schedule.parts.size(), Decides::sometimes, lane.decision(part)));
+                                   schedule.parts.size(), decides, lane.decision(part)));
   }
   build_combination(datapath, lane.combination(), parts, schedule.combination);
 }
@@ -259,6 +273,16 @@ Module lane_module(std::string name, const std::vector<InputPort>& ports, const 
                      }},
                lane);
   });
+}
+
+Module exact_lane_module(std::string name, const std::vector<std::string>& inputs,
+                         const FixedLane& lane, const datapath::Schedule& schedule) {
+  return datapath_module(std::move(name), operand_ports(inputs, lane),
+                         {{Direction::output, 2, "verdict"}}, [&](DatapathBuilder& datapath) {
+                           build_lane(datapath,
+                                      FixedParts(datapath, lane, schedule, Decides::always),
+                                      schedule, Decides::always);
+                         });
 }
 
 }  // namespace mixcmp::rtl

@@ -20,4 +20,8 @@ Module lane_module(std::string name, const std::vector<std::string>& inputs,
 Module lane_module(std::string name, const std::vector<InputPort>& ports, const design::Lane& lane,
                    const datapath::Schedule& schedule);
 
+/// A lane that decides every comparison, as a reference: without the port `decided`.
+Module exact_lane_module(std::string name, const std::vector<std::string>& inputs,
+                         const fixed::FixedLane& lane, const datapath::Schedule& schedule);
+
 }  // namespace mixcmp::rtl

@@ -1,6 +1,7 @@
 #include "generator/hardware/rtl/reference_module.hpp"
 
 #include "generator/hardware/rtl/float_nodes.hpp"
+#include "generator/hardware/rtl/lane_module.hpp"
 #include "generator/hardware/rtl/net_names.hpp"
 #include "generator/hardware/rtl/part_decision.hpp"
 #include "model/lane/error/hazards.hpp"
@@ -57,11 +58,16 @@ void build_reference(DatapathBuilder& datapath, const TypedGraph& reference,
 }  // namespace
 
 Module reference_module(std::string name, const std::vector<std::string>& inputs,
-                        const TypedGraph& reference, const datapath::Schedule& schedule) {
+                        const design::ReferenceDatapath& reference,
+                        const datapath::Schedule& schedule) {
+  if (const auto* const exact = std::get_if<fixed::FixedLane>(&reference)) {
+    return exact_lane_module(std::move(name), inputs, *exact, schedule);
+  }
+  const auto& graph = std::get<TypedGraph>(reference);
   return datapath_module(
-      std::move(name), operands_of_width(inputs, reference.input_format.width()),
+      std::move(name), operands_of_width(inputs, graph.input_format.width()),
       {{Direction::output, 2, "verdict"}},
-      [&](DatapathBuilder& datapath) { build_reference(datapath, reference, schedule); },
+      [&](DatapathBuilder& datapath) { build_reference(datapath, graph, schedule); },
       schedule.initiation_interval);
 }
 

@@ -5,7 +5,7 @@
 
 #include "generator/hardware/datapath/schedule.hpp"
 #include "generator/hardware/rtl/module.hpp"
-#include "model/comparison/expression/typed_graph.hpp"
+#include "model/design/design.hpp"
 
 namespace mixcmp::rtl {
 
@@ -14,6 +14,7 @@ namespace mixcmp::rtl {
 /// which counts the cycles of schedule.initiation_interval; a comparison starts in phase 0, and its
 /// operands have to stay until schedule.last_operand_phase. `header` is left to the caller.
 Module reference_module(std::string name, const std::vector<std::string>& inputs,
-                        const TypedGraph& reference, const datapath::Schedule& schedule);
+                        const design::ReferenceDatapath& reference,
+                        const datapath::Schedule& schedule);
 
 }  // namespace mixcmp::rtl

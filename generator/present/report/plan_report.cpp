@@ -103,6 +103,7 @@ std::string best_text(const Optimisation& optimisation) {
       s.precision, s.lanes, s.references, s.throughput_per_s / giga, s.kinds,
       shares(s.used, optimisation));
   if (is_in_engine(*best)) text += counted_text(*best);
+  if (optimisation.references.empty()) return text;
   const double baseline = baseline_per_s(optimisation);
   if (baseline == 0) return text + "references alone: none fits\n";
   const auto& alone = std::get<Allocation>(optimisation.reference_only);

@@ -93,7 +93,7 @@ void add_references(page::Section& section, const BuiltSystem& system) {
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (system.design.references[k].count == 0) continue;
     const page::Pipeline pipeline = schematic::reference_pipeline(
-        system.design.reference, system.scheduled.shape.reference_groups[k].schedule);
+        system.design.reference_datapath(), system.scheduled.shape.reference_groups[k].schedule);
     section.content.push_back(page::heading("A reference in " + names[k]));
     section.content.push_back(page::figure(draw(pipeline), size_of(pipeline, "the operands")));
   }

@@ -259,15 +259,20 @@ page::Pipeline item_pipeline(const FixedLane& loader, const datapath::Schedule& 
   return FixedBoxes(loader, schedule).run("Units of the conversion of an item");
 }
 
-page::Pipeline reference_pipeline(const TypedGraph& reference, const datapath::Schedule& schedule) {
+page::Pipeline reference_pipeline(const design::ReferenceDatapath& datapath,
+                                  const datapath::Schedule& schedule) {
+  const std::string title = "Units of a reference in " + design::format_name(datapath);
+  if (const auto* const exact = std::get_if<FixedLane>(&datapath)) {
+    return FixedBoxes(*exact, schedule).run(title);
+  }
+  const auto& reference = std::get<TypedGraph>(datapath);
   PipelineMaker maker(reference.nodes, reference.input_names, schedule);
   add_nodes(maker, reference, schedule);
   for (std::size_t part = 0; part < reference.parts.size(); ++part) {
     maker.add_decision("verdict", comparison_of(maker, reference, part),
                        maker.read_by(schedule.parts[part].decision));
   }
-  return maker.finish(fmt::format("Units of a reference in {}", reference.arithmetic.format.name()),
-                      reference.combination);
+  return maker.finish(title, reference.combination);
 }
 
 }  // namespace mixcmp::schematic

@@ -15,6 +15,7 @@ page::Pipeline lane_pipeline(const design::Lane& lane, const datapath::Schedule&
 page::Pipeline item_pipeline(const fixed::FixedLane& loader, const datapath::Schedule& schedule);
 
 /// A reference as it is scheduled.
-page::Pipeline reference_pipeline(const TypedGraph& reference, const datapath::Schedule& schedule);
+page::Pipeline reference_pipeline(const design::ReferenceDatapath& reference,
+                                  const datapath::Schedule& schedule);
 
 }  // namespace mixcmp::schematic

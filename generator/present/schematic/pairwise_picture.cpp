@@ -154,8 +154,7 @@ private:
     const SignatureReferences& group = signature_.reference_groups[k];
     const Box box{group_x, again.y + request_pitch * static_cast<double>(k + 1), group_width, 50};
     canvas_.box(box, "reference",
-                {fmt::format("{} in {}", counted(group.count, "reference"),
-                             signature_.reference_format.name()),
+                {fmt::format("{} in {}", counted(group.count, "reference"), group.format),
                  fmt::format("{}, multipliers: {}", counted(group.latency_cycles, "cycle"),
                              to_string(group.multipliers))},
                 group.count, group.module);

@@ -130,8 +130,7 @@ private:
       const Box box{asked_x, crossbar.y + reference_pitch * static_cast<double>(k), asked_width,
                     50};
       canvas_.box(box, "reference",
-                  {fmt::format("{} in {}", counted(group.count, "reference"),
-                               signature_.reference_format.name()),
+                  {fmt::format("{} in {}", counted(group.count, "reference"), group.format),
                    fmt::format("{}, multipliers: {}", counted(group.latency_cycles, "cycle"),
                                to_string(group.multipliers))},
                   group.count, group.module);

@@ -58,6 +58,12 @@ bool has_product(const TypedGraph& reference) {
          });
 }
 
+bool has_product(const design::ReferenceDatapath& reference) {
+  return std::visit(Cases{[](const TypedGraph& graph) { return has_product(graph); },
+                          [](const fixed::FixedLane& made) { return any_product(made.nodes); }},
+                    reference);
+}
+
 bool has_product(const design::Lane& lane) {
   return std::visit(Cases{[](const error::Lane& made) { return any_product(made.graph.nodes); },
                           [](const fixed::FixedLane& made) { return any_product(made.nodes); }},
@@ -196,34 +202,37 @@ Result<Done> ComponentMaker::check_reference(const measured::Reference& key) con
   if (key.sums != own.sums) {
     return other("reference.sums", to_string(key.sums), to_string(own.sums));
   }
+  if (scene_.has_fixed_operands() && key.initiation_interval > 1) {
+    return other("reference.initiation_interval", std::to_string(key.initiation_interval), "1");
+  }
   if (key.multipliers != Multipliers::memory) return Done{};
   return Error{.message = "not a choice",
                .received = in_quotes(to_string(key.multipliers)),
                .accepted = "embedded, logic"};
 }
 
-Result<datapath::Schedule> ComponentMaker::reference_schedule(const measured::Reference& key,
-                                                              const TypedGraph& graph) const {
+Result<datapath::Schedule> ComponentMaker::reference_schedule(
+    const measured::Reference& key, const design::ReferenceDatapath& datapath) const {
   MIXCMP_DO(check_reference(key));
   MIXCMP_TRY(delays, datapath::delays_of(scene_.system.device));
-  return datapath::schedule_reference(graph,
+  return datapath::schedule_reference(datapath,
                                       {multipliers_of(key.multipliers), key.initiation_interval},
                                       delays, key.target_mhz.value_or(scene_.system.target_mhz));
 }
 
 Result<Component> ComponentMaker::made(const measured::Reference& key) {
-  const TypedGraph graph = reference_graph(scene_.graph, scene_.reference);
-  MIXCMP_TRY(schedule, reference_schedule(key, graph));
+  MIXCMP_TRY(datapath, design::reference_datapath(scene_));
+  MIXCMP_TRY(schedule, reference_schedule(key, datapath));
   return Component{
-      listed(key, has_product(graph)), schedule.latency_cycles,
-      std::vector{rtl::reference_module("reference", scene_.graph.inputs(), graph, schedule)}};
+      listed(key, has_product(datapath)), schedule.latency_cycles,
+      std::vector{rtl::reference_module("reference", scene_.graph.inputs(), datapath, schedule)}};
 }
 
 Result<Component> ComponentMaker::made(const measured::ReferencePort& key) {
-  const TypedGraph graph = reference_graph(scene_.graph, scene_.reference);
-  MIXCMP_TRY(schedule, reference_schedule(key.reference, graph));
+  MIXCMP_TRY(datapath, design::reference_datapath(scene_));
+  MIXCMP_TRY(schedule, reference_schedule(key.reference, datapath));
   MIXCMP_TRY(shape, request_shape());
-  return Component{listed(key, has_product(graph)), 0,
+  return Component{listed(key, has_product(datapath)), 0,
                    rtl::reference_port_template(shape, schedule)};
 }
 

@@ -103,7 +103,7 @@ private:
   Result<Chain> chain() const;
   Result<Done> check_reference(const measured::Reference& key) const;
   Result<datapath::Schedule> reference_schedule(const measured::Reference& key,
-                                                const TypedGraph& graph) const;
+                                                const design::ReferenceDatapath& datapath) const;
   Result<Done> give_constants(scene::ReducedSpec& lane);
   Result<Done> measure_constants(LaneInputs inputs);
   /// The streams of one lane and one reference. They do not depend on the computation between them.

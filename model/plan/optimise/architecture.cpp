@@ -92,6 +92,8 @@ OpenKeys open_keys(const settings::Settings& settings) {
           .counters = is_open(settings, "system", "counters") &&
                       is_open(settings, "system", "counter_bits"),
           .initiation_interval = is_open(settings, "reference", "initiation_interval"),
+          .references = is_open(settings, "system", "references") &&
+                        section_of(settings, "references") == nullptr,
           .engine = section_of(settings, "engine") == nullptr,
           .engine_lanes_per_group = is_open(settings, "engine", "lanes_per_group"),
           .report_streams = is_open(settings, "engine", "report_streams")};
@@ -212,8 +214,10 @@ std::string interface_of(const scene::Scene& scene) {
 
 bool asks_no_more(const scene::SystemSpec& a, const scene::SystemSpec& b) {
   const bool same_ports = a.engine.kind != EngineKind::none || a.operands == b.operands;
-  return a.engine.kind == b.engine.kind && same_ports && a.counters == b.counters &&
-         a.engine.report_streams <= b.engine.report_streams;
+  // Exact lanes by themselves are always told beside mixed precision.
+  const bool both_recompute = (a.references == 0) == (b.references == 0);
+  return a.engine.kind == b.engine.kind && same_ports && both_recompute &&
+         a.counters == b.counters && a.engine.report_streams <= b.engine.report_streams;
 }
 
 }  // namespace mixcmp::optimise

@@ -18,7 +18,8 @@ struct OpenKeys {
   bool lanes_per_group = false;
   bool counters = false;  ///< neither system.counters nor system.counter_bits is given
   bool initiation_interval = false;
-  bool engine = false;  ///< there is no [engine]
+  bool references = false;  ///< their number
+  bool engine = false;      ///< there is no [engine]
   bool engine_lanes_per_group = false;
   bool report_streams = false;
 };

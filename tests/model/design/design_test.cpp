@@ -325,6 +325,33 @@ TEST(MakeDesign, HasLanesInFixedPoint) {
   EXPECT_EQ(lane_group_names(design), (std::vector<std::string>{"q13"}));
 }
 
+/// A reference for operands in fixed point is the exact lane of the fewest bits.
+TEST(MakeDesign, ReferencesOfIntegersAreExactLanes) {
+  Scene scene = fixed_scene();
+  scene.operand_formats.assign(scene.graph.inputs().size(), *OperandFormat::parse("uint9"));
+  scene.reduced.fixed_point = FixedPoint{.bits = 5};
+  EXPECT_FALSE(design::make_design(scene, nullptr)->exact_reference.has_value());
+  scene.system.references = 2;
+  const Design design = design::make_design(scene, nullptr).value();
+  ASSERT_TRUE(design.exact_reference.has_value());
+  EXPECT_TRUE(fixed::is_exact(*design.exact_reference));
+  EXPECT_EQ(design.exact_reference->format.bits, 9);
+  EXPECT_EQ(reference_group_names(design), std::vector<std::string>{"q9"});
+  scene.reference_structure.initiation_interval = 2;
+  EXPECT_EQ(error_of(scene).to_string(),
+            "squares.toml: reference.initiation_interval: a reference for operands in fixed point "
+            "takes one in "
+            "each cycle: received 2; accepted 1");
+  scene.reference_structure.initiation_interval = 1;
+  scene.graph = graph_of("sqrt(a)", "b");
+  EXPECT_EQ(error_of(scene).to_string(),
+            "squares.toml: system.references: a reference for operands in fixed point is an exact "
+            "lane: square "
+            "roots are rounded: received sqrt in f or g; accepted the squares of both sides");
+  scene.operand_formats[1] = OperandFormat(format_of(24, 8));
+  EXPECT_EQ(error_of(scene).field, "system.references");
+}
+
 TEST(MakeDesign, RefusesWhatFixedPointHasNot) {
   Scene scene = fixed_scene();
   scene.ranges[1].reset();

@@ -48,6 +48,23 @@ TEST_F(FixedOperandsTest, RangeGridReferenceAndLaneFollow) {
   EXPECT_EQ(scene.system.references, 0);
 }
 
+TEST_F(FixedOperandsTest, ReferencesAreForLanesThatRound) {
+  const auto references = [&](const std::vector<std::string>& settings) {
+    return scene_of(orientation, settings).system.references;
+  };
+  EXPECT_EQ(references({"reduced.format=q10"}), 0);
+  EXPECT_EQ(references({"reduced.format=q9"}), 1);
+  EXPECT_EQ(references({"reduced.format=auto"}), std::nullopt);
+  EXPECT_EQ(references({"reduced.format=q9", "system.references=0"}), 0);
+  EXPECT_EQ(references({"system.references=2"}), 2);
+  const std::string nearest =
+      "[comparison]\nname = \"n\"\nf = \"abs(p - ci)\"\ng = \"abs(p - cj)\"\n[inputs]\n"
+      "\"*\" = { format = \"uint8\" }\n[reduced]\nformat = \"exact\"\n";
+  EXPECT_EQ(scene_of(nearest).system.references, 0);
+  EXPECT_EQ(scene_of(nearest, {"engine.kind=arg_min"}).system.references, 1);
+  EXPECT_EQ(scene_of(orientation + "[[references]]\ncount = 3\n").reference_count(), 3);
+}
+
 TEST_F(FixedOperandsTest, InputsHaveFormatsOfTheirOwn) {
   const scene::Scene scene = scene_of(R"toml([comparison]
 name = "n"
@@ -85,20 +102,12 @@ TEST_F(FixedOperandsTest, MistakesNameTheKey) {
   EXPECT_EQ(error(orientation, {"inputs.*.range=[0, 3]"}),
             "--set: inputs.*.range: it follows from the input's format: received an array of 2; "
             "accepted no such key beside format");
-  EXPECT_EQ(error(orientation, {"system.references=2"}),
-            "--set: system.references: references take no operands in fixed point: received 2; "
-            "accepted 0, the default: exact lanes decide everything, others tell what they leave "
-            "undecided");
   EXPECT_EQ(error(orientation, {"reduced.format=s17e6"}),
             "--set: reduced.format: a lane in floating point takes no operands in fixed point: "
             "received \"s17e6\"; accepted \"exact\", \"auto\", or qW such as q13");
   EXPECT_EQ(error(orientation, {"reference.format=s11e5", "inputs.*.format=uint12"}),
             "--set: reference.format: it does not hold every number of bx in uint12: received "
             "s11e5; accepted \"exact\", or a format with more digits or exponent bits");
-  EXPECT_EQ(error(orientation + "[[references]]\ncount = 1\n"),
-            ": system.references: references take no operands in fixed point: received "
-            "[[references]]; accepted 0, the default: exact lanes decide everything, others tell "
-            "what they leave undecided");
   EXPECT_EQ(error(orientation + "[[lanes]]\ncount = 1\nformat = \"s9e6\"\n"),
             ":9: lanes.format: a lane in floating point takes no operands in fixed point: "
             "received \"s9e6\"; accepted \"exact\", \"auto\", or qW such as q13");
