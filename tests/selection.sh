@@ -14,10 +14,10 @@ turn() {
 # one_in N: ctest's selection of every N-th test, from the commit's turn on.
 one_in() { echo "$(($(turn "$1") + 1)),,$1"; }
 
-# changed_lately FILES...: whether more than comments of FILES has changed within a day of the commit,
-# or is not committed, or nobody knows.
+# changed_lately FILES...: succeeds if a commit within a day before HEAD changed more of FILES than
+# comments of C++ and Verilog, if something is not committed, or if git cannot tell.
 changed_lately() {
-  changed=$(git log -1 --format=%ct -G'^[[:space:]]*[^/#[:space:]]' -- "$@" 2>/dev/null) || changed=
+  changed=$(git log -1 --format=%ct -G'^[[:space:]]*[^/[:space:]]' -- "$@" 2>/dev/null) || changed=
   now=$(git log -1 --format=%ct 2>/dev/null) || now=
   [ -z "$changed" ] || [ $((now - changed)) -lt 86400 ] || [ -n "$(git status --porcelain -- "$@")" ]
 }
@@ -40,7 +40,8 @@ template_stride() {
 # tuple_stride HEAVY: for tests of lanes on every tuple of operands, of every how many one runs. All after
 # a change of the analysis or of a judge, else a quarter.
 tuple_stride() {
-  if [ "$1" = ON ] || changed_lately model/lane model/judge/golden tests/model/lane; then
+  if [ "$1" = ON ] || changed_lately model/lane model/judge/golden model/base/number \
+    model/comparison/expression tests/model/lane tests/support; then
     echo 1
   else
     echo 4

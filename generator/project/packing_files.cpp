@@ -15,30 +15,137 @@
 namespace mixcmp::project {
 namespace {
 
-using Function = std::string (*)(const std::string& module, const std::string& operand, int at,
+using Function = std::string (*)(const std::string& module, const std::string& field, int at,
                                  const OperandFormat& format);
 
-/// The word, or with `_` behind it where C or C++ keeps it for itself. Names of operands are no
-/// keywords of SystemVerilog, so that only the others are here.
-std::string c_field(const std::string& operand) {
-  static const std::set<std::string_view> reserved = {
-      "alignas",       "alignof",      "and_eq",     "asm",
-      "auto",          "bitand",       "bitor",      "bool",
-      "catch",         "char",         "char16_t",   "char32_t",
-      "char8_t",       "co_await",     "co_return",  "co_yield",
-      "compl",         "concept",      "const_cast", "consteval",
-      "constexpr",     "constinit",    "decltype",   "delete",
-      "double",        "dynamic_cast", "explicit",   "false",
-      "float",         "friend",       "goto",       "inline",
-      "long",          "mutable",      "namespace",  "noexcept",
-      "not_eq",        "nullptr",      "operator",   "or_eq",
-      "private",       "public",       "register",   "reinterpret_cast",
-      "requires",      "restrict",     "short",      "sizeof",
-      "static_assert", "static_cast",  "switch",     "template",
-      "thread_local",  "throw",        "true",       "try",
-      "typeid",        "typename",     "volatile",   "wchar_t",
-      "xor_eq"};
-  return reserved.count(operand) > 0 ? operand + "_" : operand;
+/// Whether a field of this name may be a keyword of C or C++, or a macro or type of their headers.
+bool is_reserved(const std::string& name) {
+  static const std::set<std::string_view> reserved = {"alignas",
+                                                      "alignof",
+                                                      "and",
+                                                      "and_eq",
+                                                      "asm",
+                                                      "auto",
+                                                      "bitand",
+                                                      "bitor",
+                                                      "bool",
+                                                      "break",
+                                                      "case",
+                                                      "catch",
+                                                      "char",
+                                                      "char16_t",
+                                                      "char32_t",
+                                                      "char8_t",
+                                                      "class",
+                                                      "co_await",
+                                                      "co_return",
+                                                      "co_yield",
+                                                      "compl",
+                                                      "concept",
+                                                      "const",
+                                                      "const_cast",
+                                                      "consteval",
+                                                      "constexpr",
+                                                      "constinit",
+                                                      "continue",
+                                                      "decltype",
+                                                      "default",
+                                                      "delete",
+                                                      "do",
+                                                      "double",
+                                                      "dynamic_cast",
+                                                      "else",
+                                                      "enum",
+                                                      "explicit",
+                                                      "export",
+                                                      "extern",
+                                                      "false",
+                                                      "float",
+                                                      "for",
+                                                      "friend",
+                                                      "goto",
+                                                      "if",
+                                                      "inline",
+                                                      "int",
+                                                      "long",
+                                                      "mutable",
+                                                      "namespace",
+                                                      "new",
+                                                      "noexcept",
+                                                      "not",
+                                                      "not_eq",
+                                                      "nullptr",
+                                                      "operator",
+                                                      "or",
+                                                      "or_eq",
+                                                      "private",
+                                                      "protected",
+                                                      "public",
+                                                      "register",
+                                                      "reinterpret_cast",
+                                                      "requires",
+                                                      "restrict",
+                                                      "return",
+                                                      "short",
+                                                      "signed",
+                                                      "sizeof",
+                                                      "static",
+                                                      "static_assert",
+                                                      "static_cast",
+                                                      "struct",
+                                                      "switch",
+                                                      "template",
+                                                      "this",
+                                                      "thread_local",
+                                                      "throw",
+                                                      "true",
+                                                      "try",
+                                                      "typedef",
+                                                      "typeid",
+                                                      "typename",
+                                                      "typeof",
+                                                      "typeof_unqual",
+                                                      "union",
+                                                      "unsigned",
+                                                      "using",
+                                                      "virtual",
+                                                      "void",
+                                                      "volatile",
+                                                      "wchar_t",
+                                                      "while",
+                                                      "xor",
+                                                      "xor_eq",
+                                                      "I",
+                                                      "errno",
+                                                      "linux",
+                                                      "stderr",
+                                                      "stdin",
+                                                      "stdout",
+                                                      "unix",
+                                                      "far",
+                                                      "near"};
+  const bool is_macro = name.size() > 1 && std::none_of(name.begin(), name.end(), [](char letter) {
+                          return 'a' <= letter && letter <= 'z';
+                        });
+  const bool is_internal = name.size() > 1 && name[0] == '_' && (name[1] == '_' || is_macro);
+  const bool is_keyword = name.size() > 1 && name[0] == '_' && 'A' <= name[1] && name[1] <= 'Z';
+  return is_macro || is_internal || is_keyword || name.ends_with("_t") || reserved.contains(name);
+}
+
+/// The names of the operands' fields: with `_` behind those that are reserved, or that would be
+/// taken twice.
+std::vector<std::string> c_fields(const PackedRecord& record) {
+  std::set<std::string> taken(record.operands.begin(), record.operands.end());
+  std::vector<std::string> fields;
+  for (const std::string& operand : record.operands) {
+    std::string field = operand;
+    if (is_reserved(operand)) {
+      do field += '_';
+      while (!taken.insert(field).second);
+    }
+    fields.push_back(std::move(field));
+  }
+  return fields;
 }
 
 bool is_integer(const FixedFormat& format) {
@@ -77,9 +184,9 @@ std::string c_is_refused(const std::string& value, const FixedFormat& format,
   return fmt::format("{0} < -{1} - 1 || {0} > {1}", value, most);
 }
 
-std::string c_pack(const std::string& module, const std::string& operand, int at,
+std::string c_pack(const std::string& module, const std::string& field, int at,
                    const OperandFormat& format) {
-  const std::string value = "from->" + c_field(operand);
+  const std::string value = "from->" + field;
   if (const FloatFormat* const floating = format.floating()) {
     const int digits = floating->precision(), exponent_bits = floating->exponent_bits();
     if (!fits_double(*floating)) {
@@ -96,9 +203,8 @@ std::string c_pack(const std::string& module, const std::string& operand, int at
   return fmt::format("  {}_put(tdata, {}, {}, {});\n", module, at, fixed.width, word);
 }
 
-std::string c_unpack(const std::string& module, const std::string& operand, int at,
+std::string c_unpack(const std::string& module, const std::string& field, int at,
                      const OperandFormat& format) {
-  const std::string field = c_field(operand);
   if (const FloatFormat* const floating = format.floating()) {
     const int digits = floating->precision(), exponent_bits = floating->exponent_bits();
     if (!fits_double(*floating)) {
@@ -118,39 +224,42 @@ std::string c_unpack(const std::string& module, const std::string& operand, int 
 }
 
 std::string of_each(const PackedRecord& record, const std::string& module, Function function) {
+  const std::vector<std::string> fields = c_fields(record);
   std::string text;
   int at = 0;
-  for (std::size_t k = 0; k < record.operands.size(); ++k) {
-    text += function(module, record.operands[k], at, record.formats[k]);
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    text += function(module, fields[k], at, record.formats[k]);
     at += record.formats[k].width();
   }
   return text;
 }
 
 std::string c_struct(const PackedRecord& record, const std::string& module) {
+  const std::vector<std::string> fields = c_fields(record);
   std::size_t type_width = 0, field_width = 0;
   for (std::size_t k = 0; k < record.operands.size(); ++k) {
     type_width = std::max(type_width, c_type(record.formats[k]).size());
-    field_width = std::max(field_width, c_field(record.operands[k]).size() + 1);
+    field_width = std::max(field_width, fields[k].size() + 1);
   }
   std::string text = fmt::format(
-      "// {} has {} bytes, in little-endian order.\n#define {}_{}_BYTES {}\nstruct {}_{} {{\n",
-      record.port, record.bytes, in_capitals(module), in_capitals(record.name), record.bytes,
+      "// {} bytes of {}, in little-endian order.\n#define {}_{}_BYTES {}\nstruct {}_{} "
+      "{{\n",
+      record.bytes, record.port, in_capitals(module), in_capitals(record.name), record.bytes,
       module, record.name);
   for (std::size_t k = 0; k < record.operands.size(); ++k) {
     text += fmt::format("  {:<{}} {:<{}}  // {}\n", c_type(record.formats[k]), type_width,
-                        c_field(record.operands[k]) + ";", field_width, record.formats[k].name());
+                        fields[k] + ";", field_width, record.formats[k].name());
   }
   return text + "};\n";
 }
 
 std::string c_refusals(const PackedRecord& record, const std::string& module) {
+  const std::vector<std::string> fields = c_fields(record);
   std::string text;
-  for (std::size_t k = 0; k < record.operands.size(); ++k) {
+  for (std::size_t k = 0; k < fields.size(); ++k) {
     const FixedFormat* const fixed = record.formats[k].fixed();
     if (fixed == nullptr) continue;
-    const std::string refused =
-        c_is_refused("from->" + c_field(record.operands[k]), *fixed, module);
+    const std::string refused = c_is_refused("from->" + fields[k], *fixed, module);
     if (!refused.empty()) text += fmt::format("  if ({}) return {};\n", refused, k + 1);
   }
   return text;
@@ -207,8 +316,7 @@ std::string c_example(const PackedRecord& record, const std::string& module) {
       "//   struct {0}_{1} from = {{0}};\n//   uint8_t tdata[{2}_{3}_BYTES];\n"
       "//   from.{4} = 1;\n//   if ({0}_pack_{1}(&from, tdata) != 0) ...\n"
       "//   struct {0}_{1} again = {0}_unpack_{1}(tdata);",
-      module, record.name, in_capitals(module), in_capitals(record.name),
-      c_field(record.operands.front()));
+      module, record.name, in_capitals(module), in_capitals(record.name), c_fields(record).front());
 }
 
 std::string python_example(const PackedRecord& record, const std::string& module) {

@@ -221,9 +221,10 @@ Result<std::vector<ArchitectureSearch::System>> ArchitectureSearch::systems_of(
   // No key is open because of a device, and after move_to both may name one.
   std::erase_if(settings, [](const auto& each) { return each.starts_with("system.device="); });
   MIXCMP_TRY(read, scene::read_scene_settings(request_->planning.scene.source, settings));
-  const optimise::OpenKeys open = optimise::open_keys(read.settings);
+  optimise::OpenKeys open = optimise::open_keys(read.settings);
   const LoadedScene& loaded = formulation.loaded;
   MIXCMP_TRY(given, with_chain_lanes(loaded.scene, loaded.data_if_any(), request_->planning.scene));
+  if (given.has_fixed_operands()) open.initiation_interval = false;
   const bool streams = given.system.engine.kind == EngineKind::none;
   ComponentQuery query = query_for(request_->choice, given, open);
   MIXCMP_TRY(choices, reference_choices(given, std::move(query), open));

@@ -137,13 +137,16 @@ Result<std::vector<ReferenceChoice>> reference_choices(const scene::Scene& scene
     ReferenceChoice& some = choices.emplace_back(scene, query);
     if (open.references) some.scene.system.references.reset();
     some.query.lanes = std::move(rounding);
-    some.query.initiation_intervals = {1};
   }
   if (!choices.empty()) return choices;
-  if (!reference.ok()) return reference.error();
+  if (!reference.ok()) {
+    Error error = reference.error();
+    error.file = scene.path.string();
+    return error;
+  }
   return Error{.file = scene.path.string(),
                .field = "system.references",
-               .message = "no lane is exact among those that may be planned",
+               .message = "only exact lanes have no references, and none has so few bits",
                .received = "0",
                .accepted = "at least 1, or lanes of more bits"};
 }

@@ -43,17 +43,17 @@ struct LeftOutLanes {
 struct ReferenceChoice {
   scene::Scene scene;
   components::ComponentQuery query;        ///< for their components
-  std::vector<std::string> settings = {};  ///< that the scene needs in order to be read so
+  std::vector<std::string> settings = {};  ///< with which the scene's file gives this scene
 };
 
-/// The choices of a scene. If operands arrive in fixed point, exact lanes have no references and
-/// others do, except in an arg-min engine, which always has some. It is an error if there is no
-/// choice.
+/// The choices of a scene, one unless operands arrive in fixed point and the number of references
+/// is open: then there are exact lanes without references and other lanes with them. An arg-min
+/// engine always has some. It is an error if there is no choice.
 Result<std::vector<ReferenceChoice>> reference_choices(const scene::Scene& scene,
                                                        components::ComponentQuery query,
                                                        const optimise::OpenKeys& open);
 
-/// Those that the query asks for and that are not among `lanes`.
+/// The lanes of the query that are not among `lanes` and whose rates are known.
 Result<LeftOutLanes> left_out_lanes(const scene::Scene& scene,
                                     const components::ComponentQuery& query,
                                     const optimise::Rates& rates,

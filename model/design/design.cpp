@@ -11,6 +11,7 @@
 #include "model/design/engine_data.hpp"
 #include "model/design/request_beats.hpp"
 #include "model/lane/error/certified_lane.hpp"
+#include "model/lane/error/exactness.hpp"
 #include "model/lane/error/hazards.hpp"
 #include "model/lane/error/range_analysis.hpp"
 #include "model/lane/fixed/exact_lane.hpp"
@@ -333,29 +334,35 @@ std::string planned_clock(const scene::Scene& scene) {
   return clock.empty() ? "" : clock + basis;
 }
 
+/// The exact lane of the fewest bits. The judges compute in the reference format, which must not
+/// round either.
 Result<fixed::FixedLane> design_exact_reference(const scene::Scene& scene) {
-  const int most_bits = settings::limits::fixed_bits.most;
-  const auto bits = fixed::exact_bits(scene.graph, scene.operand_formats, std::nullopt, most_bits);
-  if (bits.ok()) {
-    return fixed::fixed_lane(scene.graph, scene.reference.format,
-                             {.format = {.bits = *bits},
-                              .bound = std::nullopt,
-                              .ranges = {},
-                              .operand_formats = scene.operand_formats});
+  const auto bits = fixed::exact_bits(scene.graph, scene.operand_formats, std::nullopt,
+                                      settings::limits::fixed_bits.most);
+  if (!bits.ok()) {
+    Error error = bits.error();
+    error.field = "system.references";
+    error.message = "a reference for operands in fixed point is an exact lane: " + error.message;
+    error.accepted += ", or 0 references";
+    return error;
   }
-  Error error = bits.error();
-  error.field = "system.references";
-  error.message = "a reference for operands in fixed point is an exact lane: " + error.message;
-  return error;
-}
-
-/// Refuses a folded reference for operands in fixed point.
-Result<Done> check_not_folded(const scene::Scene& scene, int interval) {
-  if (interval == 1 || !scene.has_fixed_operands()) return Done{};
-  return Error{.field = "reference.initiation_interval",
-               .message = "a reference for operands in fixed point takes one in each cycle",
-               .received = fmt::format("{}", interval),
-               .accepted = "1"};
+  const std::vector<bool> is_exact = error::exact_on_grid(
+      reference_graph(scene.graph, scene.reference), scene.ranges, scene.grids);
+  if (std::find(is_exact.begin(), is_exact.end(), false) != is_exact.end()) {
+    return Error{.field = "reference.format",
+                 .message =
+                     "references for operands in fixed point round nothing, but in this "
+                     "format f or g is rounded",
+                 .received = scene.reference.format.name(),
+                 .accepted =
+                     "\"exact\" or a format of more digits, without a division; or "
+                     "system.references = 0"};
+  }
+  return fixed::fixed_lane(scene.graph, scene.reference.format,
+                           {.format = {.bits = *bits},
+                            .bound = std::nullopt,
+                            .ranges = {},
+                            .operand_formats = scene.operand_formats});
 }
 
 Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
@@ -393,7 +400,6 @@ Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
                         "--set reference.initiation_interval=16",
                         to_string(settings::limits::initiation_interval));
     }
-    MIXCMP_DO(check_not_folded(scene, *interval));
     design.references.push_back(
         {.structure = {multipliers, *interval, target_mhz}, .count = *spec.count});
     shortest = std::min(shortest.value_or(*interval), *interval);

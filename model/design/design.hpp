@@ -47,7 +47,7 @@ struct Design {
   std::vector<scene::PartText> parts;  ///< f and g of each part, as in the scene, for display
   std::vector<LetDefinition> lets;     ///< those that f and g need, as in the scene, for display
   std::string planned_clock;           ///< "312.5 MHz (placed and routed)", from a plan; or empty
-  TypedGraph reference;                ///< says what references have to answer
+  TypedGraph reference;                ///< the judges' model of references
   std::vector<ReferenceGroup> references;  ///< empty: p_H = 0
   scene::SystemSpec system;
   /// One per input: the format in which it arrives. Empty: all have the reference's format.

@@ -122,7 +122,8 @@ std::vector<std::string> reference_group_names(const Design& design) {
   std::vector<std::string> names;
   for (const ReferenceGroup& group : groups) {
     std::string& name = names.emplace_back(format_name(design.reference_datapath()));
-    if (design.reference.arithmetic.sums == Sums::fused) name += "_fused";
+    const bool is_fused = design.reference.arithmetic.sums == Sums::fused;
+    if (is_fused && !design.exact_reference) name += "_fused";
     const auto& [multipliers, interval, target_mhz] = group.structure;
     if (!same_multipliers) name += fmt::format("_{}", to_string(multipliers));
     if (interval > 1) name += fmt::format("_ii{}", interval);

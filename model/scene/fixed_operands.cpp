@@ -51,7 +51,20 @@ Result<Done> check_lanes(const settings::Settings& settings, const Scene& scene)
   return Done{};
 }
 
-/// Checks the columns of a pairwise engine's items.
+/// Refuses folded references.
+Result<Done> check_intervals(const settings::Settings& settings, const Scene& scene) {
+  for (const ReferenceGroupSpec& group : scene.reference_groups()) {
+    const int interval = group.structure.initiation_interval.value_or(1);
+    if (interval == 1) continue;
+    return settings::Section(settings, "reference")
+        .mistake("initiation_interval",
+                 "a reference for operands in fixed point takes a comparison in every cycle",
+                 fmt::format("{}", interval), "1");
+  }
+  return Done{};
+}
+
+/// Checks the columns of an engine's items.
 Result<Done> check_columns(const settings::Settings& settings, const Scene& scene) {
   std::map<std::string, std::size_t> known;
   for (std::size_t k = 0; k < scene.operand_formats.size(); ++k) {
@@ -77,6 +90,7 @@ Result<Done> check_fixed_operands(const settings::Settings& settings, const Scen
   if (!scene.has_fixed_operands()) return Done{};
   MIXCMP_DO(check_reference_format(settings, scene));
   MIXCMP_DO(check_lanes(settings, scene));
+  MIXCMP_DO(check_intervals(settings, scene));
   if (scene.system.engine.kind == EngineKind::none) return Done{};
   return check_columns(settings, scene);
 }

@@ -376,29 +376,38 @@ std::vector<OperandFormat> formats_of_operands(const InputDeclarations& declared
   return formats;
 }
 
-/// Whether the lanes, for operands in fixed point, have as many bits as an exact lane needs.
-bool has_exact_lanes(const Scene& scene) {
-  const std::vector<LaneGroupSpec> groups = scene.lane_groups();
-  return std::all_of(groups.begin(), groups.end(), [&](const LaneGroupSpec& group) {
-    if (!group.reduced.fixed_point) return false;
-    const auto bits = fixed::exact_bits(scene.graph, scene.operand_formats,
-                                        group.reduced.error_bound, group.reduced.fixed_point->bits);
-    return bits.ok();
-  });
+/// Whether a lane for operands in fixed point rounds nothing.
+bool is_exact_lane(const Scene& scene, const ReducedSpec& reduced) {
+  const auto lane = fixed::fixed_lane(scene.graph, scene.reference.format,
+                                      {.format = *reduced.fixed_point,
+                                       .bound = reduced.error_bound,
+                                       .ranges = scene.ranges,
+                                       .operand_formats = scene.operand_formats});
+  return lane.ok() && fixed::is_exact(*lane);
 }
 
-/// The default number of references for operands in fixed point, unless formats of lanes are open:
-/// none behind exact lanes, otherwise one. An arg-min engine has at least one.
-void count_references(Scene& scene) {
-  const bool is_open = scene.references.empty() && !scene.system.references;
-  if (!scene.has_fixed_operands() || !is_open) return;
-  const std::vector<LaneGroupSpec> groups = scene.lane_groups();
-  const bool is_known = std::all_of(groups.begin(), groups.end(), [](const auto& group) {
-    return group.reduced.fixed_point.has_value();
-  });
-  if (!is_known) return;
-  const bool needs_one = scene.system.engine.kind == EngineKind::arg_min;
-  scene.system.references = needs_one || !has_exact_lanes(scene) ? 1 : 0;
+/// Sets what a scene with operands in fixed point leaves open of references, which are exact lanes:
+/// none behind lanes that are exact as well or if there is no exact lane, otherwise one. An arg-min
+/// engine has at least one. While formats of lanes are open, so is the number.
+void choose_references(Scene& scene) {
+  if (!scene.has_fixed_operands()) return;
+  const auto close = [](ReferenceStructureSpec& structure) {
+    structure.initiation_interval = structure.initiation_interval.value_or(1);
+  };
+  close(scene.reference_structure);
+  for (ReferenceGroupSpec& group : scene.references) close(group.structure);
+  if (!scene.references.empty() || scene.system.references) return;
+  bool are_known = true, are_exact = true;
+  for (const LaneGroupSpec& group : scene.lane_groups()) {
+    are_known = are_known && group.reduced.fixed_point;
+    are_exact = are_exact && are_known && is_exact_lane(scene, group.reduced);
+  }
+  if (!are_known) return;
+  const bool is_chain = scene.system.engine.kind == EngineKind::arg_min;
+  const bool can_have_some = fixed::exact_bits(scene.graph, scene.operand_formats, std::nullopt,
+                                               settings::limits::fixed_bits.most)
+                                 .ok();
+  scene.system.references = is_chain || (!are_exact && can_have_some) ? 1 : 0;
 }
 
 /// Notes what rules out lanes in fixed point, if the format of lanes is open.
@@ -478,7 +487,7 @@ Result<Scene> interpret(SceneSettings read) {
               .data = std::move(data),
               .plan = std::move(read.plan),
               .notes = std::move(notes)};
-  count_references(scene);
+  choose_references(scene);
   MIXCMP_DO(check_fixed_operands(settings, scene));
   note_open_format(scene);
   note_unused_keys(scene, settings, scene.notes);

@@ -166,8 +166,7 @@ TEST_F(OptimiseTask, FindsTheBestOfAllArchitectures) {
   EXPECT_GE(found.best().known.scene.system.lanes_per_group, 4);
 }
 
-/// Lanes of 16 bits and more leave nothing of these rows undecided, but only those of 20 are exact,
-/// and no reference takes such operands.
+/// Only lanes of 20 bits are exact; those of fewer bits have such lanes as references.
 TEST_F(OptimiseTask, ExactLanesAreWeighedAgainstMixedPrecision) {
   const std::string integers = R"toml(
 [comparison]
@@ -209,7 +208,7 @@ device = "artix7-200t"
       workload::load_comparisons(scene).value()};
   const auto none = tasks::optimise(request, without);
   ASSERT_FALSE(none.ok());
-  EXPECT_EQ(none.error().message, "no lane is exact among those that may be planned");
+  EXPECT_EQ(none.error().message, "only exact lanes have no references, and none has so few bits");
 }
 
 TEST_F(OptimiseTask, GivenKeysStayAndOpenOnesAreSettings) {

@@ -279,6 +279,8 @@ public:
                              "-Wconversion",
                              "-Wno-unused-function",
                              "-Werror",
+                             "-fsanitize=undefined",
+                             "-fno-sanitize-recover",
                              "-O1",
                              "-o",
                              path("run"),
@@ -361,6 +363,26 @@ TEST_P(PackingFiles, MakeTheWordsOfTheModelAndItsNumbers) {
 
 INSTANTIATE_TEST_SUITE_P(Of, PackingFiles, testing::Values(float_names, fixed_names));
 
+/// Fields of such names would not compile, or would be two of one name.
+TEST(PackingFilesRename, WhatCAndItsHeadersKeepForThemselves) {
+  PackedRecord record = record_of(std::vector<std::string>(10, "s24e8"));
+  record.operands = {"using",   "long", "long_", "NULL", "linux",
+                     "int64_t", "int",  "_Bool", "M_PI", "x"};
+  const std::vector<emit::GeneratedFile> files =
+      project::packing_files({"unit", {record}}, "// made up", "# made up");
+  const ScratchDirectory scratch;
+  const std::string source = (scratch.path() / "unit.c").string();
+  ASSERT_TRUE(write_file(source, files.front().text + "int main(void) { return 0; }\n").ok());
+  for (const char* language : {"-std=c99", "-std=gnu17", "-xc++"}) {
+    EXPECT_EQ(output_of({"gcc", language, "-fsyntax-only", "-include", "stdio.h", "-include",
+                         "complex.h", "-Wall", "-Wno-unused-function", "-Werror", source},
+                        ""),
+              "");
+  }
+  EXPECT_NE(files.front().text.find("double long__;"), std::string::npos);
+  EXPECT_NE(files.front().text.find("double x;"), std::string::npos);
+}
+
 TEST(PackingFilesRefuse, WhatAFixedPointFormatDoesNotHold) {
   const PackedRecord record = record_of({"s24e8", "int10", "uint10", "q3.2", "uq4.60", "int63"});
   const Packers packers(record);
@@ -369,17 +391,16 @@ TEST(PackingFilesRefuse, WhatAFixedPointFormatDoesNotHold) {
       {"p 1 -513 0 0 0 0", "x1, row 1: received -513; expected an integer from -512 to 511"},
       {"p 1 0 1024 0 0 0", "x2, row 1: received 1024; expected an integer from 0 to 1023"},
       {"p 1 0 0 8 0 0",
-       "x3, row 1: received 8.0; expected a multiple of 2^-2 from -32 to 31 of these"},
+       "x3, row 1: received 8.0; expected a multiple of 2^-2 from -8 to less than 8"},
       {"p 1 0 0 0.125 0 0",
-       "x3, row 1: received 0.125; expected a multiple of 2^-2 from -32 to 31 of these"},
+       "x3, row 1: received 0.125; expected a multiple of 2^-2 from -8 to less than 8"},
       {"p 1 0 0 nan 0 0",
-       "x3, row 1: received nan; expected a multiple of 2^-2 from -32 to 31 of these"},
+       "x3, row 1: received nan; expected a multiple of 2^-2 from -8 to less than 8"},
       {"p 1 0 0 0 16 0",
-       "x4, row 1: received 16.0; expected a multiple of 2^-60 from 0 to 18446744073709551615 of "
-       "these"},
+       "x4, row 1: received 16.0; expected a multiple of 2^-60 from 0 to less than 16"},
       {"p 1 0 0 0 -0x1p-60 0",
-       "x4, row 1: received -8.673617379884035e-19; expected a multiple of 2^-60 from 0 to "
-       "18446744073709551615 of these"},
+       "x4, row 1: received -8.673617379884035e-19; expected a multiple of 2^-60 from 0 to less "
+       "than 16"},
       {"p 1 0 0 0 0 4611686018427387904",
        "x5, row 1: received 4611686018427387904; expected an integer from -4611686018427387904 to "
        "4611686018427387903"}};

@@ -89,8 +89,7 @@ std::string verify_command(const LaneEstimate& lane, const SceneOptions& options
   const bool fixed_system = !scene.lanes.empty() || !scene.references.empty() ||
                             scene.system.engine.kind == scene::EngineKind::arg_min;
   if (fixed_system) return "";
-  CommandLine line =
-      command_of("verify", options, keys_for(lane, scene.has_fixed_operands() ? 0 : 1));
+  CommandLine line = command_of("verify", options, keys_for(lane, 1));
   constexpr std::uint64_t enough = 100'000;
   const bool selects =
       scene.system.engine.kind == scene::EngineKind::none && loaded.data->size() > enough;

@@ -4,9 +4,10 @@
 //
 @EXAMPLE@
 //
-// In floating point a number is rounded to the nearest one of its format, to the even one of two
-// that are as near, and to infinity beyond the largest. In fixed point it must be a number of its
-// format. An operand's bits begin at the bit that follows the operand before it.
+// Floating point: a double is rounded to nearest, ties to even; overflow gives infinity. Fixed point:
+// the format must hold the number; one with digits behind the point is a double as well, so that
+// formats of more than 53 bits have numbers that are rounded when they are unpacked. Operands lie
+// side by side without gaps, the first lowest.
 
 #ifndef @NAME@_PACKING_H
 #define @NAME@_PACKING_H
@@ -17,7 +18,7 @@
 #include <stdint.h>
 #include <string.h>
 
-// Puts the low bits of a word where `bytes` holds zeros.
+// Writes the low `bits` bits of a word from bit `at` on. They must be zero before.
 static inline void @MODULE@_put(uint8_t *bytes, int at, int bits, uint64_t word) {
   for (int done = 0; done < bits;) {
     const int place = (at + done) % 8;
@@ -27,6 +28,7 @@ static inline void @MODULE@_put(uint8_t *bytes, int at, int bits, uint64_t word)
   }
 }
 
+// The `bits` bits from bit `at` on.
 static inline uint64_t @MODULE@_get(const uint8_t *bytes, int at, int bits) {
   uint64_t word = 0;
   for (int done = 0; done < bits;) {
@@ -38,6 +40,7 @@ static inline uint64_t @MODULE@_get(const uint8_t *bytes, int at, int bits) {
   return word;
 }
 
+// The same in two's complement.
 static inline int64_t @MODULE@_get_signed(const uint8_t *bytes, int at, int bits) {
   const uint64_t sign = (uint64_t)1 << (bits - 1);
   return (int64_t)((@MODULE@_get(bytes, at, bits) ^ sign) - sign);
@@ -59,8 +62,8 @@ static inline uint64_t @MODULE@_rounded(uint64_t value, int dropped) {
   return (value + ((uint64_t)1 << (dropped - 1)) - 1 + (value >> dropped & 1)) >> dropped;
 }
 
-// As IEEE 754 packs: the fraction lowest, then the exponent, then the sign. For formats of at most 53
-// digits and 11 exponent bits, whose numbers are doubles.
+// The word of a double, for formats whose numbers are all doubles: as IEEE 754 packs, the fraction
+// lowest, then the exponent, then the sign.
 static inline uint64_t @MODULE@_word(double value, int digits, int exponent_bits) {
   const int dropped = 53 - digits;
   const int bias_change = 1024 - (1 << (exponent_bits - 1));
@@ -103,7 +106,7 @@ static inline double @MODULE@_number(uint64_t word, int digits, int exponent_bit
 @END@
 @IF WIDE@
 
-// The same for wider formats.
+// Writes a double in a format with more than 53 digits or 11 exponent bits.
 static inline void @MODULE@_put_wide(
     uint8_t *bytes, int at, int digits, int exponent_bits, double value) {
   const int fraction_bits = digits - 1;
@@ -118,11 +121,12 @@ static inline void @MODULE@_put_wide(
   if (exponent < 0x7ff) {                           // value = significand 2^(exponent - 52)
     if (exponent > 0) significand |= (uint64_t)1 << 52;
     exponent = (exponent > 0 ? exponent : 1) - 1023;
+    if (significand == 0) exponent = least;
     while (significand > 0 && significand >> 52 == 0 && exponent > least) {
       significand <<= 1;
       --exponent;
     }
-    const int place = significand > 0 && exponent > least ? exponent : least;
+    const int place = exponent > least ? exponent : least;
     const int up = exponent - place + digits - 53;  // to steps of the format
     if (up < -63) {
       low = 0;
@@ -150,8 +154,7 @@ static inline void @MODULE@_put_wide(
   @MODULE@_put(bytes, at + fraction_bits + exponent_bits, 1, sign);
 }
 
-// The nearest double. It may be the one beside it for a number below 2^-1022 in a format that
-// double does not contain.
+// The nearest double. Below 2^-1022 it is rounded twice and may be off by one place.
 static inline double @MODULE@_get_wide(
     const uint8_t *bytes, int at, int digits, int exponent_bits) {
   const int fraction_bits = digits - 1;

@@ -3,16 +3,17 @@
 
 @EXAMPLE@
 
-In floating point a number is rounded to the nearest one of its format, to the even one of two that
-are as near, and to infinity beyond the largest. In fixed point it must be a number of its format.
+Floating point: numbers become doubles, and these are rounded to nearest, ties to even; overflow gives
+infinity. Fixed point: the format must hold the number. Unpacked numbers are integers where the format
+has no digits behind the point, otherwise doubles, which round formats of more than 53 bits.
 """
 
 import numpy as np
 
-ROWS_AT_A_TIME = 1 << 14  # in which the bits of all of them take some megabytes
+ROWS_AT_A_TIME = 1 << 14  # bounds the memory: a byte for each bit of a row
 
-# Of each operand, from the lowest bit on: its name and format, ("float", digits, exponent bits) or
-# ("fixed", bits, signed, bits behind the point).
+# Each table lists the operands of a record, the lowest first: name, then ("float", digits, exponent
+# bits) or ("fixed", bits, signed, bits behind the point).
 @TABLES@
 
 
@@ -20,7 +21,7 @@ ROWS_AT_A_TIME = 1 << 14  # in which the bits of all of them take some megabytes
 
 
 def _pack(record, values):
-    columns = [np.atleast_1d(np.asarray(values[name])) for name, _ in record]
+    columns = [_column(values[name]) for name, _ in record]
     rows = len(columns[0])
     for (name, _), column in zip(record, columns):
         if column.shape != (rows,):
@@ -34,7 +35,12 @@ def _pack(record, values):
 
 
 def _unpack(record, tdata):
-    tdata = np.asarray(tdata, np.uint8).reshape(-1, _bytes_of(record))
+    if isinstance(tdata, (bytes, bytearray, memoryview)):
+        tdata = np.frombuffer(tdata, np.uint8)
+    tdata = np.asarray(tdata)
+    if tdata.dtype != np.uint8:
+        raise ValueError(f"tdata: received an array of {tdata.dtype}; expected uint8")
+    tdata = tdata.reshape(-1, _bytes_of(record))
     parts = {name: [] for name, _ in record}
     for first in range(0, max(len(tdata), 1), ROWS_AT_A_TIME):
         bits = np.unpackbits(tdata[first:first + ROWS_AT_A_TIME], axis=1, bitorder="little")
@@ -45,6 +51,16 @@ def _unpack(record, tdata):
             parts[name].append(value_of(bits[:, at:at + width], *form[1:]))
             at += width
     return {name: np.concatenate(part) for name, part in parts.items()}
+
+
+def _column(values):
+    """An array. Integers that NumPy would make doubles of, as in [1, 2**63], stay integers."""
+    column = np.atleast_1d(np.asarray(values))
+    if column.dtype.kind == "f" and not hasattr(values, "dtype"):
+        objects = np.atleast_1d(np.asarray(values, dtype=object))
+        if all(isinstance(value, (int, np.integer)) for value in objects.flat):
+            return objects
+    return column
 
 
 def _width_of(form):
@@ -62,12 +78,16 @@ def _bits_of(operand, values, first_row):
     try:
         return _fixed_bits(values, *form[1:])
     except _NotHeld as wrong:
-        raise ValueError(f"{name}, row {first_row + wrong.row}: received {values[wrong.row]!r}; "
+        raise ValueError(f"{name}, row {first_row + wrong.row}: received {_plain(values[wrong.row])!r}; "
                          f"expected {_accepted(*form[1:])}") from None
 
 
+def _plain(value):
+    return value.item() if hasattr(value, "item") else value
+
+
 class _NotHeld(ValueError):
-    """A row whose number its format does not hold."""
+    """The first row with a number that its format lacks."""
 
     def __init__(self, held):
         super().__init__()
@@ -78,7 +98,8 @@ def _accepted(bits, is_signed, fraction_bits):
     least, most = _range_of(bits, is_signed)
     if fraction_bits == 0:
         return f"an integer from {least} to {most}"
-    return f"a multiple of 2^-{fraction_bits} from {least} to {most} of these"
+    limit = most + 1 >> fraction_bits
+    return f"a multiple of 2^-{fraction_bits} from {-limit if is_signed else 0} to less than {limit}"
 
 
 def _range_of(bits, is_signed):
@@ -101,13 +122,19 @@ def _words_of(bits):
 
 def _fixed_bits(values, bits, is_signed, fraction_bits):
     least, most = _range_of(bits, is_signed)
-    if values.dtype.kind in "iub" and fraction_bits == 0:
+    if values.dtype.kind == "O" or (values.dtype.kind in "iub" and fraction_bits > 0):
+        integers = [int(value) << fraction_bits for value in values]
+        held = np.array([least <= value <= most for value in integers], bool)
+        steps = np.array([value if one else 0 for value, one in zip(integers, held)],
+                         np.int64 if is_signed else np.uint64)
+    elif values.dtype.kind in "iub":
         steps = values.astype(np.uint64 if values.dtype.kind == "u" else np.int64)
         info = np.iinfo(steps.dtype)
         held = (steps >= max(least, info.min)) & (steps <= min(most, info.max))
     else:
-        steps = np.ldexp(np.asarray(values, np.float64), fraction_bits)
-        held = (steps == np.rint(steps)) & (steps >= least) & (steps < most + 1)
+        with np.errstate(over="ignore", invalid="ignore"):
+            steps = np.ldexp(np.asarray(values, np.float64), fraction_bits)
+            held = (steps == np.rint(steps)) & (steps >= least) & (steps < most + 1)
     if not held.all():
         raise _NotHeld(held)
     return _word_bits(steps.astype(np.int64 if is_signed else np.uint64).view(np.uint64), bits)
@@ -128,7 +155,7 @@ def _float_bits(values, digits, exponent_bits):
     is_finite = np.isfinite(values)
     magnitudes = np.where(is_finite, np.abs(values), 0)
     _, exponents = np.frexp(magnitudes)
-    places = np.where(magnitudes > 0, np.maximum(exponents - 1, least), least)
+    places = np.where(magnitudes > 0, np.maximum(exponents - 1, least), least).astype(np.intc)
     steps = np.rint(np.ldexp(magnitudes, digits - 1 - places))
     leading = np.floor(np.ldexp(steps, 1 - digits))
     fractions = steps - np.ldexp(leading, digits - 1)
@@ -146,8 +173,7 @@ def _float_bits(values, digits, exponent_bits):
 
 
 def _float_of(bits, digits, exponent_bits):
-    """The nearest double. It may be the one beside it for a number below 2^-1022 in a format that
-    double does not contain."""
+    """The nearest double. Below 2^-1022 it is rounded twice and may be off by one place."""
     largest = (1 << exponent_bits) - 1
     fractions = bits[:, :digits - 1]
     fields = _words_of(bits[:, digits - 1:-1]).astype(np.int64)
@@ -155,7 +181,7 @@ def _float_of(bits, digits, exponent_bits):
     words, dropped = _leading_64(np.concatenate([fractions, leading], axis=1))
     exponents = np.maximum(fields, 1) - largest // 2 - (digits - 1) + dropped
     with np.errstate(over="ignore", under="ignore"):
-        values = np.ldexp(words.astype(np.float64), exponents)
+        values = np.ldexp(words.astype(np.float64), exponents.astype(np.intc))
     special = np.where(fractions.any(axis=1), np.nan, np.inf)
     values = np.where(fields == largest, special, values)
     return np.where(bits[:, -1] > 0, -values, values)

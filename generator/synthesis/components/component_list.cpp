@@ -173,9 +173,9 @@ private:
       MIXCMP_TRY(sizes, maker_.engine_sizes());
       MIXCMP_DO(visit_sizes(measured::Engine{lane}, sizes));
     }
-    const bool converts = lane.format.fixed_point && !lane.format.fixed_point->is_block;
-    if (!asked(ComponentKind::conversion) || !converts) return Done{};
-    return visit(measured::Conversion{lane});
+    if (!asked(ComponentKind::conversion)) return Done{};
+    MIXCMP_TRY(converts, maker_.converts(lane));
+    return converts ? visit(measured::Conversion{lane}) : Done{};
   }
 
   Result<Done> visit_references() {
@@ -191,7 +191,9 @@ private:
   std::vector<design::ReferenceStructure> reference_structures() const {
     std::vector<design::ReferenceStructure> structures;
     for (const Multipliers multipliers : reference_multipliers(query_)) {
-      for (const int interval : query_.initiation_intervals) {
+      // Exact lanes as references are not folded.
+      const bool is_folded = !maker_.scene().has_fixed_operands();
+      for (const int interval : is_folded ? query_.initiation_intervals : std::vector<int>{1}) {
         for (const std::optional<int> target : query_.reference_targets) {
           structures.push_back({multipliers, interval, target});
         }

@@ -202,9 +202,6 @@ Result<Done> ComponentMaker::check_reference(const measured::Reference& key) con
   if (key.sums != own.sums) {
     return other("reference.sums", to_string(key.sums), to_string(own.sums));
   }
-  if (scene_.has_fixed_operands() && key.initiation_interval > 1) {
-    return other("reference.initiation_interval", std::to_string(key.initiation_interval), "1");
-  }
   if (key.multipliers != Multipliers::memory) return Done{};
   return Error{.message = "not a choice",
                .received = in_quotes(to_string(key.multipliers)),
@@ -349,6 +346,12 @@ Result<Component> ComponentMaker::made(const measured::Segment& key) {
   MIXCMP_TRY(lane, this->lane(key.lane));
   MIXCMP_TRY(parts, engine_parts(key.lane));
   return Component{listed(key, has_product(lane)), parts.lane_latency_cycles(), parts.segment()};
+}
+
+Result<bool> ComponentMaker::converts(const measured::Lane& key) {
+  if (!key.format.fixed_point || key.format.fixed_point->is_block) return false;
+  MIXCMP_TRY(parts, engine_parts(key));
+  return parts.converts();
 }
 
 Result<Component> ComponentMaker::made(const measured::Conversion& key) {

@@ -58,6 +58,9 @@ public:
   /// The component of a key, or why there is none. A component without a product has no kind of
   /// multipliers in its key, even if the given key has one.
   Result<Component> make(const measured::ComponentKey& key);
+
+  /// Whether an engine of such lanes converts items before it stores them.
+  Result<bool> converts(const measured::Lane& key);
   /// A lane that is not yet hardware. It is designed once.
   Result<design::Lane> lane(const measured::Lane& key);
 

@@ -21,7 +21,8 @@ design::Design design_of(const scene::Scene& scene, const design::LaneGroup& lan
           .second_tier = std::move(second_tier),
           .reference = reference_graph(scene.graph, scene.reference),
           .references = {{.structure = {scene::Multipliers::embedded, 1}, .count = 1}},
-          .system = scene.system};
+          .system = scene.system,
+          .operand_formats = scene.operand_formats};
 }
 
 }  // namespace

@@ -12,9 +12,9 @@ constexpr std::string_view alone = "mixcmp_references_alone";
 
 /// The instance of reference k, connected to slice k of every operand and of the verdicts.
 std::string instance(const characterise::SynthesisJob& reference,
-                     const std::vector<std::string>& inputs, int width, int k) {
+                     const std::vector<rtl::InputPort>& inputs, int k) {
   std::string text = fmt::format("\n  {} reference_{} (\n    .aclk(aclk),\n", reference.top, k);
-  for (const std::string& input : inputs) {
+  for (const auto& [input, width] : inputs) {
     text += fmt::format("    .{0}({0}[{1}:{2}]),\n", input, (k + 1) * width - 1, k * width);
   }
   return text + fmt::format("    .verdict(verdict[{}:{}])\n  );\n", 2 * k + 1, 2 * k);
@@ -33,15 +33,24 @@ characterise::NeededParts of_instances(const characterise::NeededParts& referenc
 }
 
 std::string top_text(const characterise::SynthesisJob& reference,
-                     const std::vector<std::string>& inputs, int width, int count) {
+                     const std::vector<rtl::InputPort>& inputs, int count) {
   std::string text =
       fmt::format("`default_nettype none\n\nmodule {} (\n  input  wire aclk,\n", alone);
-  for (const std::string& input : inputs) {
+  for (const auto& [input, width] : inputs) {
     text += fmt::format("  input  wire [{}:0] {},\n", count * width - 1, input);
   }
   text += fmt::format("  output wire [{}:0] verdict\n);\n", 2 * count - 1);
-  for (int k = 0; k < count; ++k) text += instance(reference, inputs, width, k);
+  for (int k = 0; k < count; ++k) text += instance(reference, inputs, k);
   return text + "\nendmodule\n\n`default_nettype wire\n";
+}
+
+std::vector<rtl::InputPort> ports_of(const scene::Scene& scene) {
+  const std::vector<std::string> names = rtl::input_ports(scene.graph.inputs());
+  std::vector<rtl::InputPort> ports;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    ports.push_back({names[k], scene.operand_formats[k].width()});
+  }
+  return ports;
 }
 
 }  // namespace
@@ -65,8 +74,7 @@ Result<characterise::SynthesisJob> references_job(const scene::Scene& scene, int
                                     .target_mhz = scene.reference_structure.target_mhz})));
   characterise::SynthesisJob job = reference.job();
   job.sources.push_back(
-      {fmt::format("{}.v", alone), top_text(reference.job(), rtl::input_ports(scene.graph.inputs()),
-                                            scene.reference.format.width(), count)});
+      {fmt::format("{}.v", alone), top_text(reference.job(), ports_of(scene), count)});
   job.top = alone;
   job.needed = of_instances(reference.job().needed, count);
   return job;

@@ -93,7 +93,7 @@ OpenKeys open_keys(const settings::Settings& settings) {
                       is_open(settings, "system", "counter_bits"),
           .initiation_interval = is_open(settings, "reference", "initiation_interval"),
           .references = is_open(settings, "system", "references") &&
-                        section_of(settings, "references") == nullptr,
+                        settings.root.find("references") == nullptr,
           .engine = section_of(settings, "engine") == nullptr,
           .engine_lanes_per_group = is_open(settings, "engine", "lanes_per_group"),
           .report_streams = is_open(settings, "engine", "report_streams")};
@@ -201,12 +201,13 @@ std::string interface_of(const scene::Scene& scene) {
                                : system.counters == CounterAccess::axi_lite
                                    ? "counters on AXI4-Lite"
                                    : "counters";
+  const std::string none = scene.reference_count() == 0 ? "no references, " : "";
   switch (system.engine.kind) {
     case EngineKind::none:
-      if (scene.reference_count() == 0) return "no references, " + counters;
+      if (!none.empty()) return none + counters;
       return fmt::format("operands {}, {}", to_string(system.operands), counters);
     case EngineKind::pairwise:
-      return fmt::format("pairwise engine, {}{}", streams_of(system.engine), counters);
+      return fmt::format("pairwise engine, {}{}{}", none, streams_of(system.engine), counters);
     case EngineKind::arg_min: return "arg-min engine, " + counters;
   }
   MIXCMP_CHECK(false);
@@ -214,9 +215,9 @@ std::string interface_of(const scene::Scene& scene) {
 
 bool asks_no_more(const scene::SystemSpec& a, const scene::SystemSpec& b) {
   const bool same_ports = a.engine.kind != EngineKind::none || a.operands == b.operands;
-  // Exact lanes by themselves are always told beside mixed precision.
-  const bool both_recompute = (a.references == 0) == (b.references == 0);
-  return a.engine.kind == b.engine.kind && same_ports && both_recompute &&
+  // A system without references is no rival of one with them: both are listed.
+  const bool same_recomputation = (a.references == 0) == (b.references == 0);
+  return a.engine.kind == b.engine.kind && same_ports && same_recomputation &&
          a.counters == b.counters && a.engine.report_streams <= b.engine.report_streams;
 }
 

@@ -75,7 +75,7 @@ devices::Area without(const devices::Area& whole, const devices::Area& part) {
 
 std::optional<EngineArea> engine_area(const measured::Characterisation& table,
                                       const Measurement& row, scene::EngineKind kind,
-                                      std::set<std::string>& missing) {
+                                      std::set<std::string>& missing, bool arrives_in_fixed_point) {
   const auto& segment = std::get<measured::Segment>(row.key);
   const Sizes engines = sizes_of(table, measured::Engine{segment.lane});
   if (engines.size() < 2) {
@@ -95,6 +95,7 @@ std::optional<EngineArea> engine_area(const measured::Characterisation& table,
   if (!is_converted(segment.lane.format)) return area;
   const Measurement* conversion = table.find(measured::Conversion{segment.lane});
   if (conversion == nullptr) {
+    if (arrives_in_fixed_point) return area;
     missing.insert(fmt::format("a conversion to {}", segment.lane.format.name()));
     return area;
   }

@@ -101,7 +101,9 @@ double lane_mhz(const PrecisionSearch& search, const Measurement& row,
 std::optional<Rate> known_rate(const PrecisionSearch& search, const Lane& lane) {
   const RateKey key = rate_key(lane);
   std::optional<Rate> rate = search.inputs.rates.find(key);
-  if (rate) rate->is_exact = is_exact(search.inputs.scene, lane);
+  // A system with references has one at least, even if its lanes are exact.
+  const scene::Scene& scene = search.inputs.scene;
+  if (rate) rate->is_exact = scene.reference_count() == 0 && is_exact(scene, lane);
   if (!rate) {
     search.findings.notes.insert(fmt::format("{}: no recomputation rate is known", name_of(key)));
   }
@@ -423,7 +425,8 @@ PrecisionPlan plan_segments(PrecisionSearch& search, const Rows& rows) {
     const std::optional<LaneRates> rates = rates_of(search, lane_in(*row));
     if (!rates) continue;
     const std::optional<EngineArea> engine =
-        engine_area(search.inputs.table, *row, search.inputs.engine(), search.findings.missing);
+        engine_area(search.inputs.table, *row, search.inputs.engine(), search.findings.missing,
+                    search.inputs.scene.has_fixed_operands());
     if (!engine) continue;
     for (const devices::Resource& resource : devices::bounded_resources) {
       if (search.options().fixed_communication) break;

@@ -329,6 +329,8 @@ TEST(MakeDesign, HasLanesInFixedPoint) {
 TEST(MakeDesign, ReferencesOfIntegersAreExactLanes) {
   Scene scene = fixed_scene();
   scene.operand_formats.assign(scene.graph.inputs().size(), *OperandFormat::parse("uint9"));
+  scene.ranges.assign(scene.graph.inputs().size(), Range{0, 511});
+  scene.grids.assign(scene.graph.inputs().size(), mpq_class(1));
   scene.reduced.fixed_point = FixedPoint{.bits = 5};
   EXPECT_FALSE(design::make_design(scene, nullptr)->exact_reference.has_value());
   scene.system.references = 2;
@@ -337,17 +339,16 @@ TEST(MakeDesign, ReferencesOfIntegersAreExactLanes) {
   EXPECT_TRUE(fixed::is_exact(*design.exact_reference));
   EXPECT_EQ(design.exact_reference->format.bits, 9);
   EXPECT_EQ(reference_group_names(design), std::vector<std::string>{"q9"});
-  scene.reference_structure.initiation_interval = 2;
-  EXPECT_EQ(error_of(scene).to_string(),
-            "squares.toml: reference.initiation_interval: a reference for operands in fixed point "
-            "takes one in "
-            "each cycle: received 2; accepted 1");
-  scene.reference_structure.initiation_interval = 1;
+  scene.reference.format = format_of(17, 8);
+  EXPECT_EQ(error_of(scene).field, "reference.format") << "squares have 18 digits";
+  scene.reference.format = format_of(18, 8);
+  EXPECT_TRUE(design::make_design(scene, nullptr).ok());
   scene.graph = graph_of("sqrt(a)", "b");
   EXPECT_EQ(error_of(scene).to_string(),
             "squares.toml: system.references: a reference for operands in fixed point is an exact "
             "lane: square "
-            "roots are rounded: received sqrt in f or g; accepted the squares of both sides");
+            "roots are rounded: received sqrt in f or g; accepted the squares of both sides, or 0 "
+            "references");
   scene.operand_formats[1] = OperandFormat(format_of(24, 8));
   EXPECT_EQ(error_of(scene).field, "system.references");
 }

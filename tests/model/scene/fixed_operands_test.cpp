@@ -113,6 +113,15 @@ TEST_F(FixedOperandsTest, MistakesNameTheKey) {
             "received \"s9e6\"; accepted \"exact\", \"auto\", or qW such as q13");
 }
 
+TEST_F(FixedOperandsTest, ReferencesAreNotFolded) {
+  EXPECT_EQ(error(orientation, {"reduced.format=q9", "reference.initiation_interval=4"}),
+            "--set: reference.initiation_interval: a reference for operands in fixed point takes a "
+            "comparison in every cycle: received 4; accepted 1");
+  EXPECT_EQ(scene_of(orientation, {"reference.initiation_interval=auto"})
+                .reference_structure.initiation_interval,
+            1);
+}
+
 TEST_F(FixedOperandsTest, WhatCannotBeExactSaysWhy) {
   const std::string root =
       "[comparison]\nname = \"n\"\nf = \"sqrt(a)\"\ng = \"b\"\n[inputs]\n"
