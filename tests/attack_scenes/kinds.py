@@ -300,8 +300,9 @@ def integers(draft):
     prefix = "" if is_signed else "u"
     name = f"{prefix}q{bits - behind - is_signed}.{behind}" if behind else f"{prefix}int{bits}"
     draft.fixed = FixedFormat(name, bits, behind, is_signed)
-    lanes = rng.choice(("exact", "q16", "q24", f"q{rng.randint(2, 12)}"))
-    draft.scene.set("reference", format="s53e11")
+    short = f"q{rng.randint(2, max(2, bits - 1))}"
+    lanes = rng.choice(("exact", "q24", short, short, short))
+    draft.scene.set("reference", format="s53e11", initiation_interval=1)
     draft.scene.sections["reduced"] = {"format": lanes}
     if draft.chance(0.3):
         draft.scene.set("reduced", multipliers=rng.choice(("logic", "memory")))
