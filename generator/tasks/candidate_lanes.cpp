@@ -125,7 +125,7 @@ Result<std::vector<ReferenceChoice>> reference_choices(const scene::Scene& scene
   const bool may_have_none = !is_chain && (open.references || scene.reference_count() == 0);
   std::vector<ReferenceChoice> choices;
   if (may_have_none && !exact.empty()) {
-    ReferenceChoice& none = choices.emplace_back(scene, query);
+    ReferenceChoice& none = choices.emplace_back(ReferenceChoice{scene, query});
     none.scene.system.references = 0;
     none.query.lanes = exact;
     none.settings = {"system.references=0"};
@@ -134,7 +134,7 @@ Result<std::vector<ReferenceChoice>> reference_choices(const scene::Scene& scene
   const bool may_have_some = open.references || scene.reference_count() != 0;
   if (may_have_some && reference.ok()) {
     if (!may_have_none) rounding.merge(exact);
-    ReferenceChoice& some = choices.emplace_back(scene, query);
+    ReferenceChoice& some = choices.emplace_back(ReferenceChoice{scene, query});
     if (open.references) some.scene.system.references.reset();
     some.query.lanes = std::move(rounding);
   }
