@@ -1,8 +1,8 @@
 # mixcmp_library(NAME [COLD] [USES name...] [LINKS target...] SOURCES file...)
 # The library mixcmp_NAME, made of one folder. USES names the libraries of this project whose
 # headers the folder includes; LINKS names what is not ours. COLD: no run spends its time here, so
-# that it is compiled with -Og, which GCC 12 does in three quarters of the time of -O1. A library that
-# MIXCMP_BY_SOURCE lists is made to be compiled again often, one source at a time (tests/mutate).
+# that it is compiled with -Og, which GCC 12 does fastest. A library that MIXCMP_BY_SOURCE lists is
+# made to be compiled again often, one source at a time (tests/mutate).
 set(MIXCMP_BY_SOURCE "" CACHE STRING "Libraries that compile source by source, and fast")
 function(mixcmp_library name)
   cmake_parse_arguments(LIBRARY "COLD" "" "USES;LINKS;SOURCES" ${ARGN})

@@ -108,7 +108,7 @@ GeneratedFile counters_header(const ProjectSpec& spec) {
                    values);
 }
 
-/// What the module's streams take.
+/// The operands that each input stream of the module takes.
 std::vector<PackedRecord> packed_records(const emit::Signature& signature) {
   if (!signature.engine) {
     return {{"operands", "s_axis_tdata", signature.inputs, signature.input_formats,

@@ -18,118 +18,29 @@ namespace {
 using Function = std::string (*)(const std::string& module, const std::string& field, int at,
                                  const OperandFormat& format);
 
+/// The keywords of C and C++, and the lower-case names that their usual headers or compilers
+/// define, each between blanks.
+constexpr std::string_view reserved_words =
+    " alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t"
+    " char32_t char8_t class co_await co_return co_yield compl concept const const_cast"
+    " consteval constexpr constinit continue decltype default delete do double dynamic_cast"
+    " else enum explicit export extern false float for friend goto if inline int long mutable"
+    " namespace new noexcept not not_eq nullptr operator or or_eq private protected public"
+    " register reinterpret_cast requires restrict return short signed sizeof static"
+    " static_assert static_cast struct switch template this thread_local throw true try"
+    " typedef typeid typename typeof typeof_unqual union unsigned using virtual void volatile"
+    " wchar_t while xor xor_eq I errno linux stderr stdin stdout unix far near"
+    " ";
+
 /// Whether a field of this name may be a keyword of C or C++, or a macro or type of their headers.
 bool is_reserved(const std::string& name) {
-  static const std::set<std::string_view> reserved = {"alignas",
-                                                      "alignof",
-                                                      "and",
-                                                      "and_eq",
-                                                      "asm",
-                                                      "auto",
-                                                      "bitand",
-                                                      "bitor",
-                                                      "bool",
-                                                      "break",
-                                                      "case",
-                                                      "catch",
-                                                      "char",
-                                                      "char16_t",
-                                                      "char32_t",
-                                                      "char8_t",
-                                                      "class",
-                                                      "co_await",
-                                                      "co_return",
-                                                      "co_yield",
-                                                      "compl",
-                                                      "concept",
-                                                      "const",
-                                                      "const_cast",
-                                                      "consteval",
-                                                      "constexpr",
-                                                      "constinit",
-                                                      "continue",
-                                                      "decltype",
-                                                      "default",
-                                                      "delete",
-                                                      "do",
-                                                      "double",
-                                                      "dynamic_cast",
-                                                      "else",
-                                                      "enum",
-                                                      "explicit",
-                                                      "export",
-                                                      "extern",
-                                                      "false",
-                                                      "float",
-                                                      "for",
-                                                      "friend",
-                                                      "goto",
-                                                      "if",
-                                                      "inline",
-                                                      "int",
-                                                      "long",
-                                                      "mutable",
-                                                      "namespace",
-                                                      "new",
-                                                      "noexcept",
-                                                      "not",
-                                                      "not_eq",
-                                                      "nullptr",
-                                                      "operator",
-                                                      "or",
-                                                      "or_eq",
-                                                      "private",
-                                                      "protected",
-                                                      "public",
-                                                      "register",
-                                                      "reinterpret_cast",
-                                                      "requires",
-                                                      "restrict",
-                                                      "return",
-                                                      "short",
-                                                      "signed",
-                                                      "sizeof",
-                                                      "static",
-                                                      "static_assert",
-                                                      "static_cast",
-                                                      "struct",
-                                                      "switch",
-                                                      "template",
-                                                      "this",
-                                                      "thread_local",
-                                                      "throw",
-                                                      "true",
-                                                      "try",
-                                                      "typedef",
-                                                      "typeid",
-                                                      "typename",
-                                                      "typeof",
-                                                      "typeof_unqual",
-                                                      "union",
-                                                      "unsigned",
-                                                      "using",
-                                                      "virtual",
-                                                      "void",
-                                                      "volatile",
-                                                      "wchar_t",
-                                                      "while",
-                                                      "xor",
-                                                      "xor_eq",
-                                                      "I",
-                                                      "errno",
-                                                      "linux",
-                                                      "stderr",
-                                                      "stdin",
-                                                      "stdout",
-                                                      "unix",
-                                                      "far",
-                                                      "near"};
   const bool is_macro = name.size() > 1 && std::none_of(name.begin(), name.end(), [](char letter) {
                           return 'a' <= letter && letter <= 'z';
                         });
-  const bool is_internal = name.size() > 1 && name[0] == '_' && (name[1] == '_' || is_macro);
-  const bool is_keyword = name.size() > 1 && name[0] == '_' && 'A' <= name[1] && name[1] <= 'Z';
-  return is_macro || is_internal || is_keyword || name.ends_with("_t") || reserved.contains(name);
+  const bool is_internal =
+      name.size() > 1 && name[0] == '_' && (name[1] == '_' || ('A' <= name[1] && name[1] <= 'Z'));
+  return is_macro || is_internal || name.ends_with("_t") ||
+         reserved_words.find(" " + name + " ") != std::string_view::npos;
 }
 
 /// The names of the operands' fields: with `_` behind those that are reserved, or that would be
@@ -158,13 +69,12 @@ std::string c_type(const OperandFormat& format) {
   return fixed->is_signed ? "int64_t" : "uint64_t";
 }
 
-/// A power of two as a constant of C's double.
+/// A power of two, at least 1, as a constant of C's double.
 std::string c_power(int exponent) {
-  return exponent >= 0 ? fmt::format("{:.1f}", std::ldexp(1.0, exponent))
-                       : fmt::format("(1 / {:.1f})", std::ldexp(1.0, -exponent));
+  return fmt::format("{:.1f}", std::ldexp(1.0, exponent));
 }
 
-/// A number with digits behind the point, in units of its format.
+/// The expression in C for a number with digits behind the point, in units of its format.
 std::string c_steps(const std::string& value, const FixedFormat& format) {
   return fmt::format("{} * {}", value, c_power(-format.unit_exponent));
 }

@@ -434,6 +434,11 @@ Result<ReferenceDatapath> reference_datapath(const scene::Scene& scene) {
   return ReferenceDatapath(std::move(lane));
 }
 
+bool Design::has_fixed_operands() const {
+  return std::any_of(operand_formats.begin(), operand_formats.end(),
+                     [](const OperandFormat& format) { return format.fixed() != nullptr; });
+}
+
 ReferenceDatapath Design::reference_datapath() const {
   if (exact_reference) return *exact_reference;
   return reference;

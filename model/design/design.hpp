@@ -26,7 +26,7 @@ struct ReferenceGroup {
   int count = 1;
 };
 
-/// What a reference computes: the comparison in the reference format or, if operands arrive in
+/// The datapath of a reference: the comparison in the reference format or, if operands arrive in
 /// fixed point, the exact lane of the fewest bits. Both have the same verdicts.
 using ReferenceDatapath = std::variant<TypedGraph, fixed::FixedLane>;
 
@@ -55,6 +55,7 @@ struct Design {
   /// The datapath of references if operands arrive in fixed point.
   std::optional<fixed::FixedLane> exact_reference = {};
 
+  bool has_fixed_operands() const;  ///< whether any operand arrives in fixed point
   ReferenceDatapath reference_datapath() const;
   /// The same, with an entry for each input.
   std::vector<OperandFormat> formats_of_inputs() const;

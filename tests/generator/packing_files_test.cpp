@@ -22,7 +22,7 @@ namespace {
 
 using project::PackedRecord;
 
-/// Formats on both sides of what a word of 64 bits, and a double, hold.
+/// Formats on both sides of 64 bits and of double.
 const std::vector<std::string> float_names = {"s53e11",  "s24e8",  "s11e5", "s8e8",   "s3e5",
                                               "s2e2",    "s53e8",  "s17e8", "s52e11", "s54e11",
                                               "s60e8",   "s63e15", "s64e4", "s65e9",  "s66e3",
@@ -41,7 +41,7 @@ PackedRecord record_of(const std::vector<std::string>& names) {
   return record;
 }
 
-/// What a program reads as one operand, and the word that it must make of it.
+/// A number as a program reads it, and the word that it must make of it.
 struct Sample {
   std::string text;
   Bits word;
@@ -76,7 +76,7 @@ private:
     mpz_class steps = format.smallest() + mpz_class(std::to_string(bits(format.width)));
     if (bits(3) == 0) steps = bits(1) == 0 ? format.smallest() : format.largest();
     if (bits(3) == 0 && format.smallest() < 0) steps = -1;
-    // What a double with digits behind the point cannot tell is no sample.
+    // Numbers with digits behind the point are multiples of 2^11 units, which a double holds.
     if (format.unit_exponent != 0) steps = mpz_class(std::trunc(steps.get_d() / 2048)) * 2048;
     if (steps < format.smallest() || steps > format.largest()) steps = format.smallest();
     Bits word = 0;
@@ -138,7 +138,7 @@ std::string hexadecimal(const PackedRecord& record, const std::vector<Bits>& wor
   return text;
 }
 
-/// What a program writes for a word: the number that it stands for, an integer in decimal digits,
+/// The number of a word as a program writes it: an integer in decimal digits,
 /// else as %a writes it.
 std::string number_of(const OperandFormat& format, Bits word) {
   if (const FloatFormat* const floating = format.floating()) {

@@ -66,8 +66,7 @@ CommandLine command_of(const std::string& verb, const SceneOptions& options,
 }
 
 /// The keys that make lanes of this kind; an empty value: the key keeps its default.
-/// `references`: how many the system has.
-std::map<std::string, std::string> keys_for(const LaneEstimate& lane, int references) {
+std::map<std::string, std::string> keys_for(const LaneEstimate& lane, const scene::Scene& scene) {
   const scene::ReducedSpec reduced = scene::with_bound({}, lane.key.bound);
   const bool digits = lane.key.bound.kind == BoundKind::running && !lane.key.bound.is_fixed_point();
   return {
@@ -78,7 +77,8 @@ std::map<std::string, std::string> keys_for(const LaneEstimate& lane, int refere
       {"reduced.bound_digits", digits ? std::to_string(reduced.bound_digits) : ""},
       {"reduced.multipliers", std::string(to_string(lane.key.multipliers))},
       {"system.lanes", "4"},
-      {"system.references", std::to_string(references)}};
+      // For operands in fixed point the default follows from the lane.
+      {"system.references", scene.has_fixed_operands() ? "" : "1"}};
 }
 
 /// The command that verifies a small system of such lanes; empty where the scene itself says of
@@ -89,7 +89,7 @@ std::string verify_command(const LaneEstimate& lane, const SceneOptions& options
   const bool fixed_system = !scene.lanes.empty() || !scene.references.empty() ||
                             scene.system.engine.kind == scene::EngineKind::arg_min;
   if (fixed_system) return "";
-  CommandLine line = command_of("verify", options, keys_for(lane, 1));
+  CommandLine line = command_of("verify", options, keys_for(lane, scene));
   constexpr std::uint64_t enough = 100'000;
   const bool selects =
       scene.system.engine.kind == scene::EngineKind::none && loaded.data->size() > enough;

@@ -35,6 +35,7 @@ public:
   }
 
   Combination combination() const { return lane_.graph.combination; }
+  Decides decides() const { return Decides::sometimes; }
 
   DecisionUnit decision(std::size_t part) {
     const auto unit = [&](const auto& criterion) { return decision(part, criterion); };
@@ -102,7 +103,7 @@ private:
 class FixedParts {
 public:
   FixedParts(DatapathBuilder& datapath, const FixedLane& lane, const datapath::Schedule& schedule,
-             Decides decides = Decides::sometimes)
+             Decides decides)
       : datapath_(datapath),
         lane_(lane),
         schedule_(schedule),
@@ -112,6 +113,7 @@ public:
   void build_nodes() { nodes_.build(); }
 
   Combination combination() const { return lane_.combination; }
+  Decides decides() const { return decides_; }
 
   DecisionUnit decision(std::size_t part) {
     const auto unit = [&](const auto& thresholds) { return decision(part, thresholds); };
@@ -203,6 +205,7 @@ private:
     operands.insert(operands.begin(),
                     {"difference", nodes_.signed_value(difference, start_of(part))});
     operands.push_back({"out_of_range", out_of_range});
+    // The unit has this output even if the lane is exact.
     if (decides_ == Decides::always) operands.push_back({"decided", net(unused_bit())});
     return {std::move(what), std::move(parameters), std::move(operands)};
   }
@@ -228,13 +231,12 @@ private:
 };
 
 template <class Parts>
-void build_lane(DatapathBuilder& datapath, Parts lane, const datapath::Schedule& schedule,
-                Decides decides = Decides::sometimes) {
+void build_lane(DatapathBuilder& datapath, Parts lane, const datapath::Schedule& schedule) {
   lane.build_nodes();
   std::vector<PartDecision> parts;
   for (std::size_t part = 0; part < schedule.parts.size(); ++part) {
     parts.push_back(build_decision(datapath, schedule.parts[part].decision, part,
-                                   schedule.parts.size(), decides, lane.decision(part)));
+                                   schedule.parts.size(), lane.decides(), lane.decision(part)));
   }
   build_combination(datapath, lane.combination(), parts, schedule.combination);
 }
@@ -269,7 +271,9 @@ Module lane_module(std::string name, const std::vector<InputPort>& ports, const 
                        build_lane(datapath, FloatParts(datapath, made, schedule), schedule);
                      },
                      [&](const FixedLane& made) {
-                       build_lane(datapath, FixedParts(datapath, made, schedule), schedule);
+                       build_lane(datapath,
+                                  FixedParts(datapath, made, schedule, Decides::sometimes),
+                                  schedule);
                      }},
                lane);
   });
@@ -277,12 +281,11 @@ Module lane_module(std::string name, const std::vector<InputPort>& ports, const 
 
 Module exact_lane_module(std::string name, const std::vector<std::string>& inputs,
                          const FixedLane& lane, const datapath::Schedule& schedule) {
-  return datapath_module(std::move(name), operand_ports(inputs, lane),
-                         {{Direction::output, 2, "verdict"}}, [&](DatapathBuilder& datapath) {
-                           build_lane(datapath,
-                                      FixedParts(datapath, lane, schedule, Decides::always),
-                                      schedule, Decides::always);
-                         });
+  return datapath_module(
+      std::move(name), operand_ports(inputs, lane), {{Direction::output, 2, "verdict"}},
+      [&](DatapathBuilder& datapath) {
+        build_lane(datapath, FixedParts(datapath, lane, schedule, Decides::always), schedule);
+      });
 }
 
 }  // namespace mixcmp::rtl

@@ -26,8 +26,7 @@ struct EngineArea {
 /// arrive, in fixed point. If it lacks the engine itself, there is no area.
 std::optional<EngineArea> engine_area(const measured::Characterisation& table,
                                       const measured::Measurement& row, scene::EngineKind kind,
-                                      std::set<std::string>& missing,
-                                      bool arrives_in_fixed_point = false);
+                                      std::set<std::string>& missing, bool arrives_in_fixed_point);
 
 /// A reference's share of an arg-min engine's operand memory: its register, and its part of the
 /// tree of arbiters, by the smallest and the largest memory of the table. Zero for other engines.

@@ -125,9 +125,8 @@ std::optional<Amounts> measured_engine(const design::Design& design,
     const measured::Measurement* segment = row_of(table, design, group);
     if (segment == nullptr) return std::nullopt;
     std::set<std::string> missing;
-    const std::optional<EngineArea> engine = engine_area(
-        table, *segment, design.system.engine.kind, missing,
-        design.operand_formats.empty() || design.operand_formats.front().fixed() != nullptr);
+    const std::optional<EngineArea> engine = engine_area(table, *segment, design.system.engine.kind,
+                                                         missing, design.has_fixed_operands());
     if (!engine) return std::nullopt;
     const int lanes_each = design.system.engine.lanes_per_segment();
     const int groups = (group.count + lanes_each - 1) / lanes_each;

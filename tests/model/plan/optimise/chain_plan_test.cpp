@@ -199,7 +199,7 @@ TEST_F(ChainPlan, TakesWhatTheLargerEngineTakesHoweverLittleTheSmallerDoes) {
   }
   std::set<std::string> missing;
   const auto area =
-      optimise::engine_area(table_, segment, scene::EngineKind::arg_min, missing).value();
+      optimise::engine_area(table_, segment, scene::EngineKind::arg_min, missing, false).value();
   EXPECT_GE(area.own.luts, 0);
   EXPECT_EQ(area.own.luts + lanes * (area.group.luts - segment.area.luts),
             engine_luts + 9 * stage_luts);
