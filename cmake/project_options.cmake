@@ -2,7 +2,8 @@
 # debug) and in CI, not for users, whose compilers we do not know.
 add_library(mixcmp_options INTERFACE)
 target_compile_options(mixcmp_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-                                                -Wno-sign-conversion -Wnon-virtual-dtor)
+                                                -Wno-sign-conversion -Wnon-virtual-dtor
+                                                -Wredundant-decls)
 # Options are aggregates with defaults, set by name: a missing one is meant.
 target_compile_options(mixcmp_options INTERFACE -Wno-missing-field-initializers)
 # g++ 12 sees overlaps in concatenated strings that are not there (GCC bug 105329).

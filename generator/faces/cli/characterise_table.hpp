@@ -42,9 +42,6 @@ void check_place(const std::filesystem::path& table, std::vector<std::filesystem
 /// Whether a table of this report is not written.
 bool nothing_measured(const components::CharacteriseReport& report);
 
-/// Shows how many jobs are finished, and about how long the others take.
-void tell_progress(int finished, int jobs, double seconds);
-
 /// Tells which components failed, and how an interrupted run goes on; ends the program if there is
 /// anything to tell.
 void end_if_unfinished(const components::CharacteriseReport& report);
