@@ -37,11 +37,11 @@ template_stride() {
   fi
 }
 
-# tuple_stride HEAVY: for tests of lanes on every tuple of operands, of every how many one runs. All after
-# a change of the analysis or of a judge, else a quarter.
+# tuple_stride HEAVY: for tests of lanes and operations on every tuple of operands, of every how many one
+# runs. All after a change of the analysis or of a judge, else a quarter.
 tuple_stride() {
-  if [ "$1" = ON ] || changed_lately model/lane model/judge/golden model/base/number \
-    model/comparison/expression tests/model/lane tests/support; then
+  if [ "$1" = ON ] || changed_lately model/lane model/judge/golden model/judge/emulator \
+    model/base/number model/comparison/expression tests/model/lane tests/support; then
     echo 1
   else
     echo 4

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "model/base/common/cases.hpp"
 #include "model/base/common/command_line.hpp"
 #include "model/base/number/double.hpp"
 #include "model/base/number/dyadic.hpp"
@@ -432,6 +433,23 @@ Result<ReferenceDatapath> reference_datapath(const scene::Scene& scene) {
   }
   MIXCMP_TRY(lane, design_exact_reference(scene));
   return ReferenceDatapath(std::move(lane));
+}
+
+LaneFormat datapath_format(const ReferenceDatapath& reference) {
+  return std::visit(Cases{[](const TypedGraph& graph) {
+                            return LaneFormat{.floating = graph.arithmetic.format,
+                                              .fixed_point = {}};
+                          },
+                          [](const fixed::FixedLane& lane) {
+                            return LaneFormat{.floating = {}, .fixed_point = lane.format};
+                          }},
+                    reference);
+}
+
+LaneFormat datapath_format(const scene::Scene& scene) {
+  const Result<ReferenceDatapath> datapath = reference_datapath(scene);
+  if (datapath.ok()) return datapath_format(*datapath);
+  return {.floating = scene.reference.format, .fixed_point = {}};
 }
 
 bool Design::has_fixed_operands() const {

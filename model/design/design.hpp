@@ -34,6 +34,11 @@ using ReferenceDatapath = std::variant<TypedGraph, fixed::FixedLane>;
 /// lane is exact.
 Result<ReferenceDatapath> reference_datapath(const scene::Scene& scene);
 
+/// The format in which references compute: "s53e8", or of an exact lane "q9". Of a scene without a
+/// datapath for references it is reference.format.
+LaneFormat datapath_format(const scene::Scene& scene);
+LaneFormat datapath_format(const ReferenceDatapath& reference);
+
 /// A scene with every choice made. The generator builds it, and the golden model evaluates it.
 /// Lanes and references are numbered consecutively across their groups.
 struct Design {
@@ -106,12 +111,13 @@ std::vector<std::string> reference_group_names(const Design& design);
 /// "s53e11" or, of an exact lane, "q9".
 std::string format_name(const ReferenceDatapath& reference);
 
-/// A lane of a design by the name of its group; "second_tier_q13" is a lane of the second tier.
+/// A lane of a design by the name of its group; "second_tier_q13" is a lane of the second tier,
+/// "reference_q9" an exact lane that is the reference.
 struct NamedLane {
   std::string name;
-  const Lane* lane;
+  Lane lane;
 };
-/// One for each group of lanes, then the second tier's, if there is one.
+/// One for each group of lanes, then the second tier's and the exact reference, where there is one.
 std::vector<NamedLane> named_lanes(const Design& design);
 
 }  // namespace mixcmp::design

@@ -104,9 +104,7 @@ std::vector<std::string> lane_group_names(const Design& design) {
 }
 
 std::string format_name(const ReferenceDatapath& reference) {
-  return std::visit(Cases{[](const TypedGraph& graph) { return graph.arithmetic.format.name(); },
-                          [](const fixed::FixedLane& lane) { return lane.format.name(); }},
-                    reference);
+  return datapath_format(reference).name();
 }
 
 std::vector<std::string> reference_group_names(const Design& design) {
@@ -122,8 +120,7 @@ std::vector<std::string> reference_group_names(const Design& design) {
   std::vector<std::string> names;
   for (const ReferenceGroup& group : groups) {
     std::string& name = names.emplace_back(format_name(design.reference_datapath()));
-    const bool is_fused = design.reference.arithmetic.sums == Sums::fused;
-    if (is_fused && !design.exact_reference) name += "_fused";
+    if (design.reference.arithmetic.sums == Sums::fused) name += "_fused";
     const auto& [multipliers, interval, target_mhz] = group.structure;
     if (!same_multipliers) name += fmt::format("_{}", to_string(multipliers));
     if (interval > 1) name += fmt::format("_ii{}", interval);
@@ -135,10 +132,14 @@ std::vector<std::string> reference_group_names(const Design& design) {
 std::vector<NamedLane> named_lanes(const Design& design) {
   std::vector<NamedLane> lanes;
   const std::vector<std::string> names = lane_group_names(design);
-  for (std::size_t k = 0; k < names.size(); ++k) lanes.push_back({names[k], &design.lanes[k].lane});
+  for (std::size_t k = 0; k < names.size(); ++k) lanes.push_back({names[k], design.lanes[k].lane});
   if (design.second_tier) {
     const Lane& lane = design.second_tier->lane;
-    lanes.push_back({"second_tier_" + format_name(lane), &lane});
+    lanes.push_back({"second_tier_" + format_name(lane), lane});
+  }
+  if (design.exact_reference) {
+    const Lane lane = *design.exact_reference;
+    lanes.push_back({"reference_" + format_name(lane), lane});
   }
   return lanes;
 }

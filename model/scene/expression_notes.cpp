@@ -74,6 +74,8 @@ bool is_one_cost(const Graph& graph, const Sides& part) {
   return image[static_cast<std::size_t>(part.f)] == part.g;
 }
 
+constexpr std::size_t most_characters = 60;  ///< of an operation in a note
+
 /// The first of these operations in f or g that `is_meant`, and its place; none without one.
 template <class IsMeant>
 std::optional<std::pair<NodeId, std::string>> first_of(const Graph& graph, Operation operation,
@@ -105,7 +107,6 @@ std::string why_no_lane(const Graph& graph, FloatFormat reference,
 
 std::optional<std::string> fixed_point_note(const Graph& graph, FloatFormat reference,
                                             const std::vector<std::optional<Range>>& ranges) {
-  constexpr std::size_t most_characters = 60;
   constexpr auto none = "no lane in fixed point can be planned: ";
   const auto quotient = first_of(graph, Operation::divide,
                                  [&](NodeId id) { return !fixed::has_quotient(graph, id); });
@@ -124,6 +125,18 @@ std::optional<std::string> fixed_point_note(const Graph& graph, FloatFormat refe
   const bool has_block = why({.bits = most_bits, .is_block = true}).empty();
   if (fixed.empty() || has_block) return std::nullopt;
   return none + fixed;
+}
+
+std::optional<std::string> divider_note(const Graph& graph) {
+  const auto quotient =
+      first_of(graph, Operation::divide, [&](NodeId id) { return fixed::has_quotient(graph, id); });
+  if (!quotient) return std::nullopt;
+  const NodeId divisor = graph.nodes()[static_cast<std::size_t>(quotient->first)].operands[1];
+  return fmt::format(
+      "references have a divider for {} in {}; lanes multiply by the rounded reciprocal, and so do "
+      "references of a product with (1 / {})",
+      to_text(graph, quotient->first, most_characters), quotient->second,
+      to_text(graph, divisor, most_characters));
 }
 
 std::vector<std::string> pairing_notes(const Graph& graph, data::Pairing pairing) {

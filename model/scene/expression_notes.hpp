@@ -21,4 +21,8 @@ std::vector<std::string> pairing_notes(const Graph& graph, data::Pairing pairing
 std::optional<std::string> fixed_point_note(const Graph& graph, FloatFormat reference,
                                             const std::vector<std::optional<Range>>& ranges);
 
+/// Tells of the first division by a constant that is no power of two: references have a divider for
+/// it. None without one.
+std::optional<std::string> divider_note(const Graph& graph);
+
 }  // namespace mixcmp::scene

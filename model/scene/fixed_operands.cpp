@@ -51,15 +51,20 @@ Result<Done> check_lanes(const settings::Settings& settings, const Scene& scene)
   return Done{};
 }
 
-/// Refuses folded references.
-Result<Done> check_intervals(const settings::Settings& settings, const Scene& scene) {
+/// Refuses folded references and fused sums.
+Result<Done> check_references(const settings::Settings& settings, const Scene& scene) {
+  const settings::Section section(settings, "reference");
+  if (scene.reference.sums == Sums::fused) {
+    return section.mistake("sums", "a reference for operands in fixed point rounds no sum",
+                           "\"fused\"", "\"composed\"");
+  }
   for (const ReferenceGroupSpec& group : scene.reference_groups()) {
     const int interval = group.structure.initiation_interval.value_or(1);
     if (interval == 1) continue;
-    return settings::Section(settings, "reference")
-        .mistake("initiation_interval",
-                 "a reference for operands in fixed point takes a comparison in every cycle",
-                 fmt::format("{}", interval), "1");
+    return section.mistake(
+        "initiation_interval",
+        "a reference for operands in fixed point takes a comparison in every cycle",
+        fmt::format("{}", interval), "1");
   }
   return Done{};
 }
@@ -90,7 +95,7 @@ Result<Done> check_fixed_operands(const settings::Settings& settings, const Scen
   if (!scene.has_fixed_operands()) return Done{};
   MIXCMP_DO(check_reference_format(settings, scene));
   MIXCMP_DO(check_lanes(settings, scene));
-  MIXCMP_DO(check_intervals(settings, scene));
+  MIXCMP_DO(check_references(settings, scene));
   if (scene.system.engine.kind == EngineKind::none) return Done{};
   return check_columns(settings, scene);
 }

@@ -1,8 +1,10 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "tests/support/program.hpp"
 
@@ -62,6 +64,102 @@ TEST_F(NewCommand, RowsAreComparisonsWhereInputsAreColumns) {
   EXPECT_EQ(read("rows.toml").find("\npairs = "), std::string::npos);
   EXPECT_NE(read("rows.toml").find("here 100.\n"), std::string::npos) << "the ECP5's";
   checked("rows.toml");
+}
+
+/// A .npy file of two-dimensional rows in C order, whose numbers are these bytes.
+std::string npy(const std::string& type, int rows, int columns, const std::string& numbers) {
+  const std::string header = fmt::format(
+      "{{'descr': '{}', 'fortran_order': False, 'shape': ({}, {})}}\n", type, rows, columns);
+  return std::string("\x93NUMPY\x01\x00", 8) + static_cast<char>(header.size()) + '\0' + header +
+         numbers;
+}
+
+/// The same of integers of 8 bytes.
+std::string npy_of_int64(const std::vector<std::int64_t>& row) {
+  std::string numbers(8 * row.size(), '\0');
+  std::memcpy(numbers.data(), row.data(), numbers.size());
+  return npy("<i8", 1, static_cast<int>(row.size()), numbers);
+}
+
+const std::string three_columns = " --column x=0 --column y=1 --column z=2";
+
+TEST_F(NewCommand, OperandsArriveAsTheIntegersOfTheFile) {
+  write("bytes.npy", npy("|i1", 2, 3, "\x01\x02\xfd\x04\x80\x7f"));
+  const std::string data = " --data bytes.npy" + three_columns;
+  ASSERT_EQ(mixcmp("new whole --f 'x * y' --g z" + data).exit_code, 0);
+  const std::string text = read("whole.toml");
+  EXPECT_NE(text.find("y = { format = \"int8\" }          # now -128 to 2\n"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("[reference]\nformat = \"exact\"\n"), std::string::npos) << text;
+  const Outcome checked = mixcmp("check whole.toml");
+  EXPECT_NE(checked.output.find("in hardware an exact lane in q7"), std::string::npos)
+      << checked.output;
+
+  const Outcome floats = mixcmp("new floats --reference s53e8 --f 'x * y' --g z" + data);
+  EXPECT_EQ(floats.output.find("note"), std::string::npos) << "the user has said so";
+  EXPECT_NE(read("floats.toml").find("x = { range = \"data\" }"), std::string::npos);
+}
+
+TEST_F(NewCommand, WhatTakesNoIntegersIsTold) {
+  write("bytes.npy", npy("|i1", 2, 3, "\x01\x02\xfd\x04\x80\x7f"));
+  write("singles.npy", npy("<f4", 1, 1, std::string("\0\0\x80\x3f", 4)));
+  const Outcome quotient = mixcmp("new ratio --f 'x / y' --g z --data bytes.npy" + three_columns);
+  ASSERT_EQ(quotient.exit_code, 0) << quotient.output;
+  EXPECT_NE(quotient.output.find("note: the data have integers, but operands arrive in s53e8: "),
+            std::string::npos)
+      << quotient.output;
+  checked("ratio.toml");
+  const Outcome both = mixcmp(
+      "new both --f xi --g yj --data bytes.npy --with singles.npy --column x=0 "
+      "--with-column y=0");
+  EXPECT_NE(both.output.find("not all columns have integers: received int8 beside floats"),
+            std::string::npos)
+      << both.output;
+  expect_refused("new half --reference exact --f x --g r --data points.csv",
+                 "--reference: reference.format: exact references need operands in fixed point");
+}
+
+/// NumPy's integers have 64 bits, of which few are needed.
+TEST_F(NewCommand, IntegersTooWideForAnExactLaneAreThoseThatTheDataNeed) {
+  write("wide.npy", npy_of_int64({5, -900, 7}));
+  ASSERT_EQ(mixcmp("new wide --f 'x - y' --g z --data wide.npy" + three_columns).exit_code, 0);
+  EXPECT_NE(read("wide.toml").find("y = { format = \"int11\" }         # now -900 to -900\n"),
+            std::string::npos)
+      << read("wide.toml");
+  write("widest.npy", npy_of_int64({5, (std::int64_t{1} << 60) + 1, 7}));
+  const Outcome widest = mixcmp("new widest --f 'x - y' --g z --data widest.npy" + three_columns);
+  ASSERT_EQ(widest.exit_code, 0) << widest.output;
+  EXPECT_NE(widest.output.find("operands arrive in s53e8"), std::string::npos) << widest.output;
+}
+
+TEST_F(NewCommand, NumbersInSinglePrecisionMakeTheReferenceOne) {
+  const auto reference = [&](const std::string& type, const std::string& numbers,
+                             const std::string& options = "") {
+    write("numbers.npy", npy(type, 1, 2, numbers));
+    fs::remove(path("scene_of_numbers.toml"));
+    const Outcome run = mixcmp(
+        "new scene_of_numbers --f x --g y --data numbers.npy --column x=0 "
+        "--column y=1 " +
+        options);
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    return checked("scene_of_numbers.toml").at("datapaths").at("reference").at("format");
+  };
+  EXPECT_EQ(reference("<f4", std::string("\0\0\x80\x3f\0\0\0\x40", 8)), "s24e8");
+  EXPECT_EQ(reference("<f4", std::string("\0\0\x80\x3f\0\0\0\x40", 8), "--reference s53e11"),
+            "s53e11");
+  EXPECT_EQ(reference("<f2", std::string("\0\x3c\0\x40", 4)), "s24e8");
+  EXPECT_EQ(reference("<f8", std::string("\0\0\0\0\0\0\xf0\x3f\0\0\0\0\0\0\0\x40", 16)), "s53e8");
+}
+
+TEST_F(NewCommand, WholeNumbersInTextLeaveTheChoice) {
+  const std::string command = " --f '(x - y)^2' --g d --data others.csv";
+  ASSERT_EQ(mixcmp("new whole" + command).exit_code, 0);
+  EXPECT_NE(read("whole.toml").find("# \"*\" = { format = \"uint3\" }\n"), std::string::npos);
+  ASSERT_EQ(mixcmp("new integers --reference exact" + command).exit_code, 0);
+  EXPECT_NE(read("integers.toml").find("\nx = { format = \"uint3\" }"), std::string::npos);
+  checked("integers.toml");
+  ASSERT_EQ(mixcmp("new halves --f '(x - y)^2' --g r --data points.csv").exit_code, 0);
+  EXPECT_EQ(read("halves.toml").find("are whole"), std::string::npos);
 }
 
 TEST_F(NewCommand, ASecondFileAndColumnsOfOtherNamesAreTakenOver) {

@@ -63,6 +63,8 @@ TEST_F(IntegerEngines, AnArgMinEngineHasAReference) {
     const optimise::Allocation& plan = *system.found.best()->allocation();
     EXPECT_EQ(plan.lane_count(), 7) << system.interface;
     EXPECT_GE(plan.reference_count(), 1) << system.interface;
+    EXPECT_EQ(system.found.best()->problem.references.front().name.substr(0, 2), "q8")
+        << "the exact lane";
   }
 }
 

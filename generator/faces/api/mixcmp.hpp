@@ -116,7 +116,7 @@ public:
   const std::vector<std::string>& inputs() const;
   std::string f() const;  ///< as written, on one line; several parts are separated by "; "
   std::string g() const;
-  std::string reference_format() const;  ///< "s53e8"
+  std::string reference_format() const;  ///< "s53e8"; of integers, that of the model
   std::string reduced_format() const;    ///< "s17e8", "q13", "block13" or "auto"
   /// Remarks for the user, such as on constants that the reference format rounds.
   const std::vector<std::string>& notes() const;

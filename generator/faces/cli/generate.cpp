@@ -173,8 +173,8 @@ std::vector<GroupProof> prove_groups(const std::filesystem::path& scene,
                                      const design::Design& design) {
   std::vector<GroupProof> proofs;
   for (const design::NamedLane& named : named_lanes(design)) {
-    const design::Lane& lane = *named.lane;
-    if (design::is_certified(lane)) proofs.push_back({named.name, prove_quickly(scene, lane)});
+    if (!design::is_certified(named.lane)) continue;
+    proofs.push_back({named.name, prove_quickly(scene, named.lane)});
   }
   return proofs;
 }

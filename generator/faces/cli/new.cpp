@@ -275,6 +275,10 @@ void run(NewCommand& command) {
                                  ? load_with_data_asked_for(command)
                                  : value_or_exit(load_or_ask(command, scene));
   value_or_exit(write_new_file(scene.path, scene_text(scene, loaded)));
+  if (const std::optional<Error> reason = why_not_integers(scene, loaded)) {
+    tell_note("the data have integers, but operands arrive in " +
+              loaded.scene.reference.format.name() + ": " + reason->to_string());
+  }
   print(command.json ? report::json_text(to_json(scene, loaded)) : to_text(scene, loaded));
 }
 
@@ -299,8 +303,10 @@ void add_options(const Verb& verb, NewCommand& command) {
   verb.option("--with-column", command.with_columns, "likewise, a column of --with")
       .one_value_each()
       .needs(with);
-  verb.option("--reference", scene.reference,
-              "format of the operands and of what decides close comparisons (default: s53e8)");
+  verb.option(
+      "--reference", scene.reference,
+      "format of the operands and of what decides close comparisons (default: as the data suggest: "
+      "exact for integers and s24e8 for single precision in .npy, otherwise s53e8)");
   verb.option("--device", scene.device,
               "the device to fill (default: " + scene::SystemSpec().device + ")");
   verb.option("-o,--output", command.output, "the file, which must not exist (default: NAME.toml)");
@@ -312,7 +318,6 @@ void add_options(const Verb& verb, NewCommand& command) {
 void add_new(CLI::App& app) {
   const Verb verb(app, "new", "write a scene file from f, g and data; asks for what is missing");
   auto command = std::make_shared<NewCommand>();
-  command->scene.reference = "s53e8";
   command->scene.device = scene::SystemSpec().device;
   add_options(verb, *command);
   verb.when_chosen([command] { run(*command); });

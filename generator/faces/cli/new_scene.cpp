@@ -5,11 +5,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <limits>
 #include <map>
+#include <optional>
 
-#include "model/base/number/double.hpp"
+#include "generator/faces/cli/new_formats.hpp"
 #include "model/base/settings/settings.hpp"
 #include "model/cost/devices/device.hpp"
 #include "model/judge/workload/load_comparisons.hpp"
@@ -61,12 +60,15 @@ void put(Setting::Table& root, const std::string& section, const std::string& ke
   table.entries.push_back({.key = key, .value = table_of(columns)});
 }
 
-settings::Settings settings_of(const NewScene& scene) {
+settings::Settings settings_of(const NewScene& scene, const NewFormats& formats) {
   settings::Settings all{.path = scene.path, .root = {}};
   put(all.root, "comparison", "name", scene.name);
   put(all.root, "comparison", "f", scene.f);
   put(all.root, "comparison", "g", scene.g);
-  put(all.root, "reference", "format", scene.reference);
+  put(all.root, "reference", "format", formats.reference);
+  for (const auto& [input, format] : formats.operands) {
+    put(all.root, "inputs", input, {{"format", format}});
+  }
   put(all.root, "system", "device", scene.device);
   if (scene.file.empty()) return all;
   put(all.root, "data", "file", scene.file);
@@ -77,6 +79,47 @@ settings::Settings settings_of(const NewScene& scene) {
   put(all.root, "data", "columns", scene.columns);
   put(all.root, "data", "with_columns", scene.with_columns);
   return all;
+}
+
+Result<LoadedScene> load_from(settings::Settings all) {
+  const std::filesystem::path path = all.path;
+  MIXCMP_TRY(scene, scene::interpret({.settings = std::move(all), .plan = {}, .files = {path}}));
+  LoadedScene loaded{std::move(scene), std::nullopt};
+  if (!loaded.scene.data) return loaded;
+  MIXCMP_TRY(data, workload::load_comparisons(loaded.scene));
+  loaded.data = std::move(data);
+  return loaded;
+}
+
+/// The formats of operands in floating point. Where the user asks for exact references, the data
+/// must be seen first.
+NewFormats plain_formats(const NewScene& scene) {
+  const bool is_open = scene.reference.empty() || scene.reference == "exact";
+  return {.reference = is_open ? "s53e8" : scene.reference};
+}
+
+/// Whether operands are to arrive as integers, since the user or the type of the data says so.
+bool wants_integers(const NewScene& scene, const LoadedScene& loaded) {
+  if (!scene.reference.empty()) return scene.reference == "exact";
+  return are_integers(types_of_data(loaded));
+}
+
+/// The scene with integers as operands; else why its systems cannot have the first choice of these.
+Result<LoadedScene> with_integers(const NewScene& scene, const LoadedScene& loaded) {
+  Error reason{.field = "reference.format",
+               .message = "exact references need operands in fixed point",
+               .received = loaded.data ? "data whose numbers are not all whole" : "no data",
+               .accepted = "data whose numbers are all whole"};
+  bool is_first = true;
+  for (const NewFormats& formats : integer_formats(loaded)) {
+    Result<LoadedScene> tried = load_from(settings_of(scene, formats));
+    const Result<Done> possible =
+        tried.ok() ? check_integers(tried->scene) : Result<Done>(tried.error());
+    if (possible.ok()) return tried;
+    if (is_first) reason = possible.error();
+    is_first = false;
+  }
+  return reason;
 }
 
 /// The error with the option of `mixcmp new` in the place of a key that it has set.
@@ -94,34 +137,46 @@ Error with_option(Error error) {
   return error;
 }
 
-/// The range of an input's finite numbers in the data.
-struct Numbers {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-
-  bool any() const { return low <= high; }
-};
-
-Numbers numbers_of(const data::Comparisons& data, std::size_t input) {
-  const data::Comparisons::Source& source = data.sources()[input];
-  const data::Table& table = data.tables()[source.table];
-  Numbers numbers;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const double value = to_double(table.format, table.at(row, source.column));
-    if (!std::isfinite(value)) continue;
-    numbers.low = std::min(numbers.low, value);
-    numbers.high = std::max(numbers.high, value);
-  }
-  return numbers;
-}
-
-std::string range_line(const std::string& key, const Numbers& numbers) {
-  if (!numbers.any()) return fmt::format("# {}: the data have no finite number for it\n", key);
-  const std::string entry = fmt::format("{} = {{ range = \"data\" }}", key);
+/// An input's line, with its numbers in a comment.
+std::string input_line(const std::string& input, const std::string& promise,
+                       const Numbers& numbers) {
+  if (!numbers.any()) return fmt::format("# {}: the data have no finite number for it\n", input);
+  const std::string entry = fmt::format("{} = {{ {} }}", input, promise);
   return fmt::format("{:<32} # now {:.6g} to {:.6g}\n", entry, numbers.low, numbers.high);
 }
 
-std::string ranges_text(const LoadedScene& loaded) {
+/// Text has no types: a comment tells how its numbers may arrive as integers.
+std::string integers_hint(const NewScene& scene, const LoadedScene& loaded) {
+  if (!types_of_data(loaded).empty()) return "";
+  for (const NewFormats& formats : integer_formats(loaded)) {
+    const auto tried = load_from(settings_of(scene, formats));
+    if (!tried.ok() || !check_integers(tried->scene).ok()) return "";
+    return fmt::format(
+        "# All numbers are whole. If your hardware meets no others, let them arrive as integers:\n"
+        "# ports are narrower, and lanes may be exact. In place of these lines and of\n"
+        "# reference.format:\n"
+        "# \"*\" = {{ format = \"{}\" }}\n",
+        formats.operands.at("*"));
+  }
+  return "";
+}
+
+std::string integers_text(const LoadedScene& loaded) {
+  std::string text =
+      "# The integers in which operands arrive. A narrower format, such as \"int6\", saves\n"
+      "# hardware, and a number of the data that it lacks is an error.\n"
+      "[inputs]\n";
+  const std::vector<std::string>& inputs = loaded.scene.graph.inputs();
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    const std::string format = loaded.scene.operand_formats[k].name();
+    text +=
+        input_line(inputs[k], fmt::format("format = \"{}\"", format), numbers_of(*loaded.data, k));
+  }
+  return text;
+}
+
+std::string ranges_text(const NewScene& scene, const LoadedScene& loaded) {
+  if (arrive_as_integers(loaded.scene)) return integers_text(loaded);
   const std::vector<std::string>& inputs = loaded.scene.graph.inputs();
   if (!loaded.data) {
     std::string text =
@@ -139,9 +194,9 @@ std::string ranges_text(const LoadedScene& loaded) {
       "# number of the data. Better, write what your hardware will meet: range = [0, 100].\n"
       "[inputs]\n";
   for (std::size_t k = 0; k < inputs.size(); ++k) {
-    text += range_line(inputs[k], numbers_of(*loaded.data, k));
+    text += input_line(inputs[k], "range = \"data\"", numbers_of(*loaded.data, k));
   }
-  return text;
+  return text + integers_hint(scene, loaded);
 }
 
 std::string columns_text(const std::string& key, const std::vector<NewScene::Column>& columns) {
@@ -196,18 +251,40 @@ std::string comparison_text(const NewScene& scene) {
       toml_string(scene.name), toml_string(scene.f), toml_string(scene.g));
 }
 
+std::string exact_formats_text() {
+  return "# What decides close comparisons: \"exact\" rounds nothing.\n"
+         "[reference]\nformat = \"exact\"\n\n"
+         "# The lanes, which decide nearly all comparisons. \"auto\" leaves their format to "
+         "`mixcmp\n"
+         "# optimise`; \"q13\" is fixed point of 13 bits. \"exact\" takes the bits that round "
+         "nothing:\n"
+         "# such lanes need no references. \"certified\": a lane decides only where its error "
+         "bound is\n"
+         "# proven to allow it.\n"
+         "[reduced]\nformat = \"auto\"\nbound = \"certified\"\n";
+}
+
 std::string formats_text(const NewScene& scene, const LoadedScene& loaded) {
+  if (arrive_as_integers(loaded.scene)) return exact_formats_text();
   const FloatFormat format = loaded.scene.reference.format;
-  return fmt::format(
-      "# What you would trust to decide every comparison, and the format in which operands "
-      "arrive:\n"
-      "# {} bits of significand, the leading one included, and {} exponent bits.\n"
-      "[reference]\nformat = {}\n\n"
-      "# The lanes, which decide nearly all comparisons. \"auto\" leaves their format to `mixcmp\n"
-      "# optimise`; \"s13e8\" are 13 bits of significand, \"q13\" is fixed point of 13 bits.\n"
-      "# \"certified\": a lane decides only where its error bound is proven to allow it.\n"
-      "[reduced]\nformat = \"auto\"\nbound = \"certified\"\n",
-      format.precision(), format.exponent_bits(), toml_string(scene.reference));
+  const bool follows_data = scene.reference.empty() && are_single(types_of_data(loaded));
+  const char* const reason =
+      follows_data ? "# The data are in single precision. \"s53e8\" would decide in 53 digits.\n"
+                   : "";
+  return reason +
+         fmt::format(
+             "# What you would trust to decide every comparison, and the format in which operands "
+             "arrive:\n"
+             "# {} bits of significand, the leading one included, and {} exponent bits.\n"
+             "[reference]\nformat = {}\n\n"
+             "# The lanes, which decide nearly all comparisons. \"auto\" leaves their format to "
+             "`mixcmp\n"
+             "# optimise`; \"s13e8\" are 13 bits of significand, \"q13\" is fixed point of 13 "
+             "bits.\n"
+             "# \"certified\": a lane decides only where its error bound is proven to allow it.\n"
+             "[reduced]\nformat = \"auto\"\nbound = \"certified\"\n",
+             format.precision(), format.exponent_bits(),
+             toml_string(scene.reference.empty() ? format.name() : scene.reference));
 }
 
 std::string system_text(const NewScene& scene, const LoadedScene& loaded) {
@@ -223,34 +300,45 @@ std::string system_text(const NewScene& scene, const LoadedScene& loaded) {
       loaded.scene.system.target_mhz, toml_string(scene.device));
 }
 
-Result<LoadedScene> load_from(settings::Settings all) {
-  const std::filesystem::path path = all.path;
-  MIXCMP_TRY(scene, scene::interpret({.settings = std::move(all), .plan = {}, .files = {path}}));
-  LoadedScene loaded{std::move(scene), std::nullopt};
-  if (!loaded.scene.data) return loaded;
-  MIXCMP_TRY(data, workload::load_comparisons(loaded.scene));
-  loaded.data = std::move(data);
-  return loaded;
-}
-
 }  // namespace
 
 Result<LoadedScene> load_new(const NewScene& scene) {
   if (const auto device = devices::find_device(scene.device); !device.ok()) {
     return with_option(device.error());
   }
-  Result<LoadedScene> loaded = load_from(settings_of(scene));
+  Result<LoadedScene> loaded = load_from(settings_of(scene, plain_formats(scene)));
   if (!loaded.ok()) return with_option(loaded.error());
+  if (wants_integers(scene, *loaded)) {
+    Result<LoadedScene> integers = with_integers(scene, *loaded);
+    if (!integers.ok() && !scene.reference.empty()) return with_option(integers.error());
+    if (integers.ok()) loaded = std::move(integers);
+  } else if (scene.reference.empty() && are_single(types_of_data(*loaded))) {
+    Result<LoadedScene> single = load_from(settings_of(scene, {.reference = "s24e8"}));
+    if (single.ok()) loaded = std::move(single);
+  }
   // The file says a little more than the options. This text must also load.
   MIXCMP_TRY(written, settings::parse_settings(scene_text(scene, *loaded), scene.path));
   MIXCMP_TRY(same, load_from(std::move(written)));
   return loaded;
 }
 
+std::optional<Error> why_not_integers(const NewScene& scene, const LoadedScene& loaded) {
+  if (!scene.reference.empty() || arrive_as_integers(loaded.scene)) return std::nullopt;
+  const std::vector<OperandFormat> types = types_of_data(loaded);
+  if (are_integers(types)) return with_integers(scene, loaded).error();
+  const auto integer = std::find_if(types.begin(), types.end(), [](const OperandFormat& type) {
+    return type.fixed() != nullptr;
+  });
+  if (integer == types.end()) return std::nullopt;
+  return Error{.message = "not all columns have integers",
+               .received = integer->name() + " beside floats",
+               .accepted = "columns of integers only"};
+}
+
 std::string scene_text(const NewScene& scene, const LoadedScene& loaded) {
   return fmt::format("{}\n{}\n{}\n{}\n{}\n{}", head_text(scene), comparison_text(scene),
-                     ranges_text(loaded), formats_text(scene, loaded), system_text(scene, loaded),
-                     data_text(scene, loaded));
+                     ranges_text(scene, loaded), formats_text(scene, loaded),
+                     system_text(scene, loaded), data_text(scene, loaded));
 }
 
 std::vector<std::pair<std::string, std::string>> next_commands(const NewScene& scene,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,7 +17,7 @@ struct NewScene {
   std::string name;
   std::string f;
   std::string g;
-  std::string reference;
+  std::string reference;  ///< empty: as the data suggest, without data s53e8
   std::string device;
   std::string file;  ///< of data, as seen from the scene's folder; empty: no data
   std::string with;  ///< the second file, where the pairing has two; as seen from there
@@ -28,9 +29,14 @@ struct NewScene {
   std::vector<Column> with_columns;
 };
 
-/// Reads the scene with its data, as `mixcmp check` would read its file. Errors name the option of
+/// Reads the scene with its data, as `mixcmp check` would read its file. Unless --reference says
+/// otherwise, operands arrive as integers where a .npy file has these and the scene's systems can
+/// take them, and floats of at most 32 bits make s24e8 the reference. Errors name the option of
 /// `mixcmp new` from which a value came.
 Result<LoadedScene> load_new(const NewScene& scene);
+
+/// Why operands do not arrive as integers although the data have some; none where they do.
+std::optional<Error> why_not_integers(const NewScene& scene, const LoadedScene& loaded);
 
 /// The text of the scene file: every key with a sentence, and the commands that come next. An input
 /// has the range of its data, if it has finite ones.

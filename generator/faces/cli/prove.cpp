@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <variant>
 
 #include "generator/faces/cli/exit.hpp"
@@ -65,7 +66,7 @@ std::vector<LaneCandidate> candidates(scene::Scene scene, const data::Comparison
   for (const design::NamedLane& named : named_lanes(*design)) {
     const auto same = [&](const LaneCandidate& earlier) { return earlier.name == named.name; };
     const bool known = std::any_of(found.begin(), found.end(), same);
-    if (!known) found.push_back({named.name, *named.lane});
+    if (!known) found.push_back({named.name, named.lane});
   }
   return found;
 }
@@ -141,8 +142,10 @@ std::vector<ProvenLane> prove(const LoadedScene& loaded, const ProveOptions& opt
   }
   if (scenes.empty()) scenes.push_back(loaded.scene);
   std::vector<ProvenLane> proven;
+  std::set<std::string> known;  // a second tier and a reference are the same at each precision
   for (const scene::Scene& scene : scenes) {
     for (const auto& [name, lane] : candidates(scene, loaded.data ? &*loaded.data : nullptr)) {
+      if (!known.insert(name).second) continue;
       if (lane.ok()) {
         proven.push_back(prove_lane(scene, name, *lane, options, inputs));
       } else {

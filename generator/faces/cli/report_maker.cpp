@@ -79,10 +79,10 @@ void ReportMaker::add_measurements(page::Page& page) {
 
 std::string ReportMaker::subtitle() const {
   const std::string format = loaded_.scene.reduced.format_name();
-  const std::string rest =
-      loaded_.scene.reference_count() == 0
-          ? "and leave the rest undecided"
-          : fmt::format("references in {} decide the rest", loaded_.scene.reference.format.name());
+  const std::string rest = loaded_.scene.reference_count() == 0
+                               ? "and leave the rest undecided"
+                               : fmt::format("references in {} decide the rest",
+                                             design::datapath_format(loaded_.scene).name());
   return fmt::format(
       "A mixed-precision comparison: lanes decide in {} where that is certainly right, {}.",
       format == "auto" ? "a reduced precision" : format, rest);
@@ -125,7 +125,7 @@ IfThere<std::vector<report::ProvenLanes>> ReportMaker::proofs() const {
   if (system == nullptr) return std::get<Missing>(system_);
   std::vector<report::ProvenLanes> proven;
   for (const design::NamedLane& named : named_lanes(system->design)) {
-    const design::Lane& lane = *named.lane;
+    const design::Lane& lane = named.lane;
     report::ProvenLanes& each = proven.emplace_back();
     each.name = named.name;
     each.decision = design::describe_criterion(lane);

@@ -5,6 +5,7 @@
 
 #include "generator/present/report/summary_report.hpp"
 #include "model/comparison/expression/text.hpp"
+#include "model/design/design.hpp"
 
 namespace mixcmp::report {
 
@@ -165,6 +166,9 @@ void print_understood(SectionList& page, const Scene& scene) {
   print_limits(page, scene.graph);
   page.section("formats");
   page.line("reference", shown(scene.reference));
+  if (const LaneFormat format = design::datapath_format(scene); format.fixed_point) {
+    page.line("", "in hardware an exact lane in " + format.name());
+  }
   const std::vector<LaneGroupSpec> groups = scene.lane_groups();
   const std::vector<std::string> labels = lane_group_labels(scene);
   for (std::size_t k = 0; k < groups.size(); ++k) {
@@ -274,9 +278,11 @@ std::vector<SummaryLines> lines_of(const Summary& summary) {
   SectionList page;
   print_understood(page, *summary.scene);
   if (summary.scene->plan) print_plan(page, *summary.scene->plan);
+  const char* const the_reference =
+      summary.scene->has_fixed_operands() ? "the model of the " : "the ";
   for (const DatapathSummary& datapath : summary.datapaths) {
     const char* article = datapath.name == "lane"        ? "a "
-                          : datapath.name == "reference" ? "the "
+                          : datapath.name == "reference" ? the_reference
                                                          : "";
     page.section(fmt::format("operators of {}{}", article, datapath.name));
     for (const OperatorCount& count : datapath.operators) {

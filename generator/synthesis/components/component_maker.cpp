@@ -126,7 +126,7 @@ Result<LaneRtl> lane_rtl(const std::vector<std::string>& inputs, const design::L
 
 measured::Reference reference_key(const scene::Scene& scene,
                                   const design::ReferenceStructure& structure) {
-  return {.format = scene.reference.format,
+  return {.format = design::datapath_format(scene),
           .multipliers = structure.multipliers,
           .sums = scene.reference.sums,
           .initiation_interval = structure.initiation_interval,
@@ -195,13 +195,10 @@ Result<Done> ComponentMaker::check_reference(const measured::Reference& key) con
                  .received = in_quotes(received),
                  .accepted = std::string(accepted)};
   };
-  const Arithmetic& own = scene_.reference;
-  if (key.format != own.format) {
-    return other("reference.format", key.format.name(), own.format.name());
-  }
-  if (key.sums != own.sums) {
-    return other("reference.sums", to_string(key.sums), to_string(own.sums));
-  }
+  const LaneFormat format = design::datapath_format(scene_);
+  if (key.format != format) return other("reference.format", key.format.name(), format.name());
+  const Sums sums = scene_.reference.sums;
+  if (key.sums != sums) return other("reference.sums", to_string(key.sums), to_string(sums));
   if (key.multipliers != Multipliers::memory) return Done{};
   return Error{.message = "not a choice",
                .received = in_quotes(to_string(key.multipliers)),

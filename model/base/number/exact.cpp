@@ -65,6 +65,14 @@ mpq_class to_rational(FloatFormat format, Bits bits) {
   return format.sign(bits) ? mpq_class(-magnitude) : magnitude;
 }
 
+Bits converted(FloatFormat to, FloatFormat from, Bits bits) {
+  const bool negative = from.sign(bits);
+  if (from.is_nan(bits)) return to.quiet_nan();
+  if (from.is_infinite(bits)) return to.infinity(negative);
+  if (from.is_zero(bits)) return to.zero(negative);
+  return from_rational(to, to_rational(from, bits));
+}
+
 Bits from_ratio(FloatFormat format, const mpz_class& numerator, const mpz_class& denominator) {
   if (numerator == 0) return format.zero(false);
   const bool negative = numerator < 0;

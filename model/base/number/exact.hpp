@@ -15,6 +15,10 @@ mpq_class to_rational(FloatFormat format, Bits bits);
 /// above the largest number on. Zero becomes +0.
 Bits from_rational(FloatFormat format, const mpq_class& value);
 
+/// The encoding in `to` nearest to a number in `from`. Infinities and the signs of zeros stay;
+/// every NaN becomes the quiet NaN.
+Bits converted(FloatFormat to, FloatFormat from, Bits bits);
+
 /// The encoding nearest to numerator / denominator, for denominator > 0 and any common factors.
 Bits from_ratio(FloatFormat format, const mpz_class& numerator, const mpz_class& denominator);
 

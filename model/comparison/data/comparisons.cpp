@@ -8,6 +8,7 @@
 
 #include "model/base/common/check.hpp"
 #include "model/base/common/nearest.hpp"
+#include "model/base/number/exact.hpp"
 
 namespace mixcmp::data {
 namespace {
@@ -156,6 +157,19 @@ void Comparisons::find_least_candidates(const CompareItems& compare) {
       }
     }
   }
+}
+
+Comparisons Comparisons::in_format(FloatFormat format) const {
+  Comparisons same = *this;
+  for (Table& table : same.tables_) {
+    for (Bits& value : table.values) {
+      const Bits number = converted(format, table.format, value);
+      MIXCMP_CHECK(converted(table.format, format, number) == value);
+      value = number;
+    }
+    table.format = format;
+  }
+  return same;
 }
 
 std::uint64_t Comparisons::size() const {

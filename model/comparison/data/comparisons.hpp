@@ -87,6 +87,9 @@ public:
     Item item;
   };
 
+  /// The same numbers in another format, which must hold all of them.
+  Comparisons in_format(FloatFormat format) const;
+
   const std::vector<Table>& tables() const { return tables_; }
   const Table& table() const { return tables_[0]; }  ///< the first table
   FloatFormat format() const { return tables_[0].format; }

@@ -41,6 +41,15 @@ Error shape_error(const NpyHeader& header, std::string accepted) {
           .accepted = std::move(accepted)};
 }
 
+FloatFormat float_of(int bytes) {
+  return FloatFormat::parse(bytes == 2 ? "binary16" : bytes == 4 ? "binary32" : "binary64").value();
+}
+
+OperandFormat type_of(const NpyScalar& scalar) {
+  if (scalar.kind == 'f') return OperandFormat(float_of(scalar.bytes));
+  return OperandFormat(FixedFormat{.width = 8 * scalar.bytes, .is_signed = scalar.kind == 'i'});
+}
+
 /// a * b, or none if no file could be that large.
 std::optional<std::size_t> product(std::uint64_t a, std::uint64_t b) {
   std::size_t result = 0;
@@ -59,7 +68,8 @@ Result<NpyScalar> scalar_of(const NpyField& field) {
 /// Finds the wanted columns of a plain array. They have no names and no implied order, so the scene
 /// must give a number for each.
 Result<std::vector<FileColumn>> plain_columns(std::span<const WantedColumn> wanted,
-                                              std::uint64_t count, const std::string& source) {
+                                              std::uint64_t count, OperandFormat type,
+                                              const std::string& source) {
   std::vector<FileColumn> columns;
   bool all_numbered = true;
   for (const WantedColumn& column : wanted) {
@@ -72,7 +82,7 @@ Result<std::vector<FileColumn>> plain_columns(std::span<const WantedColumn> want
     all_numbered = all_numbered && number != nullptr;
     if (number == nullptr) continue;
     MIXCMP_TRY(place, numbered_column(column, *number, count, source));
-    columns.push_back({.number = place, .name = {}});
+    columns.push_back({.number = place, .name = {}, .type = type});
   }
   if (!all_numbered) return unnamed_columns(wanted, count);
   return columns;
@@ -93,7 +103,7 @@ Result<Layout> plain_layout(const NpyHeader& header, std::span<const WantedColum
     return shape_error(header, "an array that fits a file");
   }
   Layout layout{.rows = rows, .total_bytes = *total};
-  MIXCMP_TRY(columns, plain_columns(wanted, count, source));
+  MIXCMP_TRY(columns, plain_columns(wanted, count, type_of(scalar), source));
   for (const FileColumn& column : columns) {
     layout.columns.push_back(
         header.fortran_order ? ColumnLayout{column, scalar, column.number * *column_bytes, bytes}
@@ -126,7 +136,8 @@ Result<Layout> structured_layout(const NpyHeader& header, std::span<const Wanted
   for (const WantedColumn& column : wanted) {
     MIXCMP_TRY(place, find_column(column, names, source));
     MIXCMP_TRY(scalar, scalar_of(fields[place]));
-    layout.columns.push_back({{.number = place, .name = printable_line(names[place])},
+    const std::string name = printable_line(names[place]);
+    layout.columns.push_back({{.number = place, .name = name, .type = type_of(scalar)},
                               scalar,
                               fields[place].offset,
                               row_bytes});
@@ -143,20 +154,6 @@ std::uint64_t load(std::string_view bytes, bool big_endian) {
   return value;
 }
 
-/// Converts `bits` from one format to another, rounded once. Zeros keep their sign; every NaN
-/// becomes the quiet NaN.
-Bits into(FloatFormat target, FloatFormat source, Bits bits) {
-  const bool negative = source.sign(bits);
-  if (source.is_nan(bits)) return target.quiet_nan();
-  if (source.is_infinite(bits)) return target.infinity(negative);
-  if (source.is_zero(bits)) return target.zero(negative);
-  return from_rational(target, to_rational(source, bits)) | target.zero(negative);
-}
-
-FloatFormat float_of(int bytes) {
-  return FloatFormat::parse(bytes == 2 ? "binary16" : bytes == 4 ? "binary32" : "binary64").value();
-}
-
 mpq_class integer_of(std::uint64_t bits, const NpyScalar& scalar) {
   if (scalar.kind == 'u') return mpq_class(static_cast<unsigned long>(bits));
   const int unused = 64 - 8 * scalar.bytes;
@@ -168,7 +165,7 @@ std::optional<Bits> read_scalar(std::string_view bytes, const NpyScalar& scalar,
                                 FloatFormat format) {
   const std::uint64_t bits = load(bytes, scalar.big_endian);
   const bool is_float = scalar.kind == 'f';
-  const Bits value = is_float ? into(format, float_of(scalar.bytes), bits)
+  const Bits value = is_float ? converted(format, float_of(scalar.bytes), bits)
                               : from_rational(format, integer_of(bits, scalar));
   const bool infinite_before = is_float && float_of(scalar.bytes).is_infinite(bits);
   if (format.is_infinite(value) && !infinite_before) return std::nullopt;

@@ -1,17 +1,20 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "model/base/number/float_format.hpp"
+#include "model/base/number/operand_format.hpp"
 
 namespace mixcmp::data {
 
-/// A column's number and name in its file.
+/// A column's number and name in its file, and the type of its numbers there.
 struct FileColumn {
-  std::uint64_t number;  ///< counted from 0
-  std::string name;      ///< empty if the file has no names
+  std::uint64_t number;               ///< counted from 0
+  std::string name;                   ///< empty if the file has no names
+  std::optional<OperandFormat> type;  ///< none in text
 
   /// `width`, or `column 2` if there is no name.
   std::string shown() const { return name.empty() ? "column " + std::to_string(number) : name; }

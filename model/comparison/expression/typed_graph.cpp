@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <optional>
 #include <utility>
 
 #include "model/base/common/check.hpp"
@@ -167,6 +168,7 @@ private:
   NodeId emit_fused(std::vector<FusedTerm> terms, SumResult result);
   NodeId emit_entering(NodeId id);
   NodeId emit_in_lane(NodeId id);
+  std::optional<mpq_class> reciprocal_of_divisor(const Node& node, FloatFormat format) const;
   NodeId emit_conversion(NodeId id, FloatFormat format);
   NodeId emit(TypedNode node);
 
@@ -330,10 +332,30 @@ NodeId TypedGraphBuilder::emit_in_lane(NodeId id) {
                   .operand_format = format_of(taken),
                   .format = format,
                   .value = {}};
+  if (const auto reciprocal = reciprocal_of_divisor(node, typed.operand_format)) {
+    typed.operation = Operation::multiply;
+    typed.operands[0] = operand(taken, node.operands[0]);
+    typed.operands[1] = emit_constant(*reciprocal, typed.operand_format);
+    return emit(std::move(typed));
+  }
   for (int k = 0; k < arity(node.operation); ++k) {
     typed.operands[k] = operand(taken, node.operands[k]);
   }
   return emit(std::move(typed));
+}
+
+/// The reciprocal of a constant divisor: a lane multiplies by it, since a divider takes several
+/// times as much as a multiplier, and the reciprocal's rounding is an error as that of any
+/// constant. None for other operations, or if the format rounds it to no normal number.
+std::optional<mpq_class> TypedGraphBuilder::reciprocal_of_divisor(const Node& node,
+                                                                  FloatFormat format) const {
+  if (node.operation != Operation::divide) return std::nullopt;
+  const Node& divisor = graph_.nodes()[node.operands[1]];
+  if (divisor.operation != Operation::constant || divisor.value == 0) return std::nullopt;
+  mpq_class reciprocal = 1 / divisor.value;
+  const int exponent = format.biased_exponent(from_rational(format, reciprocal));
+  if (exponent == 0 || exponent == format.max_biased_exponent()) return std::nullopt;
+  return reciprocal;
 }
 
 NodeId TypedGraphBuilder::emit(TypedNode node) {

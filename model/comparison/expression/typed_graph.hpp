@@ -103,7 +103,8 @@ TypedGraph sides_graph(const Graph& graph, Arithmetic reference);
 
 /// The graph in a lane's reduced format, with the conversions that `inputs` asks for. f and g are
 /// in the lane's format and are never inputs themselves. If a side is an input, a conversion
-/// follows it, because an operation has to report an infinity or a NaN as exceptional.
+/// follows it, because an operation has to report an infinity or a NaN as exceptional. A division
+/// by a constant is a multiplication by its reciprocal, if that is a normal number of the format.
 TypedGraph lane_graph(const Graph& graph, FloatFormat reference, Arithmetic reduced,
                       LaneInputs inputs);
 

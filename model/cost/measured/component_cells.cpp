@@ -153,9 +153,16 @@ Result<Lane> lane_in(const KeyCells& cells) {
 
 Result<Reference> reference_in(const KeyCells& cells) {
   MIXCMP_TRY(format, format_in(cells));
-  if (!format.floating) return wrong("format", "not a format", cells.format, "of a reference");
-  Reference reference{.format = *format.floating, .multipliers = {}, .target_mhz = {}};
+  const std::optional<FixedPoint>& fixed_point = format.fixed_point;
+  if (fixed_point && (fixed_point->is_block || fixed_point->guard_digits > 0)) {
+    return wrong("format", "not a format of references", cells.format,
+                 "s53e8 or q13, for instance");
+  }
+  Reference reference{.format = format, .multipliers = {}, .target_mhz = {}};
   MIXCMP_DO(set_traits(reference, cells.name));
+  if (fixed_point && reference.sums == Sums::fused) {
+    return wrong("name", "an exact reference rounds no sum", cells.name, "no \"fused\"");
+  }
   MIXCMP_TRY(multipliers, multipliers_in(cells));
   reference.multipliers = multipliers;
   MIXCMP_TRY(interval, number("initiation_interval", cells.initiation_interval));

@@ -62,7 +62,7 @@ struct Lane {
 /// One reference datapath by itself.
 struct Reference {
   static constexpr ComponentKind kind = ComponentKind::reference;
-  FloatFormat format;
+  LaneFormat format;                              ///< in fixed point: an exact lane
   std::optional<scene::Multipliers> multipliers;  ///< none in a datapath without a product
   Sums sums = Sums::composed;
   int initiation_interval = 1;    ///< in cycles

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "model/design/design.hpp"
 #include "model/design/request_beats.hpp"
 #include "model/plan/optimise/second_tier.hpp"
 
@@ -49,14 +50,15 @@ bool is_wanted(const PlanningInputs& inputs, const measured::Lane& lane) {
          is_trusted(inputs, lane);
 }
 
-/// Whether the scene asks for this reference: by its format and sums, its initiation interval
-/// unless that is "auto", and its target if it has one. A folded reference must not be faster than
-/// the scene's requests.
-bool is_wanted(const PlanningInputs& inputs, const measured::Reference& reference) {
+/// Whether the scene, whose references have this format, asks for one: by format and sums, its
+/// initiation interval unless that is "auto", and its target if it has one. A folded reference must
+/// not be faster than the scene's requests.
+bool is_wanted(const PlanningInputs& inputs, const LaneFormat& format,
+               const measured::Reference& reference) {
   const scene::Scene& scene = inputs.scene;
   const auto& [multipliers, interval, target] = scene.reference_structure;
   const double target_mhz = reference.target_mhz.value_or(scene.system.target_mhz);
-  return reference.format == scene.reference.format && reference.sums == scene.reference.sums &&
+  return reference.format == format && reference.sums == scene.reference.sums &&
          allows(inputs.options, reference.multipliers) &&
          design::check_request_beats(scene.system, reference.initiation_interval).ok() &&
          (!interval || *interval == reference.initiation_interval) &&
@@ -78,9 +80,12 @@ void erase_untimed(Rows& rows, const char* what, Findings& findings) {
 Candidates candidates_of(const PlanningInputs& inputs, Findings& findings) {
   Candidates found;
   Rows all_lanes;
+  const LaneFormat format = design::datapath_format(inputs.scene);
   for (const measured::Measurement& row : inputs.table.rows) {
     const auto* reference = std::get_if<measured::Reference>(&row.key);
-    if (reference != nullptr && is_wanted(inputs, *reference)) found.references.push_back(&row);
+    if (reference != nullptr && is_wanted(inputs, format, *reference)) {
+      found.references.push_back(&row);
+    }
     const measured::Lane* lane = lane_in(inputs, row.key);
     if (lane != nullptr && is_wanted(inputs, *lane)) all_lanes.push_back(&row);
   }

@@ -54,11 +54,10 @@ const measured::Measurement* row_of(const measured::Characterisation& table,
 const measured::Measurement* row_of(const measured::Characterisation& table,
                                     const design::Design& design,
                                     const design::ReferenceGroup& group) {
-  const Arithmetic& arithmetic = design.reference.arithmetic;
   return table.find_datapath(
-      measured::Reference{.format = arithmetic.format,
+      measured::Reference{.format = design::datapath_format(design.reference_datapath()),
                           .multipliers = group.structure.multipliers,
-                          .sums = arithmetic.sums,
+                          .sums = design.reference.arithmetic.sums,
                           .initiation_interval = group.structure.initiation_interval,
                           .target_mhz = group.structure.own_target_mhz(design.system.target_mhz)});
 }

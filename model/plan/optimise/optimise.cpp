@@ -170,6 +170,20 @@ Error nothing_to_choose_from(const scene::Scene& scene, const std::string& what)
           .accepted = "a table made by mixcmp characterise"};
 }
 
+Error no_reference(const scene::Scene& scene, const measured::Characterisation& table) {
+  const std::string wanted = design::datapath_format(scene).name();
+  std::set<std::string> found;
+  for (const measured::Measurement& row : table.rows) {
+    const auto* reference = std::get_if<measured::Reference>(&row.key);
+    if (reference != nullptr) found.insert(reference->format.name());
+  }
+  Error error = nothing_to_choose_from(scene, "reference in " + wanted);
+  if (!found.empty() && !found.contains(wanted)) {
+    error.received = fmt::format("references in {}", fmt::join(found, ", "));
+  }
+  return error;
+}
+
 /// With reduced.bound = "profiled" certified lanes are left out, and vice versa.
 Error no_lane(const scene::Scene& scene) {
   Error error = nothing_to_choose_from(scene, "lane");
@@ -306,7 +320,7 @@ Result<Optimisation> optimise(const scene::Scene& scene, const devices::Device& 
   if (candidates.lanes.empty()) return no_lane(scene);
   const bool has_references = scene.reference_count() != 0;
   if (has_references && candidates.references.empty()) {
-    return nothing_to_choose_from(scene, "reference");
+    return no_reference(scene, table);
   }
   const Crossbars crossbars = crossbars_of(inputs, findings);
   Optimisation all{.scene = scene.name,

@@ -3,29 +3,19 @@
 #include <algorithm>
 
 #include "model/base/number/double.hpp"
+#include "model/plan/profile/in_double.hpp"
 #include "model/plan/profile/profile.hpp"
 
 namespace mixcmp::profile {
-namespace {
-
-Error unsuitable(const scene::Scene& scene, const std::string& field, FloatFormat format) {
-  return {.file = scene.path.string(),
-          .field = field,
-          .message = "a profile computes in double, which does not hold this format",
-          .received = format.name(),
-          .accepted = scene.has_fixed_operands() && field == "reference.format"
-                          ? "\"s53e11\", which rounds what needs more digits"
-                          : "up to 53 digits and 11 exponent bits"};
-}
-
-}  // namespace
 
 Result<Done> check_profile(const scene::Scene& scene, const ProfileOptions& options) {
-  if (!fits_double(scene.reference.format)) {
-    return unsuitable(scene, "reference.format", scene.reference.format);
-  }
+  if (!fits_double(scene.reference.format)) MIXCMP_DO(check_in_double(scene));
   if (scene.reduced.format && !fits_double(*scene.reduced.format)) {
-    return unsuitable(scene, "reduced.format", *scene.reduced.format);
+    return Error{.file = scene.path.string(),
+                 .field = "reduced.format",
+                 .message = "a profile computes in double, which does not hold this format",
+                 .received = scene.reduced.format->name(),
+                 .accepted = "up to 53 digits and 11 exponent bits"};
   }
   const settings::Limits allowed = settings::lane_precisions(scene.reference.format);
   if (!allowed.allow(options.first_precision) || !allowed.allow(options.last_precision) ||

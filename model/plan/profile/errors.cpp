@@ -4,8 +4,10 @@
 #include <mutex>
 #include <utility>
 
+#include "model/base/number/double.hpp"
 #include "model/lane/error/error_analysis.hpp"
 #include "model/plan/profile/error_worker.hpp"
+#include "model/plan/profile/in_double.hpp"
 #include "model/plan/profile/schemes.hpp"
 
 namespace mixcmp::profile {
@@ -72,6 +74,10 @@ ErrorTally run(const ErrorJob& job, std::uint64_t samples, const ProfileOptions&
 std::vector<ErrorProfile> profile_errors(const scene::Scene& scene, const data::Comparisons& data,
                                          const std::vector<LaneInputs>& inputs,
                                          const ProfileOptions& options) {
+  if (!fits_double(scene.reference.format)) {
+    const InDouble same = in_double(scene, data);
+    return profile_errors(same.scene, same.data, inputs, options);
+  }
   const data::OperandSource source(data);
   const std::uint64_t seed = scene.data ? scene.data->seed : 1;
   ErrorJob job{scene, source, data::Permutation(data.size(), seed), {}};

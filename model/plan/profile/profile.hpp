@@ -42,8 +42,9 @@ struct ProfileOptions {
   std::function<void(const std::string&, double)> progress = {};
 };
 
-/// Rejects formats that double does not hold, precisions that no lane can have, and profiled lanes
-/// without samples; the error names the field or option.
+/// Rejects formats that double does not hold (unless references are exact and it holds their
+/// operands), precisions that no lane can have, and profiled lanes without samples; the error names
+/// the field or option.
 Result<Done> check_profile(const scene::Scene& scene, const ProfileOptions& options);
 
 /// Figure 4: the relative error of f and g at one precision; with several parts the largest.

@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "model/base/common/check.hpp"
+#include "model/base/number/double.hpp"
 #include "model/judge/golden/fixed_evaluate.hpp"
+#include "model/plan/profile/in_double.hpp"
 #include "model/plan/profile/rate_worker.hpp"
 
 namespace mixcmp::profile {
@@ -129,27 +131,9 @@ RateTally run(const RateJob& job, const ProfileOptions& options) {
   return total;
 }
 
-}  // namespace
-
-bool SchemeProfile::exists() const {
-  return std::any_of(counts.begin(), counts.end(),
-                     [](const SchemeCounts& each) { return each.exists; });
-}
-
-std::optional<performance::ItemSet> set_of(const data::Comparisons& data) {
-  switch (data.pairing()) {
-    case data::Pairing::all: return performance::ItemSet{.items = data.table().rows()};
-    case data::Pairing::cross:
-      return performance::ItemSet{.items = data.tables()[0].rows(),
-                                  .others = data.tables()[1].rows()};
-    case data::Pairing::rows:
-    case data::Pairing::arg_min: return std::nullopt;
-  }
-  MIXCMP_CHECK(false);
-}
-
-RateProfile profile_rates(const scene::Scene& scene, const data::Comparisons& data,
-                          const ErrorProfile& errors, const ProfileOptions& options) {
+RateProfile rates_of(const scene::Scene& scene, const data::Comparisons& data,
+                     const ErrorProfile& errors, const ProfileOptions& options,
+                     emulator::Emulator reference) {
   const std::vector<SchemeLanes> schemes = make_schemes(scene, errors, options.bounds);
   const data::OperandSource source(data);
   RateJob job{.scene = scene,
@@ -157,7 +141,7 @@ RateProfile profile_rates(const scene::Scene& scene, const data::Comparisons& da
               .method = options.method,
               .schemes = existing_schemes(schemes),
               .bands = {},
-              .reference = emulator::Emulator(reference_graph(scene.graph, scene.reference)),
+              .reference = std::move(reference),
               .failing = {},
               .stretch = options.stretch};
   std::shared_ptr<performance::PairwiseData> pairs;
@@ -188,6 +172,36 @@ RateProfile profile_rates(const scene::Scene& scene, const data::Comparisons& da
                                  : std::vector<SchemeCounts>(errors.precisions.size());
   }
   return profile;
+}
+
+}  // namespace
+
+bool SchemeProfile::exists() const {
+  return std::any_of(counts.begin(), counts.end(),
+                     [](const SchemeCounts& each) { return each.exists; });
+}
+
+std::optional<performance::ItemSet> set_of(const data::Comparisons& data) {
+  switch (data.pairing()) {
+    case data::Pairing::all: return performance::ItemSet{.items = data.table().rows()};
+    case data::Pairing::cross:
+      return performance::ItemSet{.items = data.tables()[0].rows(),
+                                  .others = data.tables()[1].rows()};
+    case data::Pairing::rows:
+    case data::Pairing::arg_min: return std::nullopt;
+  }
+  MIXCMP_CHECK(false);
+}
+
+RateProfile profile_rates(const scene::Scene& scene, const data::Comparisons& data,
+                          const ErrorProfile& errors, const ProfileOptions& options) {
+  if (!fits_double(scene.reference.format)) {
+    InDouble same = in_double(scene, data);
+    return rates_of(same.scene, same.data, errors, options,
+                    emulator::Emulator(std::move(same.exact_reference)));
+  }
+  return rates_of(scene, data, errors, options,
+                  emulator::Emulator(reference_graph(scene.graph, scene.reference)));
 }
 
 }  // namespace mixcmp::profile

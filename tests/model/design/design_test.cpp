@@ -339,6 +339,10 @@ TEST(MakeDesign, ReferencesOfIntegersAreExactLanes) {
   EXPECT_TRUE(fixed::is_exact(*design.exact_reference));
   EXPECT_EQ(design.exact_reference->format.bits, 9);
   EXPECT_EQ(reference_group_names(design), std::vector<std::string>{"q9"});
+  ASSERT_EQ(named_lanes(design).size(), 2u);
+  EXPECT_EQ(named_lanes(design).back().name, "reference_q9");
+  EXPECT_TRUE(design::is_certified(named_lanes(design).back().lane));
+  EXPECT_EQ(design::datapath_format(scene).name(), "q9");
   scene.reference.format = format_of(17, 8);
   EXPECT_EQ(error_of(scene).field, "reference.format") << "squares have 18 digits";
   scene.reference.format = format_of(18, 8);

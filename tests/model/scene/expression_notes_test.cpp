@@ -7,13 +7,17 @@
 namespace mixcmp::test::expression_notes_test {
 namespace {
 
-std::vector<std::string> notes(const std::string& f, const std::string& g, data::Pairing pairing) {
+Graph graph_of(const std::string& f, const std::string& g) {
   Graph graph;
   const Result<NodeId> left = parse_expression(graph, f, {});
   const Result<NodeId> right = parse_expression(graph, g, {});
   EXPECT_TRUE(left.ok() && right.ok());
   graph.compare(*left, *right);
-  return scene::pairing_notes(graph, pairing);
+  return graph;
+}
+
+std::vector<std::string> notes(const std::string& f, const std::string& g, data::Pairing pairing) {
+  return scene::pairing_notes(graph_of(f, g), pairing);
 }
 
 /// The note on fixed point of these parts, whose inputs all have this range; "" without a note.
@@ -40,6 +44,18 @@ TEST(FixedPointNotes, NameTheQuotientAndItsPlace) {
               divides + "f of part 1 has 1 / a");
     EXPECT_EQ(fixed_point_note({{"a / 3", "b * c"}}, range), "");
   }
+}
+
+TEST(DividerNotes, NameTheFirstConstantDivisor) {
+  const auto note = [](const std::string& f, const std::string& g) {
+    return scene::divider_note(graph_of(f, g)).value_or("");
+  };
+  EXPECT_EQ(
+      note("a - b", "a + c^2 / 24"),
+      "references have a divider for c^2 / 24 in g; lanes multiply by the rounded reciprocal, "
+      "and so do references of a product with (1 / 24)");
+  EXPECT_EQ(note("a / 8", "b * (1 / 24)"), "") << "these are products";
+  EXPECT_EQ(note("a / b", "c"), "") << "no constant";
 }
 
 TEST(FixedPointNotes, NameARootOfWhatMayBeNegative) {

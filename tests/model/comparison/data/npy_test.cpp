@@ -70,23 +70,27 @@ TEST_F(NpyTest, ReadsEveryNumberTypeInEitherByteOrder) {
     const auto table =
         data::read_npy(write(npy("'" + type + "'", "False", "(1, 2)", data)), binary64_, xy);
     EXPECT_TRUE(table.ok()) << type << ": " << table.error().to_string();
-    return table.ok() ? text(*table, 0, 1) : "";
+    return table.ok() ? text(*table, 0, 1) + " in " + table->origins[1].type->name() : "";
   };
-  EXPECT_EQ(second("<f4", bytes_of<float>({1, -0.5F})), "-0.5");
-  EXPECT_EQ(second(">f4", bytes_of<float>({1, -0.5F}, true)), "-0.5");
-  EXPECT_EQ(second(">f8", bytes_of<double>({1, 0.1}, true)), "0.1");
-  EXPECT_EQ(second("<f2", bytes_of<std::uint16_t>({0x3c00, 0xc000})), "-2");
-  EXPECT_EQ(second("|i1", bytes_of<std::int8_t>({1, -128})), "-128");
-  EXPECT_EQ(second("|u1", bytes_of<std::uint8_t>({1, 255})), "255");
-  EXPECT_EQ(second("<i2", bytes_of<std::int16_t>({1, -300})), "-300");
-  EXPECT_EQ(second(">u2", bytes_of<std::uint16_t>({1, 65535}, true)), "65535");
-  EXPECT_EQ(second(">i4", bytes_of<std::int32_t>({1, -70000}, true)), "-70000");
-  EXPECT_EQ(second("=i8", bytes_of<std::int64_t>({1, -(std::int64_t{1} << 40)})), "-1099511627776");
-  EXPECT_EQ(second("<u8", bytes_of<std::uint64_t>({1, std::uint64_t{1} << 40})), "1099511627776");
-  EXPECT_EQ(second("<f8", bytes_of<double>({1, -0.0})), "-0");
-  EXPECT_EQ(second("<f4", bytes_of<float>({1, -std::numeric_limits<float>::infinity()})), "-inf");
-  EXPECT_EQ(second("<f8", bytes_of<double>({1, std::numeric_limits<double>::quiet_NaN()})), "nan");
-  EXPECT_EQ(second("<f8", bytes_of<double>({1, 5e-324})), "5e-324");
+  EXPECT_EQ(second("<f4", bytes_of<float>({1, -0.5F})), "-0.5 in s24e8");
+  EXPECT_EQ(second(">f4", bytes_of<float>({1, -0.5F}, true)), "-0.5 in s24e8");
+  EXPECT_EQ(second(">f8", bytes_of<double>({1, 0.1}, true)), "0.1 in s53e11");
+  EXPECT_EQ(second("<f2", bytes_of<std::uint16_t>({0x3c00, 0xc000})), "-2 in s11e5");
+  EXPECT_EQ(second("|i1", bytes_of<std::int8_t>({1, -128})), "-128 in int8");
+  EXPECT_EQ(second("|u1", bytes_of<std::uint8_t>({1, 255})), "255 in uint8");
+  EXPECT_EQ(second("<i2", bytes_of<std::int16_t>({1, -300})), "-300 in int16");
+  EXPECT_EQ(second(">u2", bytes_of<std::uint16_t>({1, 65535}, true)), "65535 in uint16");
+  EXPECT_EQ(second(">i4", bytes_of<std::int32_t>({1, -70000}, true)), "-70000 in int32");
+  EXPECT_EQ(second("=i8", bytes_of<std::int64_t>({1, -(std::int64_t{1} << 40)})),
+            "-1099511627776 in int64");
+  EXPECT_EQ(second("<u8", bytes_of<std::uint64_t>({1, std::uint64_t{1} << 40})),
+            "1099511627776 in uint64");
+  EXPECT_EQ(second("<f8", bytes_of<double>({1, -0.0})), "-0 in s53e11");
+  EXPECT_EQ(second("<f4", bytes_of<float>({1, -std::numeric_limits<float>::infinity()})),
+            "-inf in s24e8");
+  EXPECT_EQ(second("<f8", bytes_of<double>({1, std::numeric_limits<double>::quiet_NaN()})),
+            "nan in s53e11");
+  EXPECT_EQ(second("<f8", bytes_of<double>({1, 5e-324})), "5e-324 in s53e11");
 }
 
 TEST_F(NpyTest, StructuredArraysAreReadByFieldName) {

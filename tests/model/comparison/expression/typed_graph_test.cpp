@@ -302,6 +302,29 @@ TEST(LaneGraph, EncodesAConstantWhereItIsUsed) {
   EXPECT_EQ(graph.nodes[3].constant, *from_text(narrow.format, "0.1"));
 }
 
+TEST(LaneGraph, MultipliesByTheReciprocalOfAConstantDivisor) {
+  EXPECT_EQ(lane("a / 24 - b", "(a + b) / -3", LaneInputs::exact),
+            "input a: s53e8\n"
+            "constant 1/24: s53e8\n"
+            "multiply 0 1: s53e8 > s17e8\n"
+            "input b: s53e8\n"
+            "convert 3: s53e8 > s17e8\n"
+            "subtract 2 4: s17e8\n"
+            "add 0 3: s53e8 > s17e8\n"
+            "constant -1/3: s17e8\n"
+            "multiply 6 7: s17e8\n"
+            "f 5, g 8\n");
+  const auto divides = [](const std::string& f) {
+    return lane(f, "b", LaneInputs::rounded).find("divide") != std::string::npos;
+  };
+  EXPECT_FALSE(divides("a / 0x1.8p-126"));
+  EXPECT_FALSE(divides("a / 0x1.8p125"));
+  EXPECT_TRUE(divides("a / 0x1.8p127")) << "the reciprocal is subnormal";
+  EXPECT_TRUE(divides("a / 0x1.8p-140")) << "the reciprocal overflows";
+  const TypedGraph reference = reference_graph(graph_of("a / 24", "b"), {wide});
+  EXPECT_EQ(reference.nodes[2].operation, Operation::divide) << "as IEEE 754 rounds it";
+}
+
 TEST(LaneGraph, LeavesOutWhatIsNotUsed) {
   Graph graph = graph_of("a * b", "c");
   graph.apply(Operation::square_root, graph.apply(Operation::add, graph.f(), graph.input("d")));

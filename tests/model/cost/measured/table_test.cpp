@@ -18,7 +18,7 @@ measured::Lane lane_in(const std::string& format) {
 
 /// A reference with multipliers in logic.
 measured::Reference reference() {
-  return {.format = FloatFormat::make(53, 8).value(), .multipliers = scene::Multipliers::logic};
+  return {.format = LaneFormat::parse("s53e8").value(), .multipliers = scene::Multipliers::logic};
 }
 
 measured::Measurement lane(const std::string& format, int luts) {
@@ -194,10 +194,15 @@ TEST_F(Table, AReferencesNameSaysThatItsSumsAreFused) {
   ASSERT_TRUE(read_table.ok()) << read_table.error().to_string();
   EXPECT_EQ(read_table->rows[0].key, measured::ComponentKey(reference()));
   EXPECT_EQ(read_table->rows[1].key, measured::ComponentKey(fused));
-  std::string other = text;
-  other.replace(other.find("reference,fused"), 15, "reference,woven");
-  const std::string refused = read(other).error().to_string();
-  EXPECT_NE(refused.find("not a kind of reference"), std::string::npos) << refused;
+  const auto refused = [&](const std::string& cells, const std::string& others) {
+    std::string other = text;
+    other.replace(other.find(cells), cells.size(), others);
+    return read(other).error().message;
+  };
+  EXPECT_EQ(refused("reference,fused", "reference,woven"), "not a kind of reference");
+  EXPECT_EQ(refused("reference,fused,s53e8", "reference,fused,q9"),
+            "an exact reference rounds no sum");
+  EXPECT_EQ(refused("reference,,s53e8", "reference,,block9"), "not a format of references");
 }
 
 TEST_F(Table, AReferencesNameSaysWhatItsRegistersArePlacedForIfNotForTheTablesTarget) {
@@ -226,10 +231,13 @@ TEST_F(Table, AReferencesNameSaysWhatItsRegistersArePlacedForIfNotForTheTablesTa
 /// The rows of every kind, in the order of a table, which stored tables have.
 TEST_F(Table, EveryComponentHasItsColumnsAndItsPlace) {
   const measured::Lane lane = lane_in("s12e8");
+  measured::Reference exact = reference();
+  exact.format = LaneFormat::parse("q9").value();
   const std::vector<std::pair<measured::ComponentKey, std::string>> rows = {
       {measured::Unit{"fp_add A=1"}, "unit,fp_add A=1,,,,,0,0"},
       {lane, "lane,,s12e8,exact,running_4,logic,0,0"},
       {lane_in("s8e8"), "lane,,s8e8,exact,running_4,logic,0,0"},
+      {exact, "reference,,q9,,,logic,1,0"},
       {reference(), "reference,,s53e8,,,logic,1,0"},
       {measured::Fifo{64}, "fifo,,,,,,0,64"},
       {measured::Crossbar{2}, "crossbar,,,,,,0,2"},

@@ -75,7 +75,8 @@ protected:
   }
 
   static measured::Reference reference(const std::string& multipliers) {
-    return {.format = format_of(53, 8), .multipliers = multipliers_of(multipliers)};
+    return {.format = LaneFormat::parse("s53e8").value(),
+            .multipliers = multipliers_of(multipliers)};
   }
 
   static measured::Measurement reference_row(const std::string& multipliers, int luts, int dsps) {

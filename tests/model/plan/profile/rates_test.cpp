@@ -364,6 +364,53 @@ TEST(Rates, OfASampleAreThoseOfItsComparisons) {
   }
 }
 
+/// Rows of integers, half of them such that f and g are equal or one apart. Factors have 14 digits.
+std::vector<Bits> nearly_equal_products(FloatFormat format, int rows) {
+  std::mt19937_64 random(3);
+  const auto number = [&](int low, int high) {
+    return low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1));
+  };
+  const auto factor = [&] {
+    return number(0, 1) == 0 ? number(8193, 16383) : -number(8193, 16383);
+  };
+  std::vector<Bits> values;
+  const auto add = [&](const std::vector<int>& row) {
+    for (const int value : row) values.push_back(from_rational(format, mpq_class(value)));
+  };
+  for (int row = 0; row < rows; ++row) {
+    const int a = factor(), b = factor(), c = factor(), d = factor();
+    const int near = row % 4;
+    if (near == 0) add({a, b, c, d, d, c, b, a, 0});
+    if (near == 1) add({a, b, c, d, d, c, b, a, number(-1, 1)});
+    if (near > 1) add({a, b, c, d, factor(), c, b, near == 2 ? a : -d, 0});
+  }
+  return values;
+}
+
+/// f and g have 53 to 56 digits, so double holds few of them.
+TEST(Rates, OfLongProductsOfIntegersAreTheGoldenModels) {
+  const FloatFormat format = format_of(64, 11);
+  Scene scene = scene_of(graph_of("a * b * c * d", "h * k * m * n + p"), format, {format_of(8, 8)});
+  scene.operand_formats.assign(9, *OperandFormat::parse("int15"));
+  scene.ranges.assign(9, Range{-16384, 16383});
+  scene.grids.assign(9, mpq_class(1));
+  const Comparisons data = rows_of(scene.graph, format, nearly_equal_products(format, 400));
+  const RateProfile profile =
+      checked_profile(scene, data, LaneInputs::exact, options_of(8, 24), "integers");
+  EXPECT_EQ(profile.reference_wrong, 0u);
+  EXPECT_GE(profile.true_verdicts, 150u) << "doubles cannot tell these";
+  ASSERT_TRUE(profile::check_profile(scene, options_of(8, 24)).ok());
+  scene.operand_formats[3] = *OperandFormat::parse("int60");
+  EXPECT_EQ(profile::check_profile(scene, options_of(8, 24)).error().accepted,
+            "operands in fixed point of at most 53 digits");
+  scene.operand_formats[3] = *OperandFormat::parse("int15");
+  scene.graph = graph_of("a * b * c * d / 3", "h * k * m * n + p");
+  EXPECT_NE(profile::check_profile(scene, options_of(8, 24))
+                .error()
+                .message.find("a reference for operands in fixed point is an exact lane"),
+            std::string::npos);
+}
+
 /// The fast way looks at each part by itself, and separately at the parts that outweigh others.
 class RatesOfParts : public testing::TestWithParam<Combination> {};
 
