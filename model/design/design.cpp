@@ -446,10 +446,14 @@ LaneFormat datapath_format(const ReferenceDatapath& reference) {
                     reference);
 }
 
+ReferenceDatapath datapath_or_model(const scene::Scene& scene) {
+  Result<ReferenceDatapath> datapath = reference_datapath(scene);
+  if (datapath.ok()) return std::move(datapath).value();
+  return reference_graph(scene.graph, scene.reference);
+}
+
 LaneFormat datapath_format(const scene::Scene& scene) {
-  const Result<ReferenceDatapath> datapath = reference_datapath(scene);
-  if (datapath.ok()) return datapath_format(*datapath);
-  return {.floating = scene.reference.format, .fixed_point = {}};
+  return datapath_format(datapath_or_model(scene));
 }
 
 bool Design::has_fixed_operands() const {

@@ -131,12 +131,10 @@ std::optional<std::string> divider_note(const Graph& graph) {
   const auto quotient =
       first_of(graph, Operation::divide, [&](NodeId id) { return fixed::has_quotient(graph, id); });
   if (!quotient) return std::nullopt;
-  const NodeId divisor = graph.nodes()[static_cast<std::size_t>(quotient->first)].operands[1];
   return fmt::format(
-      "references have a divider for {} in {}; lanes multiply by the rounded reciprocal, and so do "
-      "references of a product with (1 / {})",
-      to_text(graph, quotient->first, most_characters), quotient->second,
-      to_text(graph, divisor, most_characters));
+      "references have a divider for {} in {}, which rounds once; a product with the reciprocal, "
+      "such as x * (1 / 24), takes less and rounds twice, as it does in lanes",
+      to_text(graph, quotient->first, most_characters), quotient->second);
 }
 
 std::vector<std::string> pairing_notes(const Graph& graph, data::Pairing pairing) {

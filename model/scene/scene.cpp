@@ -490,7 +490,9 @@ Result<Scene> interpret(SceneSettings read) {
   choose_references(scene);
   MIXCMP_DO(check_fixed_operands(settings, scene));
   note_open_format(scene);
-  if (auto note = divider_note(scene.graph)) scene.notes.push_back(std::move(*note));
+  if (scene.reference_count() != 0) {
+    if (auto note = divider_note(scene.graph)) scene.notes.push_back(std::move(*note));
+  }
   note_unused_keys(scene, settings, scene.notes);
   return scene;
 }

@@ -135,10 +135,13 @@ std::string to_text(const Advice& advice) {
     return text + "  none of these lanes exists with a recomputation rate: nothing to advise\n";
   }
   const LaneEstimate& least = advice.best.front();
+  const std::string recomputed =
+      least.rate > 0 ? fmt::format("recomputations included (one in {:.3g})", 1 / least.rate)
+                     : "and recompute nothing, since they are exact";
   text += fmt::format(
       "  L = {} costs least: lanes in {} ({}) take about {:.3g} % of the device each,\n"
-      "  recomputations included (one in {:.3g}); a reference takes {:.3g} times as much\n",
-      least.precision, least.key.format.name(), kind_of(least), 100 * least.share, 1 / least.rate,
+      "  {}; a reference takes {:.3g} times as much\n",
+      least.precision, least.key.format.name(), kind_of(least), 100 * least.share, recomputed,
       advice.reference_share / least.share);
   for (std::size_t k = 1; k < std::min(advice.best.size(), most_listed); ++k) {
     const LaneEstimate& other = advice.best[k];

@@ -277,7 +277,7 @@ void run(NewCommand& command) {
   value_or_exit(write_new_file(scene.path, scene_text(scene, loaded)));
   if (const std::optional<Error> reason = why_not_integers(scene, loaded)) {
     tell_note("the data have integers, but operands arrive in " +
-              loaded.scene.reference.format.name() + ": " + reason->to_string());
+              loaded.scene.reference.format.name() + ": " + reason->message);
   }
   print(command.json ? report::json_text(to_json(scene, loaded)) : to_text(scene, loaded));
 }

@@ -17,22 +17,6 @@ bool is_integer(const OperandFormat& type) {
   return type.fixed() != nullptr;
 }
 
-/// The narrowest integers that hold all numbers of the data; none if some are not whole, or beyond
-/// 64 bits.
-std::optional<OperandFormat> narrowest_integers(const LoadedScene& loaded) {
-  double low = 0, high = 0;
-  for (std::size_t input = 0; input < loaded.scene.graph.inputs().size(); ++input) {
-    const Numbers numbers = numbers_of(*loaded.data, input);
-    if (!numbers.any() || !numbers.are_whole) return std::nullopt;
-    low = std::min(low, numbers.low);
-    high = std::max(high, numbers.high);
-  }
-  FixedFormat format = FixedFormat::holding(mpz_class(low), mpz_class(high), 0);
-  if (format.is_signed) format.width = std::max(format.width, 2);
-  if (format.width > OperandFormat::most_fixed_bits) return std::nullopt;
-  return OperandFormat(format);
-}
-
 }  // namespace
 
 Numbers numbers_of(const data::Comparisons& data, std::size_t input) {
@@ -68,6 +52,20 @@ bool are_single(const std::vector<OperandFormat>& types) {
   return !types.empty() && std::all_of(types.begin(), types.end(), [](const OperandFormat& type) {
     return type.floating() != nullptr && type.floating()->precision() <= 24;
   });
+}
+
+std::optional<OperandFormat> narrowest_integers(const LoadedScene& loaded) {
+  double low = 0, high = 0;
+  for (std::size_t input = 0; input < loaded.scene.graph.inputs().size(); ++input) {
+    const Numbers numbers = numbers_of(*loaded.data, input);
+    if (!numbers.any() || !numbers.are_whole) return std::nullopt;
+    low = std::min(low, numbers.low);
+    high = std::max(high, numbers.high);
+  }
+  FixedFormat format = FixedFormat::holding(mpz_class(low), mpz_class(high), 0);
+  if (format.is_signed) format.width = std::max(format.width, 2);
+  if (format.width > OperandFormat::most_fixed_bits) return std::nullopt;
+  return OperandFormat(format);
 }
 
 std::vector<NewFormats> integer_formats(const LoadedScene& loaded) {

@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,10 @@ std::vector<OperandFormat> types_of_data(const LoadedScene& loaded);
 bool are_integers(const std::vector<OperandFormat>& types);
 /// Floats of at most 24 digits.
 bool are_single(const std::vector<OperandFormat>& types);
+
+/// The narrowest integers that hold all numbers of the data; none if some are not whole, or beyond
+/// 64 bits.
+std::optional<OperandFormat> narrowest_integers(const LoadedScene& loaded);
 
 /// Formats in which the data may arrive as integers, the best first: as in the file, then the
 /// narrowest that holds all numbers. Empty if some number is not whole.

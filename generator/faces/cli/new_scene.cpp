@@ -163,9 +163,12 @@ std::string integers_hint(const NewScene& scene, const LoadedScene& loaded) {
 
 std::string integers_text(const LoadedScene& loaded) {
   std::string text =
-      "# The integers in which operands arrive. A narrower format, such as \"int6\", saves\n"
-      "# hardware, and a number of the data that it lacks is an error.\n"
-      "[inputs]\n";
+      "# The integers in which operands arrive. A narrower format saves hardware, and a number of\n"
+      "# the data that it lacks is an error.";
+  if (const std::optional<OperandFormat> narrowest = narrowest_integers(loaded)) {
+    text += fmt::format(" These data need only \"{}\".", narrowest->name());
+  }
+  text += "\n[inputs]\n";
   const std::vector<std::string>& inputs = loaded.scene.graph.inputs();
   for (std::size_t k = 0; k < inputs.size(); ++k) {
     const std::string format = loaded.scene.operand_formats[k].name();

@@ -7,8 +7,10 @@
 
 #include "model/base/common/check.hpp"
 #include "model/cost/estimated/cost_model.hpp"
+#include "model/design/design.hpp"
 #include "model/design/slots.hpp"
 #include "model/plan/optimise/crossover.hpp"
+#include "model/plan/optimise/exact_lanes.hpp"
 
 namespace mixcmp::components {
 namespace {
@@ -101,7 +103,7 @@ private:
 
   void weigh_shared_parts() {
     const scene::Scene& scene = maker_.scene();
-    const TypedGraph reference = reference_graph(scene.graph, scene.reference);
+    const design::ReferenceDatapath reference = design::datapath_or_model(scene);
     for (const Multipliers multipliers : reference_multipliers(query_)) {
       const devices::Area area = rough_area(estimated::reference_luts, reference, multipliers,
                                             device_.delays.multiplier_size);
@@ -126,6 +128,7 @@ private:
   }
 
   std::optional<double> rate_of(const measured::Lane& key, int precision) const {
+    if (optimise::is_exact(maker_.scene(), key)) return 0;
     const LaneInputs inputs = key.inputs.value_or(LaneInputs::exact);
     const auto rate = rates_.find({inputs, key.bound, precision});
     return rate ? std::optional(rate->value()) : std::nullopt;

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <vector>
 
+#include "model/base/common/cases.hpp"
 #include "model/base/common/check.hpp"
 #include "model/base/common/file.hpp"
 #include "model/base/number/dyadic.hpp"
@@ -176,6 +177,17 @@ bool read_number(const std::string& text, Number& number) {
   return failed == std::errc() && stop == end;
 }
 
+int multipliers_of(const TypedGraph& graph, const devices::MultiplierSize& size) {
+  int count = 0;
+  for (const TypedNode& node : graph.nodes) {
+    const int digits = node.operand_format.precision();
+    int products = multiplies(graph, node) ? 1 : 0;
+    for (const FusedTerm& term : node.terms) products += term.is_product() ? 1 : 0;
+    count += products * covering(digits, digits, size);
+  }
+  return count;
+}
+
 }  // namespace
 
 double lane_luts(const error::Lane& lane, Products products) {
@@ -239,19 +251,15 @@ double lane_luts(const fixed::FixedLane& lane, Products products) {
   return luts;
 }
 
-int embedded_multipliers(const TypedGraph& reference, const devices::MultiplierSize& size) {
-  int count = 0;
-  for (const TypedNode& node : reference.nodes) {
-    const int digits = node.operand_format.precision();
-    int products = multiplies(reference, node) ? 1 : 0;
-    for (const FusedTerm& term : node.terms) products += term.is_product() ? 1 : 0;
-    count += products * covering(digits, digits, size);
-  }
-  return count;
+int embedded_multipliers(const error::Lane& lane, const devices::MultiplierSize& size) {
+  return multipliers_of(lane.graph, size);
 }
 
-int embedded_multipliers(const error::Lane& lane, const devices::MultiplierSize& size) {
-  return embedded_multipliers(lane.graph, size);
+int embedded_multipliers(const Reference& reference, const devices::MultiplierSize& size) {
+  return std::visit(
+      Cases{[&](const TypedGraph& graph) { return multipliers_of(graph, size); },
+            [&](const fixed::FixedLane& lane) { return embedded_multipliers(lane, size); }},
+      reference);
 }
 
 int embedded_multipliers(const fixed::FixedLane& lane, const devices::MultiplierSize& size) {
@@ -274,9 +282,14 @@ int memory_blocks(const fixed::FixedLane& lane, const devices::MemoryBlock& bloc
   return static_cast<int>(blocks);
 }
 
-double reference_luts(const TypedGraph& reference, Products products) {
-  return graph_luts(reference, products) + static_cast<double>(reference.parts.size()) *
-                                               comparison(reference.arithmetic.format.precision());
+double reference_luts(const Reference& reference, Products products) {
+  return std::visit(Cases{[&](const TypedGraph& graph) {
+                            const int digits = graph.arithmetic.format.precision();
+                            return graph_luts(graph, products) +
+                                   static_cast<double>(graph.parts.size()) * comparison(digits);
+                          },
+                          [&](const fixed::FixedLane& lane) { return lane_luts(lane, products); }},
+                    reference);
 }
 
 namespace {

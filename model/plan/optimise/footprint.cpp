@@ -8,7 +8,6 @@
 #include <map>
 #include <set>
 
-#include "model/base/common/cases.hpp"
 #include "model/base/common/check.hpp"
 #include "model/cost/estimated/cost_model.hpp"
 #include "model/cost/performance/performance.hpp"
@@ -189,13 +188,7 @@ double rough_luts(const design::Design& design, const devices::Device& device) {
   // An upper bound: a folded reference costs less.
   for (const design::ReferenceGroup& group : design.references) {
     const estimated::Products products = products_of(group.structure.multipliers, device);
-    luts += group.count * std::visit(Cases{[&](const TypedGraph& graph) {
-                                             return estimated::reference_luts(graph, products);
-                                           },
-                                           [&](const fixed::FixedLane& lane) {
-                                             return estimated::lane_luts(lane, products);
-                                           }},
-                                     design.reference_datapath());
+    luts += group.count * estimated::reference_luts(design.reference_datapath(), products);
   }
   return luts;
 }

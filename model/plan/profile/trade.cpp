@@ -1,5 +1,6 @@
 #include "model/plan/profile/trade.hpp"
 
+#include "model/design/design.hpp"
 #include "model/plan/profile/schemes.hpp"
 
 namespace mixcmp::profile {
@@ -49,7 +50,7 @@ bool qualifies(const TradePoint& point, double undetermined_per_million,
 
 Trade make_trade(const scene::Scene& scene, const RateProfile& rates, const ErrorProfile& errors,
                  const estimated::MeasuredAreas& areas) {
-  const TypedGraph reference = reference_graph(scene.graph, scene.reference);
+  const design::ReferenceDatapath reference = design::datapath_or_model(scene);
   Trade trade{.inputs = rates.inputs,
               .slack = scene.system.slack,
               .reference_luts = areas.reference().value_or(estimated::reference_luts(reference)),
