@@ -142,10 +142,13 @@ private:
     if (!lane.ok()) return Done{};
     MIXCMP_TRY(component, maker_.make(key));
     const devices::Area area = area_of(*lane, key.multipliers.value_or(Multipliers::embedded));
-    const bool recomputes = maker_.scene().system.references.value_or(1) > 0;
+    const bool recomputes = *rate > 0 && maker_.scene().system.references.value_or(1) > 0;
     const int slots = design::slots_for(
         component.latency_cycles + maker_.scene().system.input_registers, recomputes);
-    const devices::Area all = area + rough_streams(maker_.scene(), slots);
+    // Nothing waits beside a lane that decides everything.
+    const devices::Area streams =
+        *rate > 0 ? rough_streams(maker_.scene(), slots) : devices::Area{};
+    const devices::Area all = area + streams;
     const double share = optimise::device_share(all, device_.available) + *rate * reference_share_;
     const LaneEstimate estimate{key, key.format.precision(), area, *rate, share};
     const double seconds = seconds_for(lanes_at_once(maker_.scene()) * area);
