@@ -122,6 +122,20 @@ Result<LoadedScene> with_integers(const NewScene& scene, const LoadedScene& load
   return reason;
 }
 
+/// The scene in the formats that suit its data, unless the user has chosen the reference's.
+Result<LoadedScene> with_suitable_formats(const NewScene& scene) {
+  Result<LoadedScene> plain = load_from(settings_of(scene, plain_formats(scene)));
+  if (!plain.ok()) return plain;
+  if (wants_integers(scene, *plain)) {
+    Result<LoadedScene> integers = with_integers(scene, *plain);
+    const bool is_asked_for = !scene.reference.empty();
+    return integers.ok() || is_asked_for ? std::move(integers) : std::move(plain);
+  }
+  if (!scene.reference.empty() || !are_single(types_of_data(*plain))) return plain;
+  Result<LoadedScene> single = load_from(settings_of(scene, {.reference = "s24e8"}));
+  return single.ok() ? std::move(single) : std::move(plain);
+}
+
 /// The error with the option of `mixcmp new` in the place of a key that it has set.
 Error with_option(Error error) {
   static const std::map<std::string, std::string> options = {
@@ -309,16 +323,8 @@ Result<LoadedScene> load_new(const NewScene& scene) {
   if (const auto device = devices::find_device(scene.device); !device.ok()) {
     return with_option(device.error());
   }
-  Result<LoadedScene> loaded = load_from(settings_of(scene, plain_formats(scene)));
+  Result<LoadedScene> loaded = with_suitable_formats(scene);
   if (!loaded.ok()) return with_option(loaded.error());
-  if (wants_integers(scene, *loaded)) {
-    Result<LoadedScene> integers = with_integers(scene, *loaded);
-    if (!integers.ok() && !scene.reference.empty()) return with_option(integers.error());
-    if (integers.ok()) loaded = std::move(integers);
-  } else if (scene.reference.empty() && are_single(types_of_data(*loaded))) {
-    Result<LoadedScene> single = load_from(settings_of(scene, {.reference = "s24e8"}));
-    if (single.ok()) loaded = std::move(single);
-  }
   // The file says a little more than the options. This text must also load.
   MIXCMP_TRY(written, settings::parse_settings(scene_text(scene, *loaded), scene.path));
   MIXCMP_TRY(same, load_from(std::move(written)));
