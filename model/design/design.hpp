@@ -34,12 +34,12 @@ using ReferenceDatapath = std::variant<TypedGraph, fixed::FixedLane>;
 /// lane is exact.
 Result<ReferenceDatapath> reference_datapath(const scene::Scene& scene);
 
-/// The format in which references compute: "s53e8", or of an exact lane "q9". Of a scene without a
-/// datapath for references it is reference.format.
-LaneFormat datapath_format(const scene::Scene& scene);
 /// The datapath of a scene's references; of a scene that can have none, the model of them.
 ReferenceDatapath datapath_or_model(const scene::Scene& scene);
+/// The format in which references compute: "s53e8", or of an exact lane "q9".
 LaneFormat datapath_format(const ReferenceDatapath& reference);
+/// That of datapath_or_model.
+LaneFormat datapath_format(const scene::Scene& scene);
 
 /// A scene with every choice made. The generator builds it, and the golden model evaluates it.
 /// Lanes and references are numbered consecutively across their groups.

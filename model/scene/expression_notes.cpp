@@ -132,8 +132,8 @@ std::optional<std::string> divider_note(const Graph& graph) {
       first_of(graph, Operation::divide, [&](NodeId id) { return fixed::has_quotient(graph, id); });
   if (!quotient) return std::nullopt;
   return fmt::format(
-      "references have a divider for {} in {}, which rounds once; a product with the reciprocal, "
-      "such as x * (1 / 24), takes less and rounds twice, as it does in lanes",
+      "references have a divider for {} in {}, which rounds once; lanes multiply by the rounded "
+      "reciprocal where it is a normal number of their format, as both do in x * (1 / 24)",
       to_text(graph, quotient->first, most_characters), quotient->second);
 }
 

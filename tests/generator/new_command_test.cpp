@@ -74,7 +74,7 @@ std::string npy(const std::string& type, int rows, int columns, const std::strin
          numbers;
 }
 
-/// The same of integers of 8 bytes.
+/// A .npy file of one row, whose integers have 8 bytes each.
 std::string npy_of_int64(const std::vector<std::int64_t>& row) {
   std::string numbers(8 * row.size(), '\0');
   std::memcpy(numbers.data(), row.data(), numbers.size());

@@ -87,7 +87,7 @@ public:
     Item item;
   };
 
-  /// The same numbers in another format, which must hold all of them.
+  /// Converts all numbers to another format. It must hold each of them.
   Comparisons in_format(FloatFormat format) const;
 
   const std::vector<Table>& tables() const { return tables_; }

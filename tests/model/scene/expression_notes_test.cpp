@@ -50,9 +50,10 @@ TEST(DividerNotes, NameTheFirstConstantDivisor) {
   const auto note = [](const std::string& f, const std::string& g) {
     return scene::divider_note(graph_of(f, g)).value_or("");
   };
-  EXPECT_EQ(note("a - b", "a + c^2 / 24"),
-            "references have a divider for c^2 / 24 in g, which rounds once; a product with the "
-            "reciprocal, such as x * (1 / 24), takes less and rounds twice, as it does in lanes");
+  EXPECT_EQ(
+      note("a - b", "a + c^2 / 24"),
+      "references have a divider for c^2 / 24 in g, which rounds once; lanes multiply by the "
+      "rounded reciprocal where it is a normal number of their format, as both do in x * (1 / 24)");
   EXPECT_EQ(note("a / 8", "b * (1 / 24)"), "") << "these are products";
   EXPECT_EQ(note("a / b", "c"), "") << "no constant";
 }
