@@ -78,6 +78,21 @@ TEST_F(ProfileCommand, CountsTheBoundsThatAreAskedFor) {
   }
 }
 
+/// References of integers are exact lanes, and are priced as these.
+TEST_F(ProfileCommand, AdvisesExactLanesOfIntegersWithoutRecomputations) {
+  std::ofstream(path("integers.csv")) << "x,y,z\n-121,17,88\n3,4,-5\n127,-128,0\n64,1,-8\n";
+  std::ofstream(path("integers.toml"))
+      << "[comparison]\nname = \"n\"\nf = \"x * y\"\ng = \"z^2\"\n[inputs]\n\"*\" = { format = "
+         "\"int8\" }\n[data]\nfile = \"integers.csv\"\n";
+  const Outcome run = profile("integers.toml --samples 0");
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_NE(run.output.find("L = 7 costs least: lanes in q7"), std::string::npos) << run.output;
+  EXPECT_NE(
+      run.output.find("and recompute nothing, since they are exact; a reference takes 1 times"),
+      std::string::npos)
+      << run.output;
+}
+
 /// The shortlist of `characterise --quick` is made of the advice, so the advice names a lane that
 /// exists, by rates of this run.
 TEST_F(ProfileCommand, EndsWithAdviceThatSaysWhatItStandsOn) {
