@@ -63,16 +63,19 @@ double expected_pairwise_cycles(const design::Design& design, const VerifyReport
 performance::Chain chain_of(const design::Design& design) {
   const emit::ScheduledSystem scheduled = emit::schedule_system(design).value();
   const rtl::SystemShape& shape = scheduled.shape;
+  performance::Chain chain = {
+      .lanes = shape.lanes,
+      .streams = {.order = scene::ResultOrder::in_order,
+                  .lane_latency_cycles = shape.lane_groups.front().schedule.latency_cycles,
+                  .slots = 1 << shape.slot_bits},
+      .references = shape.references,
+      .word_latency_cycles = scheduled.words()->latency_cycles()};
+  if (!shape.recomputes()) return chain;
   const datapath::Schedule& reference = shape.reference_groups.front().schedule;
-  return {.lanes = shape.lanes,
-          .streams = {.order = scene::ResultOrder::in_order,
-                      .lane_latency_cycles = shape.lane_groups.front().schedule.latency_cycles,
-                      .reference_latency_cycles = reference.latency_cycles,
-                      .initiation_interval_cycles = reference.initiation_interval,
-                      .slots = 1 << shape.slot_bits,
-                      .lanes_served = (shape.lanes + shape.references - 1) / shape.references},
-          .references = shape.references,
-          .word_latency_cycles = scheduled.words()->latency_cycles()};
+  chain.streams.reference_latency_cycles = reference.latency_cycles;
+  chain.streams.initiation_interval_cycles = reference.initiation_interval;
+  chain.streams.lanes_served = (shape.lanes + shape.references - 1) / shape.references;
+  return chain;
 }
 
 double expected_arg_min_cycles(const design::Design& design, const VerifyReport& report) {

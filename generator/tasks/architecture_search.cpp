@@ -255,11 +255,7 @@ Result<OptimiseResult> ArchitectureSearch::fastest_in(Share share,
     result.systems.push_back(std::move(none));
     return result;
   }
-  const auto most = std::max_element(result.systems.begin(), result.systems.end(),
-                                     [](const PlannedSystem& a, const PlannedSystem& b) {
-                                       return a.throughput_per_s() < b.throughput_per_s();
-                                     });
-  result.chosen = static_cast<std::size_t>(most - result.systems.begin());
+  result.chosen = best_of(result.systems);
   return result;
 }
 

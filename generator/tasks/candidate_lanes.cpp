@@ -121,8 +121,7 @@ Result<std::vector<ReferenceChoice>> reference_choices(const scene::Scene& scene
   for (const measured::Lane& lane : lanes) {
     (optimise::is_exact(scene, lane) ? exact : rounding).insert(lane);
   }
-  const bool is_chain = scene.system.engine.kind == scene::EngineKind::arg_min;
-  const bool may_have_none = !is_chain && (open.references || scene.reference_count() == 0);
+  const bool may_have_none = open.references || scene.reference_count() == 0;
   std::vector<ReferenceChoice> choices;
   if (may_have_none && !exact.empty()) {
     ReferenceChoice& none = choices.emplace_back(ReferenceChoice{scene, query});

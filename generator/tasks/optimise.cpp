@@ -110,11 +110,7 @@ Result<OptimiseResult> plan_by_tables(const OptimiseRequest& request,
     }
   }
   if (result.systems.empty()) return result.left_out.front().second;
-  const auto best = std::max_element(result.systems.begin(), result.systems.end(),
-                                     [](const PlannedSystem& a, const PlannedSystem& b) {
-                                       return a.throughput_per_s() < b.throughput_per_s();
-                                     });
-  result.chosen = static_cast<std::size_t>(best - result.systems.begin());
+  result.chosen = best_of(result.systems);
   return result;
 }
 
@@ -252,6 +248,20 @@ void note_use(const scene::Scene& scene, const data::Comparisons* data,
 
 double PlannedSystem::throughput_per_s() const {
   return found.best() == nullptr ? 0 : found.best()->throughput_per_s();
+}
+
+std::size_t best_of(const std::vector<PlannedSystem>& systems) {
+  const auto fastest = std::max_element(systems.begin(), systems.end(), [](auto& a, auto& b) {
+    return a.throughput_per_s() < b.throughput_per_s();
+  });
+  const PlannedSystem* best = &*fastest;
+  for (const PlannedSystem& other : systems) {
+    const bool is_alike = other.throughput_per_s() == best->throughput_per_s() &&
+                          other.known.scene.system.counters == best->known.scene.system.counters;
+    if (!is_alike || other.found.best() == nullptr) continue;
+    if (is_better(*other.found.best(), *best->found.best(), other.found.device)) best = &other;
+  }
+  return static_cast<std::size_t>(best - systems.data());
 }
 
 std::vector<Words> settings_of_variants(const OptimiseRequest& request, const scene::Scene& scene) {

@@ -46,6 +46,9 @@ struct PlannedSystem {
   double throughput_per_s() const;
 };
 
+/// The index of the fastest system; of equally fast ones with the same counters, the smallest.
+std::size_t best_of(const std::vector<PlannedSystem>& systems);
+
 /// How far a plan relies on predicted areas.
 struct Confirmation {
   double predicted_per_s = 0;  ///< of the first plan, on predicted areas only

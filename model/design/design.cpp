@@ -390,9 +390,8 @@ Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
   std::optional<int> shortest;
   for (const scene::ReferenceGroupSpec& spec : scene.reference_groups()) {
     if (!spec.count) {
-      const int fewest = scene.system.engine.kind == scene::EngineKind::arg_min ? 1 : 0;
       return unresolved(scene, "system.references", "--references 1",
-                        fmt::format("{}..{}", fewest, scene::max_references));
+                        to_string(settings::limits::references));
     }
     if (*spec.count == 0) continue;
     const auto& [multipliers, interval, target_mhz] = spec.structure;

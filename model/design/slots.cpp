@@ -46,8 +46,8 @@ int second_tier_slots_for(const scene::SystemSpec& system, int lane_latency_cycl
                       way_to_reference_cycles + reference_latency_cycles);
 }
 
-int chain_slots_for(int lane_latency_cycles) {
-  return slots_beside(lane_latency_cycles, chain_slots);
+int chain_slots_for(int lane_latency_cycles, bool recomputes) {
+  return slots_beside(lane_latency_cycles, recomputes ? chain_slots : 0);
 }
 
 int segment_queue_bits(int lane_latency_cycles) {

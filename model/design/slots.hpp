@@ -10,8 +10,8 @@ int slots_for(int lane_latency_cycles, bool recomputes);
 
 /// The number of rows that may be inside one lane of an arg-min engine's chain. A recomputed
 /// comparison delays the rows behind it. The previous lanes continue as long as the delayed rows
-/// find slots.
-int chain_slots_for(int lane_latency_cycles);
+/// find slots. Without references nothing is delayed.
+int chain_slots_for(int lane_latency_cycles, bool recomputes);
 
 /// The number of comparisons that may be inside a lane of the second tier of a system of streams.
 /// Its results leave in order. While one is recomputed, all comparisons that arrive in that time

@@ -36,8 +36,7 @@ Result<Done> check_pairwise_system(const settings::Settings& settings, const Eng
   return Done{};
 }
 
-/// Checks the keys of [system] with an arg-min engine. It needs at least one reference: its chain
-/// of comparisons cannot continue after one that stays undecided.
+/// Checks the keys of [system] with an arg-min engine.
 Result<Done> check_arg_min_system(const settings::Settings& settings, const EngineSpec& engine) {
   settings::Section section(settings, "system");
   const auto refuse = [&](const char* key, const std::string& message, const std::string& received,
@@ -62,12 +61,6 @@ Result<Done> check_arg_min_system(const settings::Settings& settings, const Engi
     return refuse(
         "tag_bits", decided, fmt::format("{}", tag_bits),
         fmt::format("{}, or no key: a row's tag is engine.tag_bits wide", engine.tag_bits()));
-  }
-  std::optional<int> references;
-  section.integer_or_auto("references", references, settings::limits::references);
-  if (references && *references == 0) {
-    return refuse("references", "the arg-min engine needs every verdict", "0",
-                  fmt::format("1..{}", max_references));
   }
   return Done{};
 }

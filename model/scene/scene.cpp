@@ -386,9 +386,20 @@ bool is_exact_lane(const Scene& scene, const ReducedSpec& reduced) {
   return lane.ok() && fixed::is_exact(*lane);
 }
 
+/// Whether all lanes are exact and so leave nothing to references; none while formats are open.
+std::optional<bool> has_exact_lanes(const Scene& scene) {
+  if (!scene.has_fixed_operands()) return false;
+  const std::vector<LaneGroupSpec> groups = scene.lane_groups();
+  const auto is_open = [](const LaneGroupSpec& group) { return !group.reduced.fixed_point; };
+  if (std::any_of(groups.begin(), groups.end(), is_open)) return std::nullopt;
+  return std::all_of(groups.begin(), groups.end(), [&](const LaneGroupSpec& group) {
+    return is_exact_lane(scene, group.reduced);
+  });
+}
+
 /// Sets what a scene with operands in fixed point leaves open of references, which are exact lanes:
-/// none behind lanes that are exact as well or if there is no exact lane, otherwise one. An arg-min
-/// engine has at least one. While formats of lanes are open, so is the number.
+/// none behind lanes that are exact as well or if there is no exact lane, otherwise one. While
+/// formats of lanes are open, so is the number.
 void choose_references(Scene& scene) {
   if (!scene.has_fixed_operands()) return;
   const auto close = [](ReferenceStructureSpec& structure) {
@@ -397,17 +408,24 @@ void choose_references(Scene& scene) {
   close(scene.reference_structure);
   for (ReferenceGroupSpec& group : scene.references) close(group.structure);
   if (!scene.references.empty() || scene.system.references) return;
-  bool are_known = true, are_exact = true;
-  for (const LaneGroupSpec& group : scene.lane_groups()) {
-    are_known = are_known && group.reduced.fixed_point;
-    are_exact = are_exact && are_known && is_exact_lane(scene, group.reduced);
-  }
-  if (!are_known) return;
-  const bool is_chain = scene.system.engine.kind == EngineKind::arg_min;
+  const std::optional<bool> are_exact = has_exact_lanes(scene);
+  if (!are_exact) return;
   const bool can_have_some = fixed::exact_bits(scene.graph, scene.operand_formats, std::nullopt,
                                                settings::limits::fixed_bits.most)
                                  .ok();
-  scene.system.references = is_chain || (!are_exact && can_have_some) ? 1 : 0;
+  scene.system.references = !*are_exact && can_have_some ? 1 : 0;
+}
+
+/// Refuses an arg-min engine without references, unless its lanes are exact: its chain of
+/// comparisons cannot continue after one that stays undecided.
+Result<Done> check_chain_decides(const settings::Settings& settings, const Scene& scene) {
+  const bool is_chain = scene.system.engine.kind == EngineKind::arg_min;
+  if (!is_chain || scene.reference_count() != 0 || has_exact_lanes(scene).value_or(true)) {
+    return Done{};
+  }
+  return settings::Section(settings, "system")
+      .mistake("references", "the arg-min engine needs every verdict", "0",
+               fmt::format("1..{}, or lanes that are exact", max_references));
 }
 
 /// Notes what rules out lanes in fixed point, if the format of lanes is open.
@@ -488,6 +506,7 @@ Result<Scene> interpret(SceneSettings read) {
               .plan = std::move(read.plan),
               .notes = std::move(notes)};
   choose_references(scene);
+  MIXCMP_DO(check_chain_decides(settings, scene));
   MIXCMP_DO(check_fixed_operands(settings, scene));
   note_open_format(scene);
   if (scene.reference_count() != 0) {

@@ -12,7 +12,8 @@
 // WORD_LATENCY cycles behind `candidate` and s_axis_tdata.
 //
 // Full candidates and rows stay in memories. References ask the memories for a pair by the low bits
-// of the pair's tag, {index of its own candidate, index of the best, place of the row}.
+// of the pair's tag, {index of its own candidate, index of the best, place of the row}. Without
+// references there are no such memories, and the ports of the references are one bit wide and unused.
 //
 // The next load is taken when no row is inside; while it is offered, no row enters. Interval 1. The
 // latency is WORD_LATENCY + 2, plus the latency of each of the CANDIDATES - 1 lanes and one cycle
@@ -33,7 +34,7 @@ module arg_min_engine #(
   parameter TAG_BITS = 8,         // bits of a tag (m_axis_tuser), 1 or more
   parameter INDEX_BITS = 2,       // bits of a candidate's index, 1 to 30
   parameter PLACE_BITS = 6,       // bits of a row's place, 1 to 30: 2^PLACE_BITS rows may be inside
-  parameter REFERENCES = 1,       // number of references, 1 or more
+  parameter REFERENCES = 1,       // number of references, 0 or more; 0: the lanes decide all pairs
   parameter COUNTER_BITS = 32     // bits of a counter, which wraps; 0: no counters
 ) (
   input  wire                                                               aclk,
@@ -59,12 +60,12 @@ module arg_min_engine #(
   output wire [CANDIDATES-2:0]                                              result_tready,
   input  wire [(CANDIDATES-1)*8-1:0]                                        result_tdata,
   input  wire [(CANDIDATES-1)*(ROW_WORD_BITS+2*INDEX_BITS+PLACE_BITS)-1:0]  result_tag,
-  input  wire [REFERENCES-1:0]                                              refetch_tvalid,
-  output wire [REFERENCES-1:0]                                              refetch_tready,
-  input  wire [REFERENCES*(2*INDEX_BITS+PLACE_BITS)-1:0]                    refetch_tdata,
-  output wire [REFERENCES-1:0]                                              refetched_tvalid,
-  input  wire [REFERENCES-1:0]                                              refetched_tready,
-  output wire [REFERENCES*(2*CANDIDATE_BITS+ROW_BITS)-1:0]                  refetched_tdata,  // {own, best, row}
+  input  wire [(REFERENCES > 0 ? REFERENCES : 1)-1:0]                       refetch_tvalid,
+  output wire [(REFERENCES > 0 ? REFERENCES : 1)-1:0]                       refetch_tready,
+  input  wire [(REFERENCES > 0 ? REFERENCES : 1)*(2*INDEX_BITS+PLACE_BITS)-1:0] refetch_tdata,
+  output wire [(REFERENCES > 0 ? REFERENCES : 1)-1:0]                       refetched_tvalid,
+  input  wire [(REFERENCES > 0 ? REFERENCES : 1)-1:0]                       refetched_tready,
+  output wire [(REFERENCES > 0 ? REFERENCES : 1)*(2*CANDIDATE_BITS+ROW_BITS)-1:0] refetched_tdata,  // {own, best, row}
   output wire                                                               m_axis_tvalid,
   input  wire                                                               m_axis_tready,
   output wire [8*((INDEX_BITS+7)/8)-1:0]                                    m_axis_tdata,
@@ -112,7 +113,7 @@ module arg_min_engine #(
     if (((CANDIDATES - 1) >>> INDEX_BITS) > 0)
       begin : g_refused_last_candidate INDEX_BITS_is_too_small_for_CANDIDATES refused (); end
     if (PLACE_BITS < 1) begin : g_refused_place_bits PLACE_BITS_is_below_1 refused (); end
-    if (REFERENCES < 1) begin : g_refused_references REFERENCES_is_below_1 refused (); end
+    if (REFERENCES < 0) begin : g_refused_references REFERENCES_is_below_0 refused (); end
     if (COUNTER_BITS < 0) begin : g_refused_counter_bits COUNTER_BITS_is_below_0 refused (); end
   endgenerate
 
@@ -204,28 +205,38 @@ module arg_min_engine #(
 
   // In every cycle the next free place is written with whatever is offered. The last write is the
   // row that takes the place.
-  operand_memory #(
-    .REFERENCES    (REFERENCES),
-    .CANDIDATE_BITS(CANDIDATE_BITS),
-    .ROW_BITS      (ROW_BITS),
-    .INDEX_BITS    (INDEX_BITS),
-    .PLACE_BITS    (PLACE_BITS)
-  ) operands (
-    .aclk           (aclk),
-    .aresetn        (aresetn),
-    .row_write      (!full),
-    .row_place      (free_place_q),
-    .row            (s_axis_tdata),
-    .candidate_write(loaded_valid),
-    .candidate_index(loaded_index),
-    .candidate      (candidate),
-    .s_ask_tvalid   (refetch_tvalid),
-    .s_ask_tready   (refetch_tready),
-    .s_ask_tdata    (refetch_tdata),
-    .m_answer_tvalid(refetched_tvalid),
-    .m_answer_tready(refetched_tready),
-    .m_answer_tdata (refetched_tdata)
-  );
+  generate
+    if (REFERENCES == 0) begin : g_no_references
+      wire unused_inputs = &{s_axis_tdata, refetch_tvalid, refetch_tdata, refetched_tready};
+
+      assign refetch_tready   = 1'b0;
+      assign refetched_tvalid = 1'b0;
+      assign refetched_tdata  = {(2*CANDIDATE_BITS+ROW_BITS){1'b0}};
+    end else begin : g_references
+      operand_memory #(
+        .REFERENCES    (REFERENCES),
+        .CANDIDATE_BITS(CANDIDATE_BITS),
+        .ROW_BITS      (ROW_BITS),
+        .INDEX_BITS    (INDEX_BITS),
+        .PLACE_BITS    (PLACE_BITS)
+      ) operands (
+        .aclk           (aclk),
+        .aresetn        (aresetn),
+        .row_write      (!full),
+        .row_place      (free_place_q),
+        .row            (s_axis_tdata),
+        .candidate_write(loaded_valid),
+        .candidate_index(loaded_index),
+        .candidate      (candidate),
+        .s_ask_tvalid   (refetch_tvalid),
+        .s_ask_tready   (refetch_tready),
+        .s_ask_tdata    (refetch_tdata),
+        .m_answer_tvalid(refetched_tvalid),
+        .m_answer_tready(refetched_tready),
+        .m_answer_tdata (refetched_tdata)
+      );
+    end
+  endgenerate
 
   // The conversion of rows cannot wait, so a queue follows it.
   wire                     converted;

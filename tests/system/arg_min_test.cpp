@@ -11,6 +11,7 @@
 #include "model/comparison/expression/parser.hpp"
 #include "model/judge/workload/compare_by_reference.hpp"
 #include "model/lane/error/certified_lane.hpp"
+#include "model/lane/fixed/exact_lane.hpp"
 #include "model/lane/fixed/fixed_lane.hpp"
 #include "tests/support/simulated_system.hpp"
 #include "tests/support/sphere.hpp"
@@ -239,6 +240,45 @@ TEST(ArgMinSystemOf, FewerCandidatesThanItHolds) {
   const design::Design design = nearest_point(5, 2);
   const verilator_tb::VerifyReport report = simulate(design, data(design, 100, 3, 20), {});
   expect_passed(report, 100, 3);
+}
+
+/// Every point of a grid of 3-bit numbers finds its nearest one of 5, ties included.
+TEST(ArgMinSystemOf, ExactLanesWithoutReferences) {
+  const Graph graph = squared_distances();
+  const std::vector<OperandFormat> formats(6, OperandFormat::parse("uint3").value());
+  design::Design design = nearest_point(4, 1);
+  design.lanes.front().lane =
+      fixed::fixed_lane(graph, format("s24e8"),
+                        {.format = {.bits = *fixed::exact_bits(graph, formats, {}, 48)},
+                         .bound = {},
+                         .ranges = std::vector<std::optional<Range>>(6),
+                         .operand_formats = formats})
+          .value();
+  design.references = {};
+  design.system.references = 0;
+  design.operand_formats = formats;
+  data::Table all{format("s24e8"), {"x", "y"}, {}, {}};
+  for (int point = 0; point < 64; ++point) {
+    all.values.push_back(from_rational(all.format, point / 8));
+    all.values.push_back(from_rational(all.format, point % 8));
+  }
+  const data::Table candidates = points(all.format, {"cx", "cy"}, 5, 8, 4, Special::none);
+  const data::Comparisons comparisons =
+      data::Comparisons::arg_min(all, candidates, design.inputs,
+                                 workload::compare_by_reference(design.reference))
+          .value();
+  for (const int resets : {0, 3}) {
+    using enum verilator_tb::TrafficKind;
+    const auto report = simulate(design, comparisons,
+                                 {.traffic = resets == 0 ? full_rate : stressed,
+                                  .resets = resets,
+                                  .truth = verilator_tb::TruthCheck{.graph = &graph}});
+    expect_passed(report, 64, 5);
+    EXPECT_EQ(report.undecided, 0u);
+    EXPECT_GT(report.verdicts[1], 0u) << "no tie";
+    EXPECT_EQ(report.truth->wrong_by_lane, 0u);
+    EXPECT_EQ(report.arg_min->rows_unlike_reference, 0u);
+  }
 }
 
 TEST(ArgMinSystemOf, IcarusSaysWhatVerilatorSays) {

@@ -177,7 +177,7 @@ int second_tier_slot_bits(const design::Design& design, const rtl::SystemShape& 
 int slots_of(const rtl::SystemShape& shape, const scene::EngineSpec& engine) {
   const int slowest = slowest_cycles(shape.lane_groups);
   return engine.kind == scene::EngineKind::arg_min
-             ? design::chain_slots_for(slowest)
+             ? design::chain_slots_for(slowest, shape.recomputes())
              : design::slots_for(slowest + shape.input_registers, shape.recomputes());
 }
 

@@ -126,6 +126,28 @@ void add_conversions(const ArgMinShape& shape, std::vector<ModuleItem>& items) {
                  items);
 }
 
+/// Connects the engine's streams to and from the references, or ties them off if there is none.
+void connect_refetch_streams(const ArgMinShape& shape, const SystemShape& system,
+                             std::vector<ModuleItem>& items, std::vector<Connection>& connections) {
+  if (system.recomputes()) {
+    append(connections, {"refetch_tvalid", "refetch_tready"});
+    connections.push_back({"refetch_tdata", net("asked")});
+    append(connections, {"refetched_tvalid", "refetched_tready", "refetched_tdata"});
+    return;
+  }
+  const int answer_bits = shape.engine.row_bits() + 2 * shape.engine.item_bits();
+  items.push_back(Comment{"No reference: the lanes decide all pairs."});
+  items.push_back(Wire{1, "unused_refetch_tready", nullptr});
+  items.push_back(Wire{1, "unused_refetched_tvalid", nullptr});
+  items.push_back(Wire{answer_bits, "unused_refetched_tdata", nullptr});
+  connections.push_back({"refetch_tvalid", literal(1, 0)});
+  connections.push_back({"refetch_tready", net("unused_refetch_tready")});
+  connections.push_back({"refetch_tdata", literal(system.ask_bits(), 0)});
+  connections.push_back({"refetched_tvalid", net("unused_refetched_tvalid")});
+  connections.push_back({"refetched_tready", literal(1, 1)});
+  connections.push_back({"refetched_tdata", net("unused_refetched_tdata")});
+}
+
 Instance arg_min_instance(const ArgMinShape& shape, const SystemShape& system,
                           std::vector<ModuleItem>& items) {
   const EngineShape& engine = shape.engine;
@@ -136,12 +158,12 @@ Instance arg_min_instance(const ArgMinShape& shape, const SystemShape& system,
   append(connections,
          {"s_candidate_tlast", "candidate", "candidate_word", "s_axis_tvalid", "s_axis_tready"});
   connections.push_back({"s_axis_tdata", slice("s_axis_tdata", engine.row_bits() - 1, 0)});
-  append(connections, {"s_axis_tuser", "s_axis_tlast", "row_word", "pair_tvalid", "pair_tready",
-                       "pair_best", "pair_own", "pair_tag", "result_tvalid", "result_tready",
-                       "result_tdata", "result_tag", "refetch_tvalid", "refetch_tready"});
-  connections.push_back({"refetch_tdata", net("asked")});
-  append(connections, {"refetched_tvalid", "refetched_tready", "refetched_tdata", "m_axis_tvalid",
-                       "m_axis_tready", "m_axis_tdata", "m_axis_tuser", "m_axis_tlast", "overrun"});
+  append(connections,
+         {"s_axis_tuser", "s_axis_tlast", "row_word", "pair_tvalid", "pair_tready", "pair_best",
+          "pair_own", "pair_tag", "result_tvalid", "result_tready", "result_tdata", "result_tag"});
+  connect_refetch_streams(shape, system, items, connections);
+  append(connections, {"m_axis_tvalid", "m_axis_tready", "m_axis_tdata", "m_axis_tuser",
+                       "m_axis_tlast", "overrun"});
   connect_counters(system, own_counters, items, connections);
   TemplateInstance around = arg_min_template(shape, system);
   return {around.module, "engine", std::move(around.parameters), std::move(connections)};
@@ -150,22 +172,24 @@ Instance arg_min_instance(const ArgMinShape& shape, const SystemShape& system,
 /// The instance of the system, between the streams to the lanes and to the references.
 Instance system_instance(const SystemShape& system) {
   std::vector<Connection> connections = clock_and_reset();
-  for (const auto& [port, name] :
-       std::vector<std::pair<std::string, std::string>>{{"s_axis_tvalid", "pair_tvalid"},
-                                                        {"s_axis_tready", "pair_tready"},
-                                                        {"s_axis_tdata", "words"},
-                                                        {"s_axis_tuser", "pair_tag"},
-                                                        {"m_axis_tvalid", "result_tvalid"},
-                                                        {"m_axis_tready", "result_tready"},
-                                                        {"m_axis_tdata", "result_tdata"},
-                                                        {"m_axis_tuser", "result_tag"},
-                                                        {"m_refetch_tvalid", "refetch_tvalid"},
-                                                        {"m_refetch_tready", "refetch_tready"},
-                                                        {"m_refetch_tdata", "refetch_tdata"},
-                                                        {"s_refetch_tvalid", "refetched_tvalid"},
-                                                        {"s_refetch_tready", "refetched_tready"},
-                                                        {"s_refetch_tdata", "operands"}}) {
-    connections.push_back({port, net(name)});
+  const auto connect = [&](const std::vector<std::pair<std::string, std::string>>& nets) {
+    for (const auto& [port, name] : nets) connections.push_back({port, net(name)});
+  };
+  connect({{"s_axis_tvalid", "pair_tvalid"},
+           {"s_axis_tready", "pair_tready"},
+           {"s_axis_tdata", "words"},
+           {"s_axis_tuser", "pair_tag"},
+           {"m_axis_tvalid", "result_tvalid"},
+           {"m_axis_tready", "result_tready"},
+           {"m_axis_tdata", "result_tdata"},
+           {"m_axis_tuser", "result_tag"}});
+  if (system.recomputes()) {
+    connect({{"m_refetch_tvalid", "refetch_tvalid"},
+             {"m_refetch_tready", "refetch_tready"},
+             {"m_refetch_tdata", "refetch_tdata"},
+             {"s_refetch_tvalid", "refetched_tvalid"},
+             {"s_refetch_tready", "refetched_tready"},
+             {"s_refetch_tdata", "operands"}});
   }
   for (const Counters& each : system_counters(system)) connections.push_back(by_name(each.name));
   return {system.top, "system", {}, std::move(connections)};
@@ -260,7 +284,7 @@ Module arg_min_module(const ArgMinShape& shape, const SystemShape& system) {
   consume_unread("s_axis_tdata", engine.row_bytes() * 8, {{0, engine.row_bits()}}, items);
   add_conversions(shape, items);
   declare_lane_streams(shape, system, items);
-  declare_refetch_streams(shape, system, items);
+  if (system.recomputes()) declare_refetch_streams(shape, system, items);
   Instance around = arg_min_instance(shape, system, items);
   items.push_back(std::move(around));
   items.push_back(system_instance(system));

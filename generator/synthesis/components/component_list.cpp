@@ -76,7 +76,7 @@ public:
     if (recomputes() && maker_.has_crossbar()) {
       MIXCMP_DO(visit_sizes(measured::Crossbar{}, query_.crossbars));
     }
-    if (maker_.engine().kind == scene::EngineKind::arg_min) {
+    if (recomputes() && maker_.engine().kind == scene::EngineKind::arg_min) {
       MIXCMP_DO(visit_sizes(measured::OperandMemory{}, measured_memory_references));
     }
     if (asked(ComponentKind::unit)) {

@@ -12,15 +12,20 @@ namespace {
 /// Below this number a merge is one multiplexer, which says little of larger ones.
 constexpr int fewest_segments = 4;
 
-/// A design with these lanes and one reference. The parts of an engine depend on nothing else.
+/// A design with these lanes and one reference, or none if the scene has none. The parts of an
+/// engine depend on nothing else.
 design::Design design_of(const scene::Scene& scene, const design::LaneGroup& lanes,
                          std::optional<design::LaneGroup> second_tier) {
+  std::vector<design::ReferenceGroup> references;
+  if (scene.reference_count() != 0) {
+    references = {{.structure = {scene::Multipliers::embedded, 1}, .count = 1}};
+  }
   return {.name = "engine",  // not the scene's: equal hardware has equal names
           .inputs = scene.graph.inputs(),
           .lanes = {lanes},
           .second_tier = std::move(second_tier),
           .reference = reference_graph(scene.graph, scene.reference),
-          .references = {{.structure = {scene::Multipliers::embedded, 1}, .count = 1}},
+          .references = std::move(references),
           .system = scene.system,
           .operand_formats = scene.operand_formats};
 }

@@ -20,6 +20,7 @@ int lane_cycles(const Chain& chain) {
 /// Cycles that the busiest reference needs if recomputations are spread evenly over the lanes. The
 /// engine's memory starts one per cycle, for all references together.
 double recomputing_cycles(const Chain& chain, double recomputations) {
+  if (chain.references == 0) return 0;
   const int busiest = (chain.lanes + chain.references - 1) / chain.references;
   const double each = double(busiest) / chain.lanes * service_cycles(chain.streams);
   return recomputations * std::max(1.0, each);

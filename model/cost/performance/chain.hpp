@@ -13,7 +13,7 @@ namespace mixcmp::performance {
 struct Chain {
   int lanes = 1;                ///< p_L: one for each candidate but the first
   LaneStreams streams;          ///< of each lane; its order is in_order
-  int references = 1;           ///< p_H
+  int references = 1;           ///< p_H; 0: every lane decides every row
   int word_latency_cycles = 0;  ///< of the conversion
 };
 

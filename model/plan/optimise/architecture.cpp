@@ -208,7 +208,7 @@ std::string interface_of(const scene::Scene& scene) {
       return fmt::format("operands {}, {}", to_string(system.operands), counters);
     case EngineKind::pairwise:
       return fmt::format("pairwise engine, {}{}{}", none, streams_of(system.engine), counters);
-    case EngineKind::arg_min: return "arg-min engine, " + counters;
+    case EngineKind::arg_min: return fmt::format("arg-min engine, {}{}", none, counters);
   }
   MIXCMP_CHECK(false);
 }

@@ -74,8 +74,8 @@ devices::Area without(const devices::Area& whole, const devices::Area& part) {
 }  // namespace
 
 std::optional<EngineArea> engine_area(const measured::Characterisation& table,
-                                      const Measurement& row, scene::EngineKind kind,
-                                      std::set<std::string>& missing, bool arrives_in_fixed_point) {
+                                      const Measurement& row, EngineUse use,
+                                      std::set<std::string>& missing) {
   const auto& segment = std::get<measured::Segment>(row.key);
   const Sizes engines = sizes_of(table, measured::Engine{segment.lane});
   if (engines.size() < 2) {
@@ -84,18 +84,18 @@ std::optional<EngineArea> engine_area(const measured::Characterisation& table,
     return std::nullopt;
   }
   // A chain's line is exact at the lanes of the larger engine, with which chains are planned.
-  const Line line =
-      kind == scene::EngineKind::arg_min ? line_to_the_larger(engines) : line_through(engines);
-  EngineArea area{.own = without(line.own, memory_share(table, kind, missing)),
-                  .group = row.area + line.each,
-                  .lane = {},
-                  .mhz = {}};
+  const bool is_chain = use.kind == scene::EngineKind::arg_min;
+  const Line line = is_chain ? line_to_the_larger(engines) : line_through(engines);
+  const devices::Area memory =
+      use.recomputes ? memory_share(table, use.kind, missing) : devices::Area{};
+  EngineArea area{
+      .own = without(line.own, memory), .group = row.area + line.each, .lane = {}, .mhz = {}};
   area.lane = share(area.group, segment.lanes);
   limit(area.mhz, *engines.rbegin()->second);
   if (!is_converted(segment.lane.format)) return area;
   const Measurement* conversion = table.find(measured::Conversion{segment.lane});
   if (conversion == nullptr) {
-    if (arrives_in_fixed_point) return area;
+    if (use.arrives_in_fixed_point) return area;
     missing.insert(fmt::format("a conversion to {}", segment.lane.format.name()));
     return area;
   }

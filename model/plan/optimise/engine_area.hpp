@@ -19,14 +19,21 @@ struct EngineArea {
   std::optional<double> mhz;  ///< the lowest clock of these parts; none if none was measured
 };
 
+/// What an engine's area depends on beside its lanes.
+struct EngineUse {
+  scene::EngineKind kind = scene::EngineKind::none;
+  bool recomputes = true;               ///< there are references
+  bool arrives_in_fixed_point = false;  ///< some operands, so items may be stored as they arrive
+};
+
 /// The area of an engine whose lanes are those of `row`, a segment. The connections of
 /// segments (the merge of a pairwise engine, the stages of a chain) grow with their number: the
 /// slope is that between the smallest and the largest engine of the table. Parts that the table
 /// lacks are added to `missing`, in words, but not a conversion if items may be stored as they
-/// arrive, in fixed point. If it lacks the engine itself, there is no area.
+/// arrive. If it lacks the engine itself, there is no area.
 std::optional<EngineArea> engine_area(const measured::Characterisation& table,
-                                      const measured::Measurement& row, scene::EngineKind kind,
-                                      std::set<std::string>& missing, bool arrives_in_fixed_point);
+                                      const measured::Measurement& row, EngineUse use,
+                                      std::set<std::string>& missing);
 
 /// A reference's share of an arg-min engine's operand memory: its register, and its part of the
 /// tree of arbiters, by the smallest and the largest memory of the table. Zero for other engines.

@@ -123,8 +123,12 @@ std::optional<Amounts> measured_engine(const design::Design& design,
     const measured::Measurement* segment = row_of(table, design, group);
     if (segment == nullptr) return std::nullopt;
     std::set<std::string> missing;
-    const std::optional<EngineArea> engine = engine_area(table, *segment, design.system.engine.kind,
-                                                         missing, design.has_fixed_operands());
+    const std::optional<EngineArea> engine =
+        engine_area(table, *segment,
+                    {.kind = design.system.engine.kind,
+                     .recomputes = design.reference_count() > 0,
+                     .arrives_in_fixed_point = design.has_fixed_operands()},
+                    missing);
     if (!engine) return std::nullopt;
     const int lanes_each = design.system.engine.lanes_per_segment();
     const int groups = (group.count + lanes_each - 1) / lanes_each;

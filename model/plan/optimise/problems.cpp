@@ -425,8 +425,11 @@ PrecisionPlan plan_segments(PrecisionSearch& search, const Rows& rows) {
     const std::optional<LaneRates> rates = rates_of(search, lane_in(*row));
     if (!rates) continue;
     const std::optional<EngineArea> engine =
-        engine_area(search.inputs.table, *row, search.inputs.engine(), search.findings.missing,
-                    search.inputs.scene.has_fixed_operands());
+        engine_area(search.inputs.table, *row,
+                    {.kind = search.inputs.engine(),
+                     .recomputes = search.inputs.scene.reference_count() != 0,
+                     .arrives_in_fixed_point = search.inputs.scene.has_fixed_operands()},
+                    search.findings.missing);
     if (!engine) continue;
     for (const devices::Resource& resource : devices::bounded_resources) {
       if (search.options().fixed_communication) break;
@@ -453,8 +456,9 @@ PrecisionPlan plan_of_pairwise_engine(PrecisionSearch& search, const Rows& rows)
 /// Chains, each of lanes with the number of slots with which they were measured.
 std::vector<PrecisionPlan> plans_of_arg_min_engines(PrecisionSearch& search, const Rows& lanes) {
   std::vector<PrecisionPlan> plans;
-  const auto slots = [](const Measurement& lane) {
-    return design::chain_slots_for(lane.latency_cycles);
+  const bool recomputes = search.inputs.scene.reference_count() != 0;
+  const auto slots = [&](const Measurement& lane) {
+    return design::chain_slots_for(lane.latency_cycles, recomputes);
   };
   for (const auto& [count, rows] : rows_by(lanes, slots)) {
     PrecisionPlan& plan = plans.emplace_back(plan_segments(search, rows));

@@ -61,7 +61,15 @@ TEST_F(FixedOperandsTest, ReferencesAreForLanesThatRound) {
       "[comparison]\nname = \"n\"\nf = \"abs(p - ci)\"\ng = \"abs(p - cj)\"\n[inputs]\n"
       "\"*\" = { format = \"uint8\" }\n[reduced]\nformat = \"exact\"\n";
   EXPECT_EQ(scene_of(nearest).system.references, 0);
-  EXPECT_EQ(scene_of(nearest, {"engine.kind=arg_min"}).system.references, 1);
+  const std::string chain = "engine.kind=arg_min", none = "system.references=0";
+  EXPECT_EQ(scene_of(nearest, {chain}).system.references, 0);
+  EXPECT_EQ(scene_of(nearest, {chain, "reduced.format=q7"}).system.references, 1);
+  EXPECT_EQ(scene_of(nearest, {chain, "reduced.format=auto", none}).system.references, 0);
+  std::string coarse = nearest;
+  coarse.replace(coarse.find("\"exact\""), std::size("\"exact\"") - 1, "\"q7\"");
+  EXPECT_EQ(error(coarse + "[engine]\nkind = \"arg_min\"\n[system]\nreferences = 0\n"),
+            ":12: system.references: the arg-min engine needs every verdict: received 0; accepted "
+            "1..16, or lanes that are exact");
   EXPECT_EQ(scene_of(orientation + "[[references]]\ncount = 3\n").reference_count(), 3);
 }
 

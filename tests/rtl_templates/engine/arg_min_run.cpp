@@ -37,11 +37,17 @@ constexpr Words candidate_words(ArgMinRun::candidate_bits, ArgMinRun::word_bits,
 constexpr Words row_words(ArgMinRun::row_bits, ArgMinRun::row_word_bits, 0x85ebca6bu);
 static_assert(row_words.full_of(row_words.word_of(4711)) == 4711);
 
+/// The traffic of an engine without references, whose lanes decide all pairs.
+ArgMinTraffic without_undecided(ArgMinTraffic traffic) {
+  traffic.undecided = 0;
+  return traffic;
+}
+
 }  // namespace
 
 ArgMinRun::ArgMinRun(const ArgMinSpec& spec, std::uint64_t seed, ArgMinTraffic traffic)
     : spec_(spec),
-      traffic_(traffic),
+      traffic_(spec.references > 0 ? traffic : without_undecided(traffic)),
       dut_(spec.make()),
       random_(seed),
       lanes_(spec.candidates - 1),

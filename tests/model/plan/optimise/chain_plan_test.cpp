@@ -198,11 +198,29 @@ TEST_F(ChainPlan, TakesWhatTheLargerEngineTakesHoweverLittleTheSmallerDoes) {
     if (std::holds_alternative<measured::Segment>(row.key)) segment = row;
   }
   std::set<std::string> missing;
-  const auto area =
-      optimise::engine_area(table_, segment, scene::EngineKind::arg_min, missing, false).value();
+  optimise::EngineUse use = {.kind = scene::EngineKind::arg_min};
+  const optimise::EngineArea area = optimise::engine_area(table_, segment, use, missing).value();
   EXPECT_GE(area.own.luts, 0);
   EXPECT_EQ(area.own.luts + lanes * (area.group.luts - segment.area.luts),
             engine_luts + 9 * stage_luts);
+}
+
+/// An engine without references has no memory of operands, so nothing of its area is theirs.
+TEST_F(ChainPlan, WithoutReferencesTheEngineIsWhollyItsOwn) {
+  const auto own = [&](bool recomputes) {
+    const auto segment = std::find_if(table_.rows.begin(), table_.rows.end(), [](const auto& row) {
+      return std::holds_alternative<measured::Segment>(row.key);
+    });
+    std::set<std::string> missing;
+    const optimise::EngineUse use = {.kind = scene::EngineKind::arg_min, .recomputes = recomputes};
+    const auto area = optimise::engine_area(table_, *segment, use, missing);
+    return area ? area->own.luts : -1;
+  };
+  EXPECT_GT(own(false), own(true));
+  std::erase_if(table_.rows, [](const auto& row) {
+    return std::holds_alternative<measured::OperandMemory>(row.key);
+  });
+  EXPECT_GT(own(false), 0);
 }
 
 TEST_F(ChainPlan, IsSlowerWhereItsReferencesCannotKeepUp) {

@@ -202,19 +202,18 @@ TEST_F(EnginePlan, LanesInFixedPointNeedTheirConversion) {
     table_.rows.push_back(row_of(measured::Engine{fixed, segments}, 800));
   }
   sort();
-  ASSERT_TRUE(optimise::engine_area(table_, segment, scene::EngineKind::pairwise, missing, false)
-                  .has_value());
+  const optimise::EngineUse floats = {.kind = scene::EngineKind::pairwise};
+  optimise::EngineUse integers = floats;
+  integers.arrives_in_fixed_point = true;
+  ASSERT_TRUE(optimise::engine_area(table_, segment, floats, missing).has_value());
   EXPECT_EQ(missing, std::set<std::string>{"a conversion to q9"});
   missing.clear();
-  EXPECT_TRUE(optimise::engine_area(table_, segment, scene::EngineKind::pairwise, missing, true)
-                  .has_value());
+  EXPECT_TRUE(optimise::engine_area(table_, segment, integers, missing).has_value());
   EXPECT_TRUE(missing.empty()) << "items may be stored as they arrive";
   table_.rows.push_back(row_of(measured::Conversion{fixed}, 99));
   sort();
   missing.clear();
-  EXPECT_EQ(
-      optimise::engine_area(table_, segment, scene::EngineKind::pairwise, missing, false)->own.luts,
-      800 + 99);
+  EXPECT_EQ(optimise::engine_area(table_, segment, floats, missing)->own.luts, 800 + 99);
   EXPECT_TRUE(missing.empty());
 }
 
