@@ -291,14 +291,14 @@ module arg_min_proof (
   (* hierconn *) wire [1:0] \dut.tags.memory.words[1] ;
   (* hierconn *) wire [1:0] \dut.tags.memory.words[2] ;
   (* hierconn *) wire [1:0] \dut.tags.memory.words[3] ;
-  (* hierconn *) wire       \dut.operands.rows.words[0] ;
-  (* hierconn *) wire       \dut.operands.rows.words[1] ;
-  (* hierconn *) wire       \dut.operands.rows.words[2] ;
-  (* hierconn *) wire       \dut.operands.rows.words[3] ;
-  (* hierconn *) wire [1:0] \dut.operands.candidates.words[0] ;
-  (* hierconn *) wire [1:0] \dut.operands.candidates.words[1] ;
-  (* hierconn *) wire [1:0] \dut.operands.candidates.words[2] ;
-  (* hierconn *) wire [1:0] \dut.operands.candidates.words[3] ;
+  (* hierconn *) wire       \dut.g_references.operands.rows.words[0] ;
+  (* hierconn *) wire       \dut.g_references.operands.rows.words[1] ;
+  (* hierconn *) wire       \dut.g_references.operands.rows.words[2] ;
+  (* hierconn *) wire       \dut.g_references.operands.rows.words[3] ;
+  (* hierconn *) wire [1:0] \dut.g_references.operands.candidates.words[0] ;
+  (* hierconn *) wire [1:0] \dut.g_references.operands.candidates.words[1] ;
+  (* hierconn *) wire [1:0] \dut.g_references.operands.candidates.words[2] ;
+  (* hierconn *) wire [1:0] \dut.g_references.operands.candidates.words[3] ;
   (* hierconn *) wire       \dut.g_stage[0].stage.moving_q ;
   (* hierconn *) wire [1:0] \dut.g_stage[0].stage.index_q ;
   (* hierconn *) wire [1:0] \dut.g_stage[0].stage.word_q ;
@@ -375,10 +375,10 @@ module arg_min_proof (
   wire [2:0] at_1       = (stored_2 > 3'd2) ? 3'd2 : stored_2;
   wire [2:0] stored_1   = at_1 - {2'b00, passes_1};
   wire       is_next    = ended && !\dut.loader.ended_q ;  // no candidate of the next load has come
-  wire [7:0] in_full    = {\dut.operands.candidates.words[3] , \dut.operands.candidates.words[2] ,
-                           \dut.operands.candidates.words[1] , \dut.operands.candidates.words[0] };
-  wire [3:0] full_rows  = {\dut.operands.rows.words[3] , \dut.operands.rows.words[2] ,
-                           \dut.operands.rows.words[1] , \dut.operands.rows.words[0] };
+  wire [7:0] in_full    = {\dut.g_references.operands.candidates.words[3] , \dut.g_references.operands.candidates.words[2] ,
+                           \dut.g_references.operands.candidates.words[1] , \dut.g_references.operands.candidates.words[0] };
+  wire [3:0] full_rows  = {\dut.g_references.operands.rows.words[3] , \dut.g_references.operands.rows.words[2] ,
+                           \dut.g_references.operands.rows.words[1] , \dut.g_references.operands.rows.words[0] };
 
   // The rows as {best, word, place}: in lane 2, in front of it, in lane 1, in front of it.
   wire        converting = \dut.row_beside_word.g_shift.rank_q ;
