@@ -77,6 +77,17 @@ Result<LoadedScene> load(const SceneRequest& request,
   return loaded;
 }
 
+std::optional<std::string> rounding_note(const LoadedScene& loaded) {
+  if (!loaded.data) return std::nullopt;
+  const data::RoundedWholes rounded = data::rounded_wholes_of(*loaded.data);
+  if (rounded.count == 0) return std::nullopt;
+  return fmt::format(
+      "whole numbers of the data are rounded to {}: {}, the first {}. Verdicts and the truth are "
+      "those of the rounded numbers; inputs in an integer format, or a reference.format of more "
+      "digits, keep them",
+      loaded.data->format().name(), rounded.count, rounded.first);
+}
+
 Result<Done> check_has_data(const LoadedScene& loaded, const std::string& why) {
   if (loaded.data) return Done{};
   return Error{.file = loaded.scene.path.string(),

@@ -38,6 +38,9 @@ struct LoadedScene {
 Result<LoadedScene> load(const SceneRequest& request,
                          const workload::ComparisonProgress& progress = {});
 
+/// A note on whole numbers of the data that are rounded as they are read; none if all are kept.
+std::optional<std::string> rounding_note(const LoadedScene& loaded);
+
 /// An error if there are no data. `why`: its message, such as "verify needs data to run on".
 Result<Done> check_has_data(const LoadedScene& loaded, const std::string& why);
 

@@ -197,7 +197,11 @@ Result<scene::Scene> with_chain_lanes(const scene::Scene& scene, const data::Com
 }
 
 Result<LoadedScene> load(const SceneOptions& options) {
-  return with_shortcuts(tasks::load(options.request(), comparison_progress()), options);
+  Result<LoadedScene> loaded =
+      with_shortcuts(tasks::load(options.request(), comparison_progress()), options);
+  if (!loaded.ok()) return loaded;
+  if (const auto note = tasks::rounding_note(*loaded)) tell_note(*note);
+  return loaded;
 }
 
 Result<std::vector<Bound>> parse_bounds(const std::string& option,

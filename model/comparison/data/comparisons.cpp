@@ -237,6 +237,12 @@ bool Comparisons::takes_part(const Source& source, std::uint64_t row) const {
   return source.item == Item::second ? row > 0 : row + 1 < tables_[source.table].rows();
 }
 
+RoundedWholes rounded_wholes_of(const Comparisons& data) {
+  RoundedWholes all;
+  for (const Table& table : data.tables()) all.add(table.rounded_wholes);
+  return all;
+}
+
 std::string describe(const Comparisons& data, std::uint64_t index) {
   const Items items = data.items(index);
   const Table &first = data.tables().front(), &last = data.tables().back();

@@ -114,6 +114,9 @@ private:
   std::vector<std::uint32_t> least_;        ///< for arg_min: best candidate of each row
 };
 
+/// Those of all tables.
+RoundedWholes rounded_wholes_of(const Comparisons& data);
+
 /// The items of a comparison in words, for a report: "items 3 and 7".
 std::string describe(const Comparisons& data, std::uint64_t index);
 

@@ -160,10 +160,8 @@ mpq_class integer_of(std::uint64_t bits, const NpyScalar& scalar) {
   return mpq_class(static_cast<long>(bits << unused) >> unused);
 }
 
-/// Reads a number and rounds it into the format; none if it is finite and overflows.
-std::optional<Bits> read_scalar(std::string_view bytes, const NpyScalar& scalar,
-                                FloatFormat format) {
-  const std::uint64_t bits = load(bytes, scalar.big_endian);
+/// Rounds a number into the format; none if it is finite and overflows.
+std::optional<Bits> read_scalar(std::uint64_t bits, const NpyScalar& scalar, FloatFormat format) {
   const bool is_float = scalar.kind == 'f';
   const Bits value = is_float ? converted(format, float_of(scalar.bytes), bits)
                               : from_rational(format, integer_of(bits, scalar));
@@ -191,7 +189,8 @@ Result<Table> parse_npy(std::string_view file, FloatFormat format,
     for (const ColumnLayout& column : layout.columns) {
       const auto bytes = data.substr(column.first + row * column.stride,
                                      static_cast<std::size_t>(column.scalar.bytes));
-      const auto value = read_scalar(bytes, column.scalar, format);
+      const std::uint64_t bits = load(bytes, column.scalar.big_endian);
+      const auto value = read_scalar(bits, column.scalar, format);
       if (!value) {
         return Error{.field = fmt::format("row {}, {}", row, column.column.shown()),
                      .message = "out of range",
@@ -199,6 +198,11 @@ Result<Table> parse_npy(std::string_view file, FloatFormat format,
                      .accepted = "a smaller one, or a reference format with more exponent bits"};
       }
       table.values.push_back(*value);
+      if (column.scalar.kind == 'f') continue;
+      const mpq_class whole = integer_of(bits, column.scalar);
+      if (to_rational(format, *value) == whole) continue;
+      table.rounded_wholes.add({1, fmt::format("{} in {}, row {}, {}", whole.get_str(), source, row,
+                                               column.column.shown())});
     }
   }
   return table;

@@ -2,8 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "model/base/common/quote.hpp"
 #include "model/base/number/decimal.hpp"
+#include "model/base/number/exact.hpp"
 
 namespace mixcmp::data {
 
@@ -28,6 +31,20 @@ Result<Bits> read_number(FloatFormat format, std::string_view text) {
                  .accepted = "a smaller number, or a reference format with more exponent bits"};
   }
   return bits;
+}
+
+std::optional<mpz_class> rounded_whole(FloatFormat format, std::string_view text, Bits number) {
+  std::string_view digits = trimmed(text);
+  const bool is_signed = !digits.empty() && (digits.front() == '-' || digits.front() == '+');
+  const bool is_negative = is_signed && digits.front() == '-';
+  if (is_signed) digits.remove_prefix(1);
+  const double most_digits = (format.precision() - 1) * std::log10(2.0);
+  if (static_cast<double>(digits.size()) <= most_digits) return std::nullopt;
+  if (digits.find_first_not_of("0123456789") != std::string_view::npos) return std::nullopt;
+  const mpz_class magnitude(std::string(digits), 10);
+  const mpz_class whole = is_negative ? mpz_class(-magnitude) : magnitude;
+  if (to_rational(format, number) == whole) return std::nullopt;
+  return whole;
 }
 
 }  // namespace mixcmp::data

@@ -20,6 +20,17 @@ struct FileColumn {
   std::string shown() const { return name.empty() ? "column " + std::to_string(number) : name; }
 };
 
+/// Whole numbers of a file, written as such or integers by their type, that a format rounds.
+struct RoundedWholes {
+  std::uint64_t count = 0;
+  std::string first;  ///< "9007199254740993 in a.csv, line 3, column x"; empty: none
+
+  void add(const RoundedWholes& others) {
+    if (count == 0) first = others.first;
+    count += others.count;
+  }
+};
+
 /// Rows of numbers in one format: spheres, atoms, points, or whole comparisons.
 struct Table {
   FloatFormat format;
@@ -31,6 +42,7 @@ struct Table {
   std::vector<int> lines = {};           ///< the file's line in which row i begins; empty: no lines
   std::string source = {};               ///< name of the file or of the generator
   std::vector<FileColumn> origins = {};  ///< one per column if there is a source
+  RoundedWholes rounded_wholes = {};
 
   std::size_t rows() const { return columns.empty() ? 0 : values.size() / columns.size(); }
   Bits at(std::size_t row, std::size_t column) const {

@@ -50,6 +50,20 @@ TEST_F(CsvTest, RoundsOnce) {
   EXPECT_EQ(table->at(0, 1), Bits{0x3c00});
 }
 
+TEST_F(CsvTest, CountsWholeNumbersThatItRounds) {
+  const auto table =
+      data::read_csv(write("x,y\n9007199254740993,9007199254740992\n0.1,1e300\n-9007199254740995,"
+                           " +100000000000000000000\n"),
+                     binary64_, xy);
+  ASSERT_TRUE(table.ok());
+  EXPECT_EQ(table->rounded_wholes.count, 2U);
+  EXPECT_EQ(table->rounded_wholes.first, "9007199254740993 in data, line 2, x");
+  const auto coarse = data::read_csv(write("x,y\n2047,2049\n4100,4099\n"), binary16_, xy);
+  ASSERT_TRUE(coarse.ok());
+  EXPECT_EQ(coarse->rounded_wholes.count, 2U);
+  EXPECT_EQ(coarse->rounded_wholes.first, "2049 in data, line 2, y");
+}
+
 TEST_F(CsvTest, MistakesNameLineAndColumn) {
   const auto error = [&](const std::string& bytes) {
     return told(data::read_csv(write(bytes), binary16_, xy));

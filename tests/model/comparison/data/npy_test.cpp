@@ -93,6 +93,19 @@ TEST_F(NpyTest, ReadsEveryNumberTypeInEitherByteOrder) {
   EXPECT_EQ(second("<f8", bytes_of<double>({1, 5e-324})), "5e-324 in s53e11");
 }
 
+TEST_F(NpyTest, CountsIntegersThatItRounds) {
+  constexpr std::int64_t odd = (std::int64_t{1} << 53) + 1;
+  const std::string integers = bytes_of<std::int64_t>({odd - 1, 7, -odd, odd + 1});
+  const auto table =
+      data::read_npy(write(npy("'<i8'", "False", "(2, 2)", integers)), binary64_, xy);
+  ASSERT_TRUE(table.ok()) << table.error().to_string();
+  EXPECT_EQ(table->rounded_wholes.count, 1U);
+  EXPECT_EQ(table->rounded_wholes.first, "-9007199254740993 in data, row 1, column 0");
+  const auto floats = data::read_npy(write(npy("'<f8'", "False", "(3, 2)", six)), binary16_, xy);
+  ASSERT_TRUE(floats.ok()) << floats.error().to_string();
+  EXPECT_EQ(floats->rounded_wholes.count, 0U);
+}
+
 TEST_F(NpyTest, StructuredArraysAreReadByFieldName) {
   std::string data;
   data += bytes_of<float>({0.25F}) + "abcd" + bytes_of<std::int16_t>({-1});
