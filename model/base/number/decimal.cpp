@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -99,6 +101,13 @@ std::string print(const Decimal& decimal) {
   return fmt::format("{}.{}", digits.substr(0, whole), digits.substr(whole));
 }
 
+/// Whether `text` is the word, in letters of either case.
+bool is_word(std::string_view text, std::string_view word) {
+  return std::equal(text.begin(), text.end(), word.begin(), word.end(), [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) == b;
+  });
+}
+
 }  // namespace
 
 Result<Bits> from_text(FloatFormat format, std::string_view text) {
@@ -106,8 +115,8 @@ Result<Bits> from_text(FloatFormat format, std::string_view text) {
   const bool negative = rest.starts_with('-');
   if (negative || rest.starts_with('+')) rest.remove_prefix(1);
   const Bits sign = format.zero(negative);
-  if (rest == "inf") return sign | format.infinity(false);
-  if (rest == "nan") return format.quiet_nan();
+  if (is_word(rest, "inf") || is_word(rest, "infinity")) return sign | format.infinity(false);
+  if (is_word(rest, "nan")) return format.quiet_nan();
   if (const std::optional<Literal> literal = read_literal(rest)) {
     return sign | round_literal(format, *literal);
   }

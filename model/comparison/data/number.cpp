@@ -25,7 +25,8 @@ Result<Bits> read_number(FloatFormat format, std::string_view text) {
     error.received = in_quotes(text);
     return error;
   }
-  if (format.is_infinite(*bits) && !number.ends_with("inf")) {
+  const bool has_digits = number.find_first_of("0123456789") != std::string_view::npos;
+  if (format.is_infinite(*bits) && has_digits) {
     return Error{.message = fmt::format("beyond the largest number of {}", format.name()),
                  .received = in_quotes(number),
                  .accepted = "a smaller number, or a reference format with more exponent bits"};

@@ -106,6 +106,8 @@ TEST(FromText, ReadsEveryAcceptedForm) {
   EXPECT_EQ(parse(format, "-0"), Bits{0x80000000});
   EXPECT_EQ(parse(format, "inf"), format.infinity(false));
   EXPECT_EQ(parse(format, "-inf"), format.infinity(true));
+  EXPECT_EQ(parse(format, "-Infinity"), format.infinity(true));
+  EXPECT_EQ(parse(format, "INF"), format.infinity(false));
   EXPECT_EQ(parse(format, "nan"), format.quiet_nan());
 }
 

@@ -34,8 +34,10 @@ TEST_F(CsvTest, ToleratesCarriageReturnsByteOrderMarkAndEmptyLines) {
 }
 
 TEST_F(CsvTest, InfinitiesAndNansAreData) {
-  const auto table = data::read_csv(write("x,y\n-inf,nan\n"), binary64_, xy);
+  const auto table = data::read_csv(write("x,y\n-inf,nan\nInfinity,NaN\n"), binary64_, xy);
   ASSERT_TRUE(table.ok());
+  EXPECT_EQ(text(*table, 1, 0), "inf");
+  EXPECT_EQ(text(*table, 1, 1), "nan");
   EXPECT_EQ(text(*table, 0, 0), "-inf");
   EXPECT_EQ(text(*table, 0, 1), "nan");
 }
