@@ -77,15 +77,17 @@ Result<LoadedScene> load(const SceneRequest& request,
   return loaded;
 }
 
-std::optional<std::string> rounding_note(const LoadedScene& loaded) {
+std::optional<std::string> lost_numbers_note(const LoadedScene& loaded) {
   if (!loaded.data) return std::nullopt;
-  const data::RoundedWholes rounded = data::rounded_wholes_of(*loaded.data);
-  if (rounded.count == 0) return std::nullopt;
+  const data::LostNumbers lost = data::lost_numbers_of(*loaded.data);
+  if (lost.count == 0) return std::nullopt;
   return fmt::format(
-      "whole numbers of the data are rounded to {}: {}, the first {}. Verdicts and the truth are "
-      "those of the rounded numbers; inputs in an integer format, or a reference.format of more "
-      "digits, keep them",
-      loaded.data->format().name(), rounded.count, rounded.first);
+      "numbers of the data are not kept in {} (whole ones are rounded, or small ones become 0): "
+      "{}, "
+      "the first {}. Verdicts and the truth are those of the numbers as they are read; inputs in "
+      "an "
+      "integer format, or another reference.format, keep them",
+      loaded.data->format().name(), lost.count, lost.first);
 }
 
 Result<Done> check_has_data(const LoadedScene& loaded, const std::string& why) {

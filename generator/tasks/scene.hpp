@@ -38,8 +38,8 @@ struct LoadedScene {
 Result<LoadedScene> load(const SceneRequest& request,
                          const workload::ComparisonProgress& progress = {});
 
-/// A note on whole numbers of the data that are rounded as they are read; none if all are kept.
-std::optional<std::string> rounding_note(const LoadedScene& loaded);
+/// A note on numbers of the data that the reference format does not keep; none if there are none.
+std::optional<std::string> lost_numbers_note(const LoadedScene& loaded);
 
 /// An error if there are no data. `why`: its message, such as "verify needs data to run on".
 Result<Done> check_has_data(const LoadedScene& loaded, const std::string& why);

@@ -218,7 +218,7 @@ DataSummary summarise_data(const Scene& scene, const data::Comparisons& data) {
           .first_out_of_range = check.ranges().first,
           .off_grid = check.grids().count,
           .first_off_grid = check.grids().first,
-          .rounded_wholes = data::rounded_wholes_of(data),
+          .lost = data::lost_numbers_of(data),
           .inputs = data::input_sources(data, scene.graph.inputs())};
 }
 

@@ -78,7 +78,7 @@ struct DataSummary {
   std::string first_out_of_range;  ///< the first of them in words; empty if none
   std::uint64_t off_grid = 0;      ///< numbers of the table that are no multiple of a declared grid
   std::string first_off_grid;
-  data::RoundedWholes rounded_wholes;
+  data::LostNumbers lost;
   std::vector<data::InputSource> inputs;  ///< which column feeds which input
 };
 

@@ -17,7 +17,7 @@ namespace {
 
 SceneState load(tasks::SceneRequest request) {
   auto loaded = value_or_throw(tasks::load(request));
-  if (auto note = tasks::rounding_note(loaded)) loaded.scene.notes.push_back(std::move(*note));
+  if (auto note = tasks::lost_numbers_note(loaded)) loaded.scene.notes.push_back(std::move(*note));
   return {std::move(request), std::move(loaded)};
 }
 

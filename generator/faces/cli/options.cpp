@@ -200,7 +200,7 @@ Result<LoadedScene> load(const SceneOptions& options) {
   Result<LoadedScene> loaded =
       with_shortcuts(tasks::load(options.request(), comparison_progress()), options);
   if (!loaded.ok()) return loaded;
-  if (const auto note = tasks::rounding_note(*loaded)) tell_note(*note);
+  if (const auto note = tasks::lost_numbers_note(*loaded)) tell_note(*note);
   return loaded;
 }
 

@@ -126,8 +126,8 @@ nlohmann::json json_of(const DataSummary& data) {
           {"first_out_of_range", data.first_out_of_range},
           {"off_grid", data.off_grid},
           {"first_off_grid", data.first_off_grid},
-          {"rounded_wholes", data.rounded_wholes.count},
-          {"first_rounded_whole", data.rounded_wholes.first},
+          {"lost", data.lost.count},
+          {"first_lost", data.lost.first},
           {"inputs", inputs}};
 }
 

@@ -226,8 +226,8 @@ void print_data(SectionList& page, const DataSummary& data) {
     page.line("off the grid",
               fmt::format("{} numbers, the first: {}", data.off_grid, data.first_off_grid));
   }
-  if (const auto& [count, first] = data.rounded_wholes; count > 0) {
-    page.line("rounded", fmt::format("{} whole numbers, the first: {}", count, first));
+  if (const auto& [count, first] = data.lost; count > 0) {
+    page.line("not kept", fmt::format("{} numbers, the first: {}", count, first));
   }
   page.section("columns of the data");
   for (const InputSource& input : data.inputs) page.line(input.input, "<- " + input.shown());

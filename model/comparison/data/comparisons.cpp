@@ -237,9 +237,9 @@ bool Comparisons::takes_part(const Source& source, std::uint64_t row) const {
   return source.item == Item::second ? row > 0 : row + 1 < tables_[source.table].rows();
 }
 
-RoundedWholes rounded_wholes_of(const Comparisons& data) {
-  RoundedWholes all;
-  for (const Table& table : data.tables()) all.add(table.rounded_wholes);
+LostNumbers lost_numbers_of(const Comparisons& data) {
+  LostNumbers all;
+  for (const Table& table : data.tables()) all.add(table.lost);
   return all;
 }
 

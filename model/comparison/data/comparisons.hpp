@@ -115,7 +115,7 @@ private:
 };
 
 /// Those of all tables.
-RoundedWholes rounded_wholes_of(const Comparisons& data);
+LostNumbers lost_numbers_of(const Comparisons& data);
 
 /// The items of a comparison in words, for a report: "items 3 and 7".
 std::string describe(const Comparisons& data, std::uint64_t index);

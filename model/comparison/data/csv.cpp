@@ -207,9 +207,9 @@ Result<Done> append_row(Table& table, const Record& record, std::size_t field_co
     }
     table.values.push_back(*number);
     const std::string_view text = record.fields[column.number];
-    if (const auto whole = rounded_whole(table.format, text, *number)) {
-      table.rounded_wholes.add({1, fmt::format("{} in {}, line {}, {}", whole->get_str(),
-                                               table.source, record.line, column.shown())});
+    if (is_lost(table.format, text, *number)) {
+      table.lost.add({1, fmt::format("{} in {}, line {}, {}", trimmed(text), table.source,
+                                     record.line, column.shown())});
     }
   }
   table.lines.push_back(record.line);

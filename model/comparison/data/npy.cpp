@@ -9,6 +9,7 @@
 
 #include "model/base/common/file.hpp"
 #include "model/base/common/quote.hpp"
+#include "model/base/number/decimal.hpp"
 #include "model/base/number/exact.hpp"
 #include "model/comparison/data/npy_header.hpp"
 
@@ -170,6 +171,18 @@ std::optional<Bits> read_scalar(std::uint64_t bits, const NpyScalar& scalar, Flo
   return value;
 }
 
+/// Whether `value`, which read_scalar made of an integer, is another one, or of a float other than
+/// 0, is 0.
+bool is_lost(std::uint64_t bits, const NpyScalar& scalar, FloatFormat format, Bits value) {
+  if (scalar.kind != 'f') return to_rational(format, value) != integer_of(bits, scalar);
+  return format.is_zero(value) && !float_of(scalar.bytes).is_zero(bits);
+}
+
+std::string text_of(std::uint64_t bits, const NpyScalar& scalar) {
+  if (scalar.kind != 'f') return integer_of(bits, scalar).get_str();
+  return to_text(float_of(scalar.bytes), bits);
+}
+
 Result<Table> parse_npy(std::string_view file, FloatFormat format,
                         std::span<const WantedColumn> wanted, const std::string& source) {
   MIXCMP_TRY(header, parse_npy_header(file));
@@ -198,11 +211,10 @@ Result<Table> parse_npy(std::string_view file, FloatFormat format,
                      .accepted = "a smaller one, or a reference format with more exponent bits"};
       }
       table.values.push_back(*value);
-      if (column.scalar.kind == 'f') continue;
-      const mpq_class whole = integer_of(bits, column.scalar);
-      if (to_rational(format, *value) == whole) continue;
-      table.rounded_wholes.add({1, fmt::format("{} in {}, row {}, {}", whole.get_str(), source, row,
-                                               column.column.shown())});
+      if (is_lost(bits, column.scalar, format, *value)) {
+        table.lost.add({1, fmt::format("{} in {}, row {}, {}", text_of(bits, column.scalar), source,
+                                       row, column.column.shown())});
+      }
     }
   }
   return table;

@@ -34,18 +34,20 @@ Result<Bits> read_number(FloatFormat format, std::string_view text) {
   return bits;
 }
 
-std::optional<mpz_class> rounded_whole(FloatFormat format, std::string_view text, Bits number) {
+bool is_lost(FloatFormat format, std::string_view text, Bits number) {
   std::string_view digits = trimmed(text);
-  const bool is_signed = !digits.empty() && (digits.front() == '-' || digits.front() == '+');
-  const bool is_negative = is_signed && digits.front() == '-';
-  if (is_signed) digits.remove_prefix(1);
-  const double most_digits = (format.precision() - 1) * std::log10(2.0);
-  if (static_cast<double>(digits.size()) <= most_digits) return std::nullopt;
-  if (digits.find_first_not_of("0123456789") != std::string_view::npos) return std::nullopt;
-  const mpz_class magnitude(std::string(digits), 10);
-  const mpz_class whole = is_negative ? mpz_class(-magnitude) : magnitude;
-  if (to_rational(format, number) == whole) return std::nullopt;
-  return whole;
+  if (digits.starts_with('-') || digits.starts_with('+')) digits.remove_prefix(1);
+  if (format.is_zero(number)) {
+    const bool is_hex = digits.starts_with("0x") || digits.starts_with("0X");
+    if (is_hex) digits.remove_prefix(2);
+    const std::string_view significand =
+        digits.substr(0, digits.find_first_of(is_hex ? "pP" : "eE"));
+    return significand.find_first_not_of("0.") != std::string_view::npos;
+  }
+  const double kept_digits = (format.precision() - 1) * std::log10(2.0);
+  if (static_cast<double>(digits.size()) <= kept_digits) return false;
+  if (digits.find_first_not_of("0123456789") != std::string_view::npos) return false;
+  return to_rational(format, format.magnitude(number)) != mpz_class(std::string(digits), 10);
 }
 
 }  // namespace mixcmp::data

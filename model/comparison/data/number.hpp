@@ -1,8 +1,5 @@
 #pragma once
 
-#include <gmpxx.h>
-
-#include <optional>
 #include <string_view>
 
 #include "model/base/number/float_format.hpp"
@@ -14,9 +11,9 @@ namespace mixcmp::data {
 /// is an error.
 Result<Bits> read_number(FloatFormat format, std::string_view text);
 
-/// The whole number that `text` writes in digits if `number`, which read_number made of it, is
-/// another; otherwise none.
-std::optional<mpz_class> rounded_whole(FloatFormat format, std::string_view text, Bits number);
+/// Whether `number`, which read_number made of `text`, is not the whole number that this writes in
+/// digits, or is 0 although this writes another number.
+bool is_lost(FloatFormat format, std::string_view text, Bits number);
 
 /// `text` without blanks at its ends.
 std::string_view trimmed(std::string_view text);

@@ -20,12 +20,13 @@ struct FileColumn {
   std::string shown() const { return name.empty() ? "column " + std::to_string(number) : name; }
 };
 
-/// Whole numbers of a file, written as such or integers by their type, that a format rounds.
-struct RoundedWholes {
+/// Numbers of a file that a format does not keep: whole numbers that it rounds (written in digits,
+/// or integers by their type), and others than 0 that become 0.
+struct LostNumbers {
   std::uint64_t count = 0;
   std::string first;  ///< "9007199254740993 in a.csv, line 3, column x"; empty: none
 
-  void add(const RoundedWholes& others) {
+  void add(const LostNumbers& others) {
     if (count == 0) first = others.first;
     count += others.count;
   }
@@ -42,7 +43,7 @@ struct Table {
   std::vector<int> lines = {};           ///< the file's line in which row i begins; empty: no lines
   std::string source = {};               ///< name of the file or of the generator
   std::vector<FileColumn> origins = {};  ///< one per column if there is a source
-  RoundedWholes rounded_wholes = {};
+  LostNumbers lost = {};
 
   std::size_t rows() const { return columns.empty() ? 0 : values.size() / columns.size(); }
   Bits at(std::size_t row, std::size_t column) const {

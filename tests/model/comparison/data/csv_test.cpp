@@ -52,18 +52,26 @@ TEST_F(CsvTest, RoundsOnce) {
   EXPECT_EQ(table->at(0, 1), Bits{0x3c00});
 }
 
+TEST_F(CsvTest, CountsNumbersThatBecomeZero) {
+  const auto table =
+      data::read_csv(write("x,y\n0,-0.00e9\n1e-40,0x0p9\n-0x0.8p-99,1e-7\n"), binary16_, xy);
+  ASSERT_TRUE(table.ok());
+  EXPECT_EQ(table->lost.count, 2U);
+  EXPECT_EQ(table->lost.first, "1e-40 in data, line 3, x");
+}
+
 TEST_F(CsvTest, CountsWholeNumbersThatItRounds) {
   const auto table =
       data::read_csv(write("x,y\n9007199254740993,9007199254740992\n0.1,1e300\n-9007199254740995,"
                            " +100000000000000000000\n"),
                      binary64_, xy);
   ASSERT_TRUE(table.ok());
-  EXPECT_EQ(table->rounded_wholes.count, 2U);
-  EXPECT_EQ(table->rounded_wholes.first, "9007199254740993 in data, line 2, x");
+  EXPECT_EQ(table->lost.count, 2U);
+  EXPECT_EQ(table->lost.first, "9007199254740993 in data, line 2, x");
   const auto coarse = data::read_csv(write("x,y\n2047,2049\n4100,4099\n"), binary16_, xy);
   ASSERT_TRUE(coarse.ok());
-  EXPECT_EQ(coarse->rounded_wholes.count, 2U);
-  EXPECT_EQ(coarse->rounded_wholes.first, "2049 in data, line 2, y");
+  EXPECT_EQ(coarse->lost.count, 2U);
+  EXPECT_EQ(coarse->lost.first, "2049 in data, line 2, y");
 }
 
 TEST_F(CsvTest, MistakesNameLineAndColumn) {

@@ -99,11 +99,16 @@ TEST_F(NpyTest, CountsIntegersThatItRounds) {
   const auto table =
       data::read_npy(write(npy("'<i8'", "False", "(2, 2)", integers)), binary64_, xy);
   ASSERT_TRUE(table.ok()) << table.error().to_string();
-  EXPECT_EQ(table->rounded_wholes.count, 1U);
-  EXPECT_EQ(table->rounded_wholes.first, "-9007199254740993 in data, row 1, column 0");
+  EXPECT_EQ(table->lost.count, 1U);
+  EXPECT_EQ(table->lost.first, "-9007199254740993 in data, row 1, column 0");
   const auto floats = data::read_npy(write(npy("'<f8'", "False", "(3, 2)", six)), binary16_, xy);
   ASSERT_TRUE(floats.ok()) << floats.error().to_string();
-  EXPECT_EQ(floats->rounded_wholes.count, 0U);
+  EXPECT_EQ(floats->lost.count, 0U);
+  const std::string small = bytes_of<double>({0, -0.0, 1, -1e-300});
+  const auto zeros = data::read_npy(write(npy("'<f8'", "False", "(2, 2)", small)), binary16_, xy);
+  ASSERT_TRUE(zeros.ok()) << zeros.error().to_string();
+  EXPECT_EQ(zeros->lost.count, 1U);
+  EXPECT_EQ(zeros->lost.first, "-1e-300 in data, row 1, column 1");
 }
 
 TEST_F(NpyTest, StructuredArraysAreReadByFieldName) {
