@@ -1,5 +1,6 @@
 #include "generator/present/table/table.hpp"
 
+#include <fmt/args.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -20,10 +21,7 @@ std::string formatted(const std::string& form, const Json& cell) {
 }
 
 std::string shown(const Table& table, const Column& column, const Json& cell) {
-  if (cell.is_null()) return table.missing;
-  if (cell.is_string()) return cell.get<std::string>();
-  if (column.unit == 1) return formatted(column.shown, cell);
-  return formatted(column.shown, cell.get<double>() / column.unit);
+  return cell.is_null() ? table.missing : shown(column, cell);
 }
 
 /// A text in its column. A column aligned to the left is the last one, and may be empty.
@@ -72,6 +70,37 @@ std::string remark_line(const Table& table, const Row& row) {
 }
 
 }  // namespace
+
+std::string shown(const Column& column, const Json& cell) {
+  if (cell.is_string()) return cell.get<std::string>();
+  if (column.unit == 1) return formatted(column.shown, cell);
+  return formatted(column.shown, cell.get<double>() / column.unit);
+}
+
+std::string in_words(const std::string& form, const Json& object) {
+  fmt::dynamic_format_arg_store<fmt::format_context> fields;
+  for (const auto& [key, value] : object.items()) {
+    const auto add = [&, name = key.c_str()](const auto& one) {
+      fields.push_back(fmt::arg(name, one));
+    };
+    if (value.is_string()) add(value.get_ref<const std::string&>());
+    if (value.is_number_float()) add(value.get<double>());
+    if (value.is_number_integer()) add(value.get<std::int64_t>());
+  }
+  return fmt::vformat(form, fields);
+}
+
+std::string to_text(const Lines& lines, int text_column) {
+  std::string text;
+  for (const Line& line : lines) {
+    text += std::string(static_cast<std::size_t>(line.indent), ' ');
+    text += line.text.empty()
+                ? line.name
+                : fmt::format("{:<{}} {}", line.name, text_column - line.indent - 1, line.text);
+    text += "\n";
+  }
+  return text;
+}
 
 Table named_table(const std::vector<std::string>& names) {
   Table table;
