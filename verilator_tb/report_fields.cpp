@@ -80,7 +80,7 @@ Fields<Mismatch> mismatch_fields() {
       {{"value"}, &Operand::value}};
   return {{{"index"}, &Mismatch::index, headline},
           {{"items"}, &Mismatch::items},
-          list({"operands"}, &Mismatch::operands, operand_fields),
+          record<Mismatch>({"operands"}, &Mismatch::operands, operand_fields),
           {{"expected"}, &Mismatch::expected},
           {{"got"}, &Mismatch::got},
           {{"lane"}, &Mismatch::lane},
@@ -110,8 +110,10 @@ Fields<ProtocolViolation> violation_fields() {
 Fields<LeastCounterexample> counterexample_fields() {
   using Least = LeastCounterexample;
   return {{{"comparisons", "least counterexample"}, &Least::comparisons},
-          record<Least>({"mismatch"}, &Least::mismatch, mismatch_fields()),
-          record<Least>({"violation"}, &Least::violation, violation_fields()),
+          record<Least>({.name = "mismatch", .may_be_absent = true}, &Least::mismatch,
+                        mismatch_fields()),
+          record<Least>({.name = "violation", .may_be_absent = true}, &Least::violation,
+                        violation_fields()),
           {{"waves"}, &Least::waves, [](const Least& least) {
              return least.waves.empty() ? Lines{} : remark("waves: " + least.waves, 4);
            }}};
@@ -180,20 +182,20 @@ Fields<GroupReport> group_fields(const Report& report) {
   return counts + latency_fields<Group>(has_references, range_or_none) + faults;
 }
 
-/// All kinds of lanes. People read of them where there are several.
+/// The lines of each kind of lanes, where there are several.
+Lines group_lines(const Report& report) {
+  if (report.groups.size() < 2) return {};
+  Lines lines = lines_of(group_fields(report), report.groups);
+  for (table::Line& line : lines) line.indent = line.text.empty() ? 2 : 4;
+  return lines;
+}
+
 Field<Report> groups_field() {
-  Field<Report> field = table::list<Report, GroupReport>(
-      {.name = "lane_groups", .may_be_absent = true}, &Report::groups, group_fields);
-  field.lines = [](const Report& report) {
-    Lines all;
-    for (const GroupReport& group : report.groups) {
-      if (report.groups.size() < 2) continue;
-      Lines lines = lines_of(group_fields(report), group);
-      for (std::size_t k = 1; k < lines.size(); ++k) lines[k].indent = 4;
-      all.insert(all.end(), lines.begin(), lines.end());
-    }
-    return all;
+  const auto objects = [](const Report& r) {
+    return r.groups.empty() ? Json() : object_of(group_fields(r), r.groups);
   };
+  Field<Report> field({.name = "lane_groups", .may_be_absent = true}, objects, group_lines);
+  field.read = [](Report& r, const Json& json) { read_object(group_fields(r), json, r.groups); };
   return field;
 }
 
@@ -360,16 +362,16 @@ std::string judged_by(const Report& report) {
 }
 
 Fields<Report> finding_fields(const Report& report) {
-  Field<Report> counterexample =
-      record<Report>({"counterexample"}, &Report::counterexample, counterexample_fields());
+  Field<Report> counterexample = record<Report>({.name = "counterexample", .may_be_absent = true},
+                                                &Report::counterexample, counterexample_fields());
   counterexample.read = nullptr;
   return {{{"judged_by_emulator", "judged by"}, &Report::judged_by_emulator, judged_by},
           {{"emulator_errors", report.emulator_errors > 0 ? "emulator's errors" : ""},
            &Report::emulator_errors},
           {{"mismatch_count", "mismatches"}, &Report::mismatch_count},
-          list({"mismatches"}, &Report::mismatches, mismatch_fields()),
+          record<Report>({"mismatches"}, &Report::mismatches, mismatch_fields()),
           {{"violation_count", "protocol violations"}, &Report::violation_count},
-          list({"violations"}, &Report::violations, violation_fields()),
+          record<Report>({"violations"}, &Report::violations, violation_fields()),
           counterexample};
 }
 
@@ -392,7 +394,7 @@ Field<Report> engine_field(std::string name, std::optional<Engine> Report::*engi
 enum class Order { json, text };
 Fields<Report> fields_of(const Report& report, Order order) {
   const bool has_references = report.references > 0;
-  const Fields<Report> inputs = {list({"inputs"}, &Report::inputs, input_fields())};
+  const Fields<Report> inputs = {record<Report>({"inputs"}, &Report::inputs, input_fields())};
   const Fields<Report> made = {
       {{"comparisons", "comparisons"}, &Report::comparisons, "{comparisons} of {requested}"}};
   const Fields<Report> outcomes = outcome_fields(has_references);
@@ -401,8 +403,8 @@ Fields<Report> fields_of(const Report& report, Order order) {
       {{"resets", report.resets > 0 ? "resets in mid-stream" : ""}, &Report::resets}};
   const Fields<Report> groups = {groups_field()}, counters = {counters_field()};
   const Fields<Report> findings = finding_fields(report);
-  const Fields<Report> truth = {
-      record<Report>({"truth"}, &Report::truth, truth_fields(has_references))};
+  const Fields<Report> truth = {record<Report>({.name = "truth", .may_be_absent = true},
+                                               &Report::truth, truth_fields(has_references))};
   const Fields<Report> engines = {engine_field("engine", &Report::engine, pairwise_fields()),
                                   engine_field("arg_min", &Report::arg_min, arg_min_fields())};
   const Fields<Report> notes = {{{"notes"}, notes_on, note_lines}};

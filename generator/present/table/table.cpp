@@ -21,7 +21,10 @@ std::string formatted(const std::string& form, const Json& cell) {
 }
 
 std::string shown(const Table& table, const Column& column, const Json& cell) {
-  return cell.is_null() ? table.missing : shown(column, cell);
+  if (cell.is_null()) return table.missing;
+  if (cell.is_string()) return cell.get<std::string>();
+  if (column.unit == 1) return formatted(column.shown, cell);
+  return formatted(column.shown, cell.get<double>() / column.unit);
 }
 
 /// A text in its column. A column aligned to the left is the last one, and may be empty.
@@ -71,23 +74,19 @@ std::string remark_line(const Table& table, const Row& row) {
 
 }  // namespace
 
-std::string shown(const Column& column, const Json& cell) {
-  if (cell.is_string()) return cell.get<std::string>();
-  if (column.unit == 1) return formatted(column.shown, cell);
-  return formatted(column.shown, cell.get<double>() / column.unit);
-}
-
-std::string in_words(const std::string& form, const Json& object) {
-  fmt::dynamic_format_arg_store<fmt::format_context> fields;
-  for (const auto& [key, value] : object.items()) {
-    const auto add = [&, name = key.c_str()](const auto& one) {
-      fields.push_back(fmt::arg(name, one));
-    };
-    if (value.is_string()) add(value.get_ref<const std::string&>());
-    if (value.is_number_float()) add(value.get<double>());
-    if (value.is_number_integer()) add(value.get<std::int64_t>());
+std::string in_words(const std::string& form, const Json& cell, const Json& object) {
+  if (form == "{}" && cell.is_string()) return cell.get<std::string>();
+  fmt::dynamic_format_arg_store<fmt::format_context> values;
+  const auto add = [&values](const Json& value, auto argument) {
+    if (value.is_string()) values.push_back(argument(value.get_ref<const std::string&>()));
+    if (value.is_number_float()) values.push_back(argument(value.get<double>()));
+    if (value.is_number_integer()) values.push_back(argument(value.get<std::int64_t>()));
+  };
+  add(cell, [](const auto& value) { return value; });
+  for (const auto& [name, value] : object.items()) {
+    add(value, [name = name.c_str()](const auto& one) { return fmt::arg(name, one); });
   }
-  return fmt::vformat(form, fields);
+  return fmt::vformat(form, values);
 }
 
 std::string to_text(const Lines& lines, int text_column) {

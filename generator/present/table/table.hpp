@@ -65,10 +65,18 @@ Json cell(const std::optional<Value>& value) {
   return value ? Json(*value) : Json();
 }
 
-/// A cell as people read it.
-std::string shown(const Column& column, const Json& cell);
-/// A text with the fields of an object in it, "{lanes} of {all_lanes}".
-std::string in_words(const std::string& form, const Json& object);
+/// A value as a cell; an enumerator by its name.
+template <class Value>
+Json json_of(const Value& value) {
+  if constexpr (std::is_enum_v<Value>) {
+    return to_string(value);
+  } else {
+    return value;
+  }
+}
+
+/// A cell in a form of fmt, which may also name fields of an object: "{lanes} of {all_lanes}".
+std::string in_words(const std::string& form, const Json& cell, const Json& object);
 
 /// A line about a thing: a name, and a text behind it. A line without a text is only its name.
 struct Line {
@@ -93,16 +101,16 @@ struct Field {
   std::function<Json(const Source&)> value;
   std::function<Lines(const Source&)> lines = {};       ///< in place of the title and the cell
   std::function<void(Source&, const Json&)> read = {};  ///< none if the cell is computed
-  std::string words = {};                               ///< the line's text, by names of fields
 
   template <class Value>
   Field(Column shown_as, Value cell_of)
       : column(std::move(shown_as)), value([cell_of](const Source& source) -> Json {
-          return Json(std::invoke(cell_of, source));
+          return json_of(std::invoke(cell_of, source));
         }) {
     using Cell = std::invoke_result_t<Value, Source&>;
     if constexpr (std::is_lvalue_reference_v<Cell> &&
-                  !std::is_const_v<std::remove_reference_t<Cell>>) {
+                  !std::is_const_v<std::remove_reference_t<Cell>> &&
+                  !std::is_enum_v<std::remove_reference_t<Cell>>) {
       read = [cell_of](Source& to, const Json& from) { from.get_to(std::invoke(cell_of, to)); };
     }
   }
@@ -111,7 +119,7 @@ struct Field {
   Field(Column shown_as, Value cell_of, Text text)
       : Field(std::move(shown_as), std::move(cell_of)) {
     if constexpr (std::is_convertible_v<Text, std::string>) {
-      words = text;
+      column.shown = text;
     } else if constexpr (std::is_same_v<std::invoke_result_t<Text, const Source&>, Lines>) {
       lines = std::move(text);
     } else {
@@ -144,13 +152,15 @@ Fields<Source> pick(const Fields<Source>& fields, const std::vector<std::string_
   return picked;
 }
 
-/// The fields of a member of `Outer`.
-template <class Outer, class Member>
-Fields<Outer> within(const Fields<Member>& fields, Member Outer::*member) {
+/// The fields of a part of `Outer`: of a member, or of what a function makes of it.
+template <class Outer, class Inner, class Part>
+Fields<Outer> within(const Fields<Inner>& fields, Part part) {
   Fields<Outer> lifted;
-  for (const Field<Member>& field : fields) {
-    lifted.push_back(
-        {field.column, [field, member](const Outer& outer) { return field.value(outer.*member); }});
+  for (const Field<Inner>& field : fields) {
+    Field<Outer>& outer = lifted.emplace_back(
+        field.column, [=](const Outer& source) { return field.value(std::invoke(part, source)); });
+    if (!field.lines) continue;
+    outer.lines = [=](const Outer& source) { return field.lines(std::invoke(part, source)); };
   }
   return lifted;
 }
@@ -198,18 +208,16 @@ Json object_of(const Fields<Source>& fields, const Source& source) {
   return object;
 }
 
+/// The lines of one thing.
 template <class Source>
 Lines lines_of(const Fields<Source>& fields, const Source& source) {
   const Json object = object_of(fields, source);
   Lines lines;
-  for (const Field<Source>& field : fields) {
-    const Column& column = field.column;
-    if (field.lines) {
-      for (Line& line : field.lines(source)) lines.push_back(std::move(line));
-    } else if (!column.title.empty() && !field.words.empty()) {
-      lines.push_back({column.title, in_words(field.words, object)});
-    } else if (const Json cell = field.value(source); !column.title.empty() && !cell.is_null()) {
-      lines.push_back({column.title, shown(column, cell)});
+  for (const auto& [column, value, lines_in, read] : fields) {
+    if (lines_in) {
+      for (Line& line : lines_in(source)) lines.push_back(std::move(line));
+    } else if (const Json cell = value(source); !column.title.empty() && !cell.is_null()) {
+      lines.push_back({column.title, in_words(column.shown, cell, object)});
     }
   }
   return lines;
@@ -226,73 +234,51 @@ void read_object(const Fields<Source>& fields, const Json& object, Source& sourc
   }
 }
 
-/// A member that has fields: an object in JSON, and its lines. An optional member may be absent.
-template <class Source, class Member, class Inner>
-Field<Source> record(Column column, Member member, const Fields<Inner>& fields) {
-  constexpr bool is_optional =
-      std::is_same_v<std::invoke_result_t<Member, Source&>, std::optional<Inner>&>;
-  column.may_be_absent |= is_optional;
-  // The record by a pointer, null if it is not there.
-  const auto in = [member](const Source& source) -> const Inner* {
-    if constexpr (is_optional) {
-      const std::optional<Inner>& inner = std::invoke(member, source);
-      return inner ? &*inner : nullptr;
-    } else {
-      return &std::invoke(member, source);
-    }
-  };
-  Field<Source> field(
-      std::move(column),
-      [in, fields](const Source& source) {
-        const Inner* const inner = in(source);
-        return inner == nullptr ? Json() : object_of(fields, *inner);
-      },
-      [in, fields](const Source& source) {
-        const Inner* const inner = in(source);
-        return inner == nullptr ? Lines{} : lines_of(fields, *inner);
-      });
-  field.read = [member, fields](Source& source, const Json& json) {
-    if constexpr (is_optional) {
-      read_object(fields, json, std::invoke(member, source).emplace());
-    } else {
-      read_object(fields, json, std::invoke(member, source));
-    }
-  };
-  return field;
+/// The same of a thing that may be missing: null, and no lines.
+template <class Source>
+Json object_of(const Fields<Source>& fields, const std::optional<Source>& source) {
+  return source ? object_of(fields, *source) : Json();
+}
+template <class Source>
+Lines lines_of(const Fields<Source>& fields, const std::optional<Source>& source) {
+  return source ? lines_of(fields, *source) : Lines{};
+}
+template <class Source>
+void read_object(const Fields<Source>& fields, const Json& object, std::optional<Source>& source) {
+  read_object(fields, object, source.emplace());
 }
 
-/// A member with several things: an array of objects in JSON, and their lines. If the column may be
-/// absent, it is where the member is empty. `fields_in`: the fields, given the source.
-template <class Source, class Inner>
-Field<Source> list(Column column, std::vector<Inner> Source::*member,
-                   std::function<Fields<Inner>(const Source&)> fields_in) {
-  const bool may_be_absent = column.may_be_absent;
+/// The same of several things: an array, and the lines of all.
+template <class Source>
+Json object_of(const Fields<Source>& fields, const std::vector<Source>& sources) {
+  Json array = Json::array();
+  for (const Source& source : sources) array.push_back(object_of(fields, source));
+  return array;
+}
+template <class Source>
+Lines lines_of(const Fields<Source>& fields, const std::vector<Source>& sources) {
+  Lines lines;
+  for (const Source& source : sources) {
+    for (Line& line : lines_of(fields, source)) lines.push_back(std::move(line));
+  }
+  return lines;
+}
+template <class Source>
+void read_object(const Fields<Source>& fields, const Json& array, std::vector<Source>& sources) {
+  for (const Json& each : array) read_object(fields, each, sources.emplace_back());
+}
+
+/// A member that has fields: one thing, an optional one, or several.
+template <class Source, class Member, class Inner>
+Field<Source> record(Column column, Member member, const Fields<Inner>& fields) {
   Field<Source> field(
       std::move(column),
-      [=](const Source& source) {
-        Json array = may_be_absent ? Json() : Json::array();
-        for (const Inner& each : source.*member) {
-          array.push_back(object_of(fields_in(source), each));
-        }
-        return array;
-      },
-      [=](const Source& source) {
-        Lines lines;
-        for (const Inner& each : source.*member) {
-          for (Line& line : lines_of(fields_in(source), each)) lines.push_back(std::move(line));
-        }
-        return lines;
-      });
+      [=](const Source& source) { return object_of(fields, std::invoke(member, source)); },
+      [=](const Source& source) { return lines_of(fields, std::invoke(member, source)); });
   field.read = [=](Source& source, const Json& json) {
-    for (const Json& each : json) {
-      read_object(fields_in(source), each, (source.*member).emplace_back());
-    }
+    read_object(fields, json, std::invoke(member, source));
   };
   return field;
-}
-template <class Source, class Inner>
-Field<Source> list(Column column, std::vector<Inner> Source::*member, const Fields<Inner>& fields) {
-  return list<Source, Inner>(std::move(column), member, [fields](const Source&) { return fields; });
 }
 
 }  // namespace mixcmp::table
