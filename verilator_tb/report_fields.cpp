@@ -26,13 +26,18 @@ double ratio_of(std::uint64_t part, std::uint64_t whole) {
 }
 
 /// A line that is no pair of a name and a text.
-Lines remark(std::string text, int indent) {
-  return {{.name = std::move(text), .indent = indent}};
+template <class... Values>
+Lines remark(int indent, fmt::format_string<Values...> form, Values&&... values) {
+  return {{.name = fmt::format(form, std::forward<Values>(values)...), .indent = indent}};
 }
 
 /// The whole, for an object in JSON that is no member of it.
 constexpr auto itself = [](auto& whole) -> auto& {
   return whole;
+};
+
+constexpr auto column_number = [](auto& input) -> auto& {
+  return input.column.number;
 };
 
 Fields<InputSource> input_fields() {
@@ -42,18 +47,14 @@ Fields<InputSource> input_fields() {
   name.read = [](InputSource& input, const Json& json) {
     if (!json.is_null()) json.get_to(input.column.name);
   };
-  return {{{"input"},
-           &InputSource::input,
-           [](const InputSource& input) {
-             return Lines{{input.input, "<- " + input.shown()}};
-           }},
-          {{"column"}, [](auto& input) -> auto& {return input.column.number;
-}
-}  // namespace
-, name, {{"source"}, &InputSource::source}, {
-  {"item"}, &InputSource::item
-}
-};  // namespace mixcmp::verilator_tb
+  const auto line = [](const InputSource& input) {
+    return Lines{{input.input, "<- " + input.shown()}};
+  };
+  return {{{"input"}, &InputSource::input, line},
+          {{"column"}, column_number},
+          name,
+          {{"source"}, &InputSource::source},
+          {{"item"}, &InputSource::item}};
 }
 
 /// " of simulation 3"; nothing of the first, which is often the only one.
@@ -62,22 +63,19 @@ std::string of_simulation(std::uint64_t simulation) {
 }
 
 Lines headline(const Mismatch& m) {
-  return remark(fmt::format("comparison {}{}: expected {}; got {}; lane {}, cycle {}{}", m.index,
-                            m.items.empty() ? "" : fmt::format(" ({})", m.items), m.expected, m.got,
-                            m.lane, m.cycle, of_simulation(m.simulation)),
-                2);
+  return remark(2, "comparison {}{}: expected {}; got {}; lane {}, cycle {}{}", m.index,
+                m.items.empty() ? "" : fmt::format(" ({})", m.items), m.expected, m.got, m.lane,
+                m.cycle, of_simulation(m.simulation));
 }
 
 Fields<Mismatch> mismatch_fields() {
   using Operand = Mismatch::Operand;
-  const Fields<Operand> operand_fields = {
-      {{"input"},
-       &Operand::input,
-       [](const Operand& operand) {
-         return remark(fmt::format("{} = 0x{} = {}", operand.input, operand.hex, operand.value), 4);
-       }},
-      {{"hex"}, &Operand::hex},
-      {{"value"}, &Operand::value}};
+  const auto operand_line = [](const Operand& operand) {
+    return remark(4, "{} = 0x{} = {}", operand.input, operand.hex, operand.value);
+  };
+  const Fields<Operand> operand_fields = {{{"input"}, &Operand::input, operand_line},
+                                          {{"hex"}, &Operand::hex},
+                                          {{"value"}, &Operand::value}};
   return {{{"index"}, &Mismatch::index, headline},
           {{"items"}, &Mismatch::items},
           record<Mismatch>({"operands"}, &Mismatch::operands, operand_fields),
@@ -87,20 +85,17 @@ Fields<Mismatch> mismatch_fields() {
           {{"cycle"}, &Mismatch::cycle},
           {{"simulation"}, &Mismatch::simulation},
           {{"repeat"}, &Mismatch::repeat, [](const Mismatch& m) {
-             return m.repeat.empty() ? Lines{} : remark("repeat: " + m.repeat, 4);
+             return m.repeat.empty() ? Lines{} : remark(4, "repeat: {}", m.repeat);
            }}};
 }
 
 Fields<ProtocolViolation> violation_fields() {
   using Violation = ProtocolViolation;
-  return {{{"fault"},
-           &Violation::fault,
-           [](const Violation& v) {
-             return remark(
-                 fmt::format("cycle {}{}, lane {}: {}{}", v.cycle, of_simulation(v.simulation),
-                             v.lane, v.fault, v.details.empty() ? "" : " (" + v.details + ")"),
-                 2);
-           }},
+  const auto line = [](const Violation& v) {
+    return remark(2, "cycle {}{}, lane {}: {}{}", v.cycle, of_simulation(v.simulation), v.lane,
+                  v.fault, v.details.empty() ? "" : " (" + v.details + ")");
+  };
+  return {{{"fault"}, &Violation::fault, line},
           {{"lane"}, &Violation::lane},
           {{"cycle"}, &Violation::cycle},
           {{"simulation"}, &Violation::simulation},
@@ -115,7 +110,7 @@ Fields<LeastCounterexample> counterexample_fields() {
           record<Least>({.name = "violation", .may_be_absent = true}, &Least::violation,
                         violation_fields()),
           {{"waves"}, &Least::waves, [](const Least& least) {
-             return least.waves.empty() ? Lines{} : remark("waves: " + least.waves, 4);
+             return least.waves.empty() ? Lines{} : remark(4, "waves: {}", least.waves);
            }}};
 }
 
@@ -161,14 +156,12 @@ Fields<GroupReport> group_fields(const Report& report) {
       {.name = "wrong_by_lane", .title = "wrong by a lane", .may_be_absent = true},
       [=](const Group& group) { return has_truth ? Json(group.wrong_by_lane) : Json(); });
   wrong_by_lane.read = [](Group& group, const Json& json) { json.get_to(group.wrong_by_lane); };
+  const auto title = [](const Group& group) {
+    return remark(2, "{} {} {}, {}", group.lanes, group.lanes == 1 ? "lane" : "lanes", group.name,
+                  group.certified ? "certified" : "not certified");
+  };
   const Fields<Group> counts = {
-      {{"name"},
-       &Group::name,
-       [](const Group& group) {
-         return remark(fmt::format("{} {} {}, {}", group.lanes, group.lanes == 1 ? "lane" : "lanes",
-                                   group.name, group.certified ? "certified" : "not certified"),
-                       2);
-       }},
+      {{"name"}, &Group::name, title},
       {{"lanes"}, &Group::lanes},
       {{"certified"}, &Group::certified},
       {{"comparisons", "comparisons"}, &Group::comparisons},
@@ -337,14 +330,15 @@ Fields<Report> outcome_fields(bool has_references) {
   for (const Verdict verdict : all_verdicts) {
     const auto k = static_cast<std::size_t>(verdict);
     const std::string name(to_string(verdict));
-    verdicts.push_back({{name, name}, [k](auto& report) -> auto& { return report.verdicts[k];
+    const auto count = [k](auto& report) -> auto& {
+      return report.verdicts[k];
+    };
+    verdicts.push_back({{name, name}, count});
   }
-});
-}
-return {record<Report>({"verdicts"}, itself, verdicts),
-        {{"undecided", has_references ? "" : "undecided"}, &Report::undecided},
-        {{"recomputations", "recomputations"}, &Report::recomputations, rate_form},
-        {{"recomputation_rate"}, &Report::recomputation_rate}};
+  return {record<Report>({"verdicts"}, itself, verdicts),
+          {{"undecided", has_references ? "" : "undecided"}, &Report::undecided},
+          {{"recomputations", "recomputations"}, &Report::recomputations, rate_form},
+          {{"recomputation_rate"}, &Report::recomputation_rate}};
 }
 
 Fields<Report> cycle_fields(bool has_references) {

@@ -118,8 +118,8 @@ TEST(Fields, GiveLinesWithTextsInOneColumn) {
             "  lanes   7 in q8\n"
             "  G/s     1.0\n"
             "  so      rank 3\n");
-  EXPECT_EQ(to_text(lines_of(stage_fields(), {}), 10), "  rank    0\n  so      rank 0\n");
-  EXPECT_EQ(to_text({{"only a name", "", 4}}, 10), "    only a name\n");
+  EXPECT_EQ(to_text(lines_of(stage_fields(), Stage{}), 10), "  rank    0\n  so      rank 0\n");
+  EXPECT_EQ(table::to_text({{"only a name", "", 4}}, 10), "    only a name\n");
 }
 
 TEST(Fields, ReadBackTheObjectThatTheyGive) {

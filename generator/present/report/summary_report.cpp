@@ -115,16 +115,6 @@ Json json_of_groups(const Scene& scene) {
   return groups;
 }
 
-/// A value of each kind of references.
-template <class Value>
-Json of_references(const Scene& scene, Value value) {
-  Json values = Json::array();
-  for (const scene::ReferenceGroupSpec& group : scene.reference_groups()) {
-    values.push_back(value(group.structure));
-  }
-  return values;
-}
-
 /// "2", or "2, initiation interval 16" where a kind of them is folded.
 std::string shown_references(const Scene& scene) {
   std::vector<std::string> intervals, targets;
@@ -175,24 +165,21 @@ Fields<Scene> device_fields() {
       &Scene::system);
 }
 
-Fields<Scene> count_fields(const SystemSpec& system) {
-  const std::string groups = system.lanes_per_group == 1 ? "" : ", in groups of {lanes_per_group}";
-  return {{{"lanes", "lanes"},
-           [](const Scene& scene) { return json_of(scene.lane_count()); },
-           "{lanes}" + groups},
-          {{"references", "references"},
-           [](const Scene& scene) { return json_of(scene.reference_count()); },
-           shown_references},
-          {{"initiation_intervals"},
-           [](const Scene& scene) {
-             return of_references(scene,
-                                  [](const auto& r) { return json_of(r.initiation_interval); });
-           }},
-          {{"reference_targets_mhz"}, [](const Scene& scene) {
-             return of_references(scene, [&](const auto& structure) {
-               return structure.target_mhz.value_or(scene.system.target_mhz);
-             });
-           }}};
+Fields<Scene> count_fields(const Scene& scene) {
+  Json intervals = Json::array(), targets = Json::array();
+  for (const scene::ReferenceGroupSpec& group : scene.reference_groups()) {
+    intervals.push_back(json_of(group.structure.initiation_interval));
+    targets.push_back(group.structure.target_mhz.value_or(scene.system.target_mhz));
+  }
+  const char* const lanes =
+      scene.system.lanes_per_group == 1 ? "{lanes}" : "{lanes}, in groups of {lanes_per_group}";
+  const Fields<Scene> counts = {
+      {{"lanes", "lanes"}, [](const Scene& each) { return json_of(each.lane_count()); }, lanes},
+      {{"references", "references"},
+       [](const Scene& each) { return json_of(each.reference_count()); },
+       shown_references}};
+  return counts + table::constant<Scene>({"initiation_intervals"}, intervals) +
+         table::constant<Scene>({"reference_targets_mhz"}, targets);
 }
 
 Fields<Scene> stream_fields(const SystemSpec& system) {
@@ -216,8 +203,8 @@ Fields<Scene> stream_fields(const SystemSpec& system) {
       &Scene::system);
 }
 
-Fields<Scene> system_fields(const SystemSpec& system) {
-  return device_fields() + count_fields(system) + stream_fields(system);
+Fields<Scene> system_fields(const Scene& scene) {
+  return device_fields() + count_fields(scene) + stream_fields(scene.system);
 }
 
 std::string declaration(const Scene& scene, std::size_t input) {
@@ -455,7 +442,7 @@ std::vector<SummaryLines> lines_of(const Summary& summary) {
                                    {"inputs", lines_of(input_fields(scene), inputs_of(scene))}};
   if (!scene.graph.limits().empty()) all.push_back(limits_section(scene.graph));
   all.push_back(formats_section(scene));
-  all.push_back({"system", lines_of(system_fields(scene.system), scene)});
+  all.push_back({"system", lines_of(system_fields(scene), scene)});
   if (scene.plan) {
     SummaryLines& plan = all.emplace_back("plan " + scene.plan->path.filename().string());
     for (const auto& [key, value] : scene.plan->values) add(plan, {{key, value}});
@@ -491,7 +478,7 @@ std::string to_text(const Summary& summary) {
 nlohmann::json to_json(const Summary& summary) {
   const Scene& scene = *summary.scene;
   Json json = {{"name", scene.name},
-               {"system", object_of(system_fields(scene.system), scene)},
+               {"system", object_of(system_fields(scene), scene)},
                {"lane_groups", json_of_groups(scene)},
                {"notes", scene.notes}};
   if (scene.second_tier) json["second_tier"] = json_of(*scene.second_tier);

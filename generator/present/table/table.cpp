@@ -80,6 +80,7 @@ std::string in_words(const std::string& form, const Json& cell, const Json& obje
   const auto add = [&values](const Json& value, auto argument) {
     if (value.is_string()) values.push_back(argument(value.get_ref<const std::string&>()));
     if (value.is_number_float()) values.push_back(argument(value.get<double>()));
+    if (value.is_number_unsigned()) return values.push_back(argument(value.get<std::uint64_t>()));
     if (value.is_number_integer()) values.push_back(argument(value.get<std::int64_t>()));
   };
   add(cell, [](const auto& value) { return value; });
