@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "generator/present/table/table.hpp"
 #include "verilator_tb/report.hpp"
