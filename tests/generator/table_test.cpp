@@ -85,5 +85,63 @@ TEST(Table, PickedFieldsComeInTheOrderAskedFor) {
             R"({"kinds":"3 x q8","lanes":3})");
 }
 
+struct Stage {
+  int rank = 0;
+  std::optional<Plan> plan = {};
+  std::vector<Plan> others = {};
+};
+
+const Fields<Stage>& stage_fields() {
+  static const Fields<Plan> plan = {
+      {{"lanes", "lanes"}, &Plan::lanes, "{lanes} in {kinds}"},
+      {{"per_s"}, &Plan::per_s},
+      {{"giga", "G/s", 0, 2, "{:.1f}"}, [](const Plan& each) { return each.per_s / 1e9; }},
+      {{"kinds", "kinds"}, &Plan::kinds, [](const Plan& each) {
+         return each.lanes > 9 ? "many" : "";
+       }}};
+  static const Fields<Stage> fields = {
+      {{"rank", "rank"}, &Stage::rank},
+      table::record<Stage>({.name = "plan", .may_be_absent = true}, &Stage::plan, plan),
+      table::record<Stage>({"others"}, &Stage::others, plan),
+      table::line<Stage>("so", "rank {rank}")};
+  return fields;
+}
+
+const Stage stage{3, Plan{12, 2.4e9, {}, "s8e8"}, {{7, 1e9, {}, "q8"}}};
+
+TEST(Fields, GiveLinesWithTextsInOneColumn) {
+  EXPECT_EQ(to_text(lines_of(stage_fields(), stage), 10),
+            "  rank    3\n"
+            "  lanes   12 in s8e8\n"
+            "  G/s     2.4\n"
+            "  kinds   many\n"
+            "  lanes   7 in q8\n"
+            "  G/s     1.0\n"
+            "  so      rank 3\n");
+  EXPECT_EQ(to_text(lines_of(stage_fields(), Stage{}), 10), "  rank    0\n  so      rank 0\n");
+  EXPECT_EQ(table::to_text({{"only a name", "", 4}}, 10), "    only a name\n");
+}
+
+TEST(Fields, ReadBackTheObjectThatTheyGive) {
+  const Json object = object_of(stage_fields(), stage);
+  EXPECT_EQ(object.dump(),
+            R"({"rank":3,"plan":{"lanes":12,"per_s":2400000000.0,"giga":2.4,"kinds":"s8e8"},)"
+            R"("others":[{"lanes":7,"per_s":1000000000.0,"giga":1.0,"kinds":"q8"}]})");
+  Stage read;
+  read_object(stage_fields(), object, read);
+  EXPECT_EQ(object_of(stage_fields(), read), object);
+}
+
+TEST(Fields, ReadOnlyWhatIsThere) {
+  Stage read;
+  read_object(stage_fields(), Json::parse(R"({"rank":2,"others":[]})"), read);
+  EXPECT_EQ(read.rank, 2);
+  EXPECT_FALSE(read.plan);
+  EXPECT_EQ(object_of(stage_fields(), read).dump(), R"({"rank":2,"others":[]})");
+  EXPECT_THROW(read_object(stage_fields(), Json::parse(R"({"rank":2})"), read), Json::exception);
+  EXPECT_THROW(read_object(stage_fields(), Json::parse(R"({"rank":"2","others":[]})"), read),
+               Json::exception);
+}
+
 }  // namespace
 }  // namespace mixcmp::test::table_test

@@ -162,6 +162,27 @@ TEST(Report, SaysWhatWasNotCheckedAndWhy) {
   EXPECT_EQ(json["reference_alone_wrong"], 4);
 }
 
+TEST(Report, IsReadBackFromItsJson) {
+  verilator_tb::VerifyReport report = usual_report();
+  report.system = "spheres";
+  report.lanes = 2;
+  report.lanes_per_group = 2;
+  report.cycles = 40;
+  report.latencies.decided = {.count = 90, .minimum_cycles = 3, .maximum_cycles = 9};
+  report.groups.front().latencies = report.latencies;
+  report.groups.front().wrong_by_lane = 1;
+  report.inputs.emplace_back().input = "x";
+  report.inputs.back().column.name = "width";
+  report.counters = {{"comparisons", 48, 47}};
+  report.mismatch_count = report.violation_count = 1;
+  report.mismatches = {{.index = 7, .operands = {{"x", "3f", "1.5"}}, .repeat = "again"}};
+  report.violations = {{.fault = "hung", .lane = 1, .details = "why"}};
+  report.truth = verilator_tb::TruthCount{.checked = 99, .undefined = 1};
+  const auto json = to_json(report);
+  EXPECT_EQ(to_json(verilator_tb::report_in(json)).dump(2), json.dump(2));
+  EXPECT_EQ(to_text(verilator_tb::report_in(json)), to_text(report));
+}
+
 TEST(Report, SaysThatGroupsOfLanesCountWords) {
   verilator_tb::VerifyReport report = usual_report();
   report.lanes = 2;

@@ -44,9 +44,7 @@ Fields<DevicePlan> device_fields() {
 
 /// The columns of the plan on a device.
 Fields<DevicePlan> figures() {
-  const auto plan =
-      within(pick(report::plan_fields(), {"precision", "lanes", "references", "throughput_per_s"}),
-             &DevicePlan::plan);
+  const auto plan = table::within<DevicePlan>(report::plan_choice(), &DevicePlan::plan);
   const Fields<DevicePlan> used = {
       {{"used_share", "used", 6, 1, "{:.0f} %", 0.01},
        [](const DevicePlan& each) { return each.used.share; }},

@@ -7,15 +7,18 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "generator/present/report/plan_fields.hpp"
 #include "generator/present/report/plan_report.hpp"
 #include "model/plan/optimise/plan_summary.hpp"
 
 namespace mixcmp::cli {
 namespace {
 
+using table::Fields;
+using table::Json;
+using table::within;
 using tasks::OptimiseResult;
 using tasks::PlannedSystem;
-using Json = nlohmann::ordered_json;
 using Systems = std::vector<const PlannedSystem*>;
 
 /// The fastest systems that differ in a trait, in their order.
@@ -48,6 +51,11 @@ Systems formulations_of(const OptimiseResult& result) {
   return alike;
 }
 
+std::string plan_text(const optimise::PlanSummary& s) {
+  return fmt::format("L = {:>2}, {:>3} x {}: {:>8} G/s", s.precision, s.lanes, s.references,
+                     giga_text(s.throughput_per_s));
+}
+
 /// A table that compares systems by a name; empty for a single one.
 template <class Name>
 std::string compare(const std::string& title, const Systems& systems, const PlannedSystem& chosen,
@@ -63,8 +71,7 @@ std::string compare(const std::string& title, const Systems& systems, const Plan
       text += "no feasible plan\n";
       continue;
     }
-    text += fmt::format("L = {:>2}, {:>3} x {}: {:>8} G/s; the chosen is {:.2f} times as fast\n",
-                        s.precision, s.lanes, s.references, giga_text(s.throughput_per_s),
+    text += fmt::format("{}; the chosen is {:.2f} times as fast\n", plan_text(s),
                         chosen.throughput_per_s() / s.throughput_per_s);
   }
   return text + "\n";
@@ -89,11 +96,9 @@ std::string front_text(const std::vector<tasks::FrontPoint>& front, double slack
       "{:g} %)\n",
       100 * (1 - slack));
   for (const tasks::FrontPoint& point : front) {
-    const optimise::PlanSummary& s = point.plan;
-    text += fmt::format("{} {:>6.2f} %  L = {:>2}, {:>3} x {}: {:>8} G/s; {} G/s per 1 %\n",
-                        &point == knee_of(front) ? '*' : ' ', 100 * point.share, s.precision,
-                        s.lanes, s.references, giga_text(s.throughput_per_s),
-                        giga_text(s.throughput_per_s / (100 * point.share)));
+    text +=
+        fmt::format("{} {:>6.2f} %  {}; {} G/s per 1 %\n", &point == knee_of(front) ? '*' : ' ',
+                    100 * point.share, plan_text(point.plan), giga_text(point.per_share() / 100));
   }
   return text +
          "  *: the smallest with 0.9 of the highest throughput per area; --at-least G/s "
@@ -101,17 +106,13 @@ std::string front_text(const std::vector<tasks::FrontPoint>& front, double slack
 }
 
 Json front_json(const std::vector<tasks::FrontPoint>& front) {
-  Json points = Json::array();
-  for (const tasks::FrontPoint& point : front) {
-    points.push_back({{"share", point.share},
-                      {"precision", point.plan.precision},
-                      {"lanes", point.plan.lanes},
-                      {"references", point.plan.references},
-                      {"throughput_per_s", point.plan.throughput_per_s},
-                      {"is_knee", &point == knee_of(front)},
-                      {"settings", point.settings}});
-  }
-  return points;
+  using Point = tasks::FrontPoint;
+  const Fields<Point> share = {{{"share"}, &Point::share}};
+  const Fields<Point> rest = {
+      {{"is_knee"}, [&](const Point& point) { return &point == knee_of(front); }},
+      {{"settings"}, &Point::settings}};
+  return to_json(
+      table_of(share + within<Point>(report::plan_choice(), &Point::plan) + rest, front));
 }
 
 /// The variant's name, null for the formulation in [comparison] itself, and the second tier's
@@ -126,10 +127,10 @@ Json json_name(const PlannedSystem& system) {
 }
 
 Json json_of_interface(const PlannedSystem& system) {
-  const optimise::PlanSummary s = summary_of(system.found);
-  return {{"interface", system.interface}, {"settings", system.settings},
-          {"precision", s.precision},      {"lanes", s.lanes},
-          {"references", s.references},    {"throughput_per_s", s.throughput_per_s}};
+  const Fields<PlannedSystem> fields = {{{"interface"}, &PlannedSystem::interface},
+                                        {{"settings"}, &PlannedSystem::settings}};
+  const auto plan = [](const PlannedSystem& each) { return summary_of(each.found); };
+  return object_of(fields + within<PlannedSystem>(report::plan_choice(), plan), system);
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ std::string ReportMaker::subtitle() const {
       format == "auto" ? "a reduced precision" : format, rest);
 }
 
-std::vector<std::pair<std::string, std::string>> ReportMaker::made_by() const {
+table::Lines ReportMaker::made_by() const {
   return {{"command", choice_.command}, {"version", fmt::format("mixcmp {}", emit::version)}};
 }
 

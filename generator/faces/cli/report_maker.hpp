@@ -35,7 +35,7 @@ private:
     return command_line(verb, planning_options_.scene).text();
   }
   std::string subtitle() const;
-  std::vector<std::pair<std::string, std::string>> made_by() const;
+  table::Lines made_by() const;
   bool shows(const std::string& section) const { return !choice_.without.contains(section); }
   void add_measurements(page::Page& page);
   /// Remembers that a section could not be made.

@@ -71,12 +71,11 @@ Element head_of(const Page& page) {
   return head.add(Element("style").add_verbatim(page_file("page.css")));
 }
 
-Element definition_list(const char* style,
-                        const std::vector<std::pair<std::string, std::string>>& entries) {
+Element definition_list(const char* style, const table::Lines& entries) {
   Element list("dl", {{"class", style}});
-  for (const auto& [name, text] : entries) {
+  for (const table::Line& line : entries) {
     Element entry("div");
-    entry.add(text_element("dt", {}, name)).add(text_element("dd", {}, text));
+    entry.add(text_element("dt", {}, line.name)).add(text_element("dd", {}, line.text));
     list.add(entry);
   }
   return list;
@@ -124,11 +123,11 @@ Element heading(std::string_view text) {
   return text_element("h3", {}, text);
 }
 
-Element definitions(const std::vector<std::pair<std::string, std::string>>& entries) {
+Element definitions(const table::Lines& entries) {
   return definition_list("entries", entries);
 }
 
-Element short_definitions(const std::vector<std::pair<std::string, std::string>>& entries) {
+Element short_definitions(const table::Lines& entries) {
   return definition_list("entries short", entries);
 }
 
@@ -154,7 +153,7 @@ Element gallery(const std::vector<Element>& figures) {
   return grid;
 }
 
-Element key_figures(const std::vector<std::pair<std::string, std::string>>& entries) {
+Element key_figures(const table::Lines& entries) {
   return definition_list("key", entries);
 }
 

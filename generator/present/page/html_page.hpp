@@ -13,9 +13,9 @@ Element paragraph(std::string_view text);
 Element note(std::string_view text);
 Element heading(std::string_view text);
 /// Names and their meanings, in two columns.
-Element definitions(const std::vector<std::pair<std::string, std::string>>& entries);
+Element definitions(const table::Lines& entries);
 /// Names and short meanings: several entries side by side where there is room.
-Element short_definitions(const std::vector<std::pair<std::string, std::string>>& entries);
+Element short_definitions(const table::Lines& entries);
 /// Lines of a command or a program, as they are.
 Element code(std::string_view text);
 /// States the missing part of a section, and the command that makes it (empty: none).
@@ -25,7 +25,7 @@ Element figure(const Element& picture, std::string_view caption);
 /// Several pictures side by side where there is room.
 Element gallery(const std::vector<Element>& figures);
 /// Large numbers with their names.
-Element key_figures(const std::vector<std::pair<std::string, std::string>>& entries);
+Element key_figures(const table::Lines& entries);
 /// A part of a page that a reader may open for more details.
 Element details(std::string_view summary, const Element& content);
 

@@ -24,6 +24,10 @@ table::Fields<PlanSummary> plan_figures() {
   return {plan_fields().begin(), plan_fields().end() - 1};
 }
 
+table::Fields<PlanSummary> plan_choice() {
+  return pick(plan_fields(), {"precision", "lanes", "references", "throughput_per_s"});
+}
+
 const table::Fields<Area>& area_fields() {
   static const table::Fields<Area> fields = {{{"lut"}, &Area::luts},
                                              {{"ff"}, &Area::registers},

@@ -10,6 +10,8 @@ namespace mixcmp::report {
 const table::Fields<optimise::PlanSummary>& plan_fields();
 /// The columns of plan_fields() that hold numbers: all but kinds.
 table::Fields<optimise::PlanSummary> plan_figures();
+/// precision, lanes, references, throughput_per_s: what was chosen, and what it brings.
+table::Fields<optimise::PlanSummary> plan_choice();
 /// lut, ff, dsp, memory.
 const table::Fields<devices::Area>& area_fields();
 

@@ -193,7 +193,8 @@ Json to_json(const Optimisation& optimisation) {
 }
 
 std::string figure9_csv(const Optimisation& optimisation) {
-  return to_csv(plans_by(with_area(within(area_fields(), &PlanSummary::used)), optimisation));
+  return to_csv(plans_by(with_area(table::within<PlanSummary>(area_fields(), &PlanSummary::used)),
+                         optimisation));
 }
 
 std::string figure7_csv(const Optimisation& optimisation) {

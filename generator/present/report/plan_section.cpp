@@ -116,15 +116,14 @@ std::string limit_of(const Optimisation& plans, const PlanSummary& best) {
 void add_best(page::Section& section, const Optimisation& plans, const PrecisionPlan& plan) {
   const PlanSummary best = summary_of(plan);
   const double alone = baseline_per_s(plans);
-  std::vector<std::pair<std::string, std::string>> figures = {
-      {"L, precision of the lanes", fmt::format("{}", best.precision)},
-      {"p_L, lanes", fmt::format("{}", best.lanes)},
-      {"p_H, references", fmt::format("{}", best.references)},
-      {"G comparisons/s", fmt::format("{:.3g}", best.throughput_per_s / giga)},
-      {"limited by", limit_of(plans, best)}};
+  table::Lines figures = {{"L, precision of the lanes", fmt::format("{}", best.precision)},
+                          {"p_L, lanes", fmt::format("{}", best.lanes)},
+                          {"p_H, references", fmt::format("{}", best.references)},
+                          {"G comparisons/s", fmt::format("{:.3g}", best.throughput_per_s / giga)},
+                          {"limited by", limit_of(plans, best)}};
   if (alone > 0) {
-    figures.emplace_back("times references alone",
-                         fmt::format("{:.2f}", best.throughput_per_s / alone));
+    figures.push_back(
+        {"times references alone", fmt::format("{:.2f}", best.throughput_per_s / alone)});
   }
   section.content.push_back(page::key_figures(figures));
   section.content.push_back(page::paragraph(best.kinds));

@@ -16,17 +16,16 @@ std::size_t proven_by_machine(const proof::LaneProof& proof) {
 
 void add_lanes(page::Section& section, const ProvenLanes& lanes) {
   section.content.push_back(page::heading("Lanes in " + lanes.name));
-  std::vector<std::pair<std::string, std::string>> lines = {{"decision", lanes.decision}};
+  table::Lines lines = {{"decision", lanes.decision}};
   if (!lanes.certified) {
-    lines.emplace_back("proof",
-                       "none: the bound is measured, and a verdict of a lane can be wrong");
+    lines.push_back({"proof", "none: the bound is measured, and a verdict of a lane can be wrong"});
     return section.content.push_back(page::definitions(lines));
   }
-  lines.emplace_back("lane", lanes.proof.lane);
-  lines.emplace_back("bound", lanes.proof.kind);
-  lines.emplace_back("proof", lanes.proof.verdict());
-  lines.emplace_back("checked by", lanes.gappa.empty() ? "nobody: Gappa is not installed"
-                                                       : "Gappa " + lanes.gappa);
+  lines.push_back({"lane", lanes.proof.lane});
+  lines.push_back({"bound", lanes.proof.kind});
+  lines.push_back({"proof", lanes.proof.verdict()});
+  lines.push_back({"checked by", lanes.gappa.empty() ? "nobody: Gappa is not installed"
+                                                     : "Gappa " + lanes.gappa});
   section.content.push_back(page::definitions(lines));
   section.content.push_back(
       page::details(fmt::format("{} statements proven by machine, {} by hand",

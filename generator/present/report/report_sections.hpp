@@ -30,8 +30,7 @@ template <class T>
 using IfThere = std::variant<T, Missing>;
 
 /// The request: the lines of `check`. `made_by`: names and versions of programs, the command.
-page::Section request_section(const scene::Summary& summary,
-                              const std::vector<std::pair<std::string, std::string>>& made_by);
+page::Section request_section(const scene::Summary& summary, const table::Lines& made_by);
 
 /// The proof of the error bound of one group of lanes.
 struct ProvenLanes {

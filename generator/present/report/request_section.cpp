@@ -34,7 +34,7 @@ void add_shown(page::Section& section, const SummaryLines& lines) {
   }
   section.content.push_back(page::heading(as_heading(lines.title)));
   std::size_t longest = 0;
-  for (const auto& [name, text] : lines.lines) longest = std::max(longest, text.size());
+  for (const table::Line& line : lines.lines) longest = std::max(longest, line.text.size());
   constexpr std::size_t most_letters_side_by_side = 40;
   section.content.push_back(longest <= most_letters_side_by_side
                                 ? page::short_definitions(lines.lines)
@@ -54,8 +54,7 @@ std::string sentence(const scene::Scene& scene) {
 
 }  // namespace
 
-page::Section request_section(const scene::Summary& summary,
-                              const std::vector<std::pair<std::string, std::string>>& made_by) {
+page::Section request_section(const scene::Summary& summary, const table::Lines& made_by) {
   page::Section section{"request", "What was asked", {page::paragraph(sentence(*summary.scene))}};
   page::Element more("div");
   bool has_more = false;

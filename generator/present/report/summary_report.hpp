@@ -2,17 +2,17 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "generator/present/table/table.hpp"
 #include "model/scene/summary.hpp"
 
 namespace mixcmp::report {
 
-/// Some lines of a summary under a title, each a name and a text.
+/// Some lines of a summary under a title.
 struct SummaryLines {
   std::string title;
-  std::vector<std::pair<std::string, std::string>> lines;
+  table::Lines lines = {};
 };
 std::vector<SummaryLines> lines_of(const scene::Summary& summary);
 

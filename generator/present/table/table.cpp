@@ -1,5 +1,6 @@
 #include "generator/present/table/table.hpp"
 
+#include <fmt/args.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -72,6 +73,34 @@ std::string remark_line(const Table& table, const Row& row) {
 }
 
 }  // namespace
+
+std::string in_words(const std::string& form, const Json& cell, const Json& object) {
+  if (form == "{}" && cell.is_string()) return cell.get<std::string>();
+  fmt::dynamic_format_arg_store<fmt::format_context> values;
+  const auto add = [&values](const Json& value, auto argument) {
+    if (value.is_string()) values.push_back(argument(value.get_ref<const std::string&>()));
+    if (value.is_number_float()) values.push_back(argument(value.get<double>()));
+    if (value.is_number_unsigned()) return values.push_back(argument(value.get<std::uint64_t>()));
+    if (value.is_number_integer()) values.push_back(argument(value.get<std::int64_t>()));
+  };
+  add(cell, [](const auto& value) { return value; });
+  for (const auto& [name, value] : object.items()) {
+    add(value, [name = name.c_str()](const auto& one) { return fmt::arg(name, one); });
+  }
+  return fmt::vformat(form, values);
+}
+
+std::string to_text(const Lines& lines, int text_column) {
+  std::string text;
+  for (const Line& line : lines) {
+    text += std::string(static_cast<std::size_t>(line.indent), ' ');
+    text += line.text.empty()
+                ? line.name
+                : fmt::format("{:<{}} {}", line.name, text_column - line.indent - 1, line.text);
+    text += "\n";
+  }
+  return text;
+}
 
 Table named_table(const std::vector<std::string>& names) {
   Table table;
