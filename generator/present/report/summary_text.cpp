@@ -157,7 +157,9 @@ void print_understood(SectionList& page, const Scene& scene) {
   for (std::size_t k = 0; k < scene.ranges.size(); ++k) {
     std::string declared = scene.ranges[k] ? shown(*scene.ranges[k]) : "no range";
     const OperandFormat& format = scene.operand_formats[k];
-    if (format.fixed() != nullptr) declared = format.name() + ", " + declared;
+    if (!(format == OperandFormat(scene.reference.format))) {
+      declared = format.name() + ", " + declared;
+    }
     if (scene.data_ranges[k]) declared += ", from the data";
     if (scene.grids[k])
       declared += fmt::format(", multiples of {}", expression::to_text(*scene.grids[k]));

@@ -188,7 +188,8 @@ Result<std::vector<FileColumn>> find_columns(const Record& header, FloatFormat f
   return columns;
 }
 
-Result<Done> append_row(Table& table, const Record& record, std::size_t field_count) {
+Result<Done> append_row(Table& table, const Record& record, std::size_t field_count,
+                        std::span<const WantedColumn> wanted) {
   if (record.fields.size() != field_count) {
     const std::string seems = likely_form(record);
     return Error{.line = record.line,
@@ -197,8 +198,10 @@ Result<Done> append_row(Table& table, const Record& record, std::size_t field_co
                                          seems.empty() ? "" : ", the line seems to be " + seems),
                  .accepted = fmt::format("{}, as in the first line", field_count)};
   }
-  for (const FileColumn& column : table.origins) {
-    const Result<Bits> number = read_number(table.format, record.fields[column.number]);
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    const FileColumn& column = table.origins[k];
+    const Result<Bits> number =
+        read_number(table.format, wanted[k].rounded_to, record.fields[column.number]);
     if (!number.ok()) {
       Error error = number.error();
       error.line = record.line;
@@ -225,7 +228,7 @@ Result<Table> parse_csv(std::string_view text, FloatFormat format,
   for (const WantedColumn& column : wanted) table.columns.push_back(column.name);
   while (records.more()) {
     MIXCMP_TRY(record, records.next());
-    const Result<Done> appended = append_row(table, record, header.fields.size());
+    const Result<Done> appended = append_row(table, record, header.fields.size(), wanted);
     if (!appended.ok()) return appended.error();
   }
   return table;

@@ -4,6 +4,7 @@
 
 #include "model/base/common/quote.hpp"
 #include "model/base/number/decimal.hpp"
+#include "model/base/number/exact.hpp"
 
 namespace mixcmp::data {
 
@@ -25,9 +26,15 @@ Result<Bits> read_number(FloatFormat format, std::string_view text) {
   if (format.is_infinite(*bits) && !number.ends_with("inf")) {
     return Error{.message = fmt::format("beyond the largest number of {}", format.name()),
                  .received = in_quotes(number),
-                 .accepted = "a smaller number, or a reference format with more exponent bits"};
+                 .accepted = "a smaller number, or a format with more exponent bits"};
   }
   return bits;
+}
+
+Result<Bits> read_number(FloatFormat format, std::optional<FloatFormat> rounded_to,
+                         std::string_view text) {
+  MIXCMP_TRY(bits, read_number(rounded_to.value_or(format), text));
+  return rounded_to ? converted(format, *rounded_to, bits) : bits;
 }
 
 }  // namespace mixcmp::data
