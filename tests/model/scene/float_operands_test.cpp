@@ -79,10 +79,10 @@ TEST_F(FloatOperandsTest, MistakesNameTheKey) {
 }
 
 TEST_F(FloatOperandsTest, RangesThatTheFormatRoundsOutAreNoted) {
-  const scene::Scene scene = scene_of(products, {"inputs.a.range=[0, 1.01]"});
+  const scene::Scene scene = scene_of(products, {"inputs.a.range=[0, 1.99]"});
   ASSERT_EQ(scene.notes.size(), 1u);
   EXPECT_EQ(scene.notes[0],
-            "the range end 1.01 rounds out of its range in s8e8: data of just that value are out "
+            "the range end 1.99 rounds out of its range in s8e8: data of just that value are out "
             "of range");
 }
 
