@@ -163,8 +163,8 @@ FloatFormat software_format() {
 }
 
 FloatFilters float_filters(const scene::Scene& scene) {
-  const TypedGraph graph =
-      lane_graph(scene.graph, software_format(), {float_format()}, LaneInputs::rounded);
+  const TypedGraph graph = lane_graph(scene.graph.with_any_operands(), software_format(),
+                                      {float_format()}, LaneInputs::rounded);
   FloatFilters found;
   for (const BoundKind kind : {BoundKind::constant, BoundKind::relative, BoundKind::running}) {
     Result<FloatFilter> filter = filter_of(kind, graph, scene);

@@ -127,7 +127,7 @@ std::string exact_verdict(const Body& body, const TypedGraph& graph) {
 }
 
 std::string doubles(const scene::Scene& scene, const data::Comparisons& data) {
-  const TypedGraph graph = reference_graph(scene.graph, {software_format()});
+  const TypedGraph graph = reference_graph(scene.graph.with_any_operands(), {software_format()});
   const Body body(data, graph);
   return fmt::format(R"(struct Doubles {{
   using Real = double;

@@ -228,9 +228,7 @@ Result<fixed::FixedLane> design_fixed_lane(const scene::Scene& scene,
   const fixed::FixedOptions options{.format = *reduced.fixed_point,
                                     .bound = reduced.error_bound,
                                     .ranges = scene.ranges,
-                                    .operand_formats = scene.has_fixed_operands()
-                                                           ? scene.operand_formats
-                                                           : std::vector<OperandFormat>()};
+                                    .operand_formats = scene.operand_formats};
   MIXCMP_TRY(lane, fixed::fixed_lane(scene.graph, scene.reference.format, options));
   if (can_decide(lane)) return lane;
   return undecidable(reduced.format_name());

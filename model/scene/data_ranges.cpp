@@ -46,12 +46,13 @@ Error mistake_in(const settings::Setting& entry, std::string message) {
 
 Result<Done> take_ranges_from_data(const data::DataSpec* data,
                                    const std::vector<std::string>& inputs, FloatFormat format,
+                                   std::span<const OperandFormat> arriving,
                                    InputDeclarations& declared) {
   const auto is_asked = [](const settings::Setting* entry) { return entry != nullptr; };
   const auto first = std::find_if(declared.from_data.begin(), declared.from_data.end(), is_asked);
   if (first == declared.from_data.end()) return Done{};
   if (data == nullptr) return mistake_in(**first, "the scene has no [data] to take it from");
-  MIXCMP_TRY(tables, data::load_tables(*data, inputs, format));
+  MIXCMP_TRY(tables, data::load_tables(*data, inputs, format, arriving));
   for (std::size_t k = 0; k < inputs.size(); ++k) {
     if (declared.from_data[k] == nullptr) continue;
     MIXCMP_TRY(column, data::input_column(data->pairing, inputs[k]));

@@ -13,21 +13,41 @@ namespace mixcmp::scene {
 namespace {
 
 /// Refuses a reference format that rounds some operand of an input.
-Result<Done> check_reference_format(const settings::Settings& settings, const Scene& scene) {
-  const FloatFormat reference = scene.reference.format;
-  for (std::size_t k = 0; k < scene.operand_formats.size(); ++k) {
-    const FixedFormat* format = scene.operand_formats[k].fixed();
-    if (format == nullptr) continue;
-    const int top = format->unit_exponent + format->magnitude_bits();
-    const bool is_held = reference.precision() >= format->magnitude_bits() &&
-                         top <= reference.max_exponent() &&
-                         format->unit_exponent >= reference.min_exponent();
-    if (is_held) continue;
+Result<Done> check_reference_format(const settings::Settings& settings,
+                                    const std::vector<std::string>& inputs,
+                                    std::span<const OperandFormat> formats, FloatFormat reference) {
+  for (std::size_t k = 0; k < formats.size(); ++k) {
+    if (formats[k].is_held_by(reference)) continue;
+    const bool may_be_exact = formats[k].fixed() != nullptr;
     return settings::Section(settings, "reference")
-        .mistake("format",
-                 fmt::format("it does not hold every number of {} in {}", scene.graph.inputs()[k],
-                             scene.operand_formats[k].name()),
-                 reference.name(), "\"exact\", or a format with more digits or exponent bits");
+        .mistake(
+            "format",
+            fmt::format("it does not hold every number of {} in {}", inputs[k], formats[k].name()),
+            reference.name(),
+            fmt::format("{}a format with more digits or exponent bits",
+                        may_be_exact ? "\"exact\", or " : ""));
+  }
+  return Done{};
+}
+
+/// Refuses two formats for one column of the data, unless both are in fixed point: the column's
+/// numbers are rounded to one format.
+Result<Done> check_data(const settings::Settings& settings, const std::vector<std::string>& inputs,
+                        std::span<const OperandFormat> formats, const data::DataSpec& data) {
+  std::map<std::pair<std::size_t, std::string>, std::size_t> known;
+  for (std::size_t k = 0; k < formats.size(); ++k) {
+    const auto column = data::input_column(data.pairing, inputs[k]);
+    if (!column.ok()) continue;  // load_tables reports it
+    const std::size_t first =
+        known.emplace(std::pair(column->table, column->name), k).first->second;
+    const OperandFormat &one = formats[first], &other = formats[k];
+    if (one == other || (one.fixed() != nullptr && other.fixed() != nullptr)) continue;
+    return settings::Section(settings, "data")
+        .mistake("pairs",
+                 fmt::format("{} and {} are the same column of the data, in two formats",
+                             inputs[first], inputs[k]),
+                 fmt::format("{} and {}", one.name(), other.name()),
+                 "one format for both, or rows that have a column for each");
   }
   return Done{};
 }
@@ -91,11 +111,19 @@ Result<Done> check_columns(const settings::Settings& settings, const Scene& scen
 
 }  // namespace
 
+Result<Done> check_operand_formats(const settings::Settings& settings,
+                                   const std::vector<std::string>& inputs,
+                                   std::span<const OperandFormat> formats, FloatFormat reference,
+                                   const std::optional<data::DataSpec>& data) {
+  MIXCMP_DO(check_reference_format(settings, inputs, formats, reference));
+  return data ? check_data(settings, inputs, formats, *data) : Done{};
+}
+
 Result<Done> check_fixed_operands(const settings::Settings& settings, const Scene& scene) {
-  if (!scene.has_fixed_operands()) return Done{};
-  MIXCMP_DO(check_reference_format(settings, scene));
-  MIXCMP_DO(check_lanes(settings, scene));
-  MIXCMP_DO(check_references(settings, scene));
+  if (scene.has_fixed_operands()) {
+    MIXCMP_DO(check_lanes(settings, scene));
+    MIXCMP_DO(check_references(settings, scene));
+  }
   if (scene.system.engine.kind == EngineKind::none) return Done{};
   return check_columns(settings, scene);
 }

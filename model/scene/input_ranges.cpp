@@ -19,21 +19,23 @@ bool is_pattern(const std::string& key) {
 }
 
 struct InputDeclaration {
-  std::optional<Range> range;  ///< none: from the data
+  std::optional<Range> range;  ///< none: from the data, or undeclared beside a format
   std::optional<mpq_class> grid;
   std::optional<OperandFormat> format = {};
+  bool is_from_data = false;
 };
 
-/// Reads the format of an input. Its range and its grid are those of the format.
-Result<InputDeclaration> read_format(settings::Section& section) {
+Result<OperandFormat> read_format(settings::Section& section) {
   const settings::Setting& setting = *section.find("format");
   const auto* word = std::get_if<std::string>(&setting.value);
-  const Result<OperandFormat> format = OperandFormat::parse_fixed(word == nullptr ? "" : *word);
-  if (!format.ok()) {
-    return section.mistake(
-        "format", format.error().message, setting.shown(),
-        format.error().accepted + "; in floating point all inputs have the format of [reference]");
-  }
+  Result<OperandFormat> format = OperandFormat::parse(word == nullptr ? "" : *word);
+  if (format.ok()) return format;
+  return section.mistake("format", format.error().message, setting.shown(),
+                         format.error().accepted);
+}
+
+/// Reads the rest of an input in fixed point. Its range and its grid are those of the format.
+Result<InputDeclaration> read_fixed(settings::Section& section, const OperandFormat& format) {
   for (const char* key : {"range", "grid"}) {
     const settings::Setting* other = section.find(key);
     if (other == nullptr) continue;
@@ -41,33 +43,33 @@ Result<InputDeclaration> read_format(settings::Section& section) {
                            "no such key beside format");
   }
   if (const auto error = section.finish()) return *error;
-  const FixedFormat& fixed = *format->fixed();
+  const FixedFormat& fixed = *format.fixed();
   return InputDeclaration{.range = Range{.low = fixed.smallest() * fixed.unit(),
                                          .high = fixed.largest() * fixed.unit()},
                           .grid = fixed.unit(),
-                          .format = *format};
+                          .format = format};
 }
 
-Result<InputDeclaration> read_input(const settings::Setting& entry) {
-  const std::string field = "inputs." + entry.key;
-  const std::string accepted =
-      "{ range = [low, high] }, low <= high, or { range = \"data\" }, and a grid beside it; or { "
-      "format = \"uint10\" }";
-  if (!std::holds_alternative<settings::Setting::Table>(entry.value)) {
-    return settings::mistake_at(entry, field, "wrong type", entry.shown(), accepted);
-  }
-  settings::Section section(field, entry);
-  if (section.find("format") != nullptr) return read_format(section);
-  section.require("range");
+/// Reads the range of an input, which may lack one if it has a format, and its grid.
+Result<InputDeclaration> read_range(settings::Section& section,
+                                    const std::optional<OperandFormat>& format) {
+  if (!format) section.require("range");
   const settings::Setting* range = section.find("range");
   std::optional<mpq_class> grid;
   section.exact("grid", grid);
   if (grid && !is_power_of_two(*grid)) {
     section.fail("grid", "not a power of two", to_text(*grid), "1, 0.25, \"0x1p-10\", ...");
   }
+  if (grid && range == nullptr) {
+    section.fail("grid", "a grid without a range", to_text(*grid), "a range beside it");
+  }
   if (const auto error = section.finish()) return *error;
+  if (range == nullptr) {
+    return InputDeclaration{.range = std::nullopt, .grid = std::nullopt, .format = format};
+  }
   if (const auto* word = std::get_if<std::string>(&range->value); word && *word == "data") {
-    return InputDeclaration{.range = std::nullopt, .grid = grid};
+    return InputDeclaration{
+        .range = std::nullopt, .grid = grid, .format = format, .is_from_data = true};
   }
   const std::string ranges = "[low, high], low <= high, or \"data\"";
   const auto wrong = [&](std::string message, std::string received) {
@@ -86,7 +88,22 @@ Result<InputDeclaration> read_input(const settings::Setting& entry) {
   if (*low > *high) {
     return wrong("the range is empty", fmt::format("[{}, {}]", to_text(*low), to_text(*high)));
   }
-  return InputDeclaration{.range = Range{.low = *low, .high = *high}, .grid = grid};
+  return InputDeclaration{
+      .range = Range{.low = *low, .high = *high}, .grid = grid, .format = format};
+}
+
+Result<InputDeclaration> read_input(const settings::Setting& entry) {
+  const std::string field = "inputs." + entry.key;
+  const std::string accepted =
+      "{ range = [low, high] }, low <= high, or { range = \"data\" }, and a grid beside it; or { "
+      "format = \"uint10\" }, or { format = \"bfloat16\" } with or without a range";
+  if (!std::holds_alternative<settings::Setting::Table>(entry.value)) {
+    return settings::mistake_at(entry, field, "wrong type", entry.shown(), accepted);
+  }
+  settings::Section section(field, entry);
+  if (section.find("format") == nullptr) return read_range(section, std::nullopt);
+  MIXCMP_TRY(format, read_format(section));
+  return format.fixed() != nullptr ? read_fixed(section, format) : read_range(section, format);
 }
 
 /// Checks that keys have well-formed subscripts and that no two keys spell the same name. TOML
@@ -176,7 +193,7 @@ Result<InputDeclarations> read_inputs(const settings::Settings& settings,
     declared.ranges.back() = declaration.range;
     declared.grids.back() = declaration.grid;
     declared.formats.back() = declaration.format;
-    if (!declaration.range) declared.from_data.back() = entry;
+    if (declaration.is_from_data) declared.from_data.back() = entry;
   }
   return declared;
 }

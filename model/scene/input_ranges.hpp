@@ -10,7 +10,8 @@ namespace mixcmp::scene {
 struct InputDeclarations {
   std::vector<std::optional<Range>> ranges;
   std::vector<std::optional<mpq_class>> grids;  ///< powers of two; an input with a grid has a range
-  /// Formats in fixed point, from which range and grid follow; none: the reference's.
+  /// The formats that inputs have of their own; none: the reference's. Range and grid of one in
+  /// fixed point follow from it.
   std::vector<std::optional<OperandFormat>> formats;
   /// The entries with range = "data", whose inputs have no range yet; null for other inputs. They
   /// live as long as the settings.

@@ -338,12 +338,15 @@ void note_stream_keys(const SystemSpec& system, const EngineSpec& engine,
   }
 }
 
-/// Notes the ends of ranges that the reference format rounds out of the range: data with exactly
+/// Notes the ends of ranges that an operand's format rounds out of the range: data with exactly
 /// that decimal are then out of range.
-void note_missed_ends(const std::vector<std::optional<Range>>& ranges, FloatFormat format,
-                      std::vector<std::string>& notes) {
-  for (const std::optional<Range>& range : ranges) {
+void note_missed_ends(const std::vector<std::optional<Range>>& ranges, FloatFormat reference,
+                      std::span<const OperandFormat> formats, std::vector<std::string>& notes) {
+  for (std::size_t k = 0; k < ranges.size(); ++k) {
+    const std::optional<Range>& range = ranges[k];
     if (!range) continue;
+    const FloatFormat format =
+        formats[k].floating() == nullptr ? reference : *formats[k].floating();
     for (const mpq_class& end : {range->low, range->high}) {
       const Bits bits = from_rational(format, end);
       if (format.is_infinite(bits)) continue;
@@ -374,6 +377,15 @@ std::vector<OperandFormat> formats_of_operands(const InputDeclarations& declared
     formats.push_back(each.value_or(OperandFormat(reference)));
   }
   return formats;
+}
+
+/// Declares the inputs that arrive in another format in floating point than the reference's.
+void declare_arrival(Graph& graph, std::span<const OperandFormat> formats, FloatFormat reference) {
+  for (std::size_t k = 0; k < formats.size(); ++k) {
+    const FloatFormat* format = formats[k].floating();
+    if (format == nullptr || *format == reference) continue;
+    graph.arrives_in(static_cast<int>(k), *format);
+  }
 }
 
 /// Whether a lane for operands in fixed point rounds nothing.
@@ -469,9 +481,12 @@ Result<Scene> interpret(SceneSettings read) {
   MIXCMP_DO(check_sums(settings, graph, reference.arithmetic.sums));
   MIXCMP_TRY(data, read_data(settings));
   if (data) MIXCMP_DO(draw_from_ranges(settings, graph.inputs(), declared, *data));
-  MIXCMP_DO(take_ranges_from_data(data ? &*data : nullptr, graph.inputs(), format, declared));
-  note_missed_ends(declared.ranges, format, notes);
   std::vector<OperandFormat> operand_formats = formats_of_operands(declared, format);
+  MIXCMP_DO(check_operand_formats(settings, graph.inputs(), operand_formats, format, data));
+  declare_arrival(graph, operand_formats, format);
+  MIXCMP_DO(take_ranges_from_data(data ? &*data : nullptr, graph.inputs(), format, operand_formats,
+                                  declared));
+  note_missed_ends(declared.ranges, format, operand_formats, notes);
   MIXCMP_TRY(lanes, read_lanes(settings, graph, format, declared.ranges, operand_formats));
   MIXCMP_TRY(references, read_reference_groups(settings, reference.structure));
   MIXCMP_TRY(system, read_system(settings));

@@ -174,8 +174,8 @@ struct Scene {
   std::vector<std::optional<Range>> ranges;     ///< one per graph input
   std::vector<std::optional<mpq_class>> grids;  ///< one per graph input: a power of two
   std::vector<bool> data_ranges;  ///< one per graph input: its range is that of its data
-  /// One per graph input: the format in which it arrives, which is `reference.format` unless it is
-  /// in fixed point.
+  /// One per graph input: the format in which it arrives, all of whose numbers `reference.format`
+  /// holds. The graph knows those in floating point that differ from `reference.format`.
   std::vector<OperandFormat> operand_formats;
   Arithmetic reference;                        ///< rounds to nearest even
   ReferenceStructureSpec reference_structure;  ///< used if there is no [[references]]

@@ -62,7 +62,9 @@ void read_counters(settings::Section& section, SystemSpec& spec) {
 
 bool all_fixed(std::span<const std::optional<OperandFormat>> formats) {
   return std::all_of(formats.begin(), formats.end(),
-                     [](const std::optional<OperandFormat>& format) { return format.has_value(); });
+                     [](const std::optional<OperandFormat>& format) {
+                       return format && format->fixed() != nullptr;
+                     });
 }
 
 Error no_exact_reference(const settings::Section& section, const Error& error) {

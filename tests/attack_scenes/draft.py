@@ -3,10 +3,10 @@
 import random
 
 from .expressions import Expressions, candidates_for_let, name
-from .rounded import Reference
+from .rounded import INFINITE, Format, Reference, number
 from .rows import FixedOperands, Operands, draw_items, draw_rows
 from .scene import Scene, item_column
-from .trees import exchanged, literal, replaced, subtrees
+from .trees import dyadic_text, exchanged, literal, replaced, subtrees
 
 NAMES = ("a", "b", "c", "d", "e", "u", "v", "w", "x", "z")
 PRECISIONS = (11, 11, 12, 12, 13, 14, 15, 16, 17, 18, 20, 23, 24, 25)
@@ -314,6 +314,38 @@ class Draft:
         if self.scene.pairs == "cross":
             self.scene.others = draw_items(operands, columns, self.rng.choice((3, 5)))
 
+    def narrow_operands(self):
+        """Gives some inputs formats of their own that the reference's holds. A column has one."""
+        rng, form = self.rng, self.scene.reference_format()
+        chosen = {}
+        for word in self.scene.graph().inputs():
+            base, item = item_column(word)
+            column = base if self.scene.pairs and item in "ij" else word
+            if column not in chosen:
+                chosen[column] = self.narrower(form) if rng.random() < 0.7 else None
+            if chosen[column]:
+                table = self.scene.inputs.get(word, self.scene.inputs.get("*", "{ }"))
+                rest = table.strip("{} ")
+                name = f"s{chosen[column].precision}e{chosen[column].exponent_bits}"
+                self.scene.inputs[word] = f'{{ format = "{name}"{", " + rest if rest else ""} }}'
+        for row in self.scene.rows + self.scene.others:
+            for column in row:
+                if chosen.get(column):
+                    row[column] = self.within(chosen[column], row[column])
+
+    def narrower(self, form):
+        exponent_bits = self.rng.randint(2, form.exponent_bits)
+        if self.chance(0.4):
+            exponent_bits = form.exponent_bits
+        return Format(self.rng.randint(2, min(form.precision, 24)), exponent_bits)
+
+    def within(self, form, written):
+        """The text, or the largest number's where the format would round it to infinity."""
+        value = number(written, form)
+        if "n" in written or value[1] is not INFINITE:
+            return written
+        return ("-" if value[0] else "") + dyadic_text(form.largest)
+
     def finished(self):
         if not self.scene.parts:
             self.draw_parts(2 if self.chance(0.08) else 1)
@@ -322,6 +354,9 @@ class Draft:
         if self.scene.others:
             self.scene.set("data", **{"with": "others.csv"})
         self.run_options()
+        if not self.fixed and self.scene.inputs.keys() <= {"*", *self.scene.graph().inputs()}:
+            if self.chance(0.3):
+                self.narrow_operands()
         return self.scene
 
 

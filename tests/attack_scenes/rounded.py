@@ -76,7 +76,7 @@ class Format:
 
 
 def number(written, form):
-    """An operand of a data file, rounded to the reference format."""
+    """An operand of a data file, rounded to the format in which it arrives."""
     word = written.strip().lstrip("+-").lower()
     negative = written.strip().startswith("-")
     if word == "nan":

@@ -3,6 +3,7 @@
 import copy
 import dataclasses
 import fnmatch
+import re
 
 from .rounded import Format, number
 from .trees import Graph, reads, text
@@ -57,6 +58,13 @@ class Scene:
     def reference_format(self):
         return float_format(self.get("reference", "format"),
                             self.get("reference", "subnormals") == "flush")
+
+    def operand_format(self, name):
+        """The format in floating point to which an input's numbers are rounded when read."""
+        tables = [self.inputs[key] for key in self.inputs if fnmatch.fnmatchcase(name, key)]
+        table = self.inputs.get(name, tables[0] if tables else "")
+        own = re.search(r'format = "(s[0-9]+e[0-9]+)"', table)
+        return float_format(own[1]) if own else self.reference_format()
 
     def graph(self):
         made = Graph(self.lets)
@@ -150,11 +158,11 @@ def comparisons(scene, graph):
 
     An arg-min engine's comparisons depend on verdicts; see judge.py.
     """
-    form = scene.reference_format()
     names = graph.inputs()
+    forms = {name: scene.operand_format(name) for name in names}
     if not scene.pairs:
         for k, row in enumerate(scene.rows):
-            yield k, None, {name: number(row[name], form) for name in names}
+            yield k, None, {name: number(row[name], forms[name]) for name in names}
         return
     if scene.pairs == "all":
         count = len(scene.rows)
@@ -164,18 +172,18 @@ def comparisons(scene, graph):
         pairs = [(i, j) for i in range(len(scene.rows)) for j in range(len(scene.others))]
         others = scene.others
     for k, (i, j) in enumerate(pairs):
-        yield k, (i, j), {name: number(_item_text(name, scene.rows[i], others[j]), form)
+        yield k, (i, j), {name: number(_item_text(name, scene.rows[i], others[j]), forms[name])
                           for name in names}
 
 
 def contest(scene, graph, row, i, j):
     """The inputs of an arg-min engine's comparison of candidates i and j for a row."""
-    form = scene.reference_format()
     inputs = {}
     for name in graph.inputs():
         column, item = item_column(name)
         table = {"i": scene.others[i], "j": scene.others[j]}.get(item)
-        inputs[name] = number(table[column] if table else scene.rows[row][name], form)
+        inputs[name] = number(table[column] if table else scene.rows[row][name],
+                              scene.operand_format(name))
     return inputs
 
 

@@ -149,6 +149,16 @@ TEST_F(NewCommand, NumbersInSinglePrecisionMakeTheReferenceOne) {
   EXPECT_EQ(reference("<f8", std::string("\0\0\0\0\0\0\xf0\x3f\0\0\0\0\0\0\0\x40", 16)), "s53e8");
 }
 
+TEST_F(NewCommand, NarrowFloatsArriveAsSuch) {
+  write("halves.npy", npy("<f2", 1, 2, std::string("\0\x3c\0\x40", 4)));
+  ASSERT_EQ(mixcmp("new halves --f x --g y --data halves.npy --column x=0 --column y=1").exit_code,
+            0);
+  EXPECT_NE(read("halves.toml").find("x = { format = \"s11e5\", range = \"data\" } # now 1 to 1\n"),
+            std::string::npos)
+      << read("halves.toml");
+  checked("halves.toml");
+}
+
 TEST_F(NewCommand, WholeNumbersInTextLeaveTheChoice) {
   const std::string command = " --f '(x - y)^2' --g d --data others.csv";
   ASSERT_EQ(mixcmp("new whole" + command).exit_code, 0);

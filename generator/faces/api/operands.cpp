@@ -47,16 +47,17 @@ Result<OperandRows> OperandRows::make(std::span<const double> numbers,
   OperandRows rows(inputs.size(), format);
   rows.values_.reserve(numbers.size());
   for (std::size_t k = 0; k < numbers.size(); ++k) {
-    const auto operand = nearest_operand(format, numbers[k]);
+    const OperandFormat& arrives = formats[k % inputs.size()];
+    const FloatFormat rounded_to = arrives.fixed() != nullptr ? format : *arrives.floating();
+    const auto operand = nearest_operand(rounded_to, numbers[k]);
     if (!operand) {
       return mixcmp::Error{
           .field =
               fmt::format("operands, row {}, {}", k / inputs.size(), inputs[k % inputs.size()]),
           .message = "out of range",
-          .received = fmt::format("{}, beyond the largest of {}", numbers[k], format.name()),
-          .accepted = "a smaller one, or a reference format with more exponent bits"};
+          .received = fmt::format("{}, beyond the largest of {}", numbers[k], rounded_to.name()),
+          .accepted = "a smaller one, or a format with more exponent bits"};
     }
-    const OperandFormat& arrives = formats[k % inputs.size()];
     const bool is_held = arrives.fixed() == nullptr ||
                          (operand->value == numbers[k] && arrives.holds(format, operand->bits));
     if (!is_held) {

@@ -192,6 +192,18 @@ std::string integers_text(const LoadedScene& loaded) {
   return text;
 }
 
+/// The format of an input whose type in the data's file is narrower than the reference's, as the
+/// beginning of a declaration; empty for others.
+std::string narrower_format(const LoadedScene& loaded, const std::vector<OperandFormat>& types,
+                            std::size_t input) {
+  const FloatFormat reference = loaded.scene.reference.format;
+  if (types.empty() || types[input].floating() == nullptr || !types[input].is_held_by(reference) ||
+      *types[input].floating() == reference) {
+    return "";
+  }
+  return fmt::format("format = \"{}\", ", types[input].name());
+}
+
 std::string ranges_text(const NewScene& scene, const LoadedScene& loaded) {
   if (arrive_as_integers(loaded.scene)) return integers_text(loaded);
   const std::vector<std::string>& inputs = loaded.scene.graph.inputs();
@@ -210,8 +222,10 @@ std::string ranges_text(const NewScene& scene, const LoadedScene& loaded) {
       "# recomputation and is never decided wrongly. \"data\" takes the least and the greatest\n"
       "# number of the data. Better, write what your hardware will meet: range = [0, 100].\n"
       "[inputs]\n";
+  const std::vector<OperandFormat> types = types_of_data(loaded);
   for (std::size_t k = 0; k < inputs.size(); ++k) {
-    text += input_line(inputs[k], "range = \"data\"", numbers_of(*loaded.data, k));
+    text += input_line(inputs[k], narrower_format(loaded, types, k) + "range = \"data\"",
+                       numbers_of(*loaded.data, k));
   }
   return text + integers_hint(scene, loaded);
 }

@@ -156,6 +156,7 @@ public:
       : Scheduler(delays, target_mhz), lane_(lane), multipliers_(multipliers) {}
 
   Schedule run() {
+    widen(fixed::arriving_formats(lane_), lane_.input_format);
     if (multipliers_ == scene::Multipliers::memory) {
       schedule().square_tables = fixed::square_tables(lane_, delays().memory_block.read_ports);
     }
@@ -167,7 +168,7 @@ public:
     outputs_cycle_ = ready_cycle(schedule().steps, lane_.outputs);
     for (auto id = static_cast<NodeId>(lane_.nodes.size()); id-- > 0;) move_later(id);
     Schedule made = finish();
-    made.latency_cycles = std::max(made.latency_cycles, outputs_cycle_);
+    made.latency_cycles = std::max(made.latency_cycles, made.entry_cycles + outputs_cycle_);
     return made;
   }
 
@@ -283,6 +284,7 @@ private:
 Schedule scheduled(const error::Lane& lane, scene::Multipliers multipliers,
                    const DelayTable& delays, double target_mhz) {
   FloatScheduler scheduler(lane.graph, multipliers, SquaredSums::apart, delays, target_mhz);
+  scheduler.widen(lane.graph.arriving, lane.graph.input_format);
   scheduler.place_nodes(lane.hazards);
   scheduler.place_checks(lane.checks);
   for (std::size_t k = 0; k < lane.parts.size(); ++k) {
@@ -301,6 +303,7 @@ Schedule scheduled(const TypedGraph& reference, const design::ReferenceStructure
   const bool folded = structure.initiation_interval > 1;
   FloatScheduler scheduler(reference, structure.multipliers,
                            folded ? SquaredSums::apart : SquaredSums::together, delays, target_mhz);
+  scheduler.widen(reference.arriving, reference.input_format, folded);
   if (folded) {
     place_folded(reference, structure.multipliers, structure.initiation_interval, scheduler);
   } else {

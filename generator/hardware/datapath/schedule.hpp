@@ -11,7 +11,7 @@
 namespace mixcmp::datapath {
 
 /// One operation bound to a unit and placed in time. Cycle 0 is the cycle in which the operands of
-/// a comparison are at the datapath's inputs.
+/// a comparison are at the datapath's inputs, all in one format: see Schedule::entry_cycles.
 struct Step {
   /// unit.module is empty if the operation is only wires, or is a sum that the unit of its square
   /// computes.
@@ -50,6 +50,12 @@ struct Schedule {
   int initiation_interval = 1;
   std::vector<SharedUnit> shared_units;
   int last_operand_phase = 0;  ///< operands of the comparison have to stay until then
+  /// Converts operands that arrive with fewer exponent bits than the datapath's inputs have: one
+  /// per input, without a unit where the exponent fits. Empty: all fit.
+  std::vector<Step> widenings;
+  /// The cycles that the widest of these conversions takes. The other operands are delayed as long,
+  /// and cycle 0 of all other steps is this many cycles behind the ports.
+  int entry_cycles = 0;
   /// Finds the largest exponent of the operands in block floating point. Without block floating
   /// point it has no unit.
   Step largest_exponent;
@@ -64,7 +70,7 @@ struct Schedule {
   std::vector<fixed::SquareTable> square_tables;
   std::vector<PartSchedule> parts;
   Step combination;        ///< combines the verdicts of several parts; no unit for one part
-  int latency_cycles = 0;  ///< from operands to verdict
+  int latency_cycles = 0;  ///< from operands at the ports to verdict
   /// Stages that no cut can bring under the period, as estimated from the delay table.
   std::vector<std::string> slow_stages;
 };

@@ -139,6 +139,25 @@ Step Scheduler::wires(const std::vector<NodeId>& reads, int earliest) const {
   return {.start_cycle = start, .ready_cycle = start, .reads = each_once(reads)};
 }
 
+void Scheduler::widen(const std::vector<FloatFormat>& arriving, FloatFormat format,
+                      bool is_folded) {
+  const bool any = std::any_of(arriving.begin(), arriving.end(), [&](FloatFormat from) {
+    return from.exponent_bits() != format.exponent_bits();
+  });
+  if (!any) return;
+  for (const FloatFormat from : arriving) {
+    Step& step = schedule_.widenings.emplace_back();
+    if (from.exponent_bits() == format.exponent_bits()) continue;
+    step = place(widening_unit(from, format, delays_), {});
+    if (!is_folded) continue;
+    step.cuts.assign(step.cuts.size(), false);
+    step.ready_cycle = 0;
+  }
+  for (const Step& step : schedule_.widenings) {
+    schedule_.entry_cycles = std::max(schedule_.entry_cycles, step.ready_cycle);
+  }
+}
+
 std::vector<bool> Scheduler::choose_cuts(const Unit& unit) {
   for (const Stage& stage : unit.stages) {
     if (stage.delay_ns > logic_ns_) note_slow(unit, stage);
@@ -170,7 +189,7 @@ Schedule Scheduler::finish() {
     schedule_.combination = place(combination_unit(schedule_.parts.size(), delays_), {}, ready);
     ready = schedule_.combination.ready_cycle;
   }
-  schedule_.latency_cycles = ready;
+  schedule_.latency_cycles = schedule_.entry_cycles + ready;
   return std::move(schedule_);
 }
 

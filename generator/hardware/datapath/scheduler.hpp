@@ -26,6 +26,10 @@ public:
   /// A step of only wires.
   Step wires(const std::vector<NodeId>& reads, int earliest = 0) const;
 
+  /// Places the conversions of operands that arrive in the formats `arriving` into `format`; there
+  /// are none if `arriving` is empty. A folded datapath has no registers in them.
+  void widen(const std::vector<FloatFormat>& arriving, FloatFormat format, bool is_folded = false);
+
   /// Completes the schedule: combines the verdicts of the parts, and sets the latency and the list
   /// of slow stages.
   Schedule finish();

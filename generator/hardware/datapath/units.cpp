@@ -205,6 +205,18 @@ void leave_special_values(Unit& unit, FloatFormat operands, const DelayTable& de
 
 }  // namespace
 
+Unit widening_unit(FloatFormat from, FloatFormat to, const DelayTable& delays) {
+  StageList stages(delays);
+  stages.add_operand(from, Subnormals::gradual);
+  const bool denormalises = bias_difference(to, from) < from.precision() - 1;
+  const int moved = denormalises ? 1 + shift_levels(bits_for(to.precision() + 2)) : 0;
+  stages.add("denormalise", stages.carry(to.exponent_bits() + 2) + stages.lut_delay_ns(moved));
+  stages.add("round", 0);
+  stages.add("round, upper half", 0);
+  stages.add("pack", stages.lut_delay_ns(1));
+  return std::move(stages).unit("fp_convert");
+}
+
 std::optional<Scaling> scaling_of(const TypedGraph& graph, const TypedNode& node) {
   if (node.operation != Operation::multiply) return std::nullopt;
   for (int k = 0; k < 2; ++k) {

@@ -92,6 +92,9 @@ std::optional<Unit> serial_square_unit(const TypedNode& square, Subnormals subno
 /// agree with Yosys 0.23 for the iCE40 within one part in ten, for 13 to 53 bits.
 double logic_square_tables(FloatFormat operands);
 double serial_square_tables(FloatFormat operands);
+/// fp_convert of an operand into a format that holds all its numbers, subnormal ones included. Its
+/// rounding is left out by synthesis, so it takes no time.
+Unit widening_unit(FloatFormat from, FloatFormat to, const DelayTable& delays);
 Unit compare_unit(FloatFormat format, const DelayTable& delays);
 Unit ulp_distance_unit(FloatFormat format, const DelayTable& delays);
 Unit interval_decision_unit(FloatFormat format, const DelayTable& delays);

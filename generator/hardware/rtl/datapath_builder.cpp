@@ -29,12 +29,6 @@ std::vector<std::string> names_of(const std::vector<InputPort>& inputs) {
   return names;
 }
 
-std::vector<int> widths_of(const std::vector<InputPort>& inputs) {
-  std::vector<int> widths;
-  for (const InputPort& input : inputs) widths.push_back(input.width);
-  return widths;
-}
-
 bool reads_phase(const std::vector<ModuleItem>& items) {
   return std::any_of(items.begin(), items.end(), [](const ModuleItem& item) {
     return std::holds_alternative<HeldValue>(item) ||
@@ -50,11 +44,22 @@ std::vector<InputPort> operands_of_width(const std::vector<std::string>& names, 
   return ports;
 }
 
-DatapathBuilder::DatapathBuilder(const std::vector<InputPort>& inputs, int initiation_interval,
-                                 DelayPlan plan)
-    : ports_(input_ports(names_of(inputs))),
-      widths_(widths_of(inputs)),
+void widen(std::vector<InputPort>& ports, const std::vector<FloatFormat>& arriving, FloatFormat to,
+           const datapath::Schedule& schedule) {
+  for (std::size_t k = 0; k < arriving.size(); ++k) {
+    if (arriving[k] == to) continue;
+    ports[k].width = arriving[k].width();
+    ports[k].widening = Widening{.from = arriving[k], .to = to};
+    if (!schedule.widenings.empty()) ports[k].widening->step = schedule.widenings[k];
+  }
+}
+
+DatapathBuilder::DatapathBuilder(std::vector<InputPort> inputs, int initiation_interval,
+                                 DelayPlan plan, int entry_cycles)
+    : inputs_(std::move(inputs)),
+      ports_(input_ports(names_of(inputs_))),
       initiation_interval_(initiation_interval),
+      entry_cycles_(entry_cycles),
       pool_(taken_names(ports_)),
       plan_(std::move(plan)) {}
 
@@ -64,9 +69,59 @@ std::vector<Port> DatapathBuilder::data_ports() const {
     ports.push_back({Direction::input, phase_bits(initiation_interval_), "phase", true});
   }
   for (std::size_t k = 0; k < ports_.size(); ++k) {
-    ports.push_back({Direction::input, widths_[k], ports_[k]});
+    ports.push_back({Direction::input, inputs_[k].width, ports_[k]});
   }
   return ports;
+}
+
+const std::string& DatapathBuilder::arrived(int input) {
+  const auto known = arrived_.find(input);
+  if (known != arrived_.end()) return known->second;
+  const InputPort& port = inputs_[static_cast<std::size_t>(input)];
+  return arrived_[input] = entered(ports_[static_cast<std::size_t>(input)], port.width, 0);
+}
+
+const std::string& DatapathBuilder::port(int input) {
+  if (!inputs_[static_cast<std::size_t>(input)].widening) return arrived(input);
+  const auto known = widened_.find(input);
+  if (known != widened_.end()) return known->second;
+  return widened_[input] = widened(input);
+}
+
+/// A net that is ready `ready_cycle` cycles behind the ports, delayed until all operands are.
+std::string DatapathBuilder::entered(const std::string& name, int width, int ready_cycle) {
+  if (ready_cycle == entry_cycles_) return name;
+  std::string waited = pool_.unique(name + "_entered");
+  add(Wire{width, waited, nullptr});
+  add(Instance{"delay_line",
+               pool_.unique("delay_" + waited),
+               {{"WIDTH", width}, {"LENGTH", entry_cycles_ - ready_cycle}},
+               {{"aclk", net("aclk")}, {"d", net(name)}, {"q", net(waited)}}});
+  return waited;
+}
+
+/// Converts an input. Zeros behind its fraction leave it the same number; if the formats have
+/// exponents of different lengths, a unit moves the exponent and normalises subnormal numbers.
+std::string DatapathBuilder::widened(int input) {
+  const std::string& port = ports_[static_cast<std::size_t>(input)];
+  const auto& [from, to, step] = *inputs_[static_cast<std::size_t>(input)].widening;
+  const std::string name = pool_.unique(port + "_widened");
+  add(Comment{fmt::format("{} in {}; it arrives in {}.", port, to.name(), from.name())});
+  if (step.unit.module.empty()) {
+    add(Wire{to.width(), name, concatenation({net(port), zeros(to.width() - from.width())})});
+  } else {
+    const std::string unused = pool_.unique("unused_exceptional_" + port);
+    add(Wire{to.width(), name, nullptr});
+    add(Wire{1, unused, nullptr});
+    add_unit(step, "widen_" + port,
+             {{"EXPONENT_BITS", from.exponent_bits()},
+              {"PRECISION", from.precision()},
+              {"RESULT_EXPONENT_BITS", to.exponent_bits()},
+              {"RESULT_PRECISION", to.precision()},
+              {"GRADUAL", 1}},
+             {{"a", net(port)}, {"y", net(name)}, {"exceptional", net(unused)}});
+  }
+  return entered(name, to.width(), step.ready_cycle);
 }
 
 Operand DatapathBuilder::at(const Signal& signal, int cycle) {
@@ -98,7 +153,8 @@ Operand DatapathBuilder::any_at(const std::vector<Signal>& signals, int cycle) {
 }
 
 void DatapathBuilder::describe(const datapath::Step& step, std::string_view text) {
-  add(Comment{fmt::format("Cycles {} to {}: {}", step.start_cycle, step.ready_cycle, text)});
+  add(Comment{fmt::format("Cycles {} to {}: {}", entry_cycles_ + step.start_cycle,
+                          entry_cycles_ + step.ready_cycle, text)});
 }
 
 Signal DatapathBuilder::declare(const std::string& name, int width, int cycle) {
@@ -147,11 +203,11 @@ Operand DatapathBuilder::held(const Signal& signal, int cycle) {
 
 Module datapath_module(std::string name, const std::vector<InputPort>& inputs,
                        const std::vector<Port>& outputs,
-                       const std::function<void(DatapathBuilder&)>& build,
-                       int initiation_interval) {
-  DatapathBuilder first(inputs, initiation_interval, {});
+                       const std::function<void(DatapathBuilder&)>& build, int initiation_interval,
+                       int entry_cycles) {
+  DatapathBuilder first(inputs, initiation_interval, {}, entry_cycles);
   build(first);
-  DatapathBuilder second(inputs, initiation_interval, first.plan());
+  DatapathBuilder second(inputs, initiation_interval, first.plan(), entry_cycles);
   build(second);
   std::vector<Port> ports = second.data_ports();
   ports.insert(ports.end(), outputs.begin(), outputs.end());

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -23,11 +24,26 @@ struct Signal {
   int lasts = 0;          ///< cycles after `cycle` in which the net still carries the value
 };
 
+/// The conversion of an operand from the format in which it arrives to the format in which the
+/// datapath reads it, which holds all its numbers.
+struct Widening {
+  FloatFormat from;
+  FloatFormat to;
+  /// Has no unit if both formats have equally many exponent bits: then it only appends zeros.
+  datapath::Step step = {};
+};
+
 /// An operand that a datapath takes.
 struct InputPort {
   std::string name;
   int width;
+  std::optional<Widening> widening = {};  ///< none: the datapath reads it as it arrives
 };
+/// Operands of a datapath with this schedule, which reads them in `to`. They arrive in the formats
+/// `arriving`; if that is empty, all arrive in `to`. Further ports stay as they are.
+void widen(std::vector<InputPort>& ports, const std::vector<FloatFormat>& arriving, FloatFormat to,
+           const datapath::Schedule& schedule);
+
 /// Operands of one width.
 std::vector<InputPort> operands_of_width(const std::vector<std::string>& names, int width);
 
@@ -40,14 +56,21 @@ using DelayPlan = std::map<std::string, std::set<int>>;
 /// must be known before: a first pass over the datapath, with an empty plan, collects them in the
 /// plan for the second. In a folded datapath (initiation_interval above 1) values wait in registers
 /// instead, each for one interval.
+///
+/// Operands are ready `entry_cycles` behind the ports. The cycles of signals count from then on.
 class DatapathBuilder {
 public:
-  DatapathBuilder(const std::vector<InputPort>& inputs, int initiation_interval, DelayPlan plan);
+  DatapathBuilder(std::vector<InputPort> inputs, int initiation_interval, DelayPlan plan,
+                  int entry_cycles = 0);
 
   /// The ports: aclk, phase if the datapath is folded, and one per operand.
   std::vector<Port> data_ports() const;
 
-  const std::string& port(int input) const { return ports_[input]; }
+  /// The net that carries an input in cycle 0, in the format in which the datapath reads it. The
+  /// first call adds its conversion and its delay.
+  const std::string& port(int input);
+  /// The net that carries an input in cycle 0 as it arrived.
+  const std::string& arrived(int input);
   const std::vector<std::string>& ports() const { return ports_; }
   NamePool& pool() { return pool_; }
   int initiation_interval() const { return initiation_interval_; }
@@ -72,12 +95,17 @@ public:
   const DelayPlan& plan() const { return plan_; }
 
 private:
+  std::string entered(const std::string& name, int width, int ready_cycle);
+  std::string widened(int input);
   Operand delayed(const Signal& signal, const Operand& source, int from, int to);
   Operand held(const Signal& signal, int cycle);
 
+  std::vector<InputPort> inputs_;
   std::vector<std::string> ports_;
-  std::vector<int> widths_;
+  std::map<int, std::string> arrived_;
+  std::map<int, std::string> widened_;
   int initiation_interval_;
+  int entry_cycles_;
   NamePool pool_;
   DelayPlan plan_;
   std::map<std::string, std::map<int, Operand>> taps_;
@@ -89,7 +117,7 @@ private:
 Module datapath_module(std::string name, const std::vector<InputPort>& inputs,
                        const std::vector<Port>& outputs,
                        const std::function<void(DatapathBuilder&)>& build,
-                       int initiation_interval = 1);
+                       int initiation_interval = 1, int entry_cycles = 0);
 
 /// Bits of the port "phase" of a folded datapath.
 int phase_bits(int initiation_interval);

@@ -194,8 +194,11 @@ void FixedNodes::build_loaded(NodeId id) {
 /// Builds an operand in fixed point, which is a port without the low bits that the lane drops.
 void FixedNodes::build_arriving(NodeId id) {
   const FixedNode& node = lane_.nodes[id];
-  if (node.dropped_bits == 0) return;
   const std::string& port = datapath_.port(node.input);
+  if (node.dropped_bits == 0) {
+    values_[id].value = net(port);
+    return;
+  }
   describe(id);
   datapath_.add(Wire{node.format.width, names_[id],
                      slice(port, node.dropped_bits + node.format.width - 1, node.dropped_bits)});

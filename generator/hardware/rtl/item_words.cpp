@@ -191,7 +191,7 @@ void build_word(DatapathBuilder& datapath, const ItemWords& words, data::Item it
   const Word& word = words.of(item);
   FixedNodes nodes(datapath, loader, word.schedule);
   nodes.build();
-  const int cycle = word.schedule.latency_cycles;
+  const int cycle = word.schedule.latency_cycles - word.schedule.entry_cycles;
   std::vector<Operand> fields;
   for (const NodeId id : loader.outputs) fields.push_back(datapath.at(nodes.value(id), cycle));
   for (const std::vector<NodeId>& inputs : words.split->of(role_of(item)).flags) {
@@ -200,7 +200,7 @@ void build_word(DatapathBuilder& datapath, const ItemWords& words, data::Item it
     fields.push_back(datapath.any_at(misfits, cycle));
   }
   for (const std::size_t column : word.columns) {
-    const std::string& port = datapath.port(static_cast<int>(column));
+    const std::string& port = datapath.arrived(static_cast<int>(column));
     const int width = fixed::operand_format(loader, static_cast<int>(column)).width();
     fields.push_back(datapath.at({net(port), port, width, 0}, cycle));
   }
@@ -246,8 +246,12 @@ Module item_word_module(const ItemWords& words, data::Item item, const EngineSha
   for (std::size_t k = 0; k < engine.columns_of(item).size(); ++k) {
     ports.push_back({engine.columns_of(item)[k], engine.formats_of(item)[k].width()});
   }
-  return datapath_module(word.module, ports, {{Direction::output, word.bits(), "word"}},
-                         [&](DatapathBuilder& datapath) { build_word(datapath, words, item); });
+  const fixed::FixedLane& loader = words.loader_of(item);
+  widen(ports, fixed::arriving_formats(loader), loader.input_format, word.schedule);
+  return datapath_module(
+      word.module, ports, {{Direction::output, word.bits(), "word"}},
+      [&](DatapathBuilder& datapath) { build_word(datapath, words, item); }, 1,
+      word.schedule.entry_cycles);
 }
 
 Module word_lane_module(const std::string& name, const WordLane& lane,

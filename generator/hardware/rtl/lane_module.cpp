@@ -246,14 +246,27 @@ std::vector<InputPort> operand_ports(const std::vector<std::string>& inputs,
                                      const design::Lane& lane) {
   std::vector<InputPort> ports;
   for (std::size_t k = 0; k < inputs.size(); ++k) {
-    const int width =
-        std::visit(Cases{[](const error::Lane& made) { return made.graph.input_format.width(); },
-                         [&](const FixedLane& made) {
-                           return fixed::operand_format(made, static_cast<int>(k)).width();
-                         }},
-                   lane);
+    const auto input = static_cast<int>(k);
+    const int width = std::visit(
+        Cases{[&](const error::Lane& made) { return made.graph.arriving_format(input).width(); },
+              [&](const FixedLane& made) { return fixed::operand_format(made, input).width(); }},
+        lane);
     ports.push_back({inputs[k], width});
   }
+  return ports;
+}
+
+/// The same ports, with the conversions of operands that arrive in other formats than the lane
+/// reads.
+std::vector<InputPort> widened(std::vector<InputPort> ports, const design::Lane& lane,
+                               const datapath::Schedule& schedule) {
+  std::visit(Cases{[&](const error::Lane& made) {
+                     widen(ports, made.graph.arriving, made.graph.input_format, schedule);
+                   },
+                   [&](const FixedLane& made) {
+                     widen(ports, fixed::arriving_formats(made), made.input_format, schedule);
+                   }},
+             lane);
   return ports;
 }
 
@@ -266,7 +279,7 @@ Module lane_module(std::string name, const std::vector<std::string>& inputs,
 
 Module lane_module(std::string name, const std::vector<InputPort>& ports, const design::Lane& lane,
                    const datapath::Schedule& schedule) {
-  return datapath_module(std::move(name), ports, lane_outputs(), [&](DatapathBuilder& datapath) {
+  const auto build = [&](DatapathBuilder& datapath) {
     std::visit(Cases{[&](const error::Lane& made) {
                        build_lane(datapath, FloatParts(datapath, made, schedule), schedule);
                      },
@@ -276,7 +289,9 @@ Module lane_module(std::string name, const std::vector<InputPort>& ports, const 
                                   schedule);
                      }},
                lane);
-  });
+  };
+  return datapath_module(std::move(name), widened(ports, lane, schedule), lane_outputs(), build, 1,
+                         schedule.entry_cycles);
 }
 
 Module exact_lane_module(std::string name, const std::vector<std::string>& inputs,

@@ -64,11 +64,12 @@ Module reference_module(std::string name, const std::vector<std::string>& inputs
     return exact_lane_module(std::move(name), inputs, *exact, schedule);
   }
   const auto& graph = std::get<TypedGraph>(reference);
+  std::vector<InputPort> ports = operands_of_width(inputs, graph.input_format.width());
+  widen(ports, graph.arriving, graph.input_format, schedule);
   return datapath_module(
-      std::move(name), operands_of_width(inputs, graph.input_format.width()),
-      {{Direction::output, 2, "verdict"}},
+      std::move(name), ports, {{Direction::output, 2, "verdict"}},
       [&](DatapathBuilder& datapath) { build_reference(datapath, graph, schedule); },
-      schedule.initiation_interval);
+      schedule.initiation_interval, schedule.entry_cycles);
 }
 
 }  // namespace mixcmp::rtl

@@ -210,7 +210,8 @@ Fields<Scene> system_fields(const Scene& scene) {
 std::string declaration(const Scene& scene, std::size_t input) {
   std::string text = scene.ranges[input] ? shown(*scene.ranges[input]) : "no range";
   const OperandFormat& format = scene.operand_formats[input];
-  if (format.fixed() != nullptr) text = format.name() + ", " + text;
+  const bool is_own = !(format == OperandFormat(scene.reference.format));
+  if (is_own) text = format.name() + ", " + text;
   if (scene.data_ranges[input]) text += ", from the data";
   if (const auto& grid = scene.grids[input]) {
     text += fmt::format(", multiples of {}", expression::to_text(*grid));

@@ -72,12 +72,13 @@ std::vector<int> PipelineMaker::read_by(const datapath::Step& step) const {
 int PipelineMaker::add(const Box& box, const datapath::Step& step,
                        const std::vector<int>& operands) {
   const int cycles = step.ready_cycle - step.start_cycle;
+  const int entry = box.role == page::UnitRole::input ? 0 : schedule_.entry_cycles;
   page::PipelineUnit unit{.title = box.title,
                           .detail = box.format,
                           .tip = box.title,
                           .role = box.role,
-                          .start_cycle = step.start_cycle,
-                          .ready_cycle = step.ready_cycle,
+                          .start_cycle = entry + step.start_cycle,
+                          .ready_cycle = entry + step.ready_cycle,
                           .operands = {}};
   if (cycles > 1) {
     unit.detail += fmt::format("{}{} cycles", unit.detail.empty() ? "" : ", ", cycles);
@@ -85,8 +86,8 @@ int PipelineMaker::add(const Box& box, const datapath::Step& step,
   if (box.meaning != box.title) add_line(unit.tip, box.meaning);
   add_line(unit.tip, box.format);
   if (!step.unit.module.empty()) {
-    add_line(unit.tip, fmt::format("{}, cycles {} to {}", step.unit.module, step.start_cycle,
-                                   step.ready_cycle));
+    add_line(unit.tip, fmt::format("{}, cycles {} to {}", step.unit.module, unit.start_cycle,
+                                   unit.ready_cycle));
   }
   for (const int operand : operands) {
     const bool known =

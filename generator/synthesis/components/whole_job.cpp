@@ -14,8 +14,9 @@ constexpr std::string_view alone = "mixcmp_references_alone";
 std::string instance(const characterise::SynthesisJob& reference,
                      const std::vector<rtl::InputPort>& inputs, int k) {
   std::string text = fmt::format("\n  {} reference_{} (\n    .aclk(aclk),\n", reference.top, k);
-  for (const auto& [input, width] : inputs) {
-    text += fmt::format("    .{0}({0}[{1}:{2}]),\n", input, (k + 1) * width - 1, k * width);
+  for (const rtl::InputPort& input : inputs) {
+    text += fmt::format("    .{0}({0}[{1}:{2}]),\n", input.name, (k + 1) * input.width - 1,
+                        k * input.width);
   }
   return text + fmt::format("    .verdict(verdict[{}:{}])\n  );\n", 2 * k + 1, 2 * k);
 }
@@ -36,8 +37,8 @@ std::string top_text(const characterise::SynthesisJob& reference,
                      const std::vector<rtl::InputPort>& inputs, int count) {
   std::string text =
       fmt::format("`default_nettype none\n\nmodule {} (\n  input  wire aclk,\n", alone);
-  for (const auto& [input, width] : inputs) {
-    text += fmt::format("  input  wire [{}:0] {},\n", count * width - 1, input);
+  for (const rtl::InputPort& input : inputs) {
+    text += fmt::format("  input  wire [{}:0] {},\n", count * input.width - 1, input.name);
   }
   text += fmt::format("  output wire [{}:0] verdict\n);\n", 2 * count - 1);
   for (int k = 0; k < count; ++k) text += instance(reference, inputs, k);

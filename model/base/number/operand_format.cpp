@@ -68,6 +68,26 @@ Scientific scientific(FloatFormat format, Bits number) {
           .unit_exponent = std::max(exponent, 1) - format.bias() - format.fraction_bits()};
 }
 
+/// The word of a number in a floating-point format; none if it is no number of that format.
+std::optional<Bits> floating_word(FloatFormat to, FloatFormat from, Bits number) {
+  const bool is_negative = from.sign(number);
+  if (from.is_nan(number)) return to.quiet_nan();
+  if (from.is_infinite(number)) return to.infinity(is_negative);
+  auto [unused, significand, unit_exponent] = scientific(from, number);
+  if (significand == 0) return to.zero(is_negative);
+  for (; (significand & 1) == 0; ++unit_exponent) significand >>= 1;
+  int digits = 0;
+  for (Bits rest = significand; rest != 0; rest >>= 1) ++digits;
+  const int exponent = unit_exponent + digits - 1;
+  const int above_least = unit_exponent - (to.min_exponent() - to.fraction_bits());
+  if (digits > to.precision() || exponent > to.max_exponent() || above_least < 0) {
+    return std::nullopt;
+  }
+  if (exponent < to.min_exponent()) return to.pack(is_negative, 0, significand << above_least);
+  const Bits fraction = (significand << (to.precision() - digits)) & low_mask(to.fraction_bits());
+  return to.pack(is_negative, exponent + to.bias(), fraction);
+}
+
 /// The integer that a finite number is in units of 2^unit_exponent; none if it is no integer, or
 /// one of more than 64 bits.
 std::optional<Bits> magnitude_in_units(const Scientific& number, int unit_exponent) {
@@ -94,8 +114,20 @@ Result<OperandFormat> OperandFormat::parse_fixed(std::string_view name) {
 
 Result<OperandFormat> OperandFormat::parse(std::string_view name) {
   if (auto fixed = parse_fixed(name); fixed.ok()) return fixed;
-  MIXCMP_TRY(floating, FloatFormat::parse(name));
-  return OperandFormat(floating);
+  if (name == "E5M2") return OperandFormat(FloatFormat::make(3, 5).value());
+  const Result<FloatFormat> floating = FloatFormat::parse(name);
+  if (floating.ok()) return OperandFormat(*floating);
+  return Error{
+      .message = name == "E4M3" ? "not a format of operands: it has no infinities, and its "
+                                  "NaN is one word"
+                                : "not a format of operands",
+      .received = in_quotes(name),
+      .accepted =
+          name == "E4M3" ? "s4e5, which holds its numbers, or another " + accepted() : accepted()};
+}
+
+std::string OperandFormat::accepted() {
+  return accepted_fixed() + "; " + FloatFormat::accepted() + ", E5M2";
 }
 
 std::string OperandFormat::accepted_fixed() {
@@ -119,9 +151,19 @@ std::string OperandFormat::name() const {
                      behind);
 }
 
+bool OperandFormat::is_held_by(FloatFormat other) const {
+  if (const FixedFormat* format = fixed()) {
+    return other.precision() >= format->magnitude_bits() &&
+           format->unit_exponent + format->magnitude_bits() <= other.max_exponent() &&
+           format->unit_exponent >= other.min_exponent();
+  }
+  return other.precision() >= floating()->precision() &&
+         other.exponent_bits() >= floating()->exponent_bits();
+}
+
 bool OperandFormat::holds(FloatFormat from, Bits number) const {
   const FixedFormat* format = fixed();
-  if (format == nullptr) return std::get<FloatFormat>(format_) == from;
+  if (format == nullptr) return floating_word(*floating(), from, number).has_value();
   if (from.is_nan(number) || from.is_infinite(number)) return false;
   const Scientific parts = scientific(from, number);
   const std::optional<Bits> magnitude = magnitude_in_units(parts, format->unit_exponent);
@@ -132,8 +174,13 @@ bool OperandFormat::holds(FloatFormat from, Bits number) const {
 }
 
 Bits OperandFormat::word_of(FloatFormat from, Bits number) const {
+  if (floating() != nullptr) {
+    if (*floating() == from) return number;
+    const std::optional<Bits> word = floating_word(*floating(), from, number);
+    MIXCMP_CHECK(word);
+    return *word;
+  }
   const FixedFormat* format = fixed();
-  if (format == nullptr) return number;
   const Scientific parts = scientific(from, number);
   const std::optional<Bits> magnitude = magnitude_in_units(parts, format->unit_exponent);
   MIXCMP_CHECK(magnitude);

@@ -20,7 +20,8 @@ public:
   explicit OperandFormat(FloatFormat format) : format_(format) {}
   explicit OperandFormat(FixedFormat format) : format_(format) {}
 
-  /// Reads the name of any format.
+  /// Reads the name of any format. "E5M2" is s3e5, the format of eight bits in the Open Compute
+  /// Project's specification. That specification's "E4M3" is an error: it has no infinities.
   static Result<OperandFormat> parse(std::string_view name);
   /// Reads the name of a fixed-point format: "uint10" and "int8" are integers of 10 and 8 bits;
   /// "q3.12" has a sign, 3 bits before the point and 12 behind it, so 16 bits; "uq4.12" has no
@@ -28,6 +29,8 @@ public:
   static Result<OperandFormat> parse_fixed(std::string_view name);
   /// The names that parse_fixed accepts, in a message's words.
   static std::string accepted_fixed();
+  /// The names that parse accepts.
+  static std::string accepted();
 
   int width() const;         ///< bits of a word
   std::string name() const;  ///< "s53e11", "uint10", "q3.12"
@@ -35,10 +38,14 @@ public:
   const FixedFormat* fixed() const { return std::get_if<FixedFormat>(&format_); }
   const FloatFormat* floating() const { return std::get_if<FloatFormat>(&format_); }
 
-  /// Whether a number is one of this format. It is encoded in `from`.
+  /// Whether every number of this format is one of `other`: of fixed-point formats a normal number,
+  /// so that no treatment of subnormal numbers changes it.
+  bool is_held_by(FloatFormat other) const;
+  /// Whether a number is one of this format. It is encoded in `from`. Formats in floating point
+  /// have infinities and NaNs.
   bool holds(FloatFormat from, Bits number) const;
-  /// The word of a number that the format holds. The number is encoded in `from`, which must be
-  /// this format if that is in floating point.
+  /// The word of a number that the format holds. The number is encoded in `from`. A NaN becomes the
+  /// quiet NaN, except in `from` itself.
   Bits word_of(FloatFormat from, Bits number) const;
 
   friend bool operator==(const OperandFormat&, const OperandFormat&) = default;

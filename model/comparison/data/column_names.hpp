@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -31,6 +32,9 @@ struct WantedColumn {
   ColumnKey column;        ///< the file's column
   std::string field = {};  ///< the scene's key for it; empty: the file's name is `name` as well
   Place place = {};        ///< place of that key
+  /// The format to which its numbers are rounded before they are encoded in the table's, which
+  /// holds them; none: the table's.
+  std::optional<FloatFormat> rounded_to = {};
 };
 
 /// Finds the file's column for each of `wanted`. A column without an entry in `names` keeps the

@@ -7,6 +7,7 @@
 #include "model/base/common/file.hpp"
 #include "model/base/common/quote.hpp"
 #include "model/base/number/decimal.hpp"
+#include "model/base/number/exact.hpp"
 #include "model/comparison/data/number.hpp"
 
 namespace mixcmp::data {
@@ -188,7 +189,8 @@ Result<std::vector<FileColumn>> find_columns(const Record& header, FloatFormat f
   return columns;
 }
 
-Result<Done> append_row(Table& table, const Record& record, std::size_t field_count) {
+Result<Done> append_row(Table& table, const Record& record, std::size_t field_count,
+                        std::span<const WantedColumn> wanted) {
   if (record.fields.size() != field_count) {
     const std::string seems = likely_form(record);
     return Error{.line = record.line,
@@ -197,17 +199,19 @@ Result<Done> append_row(Table& table, const Record& record, std::size_t field_co
                                          seems.empty() ? "" : ", the line seems to be " + seems),
                  .accepted = fmt::format("{}, as in the first line", field_count)};
   }
-  for (const FileColumn& column : table.origins) {
-    const Result<Bits> number = read_number(table.format, record.fields[column.number]);
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    const FileColumn& column = table.origins[k];
+    const std::string_view text = record.fields[column.number];
+    const FloatFormat rounded_to = wanted[k].rounded_to.value_or(table.format);
+    const Result<Bits> number = read_number(rounded_to, text);
     if (!number.ok()) {
       Error error = number.error();
       error.line = record.line;
       error.field = column.shown();
       return error;
     }
-    table.values.push_back(*number);
-    const std::string_view text = record.fields[column.number];
-    if (is_lost(table.format, text, *number)) {
+    table.values.push_back(converted(table.format, rounded_to, *number));
+    if (is_lost(rounded_to, text, *number)) {
       table.lost.add({1, fmt::format("{} in {}, line {}, {}", trimmed(text), table.source,
                                      record.line, column.shown())});
     }
@@ -230,7 +234,7 @@ Result<Table> parse_csv(std::string_view text, FloatFormat format,
   for (const WantedColumn& column : wanted) table.columns.push_back(column.name);
   while (records.more()) {
     MIXCMP_TRY(record, records.next());
-    const Result<Done> appended = append_row(table, record, header.fields.size());
+    const Result<Done> appended = append_row(table, record, header.fields.size(), wanted);
     if (!appended.ok()) return appended.error();
   }
   return table;

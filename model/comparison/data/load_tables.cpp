@@ -8,6 +8,7 @@
 
 #include "model/base/common/check.hpp"
 #include "model/base/common/file.hpp"
+#include "model/base/number/decimal.hpp"
 #include "model/base/number/exact.hpp"
 #include "model/comparison/data/csv.hpp"
 #include "model/comparison/data/npy.hpp"
@@ -51,6 +52,29 @@ Result<Table> chosen_columns(Table table, std::span<const ColumnNames> names,
   return table;
 }
 
+/// Rounds the numbers of a table that was read or generated in one format.
+Result<Done> round_columns(Table& table, std::span<const WantedColumn> wanted) {
+  for (const WantedColumn& column : wanted) {
+    const auto found = std::find(table.columns.begin(), table.columns.end(), column.name);
+    if (!column.rounded_to || found == table.columns.end()) continue;
+    const auto place = static_cast<std::size_t>(found - table.columns.begin());
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      Bits& bits = table.values[row * table.columns.size() + place];
+      const Bits rounded = converted(*column.rounded_to, table.format, bits);
+      if (column.rounded_to->is_infinite(rounded) && !table.format.is_infinite(bits)) {
+        return Error{
+            .file = table.source,
+            .field = fmt::format("row {}, {}", table.label(row), column.name),
+            .message = fmt::format("beyond the largest number of {}", column.rounded_to->name()),
+            .received = to_text(table.format, bits),
+            .accepted = "a smaller number, or a format with more exponent bits"};
+      }
+      bits = converted(table.format, *column.rounded_to, rounded);
+    }
+  }
+  return Done{};
+}
+
 /// Reads or generates the table `which`, 0 or 1, of the scene; its columns get the scene's names.
 Result<Table> read_table(const DataSpec& data, std::size_t which, FloatFormat format,
                          std::span<const WantedColumn> wanted) {
@@ -59,7 +83,10 @@ Result<Table> read_table(const DataSpec& data, std::size_t which, FloatFormat fo
   if (file.extension() == ".npy") return read_npy(file, format, wanted);
   MIXCMP_TRY(table, file.empty() ? generated_table(data, format) : read_pdb(file, format));
   table.source = table_name(data, which);
-  return chosen_columns(std::move(table), which == 0 ? data.columns : data.with_columns, wanted);
+  MIXCMP_TRY(chosen, chosen_columns(std::move(table), which == 0 ? data.columns : data.with_columns,
+                                    wanted));
+  MIXCMP_DO(round_columns(chosen, wanted));
+  return chosen;
 }
 
 /// The rule that assigns an input to a table by its name, as the end of an error message.
@@ -119,8 +146,9 @@ Error at_columns_key(const DataSpec& data, std::size_t which, Error error) {
 
 class TableLoader {
 public:
-  TableLoader(const DataSpec& data, const std::vector<std::string>& inputs, FloatFormat format)
-      : data_(data), inputs_(inputs), format_(format) {}
+  TableLoader(const DataSpec& data, const std::vector<std::string>& inputs, FloatFormat format,
+              std::span<const OperandFormat> arriving)
+      : data_(data), inputs_(inputs), format_(format), arriving_(arriving) {}
 
   Result<std::vector<Table>> load() const {
     MIXCMP_TRY(needed, needed_columns());
@@ -155,6 +183,18 @@ private:
     MIXCMP_CHECK(false);
   }
 
+  /// The format to which numbers of a column are rounded first.
+  std::optional<FloatFormat> rounding_of(std::size_t which, const std::string& column) const {
+    for (std::size_t k = 0; k < arriving_.size(); ++k) {
+      const Result<InputColumn> needed = input_column(data_.pairing, inputs_[k]);
+      if (!needed.ok() || needed->table != which || needed->name != column) continue;
+      const FloatFormat* floating = arriving_[k].floating();
+      if (floating == nullptr || *floating == format_) return std::nullopt;
+      return *floating;
+    }
+    return std::nullopt;
+  }
+
   /// Adds to the error of a missing column the input that needs it, and the rule that assigns this
   /// input to the table.
   Error with_input(std::size_t which, const std::string& wanted, Error error) const {
@@ -173,6 +213,7 @@ private:
     if (data_.items == "uniform") return drawn_table(which, wanted);
     MIXCMP_DO(check_source(data_, which));
     MIXCMP_TRY(columns, file_columns(which == 0 ? data_.columns : data_.with_columns, wanted));
+    for (WantedColumn& column : columns) column.rounded_to = rounding_of(which, column.name);
     const Result<Table> table = read_table(data_, which, format_, columns);
     if (table.ok()) return table;
     const Error& error = table.error();
@@ -191,7 +232,7 @@ private:
         .seed = data_.seed,
         .which = static_cast<std::uint32_t>(which)};
     for (const std::string& column : wanted) {
-      uniform.columns.push_back({column, numbers_of(which, column)});
+      uniform.columns.push_back({column, numbers_of(which, column), rounding_of(which, column)});
     }
     MIXCMP_TRY(table, uniform_table(uniform, format_));
     table.source = table_name(data_, which);
@@ -221,13 +262,15 @@ private:
   const DataSpec& data_;
   const std::vector<std::string>& inputs_;
   FloatFormat format_;
+  std::span<const OperandFormat> arriving_;
 };
 
 }  // namespace
 
 Result<std::vector<Table>> load_tables(const DataSpec& data, const std::vector<std::string>& inputs,
-                                       FloatFormat format) {
-  Result<std::vector<Table>> tables = TableLoader(data, inputs, format).load();
+                                       FloatFormat format,
+                                       std::span<const OperandFormat> arriving) {
+  Result<std::vector<Table>> tables = TableLoader(data, inputs, format, arriving).load();
   if (!tables.ok()) return with_place(data, tables.error());
   return tables;
 }

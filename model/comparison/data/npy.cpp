@@ -161,7 +161,7 @@ mpq_class integer_of(std::uint64_t bits, const NpyScalar& scalar) {
   return mpq_class(static_cast<long>(bits << unused) >> unused);
 }
 
-/// Rounds a number into the format; none if it is finite and overflows.
+/// Rounds a number to a format; none if it is finite and overflows.
 std::optional<Bits> read_scalar(std::uint64_t bits, const NpyScalar& scalar, FloatFormat format) {
   const bool is_float = scalar.kind == 'f';
   const Bits value = is_float ? converted(format, float_of(scalar.bytes), bits)
@@ -199,19 +199,22 @@ Result<Table> parse_npy(std::string_view file, FloatFormat format,
   for (const WantedColumn& column : wanted) table.columns.push_back(column.name);
   for (const ColumnLayout& column : layout.columns) table.origins.push_back(column.column);
   for (std::uint64_t row = 0; row < layout.rows; ++row) {
-    for (const ColumnLayout& column : layout.columns) {
+    for (std::size_t k = 0; k < layout.columns.size(); ++k) {
+      const ColumnLayout& column = layout.columns[k];
+      const FloatFormat rounded_to = wanted[k].rounded_to.value_or(format);
       const auto bytes = data.substr(column.first + row * column.stride,
                                      static_cast<std::size_t>(column.scalar.bytes));
       const std::uint64_t bits = load(bytes, column.scalar.big_endian);
-      const auto value = read_scalar(bits, column.scalar, format);
+      const auto value = read_scalar(bits, column.scalar, rounded_to);
       if (!value) {
-        return Error{.field = fmt::format("row {}, {}", row, column.column.shown()),
-                     .message = "out of range",
-                     .received = fmt::format("a number beyond the largest of {}", format.name()),
-                     .accepted = "a smaller one, or a reference format with more exponent bits"};
+        return Error{
+            .field = fmt::format("row {}, {}", row, column.column.shown()),
+            .message = "out of range",
+            .received = fmt::format("a number beyond the largest of {}", rounded_to.name()),
+            .accepted = "a smaller one, or a format with more exponent bits"};
       }
-      table.values.push_back(*value);
-      if (is_lost(bits, column.scalar, format, *value)) {
+      table.values.push_back(converted(format, rounded_to, *value));
+      if (is_lost(bits, column.scalar, rounded_to, *value)) {
         table.lost.add({1, fmt::format("{} in {}, row {}, {}", text_of(bits, column.scalar), source,
                                        row, column.column.shown())});
       }

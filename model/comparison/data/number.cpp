@@ -29,7 +29,7 @@ Result<Bits> read_number(FloatFormat format, std::string_view text) {
   if (format.is_infinite(*bits) && has_digits) {
     return Error{.message = fmt::format("beyond the largest number of {}", format.name()),
                  .received = in_quotes(number),
-                 .accepted = "a smaller number, or a reference format with more exponent bits"};
+                 .accepted = "a smaller number, or a format with more exponent bits"};
   }
   return bits;
 }

@@ -28,7 +28,8 @@ class ColumnDrawer {
 public:
   ColumnDrawer(const UniformColumn& column, const UniformTable& table, FloatFormat format)
       : numbers_(column.numbers),
-        format_(format),
+        table_format_(format),
+        format_(column.rounded_to.value_or(format)),
         seed_(table.seed),
         stream_(stream_of(column.name) + table.which) {
     if (!numbers_.grid) return;
@@ -40,7 +41,8 @@ public:
     RowRandom random(seed_, stream_, row);
     for (int k = 0; k < most_draws; ++k) {
       const Bits bits = from_rational(format_, number(random));
-      if (!format_.is_infinite(bits) && contains(numbers_, to_rational(format_, bits))) return bits;
+      if (format_.is_infinite(bits) || !contains(numbers_, to_rational(format_, bits))) continue;
+      return format_ == table_format_ ? bits : converted(table_format_, format_, bits);
     }
     return std::nullopt;
   }
@@ -60,7 +62,8 @@ private:
   }
 
   const UniformNumbers& numbers_;
-  FloatFormat format_;
+  FloatFormat table_format_;
+  FloatFormat format_;  ///< to which numbers are rounded
   std::uint64_t seed_;
   std::uint32_t stream_;
   mpz_class first_, count_;  ///< the multiples of the grid: first_ * grid is the least
@@ -82,9 +85,10 @@ Result<Table> uniform_table(const UniformTable& uniform, FloatFormat format) {
       if (!number) {
         return Error{.field = "data.items",
                      .message = fmt::format("{} has no number to draw for the column {}",
-                                            format.name(), table.columns[k]),
+                                            uniform.columns[k].rounded_to.value_or(format).name(),
+                                            table.columns[k]),
                      .received = text_of(uniform.columns[k].numbers),
-                     .accepted = "a range that contains some of the reference format's numbers"};
+                     .accepted = "a range that contains some of the format's numbers"};
       }
       table.values.push_back(*number);
     }

@@ -107,6 +107,17 @@ bool Graph::limit(NodeId id, const Range& limits) {
   return true;
 }
 
+std::optional<FloatFormat> Graph::arriving_format(int input) const {
+  const auto found = arriving_.find(input);
+  return found == arriving_.end() ? std::nullopt : std::optional(found->second);
+}
+
+Graph Graph::with_any_operands() const {
+  Graph free = *this;
+  free.arriving_.clear();
+  return free;
+}
+
 void Graph::compare(NodeId f, NodeId g) {
   compare({{f, g}}, Combination::all);
 }

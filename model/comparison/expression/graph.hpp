@@ -4,10 +4,12 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "model/base/number/float_format.hpp"
 #include "model/comparison/expression/combination.hpp"
 #include "model/comparison/expression/range.hpp"
 
@@ -62,8 +64,9 @@ struct Sides {
   friend bool operator==(const Sides&, const Sides&) = default;
 };
 
-/// The real-valued expressions f and g of one part or several, without any number format. Equal
-/// subexpressions share one node; x * x and x ^ 2 are a square.
+/// The real-valued expressions f and g of one part or several. Operations have no number format;
+/// an input may have one, whose numbers are then its only values. Equal subexpressions share one
+/// node; x * x and x ^ 2 are a square.
 class Graph {
 public:
   NodeId input(const std::string& name);
@@ -74,6 +77,13 @@ public:
   /// undecided. Several limits of one node are intersected. If the intersection is empty, returns
   /// false and declares nothing.
   bool limit(NodeId id, const Range& limits);
+
+  /// Declares that all values of an input, an index of inputs(), are numbers of `format`.
+  void arrives_in(int input, FloatFormat format) { arriving_.insert_or_assign(input, format); }
+  /// The same comparison of inputs that have any values.
+  Graph with_any_operands() const;
+  /// The format declared by arrives_in; none: the input has every format's numbers.
+  std::optional<FloatFormat> arriving_format(int input) const;
 
   void compare(NodeId f, NodeId g);
   /// Compares the two sides of each part; there is at least one.
@@ -99,6 +109,7 @@ private:
   std::vector<Node> nodes_;
   std::vector<std::string> inputs_;
   std::map<NodeId, Range> limits_;
+  std::map<int, FloatFormat> arriving_;
   std::vector<Sides> parts_;
   Combination combination_ = Combination::all;
 };

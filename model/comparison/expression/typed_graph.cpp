@@ -171,12 +171,14 @@ private:
   std::optional<mpq_class> reciprocal_of_divisor(const Node& node, FloatFormat format) const;
   NodeId emit_conversion(NodeId id, FloatFormat format);
   NodeId emit(TypedNode node);
+  int digits_of(NodeId id) const;
 
   const Graph& graph_;
   FloatFormat reference_;
   LaneInputs inputs_;
   FloatFormat entering_;  ///< the format of inputs for the lane's first operators
   std::vector<bool> exact_;
+  std::vector<bool> fits_lane_;
   std::vector<NodeId> reference_ids_;
   std::vector<NodeId> entering_ids_;
   std::vector<NodeId> lane_ids_;
@@ -186,6 +188,47 @@ private:
 FloatFormat entering_format(FloatFormat reference, FloatFormat lane, LaneInputs inputs) {
   const int digits = inputs.digits(lane.precision(), reference.precision());
   return FloatFormat::make(digits, lane.exponent_bits()).value();
+}
+
+bool is_held(FloatFormat format, FloatFormat by) {
+  return format.precision() <= by.precision() && format.exponent_bits() <= by.exponent_bits();
+}
+
+/// One per input. Empty if all arrive in the reference's format. A format that the reference's does
+/// not hold says nothing: the graph is then one of a program that rounds its operands first.
+std::vector<FloatFormat> arriving_formats(const Graph& graph, FloatFormat reference) {
+  std::vector<FloatFormat> formats;
+  for (int input = 0; input < static_cast<int>(graph.inputs().size()); ++input) {
+    const FloatFormat format = graph.arriving_format(input).value_or(reference);
+    formats.push_back(is_held(format, reference) ? format : reference);
+  }
+  const bool any = std::any_of(formats.begin(), formats.end(),
+                               [&](FloatFormat format) { return !(format == reference); });
+  return any ? formats : std::vector<FloatFormat>();
+}
+
+/// Whether a constant is a normal number of the format, or zero.
+bool is_normal_number(FloatFormat format, const mpq_class& value) {
+  const Bits bits = from_rational(format, value);
+  return !format.is_infinite(bits) && !format.is_subnormal(bits) &&
+         to_rational(format, bits) == value;
+}
+
+/// Which nodes are operands, up to their sign or a choice among several, that a conversion to the
+/// lane's format leaves as they are.
+std::vector<bool> fitting_nodes(const Graph& graph, const TypedGraph& typed) {
+  const FloatFormat lane = typed.arithmetic.format;
+  std::vector<bool> fits;
+  for (const Node& node : graph.nodes()) {
+    bool value = only_moves_bits(node.operation);
+    for (int k = 0; k < arity(node.operation); ++k) value = value && fits[node.operands[k]];
+    if (node.operation == Operation::constant) value = is_normal_number(lane, node.value);
+    if (node.operation == Operation::input) {
+      value = !typed.arriving.empty() && is_held(typed.arriving[node.input], lane);
+    }
+    fits.push_back(value);
+  }
+  return fits;
 }
 
 TypedGraphBuilder::TypedGraphBuilder(const Graph& graph, FloatFormat reference,
@@ -201,8 +244,11 @@ TypedGraphBuilder::TypedGraphBuilder(const Graph& graph, FloatFormat reference,
       typed_{.input_count = static_cast<int>(graph.inputs().size()),
              .input_names = graph.inputs(),
              .input_format = reference,
+             .arriving = arriving_formats(graph, reference),
              .arithmetic = arithmetic,
-             .combination = graph.combination()} {}
+             .combination = graph.combination()} {
+  fits_lane_ = fitting_nodes(graph, typed_);
+}
 
 NodeId TypedGraphBuilder::in_reference(NodeId id) {
   NodeId& known = reference_ids_[id];
@@ -224,9 +270,12 @@ NodeId TypedGraphBuilder::in_lane(NodeId id) {
 
 TypedGraphBuilder::Taken TypedGraphBuilder::operands_of(const Node& node) const {
   if (inputs_ == LaneInputs::rounded) return Taken::in_lane;
+  bool all_fit = true;
   for (int k = 0; k < arity(node.operation); ++k) {
     if (!exact_[node.operands[k]]) return Taken::in_lane;
+    all_fit = all_fit && fits_lane_[node.operands[k]];
   }
+  if (all_fit) return Taken::in_lane;
   if (entering_.precision() == reference_.precision()) return Taken::from_reference;
   // A choice among operands that the lane takes in its own format is made in that format.
   return only_moves_bits(node.operation) ? Taken::in_lane : Taken::entering;
@@ -358,7 +407,22 @@ std::optional<mpq_class> TypedGraphBuilder::reciprocal_of_divisor(const Node& no
   return reciprocal;
 }
 
+/// The most digits of a node's value.
+int TypedGraphBuilder::digits_of(NodeId id) const {
+  const TypedNode& node = typed_.nodes[id];
+  const int own = node.format.precision();
+  if (typed_.arriving.empty()) return own;
+  if (node.operation == Operation::input) return typed_.arriving[node.input].precision();
+  const bool only_moves = node.operation == Operation::convert || only_moves_bits(node.operation);
+  return only_moves ? std::min(own, node.operand_digits()) : own;
+}
+
 NodeId TypedGraphBuilder::emit(TypedNode node) {
+  int digits = 0;
+  for (int k = 0; k < arity(node.operation); ++k) {
+    digits = std::max(digits, digits_of(node.operands[k]));
+  }
+  if (digits < node.operand_format.precision()) node.arriving_digits = digits;
   typed_.nodes.push_back(std::move(node));
   return static_cast<NodeId>(typed_.nodes.size()) - 1;
 }

@@ -42,6 +42,9 @@ struct TypedNode {
   FloatFormat operand_format;  ///< equals `format` for inputs and constants
   FloatFormat format;          ///< format of the result
   int input = -1;              ///< for Operation::input
+  /// The most digits that an operand has, if the formats in which inputs arrive leave fewer than
+  /// operand_format has; else 0.
+  int arriving_digits = 0;
   /// For Operation::constant: `value`, rounded to nearest, ties to even. The golden model does not
   /// read this encoding; it rounds `value` itself.
   Bits constant = 0;
@@ -49,6 +52,10 @@ struct TypedNode {
   std::vector<FusedTerm> terms = {};          ///< for Operation::fused_sum: two or more
   SumResult sum_result = SumResult::rounded;  ///< valid for Operation::fused_sum
 
+  /// The most digits that an operand has.
+  int operand_digits() const {
+    return arriving_digits > 0 ? arriving_digits : operand_format.precision();
+  }
   bool is_sign_of_sum() const { return sum_result == SumResult::sign; }
   friend bool operator==(const TypedNode&, const TypedNode&) = default;
 };
@@ -60,6 +67,10 @@ struct TypedGraph {
   int input_count = 0;
   std::vector<std::string> input_names;  ///< names for messages, input_count of them
   FloatFormat input_format;              ///< the format of all inputs
+  /// One per input: the format in which it arrives, all of whose numbers `input_format` holds.
+  /// Empty: all arrive in `input_format`. Evaluations take operands in `input_format`; a datapath
+  /// converts them from these formats first, which rounds nothing.
+  std::vector<FloatFormat> arriving = {};
   Arithmetic arithmetic;     ///< rounding and subnormals of every operation; format of f and g
   std::vector<Sides> parts;  ///< at least one
   Combination combination = Combination::all;  ///< valid only if there are several parts
@@ -67,6 +78,10 @@ struct TypedGraph {
   /// The sides of a comparison that has one part.
   NodeId f() const;
   NodeId g() const;
+
+  FloatFormat arriving_format(int input) const {
+    return arriving.empty() ? input_format : arriving[static_cast<std::size_t>(input)];
+  }
 
   friend bool operator==(const TypedGraph&, const TypedGraph&) = default;
 };
@@ -105,6 +120,8 @@ TypedGraph sides_graph(const Graph& graph, Arithmetic reference);
 /// in the lane's format and are never inputs themselves. If a side is an input, a conversion
 /// follows it, because an operation has to report an infinity or a NaN as exceptional. A division
 /// by a constant is a multiplication by its reciprocal, if that is a normal number of the format.
+/// Operands that arrive in a format that the lane's format holds are converted to the latter ahead
+/// of any operation, whatever `inputs` asks for, since that rounds nothing.
 TypedGraph lane_graph(const Graph& graph, FloatFormat reference, Arithmetic reduced,
                       LaneInputs inputs);
 

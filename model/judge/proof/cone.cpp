@@ -85,7 +85,7 @@ int depth_of(const TypedGraph& graph, NodeId id) {
 }
 
 OwnRounding own_rounding(const TypedGraph& graph, const TypedNode& node) {
-  const int operand_digits = node.operand_format.precision();
+  const int operand_digits = node.operand_digits();
   const int digits = node.format.precision();
   const auto scales_by = [&](int operand) {
     return operand_digits <= digits && is_power_of_two(graph.nodes[node.operands[operand]]);

@@ -131,7 +131,7 @@ Range NodeRanges::given(NodeId id) const {
   const TypedNode& node = graph_.nodes[id];
   if (node.operation == Operation::input) {
     const auto checked = enforced_ranges(lane_)[static_cast<std::size_t>(node.input)];
-    return checked.value_or(any_finite(node.format));
+    return checked.value_or(any_finite(graph_.arriving_format(node.input)));
   }
   if (node.format.is_infinite(node.constant)) return any_finite(node.format);
   const mpq_class value = to_rational(node.format, node.constant);

@@ -96,7 +96,8 @@ Result<data::Comparisons> load_comparisons(const scene::Scene& scene,
                  .received = "nothing",
                  .accepted = "a section [data]"};
   }
-  MIXCMP_TRY(tables, data::load_tables(*scene.data, scene.graph.inputs(), scene.reference.format));
+  MIXCMP_TRY(tables, data::load_tables(*scene.data, scene.graph.inputs(), scene.reference.format,
+                                       scene.operand_formats));
   MIXCMP_DO(check_numbers(scene, tables));
   Result<data::Comparisons> comparisons = arrange(scene, std::move(tables), progress);
   if (!comparisons.ok()) return data::with_place(*scene.data, comparisons.error());

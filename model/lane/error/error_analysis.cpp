@@ -282,7 +282,7 @@ MixedBound ErrorAnalyser::exact_selection(NodeId a, NodeId b) {
 }
 
 bool ErrorAnalyser::rounds_nothing(const TypedNode& node) const {
-  const int operand_digits = node.operand_format.precision();
+  const int operand_digits = node.operand_digits();
   const int digits = node.format.precision();
   const auto scales_by = [&](int operand) {
     return operand_digits <= digits && scales_exactly(graph_.nodes[node.operands[operand]]);

@@ -238,7 +238,7 @@ private:
   Range input(const TypedNode& node) const {
     const auto& range = ranges_[static_cast<std::size_t>(node.input)];
     if (range) return *range;
-    const mpq_class largest = largest_of(node.format);
+    const mpq_class largest = largest_of(graph_.arriving_format(node.input));
     return {-largest, largest};
   }
 

@@ -233,6 +233,18 @@ OperandFormat operand_format(const FixedLane& lane, int input) {
                                       : lane.operand_formats[static_cast<std::size_t>(input)];
 }
 
+std::vector<FloatFormat> arriving_formats(const FixedLane& lane) {
+  std::vector<FloatFormat> formats;
+  if (!lane.loaded_inputs.empty()) return formats;
+  bool any = false;
+  for (const OperandFormat& format : lane.operand_formats) {
+    const FloatFormat* floating = format.floating();
+    formats.push_back(floating == nullptr ? lane.input_format : *floating);
+    any = any || !(formats.back() == lane.input_format);
+  }
+  return any ? formats : std::vector<FloatFormat>();
+}
+
 const FixedFormat* arriving_fixed(const FixedLane& lane, const FixedNode& node) {
   if (lane.operand_formats.empty()) return nullptr;
   return lane.operand_formats[static_cast<std::size_t>(node.input)].fixed();

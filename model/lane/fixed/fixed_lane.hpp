@@ -172,9 +172,14 @@ struct FixedOptions {
   /// One per input; a lane needs them all. In block floating point they are optional: an input
   /// whose range has no negative numbers needs no sign.
   std::vector<std::optional<Range>> ranges;
-  /// One per input, or none: all operands arrive in floating point.
+  /// One per input, or none: all operands arrive in the lane's input format.
   std::vector<OperandFormat> operand_formats = {};
 };
+
+/// The formats of operands that arrive in floating point, one per input; an input in fixed point
+/// counts as one in `input_format`. Empty if none has another format, or if the lane reads values
+/// that were converted before.
+std::vector<FloatFormat> arriving_formats(const FixedLane& lane);
 
 /// Makes the lane of a comparison whose operands arrive in `input_format`, unless the options say
 /// otherwise. Errors name the input without a range, the operation that fixed point does not have,

@@ -105,7 +105,7 @@ TEST_F(FixedOperandsTest, ScenesWithoutThemAreAsBefore) {
 
 TEST_F(FixedOperandsTest, MistakesNameTheKey) {
   EXPECT_TRUE(error(orientation, {"inputs.*.format=uint65"})
-                  .starts_with("--set: inputs.*.format: not a format of operands in fixed point: "
+                  .starts_with("--set: inputs.*.format: not a format of operands: "
                                "received \"uint65\"; accepted uint1..uint64, "));
   EXPECT_EQ(error(orientation, {"inputs.*.range=[0, 3]"}),
             "--set: inputs.*.range: it follows from the input's format: received an array of 2; "

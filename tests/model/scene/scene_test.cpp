@@ -366,7 +366,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"\"r*\" = { range = [0, 0.1] }", "\"r*\" = [0, 0.1]",
                 ":8: inputs.r*: wrong type: received an array of 2; accepted { range = [low, high] "
                 "}, low <= high, or { range = \"data\" }, and a grid beside it; or { format = "
-                "\"uint10\" }"}));
+                "\"uint10\" }, or { format = \"bfloat16\" } with or without a range"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Values, SceneMistake,

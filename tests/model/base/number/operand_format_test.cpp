@@ -83,6 +83,61 @@ TEST(OperandFormat, SpecialNumbersAreNotHeld) {
   EXPECT_EQ(OperandFormat(from).word_of(from, from.quiet_nan()), from.quiet_nan());
 }
 
+/// Every number of formats of 8 and 16 bits, encoded in wider formats: words come back, and a
+/// number with one digit more is not held.
+TEST(OperandFormat, EveryFloatingPointWordComesBack) {
+  for (const char* name : {"E5M2", "s4e4", "binary16", "bfloat16", "s5e3"}) {
+    const auto format = OperandFormat::parse(name);
+    ASSERT_TRUE(format.ok()) << name;
+    const FloatFormat own = *format->floating();
+    for (const FloatFormat from : {own, format_of(24, 8), format_of(16, 10), format_of(53, 11)}) {
+      ASSERT_TRUE(format->is_held_by(from));
+      for (Bits word = 0; word < Bits{1} << own.width(); ++word) {
+        const Bits number = converted(from, own, word);
+        ASSERT_TRUE(format->holds(from, number));
+        const Bits expected = own.is_nan(word) ? own.quiet_nan() : word;
+        ASSERT_EQ(to_integer(format->word_of(from, number)), to_integer(expected))
+            << name << " in " << from.name() << ", word " << to_hex(word, own.width());
+      }
+    }
+  }
+}
+
+TEST(OperandFormat, OtherNumbersAreNotHeldInFloatingPoint) {
+  const FloatFormat from = format_of(24, 8);
+  const OperandFormat format = *OperandFormat::parse("s3e5");
+  const auto held = [&](const mpq_class& value) {
+    return format.holds(from, from_rational(from, value));
+  };
+  EXPECT_TRUE(held(57344));
+  EXPECT_FALSE(held(65536)) << "beyond the largest number";
+  EXPECT_TRUE(held(mpq_class(7, 4)));
+  EXPECT_FALSE(held(mpq_class(9, 8))) << "four digits";
+  EXPECT_TRUE(held(mpq_class(3, 65536))) << "subnormal";
+  EXPECT_FALSE(held(mpq_class(3, 131072))) << "below a subnormal's unit";
+}
+
+TEST(OperandFormat, IsHeldByWiderFormats) {
+  const auto is_held = [](const char* name, int precision, int exponent_bits) {
+    return OperandFormat::parse(name)->is_held_by(format_of(precision, exponent_bits));
+  };
+  EXPECT_TRUE(is_held("bfloat16", 8, 8));
+  EXPECT_FALSE(is_held("bfloat16", 11, 5)) << "exponents";
+  EXPECT_FALSE(is_held("binary16", 8, 8)) << "digits";
+  EXPECT_TRUE(is_held("uint24", 24, 8));
+  EXPECT_FALSE(is_held("uint25", 24, 8));
+  EXPECT_TRUE(is_held("q0.7", 7, 5));
+  EXPECT_FALSE(is_held("q0.7", 7, 4)) << "a subnormal number of s7e4";
+}
+
+TEST(OperandFormat, AFormatWithoutInfinitiesIsRefused) {
+  const auto format = OperandFormat::parse("E4M3");
+  ASSERT_FALSE(format.ok());
+  EXPECT_NE(format.error().message.find("no infinities"), std::string::npos);
+  EXPECT_EQ(format.error().accepted.substr(0, 4), "s4e5");
+  EXPECT_EQ(OperandFormat::parse("float16").error().message, "not a format of operands");
+}
+
 TEST(OperandFormat, WidthsAddUp) {
   const std::vector<OperandFormat> formats = {*OperandFormat::parse("uint10"),
                                               *OperandFormat::parse("q3.12"),

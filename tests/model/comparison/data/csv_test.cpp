@@ -93,7 +93,7 @@ TEST_F(CsvTest, MistakesNameLineAndColumn) {
   EXPECT_EQ(error("x,y\n1,\n").substr(0, 32), ":2: y: not a number: received \"\"");
   EXPECT_EQ(error("x,y\n1,70000\n"),
             ":2: y: beyond the largest number of s11e5: received \"70000\"; accepted a smaller "
-            "number, or a reference format with more exponent bits");
+            "number, or a format with more exponent bits");
   EXPECT_EQ(error("x,y\n1,\"2\n3,4\n"),
             ":2: a quoted field is not closed: received the end of the file; accepted a closing "
             "'\"'");

@@ -225,7 +225,7 @@ TEST_F(NpyTest, MistakesTellWhatWasFoundAndAccepted) {
   EXPECT_EQ(
       error(npy("'<f8'", "False", "(1, 2)", bytes_of<double>({1, 1e5}))),
       ": row 0, column 1: out of range: received a number beyond the largest of s11e5; accepted a "
-      "smaller one, or a reference format with more exponent bits");
+      "smaller one, or a format with more exponent bits");
 }
 
 TEST_F(NpyTest, MutatedFilesGiveErrorsNotCrashes) {

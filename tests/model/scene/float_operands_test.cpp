@@ -1,0 +1,127 @@
+#include <string>
+#include <vector>
+
+#include "model/comparison/expression/typed_graph.hpp"
+#include "tests/model/scene/scene_fixture.hpp"
+
+/// Tests scenes whose inputs arrive in floating-point formats of their own.
+namespace mixcmp::test::float_operands_scene_test {
+namespace {
+
+const std::string products = R"toml([comparison]
+name = "n"
+f = "a * b"
+g = "c"
+[inputs]
+a = { format = "bfloat16" }
+b = { format = "E5M2", range = [-2, 3] }
+[reference]
+format = "binary32"
+[reduced]
+format = "s17e8"
+)toml";
+
+class FloatOperandsTest : public SceneTest {
+protected:
+  scene::Scene scene_of(const std::string& text, const std::vector<std::string>& settings = {}) {
+    Result<scene::Scene> scene = load(text, settings);
+    EXPECT_TRUE(scene.ok()) << scene.error().to_string();
+    return std::move(scene).value();
+  }
+
+  std::string error(const std::string& text, const std::vector<std::string>& settings = {}) {
+    const Result<scene::Scene> scene = load(text, settings);
+    EXPECT_FALSE(scene.ok()) << text;
+    std::string message = scene.ok() ? "" : scene.error().to_string();
+    const std::string path = path_.string();
+    if (message.starts_with(path)) message.erase(0, path.size());
+    return message;
+  }
+};
+
+TEST_F(FloatOperandsTest, EachInputHasAFormatAndMayHaveARange) {
+  const scene::Scene scene = scene_of(products);
+  ASSERT_EQ(scene.operand_formats.size(), 3u);
+  EXPECT_EQ(scene.operand_formats[0].name(), "s8e8");
+  EXPECT_EQ(scene.operand_formats[1].name(), "s3e5");
+  EXPECT_EQ(scene.operand_formats[2].name(), "s24e8");
+  EXPECT_FALSE(scene.ranges[0].has_value());
+  EXPECT_EQ(scene.ranges[1], (Range{-2, 3}));
+  EXPECT_FALSE(scene.has_fixed_operands());
+  EXPECT_EQ(scene.graph.arriving_format(0)->name(), "s8e8");
+  EXPECT_FALSE(scene.graph.arriving_format(2).has_value()) << "the reference's format";
+}
+
+TEST_F(FloatOperandsTest, TheReferencesFormatIsNoOtherFormat) {
+  const scene::Scene scene = scene_of(products, {"inputs.a.format=binary32"});
+  EXPECT_EQ(scene.operand_formats[0].name(), "s24e8");
+  EXPECT_FALSE(scene.graph.arriving_format(0).has_value());
+}
+
+TEST_F(FloatOperandsTest, MistakesNameTheKey) {
+  EXPECT_TRUE(error(products, {"inputs.a.format=float16"})
+                  .starts_with("--set: inputs.a.format: not a format of operands: received "
+                               "\"float16\"; accepted uint1..uint64, "));
+  EXPECT_NE(error(products, {"inputs.a.format=E4M3"}).find("s4e5"), std::string::npos);
+  const std::string wide = error(products, {"inputs.a.format=binary64"});
+  EXPECT_TRUE(
+      wide.starts_with("--set inputs.a.format: reference.format: it does not hold every "
+                       "number of a in s53e11"))
+      << wide;
+  EXPECT_TRUE(wide.ends_with("received s24e8; accepted a format with more digits or exponent bits"))
+      << wide;
+  EXPECT_EQ(error(products, {"inputs.a.grid=1"}),
+            "--set: inputs.a.grid: a grid without a range: received 1; accepted a range beside it");
+  EXPECT_EQ(error(products, {"reference.format=exact"}),
+            "--set: reference.format: no reference is exact: not all inputs arrive in fixed point: "
+            "received \"exact\"; accepted inputs with a format such as uint10, or a format such as "
+            "s53e11");
+}
+
+TEST_F(FloatOperandsTest, RangesThatTheFormatRoundsOutAreNoted) {
+  const scene::Scene scene = scene_of(products, {"inputs.a.range=[0, 1.99]"});
+  ASSERT_EQ(scene.notes.size(), 1u);
+  EXPECT_EQ(scene.notes[0],
+            "the range end 1.99 rounds out of its range in s8e8: data of just that value are out "
+            "of range");
+}
+
+TEST_F(FloatOperandsTest, AColumnHasOneFormat) {
+  const std::string pairs = R"toml([comparison]
+name = "n"
+f = "xi"
+g = "xj"
+[inputs]
+xi = { format = "bfloat16", range = [0, 1] }
+xj = { range = [0, 1] }
+[reference]
+format = "binary32"
+[reduced]
+format = "s9e8"
+)toml";
+  EXPECT_EQ(
+      error(pairs, {"engine.kind=pairwise"}),
+      "--set: engine.kind: xi and xj are the same column of an engine's items, in two formats: "
+      "received s8e8 and s24e8; accepted one format for both, or engine.kind = \"none\"");
+  EXPECT_TRUE(error(pairs, {"data.items=uniform", "data.pairs=all"})
+                  .find("the same column of the data, in two formats") != std::string::npos);
+}
+
+/// A product of eight and three digits fits 17 digits: nothing is rounded, and inputs are converted
+/// even if `inputs` asks for more digits.
+TEST_F(FloatOperandsTest, LanesKnowTheDigits) {
+  const scene::Scene scene = scene_of(products, {"inputs.c.format=binary16"});
+  const Arithmetic lane{*scene.reduced.format, Rounding::nearest_even, Subnormals::flush};
+  const TypedGraph graph = lane_graph(scene.graph, scene.reference.format, lane, LaneInputs::exact);
+  int conversions = 0;
+  for (const TypedNode& node : graph.nodes) {
+    if (node.operation == Operation::convert) ++conversions;
+    if (node.operation != Operation::multiply) continue;
+    EXPECT_EQ(node.operand_format.name(), "s17e8");
+    EXPECT_EQ(node.operand_digits(), 8);
+  }
+  EXPECT_EQ(conversions, 3);
+}
+
+}  // namespace
+}  // namespace mixcmp::test::float_operands_scene_test
