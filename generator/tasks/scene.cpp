@@ -82,12 +82,11 @@ std::optional<std::string> lost_numbers_note(const LoadedScene& loaded) {
   const data::LostNumbers lost = data::lost_numbers_of(*loaded.data);
   if (lost.count == 0) return std::nullopt;
   return fmt::format(
-      "numbers of the data are not kept in {} (whole ones are rounded, or small ones become 0): "
-      "{}, "
-      "the first {}. Verdicts and the truth are those of the numbers as they are read; inputs in "
-      "an "
-      "integer format, or another reference.format, keep them",
-      loaded.data->format().name(), lost.count, lost.first);
+      "{} of the data's numbers are not kept: the format rounds them although they are whole, or "
+      "they "
+      "become 0. The first is {}, in {}. Verdicts and the truth are those of the numbers as they "
+      "were read. A format of more digits or exponent bits keeps them",
+      lost.count, lost.first, loaded.data->format().name());
 }
 
 Result<Done> check_has_data(const LoadedScene& loaded, const std::string& why) {

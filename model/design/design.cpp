@@ -336,13 +336,14 @@ std::string planned_clock(const scene::Scene& scene) {
 /// The exact lane of the fewest bits. The judges compute in the reference format, which must not
 /// round either.
 Result<fixed::FixedLane> design_exact_reference(const scene::Scene& scene) {
+  const bool is_chain = scene.system.engine.kind == scene::EngineKind::arg_min;
   const auto bits = fixed::exact_bits(scene.graph, scene.operand_formats, std::nullopt,
                                       settings::limits::fixed_bits.most);
   if (!bits.ok()) {
     Error error = bits.error();
     error.field = "system.references";
     error.message = "a reference for operands in fixed point is an exact lane: " + error.message;
-    error.accepted += ", or 0 references";
+    if (!is_chain) error.accepted += ", or 0 references";
     return error;
   }
   const std::vector<bool> is_exact = error::exact_on_grid(
@@ -353,9 +354,8 @@ Result<fixed::FixedLane> design_exact_reference(const scene::Scene& scene) {
                      "references for operands in fixed point round nothing, but in this "
                      "format f or g is rounded",
                  .received = scene.reference.format.name(),
-                 .accepted =
-                     "\"exact\" or a format of more digits, without a division; or "
-                     "system.references = 0"};
+                 .accepted = "\"exact\" or a format of more digits, without a division" +
+                             std::string(is_chain ? "" : "; or system.references = 0")};
   }
   return fixed::fixed_lane(scene.graph, scene.reference.format,
                            {.format = {.bits = *bits},
@@ -388,8 +388,10 @@ Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
   std::optional<int> shortest;
   for (const scene::ReferenceGroupSpec& spec : scene.reference_groups()) {
     if (!spec.count) {
+      // Lanes that could do without one have known formats, and then the number is known as well.
+      const int fewest = scene.system.engine.kind == scene::EngineKind::arg_min ? 1 : 0;
       return unresolved(scene, "system.references", "--references 1",
-                        to_string(settings::limits::references));
+                        fmt::format("{}..{}", fewest, scene::max_references));
     }
     if (*spec.count == 0) continue;
     const auto& [multipliers, interval, target_mhz] = spec.structure;

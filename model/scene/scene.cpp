@@ -398,7 +398,7 @@ bool is_exact_lane(const Scene& scene, const ReducedSpec& reduced) {
   return lane.ok() && fixed::is_exact(*lane);
 }
 
-/// Whether all lanes are exact and so leave nothing to references; none while formats are open.
+/// Whether all lanes are exact and so leave nothing to references; nullopt while a format is open.
 std::optional<bool> has_exact_lanes(const Scene& scene) {
   if (!scene.has_fixed_operands()) return false;
   const std::vector<LaneGroupSpec> groups = scene.lane_groups();
@@ -410,8 +410,8 @@ std::optional<bool> has_exact_lanes(const Scene& scene) {
 }
 
 /// Sets what a scene with operands in fixed point leaves open of references, which are exact lanes:
-/// none behind lanes that are exact as well or if there is no exact lane, otherwise one. While
-/// formats of lanes are open, so is the number.
+/// none behind lanes that are exact as well or if there is no exact lane, otherwise one. An arg-min
+/// engine then asks for one that it cannot have. While formats of lanes are open, so is the number.
 void choose_references(Scene& scene) {
   if (!scene.has_fixed_operands()) return;
   const auto close = [](ReferenceStructureSpec& structure) {
@@ -425,7 +425,8 @@ void choose_references(Scene& scene) {
   const bool can_have_some = fixed::exact_bits(scene.graph, scene.operand_formats, std::nullopt,
                                                settings::limits::fixed_bits.most)
                                  .ok();
-  scene.system.references = !*are_exact && can_have_some ? 1 : 0;
+  const bool needs_some = scene.system.engine.kind == EngineKind::arg_min;
+  scene.system.references = !*are_exact && (can_have_some || needs_some) ? 1 : 0;
 }
 
 /// Refuses an arg-min engine without references, unless its lanes are exact: its chain of
@@ -435,9 +436,10 @@ Result<Done> check_chain_decides(const settings::Settings& settings, const Scene
   if (!is_chain || scene.reference_count() != 0 || has_exact_lanes(scene).value_or(true)) {
     return Done{};
   }
+  std::string accepted = fmt::format("1..{}", max_references);
+  if (scene.has_fixed_operands()) accepted += ", or 0 with reduced.format = \"exact\"";
   return settings::Section(settings, "system")
-      .mistake("references", "the arg-min engine needs every verdict", "0",
-               fmt::format("1..{}, or lanes that are exact", max_references));
+      .mistake("references", "the arg-min engine needs every verdict", "0", accepted);
 }
 
 /// Notes what rules out lanes in fixed point, if the format of lanes is open.

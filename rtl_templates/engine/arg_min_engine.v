@@ -13,7 +13,7 @@
 //
 // Full candidates and rows stay in memories. References ask the memories for a pair by the low bits
 // of the pair's tag, {index of its own candidate, index of the best, place of the row}. Without
-// references there are no such memories, and the ports of the references are one bit wide and unused.
+// references there are no such memories, and the ports are those of one reference, unused.
 //
 // The next load is taken when no row is inside; while it is offered, no row enters. Interval 1. The
 // latency is WORD_LATENCY + 2, plus the latency of each of the CANDIDATES - 1 lanes and one cycle

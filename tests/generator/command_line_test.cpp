@@ -66,6 +66,19 @@ TEST_F(CommandLine, AKeyHasOneValue) {
   EXPECT_EQ(mixcmp("check scene.toml --set system.lanes=3 --lanes 3").exit_code, 0);
 }
 
+TEST_F(CommandLine, NumbersThatTheFormatDoesNotKeepAreNoted) {
+  const std::string note = "of the data's numbers are not kept";
+  EXPECT_EQ(mixcmp("check scene.toml").output.find(note), std::string::npos);
+  write("data.csv", "a,b,c\n16777216,1e-60,3\n4,-16777217,6\n");
+  const auto checked = mixcmp("check scene.toml");
+  EXPECT_EQ(checked.exit_code, 0);
+  EXPECT_NE(checked.output.find("2 " + note), std::string::npos) << checked.output;
+  EXPECT_NE(checked.output.find("The first is 1e-60 in data.csv, line 2, b"), std::string::npos)
+      << checked.output;
+  EXPECT_NE(checked.output.find("not kept           2 numbers"), std::string::npos)
+      << checked.output;
+}
+
 TEST_F(CommandLine, AnOptionThatBreaksAnotherKeyIsNamed) {
   expect_refused("check scene.toml --set reference.format=s60e8 --format s53e8",
                  "mixcmp: --format: reduced.format: precision out of range");

@@ -336,10 +336,10 @@ Fields<DataSummary> data_fields(const DataSummary& data) {
            &DataSummary::off_grid,
            "{off_grid} numbers, the first: {first_off_grid}"},
           {{"first_off_grid"}, &DataSummary::first_off_grid},
-          {{"lost", data.lost.count > 0 ? "not kept" : ""},
+          {{"not_kept", data.lost.count > 0 ? "not kept" : ""},
            [](const DataSummary& each) { return each.lost.count; },
-           "{lost} numbers, the first: {first_lost}"},
-          {{"first_lost"}, [](const DataSummary& each) { return each.lost.first; }},
+           "{not_kept} numbers, the first: {first_not_kept}"},
+          {{"first_not_kept"}, [](const DataSummary& each) { return each.lost.first; }},
           {{"inputs"},
            [](const DataSummary& each) { return object_of(source_fields(), each.inputs); }}};
 }

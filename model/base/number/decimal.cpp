@@ -123,7 +123,8 @@ Result<Bits> from_text(FloatFormat format, std::string_view text) {
   return Error{
       .message = "not a number",
       .received = fmt::format("\"{}\"", text),
-      .accepted = "a decimal number (12.5, -1e-7), a hexadecimal one (0x1.8p3), inf or nan"};
+      .accepted =
+          "a decimal number (12.5, -1e-7), a hexadecimal one (0x1.8p3), inf, infinity or nan"};
 }
 
 std::string to_text(FloatFormat format, Bits bits) {

@@ -114,7 +114,7 @@ private:
   std::vector<std::uint32_t> least_;        ///< for arg_min: best candidate of each row
 };
 
-/// Those of all tables.
+/// The numbers of all tables that their format does not keep.
 LostNumbers lost_numbers_of(const Comparisons& data);
 
 /// The items of a comparison in words, for a report: "items 3 and 7".

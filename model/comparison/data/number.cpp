@@ -46,7 +46,11 @@ bool is_lost(FloatFormat format, std::string_view text, Bits number) {
   }
   const double kept_digits = (format.precision() - 1) * std::log10(2.0);
   if (static_cast<double>(digits.size()) <= kept_digits) return false;
-  if (digits.find_first_not_of("0123456789") != std::string_view::npos) return false;
+  const std::size_t point = digits.find('.');
+  if (point != std::string_view::npos && digits.find_first_not_of('0', point + 1) == digits.npos) {
+    digits = digits.substr(0, point);
+  }
+  if (digits.empty() || digits.find_first_not_of("0123456789") != digits.npos) return false;
   return to_rational(format, format.magnitude(number)) != mpz_class(std::string(digits), 10);
 }
 

@@ -11,8 +11,8 @@ namespace mixcmp::data {
 /// is an error.
 Result<Bits> read_number(FloatFormat format, std::string_view text);
 
-/// Whether `number`, which read_number made of `text`, is not the whole number that this writes in
-/// digits, or is 0 although this writes another number.
+/// Whether reading changed the number: `text` is a whole number in digits ("17", "17.0") and
+/// `number`, which read_number made of it, another one; or `number` is 0 and `text` is not.
 bool is_lost(FloatFormat format, std::string_view text, Bits number);
 
 /// `text` without blanks at its ends.

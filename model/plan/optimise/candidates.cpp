@@ -6,6 +6,7 @@
 
 #include "model/design/design.hpp"
 #include "model/design/request_beats.hpp"
+#include "model/plan/optimise/exact_lanes.hpp"
 #include "model/plan/optimise/second_tier.hpp"
 
 namespace mixcmp::optimise {
@@ -81,13 +82,17 @@ Candidates candidates_of(const PlanningInputs& inputs, Findings& findings) {
   Candidates found;
   Rows all_lanes;
   const LaneFormat format = design::datapath_format(inputs.scene);
+  const bool has_references = inputs.scene.reference_count() != 0;
+  // A chain of comparisons cannot continue after one that stays undecided.
+  const bool decides_all = inputs.engine() == scene::EngineKind::arg_min && !has_references;
   for (const measured::Measurement& row : inputs.table.rows) {
     const auto* reference = std::get_if<measured::Reference>(&row.key);
-    if (reference != nullptr && is_wanted(inputs, format, *reference)) {
+    if (has_references && reference != nullptr && is_wanted(inputs, format, *reference)) {
       found.references.push_back(&row);
     }
     const measured::Lane* lane = lane_in(inputs, row.key);
-    if (lane != nullptr && is_wanted(inputs, *lane)) all_lanes.push_back(&row);
+    if (lane == nullptr || !is_wanted(inputs, *lane)) continue;
+    if (!decides_all || is_exact(inputs.scene, *lane)) all_lanes.push_back(&row);
   }
   const ClockChoice& clocks = inputs.options.clocks;
   if (!clocks.lane_mhz && has_a_clock(all_lanes)) erase_untimed(all_lanes, "lane", findings);

@@ -69,7 +69,7 @@ TEST_F(FixedOperandsTest, ReferencesAreForLanesThatRound) {
   coarse.replace(coarse.find("\"exact\""), std::size("\"exact\"") - 1, "\"q7\"");
   EXPECT_EQ(error(coarse + "[engine]\nkind = \"arg_min\"\n[system]\nreferences = 0\n"),
             ":12: system.references: the arg-min engine needs every verdict: received 0; accepted "
-            "1..16, or lanes that are exact");
+            "1..16, or 0 with reduced.format = \"exact\"");
   EXPECT_EQ(scene_of(orientation + "[[references]]\ncount = 3\n").reference_count(), 3);
 }
 

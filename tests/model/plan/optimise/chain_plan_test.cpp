@@ -205,6 +205,13 @@ TEST_F(ChainPlan, TakesWhatTheLargerEngineTakesHoweverLittleTheSmallerDoes) {
             engine_luts + 9 * stage_luts);
 }
 
+/// Lanes that are not exact, in a table with references.
+TEST_F(ChainPlan, WithoutReferencesLanesMustBeExact) {
+  EXPECT_EQ(refusal(), "nothing");
+  scene_.system.references = 0;
+  EXPECT_NE(refusal().find("lane"), std::string::npos) << refusal();
+}
+
 /// An engine without references has no memory of operands, so nothing of its area is theirs.
 TEST_F(ChainPlan, WithoutReferencesTheEngineIsWhollyItsOwn) {
   const auto own = [&](bool recomputes) {
