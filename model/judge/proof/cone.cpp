@@ -84,8 +84,38 @@ int depth_of(const TypedGraph& graph, NodeId id) {
   return depths.back();
 }
 
+int digits_of_operands(const TypedGraph& graph, const TypedNode& node) {
+  std::vector<int> digits;
+  const auto most_of = [&](const TypedNode& of) {
+    int most = 0;
+    for (int k = 0; k < arity(of.operation); ++k) most = std::max(most, digits[of.operands[k]]);
+    return most;
+  };
+  for (const TypedNode& each : graph.nodes) {
+    if (&each == &node) break;
+    const int own = each.format.precision();
+    switch (each.operation) {
+      case Operation::input: digits.push_back(graph.arriving_format(each.input).precision()); break;
+      case Operation::convert:
+      case Operation::negate:
+      case Operation::absolute:
+      case Operation::minimum:
+      case Operation::maximum: digits.push_back(std::min(own, most_of(each))); break;
+      case Operation::constant:
+      case Operation::add:
+      case Operation::subtract:
+      case Operation::multiply:
+      case Operation::divide:
+      case Operation::square:
+      case Operation::square_root:
+      case Operation::fused_sum: digits.push_back(own); break;
+    }
+  }
+  return most_of(node);
+}
+
 OwnRounding own_rounding(const TypedGraph& graph, const TypedNode& node) {
-  const int operand_digits = node.operand_digits();
+  const int operand_digits = digits_of_operands(graph, node);
   const int digits = node.format.precision();
   const auto scales_by = [&](int operand) {
     return operand_digits <= digits && is_power_of_two(graph.nodes[node.operands[operand]]);

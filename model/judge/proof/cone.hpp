@@ -36,6 +36,10 @@ std::vector<NodeId> nodes_of(const Cone& cone);
 /// The number of operations on the longest path from an input or constant.
 int depth_of(const TypedGraph& graph, NodeId id);
 
+/// The most digits of an operand of the node, by the formats in which inputs arrive. The lane's own
+/// count, TypedNode::operand_digits, is not believed here.
+int digits_of_operands(const TypedGraph& graph, const TypedNode& node);
+
 /// Whether a node's operation rounds its result. Conversions, products and squares of few digits
 /// round nothing, and Gappa proves that (exactness_script). A multiplication or division by a
 /// constant power of two rounds nothing, and that is proven by hand (docs/error_bounds.md, theorem

@@ -77,7 +77,7 @@ void NodeProver::prove_exactness() {
                                      : node.operation == Operation::square
                                          ? ExactOperation::square
                                          : ExactOperation::multiply;
-    const int from = node.operand_digits(), to = node.format.precision();
+    const int from = digits_of_operands(graph_, node), to = node.format.precision();
     if (!seen.insert({operation, from, to}).second) continue;
     const std::string what =
         fmt::format("{} of {} digits into {} rounds nothing", to_string(operation), from, to);

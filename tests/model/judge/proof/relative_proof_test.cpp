@@ -95,6 +95,31 @@ TEST_F(RelativeProof, EveryOperationIsProven) {
   }
 }
 
+/// A product of operands that arrive with few digits is proven to round nothing; a lane that only
+/// believes so is not.
+TEST_F(RelativeProof, OperandsOfNarrowFormatsHaveFewDigits) {
+  const auto proof_of = [&](bool arrive_narrow) {
+    Graph graph = graph_of("a * b", "a * c + b");
+    for (int input = 0; arrive_narrow && input < 3; ++input) {
+      graph.arrives_in(input, format("s8e8"));
+    }
+    TypedGraph typed = lane_graph(graph, format("s24e8"), {format("s17e8")}, LaneInputs::rounded);
+    for (TypedNode& node : typed.nodes) {
+      if (node.operation == Operation::multiply) node.arriving_digits = 8;
+    }
+    const Lane lane = error::certified_lane(typed, {.ranges = nonnegative_ranges(graph)}).value();
+    return prove(lane, Effort::operations);
+  };
+  const LaneProof proof = proof_of(true);
+  EXPECT_TRUE(proof.machine_checked()) << report::to_text(proof, "");
+  const auto says = [&](const char* what) {
+    return std::any_of(proof.findings.begin(), proof.findings.end(),
+                       [&](const Finding& finding) { return finding.what == what; });
+  };
+  EXPECT_TRUE(says("multiply of 8 digits into 17 rounds nothing")) << report::to_text(proof, "");
+  EXPECT_FALSE(proof_of(false).machine_checked());
+}
+
 /// Products of few digits, conversions to more digits and scalings by powers of two round nothing.
 TEST_F(RelativeProof, WhatRoundsNothingIsProvenToRoundNothing) {
   const Graph graph = graph_of("a * b", "b + c / 4");
