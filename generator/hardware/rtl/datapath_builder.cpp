@@ -108,19 +108,20 @@ std::string DatapathBuilder::widened(int input) {
   const std::string name = pool_.unique(port + "_widened");
   add(Comment{fmt::format("{} in {}; it arrives in {}.", port, to.name(), from.name())});
   if (step.unit.module.empty()) {
-    add(Wire{to.width(), name, concatenation({net(port), zeros(to.width() - from.width())})});
-  } else {
-    const std::string unused = pool_.unique("unused_exceptional_" + port);
-    add(Wire{to.width(), name, nullptr});
-    add(Wire{1, unused, nullptr});
-    add_unit(step, "widen_" + port,
-             {{"EXPONENT_BITS", from.exponent_bits()},
-              {"PRECISION", from.precision()},
-              {"RESULT_EXPONENT_BITS", to.exponent_bits()},
-              {"RESULT_PRECISION", to.precision()},
-              {"GRADUAL", 1}},
-             {{"a", net(port)}, {"y", net(name)}, {"exceptional", net(unused)}});
+    Operand narrow = net(arrived(input));
+    add(Wire{to.width(), name, concatenation({narrow, zeros(to.width() - from.width())})});
+    return name;
   }
+  const std::string unused = pool_.unique("unused_exceptional_" + port);
+  add(Wire{to.width(), name, nullptr});
+  add(Wire{1, unused, nullptr});
+  add_unit(step, "widen_" + port,
+           {{"EXPONENT_BITS", from.exponent_bits()},
+            {"PRECISION", from.precision()},
+            {"RESULT_EXPONENT_BITS", to.exponent_bits()},
+            {"RESULT_PRECISION", to.precision()},
+            {"GRADUAL", 1}},
+           {{"a", net(port)}, {"y", net(name)}, {"exceptional", net(unused)}});
   return entered(name, to.width(), step.ready_cycle);
 }
 
