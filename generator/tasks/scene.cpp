@@ -82,11 +82,11 @@ std::optional<std::string> lost_numbers_note(const LoadedScene& loaded) {
   const data::LostNumbers lost = data::lost_numbers_of(*loaded.data);
   if (lost.count == 0) return std::nullopt;
   return fmt::format(
-      "{} of the data's numbers are not kept: the format rounds them although they are whole, or "
-      "they "
-      "become 0. The first is {}, in {}. Verdicts and the truth are those of the numbers as they "
-      "were read. A format of more digits or exponent bits keeps them",
-      lost.count, lost.first, loaded.data->format().name());
+      "{} of the data's numbers are not kept: their format rounds them although they are whole, or "
+      "they become 0. The first is {}. Verdicts and the truth are those of the numbers as they "
+      "were "
+      "read. A format of more digits or exponent bits, of the reference or the input, keeps them",
+      lost.count, lost.first);
 }
 
 Result<Done> check_has_data(const LoadedScene& loaded, const std::string& why) {

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "model/base/common/nearest.hpp"
 #include "model/base/number/dyadic.hpp"
+#include "model/base/number/exact.hpp"
 #include "model/base/settings/section.hpp"
 #include "model/comparison/expression/name.hpp"
 #include "model/comparison/expression/text.hpp"
@@ -87,6 +89,14 @@ Result<InputDeclaration> read_range(settings::Section& section,
   }
   if (*low > *high) {
     return wrong("the range is empty", fmt::format("[{}, {}]", to_text(*low), to_text(*high)));
+  }
+  if (format) {
+    const FloatFormat own = *format->floating();
+    const mpq_class largest = to_rational(own, own.largest_finite(false));
+    if (*low > largest || *high < -largest) {
+      return wrong(fmt::format("{} has no number in the range", format->name()),
+                   fmt::format("[{}, {}]", to_text(*low), to_text(*high)));
+    }
   }
   return InputDeclaration{
       .range = Range{.low = *low, .high = *high}, .grid = grid, .format = format};
@@ -182,8 +192,10 @@ Result<InputDeclarations> read_inputs(const settings::Settings& settings,
     }
   }
   InputDeclarations declared;
+  std::set<const settings::Setting*> deciding;
   for (const std::string& input : inputs) {
     MIXCMP_TRY(entry, entry_for(section.entries(), input));
+    deciding.insert(entry);
     declared.ranges.emplace_back();
     declared.grids.emplace_back();
     declared.formats.emplace_back();
@@ -194,6 +206,13 @@ Result<InputDeclarations> read_inputs(const settings::Settings& settings,
     declared.grids.back() = declaration.grid;
     declared.formats.back() = declaration.format;
     if (declaration.is_from_data) declared.from_data.back() = entry;
+  }
+  for (const settings::Setting& entry : section.entries()) {
+    if (deciding.contains(&entry)) continue;
+    return settings::mistake_at(entry, "inputs." + entry.key,
+                                "every input that it matches has a key of its own",
+                                fmt::format("\"{}\"", entry.key),
+                                "a pattern that decides for some input, or the inputs' own keys");
   }
   return declared;
 }

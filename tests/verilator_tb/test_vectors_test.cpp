@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "generator/hardware/emit/system.hpp"
+#include "model/base/number/exact.hpp"
 #include "model/judge/golden/evaluate.hpp"
 #include "model/lane/error/certified_lane.hpp"
 #include "tests/support/graphs.hpp"
@@ -183,6 +184,32 @@ TEST(TestVectorsOfParts, HaveATieInOnePartBesideEachOtherVerdict) {
     EXPECT_TRUE(seen.contains({Verdict::less, Verdict::equal})) << to_string(combination);
     EXPECT_TRUE(seen.contains({Verdict::equal, Verdict::greater})) << to_string(combination);
   }
+}
+
+/// Special values are those of the format in which an operand arrives, here E5M2.
+TEST(TestVectorsOfNarrowOperands, HoldTheEndsOfTheirFormat) {
+  Graph graph = graph_of("a * b", "c");
+  for (int input = 0; input < 3; ++input) graph.arrives_in(input, format("s3e5"));
+  TypedGraph lane = lane_graph(graph, format("s24e8"), {format("s8e8")}, LaneInputs::exact);
+  const design::Design design{
+      .name = "narrow",
+      .inputs = graph.inputs(),
+      .lanes = {{.lane = relative_lane(std::move(lane), std::vector<bool>(3, false)).value()}},
+      .reference = reference_graph(graph, {format("s24e8")}),
+      .references = {{}},
+      .system = {},
+      .operand_formats = std::vector(3, OperandFormat(format("s3e5")))};
+  const auto signature = emit::generate_system(design, "").value().signature;
+  const data::Table table{.format = format("s24e8"),
+                          .columns = design.inputs,
+                          .values = std::vector<Bits>(3 * 500, from_rational(format("s24e8"), 1))};
+  const auto data = data::Comparisons::rows(table, design.inputs).value();
+  std::set<int> words;
+  for (const auto& vector : verilator_tb::test_vectors(design, data, signature, 400)) {
+    ASSERT_EQ(vector.tdata.size(), 3u);
+    words.insert(vector.tdata[0]);
+  }
+  EXPECT_EQ(words, (std::set<int>{0x00, 0x80, 0x01, 0x3c, 0x7b, 0xfb, 0x7c, 0xfc, 0x7e}));
 }
 
 /// A table of "cross" has only the columns that something reads of its items.

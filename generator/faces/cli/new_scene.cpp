@@ -300,13 +300,14 @@ std::string formats_text(const NewScene& scene, const LoadedScene& loaded) {
   const FloatFormat format = loaded.scene.reference.format;
   const bool follows_data = scene.reference.empty() && are_single(types_of_data(loaded));
   const char* const reason =
-      follows_data ? "# The data are in single precision. \"s53e8\" would decide in 53 digits.\n"
+      follows_data ? "# The data have at most single precision. \"s53e8\" would decide in 53 "
+                     "digits.\n"
                    : "";
   return reason +
          fmt::format(
-             "# What you would trust to decide every comparison, and the format in which operands "
-             "arrive:\n"
-             "# {} bits of significand, the leading one included, and {} exponent bits.\n"
+             "# What you would trust to decide every comparison, and the format of operands that "
+             "have no\n"
+             "# other: {} bits of significand, the leading one included, and {} exponent bits.\n"
              "[reference]\nformat = {}\n\n"
              "# The lanes, which decide nearly all comparisons. \"auto\" leaves their format to "
              "`mixcmp\n"

@@ -212,8 +212,9 @@ Result<Done> append_row(Table& table, const Record& record, std::size_t field_co
     }
     table.values.push_back(converted(table.format, rounded_to, *number));
     if (is_lost(rounded_to, text, *number)) {
-      table.lost.add({1, fmt::format("{} in {}, line {}, {}", trimmed(text), table.source,
-                                     record.line, column.shown())});
+      table.lost.add(
+          {1, fmt::format("{} in {}, line {}, {}, read in {}", trimmed(text), table.source,
+                          record.line, column.shown(), rounded_to.name())});
     }
   }
   table.lines.push_back(record.line);

@@ -215,8 +215,9 @@ Result<Table> parse_npy(std::string_view file, FloatFormat format,
       }
       table.values.push_back(converted(format, rounded_to, *value));
       if (is_lost(bits, column.scalar, rounded_to, *value)) {
-        table.lost.add({1, fmt::format("{} in {}, row {}, {}", text_of(bits, column.scalar), source,
-                                       row, column.column.shown())});
+        table.lost.add(
+            {1, fmt::format("{} in {}, row {}, {}, read in {}", text_of(bits, column.scalar),
+                            source, row, column.column.shown(), rounded_to.name())});
       }
     }
   }

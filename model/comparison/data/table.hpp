@@ -24,7 +24,7 @@ struct FileColumn {
 /// or integers by their type), and others than 0 that become 0.
 struct LostNumbers {
   std::uint64_t count = 0;
-  std::string first;  ///< "9007199254740993 in a.csv, line 3, column x"; empty: none
+  std::string first;  ///< "17 in a.csv, line 3, x, read in s3e5"; empty: none
 
   void add(const LostNumbers& others) {
     if (count == 0) first = others.first;

@@ -57,7 +57,7 @@ TEST_F(CsvTest, CountsNumbersThatBecomeZero) {
       data::read_csv(write("x,y\n0,-0.00e9\n1e-40,0x0p9\n-0x0.8p-99,1e-7\n"), binary16_, xy);
   ASSERT_TRUE(table.ok());
   EXPECT_EQ(table->lost.count, 2U);
-  EXPECT_EQ(table->lost.first, "1e-40 in data, line 3, x");
+  EXPECT_EQ(table->lost.first, "1e-40 in data, line 3, x, read in s11e5");
 }
 
 TEST_F(CsvTest, CountsWholeNumbersThatItRounds) {
@@ -67,11 +67,11 @@ TEST_F(CsvTest, CountsWholeNumbersThatItRounds) {
                      binary64_, xy);
   ASSERT_TRUE(table.ok());
   EXPECT_EQ(table->lost.count, 2U);
-  EXPECT_EQ(table->lost.first, "9007199254740993 in data, line 2, x");
+  EXPECT_EQ(table->lost.first, "9007199254740993 in data, line 2, x, read in s53e11");
   const auto coarse = data::read_csv(write("x,y\n2047,2049.000\n4100.0,4099\n"), binary16_, xy);
   ASSERT_TRUE(coarse.ok());
   EXPECT_EQ(coarse->lost.count, 2U);
-  EXPECT_EQ(coarse->lost.first, "2049.000 in data, line 2, y");
+  EXPECT_EQ(coarse->lost.first, "2049.000 in data, line 2, y, read in s11e5");
 }
 
 TEST_F(CsvTest, MistakesNameLineAndColumn) {

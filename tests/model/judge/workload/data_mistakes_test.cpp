@@ -149,7 +149,7 @@ TEST_F(DataMistakes, UniformNumbersAreDrawnFromRanges) {
                   uniform + "pairs = \"all\"\n[inputs]\nxi = { range = [0, 1] }\n" +
                       "xj = { range = [2, 3] }\n"),
             "scene.toml:7: data.items: s53e11 has no number to draw for the column x: received [2, "
-            "1]; accepted a range that contains some of the reference format's numbers");
+            "1]; accepted a range that contains some of the format's numbers");
 }
 
 TEST_F(DataMistakes, UniformNumbersHaveNoKeysOfOtherData) {
