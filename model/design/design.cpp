@@ -498,6 +498,9 @@ Result<Lane> design_lane(const scene::Scene& scene, const scene::ReducedSpec& re
                          const data::Comparisons* data, MeasureErrors measure) {
   if (reduced.fixed_point) return as_lane(design_fixed_lane(scene, reduced));
   if (!reduced.format) {
+    if (scene.has_fixed_operands()) {
+      return unresolved(scene, "reduced.format", "--format exact", "\"exact\", or qW such as q13");
+    }
     return unresolved(scene, "reduced.format", "--format s17e8",
                       "sPeE, such as s17e8, qW, such as q13, or blockW");
   }
