@@ -1,5 +1,7 @@
 #include "generator/tasks/scene.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <span>
 #include <utility>

@@ -449,7 +449,8 @@ std::vector<SummaryLines> lines_of(const Summary& summary) {
   all.push_back(formats_section(scene));
   all.push_back({"system", lines_of(system_fields(scene), scene)});
   if (scene.plan) {
-    SummaryLines& plan = all.emplace_back("plan " + scene.plan->path.filename().string());
+    SummaryLines& plan =
+        all.emplace_back(SummaryLines{"plan " + scene.plan->path.filename().string(), {}});
     for (const auto& [key, value] : scene.plan->values) add(plan, {{key, value}});
   }
   for (const DatapathSummary& datapath : summary.datapaths) {
@@ -467,7 +468,7 @@ std::vector<SummaryLines> lines_of(const Summary& summary) {
     all.push_back({"columns of the data", lines_of(source_fields(), data->inputs)});
   }
   if (scene.notes.empty()) return all;
-  SummaryLines& notes = all.emplace_back("notes");
+  SummaryLines& notes = all.emplace_back(SummaryLines{"notes", {}});
   for (const std::string& note : scene.notes) add(notes, {{"-", note}});
   return all;
 }
