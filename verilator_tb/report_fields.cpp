@@ -376,7 +376,7 @@ Lines note_lines(const Report& report) {
   return lines;
 }
 
-/// Where an engine's figures are in the report: they are fields beside others of the report.
+/// The field that holds an engine's figures, if the report has some.
 template <class Engine>
 Field<Report> engine_field(std::string name, std::optional<Engine> Report::*engine,
                            const Fields<Report>& fields) {

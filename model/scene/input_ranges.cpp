@@ -52,6 +52,14 @@ Result<InputDeclaration> read_fixed(settings::Section& section, const OperandFor
                           .format = format};
 }
 
+/// Whether some finite number of the format lies between the ends.
+bool has_number_in(FloatFormat format, const mpq_class& low, const mpq_class& high) {
+  if (low <= 0 && high >= 0) return true;
+  const Bits least = from_rational_up(format, low > 0 ? low : mpq_class(-high));
+  return !format.is_infinite(least) &&
+         to_rational(format, least) <= (low > 0 ? high : mpq_class(-low));
+}
+
 /// Reads the range of an input, which may lack one if it has a format, and its grid.
 Result<InputDeclaration> read_range(settings::Section& section,
                                     const std::optional<OperandFormat>& format) {
@@ -90,13 +98,9 @@ Result<InputDeclaration> read_range(settings::Section& section,
   if (*low > *high) {
     return wrong("the range is empty", fmt::format("[{}, {}]", to_text(*low), to_text(*high)));
   }
-  if (format) {
-    const FloatFormat own = *format->floating();
-    const mpq_class largest = to_rational(own, own.largest_finite(false));
-    if (*low > largest || *high < -largest) {
-      return wrong(fmt::format("{} has no number in the range", format->name()),
-                   fmt::format("[{}, {}]", to_text(*low), to_text(*high)));
-    }
+  if (format && !has_number_in(*format->floating(), *low, *high)) {
+    return wrong(fmt::format("{} has no number in the range", format->name()),
+                 fmt::format("[{}, {}]", to_text(*low), to_text(*high)));
   }
   return InputDeclaration{
       .range = Range{.low = *low, .high = *high}, .grid = grid, .format = format};

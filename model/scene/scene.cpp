@@ -388,6 +388,23 @@ void declare_arrival(Graph& graph, std::span<const OperandFormat> formats, Float
   }
 }
 
+/// The formats in which operands arrive. The graph then knows of them, data that are drawn have
+/// their ranges, and ranges that follow from data are known.
+Result<std::vector<OperandFormat>> settle_operands(const settings::Settings& settings,
+                                                   FloatFormat reference, Graph& graph,
+                                                   InputDeclarations& declared,
+                                                   std::optional<data::DataSpec>& data,
+                                                   std::vector<std::string>& notes) {
+  if (data) MIXCMP_DO(draw_from_ranges(settings, graph.inputs(), declared, *data));
+  std::vector<OperandFormat> formats = formats_of_operands(declared, reference);
+  MIXCMP_DO(check_operand_formats(settings, graph.inputs(), formats, reference, data));
+  declare_arrival(graph, formats, reference);
+  MIXCMP_DO(
+      take_ranges_from_data(data ? &*data : nullptr, graph.inputs(), reference, formats, declared));
+  note_missed_ends(declared.ranges, reference, formats, notes);
+  return formats;
+}
+
 /// Whether a lane for operands in fixed point rounds nothing.
 bool is_exact_lane(const Scene& scene, const ReducedSpec& reduced) {
   const auto lane = fixed::fixed_lane(scene.graph, scene.reference.format,
@@ -411,7 +428,8 @@ std::optional<bool> has_exact_lanes(const Scene& scene) {
 
 /// Sets what a scene with operands in fixed point leaves open of references, which are exact lanes:
 /// none behind lanes that are exact as well or if there is no exact lane, otherwise one. An arg-min
-/// engine then asks for one that it cannot have. While formats of lanes are open, so is the number.
+/// engine has one behind all other lanes; if there is no exact lane, the design refuses it. While
+/// formats of lanes are open, so is the number.
 void choose_references(Scene& scene) {
   if (!scene.has_fixed_operands()) return;
   const auto close = [](ReferenceStructureSpec& structure) {
@@ -482,13 +500,7 @@ Result<Scene> interpret(SceneSettings read) {
   MIXCMP_DO(check_constants(settings, graph, reference.arithmetic, notes));
   MIXCMP_DO(check_sums(settings, graph, reference.arithmetic.sums));
   MIXCMP_TRY(data, read_data(settings));
-  if (data) MIXCMP_DO(draw_from_ranges(settings, graph.inputs(), declared, *data));
-  std::vector<OperandFormat> operand_formats = formats_of_operands(declared, format);
-  MIXCMP_DO(check_operand_formats(settings, graph.inputs(), operand_formats, format, data));
-  declare_arrival(graph, operand_formats, format);
-  MIXCMP_DO(take_ranges_from_data(data ? &*data : nullptr, graph.inputs(), format, operand_formats,
-                                  declared));
-  note_missed_ends(declared.ranges, format, operand_formats, notes);
+  MIXCMP_TRY(operand_formats, settle_operands(settings, format, graph, declared, data, notes));
   MIXCMP_TRY(lanes, read_lanes(settings, graph, format, declared.ranges, operand_formats));
   MIXCMP_TRY(references, read_reference_groups(settings, reference.structure));
   MIXCMP_TRY(system, read_system(settings));

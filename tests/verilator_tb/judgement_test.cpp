@@ -162,22 +162,64 @@ TEST(Report, SaysWhatWasNotCheckedAndWhy) {
   EXPECT_EQ(json["reference_alone_wrong"], 4);
 }
 
+/// Every member has a value that is not its default and that no other member has.
 TEST(Report, IsReadBackFromItsJson) {
-  verilator_tb::VerifyReport report = usual_report();
-  report.system = "spheres";
-  report.lanes = 2;
-  report.lanes_per_group = 2;
-  report.cycles = 40;
-  report.latencies.decided = {.count = 90, .minimum_cycles = 3, .maximum_cycles = 9};
-  report.groups.front().latencies = report.latencies;
-  report.groups.front().wrong_by_lane = 1;
-  report.inputs.emplace_back().input = "x";
-  report.inputs.back().column.name = "width";
-  report.counters = {{"comparisons", 48, 47}};
-  report.mismatch_count = report.violation_count = 1;
-  report.mismatches = {{.index = 7, .operands = {{"x", "3f", "1.5"}}, .repeat = "again"}};
-  report.violations = {{.fault = "hung", .lane = 1, .details = "why"}};
-  report.truth = verilator_tb::TruthCount{.checked = 99, .undefined = 1};
+  const verilator_tb::Latencies latencies = {
+      .decided = {.count = 90, .minimum_cycles = 3, .maximum_cycles = 9, .total_cycles = 401},
+      .recomputed = {.count = 10, .minimum_cycles = 21, .maximum_cycles = 29, .total_cycles = 251},
+      .undecided = {.count = 5, .minimum_cycles = 4, .maximum_cycles = 8, .total_cycles = 31}};
+  const verilator_tb::VerifyReport report = {
+      .system = "spheres",
+      .simulator = verilator_tb::icarus_name,
+      .lanes = 2,
+      .lanes_per_group = 12,
+      .references = 6,
+      .certified = true,
+      .inputs = {{.input = "x", .column = {.number = 13, .name = "width"}, .source = "a.csv"}},
+      .groups = {{.name = "s8e8",
+                  .lanes = 7,
+                  .certified = true,
+                  .comparisons = 101,
+                  .recomputations = 14,
+                  .undecided = 15,
+                  .mismatches = 16,
+                  .wrong_by_lane = 17,
+                  .latencies = latencies}},
+      .requested = 105,
+      .comparisons = 100,
+      .verdicts = {61, 11, 32, 18},
+      .recomputations = 10,
+      .undecided = 5,
+      .resets = 19,
+      .cycles = 40,
+      .latencies = latencies,
+      .counters = {{"comparisons", 48, 47}},
+      .judged_by_emulator = 55,
+      .emulator_errors = 56,
+      .mismatch_count = 57,
+      .mismatches = {{.index = 71,
+                      .items = "72, 73",
+                      .operands = {{"x", "3f", "1.5"}},
+                      .expected = "less",
+                      .got = "greater",
+                      .lane = 74,
+                      .cycle = 75,
+                      .simulation = 76,
+                      .repeat = "again"}},
+      .violation_count = 58,
+      .violations =
+          {{.fault = "hung", .lane = 81, .cycle = 82, .details = "why", .simulation = 83}},
+      .truth = verilator_tb::TruthCount{.checked = 91,
+                                        .wrong_by_lane = 92,
+                                        .wrong_by_reference = 93,
+                                        .reference_alone_checked = 94,
+                                        .reference_alone_wrong = 95,
+                                        .undefined = 96,
+                                        .undetermined = 97,
+                                        .undecided = 98,
+                                        .decided_by_lane = 99},
+      .build_seconds = 1.5,
+      .run_seconds = 2.5};
   const auto json = to_json(report);
   EXPECT_EQ(to_json(verilator_tb::report_in(json)).dump(2), json.dump(2));
   EXPECT_EQ(to_text(verilator_tb::report_in(json)), to_text(report));

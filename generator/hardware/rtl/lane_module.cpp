@@ -256,7 +256,7 @@ std::vector<InputPort> operand_ports(const std::vector<std::string>& inputs,
   return ports;
 }
 
-/// The same ports, with the conversions of operands that arrive in other formats than the lane
+/// Adds conversions to the ports whose operands arrive in formats other than those that the lane
 /// reads.
 std::vector<InputPort> widened(std::vector<InputPort> ports, const design::Lane& lane,
                                const datapath::Schedule& schedule) {

@@ -92,9 +92,9 @@ std::string to_text(const Lines& lines, int text_column);
 /// A column of a type of rows, and its cell. `value`: a member of the row, or a function of it.
 ///   const Fields<Plan> fields = {{{"lanes", "p_L", 5}, &Plan::lanes}};
 ///   to_text(table_of(fields, plans));
-/// Where there is one thing and no table, a field is a field of a JSON object, and a line if it has
-/// a title. Its text may be given: as a form with names of fields, "{lanes} of {all_lanes}", or as
-/// a function, which may give several lines; no line if it gives an empty text.
+/// A single thing has no table: each field is then one of a JSON object, and a line if it has a
+/// title. The line's text may be given, as a form with names of fields ("{lanes} of {all_lanes}") or
+/// as a function; a function may give several lines, or an empty text for none.
 template <class Source>
 struct Field {
   Column column;
@@ -234,7 +234,7 @@ void read_object(const Fields<Source>& fields, const Json& object, Source& sourc
   }
 }
 
-/// The same of a thing that may be missing: null, and no lines.
+/// The JSON of a thing that may be missing; then it is null.
 template <class Source>
 Json object_of(const Fields<Source>& fields, const std::optional<Source>& source) {
   return source ? object_of(fields, *source) : Json();
@@ -248,7 +248,7 @@ void read_object(const Fields<Source>& fields, const Json& object, std::optional
   read_object(fields, object, source.emplace());
 }
 
-/// The same of several things: an array, and the lines of all.
+/// The JSON of several things: an array of their objects.
 template <class Source>
 Json object_of(const Fields<Source>& fields, const std::vector<Source>& sources) {
   Json array = Json::array();

@@ -80,7 +80,7 @@ public:
 
   /// Declares that all values of an input, an index of inputs(), are numbers of `format`.
   void arrives_in(int input, FloatFormat format) { arriving_.insert_or_assign(input, format); }
-  /// The same comparison of inputs that have any values.
+  /// This comparison without the declarations of arrives_in.
   Graph with_any_operands() const;
   /// The format declared by arrives_in; none: the input has every format's numbers.
   std::optional<FloatFormat> arriving_format(int input) const;

@@ -8,6 +8,7 @@
 #include "model/base/common/check.hpp"
 #include "model/base/number/dyadic.hpp"
 #include "model/base/number/exact.hpp"
+#include "model/base/number/operand_format.hpp"
 
 namespace mixcmp::inline expression {
 namespace {
@@ -190,17 +191,13 @@ FloatFormat entering_format(FloatFormat reference, FloatFormat lane, LaneInputs 
   return FloatFormat::make(digits, lane.exponent_bits()).value();
 }
 
-bool is_held(FloatFormat format, FloatFormat by) {
-  return format.precision() <= by.precision() && format.exponent_bits() <= by.exponent_bits();
-}
-
 /// One per input. Empty if all arrive in the reference's format. A format that the reference's does
 /// not hold says nothing: the graph is then one of a program that rounds its operands first.
 std::vector<FloatFormat> arriving_formats(const Graph& graph, FloatFormat reference) {
   std::vector<FloatFormat> formats;
   for (int input = 0; input < static_cast<int>(graph.inputs().size()); ++input) {
     const FloatFormat format = graph.arriving_format(input).value_or(reference);
-    formats.push_back(is_held(format, reference) ? format : reference);
+    formats.push_back(OperandFormat(format).is_held_by(reference) ? format : reference);
   }
   const bool any = std::any_of(formats.begin(), formats.end(),
                                [&](FloatFormat format) { return !(format == reference); });
@@ -224,7 +221,7 @@ std::vector<bool> fitting_nodes(const Graph& graph, const TypedGraph& typed) {
     for (int k = 0; k < arity(node.operation); ++k) value = value && fits[node.operands[k]];
     if (node.operation == Operation::constant) value = is_normal_number(lane, node.value);
     if (node.operation == Operation::input) {
-      value = !typed.arriving.empty() && is_held(typed.arriving[node.input], lane);
+      value = !typed.arriving.empty() && OperandFormat(typed.arriving[node.input]).is_held_by(lane);
     }
     fits.push_back(value);
   }

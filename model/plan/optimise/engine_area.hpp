@@ -19,7 +19,7 @@ struct EngineArea {
   std::optional<double> mhz;  ///< the lowest clock of these parts; none if none was measured
 };
 
-/// What an engine's area depends on beside its lanes.
+/// The facts about a system, other than its lanes, on which its engine's area depends.
 struct EngineUse {
   scene::EngineKind kind = scene::EngineKind::none;
   bool recomputes = true;               ///< there are references

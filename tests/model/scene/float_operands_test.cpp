@@ -70,6 +70,19 @@ TEST_F(FloatOperandsTest, MistakesNameTheKey) {
       << wide;
   EXPECT_TRUE(wide.ends_with("received s24e8; accepted a format with more digits or exponent bits"))
       << wide;
+  EXPECT_EQ(error(products, {"inputs.b.range=[70000, 80000]"}),
+            "--set: inputs.b.range: s3e5 has no number in the range: received [70000, 80000]; "
+            "accepted [low, high], low <= high, or \"data\"");
+  for (const char* none : {"[-1.2, -1.1]", "[1.1, 1.2]", "[1e-6, 2e-6]", "[-9e9, -8e9]"}) {
+    const std::string told = error(products, {std::string("inputs.b.range=") + none});
+    EXPECT_NE(told.find("has no number in the range"), std::string::npos) << told;
+  }
+  for (const char* some : {"[1.1, 1.25]", "[-1.25, -1.1]", "[1e-6, 16e-6]", "[57344, 9e9]"}) {
+    EXPECT_TRUE(load(products, {std::string("inputs.b.range=") + some}).ok()) << some;
+  }
+  EXPECT_EQ(error(products, {"inputs.b*={ format = \"E5M2\" }"}),
+            "--set: inputs.b*: every input that it matches has a key of its own: received \"b*\"; "
+            "accepted a pattern that decides for some input, or the inputs' own keys");
   EXPECT_EQ(error(products, {"inputs.a.grid=1"}),
             "--set: inputs.a.grid: a grid without a range: received 1; accepted a range beside it");
   EXPECT_EQ(error(products, {"reference.format=exact"}),
