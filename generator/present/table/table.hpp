@@ -93,8 +93,8 @@ std::string to_text(const Lines& lines, int text_column);
 ///   const Fields<Plan> fields = {{{"lanes", "p_L", 5}, &Plan::lanes}};
 ///   to_text(table_of(fields, plans));
 /// A single thing has no table: each field is then one of a JSON object, and a line if it has a
-/// title. The line's text may be given, as a form with names of fields ("{lanes} of {all_lanes}") or
-/// as a function; a function may give several lines, or an empty text for none.
+/// title. The line's text may be given, as a form with names of fields ("{lanes} of {all_lanes}")
+/// or as a function; a function may give several lines, or an empty text for none.
 template <class Source>
 struct Field {
   Column column;
