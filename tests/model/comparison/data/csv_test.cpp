@@ -68,7 +68,7 @@ TEST_F(CsvTest, CountsWholeNumbersThatItRounds) {
   ASSERT_TRUE(table.ok());
   EXPECT_EQ(table->lost.count, 2U);
   EXPECT_EQ(table->lost.first, "9007199254740993 in data, line 2, x, read in s53e11");
-  const auto coarse = data::read_csv(write("x,y\n2047,2049.000\n4100.0,4099\n"), binary16_, xy);
+  const auto coarse = data::read_csv(write("x,y\n-2048,2049.000\n4100.0,4099\n"), binary16_, xy);
   ASSERT_TRUE(coarse.ok());
   EXPECT_EQ(coarse->lost.count, 2U);
   EXPECT_EQ(coarse->lost.first, "2049.000 in data, line 2, y, read in s11e5");
