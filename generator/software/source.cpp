@@ -238,6 +238,7 @@ std::string filter_type(BoundKind kind) {
     case BoundKind::running: return "RunningFilter";
     case BoundKind::constant: return "ConstantFilter";
     case BoundKind::norm:
+    case BoundKind::grid:
     case BoundKind::profiled: break;
   }
   MIXCMP_CHECK(false);

@@ -14,6 +14,7 @@
 #include "model/design/slots.hpp"
 #include "model/plan/optimise/exact_lanes.hpp"
 #include "model/plan/optimise/second_tier.hpp"
+#include "model/scene/lane_bound.hpp"
 
 namespace mixcmp::tasks {
 
@@ -43,7 +44,7 @@ Kind kind_of_lane(const measured::Lane& lane) {
 std::vector<Bound> bounds_for(const optimise::OptimiseOptions& choice, const scene::Scene& scene) {
   std::vector<Bound> bounds = choice.bounds;
   if (bounds.empty()) {
-    for (const Bound& bound : counted_bounds()) bounds.push_back(bound);
+    bounds = scene::counted_bounds_of(scene);
     bounds.push_back({.kind = BoundKind::profiled});
   }
   std::erase_if(

@@ -175,7 +175,7 @@ Result<Done> check_fixed_bound(const scene::ReducedSpec& reduced) {
   return Error{.field = "reduced.error_bound",
                .message = "not a bound of lanes in fixed point",
                .received = "relative",
-               .accepted = "auto, constant, norm, running"};
+               .accepted = "auto, constant, norm, running, grid"};
 }
 
 bool can_decide(const fixed::FixedLane&, const fixed::ConstantThresholds& thresholds,
@@ -228,6 +228,7 @@ Result<fixed::FixedLane> design_fixed_lane(const scene::Scene& scene,
   const fixed::FixedOptions options{.format = *reduced.fixed_point,
                                     .bound = reduced.error_bound,
                                     .ranges = scene.ranges,
+                                    .grids = scene.grids,
                                     .operand_formats = scene.operand_formats};
   MIXCMP_TRY(lane, fixed::fixed_lane(scene.graph, scene.reference.format, options));
   if (can_decide(lane)) return lane;
@@ -337,7 +338,8 @@ std::string planned_clock(const scene::Scene& scene) {
 /// round either.
 Result<fixed::FixedLane> design_exact_reference(const scene::Scene& scene) {
   const bool is_chain = scene.system.engine.kind == scene::EngineKind::arg_min;
-  const auto bits = fixed::exact_bits(scene.graph, scene.operand_formats, std::nullopt,
+  const auto bits = fixed::exact_bits(scene.graph, scene.reference.format,
+                                      {.ranges = {}, .operand_formats = scene.operand_formats},
                                       settings::limits::fixed_bits.most);
   if (!bits.ok()) {
     Error error = bits.error();

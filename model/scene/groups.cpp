@@ -36,6 +36,13 @@ bool Scene::has_fixed_operands() const {
                      [](const OperandFormat& format) { return format.fixed() != nullptr; });
 }
 
+bool Scene::has_promised_grids() const {
+  for (std::size_t k = 0; k < grids.size(); ++k) {
+    if (grids[k] && operand_formats[k].fixed() == nullptr) return true;
+  }
+  return false;
+}
+
 std::vector<bool> Scene::nonnegative_inputs() const {
   std::vector<bool> nonnegative;
   for (const std::optional<Range>& range : ranges) {

@@ -24,10 +24,17 @@ std::optional<Bound> bound_of(const error::Lane& lane) {
 
 Bound bound_of(const fixed::FixedLane& lane) {
   return {.system = lane.format.is_block ? NumberSystem::block : NumberSystem::fixed,
-          .kind = has_norm(lane)      ? BoundKind::norm
-                  : has_running(lane) ? BoundKind::running
-                                      : BoundKind::constant,
+          .kind = fixed::relies_on_grids(lane) ? BoundKind::grid
+                  : has_norm(lane)             ? BoundKind::norm
+                  : has_running(lane)          ? BoundKind::running
+                                               : BoundKind::constant,
           .digits = lane.format.guard_digits};
+}
+
+std::vector<Bound> counted_bounds_of(const Scene& scene) {
+  std::vector<Bound> bounds(counted_bounds().begin(), counted_bounds().end());
+  if (scene.has_promised_grids()) bounds.push_back(grid_bound);
+  return bounds;
 }
 
 ReducedSpec with_bound(const ReducedSpec& reduced, const Bound& bound) {

@@ -119,7 +119,8 @@ void read_keys_but_format(settings::Section& section, FloatFormat reference, Red
                   {"relative", BoundKind::relative},
                   {"running", BoundKind::running},
                   {"constant", BoundKind::constant},
-                  {"norm", BoundKind::norm}});
+                  {"norm", BoundKind::norm},
+                  {"grid", BoundKind::grid}});
   section.integer("bound_digits", spec.bound_digits, settings::limits::bound_digits);
   read_lane_inputs(section, reference, spec);
   section.choice("rounding", spec.rounding, {Rounding::nearest_even, Rounding::toward_zero});

@@ -206,13 +206,19 @@ void choose_exponent_bits(ReducedSpec& reduced, const Graph& graph, FloatFormat 
   reduced.format = FloatFormat::make(reduced.format->precision(), bits).value();
 }
 
-/// Chooses the bits of a format written as "exact", or explains why there is no exact lane. The
+/// Chooses the bits of a format written as "exact", and its bound where operands arrive in floating
+/// point, or explains why there is no exact lane. The
 /// error's field is reduced.format.
-Result<Done> choose_exact_bits(ReducedSpec& reduced, const Graph& graph,
-                               const std::vector<OperandFormat>& formats) {
+Result<Done> choose_exact_bits(ReducedSpec& reduced, const Graph& graph, FloatFormat reference,
+                               fixed::FixedOptions operands) {
   if (!reduced.is_exact) return Done{};
+  const bool all_fixed =
+      std::all_of(operands.operand_formats.begin(), operands.operand_formats.end(),
+                  [](const OperandFormat& format) { return format.fixed() != nullptr; });
+  if (!all_fixed) reduced.error_bound = reduced.error_bound.value_or(BoundKind::grid);
+  operands.bound = reduced.error_bound;
   const auto bits =
-      fixed::exact_bits(graph, formats, reduced.error_bound, settings::limits::fixed_bits.most);
+      fixed::exact_bits(graph, reference, std::move(operands), settings::limits::fixed_bits.most);
   if (bits.ok()) {
     reduced.fixed_point = FixedPoint{.bits = *bits};
     return Done{};
@@ -245,20 +251,19 @@ struct LaneSpecs {
 
 /// Reads [reduced] and [[lanes]], and chooses their exponent bits and the bits of exact lanes.
 Result<LaneSpecs> read_lanes(const settings::Settings& settings, const Graph& graph,
-                             FloatFormat reference, const std::vector<std::optional<Range>>& ranges,
-                             const std::vector<OperandFormat>& formats) {
+                             FloatFormat reference, const fixed::FixedOptions& operands) {
   MIXCMP_TRY(reduced, read_reduced(settings, reference));
   MIXCMP_TRY(groups, read_lane_groups(settings, reference, reduced));
   for (LaneGroupSpec& group : groups) {
-    choose_exponent_bits(group.reduced, graph, reference, ranges);
-    const auto chosen = choose_exact_bits(group.reduced, graph, formats);
+    choose_exponent_bits(group.reduced, graph, reference, operands.ranges);
+    const auto chosen = choose_exact_bits(group.reduced, graph, reference, operands);
     if (!chosen.ok()) return in_list(chosen.error(), group.place);
   }
   if (groups.empty()) {
-    const auto chosen = choose_exact_bits(reduced, graph, formats);
+    const auto chosen = choose_exact_bits(reduced, graph, reference, operands);
     if (!chosen.ok()) return at_format(settings, chosen.error());
   }
-  choose_exponent_bits(reduced, graph, reference, ranges);
+  choose_exponent_bits(reduced, graph, reference, operands.ranges);
   return LaneSpecs{std::move(reduced), std::move(groups)};
 }
 
@@ -411,6 +416,7 @@ bool is_exact_lane(const Scene& scene, const ReducedSpec& reduced) {
                                       {.format = *reduced.fixed_point,
                                        .bound = reduced.error_bound,
                                        .ranges = scene.ranges,
+                                       .grids = scene.grids,
                                        .operand_formats = scene.operand_formats});
   return lane.ok() && fixed::is_exact(*lane);
 }
@@ -440,9 +446,11 @@ void choose_references(Scene& scene) {
   if (!scene.references.empty() || scene.system.references) return;
   const std::optional<bool> are_exact = has_exact_lanes(scene);
   if (!are_exact) return;
-  const bool can_have_some = fixed::exact_bits(scene.graph, scene.operand_formats, std::nullopt,
-                                               settings::limits::fixed_bits.most)
-                                 .ok();
+  const bool can_have_some =
+      fixed::exact_bits(scene.graph, scene.reference.format,
+                        {.ranges = {}, .operand_formats = scene.operand_formats},
+                        settings::limits::fixed_bits.most)
+          .ok();
   const bool needs_some = scene.system.engine.kind == EngineKind::arg_min;
   scene.system.references = !*are_exact && (can_have_some || needs_some) ? 1 : 0;
 }
@@ -501,7 +509,10 @@ Result<Scene> interpret(SceneSettings read) {
   MIXCMP_DO(check_sums(settings, graph, reference.arithmetic.sums));
   MIXCMP_TRY(data, read_data(settings));
   MIXCMP_TRY(operand_formats, settle_operands(settings, format, graph, declared, data, notes));
-  MIXCMP_TRY(lanes, read_lanes(settings, graph, format, declared.ranges, operand_formats));
+  MIXCMP_TRY(lanes, read_lanes(settings, graph, format,
+                               {.ranges = declared.ranges,
+                                .grids = declared.grids,
+                                .operand_formats = operand_formats}));
   MIXCMP_TRY(references, read_reference_groups(settings, reference.structure));
   MIXCMP_TRY(system, read_system(settings));
   if (data) {

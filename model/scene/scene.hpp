@@ -199,6 +199,8 @@ struct Scene {
   std::string g_text() const;
 
   bool has_fixed_operands() const;  ///< whether any input arrives in fixed point
+  /// Whether any input in floating point is declared to hold only multiples of a grid.
+  bool has_promised_grids() const;
 
   /// Tells for each input whether its declared range excludes negative values.
   std::vector<bool> nonnegative_inputs() const;

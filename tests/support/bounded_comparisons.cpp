@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "model/lane/fixed/scale_degree.hpp"
 #include "tests/support/graphs.hpp"
 
@@ -174,6 +176,25 @@ std::vector<NamedFixedLane> guarded_lanes(const BoundedComparison& comparison, F
     if (lane.ok()) formats.push_back(lane_format);
   }
   return lanes_of(comparison, format, formats);
+}
+
+std::vector<NamedFixedLane> grid_lanes(const BoundedComparison& comparison, FloatFormat format,
+                                       const std::vector<int>& widths) {
+  std::vector<NamedFixedLane> lanes;
+  const Graph graph = comparison.graph();
+  for (const mpq_class& grid : {mpq_class(1), mpq_class(1, 4)}) {
+    const std::vector<std::optional<mpq_class>> grids(graph.inputs().size(), grid);
+    for (const int bits : widths) {
+      const auto lane = fixed::fixed_lane(graph, format,
+                                          {.format = {bits},
+                                           .bound = BoundKind::grid,
+                                           .ranges = comparison.ranges(),
+                                           .grids = grids});
+      if (!lane.ok()) continue;  // something is rounded
+      lanes.push_back({fmt::format("q{}, multiples of {}", bits, grid.get_str()), *lane});
+    }
+  }
+  return lanes;
 }
 
 }  // namespace mixcmp::test

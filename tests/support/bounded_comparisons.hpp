@@ -45,4 +45,8 @@ std::vector<NamedFixedLane> block_lanes(const BoundedComparison& comparison, Flo
 std::vector<NamedFixedLane> guarded_lanes(const BoundedComparison& comparison, FloatFormat format,
                                           const std::vector<FixedPoint>& lane_formats);
 
+/// The lanes that rely on grids of 1 or of 1/4; none where something is rounded.
+std::vector<NamedFixedLane> grid_lanes(const BoundedComparison& comparison, FloatFormat format,
+                                       const std::vector<int>& widths);
+
 }  // namespace mixcmp::test

@@ -247,13 +247,10 @@ TEST(ArgMinSystemOf, ExactLanesWithoutReferences) {
   const Graph graph = squared_distances();
   const std::vector<OperandFormat> formats(6, OperandFormat::parse("uint3").value());
   design::Design design = nearest_point(4, 1);
-  design.lanes.front().lane =
-      fixed::fixed_lane(graph, format("s24e8"),
-                        {.format = {.bits = *fixed::exact_bits(graph, formats, {}, 48)},
-                         .bound = {},
-                         .ranges = std::vector<std::optional<Range>>(6),
-                         .operand_formats = formats})
-          .value();
+  fixed::FixedOptions options{.ranges = std::vector<std::optional<Range>>(6),
+                              .operand_formats = formats};
+  options.format = {.bits = *fixed::exact_bits(graph, format("s24e8"), options, 48)};
+  design.lanes.front().lane = fixed::fixed_lane(graph, format("s24e8"), options).value();
   design.references = {};
   design.system.references = 0;
   design.operand_formats = formats;

@@ -45,7 +45,9 @@ design::Design design_of(const Graph& graph, const std::vector<OperandFormat>& f
                               .operand_formats = formats})
         .value();
   };
-  const fixed::FixedLane exact = lane(fixed::exact_bits(graph, formats, std::nullopt, 48).value());
+  const fixed::FixedLane exact = lane(
+      fixed::exact_bits(graph, reference.format, {.ranges = {}, .operand_formats = formats}, 48)
+          .value());
   design::Design design{.name = "fixed_operands",
                         .inputs = graph.inputs(),
                         .lanes = {{.lane = exact}, {.lane = lane(2)}},

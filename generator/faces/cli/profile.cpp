@@ -76,8 +76,9 @@ void add_options(const Verb& verb, ProfileCommand& command) {
           },
           "rates of only the lanes with these bounds: relative, running_4, running_1, constant, "
           "profiled, fixed_norm, fixed_constant, fixed_running, block_norm, block_constant, "
-          "block_running; fixed_norm_g3 has three guard digits (default: those without guard "
-          "digits, except the two running ones in fixed point, those of the scene's own lanes, and "
+          "block_running, fixed_grid; fixed_norm_g3 has three guard digits (default: those without "
+          "guard digits, except the two running ones in fixed point, those of the scene's own "
+          "lanes, and "
           "lanes without a bound)")
       .separated_by(',');
   verb.flag("--both-inputs", command.both_inputs,

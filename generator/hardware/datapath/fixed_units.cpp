@@ -24,11 +24,16 @@ int signed_bits(const FixedFormat& format) {
 
 /// The unit that converts an operand: aligned to its range or, in block floating point, to the
 /// largest operand.
-Unit operand_unit(const FixedLane& lane, const FixedFormat& to, const DelayTable& delays) {
+Unit operand_unit(const FixedLane& lane, const FixedNode& input, const DelayTable& delays) {
   const FloatFormat from = lane.input_format;
+  const FixedFormat& to = input.format;
   StageList stages(delays);
   stages.add("distance", stages.carry(from.exponent_bits()) + stages.lut_delay_ns(1));
   stages.add("shift", stages.lut_delay_ns(1 + shift_levels(bits_for(to.width - 1))));
+  if (input.on_grid) {
+    stages.add("negate", to.is_signed ? stages.carry(to.width) : 0);
+    return std::move(stages).unit("fixed_grid_operand");
+  }
   return std::move(stages).unit(lane.format.is_block ? "fixed_alignment" : "fixed_operand");
 }
 
@@ -134,7 +139,7 @@ Unit fixed_unit(const FixedLane& lane, const FixedNode& node, scene::Multipliers
   const bool of_logic = multipliers != scene::Multipliers::embedded;
   const auto bits = [&](int operand) { return operand_bits(lane.nodes, node, operand); };
   switch (node.operation) {
-    case Operation::input: return operand_unit(lane, node.format, delays);
+    case Operation::input: return operand_unit(lane, node, delays);
     case Operation::negate: return chain_unit("fixed_sum", "add", bits(0) + 1, delays);
     case Operation::add:
     case Operation::subtract:

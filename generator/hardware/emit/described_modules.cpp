@@ -44,14 +44,14 @@ std::string what_is_ordered(const Design& design) {
 }
 
 std::string arithmetic_fact(const design::Lane& lane) {
-  return std::visit(Cases{[](const error::Lane& l) { return arithmetic_fact(l.graph.arithmetic); },
-                          [&](const fixed::FixedLane& made) {
-                            return fmt::format("Format: {}, fixed point; {}.",
-                                               design::format_name(lane),
-                                               fixed::is_exact(made) ? "nothing is rounded"
-                                                                     : "operands are rounded down");
-                          }},
-                    lane);
+  return std::visit(
+      Cases{[](const error::Lane& l) { return arithmetic_fact(l.graph.arithmetic); },
+            [&](const fixed::FixedLane& made) {
+              return fmt::format(
+                  "Format: {}, fixed point; {}.", design::format_name(lane),
+                  fixed::rounds_nothing(made) ? "nothing is rounded" : "operands are rounded down");
+            }},
+      lane);
 }
 
 std::vector<std::string> decision_facts(const design::Lane& lane) {
@@ -59,9 +59,12 @@ std::vector<std::string> decision_facts(const design::Lane& lane) {
   if (!design::is_certified(lane)) return {decision};
   const auto* fixed = std::get_if<fixed::FixedLane>(&lane);
   if (fixed != nullptr && fixed::is_exact(*fixed)) return {decision};
-  return {decision, fixed != nullptr
-                        ? "Operands out of range, infinities and NaNs are left undecided."
-                        : "Infinities, NaNs, overflow and underflow are left undecided."};
+  if (fixed == nullptr) {
+    return {decision, "Infinities, NaNs, overflow and underflow are left undecided."};
+  }
+  const char* const off_grid = fixed::relies_on_grids(*fixed) ? "off their grid, " : "";
+  return {decision, fmt::format("Operands out of range, {}infinities and NaNs are left undecided.",
+                                off_grid)};
 }
 
 /// The facts about the cycles in which a datapath starts and ends.

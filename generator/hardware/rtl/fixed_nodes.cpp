@@ -453,6 +453,12 @@ void FixedNodes::describe(NodeId id, const std::string& more) {
   }
   const bool is_input = node.operation == Operation::input;
   const bool is_cut = fixed::is_common_cut(node);
+  if (node.on_grid) {
+    return datapath_.describe(
+        schedule_.steps[id],
+        fmt::format("{} exactly, in {}; the scene promises multiples of {}.",
+                    datapath_.port(node.input), format, to_text(node.format.unit())));
+  }
   const bool rounds =
       is_input || is_cut || node.dropped_bits > 0 || node.operation == Operation::square_root;
   const std::string scaled = lane_.format.is_block ? " / 2^(1 + the largest exponent)" : "";

@@ -32,6 +32,7 @@ std::string_view to_string(BoundKind kind) {
     case BoundKind::running: return "running";
     case BoundKind::constant: return "constant";
     case BoundKind::norm: return "norm";
+    case BoundKind::grid: return "grid";
     case BoundKind::profiled: return "profiled";
   }
   MIXCMP_CHECK(false);
@@ -67,6 +68,7 @@ std::vector<Bound> bounds_of(const FixedPoint& format) {
   const NumberSystem system = format.is_block ? NumberSystem::block : NumberSystem::fixed;
   std::vector<Bound> bounds;
   for (const BoundKind kind : fixed_kinds) bounds.push_back({system, kind, format.guard_digits});
+  if (!format.is_block && format.guard_digits == 0) bounds.push_back(grid_bound);
   return bounds;
 }
 

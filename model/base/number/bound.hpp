@@ -23,14 +23,15 @@ enum class BoundKind {
   running,   ///< by an absolute bound that follows magnitudes, computed beside the values
   constant,  ///< by an absolute bound that follows from the inputs' ranges
   norm,      ///< by the norm of the errors (docs/fixed_point.md, theorem 4)
+  grid,      ///< by 0: operands are multiples of a grid, which is checked, and nothing is rounded
   profiled,  ///< by relative errors that were measured on data: the only kind without a proof
 };
 std::string_view to_string(BoundKind kind);
 
 /// A way to bound the errors of a lane, whatever its precision. In profiles, tables and options it
 /// is named "relative", "running_4" (digits), "constant" or "profiled". Fixed-point lanes have
-/// "fixed_constant", "fixed_norm" or "fixed_running". In block floating point the names are
-/// "block_constant" and so on. With guard digits they are like "fixed_norm_g3".
+/// "fixed_constant", "fixed_norm", "fixed_running" or "fixed_grid". In block floating point the
+/// names are "block_constant" and so on. With guard digits they are like "fixed_norm_g3".
 struct Bound {
   NumberSystem system = NumberSystem::floating;
   BoundKind kind = BoundKind::relative;
@@ -51,6 +52,9 @@ struct Bound {
   friend bool operator==(const Bound&, const Bound&) = default;
 };
 
+/// The bound of lanes that rely on promised grids.
+inline constexpr Bound grid_bound = {.system = NumberSystem::fixed, .kind = BoundKind::grid};
+
 std::string to_string(const Bound& bound);
 /// Returns an empty string if there is no bound.
 std::string to_string(const std::optional<Bound>& bound);
@@ -58,7 +62,7 @@ std::string to_string(const std::optional<Bound>& bound);
 /// The bounds of lanes in this format, norms first.
 std::vector<Bound> bounds_of(const FixedPoint& format);
 
-/// The bounds that a profile counts.
+/// The bounds that a profile counts of every scene.
 std::span<const Bound> counted_bounds();
 
 }  // namespace mixcmp::inline number

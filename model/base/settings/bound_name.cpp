@@ -47,7 +47,7 @@ std::string bound_names() {
   return fmt::format(
       "relative, running_{} to running_{}, constant, profiled, fixed_norm, fixed_constant, "
       "fixed_running, block_norm, block_constant, block_running, each of the last six also with G "
-      "guard digits as fixed_norm_gG",
+      "guard digits as fixed_norm_gG; fixed_grid",
       digits.least, digits.most);
 }
 

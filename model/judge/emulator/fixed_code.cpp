@@ -254,13 +254,16 @@ private:
               .b = from,
               .unit = power(format.unit_exponent)};
     }
-    return {
-        .kernel = format.is_signed ? FixedKernel::convert_signed : FixedKernel::convert_unsigned,
-        .result = id,
-        .a = from,
-        .b = from,
-        .unit = power(format.unit_exponent),
-        .beyond = power(format.unit_exponent + format.magnitude_bits())};
+    const FixedKernel truncating =
+        format.is_signed ? FixedKernel::convert_signed : FixedKernel::convert_unsigned;
+    const FixedKernel exact =
+        format.is_signed ? FixedKernel::take_signed : FixedKernel::take_unsigned;
+    return {.kernel = node(id).on_grid ? exact : truncating,
+            .result = id,
+            .a = from,
+            .b = from,
+            .unit = power(format.unit_exponent),
+            .beyond = power(format.unit_exponent + format.magnitude_bits())};
   }
 
   void add_node(NodeId id) {

@@ -194,7 +194,7 @@ HWY_INLINE Vec or_no_number(Vec a, Vec b, Vec chosen) {
 /// the result is -k - 1. Rounding down gives the same if the magnitude is first raised to the next
 /// double: an integer k is then above k, and any other magnitude is at most k + 1. The result may
 /// have the operand's column.
-template <bool is_signed>
+template <bool is_signed, bool on_grid>
 HWY_INLINE void execute_conversion(const FixedInstruction& instruction, const Block& block) {
   const Vec unit = hn::Set(Tag(), instruction.unit);
   const Vec per_unit = hn::Set(Tag(), 1 / instruction.unit);
@@ -208,8 +208,10 @@ HWY_INLINE void execute_conversion(const FixedInstruction& instruction, const Bl
     // larger.
     auto taken = hn::RebindMask(Tag(), hn::Lt(hn::BitCast(words, x), hn::BitCast(words, limit)));
     Vec units = hn::Mul(x, per_unit);
-    if constexpr (is_signed) {
-      taken = hn::Lt(hn::Abs(x), limit);
+    if constexpr (is_signed) taken = hn::Lt(hn::Abs(x), limit);
+    if constexpr (on_grid) {
+      taken = hn::And(taken, hn::Eq(hn::Floor(units), units));
+    } else if constexpr (is_signed) {
       const IntVec bits = hn::BitCast(Int(), units);
       units = hn::BitCast(Tag(), hn::Sub(bits, hn::BroadcastSignBit(bits)));
     }
@@ -222,8 +224,10 @@ void execute_one(const FixedInstruction& instruction, const Block& block) {
   const auto each = [&](auto function) HWY_ATTR { loop(instruction, block, function); };
   switch (instruction.kernel) {
     case FixedKernel::common_power: return execute_common_power(instruction, block);
-    case FixedKernel::convert_signed: return execute_conversion<true>(instruction, block);
-    case FixedKernel::convert_unsigned: return execute_conversion<false>(instruction, block);
+    case FixedKernel::convert_signed: return execute_conversion<true, false>(instruction, block);
+    case FixedKernel::convert_unsigned: return execute_conversion<false, false>(instruction, block);
+    case FixedKernel::take_signed: return execute_conversion<true, true>(instruction, block);
+    case FixedKernel::take_unsigned: return execute_conversion<false, true>(instruction, block);
     case FixedKernel::sum: return execute_sum(instruction, block);
     case FixedKernel::common_cut: return execute_common_cut(instruction, block);
     case FixedKernel::running_threshold: return execute_running_threshold(instruction, block);

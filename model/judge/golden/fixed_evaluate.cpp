@@ -41,14 +41,18 @@ std::optional<int> block_exponent(const FixedLane& lane, std::span<const Bits> i
 }
 
 /// An operand as an integer: its magnitude is truncated, and all bits are inverted if its sign bit
-/// is set. None if the format does not hold the magnitude or the sign.
-Integer converted(FloatFormat from, Bits bits, const FixedFormat& to) {
+/// is set. On a grid it is exact. None if the format does not hold the magnitude or the sign, or if
+/// an operand on a grid is no multiple of the unit.
+Integer converted(FloatFormat from, Bits bits, const FixedFormat& to, bool on_grid) {
   if (from.is_nan(bits) || from.is_infinite(bits)) return std::nullopt;
   if (from.sign(bits) && !to.is_signed) return std::nullopt;
   const mpq_class value = to_rational(from, from.magnitude(bits));
-  mpz_class magnitude = shifted(value.get_num(), std::max(0, -to.unit_exponent));
-  magnitude /= shifted(value.get_den(), std::max(0, to.unit_exponent));
+  const mpz_class scaled = shifted(value.get_num(), std::max(0, -to.unit_exponent));
+  const mpz_class per_unit = value.get_den() * shifted(1, std::max(0, to.unit_exponent));
+  const mpz_class magnitude = scaled / per_unit;
   if (magnitude >= shifted(1, to.magnitude_bits())) return std::nullopt;
+  if (on_grid && magnitude * per_unit != scaled) return std::nullopt;
+  if (on_grid) return from.sign(bits) ? mpz_class(-magnitude) : magnitude;
   return from.sign(bits) ? mpz_class(-magnitude - 1) : magnitude;
 }
 
@@ -214,7 +218,7 @@ std::vector<Integer> evaluate(const FixedLane& lane, std::span<const Bits> input
       values.emplace_back(cut(lane.input_format, inputs[node.input], node.format));
     } else if (node.operation == Operation::input) {
       const FixedFormat format = scaled(node.format, *scale);
-      values.push_back(converted(lane.input_format, inputs[node.input], format));
+      values.push_back(converted(lane.input_format, inputs[node.input], format, node.on_grid));
     } else if (node.operation == Operation::constant) {
       values.emplace_back(node.constant);
     } else if (fixed::is_common_cut(node)) {
@@ -234,7 +238,7 @@ bool takes(const FixedLane& lane, int input, Bits operand) {
   return std::all_of(lane.nodes.begin(), lane.nodes.end(), [&](const FixedNode& node) {
     return node.operation != Operation::input || node.input != input ||
            fixed::arriving_fixed(lane, node) ||
-           converted(lane.input_format, operand, scaled(node.format, scale));
+           converted(lane.input_format, operand, scaled(node.format, scale), node.on_grid);
   });
 }
 

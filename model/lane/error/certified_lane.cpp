@@ -238,7 +238,8 @@ Result<Lane> lane_of(BoundKind kind, TypedGraph graph, const CertifiedOptions& o
     case BoundKind::relative: return relative_lane(std::move(graph), options);
     case BoundKind::running: return running_lane(std::move(graph), options);
     case BoundKind::constant: return constant_lane(std::move(graph), options);
-    case BoundKind::norm: break;
+    case BoundKind::norm:
+    case BoundKind::grid: break;
     case BoundKind::profiled: MIXCMP_CHECK(!"a bound that is proven");
   }
   return Error{.field = "reduced.error_bound",

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include "model/base/number/double.hpp"
 #include "model/base/number/dyadic.hpp"
@@ -65,11 +66,11 @@ Error reason(const FixedLane& lane, const Graph& graph) {
   return too_wide(graph, lane.format.bits);
 }
 
-/// The most bits of any operand's magnitude.
+/// The most bits of any operand's magnitude that arrives in fixed point.
 int widest(const std::vector<OperandFormat>& operand_formats) {
   int bits = 1;
   for (const OperandFormat& format : operand_formats) {
-    bits = std::max(bits, format.fixed()->magnitude_bits());
+    if (format.fixed() != nullptr) bits = std::max(bits, format.fixed()->magnitude_bits());
   }
   return bits;
 }
@@ -80,46 +81,53 @@ int digits_within(const Range& value, const mpq_class& unit) {
   return digits_of(ceiling_of(units));
 }
 
-/// The lane with the fewest bits for which `property` holds. Operands in floating point, of which
-/// it has none, would arrive in the widest format.
+/// Whether the lane relies on a grid of the input.
+bool has_grid(const FixedOptions& options, std::size_t input) {
+  return options.bound == BoundKind::grid && options.grids[input] && options.ranges[input];
+}
+
+/// The lane with the fewest bits for which `property` holds. With the bound `grid` there is none of
+/// too few bits.
 Result<FixedLane> lane_with(bool (*property)(const FixedLane&), const Graph& graph,
-                            const std::vector<OperandFormat>& operand_formats,
-                            std::optional<BoundKind> bound, int most_bits) {
-  for (std::size_t input = 0; input < operand_formats.size(); ++input) {
-    if (operand_formats[input].fixed() != nullptr) continue;
-    return not_exact("not all inputs arrive in fixed point",
-                     fmt::format("{} in {}", graph.inputs()[input], operand_formats[input].name()),
-                     "inputs with a format such as uint10");
+                            FloatFormat input_format, FixedOptions options, int most_bits) {
+  for (std::size_t input = 0; input < options.operand_formats.size(); ++input) {
+    const OperandFormat& format = options.operand_formats[input];
+    if (format.fixed() != nullptr || has_grid(options, input)) continue;
+    return not_exact("not all inputs arrive in fixed point or have a grid",
+                     fmt::format("{} in {}", graph.inputs()[input], format.name()),
+                     "inputs with a format such as uint10, or with a range and a grid");
   }
-  constexpr int wide = FloatFormat::max_exponent_bits;
   const auto lane_of = [&](int bits) {
-    return fixed_lane(graph, FloatFormat::make(FloatFormat::max_precision, wide).value(),
-                      {.format = {.bits = bits},
-                       .bound = bound,
-                       .ranges = {},
-                       .operand_formats = operand_formats});
+    options.format = {.bits = bits};
+    return fixed_lane(graph, input_format, options);
   };
-  for (int bits = std::max(2, widest(operand_formats)); bits <= most_bits; ++bits) {
-    MIXCMP_TRY(lane, lane_of(bits));
-    if (property(lane)) return lane;
+  for (int bits = std::max(2, widest(options.operand_formats)); bits <= most_bits; ++bits) {
+    Result<FixedLane> lane = lane_of(bits);
+    if (lane.ok() && property(*lane)) return lane;
+    if (!lane.ok() && options.bound != BoundKind::grid) return lane;
   }
+  if (options.bound == BoundKind::grid) options.bound = BoundKind::constant;
   MIXCMP_TRY(widest_lane, lane_of(most_bits));
   return reason(widest_lane, graph);
 }
 
 }  // namespace
 
-Result<int> exact_bits(const Graph& graph, const std::vector<OperandFormat>& operand_formats,
-                       std::optional<BoundKind> bound, int most_bits) {
-  MIXCMP_TRY(lane, lane_with(is_exact, graph, operand_formats, bound, most_bits));
+Result<int> exact_bits(const Graph& graph, FloatFormat input_format, FixedOptions options,
+                       int most_bits) {
+  const auto property = options.bound == BoundKind::grid ? rounds_nothing : is_exact;
+  MIXCMP_TRY(lane, lane_with(property, graph, input_format, std::move(options), most_bits));
   return lane.format.bits;
 }
 
 Result<FloatFormat> exact_format(const Graph& graph,
                                  const std::vector<OperandFormat>& operand_formats) {
-  // A lane with constants has a node for each of the graph's.
-  MIXCMP_TRY(lane, lane_with(has_no_error, graph, operand_formats, BoundKind::constant,
-                             FloatFormat::max_precision));
+  // A lane with constants has a node for each of the graph's. No operand arrives in floating point.
+  const FixedOptions options{
+      .bound = BoundKind::constant, .ranges = {}, .operand_formats = operand_formats};
+  const FloatFormat unused =
+      FloatFormat::make(FloatFormat::max_precision, FloatFormat::max_exponent_bits).value();
+  MIXCMP_TRY(lane, lane_with(has_no_error, graph, unused, options, FloatFormat::max_precision));
   int precision = double_digits, farthest = 1;  // exponents of units and of largest numbers
   for (const FixedNode& node : lane.nodes) {
     const int digits = digits_within(node.value, node.format.unit());

@@ -2,17 +2,18 @@
 
 #include "model/lane/fixed/fixed_lane.hpp"
 
-/// Lanes without error, for operands in fixed point.
+/// Lanes without error, for operands in fixed point and for promised multiples of a grid.
 namespace mixcmp::fixed {
 
-/// The fewest bits W of an exact lane with this bound, as FixedOptions have it. It is an error if
-/// there is none with at most `most_bits`: it names the reason, such as an operation that rounds or
-/// an input in floating point.
-Result<int> exact_bits(const Graph& graph, const std::vector<OperandFormat>& operand_formats,
-                       std::optional<BoundKind> bound, int most_bits);
+/// The fewest bits W of a lane that rounds nothing, as fixed_lane makes it with these options but
+/// for W. It also decides every comparison, except with the bound `grid`. It is an error if there
+/// is none with at most `most_bits`: it names the reason, such as an operation that rounds or an
+/// input in floating point without a grid.
+Result<int> exact_bits(const Graph& graph, FloatFormat input_format, FixedOptions options,
+                       int most_bits);
 
-/// A floating-point format in which no operation of the comparison of such operands rounds: the
-/// smallest that is no smaller than binary64.
+/// A floating-point format in which no operation of the comparison of such operands, all in fixed
+/// point, rounds: the smallest that is no smaller than binary64.
 Result<FloatFormat> exact_format(const Graph& graph,
                                  const std::vector<OperandFormat>& operand_formats);
 

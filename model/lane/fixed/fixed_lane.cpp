@@ -85,6 +85,15 @@ Error no_error_to_bound(BoundKind kind) {
           .accepted = "auto, constant"};
 }
 
+Error no_grid(const FixedPoint& format, bool relies_on_grids) {
+  return {.field = "reduced.error_bound",
+          .message = relies_on_grids ? fmt::format("in {} something is rounded", format.name())
+                                     : fmt::format("no input has a grid whose multiples {} holds",
+                                                   format.name()),
+          .received = "grid",
+          .accepted = "auto, constant, norm, or reduced.format = \"exact\""};
+}
+
 Error no_norm() {
   return {.field = "reduced.error_bound",
           .message =
@@ -121,7 +130,12 @@ std::string shown(const mpq_class& value) {
 
 std::string describe(const ConstantThresholds& thresholds, const FixedPart& part,
                      const std::vector<FixedNode>& nodes) {
-  if (thresholds.exact) return "certified: everywhere, nothing is rounded";
+  if (thresholds.exact) {
+    const bool has_promises =
+        std::any_of(nodes.begin(), nodes.end(), [](const FixedNode& node) { return node.on_grid; });
+    return has_promises ? "certified: everywhere on the declared grids, nothing is rounded"
+                        : "certified: everywhere, nothing is rounded";
+  }
   const mpq_class unit = nodes[part.difference].format.unit();
   return fmt::format("certified: where f - g is {} or more, or {} or less",
                      shown(thresholds.greater_from * unit), shown(thresholds.less_to * unit));
@@ -219,6 +233,11 @@ Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
   }
   lane.nodes = std::move(builder.nodes());
   remove_unread(lane);
+  if (options.bound == BoundKind::grid) {
+    const bool relies = relies_on_grids(lane);
+    return relies && rounds_nothing(lane) ? Result<FixedLane>(lane)
+                                          : no_grid(options.format, relies);
+  }
   if (is_exact(lane))
     return options.bound.value_or(BoundKind::constant) == BoundKind::constant
                ? Result<FixedLane>(lane)
@@ -266,12 +285,15 @@ bool is_always_taken(const FixedLane& lane, const FixedNode& input) {
 
 }  // namespace
 
-bool is_exact(const FixedLane& lane) {
-  const auto decides_all = [](const FixedPart& part) {
+bool rounds_nothing(const FixedLane& lane) {
+  return std::all_of(lane.parts.begin(), lane.parts.end(), [](const FixedPart& part) {
     const auto* constants = std::get_if<ConstantThresholds>(&part.criterion);
     return constants != nullptr && constants->exact;
-  };
-  return std::all_of(lane.parts.begin(), lane.parts.end(), decides_all) &&
+  });
+}
+
+bool is_exact(const FixedLane& lane) {
+  return rounds_nothing(lane) &&
          std::all_of(lane.nodes.begin(), lane.nodes.end(), [&](const FixedNode& node) {
            return !is_checked(node) &&
                   (node.operation != Operation::input || is_always_taken(lane, node));
@@ -326,6 +348,11 @@ std::vector<NodeId> read_by(const Criterion& criterion) {
   if (const auto* norm = std::get_if<NormThresholds>(&criterion)) return {norm->radius};
   const auto* running = std::get_if<RunningThresholds>(&criterion);
   return running == nullptr ? std::vector<NodeId>() : running->watched;
+}
+
+bool relies_on_grids(const FixedLane& lane) {
+  return std::any_of(lane.nodes.begin(), lane.nodes.end(),
+                     [](const FixedNode& node) { return node.on_grid; });
 }
 
 bool has_norm(const FixedLane& lane) {

@@ -40,15 +40,18 @@ enum class Conversion {
 /// The magnitude of an input that arrives in floating point is truncated to the unit and, if its
 /// sign bit is set, every bit is inverted. Both round down, to within a unit. Some operands leave
 /// the comparison undecided: NaN, infinity, a magnitude or sign that the format does not have, and
-/// a negative zero if the format is unsigned. An input that arrives in fixed point loses
-/// `dropped_bits` low bits, often none, and leaves nothing undecided.
+/// a negative zero if the format is unsigned. So does an operand that is no multiple of the unit if
+/// the input is `on_grid`; its other operands are converted exactly. An input that arrives in fixed
+/// point loses `dropped_bits` low bits, often none, and leaves nothing undecided.
 ///
 /// The operands of an addition, a subtraction, a minimum and a maximum are aligned to the finer
 /// unit of the two. A square root is rounded down to its own unit, whatever its operand's unit is.
 struct FixedNode {
   Operation operation;
   std::array<NodeId, 2> operands = {-1, -1};
-  int input = -1;      ///< for Operation::input
+  int input = -1;  ///< for Operation::input
+  /// For an input that arrives in floating point: the scene promises multiples of the unit.
+  bool on_grid = false;
   mpz_class constant;  ///< for Operation::constant: in units
   FixedFormat format;
   std::optional<Conversion> conversion = {};  ///< for Operation::convert
@@ -167,11 +170,15 @@ struct FixedOptions {
   FixedPoint format = {.bits = 13};
   /// None: norms if there are any, else constants. `norm` is for parts of the form of theorem 4,
   /// `running` for parts with products. With either, at least one part must have that form; other
-  /// parts have constants.
+  /// parts have constants. With `grid` some input has a grid, and nothing is rounded.
   std::optional<BoundKind> bound = {};
   /// One per input; a lane needs them all. In block floating point they are optional: an input
   /// whose range has no negative numbers needs no sign.
   std::vector<std::optional<Range>> ranges;
+  /// One per input, or none: the power of two whose multiples the operands promise to be. Only
+  /// lanes with the bound `grid` rely on it. They convert such operands exactly and check the
+  /// promise.
+  std::vector<std::optional<mpq_class>> grids = {};
   /// One per input, or none: all operands arrive in the lane's input format.
   std::vector<OperandFormat> operand_formats = {};
 };
@@ -204,6 +211,9 @@ bool is_read_as_it_arrives(const FixedLane& lane, const FixedNode& node);
 /// error, it has no limits, and all its operands arrive in fixed point.
 bool is_exact(const FixedLane& lane);
 
+/// Whether all differences that the lane decides have no error.
+bool rounds_nothing(const FixedLane& lane);
+
 /// The inputs that the lane reads, in the order of its nodes.
 std::vector<int> inputs_read(const FixedLane& lane);
 
@@ -223,6 +233,9 @@ int least_block_exponent(FloatFormat input_format);
 
 /// The nodes that a criterion reads besides the difference.
 std::vector<NodeId> read_by(const Criterion& criterion);
+
+/// Whether any input is `on_grid`.
+bool relies_on_grids(const FixedLane& lane);
 
 /// Whether any part is decided by a norm.
 bool has_norm(const FixedLane& lane);

@@ -328,7 +328,8 @@ Result<FixedNode> FixedGraphBuilder::input(const Node& node) const {
     if (arriving != nullptr) return arriving_input(*arriving, node.input);
   }
   const std::optional<Range>& range = options_.ranges[number];
-  if (options_.format.is_block) return input_below(0, range && range->low >= 0, node.input);
+  const int bits = options_.format.operand_bits();
+  if (options_.format.is_block) return input_below(0, bits, range && range->low >= 0, node.input);
   const std::string& name = graph_.inputs()[number];
   if (!range) {
     return Error{.field = fmt::format("inputs.{}.range", name),
@@ -337,12 +338,25 @@ Result<FixedNode> FixedGraphBuilder::input(const Node& node) const {
                  .accepted = "a range, such as [0, 100]"};
   }
   const int top = exponent_above(absolute(*range).high, input_format_);
-  return input_below(top, range->low >= 0, node.input);
+  const int bits_on_grid = bits_of_multiples(top, number);
+  if (bits_on_grid < 1 || bits_on_grid > bits) {
+    return input_below(top, bits, range->low >= 0, node.input);
+  }
+  FixedNode exact = input_below(top, bits_on_grid, range->low >= 0, node.input);
+  exact.on_grid = true;
+  exact.error = {0, 0};
+  return exact;
 }
 
-/// An operand whose magnitude is below 2^top.
-FixedNode FixedGraphBuilder::input_below(int top, bool nonnegative, int index) const {
-  const int bits = options_.format.operand_bits();
+/// The bits of the promised multiples' magnitudes below 2^top; 0 if the lane relies on no grid.
+int FixedGraphBuilder::bits_of_multiples(int top, std::size_t input) const {
+  const bool relies = options_.bound == BoundKind::grid && !options_.grids.empty();
+  if (!relies || !options_.grids[input]) return 0;
+  return top - static_cast<int>(floor_log2(*options_.grids[input]));
+}
+
+/// An operand whose magnitude is below 2^top, in a unit of 2^(top - bits).
+FixedNode FixedGraphBuilder::input_below(int top, int bits, bool nonnegative, int index) const {
   FixedNode input{.operation = Operation::input, .input = index, .constant = {}};
   input.format = {.width = bits, .unit_exponent = top - bits};
   const mpq_class unit = input.format.unit(), greatest = input.format.largest() * unit;

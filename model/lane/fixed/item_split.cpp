@@ -32,12 +32,13 @@ using Affected = std::array<std::set<std::pair<std::size_t, std::size_t>>, 3>;
 /// A loader under construction.
 struct Loading {
   /// The properties that all formats of one column's operand share, so that a coarser one is the
-  /// upper bits of a finer one: the power of two that bounds the operand, and whether it is signed.
-  /// Units differ.
+  /// upper bits of a finer one: the power of two that bounds the operand, and whether it is signed
+  /// and on a grid. Units differ.
   struct Operand {
     int column;
     int top;
     bool is_signed;
+    bool on_grid;
 
     friend auto operator<=>(const Operand&, const Operand&) = default;
   };
@@ -104,7 +105,7 @@ private:
   Loading::Operand operand_of(const FixedNode& input) const {
     const FixedFormat& format = input.format;
     return {inputs_[input.input].column, format.unit_exponent + format.magnitude_bits(),
-            format.is_signed};
+            format.is_signed, input.on_grid};
   }
 
   void note_finest(const FixedLane& lane) {
@@ -189,6 +190,7 @@ private:
     node.operands = {-1, -1};
     node.conversion = {};
     node.dropped_bits = 0;
+    node.on_grid = false;
     node.input = static_cast<int>(rest.loaded_inputs.size());
     rest.loaded_inputs.push_back(
         {.role = role,

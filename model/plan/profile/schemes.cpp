@@ -80,10 +80,11 @@ std::vector<Bound> bounds_in_fixed_point(const scene::Scene& scene, std::span<co
     if (!reduced.fixed_point) return;
     const bool runs = reduced.error_bound == BoundKind::running;
     for (const auto& bound : bounds_of(*reduced.fixed_point)) {
-      if (runs || bound.kind != BoundKind::running) add_new(bound);
+      const bool is_usual = bound.kind != BoundKind::running && bound.kind != BoundKind::grid;
+      if (runs || is_usual) add_new(bound);
     }
   };
-  for (const Bound& bound : counted_bounds()) add_new(bound);
+  for (const Bound& bound : scene::counted_bounds_of(scene)) add_new(bound);
   add_format(scene.reduced);
   for (const scene::LaneGroupSpec& group : scene.lanes) add_format(group.reduced);
   for (const Bound& bound : asked) add_new(bound);
@@ -109,7 +110,9 @@ void add_fixed_lanes(const scene::Scene& scene, int bits, std::span<const Bound>
     scene::ReducedSpec reduced = with_bound(scene.reduced, bound);
     reduced.fixed_point = bound.fixed_point(bits);
     SchemeLanes& scheme = scheme_with(schemes, bound, SchemeKind::certified);
-    if (allow(limits, *reduced.fixed_point)) {
+    // More bits than the grids' multiples need change nothing.
+    const bool is_known = bound == grid_bound && scheme.exists();
+    if (!is_known && allow(limits, *reduced.fixed_point)) {
       add(schemes, bound, SchemeKind::certified, design::design_lane(scene, reduced, nullptr));
     } else {
       scheme.lanes.emplace_back(std::nullopt);

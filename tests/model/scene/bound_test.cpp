@@ -12,9 +12,9 @@ namespace mixcmp::test::bound_test {
 namespace {
 
 TEST(Bound, NamesAreReadAsTheyAreWritten) {
-  for (const char* name :
-       {"relative", "running_1", "running_8", "constant", "profiled", "fixed_norm", "fixed_running",
-        "block_running_g2", "fixed_constant_g3", "block_norm_g10", "block_constant"}) {
+  for (const char* name : {"relative", "running_1", "running_8", "constant", "profiled",
+                           "fixed_norm", "fixed_running", "fixed_grid", "block_running_g2",
+                           "fixed_constant_g3", "block_norm_g10", "block_constant"}) {
     const auto bound = settings::parse_bound(name);
     ASSERT_TRUE(bound.ok()) << name;
     EXPECT_EQ(to_string(*bound), name);

@@ -48,6 +48,26 @@ TEST_F(FixedOperandsTest, RangeGridReferenceAndLaneFollow) {
   EXPECT_EQ(scene.system.references, 0);
 }
 
+/// A grid that is promised of operands in floating point makes a lane exact, and the lane checks
+/// it: references stay. Both ranges need 10 bits of magnitude.
+TEST_F(FixedOperandsTest, PromisedGridsMakeLanesExact) {
+  std::string promised = orientation + "[reference]\nformat = \"binary32\"\n";
+  const std::string format = "{ format = \"uint10\" }";
+  const std::string grid = "{ range = [-512, 511], grid = 1 }";
+  promised.replace(promised.find(format), format.size(), grid);
+  const scene::Scene scene = scene_of(promised);
+  EXPECT_EQ(scene.reduced.format_name(), "q10");
+  EXPECT_TRUE(scene.reduced.is_exact);
+  EXPECT_FALSE(scene.has_fixed_operands());
+  EXPECT_EQ(scene.system.references, std::nullopt);
+  EXPECT_EQ(scene_of(promised, {"inputs.*.grid=0.5"}).reduced.format_name(), "q11");
+  promised.replace(promised.find(", grid = 1"), 10, "");
+  EXPECT_EQ(error(promised),
+            ":8: reduced.format: no lane is exact: not all inputs arrive in fixed point or have a "
+            "grid: received \"exact\" with bx in s24e8; accepted inputs with a format such as "
+            "uint10, or with a range and a grid, or a format such as q13");
+}
+
 TEST_F(FixedOperandsTest, ReferencesAreForLanesThatRound) {
   const auto references = [&](const std::vector<std::string>& settings) {
     return scene_of(orientation, settings).system.references;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <optional>
 #include <random>
@@ -13,8 +14,9 @@
 #include "model/judge/golden/fixed_evaluate.hpp"
 #include "tests/support/float_samples.hpp"
 
-/// Tests fixed_operand at some tops and widths against the golden model's inputs. Each cycle has
-/// one operand, and each answer is expected in the very cycle that its mask of cuts names.
+/// Tests fixed_operand and fixed_grid_operand at some tops and widths against the golden model's
+/// inputs. Each cycle has one operand, and each answer is expected in the very cycle that its mask
+/// of cuts names.
 namespace mixcmp::test::fixed_operands_test {
 namespace {
 
@@ -25,7 +27,7 @@ const FloatFormat format = format_of(PRECISION, EXPONENT_BITS);
 constexpr int slots = 2 * TOPS * WIDTHS;
 
 /// A lane that is one input in the format of this slot.
-FixedLane lane_of(int slot) {
+FixedLane lane_of(int slot, bool on_grid) {
   const bool is_signed = slot % 2 == 1;
   const int width = FIRST_WIDTH + WIDTH_STEP * ((slot / 2) % WIDTHS);
   const int top = FIRST_TOP + TOP_STEP * (slot / 2 / WIDTHS);
@@ -33,6 +35,7 @@ FixedLane lane_of(int slot) {
       .width = width + (is_signed ? 1 : 0), .unit_exponent = top - width, .is_signed = is_signed};
   const FixedNode input{.operation = Operation::input,
                         .input = 0,
+                        .on_grid = on_grid,
                         .constant = {},
                         .format = fixed_format,
                         .value = {},
@@ -43,12 +46,15 @@ FixedLane lane_of(int slot) {
 class FixedOperands : public testing::Test {
 protected:
   FixedOperands() : units_(&context_) {
-    for (int slot = 0; slot < slots; ++slot) lanes_.push_back(lane_of(slot));
+    for (const bool on_grid : {false, true}) {
+      for (int slot = 0; slot < slots; ++slot) lanes_.push_back(lane_of(slot, on_grid));
+    }
     units_.aclk = 0;
     units_.eval();
   }
 
   void TearDown() override {
+    feed(0);
     feed(0);
     feed(0);
     EXPECT_GT(checked_, 0);
@@ -61,7 +67,12 @@ protected:
     units_.aclk = 0;
     units_.eval();
     history_[cycle_ % history_.size()] = x;
-    for (int slot = 0; slot < slots && !HasFailure(); ++slot) compare(slot);
+    for (int slot = 0; slot < slots && !HasFailure(); ++slot) {
+      const auto& answers = units_.rootp->fixed_operands__DOT__answers;
+      const auto& on_grid = units_.rootp->fixed_operands__DOT__grid_answers;
+      compare(lanes_[slot], slot % 4, answers[slot]);
+      compare(lanes_[slots + slot], slot % 8, on_grid[slot]);
+    }
     units_.aclk = 1;
     units_.eval();
     ++cycle_;
@@ -79,18 +90,19 @@ private:
     }
   }
 
-  void compare(int slot) {
-    const auto latency = static_cast<std::size_t>(slot % 2 + slot / 2 % 2);
+  void compare(const FixedLane& lane, int cuts, std::uint64_t got) {
+    const auto latency = static_cast<std::size_t>(std::popcount(static_cast<unsigned>(cuts)));
     if (cycle_ < latency) return;
     const Bits x = history_[(cycle_ - latency) % history_.size()];
     const std::array<Bits, 1> operands = {x};
-    const std::optional<mpz_class> expected = golden::evaluate(lanes_[slot], operands).front();
-    const std::uint64_t got = units_.rootp->fixed_operands__DOT__answers[slot];
+    const std::optional<mpz_class> expected = golden::evaluate(lane, operands).front();
     const bool out_of_range = (got >> 63) != 0;
     ++checked_;
-    const FixedFormat& fixed_format = lanes_[slot].nodes.front().format;
-    const std::string what = fmt::format("{}, cuts {}, x = {}", fixed_format.name(), slot % 4,
-                                         to_hex(x, format.width()));
+    const FixedNode& input = lane.nodes.front();
+    const FixedFormat& fixed_format = input.format;
+    const std::string what =
+        fmt::format("{}{}, cuts {}, x = {}", fixed_format.name(), input.on_grid ? " on grid" : "",
+                    cuts, to_hex(x, format.width()));
     ASSERT_EQ(out_of_range, !expected.has_value()) << what;
     if (!expected) return;
     const mpz_class modulus = mpz_class(1) << fixed_format.width;
@@ -101,7 +113,7 @@ private:
   VerilatedContext context_;
   Vfixed_operands units_;
   std::vector<FixedLane> lanes_;
-  std::array<Bits, 3> history_ = {};
+  std::array<Bits, 4> history_ = {};
   std::size_t cycle_ = 0;
   long checked_ = 0;
 };
@@ -129,7 +141,8 @@ TEST_F(FixedOperands, NeighboursOfPowersOfTwo) {
 
 TEST_F(FixedOperands, RandomOperands) {
   std::mt19937_64 random(1);
-  for (int k = 0; k < 20'000; ++k) {
+  constexpr int operands = PRECISION + EXPONENT_BITS <= 12 ? 2'000 : 20'000;  // beside every one
+  for (int k = 0; k < operands; ++k) {
     const int top = FIRST_TOP + TOP_STEP * static_cast<int>(random() % TOPS);
     const int exponent = top + 2 - static_cast<int>(random() % (FIRST_WIDTH + WIDTH_STEP * WIDTHS));
     const int biased = std::clamp(exponent + format.bias(), 0, format.max_biased_exponent());

@@ -112,6 +112,9 @@ TEST_P(FixedEmulation, IsTheGoldenModelsBitForBit) {
   const auto lanes =
       fixed_lanes(GetParam(), format("s53e11"), {1, 2, 4, 7, 13, 17, 22, 24, 30, 45, 60});
   for (const auto& [name, lane] : lanes) expect_golden(name, lane, columns);
+  for (const auto& [name, lane] : grid_lanes(GetParam(), format("s53e11"), {2, 7, 13, 30})) {
+    expect_golden(name, lane, columns);
+  }
 }
 
 /// Multiplies the operands of each comparison by a power of two. Half of the comparisons then lie

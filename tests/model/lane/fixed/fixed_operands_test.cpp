@@ -110,22 +110,29 @@ INSTANTIATE_TEST_SUITE_P(Comparisons, FixedOperands, testing::ValuesIn(bounded_c
 const char* const orientation_f = "(bx - ax) * (cy - ay)";
 const char* const orientation_g = "(by - ay) * (cx - ax)";
 
+/// No operand arrives in floating point.
+Result<int> exact_bits(const Graph& graph, const std::vector<OperandFormat>& operands,
+                       std::optional<BoundKind> bound = {}, int most_bits = 48) {
+  return fixed::exact_bits(graph, format_of(53, 11),
+                           {.bound = bound, .ranges = {}, .operand_formats = operands}, most_bits);
+}
+
 TEST(ExactBits, HasTheFewestBits) {
   const Graph graph = graph_of(orientation_f, orientation_g);
   const std::vector<OperandFormat> operands(6, *OperandFormat::parse("uint10"));
-  const auto bits = fixed::exact_bits(graph, operands, std::nullopt, 48);
+  const auto bits = exact_bits(graph, operands);
   ASSERT_TRUE(bits.ok());
   EXPECT_EQ(*bits, 10);
   EXPECT_TRUE(fixed::is_exact(*lane_of(graph, operands, 10)));
   EXPECT_FALSE(fixed::is_exact(*lane_of(graph, operands, 9)));
   const std::vector<OperandFormat> with_signs(6, *OperandFormat::parse("int10"));
-  EXPECT_EQ(*fixed::exact_bits(graph, with_signs, std::nullopt, 48), 9) << "of a magnitude";
+  EXPECT_EQ(*exact_bits(graph, with_signs), 9) << "of a magnitude";
 }
 
 /// A sum of eighth powers has more bits than 2 W + 16 of its operands' W.
 TEST(ExactBits, HasMoreBitsWhereResultsNeedThem) {
   const Graph graph = graph_of("a^8", "b^8");
-  const auto bits = fixed::exact_bits(graph, formats({"uint6", "uint6"}), std::nullopt, 48);
+  const auto bits = exact_bits(graph, formats({"uint6", "uint6"}));
   ASSERT_TRUE(bits.ok());
   EXPECT_EQ(*bits, 17);  // f - g has 49 bits
 }
@@ -133,7 +140,7 @@ TEST(ExactBits, HasMoreBitsWhereResultsNeedThem) {
 TEST(ExactBits, SaysWhyThereIsNone) {
   const auto reason = [](const char* f, const char* g, const char* format) {
     const std::vector<OperandFormat> operands(2, *OperandFormat::parse(format));
-    const auto bits = fixed::exact_bits(graph_of(f, g), operands, std::nullopt, 24);
+    const auto bits = exact_bits(graph_of(f, g), operands, std::nullopt, 24);
     return bits.ok() ? "" : bits.error().message;
   };
   EXPECT_EQ(reason("0.1 * a", "b", "uint8"), "a constant is no multiple of a power of two");
@@ -141,7 +148,7 @@ TEST(ExactBits, SaysWhyThereIsNone) {
   EXPECT_EQ(reason("within(a, 0, 7)", "b", "uint8"), "limits leave comparisons undecided");
   EXPECT_EQ(reason("a^4", "b", "uint20"), "it takes more than 24 bits");
   EXPECT_EQ(reason("a", "b + 0x1.000001p30", "uint8"), "it takes more than 24 bits");
-  EXPECT_EQ(reason("a", "b", "s24e8"), "not all inputs arrive in fixed point");
+  EXPECT_EQ(reason("a", "b", "s24e8"), "not all inputs arrive in fixed point or have a grid");
   EXPECT_EQ(reason("a", "b", "uint24"), "");
 }
 
@@ -149,9 +156,9 @@ TEST(ExactBits, SaysWhyThereIsNone) {
 TEST(ExactBits, DependOnTheBound) {
   const Graph graph = graph_of("67125249 * a^2", "b");
   const std::vector<OperandFormat> operands = formats({"uint4", "uint4"});
-  EXPECT_EQ(*fixed::exact_bits(graph, operands, std::nullopt, 48), 14);
-  EXPECT_EQ(*fixed::exact_bits(graph, operands, BoundKind::constant, 48), 27);
-  EXPECT_FALSE(fixed::exact_bits(graph, operands, BoundKind::norm, 48).ok());
+  EXPECT_EQ(*exact_bits(graph, operands), 14);
+  EXPECT_EQ(*exact_bits(graph, operands, BoundKind::constant), 27);
+  EXPECT_FALSE(exact_bits(graph, operands, BoundKind::norm).ok());
 }
 
 std::string exact_format(const Graph& graph, const std::vector<const char*>& names) {

@@ -93,6 +93,9 @@ TEST_P(EveryTupleInFixedPoint, IsDecidedAsTheRealNumbersAre) {
   for (NamedFixedLane& lane : guarded_lanes(GetParam(), format, formats_with_guards)) {
     lanes.push_back(std::move(lane));
   }
+  for (NamedFixedLane& lane : grid_lanes(GetParam(), format, {2, 4, 6})) {
+    lanes.push_back(std::move(lane));
+  }
   std::vector<std::uint64_t> decided(lanes.size(), 0);
   const Bits end = Bits{1} << (count * static_cast<std::size_t>(format.width()));
   for (Bits index = 0; index < end && !HasFailure(); ++index) {
