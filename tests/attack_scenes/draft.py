@@ -274,7 +274,7 @@ class Draft:
             self.scene.rows = [{"a": "1"}]
             return
         if self.fixed:
-            self.scene.inputs["*"] = f'{{ format = "{self.fixed.name}" }}'
+            self.scene.inputs["*"] = self.fixed.declaration
         elif self.wants_ranges or self.chance(0.15):
             self.draw_ranges(names)
         allows_specials = not self.scene.inputs.get("*", "").count("data")

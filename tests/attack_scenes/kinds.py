@@ -3,6 +3,8 @@
 A kind sets the subject of its scenes; the rest of each scene is drawn at random.
 """
 
+import dataclasses
+
 from .draft import DEVICES, Draft
 from .expressions import name
 from .rows import FixedFormat
@@ -309,10 +311,20 @@ def integers(draft):
     draft.scene.set("system", references=rng.choice((0, 1, 2)))
 
 
+def grids(draft):
+    """Operands in floating point of which a grid is promised, with lanes that rely on it."""
+    integers(draft)
+    draft.fixed = dataclasses.replace(draft.fixed, is_promised=True)
+    draft.scene.set("reduced", format=draft.rng.choice(("exact", "exact", "q24", "q9")))
+    if draft.scene.get("reduced", "format") == "q24":
+        draft.scene.set("reduced", error_bound="grid")
+    draft.scene.set("system", references=draft.rng.choice((1, 1, 2)))
+
+
 KINDS = (fold, fused, formats, roundings, fixed, guarded, block, bounds, groups, second_tier, beats,
          memories, refetched, in_order, counters, devices, pairwise, arg_min, pairs, parts, mixed,
          limited, quotients, choices, vectors, undecided,
-         integers)
+         integers, grids)
 NAMES_OF_KINDS = tuple(kind.__name__ for kind in KINDS)
 SPREAD = 7  # share in percent of each other option
 

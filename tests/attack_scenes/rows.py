@@ -137,6 +137,14 @@ class FixedFormat:
     bits: int
     behind: int = 0  # bits behind the point
     is_signed: bool = True
+    is_promised: bool = False  # operands arrive in floating point, and nearly all are its numbers
+
+    @property
+    def declaration(self):
+        if not self.is_promised:
+            return f'{{ format = "{self.name}" }}'
+        low, high = (("-" if end < 0 else "") + dyadic_text(abs(end)) for end in self.ends)
+        return f'{{ range = ["{low}", "{high}"], grid = "0x1p-{self.behind}" }}'
 
     @property
     def ends(self):
@@ -146,7 +154,7 @@ class FixedFormat:
 
 
 class FixedOperands(Operands):
-    """Draws operands that arrive in fixed point: each is one of its format."""
+    """Draws operands that are numbers of a format in fixed point. One in 30 breaks a promise."""
 
     def __init__(self, rng, form, names, fixed):
         super().__init__(rng, form, {name: fixed.ends for name in names}, allows_specials=False)
@@ -157,6 +165,8 @@ class FixedOperands(Operands):
         unit = TWO ** -self.fixed.behind
         low, high = self.fixed.ends
         rounded = min(max(round(value / unit) * unit, low), high)
+        if self.fixed.is_promised and self.rng.random() < 1 / 30:
+            rounded += self.rng.choice((unit / 2, -unit / 4, 2 * high))
         return ("-" if rounded < 0 else "") + dyadic_text(abs(rounded))
 
     def beside(self, value, places):
