@@ -156,7 +156,7 @@ private:
 
   /// A number of an input in place of a special value: in fixed point the next one above it, within
   /// the format, and the largest for a NaN; in a narrow floating-point format the nearest one other
-  /// than zero and infinity.
+  /// than zero and infinity, also for the infinities that it lacks.
   Bits number_of(std::size_t input, Bits value) const {
     const FloatFormat format = comparisons_.format();
     const FixedFormat* fixed = formats_[input].fixed();
@@ -164,8 +164,8 @@ private:
       if (formats_[input].holds(format, value)) return value;
       const FloatFormat own = *formats_[input].floating();
       const Bits smallest = own.zero(format.sign(value)) | 1;
-      Bits nearest = from_rational(own, to_rational(format, value));
-      if (own.is_infinite(nearest)) nearest = own.largest_finite(format.sign(value));
+      Bits nearest = converted(own, format, value);
+      if (!own.is_finite(nearest)) nearest = own.largest_finite(format.sign(value));
       if (own.is_zero(nearest)) nearest = smallest;
       return converted(format, own, nearest);
     }

@@ -94,17 +94,27 @@ std::string c_is_refused(const std::string& value, const FixedFormat& format,
   return fmt::format("{0} < -{1} - 1 || {0} > {1}", value, most);
 }
 
+/// The call of a packer's function of a floating-point format: "unit_word(value, 4, 5)".
+std::string c_float_call(const std::string& module, const std::string& function,
+                         const std::string& argument, const FloatFormat& format) {
+  const int digits = format.precision(), exponent_bits = format.exponent_bits();
+  if (format.has_infinities()) {
+    return fmt::format("{}_{}({}, {}, {})", module, function, argument, digits, exponent_bits);
+  }
+  return fmt::format("{}_{}_one_nan({}, {}, {}, {})", module, function, argument, digits,
+                     exponent_bits, c_power(1 << (exponent_bits - 1)));
+}
+
 std::string c_pack(const std::string& module, const std::string& field, int at,
                    const OperandFormat& format) {
   const std::string value = "from->" + field;
   if (const FloatFormat* const floating = format.floating()) {
-    const int digits = floating->precision(), exponent_bits = floating->exponent_bits();
     if (!fits_double(*floating)) {
-      return fmt::format("  {}_put_wide(tdata, {}, {}, {}, {});\n", module, at, digits,
-                         exponent_bits, value);
+      return fmt::format("  {}_put_wide(tdata, {}, {}, {}, {});\n", module, at,
+                         floating->precision(), floating->exponent_bits(), value);
     }
-    return fmt::format("  {0}_put(tdata, {1}, {2}, {0}_word({3}, {4}, {5}));\n", module, at,
-                       floating->width(), value, digits, exponent_bits);
+    return fmt::format("  {}_put(tdata, {}, {}, {});\n", module, at, floating->width(),
+                       c_float_call(module, "word", value, *floating));
   }
   const FixedFormat& fixed = *format.fixed();
   std::string word = is_integer(fixed) ? value : fmt::format("({})", c_steps(value, fixed));
@@ -116,13 +126,12 @@ std::string c_pack(const std::string& module, const std::string& field, int at,
 std::string c_unpack(const std::string& module, const std::string& field, int at,
                      const OperandFormat& format) {
   if (const FloatFormat* const floating = format.floating()) {
-    const int digits = floating->precision(), exponent_bits = floating->exponent_bits();
     if (!fits_double(*floating)) {
-      return fmt::format("  to.{} = {}_get_wide(tdata, {}, {}, {});\n", field, module, at, digits,
-                         exponent_bits);
+      return fmt::format("  to.{} = {}_get_wide(tdata, {}, {}, {});\n", field, module, at,
+                         floating->precision(), floating->exponent_bits());
     }
-    return fmt::format("  to.{0} = {1}_number({1}_get(tdata, {2}, {3}), {4}, {5});\n", field,
-                       module, at, floating->width(), digits, exponent_bits);
+    const std::string word = fmt::format("{}_get(tdata, {}, {})", module, at, floating->width());
+    return fmt::format("  to.{} = {};\n", field, c_float_call(module, "number", word, *floating));
   }
   const FixedFormat& fixed = *format.fixed();
   std::string steps = fmt::format("{}_get{}(tdata, {}, {})", module,
@@ -193,7 +202,8 @@ std::string c_record(const PackedRecord& record, const std::string& module) {
 
 std::string python_format(const OperandFormat& format) {
   if (const FloatFormat* const floating = format.floating()) {
-    return fmt::format("(\"float\", {}, {})", floating->precision(), floating->exponent_bits());
+    return fmt::format("(\"float\", {}, {}, {})", floating->precision(), floating->exponent_bits(),
+                       floating->has_infinities() ? "False" : "True");
   }
   const FixedFormat& fixed = *format.fixed();
   return fmt::format("(\"fixed\", {}, {}, {})", fixed.width, fixed.is_signed ? "True" : "False",
@@ -248,7 +258,7 @@ std::vector<GeneratedFile> packing_files(const PackingSpec& spec, const std::str
   MIXCMP_CHECK(!spec.records.empty());
   const PackedRecord& first = spec.records.front();
   std::vector<std::string> c_records, tables, functions;
-  bool has_floats = false, has_wide = false, has_fractions = false;
+  bool has_floats = false, has_wide = false, has_fractions = false, has_one_nan = false;
   for (const PackedRecord& record : spec.records) {
     c_records.push_back(c_record(record, spec.module));
     tables.push_back(python_table(record));
@@ -257,6 +267,7 @@ std::vector<GeneratedFile> packing_files(const PackingSpec& spec, const std::str
       const FloatFormat* const floating = format.floating();
       has_floats = has_floats || (floating != nullptr && fits_double(*floating));
       has_wide = has_wide || (floating != nullptr && !fits_double(*floating));
+      has_one_nan = has_one_nan || (floating != nullptr && !floating->has_infinities());
       has_fractions = has_fractions || (format.fixed() != nullptr && !is_integer(*format.fixed()));
     }
   }
@@ -267,6 +278,7 @@ std::vector<GeneratedFile> packing_files(const PackingSpec& spec, const std::str
                      {"HEAD", c_head},
                      {"EXAMPLE", c_example(first, spec.module)},
                      {"FLOATS", has_floats ? "yes" : ""},
+                     {"ONE_NAN", has_one_nan ? "yes" : ""},
                      {"WIDE", has_wide ? "yes" : ""},
                      {"FRACTIONS", has_fractions ? "yes" : ""},
                      {"RECORDS", fmt::format("{}", fmt::join(c_records, "\n\n"))}}),
@@ -274,6 +286,7 @@ std::vector<GeneratedFile> packing_files(const PackingSpec& spec, const std::str
                     {{"MODULE", spec.module},
                      {"HEAD", python_head},
                      {"EXAMPLE", python_example(first, spec.module)},
+                     {"ONE_NAN", has_one_nan ? "yes" : ""},
                      {"TABLES", fmt::format("{}", fmt::join(tables, "\n"))},
                      {"FUNCTIONS", fmt::format("{}", fmt::join(functions, "\n\n\n"))}})};
 }

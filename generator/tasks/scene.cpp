@@ -85,7 +85,8 @@ std::optional<std::string> lost_numbers_note(const LoadedScene& loaded) {
   if (lost.count == 0) return std::nullopt;
   return fmt::format(
       "{} of the data's numbers are not kept: their format rounds them although they are whole, or "
-      "they become 0. The first is {}. Verdicts and the truth are those of the numbers as they "
+      "they become 0 or, in a format without infinities, NaN. The first is {}. Verdicts and the "
+      "truth are those of the numbers as they "
       "were "
       "read. A format of more digits or exponent bits, of the reference or the input, keeps them",
       lost.count, lost.first);

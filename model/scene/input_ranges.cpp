@@ -56,7 +56,7 @@ Result<InputDeclaration> read_fixed(settings::Section& section, const OperandFor
 bool has_number_in(FloatFormat format, const mpq_class& low, const mpq_class& high) {
   if (low <= 0 && high >= 0) return true;
   const Bits least = from_rational_up(format, low > 0 ? low : mpq_class(-high));
-  return !format.is_infinite(least) &&
+  return format.is_finite(least) &&
          to_rational(format, least) <= (low > 0 ? high : mpq_class(-low));
 }
 

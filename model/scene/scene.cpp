@@ -354,7 +354,7 @@ void note_missed_ends(const std::vector<std::optional<Range>>& ranges, FloatForm
         formats[k].floating() == nullptr ? reference : *formats[k].floating();
     for (const mpq_class& end : {range->low, range->high}) {
       const Bits bits = from_rational(format, end);
-      if (format.is_infinite(bits)) continue;
+      if (!format.is_finite(bits)) continue;
       const mpq_class rounded = to_rational(format, bits);
       if (range->low <= rounded && rounded <= range->high) continue;
       const std::string note = fmt::format(

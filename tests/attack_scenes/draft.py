@@ -3,9 +3,9 @@
 import random
 
 from .expressions import Expressions, candidates_for_let, name
-from .rounded import INFINITE, Format, Reference, number
+from .rounded import INFINITE, NAN, Format, Reference, number
 from .rows import FixedOperands, Operands, draw_items, draw_rows
-from .scene import Scene, item_column
+from .scene import Scene, float_format, item_column
 from .trees import dyadic_text, exchanged, literal, replaced, subtrees
 
 NAMES = ("a", "b", "c", "d", "e", "u", "v", "w", "x", "z")
@@ -326,23 +326,26 @@ class Draft:
             if chosen[column]:
                 table = self.scene.inputs.get(word, self.scene.inputs.get("*", "{ }"))
                 rest = table.strip("{} ")
-                name = f"s{chosen[column].precision}e{chosen[column].exponent_bits}"
-                self.scene.inputs[word] = f'{{ format = "{name}"{", " + rest if rest else ""} }}'
+                table = f'format = "{chosen[column].name}"{", " + rest if rest else ""}'
+                self.scene.inputs[word] = f"{{ {table} }}"
         for row in self.scene.rows + self.scene.others:
             for column in row:
                 if chosen.get(column):
                     row[column] = self.within(chosen[column], row[column])
 
     def narrower(self, form):
+        if form.exponent_bits > 4 and self.chance(0.25):
+            return float_format("E4M3")
         exponent_bits = self.rng.randint(2, form.exponent_bits)
         if self.chance(0.4):
             exponent_bits = form.exponent_bits
         return Format(self.rng.randint(2, min(form.precision, 24)), exponent_bits)
 
     def within(self, form, written):
-        """The text, or the largest number's where the format would round it to infinity."""
+        """The text, or the largest number's where the format would round it to infinity. Without
+        infinities the text stays, since it may become the NaN."""
         value = number(written, form)
-        if "n" in written or value[1] is not INFINITE:
+        if "n" in written or value is NAN or value[1] is not INFINITE:
             return written
         return ("-" if value[0] else "") + dyadic_text(form.largest)
 

@@ -36,6 +36,12 @@ class Format:
     precision: int
     exponent_bits: int
     flush: bool = False
+    has_infinities: bool = True  # False: as E4M3, which has a NaN in place of all beyond its largest
+
+    @property
+    def name(self):
+        return (f"s{self.precision}e{self.exponent_bits}" if self.has_infinities
+                else f"E{self.exponent_bits}M{self.precision - 1}")
 
     @property
     def least_exponent(self):
@@ -43,6 +49,8 @@ class Format:
 
     @property
     def largest(self):
+        if not self.has_infinities:
+            return (2 - TWO ** (2 - self.precision)) * TWO ** (2 ** (self.exponent_bits - 1))
         return (2 - TWO ** (1 - self.precision)) * TWO ** (2 ** (self.exponent_bits - 1) - 1)
 
     def last_place(self, magnitude):
@@ -60,10 +68,13 @@ class Format:
             place = self.last_place(magnitude)
         nearest = round(magnitude / place) * place  # Fractions round ties to even
         if nearest > self.largest:
-            return negative, INFINITE
+            return self.infinity(negative)
         if self.flush and nearest < TWO ** self.least_exponent:
             return negative, Fraction(0)
         return negative, nearest
+
+    def infinity(self, negative):
+        return (negative, INFINITE) if self.has_infinities else NAN
 
     def read(self, number):
         """An operand as an operation takes it."""
@@ -82,7 +93,7 @@ def number(written, form):
     if word == "nan":
         return NAN
     if word == "inf":
-        return negative, INFINITE
+        return form.infinity(negative)
     return form.gradual().rounded(negative, abs(literal(word)))
 
 

@@ -9,12 +9,14 @@ from .rounded import Format, number
 from .trees import Graph, reads, text
 
 NAMED_FORMATS = {"binary16": (11, 5), "bfloat16": (8, 8), "binary32": (24, 8), "binary64": (53, 11),
-                 "binary128": (113, 15)}
+                 "binary128": (113, 15), "E5M2": (3, 5)}
 LISTS = ("lanes", "references")  # sections that are lists of tables
 
 
 def float_format(name, flush=False):
     """The format "sPeE", or one with a name."""
+    if name == "E4M3":
+        return Format(4, 4, flush, has_infinities=False)
     if name not in NAMED_FORMATS:
         precision, _, exponent_bits = name[1:].partition("e")
         return Format(int(precision), int(exponent_bits), flush)
@@ -63,7 +65,7 @@ class Scene:
         """The format in floating point to which an input's numbers are rounded when read."""
         tables = [self.inputs[key] for key in self.inputs if fnmatch.fnmatchcase(name, key)]
         table = self.inputs.get(name, tables[0] if tables else "")
-        own = re.search(r'format = "(s[0-9]+e[0-9]+)"', table)
+        own = re.search(r'format = "(s[0-9]+e[0-9]+|E[0-9]M[0-9])"', table)
         return float_format(own[1]) if own else self.reference_format()
 
     def graph(self):

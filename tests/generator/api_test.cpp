@@ -85,17 +85,17 @@ double nearest_exactly(FloatFormat format, double value) {
 }
 
 TEST(ApiOperands, EveryMidpointAndNeighbourRoundsAsExactArithmeticDoes) {
-  for (const char* name : {"s2e2", "s3e4", "s5e3", "s8e8"}) {
-    const FloatFormat format = FloatFormat::parse(name).value();
-    for (Bits bits = 0; bits < format.magnitude(format.infinity(false)); ++bits) {
+  for (const char* name : {"s2e2", "s3e4", "s5e3", "s8e8", "E4M3"}) {
+    const FloatFormat format = *OperandFormat::parse(name)->floating();
+    for (Bits bits = 0; bits <= format.largest_finite(false); ++bits) {
       const double low = to_double(format, bits), high = to_double(format, bits + 1);
-      const double middle = std::isinf(high) ? low * (1 + std::ldexp(1, -format.precision()))
-                                             : low + (high - low) / 2;
+      const double step = low - to_double(format, bits - (bits > 0 ? 1 : 0));
+      const double middle = std::isfinite(high) ? low + (high - low) / 2 : low + step / 2;
       for (const double value : {low, middle, std::nextafter(middle, 0.0),
                                  std::nextafter(middle, std::numeric_limits<double>::max())}) {
         const double expected = nearest_exactly(format, value);
         const auto operand = api::nearest_operand(format, -value);
-        if (std::isinf(expected)) {
+        if (!std::isfinite(expected)) {
           EXPECT_FALSE(operand.has_value()) << name << " " << value;
           continue;
         }
@@ -105,6 +105,15 @@ TEST(ApiOperands, EveryMidpointAndNeighbourRoundsAsExactArithmeticDoes) {
       }
     }
   }
+}
+
+TEST(ApiOperands, AFormatWithoutInfinitiesTakesNone) {
+  const FloatFormat e4m3 = *OperandFormat::parse("E4M3")->floating();
+  for (const double value : {465.0, 500.0, -512.0, 1e300, double{INFINITY}, -double{INFINITY}}) {
+    EXPECT_FALSE(api::nearest_operand(e4m3, value).has_value()) << value;
+  }
+  EXPECT_EQ(api::nearest_operand(e4m3, -464)->value, -448);
+  EXPECT_EQ(api::nearest_operand(e4m3, NAN)->bits, e4m3.quiet_nan());
 }
 
 TEST(ApiOperands, DoublesRoundIntoWideFormatsAsExactArithmeticDoes) {

@@ -23,10 +23,10 @@ namespace {
 using project::PackedRecord;
 
 /// Formats on both sides of 64 bits and of double.
-const std::vector<std::string> float_names = {"s53e11",  "s24e8",  "s11e5", "s8e8",   "s3e5",
-                                              "s2e2",    "s53e8",  "s17e8", "s52e11", "s54e11",
-                                              "s60e8",   "s63e15", "s64e4", "s65e9",  "s66e3",
-                                              "s113e15", "s113e2", "s2e15", "s53e12", "s24e11"};
+const std::vector<std::string> float_names = {
+    "s53e11", "s24e8",   "s11e5",  "s8e8",  "s3e5",   "s2e2",   "s53e8",
+    "s17e8",  "s52e11",  "s54e11", "s60e8", "s63e15", "s64e4",  "s65e9",
+    "s66e3",  "s113e15", "s113e2", "s2e15", "s53e12", "s24e11", "E4M3"};
 const std::vector<std::string> fixed_names = {"int10", "uint10", "uint1",  "int64",  "uint64",
                                               "int63", "uint63", "q3.12",  "uq4.12", "uq0.8",
                                               "q0.63", "uq1.62", "uint33", "int2"};
@@ -53,8 +53,8 @@ std::string text_of(double value) {
 
 Bits word_of(FloatFormat format, double value) {
   if (std::isnan(value)) return format.quiet_nan();
-  if (std::isinf(value)) return format.infinity(value < 0);
-  return from_rational(format, mpq_class(value)) | format.zero(std::signbit(value));
+  if (std::isinf(value)) return format.beyond_largest(value < 0);
+  return with_sign(format, std::signbit(value), from_rational(format, mpq_class(value)));
 }
 
 class Samples {
@@ -362,6 +362,40 @@ TEST_P(PackingFiles, MakeTheWordsOfTheModelAndItsNumbers) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, PackingFiles, testing::Values(float_names, fixed_names));
+
+/// All 256 words become numbers, and each number its word; between two numbers the nearest, of two
+/// the even one; infinities and what rounds to more than 448 the NaN.
+TEST(PackingFilesWithoutInfinities, EveryWordComesBack) {
+  const PackedRecord record = record_of({"E4M3", "E4M3"});
+  const FloatFormat format = *record.formats[0].floating();
+  std::string input;
+  std::vector<std::string> expected;
+  const auto pack = [&](double value) {
+    input += fmt::format("p {} {}\n", text_of(value), text_of(-value));
+    expected.push_back(hexadecimal(record, {word_of(format, value), word_of(format, -value)}));
+  };
+  for (Bits word = 0; word < 256; ++word) {
+    const double value = to_double(format, word);
+    input += fmt::format("u {}\n", hexadecimal(record, {word, word ^ 1}));
+    expected.push_back(number_of(record.formats[0], word) + " " +
+                       number_of(record.formats[0], word ^ 1));
+    pack(value);
+    if (std::isnan(value) || std::isnan(to_double(format, word + 1))) continue;
+    const double middle = (value + to_double(format, word + 1)) / 2;
+    for (const double towards : {-1000.0, 1000.0}) pack(std::nextafter(middle, towards));
+    pack(middle);
+  }
+  for (const double beyond :
+       {464.0, 464.5, 479.0, 480.0, 496.0, 511.0, 512.0, 1e300, double{INFINITY}}) {
+    pack(beyond);
+  }
+  EXPECT_EQ(expected.back(), "7f7f");
+  const Packers packers(record);
+  expect_lines(packers.c("-std=c99", input), expected);
+  expect_lines(packers.c("-xc++", input), expected);
+  if (!has_numpy()) GTEST_SKIP() << "NumPy's half needs python3-numpy";
+  expect_lines(packers.python(input), expected);
+}
 
 /// Fields of such names would not compile, or would be two of one name.
 TEST(PackingFilesRename, WhatCAndItsHeadersKeepForThemselves) {

@@ -1,5 +1,11 @@
+#include <fmt/core.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <filesystem>
+
+#include "model/base/common/output_file.hpp"
+#include "model/base/common/process.hpp"
 #include "model/base/number/exact.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
@@ -125,6 +131,29 @@ INSTANTIATE_TEST_SUITE_P(
              format_of(7, 4)},
         Case{"in_fixed_point", Kind::fixed, "binary16", "s4e4"},
         Case{"in_blocks", Kind::block, "s4e4", "E5M2"},
+        Case{"without_infinities", Kind::floating, "E4M3", "E5M2"},
+        Case{"without_infinities_exact", Kind::exact_inputs, "bfloat16", "E4M3",
+             flushing(format_of(24, 8)), format_of(6, 8)},
+        Case{"without_infinities_in_five_exponent_bits",
+             Kind::floating,
+             "E4M3",
+             "E4M3",
+             {format_of(11, 5)},
+             format_of(6, 5)},
+        Case{"without_infinities_in_fixed_point", Kind::fixed, "E4M3", "E4M3"},
+        Case{"without_infinities_in_blocks", Kind::block, "E4M3", "bfloat16"},
+        Case{"without_infinities_folded",
+             Kind::floating,
+             "E4M3",
+             "s4e4",
+             {format_of(24, 8)},
+             format_of(9, 8),
+             6},
+        Case{"without_infinities_fused",
+             Kind::floating,
+             "E4M3",
+             "E4M3",
+             {format_of(24, 8), Rounding::nearest_even, Subnormals::gradual, Sums::fused}},
         Case{"folded", Kind::floating, "s4e4", "bfloat16", {format_of(24, 8)}, format_of(9, 8), 6},
         Case{"fused",
              Kind::floating,
@@ -133,12 +162,80 @@ INSTANTIATE_TEST_SUITE_P(
              {format_of(24, 8), Rounding::nearest_even, Subnormals::gradual, Sums::fused}}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
+/// The file of the reference datapath among a system's Verilog.
+std::filesystem::path reference_file(const std::filesystem::path& folder) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().stem().string();
+    const bool is_datapath = name.find("_words_reference_") != std::string::npos;
+    if (is_datapath && !name.ends_with("_channel")) return entry.path();
+  }
+  return {};
+}
+
+/// A bench that holds each word of 8 bits at the reference for longer than its latency and prints
+/// its verdict on the word and the number at which `numbers` has it.
+std::string bench_of_words(const std::string& module, const std::vector<std::string>& numbers) {
+  std::string bench = fmt::format(R"(`timescale 1ns / 1ns
+module tb;
+  reg aclk = 0;
+  reg [7:0] a = 0;
+  reg [31:0] b = 0;
+  wire [1:0] verdict;
+  {} dut (.aclk(aclk), .a(a), .b(b), .verdict(verdict));
+  always #1 aclk = !aclk;
+  initial begin
+)",
+                                  module);
+  for (std::size_t word = 0; word < numbers.size(); ++word) {
+    bench += fmt::format("    a = {}; b = 32'h{}; #80 $display(\"%0d\", verdict);\n", word,
+                         numbers[word]);
+  }
+  return bench + "    $finish;\n  end\nendmodule\n";
+}
+
+/// Also the words that no data make, such as a NaN with a sign.
+TEST(FloatOperandWords, EachOfEveryByteIsItsNumberInTheReference) {
+  if (!is_in_path("iverilog")) GTEST_SKIP() << "Icarus is not installed";
+  for (const char* name : {"E4M3", "E5M2"}) {
+    const FloatFormat byte = format_named(name), encoding = format_of(24, 8);
+    Graph graph = graph_of("a", "b");
+    graph.arrives_in(0, byte);
+    const Case c{"words", Kind::floating, name, "s24e8"};
+    const std::vector<OperandFormat> formats = {OperandFormat(byte), OperandFormat(encoding)};
+    const design::Design design{.name = "words",
+                                .inputs = graph.inputs(),
+                                .lanes = {{.lane = lane_of(c, graph, formats)}},
+                                .reference = reference_graph(graph, c.reference),
+                                .references = {{.count = 1}},
+                                .system = {},
+                                .operand_formats = formats};
+    const auto folder = generate_to(design, fmt::format("words_{}_{}", name, getpid()));
+    std::vector<std::string> numbers;
+    std::string expected;
+    for (Bits word = 0; word < 256; ++word) {
+      numbers.push_back(to_hex(converted(encoding, byte, word), 32));
+      expected += byte.is_nan(word) ? "3\n" : "1\n";
+    }
+    const std::string reference = reference_file(folder).stem().string();
+    ASSERT_TRUE(write_file(folder / "tb.v", bench_of_words(reference, numbers)).ok());
+    const auto path = [&](const char* file) { return (folder / file).string(); };
+    const auto built = capture({"iverilog", "-g2001", "-y", folder.string(), "-s", "tb", "-o",
+                                path("tb.vvp"), path("tb.v")});
+    ASSERT_TRUE(built.ok() && built->succeeded()) << built->errors;
+    const auto run = capture({"vvp", "-n", path("tb.vvp")}, {.seconds = 60});
+    ASSERT_TRUE(run.ok() && run->succeeded());
+    EXPECT_EQ(run->output, expected) << name;
+    std::filesystem::remove_all(folder);
+  }
+}
+
 /// An engine stores words of 8 and 16 bits.
-class FloatOperandsInAnEngine : public testing::TestWithParam<Kind> {};
+class FloatOperandsInAnEngine : public testing::TestWithParam<std::tuple<Kind, const char*>> {};
 
 TEST_P(FloatOperandsInAnEngine, EveryPairOfItemsIsDecidedAsTheGoldenModelSays) {
   Graph graph = graph_of("(xi - xj)^2 + (yi - yj)^2", "12");
-  const FloatFormat byte = format_named("s4e4"), brain = format_named("bfloat16");
+  const auto [kind, name] = GetParam();
+  const FloatFormat byte = format_named(name), brain = format_named("bfloat16");
   const std::vector<FloatFormat> arriving = {byte, byte, brain, brain};
   std::vector<OperandFormat> formats;
   for (int k = 0; k < 4; ++k) {
@@ -148,7 +245,7 @@ TEST_P(FloatOperandsInAnEngine, EveryPairOfItemsIsDecidedAsTheGoldenModelSays) {
   const FloatFormat reference = format_of(24, 8);
   const std::vector<std::optional<Range>> ranges(4, Range{-8, 8});
   const design::Lane lane =
-      GetParam() == Kind::floating
+      kind == Kind::floating
           ? design::Lane(error::certified_lane(lane_graph(graph, reference,
                                                           {format_of(6, 8), Rounding::nearest_even,
                                                            Subnormals::flush},
@@ -185,7 +282,8 @@ TEST_P(FloatOperandsInAnEngine, EveryPairOfItemsIsDecidedAsTheGoldenModelSays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Lanes, FloatOperandsInAnEngine,
-                         testing::Values(Kind::floating, Kind::fixed));
+                         testing::Combine(testing::Values(Kind::floating, Kind::fixed),
+                                          testing::Values("s4e4", "E4M3")));
 
 }  // namespace
 }  // namespace mixcmp::test::float_operands_system_test

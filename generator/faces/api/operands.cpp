@@ -9,10 +9,13 @@
 namespace mixcmp::api {
 namespace {
 
-Operand special_operand(FloatFormat format, double value) {
+/// None for an infinity that the format lacks.
+std::optional<Operand> special_operand(FloatFormat format, double value) {
   const bool negative = std::signbit(value);
-  if (std::isnan(value)) return {format.quiet_nan(), value};
-  return {std::isinf(value) ? format.infinity(negative) : format.zero(negative), value};
+  if (std::isnan(value)) return Operand{format.quiet_nan(), value};
+  if (!std::isinf(value)) return Operand{format.zero(negative), value};
+  if (!format.has_infinities()) return std::nullopt;
+  return Operand{format.infinity(negative), value};
 }
 
 }  // namespace
@@ -29,7 +32,7 @@ std::optional<Operand> nearest_operand(FloatFormat format, double value) {
   // overflows into the biased exponent.
   const Bits binade = Bits(exponent - format.min_exponent()) << format.fraction_bits();
   const Bits magnitude = binade + static_cast<Bits>(units);
-  if (format.is_infinite(magnitude)) return std::nullopt;
+  if (magnitude >= format.beyond_largest(false)) return std::nullopt;
   return Operand{magnitude | format.zero(std::signbit(value)),
                  std::copysign(std::ldexp(units, unit_exponent), value)};
 }

@@ -20,7 +20,7 @@ struct Operand {
 };
 
 /// The number of the format that is nearest to `value`, ties to even; none if `value` is finite and
-/// that would be an infinity.
+/// beyond the largest number, or an infinity that the format lacks.
 std::optional<Operand> nearest_operand(FloatFormat format, double value);
 
 /// Rows of operands, all of them numbers of one format.

@@ -205,16 +205,25 @@ void leave_special_values(Unit& unit, FloatFormat operands, const DelayTable& de
 
 }  // namespace
 
+ConvertedOperand converted_operand(FloatFormat from) {
+  if (from.has_infinities()) return {from, 0};
+  const FloatFormat wider = FloatFormat::make(from.precision(), from.exponent_bits() + 1).value();
+  return {wider, bias_difference(wider, from)};
+}
+
 Unit widening_unit(FloatFormat from, FloatFormat to, const DelayTable& delays) {
   StageList stages(delays);
-  stages.add_operand(from, Subnormals::gradual);
+  stages.add_operand(converted_operand(from).format, Subnormals::gradual);
   const bool denormalises = bias_difference(to, from) < from.precision() - 1;
   const int moved = denormalises ? 1 + shift_levels(bits_for(to.precision() + 2)) : 0;
   stages.add("denormalise", stages.carry(to.exponent_bits() + 2) + stages.lut_delay_ns(moved));
   stages.add("round", 0);
   stages.add("round, upper half", 0);
   stages.add("pack", stages.lut_delay_ns(1));
-  return std::move(stages).unit("fp_convert");
+  const double nan_ns = stages.lut_delay_ns(reduction_levels(from.width() - 1));
+  Unit unit = std::move(stages).unit("fp_convert");
+  if (!from.has_infinities()) unit.stages.front().delay_ns += nan_ns;
+  return unit;
 }
 
 std::optional<Scaling> scaling_of(const TypedGraph& graph, const TypedNode& node) {

@@ -37,9 +37,10 @@ std::string meaning_of(const OperandFormat& kind) {
                        fixed->is_signed ? ", in two's complement" : "");
   }
   const FloatFormat& format = *kind.floating();
-  return fmt::format("sign [{}], exponent + {} [{}:{}], fraction [{}:0]", format.width() - 1,
+  const std::string_view special = format.has_infinities() ? "" : "; all ones below the sign: NaN";
+  return fmt::format("sign [{}], exponent + {} [{}:{}], fraction [{}:0]{}", format.width() - 1,
                      format.bias(), format.width() - 2, format.fraction_bits(),
-                     format.fraction_bits() - 1);
+                     format.fraction_bits() - 1, special);
 }
 
 }  // namespace

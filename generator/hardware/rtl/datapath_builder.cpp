@@ -36,6 +36,14 @@ bool reads_phase(const std::vector<ModuleItem>& items) {
   });
 }
 
+/// An operand's word as fp_convert reads it: see datapath::ConvertedOperand.
+Operand read_by_unit(const std::string& port, FloatFormat format) {
+  if (format.has_infinities()) return net(port);
+  const int sign = format.width() - 1;
+  const Operand magnitude = slice(port, sign - 1, 0);
+  return concatenation({bit(port, sign), all_bits(magnitude), magnitude});
+}
+
 }  // namespace
 
 std::vector<InputPort> operands_of_width(const std::vector<std::string>& names, int width) {
@@ -106,7 +114,12 @@ std::string DatapathBuilder::widened(int input) {
   const std::string& port = ports_[static_cast<std::size_t>(input)];
   const auto& [from, to, step] = *inputs_[static_cast<std::size_t>(input)].widening;
   const std::string name = pool_.unique(port + "_widened");
-  add(Comment{fmt::format("{} in {}; it arrives in {}.", port, to.name(), from.name())});
+  const auto [read, scale] = datapath::converted_operand(from);
+  add(Comment{fmt::format("{} in {}; it arrives in {}{}.", port, to.name(), from.name(),
+                          scale == 0 ? ""
+                                     : fmt::format(". With a bit in front, 1 for the NaN, it is "
+                                                   "2^{} times a number of {}",
+                                                   scale, read.name()))});
   if (step.unit.module.empty()) {
     Operand narrow = net(arrived(input));
     add(Wire{to.width(), name, concatenation({narrow, zeros(to.width() - from.width())})});
@@ -115,13 +128,14 @@ std::string DatapathBuilder::widened(int input) {
   const std::string unused = pool_.unique("unused_exceptional_" + port);
   add(Wire{to.width(), name, nullptr});
   add(Wire{1, unused, nullptr});
-  add_unit(step, "widen_" + port,
-           {{"EXPONENT_BITS", from.exponent_bits()},
-            {"PRECISION", from.precision()},
-            {"RESULT_EXPONENT_BITS", to.exponent_bits()},
-            {"RESULT_PRECISION", to.precision()},
-            {"GRADUAL", 1}},
-           {{"a", net(port)}, {"y", net(name)}, {"exceptional", net(unused)}});
+  std::vector<Parameter> parameters = {{"EXPONENT_BITS", read.exponent_bits()},
+                                       {"PRECISION", read.precision()},
+                                       {"RESULT_EXPONENT_BITS", to.exponent_bits()},
+                                       {"RESULT_PRECISION", to.precision()},
+                                       {"GRADUAL", 1}};
+  if (scale != 0) parameters.push_back({"SCALE", scale});
+  add_unit(step, "widen_" + port, std::move(parameters),
+           {{"a", read_by_unit(port, from)}, {"y", net(name)}, {"exceptional", net(unused)}});
   return entered(name, to.width(), step.ready_cycle);
 }
 

@@ -8,6 +8,10 @@
 // the format must hold the number; one with digits behind the point is a double as well, so that
 // formats of more than 53 bits have numbers that are rounded when they are unpacked. Operands lie
 // side by side without gaps, the first lowest.
+@IF ONE_NAN@
+//
+// E4M3 has no infinities: they, and numbers that round to more than 448, become its NaN.
+@END@
 
 #ifndef @NAME@_PACKING_H
 #define @NAME@_PACKING_H
@@ -102,6 +106,28 @@ static inline double @MODULE@_number(uint64_t word, int digits, int exponent_bit
   if ((word & sign) > 0) bits |= (uint64_t)1 << 63;
   memcpy(&number, &bits, sizeof number);
   return number;
+}
+@END@
+@IF ONE_NAN@
+
+// The same for a format without infinities, whose NaN is all ones below the sign. Its other words
+// are those of 1 / scale of its numbers in a format with one exponent bit more.
+static inline uint64_t @MODULE@_word_one_nan(
+    double value, int digits, int exponent_bits, double scale) {
+  const int magnitude_bits = digits - 1 + exponent_bits;
+  const uint64_t nan = ((uint64_t)1 << magnitude_bits) - 1;
+  const uint64_t word = @MODULE@_word(value / scale, digits, exponent_bits + 1);
+  const uint64_t magnitude = word & (2 * nan + 1);
+  return magnitude < nan ? magnitude | (word >> (magnitude_bits + 1) << magnitude_bits) : nan;
+}
+
+static inline double @MODULE@_number_one_nan(
+    uint64_t word, int digits, int exponent_bits, double scale) {
+  const int magnitude_bits = digits - 1 + exponent_bits;
+  const uint64_t nan = ((uint64_t)1 << magnitude_bits) - 1;
+  const uint64_t magnitude = word & nan;
+  const uint64_t leading = (word >> magnitude_bits << 1 | (magnitude == nan)) << magnitude_bits;
+  return @MODULE@_number(leading | magnitude, digits, exponent_bits + 1) * scale;
 }
 @END@
 @IF WIDE@

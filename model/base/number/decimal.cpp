@@ -24,7 +24,7 @@ Bits round_literal(FloatFormat format, const Literal& literal) {
   if (numerator == 0) return format.zero(false);
   const double logarithm =
       digits_of(numerator) + std::log2(literal.radix) * static_cast<double>(literal.exponent);
-  if (logarithm > beyond_all_formats) return format.infinity(false);
+  if (logarithm > beyond_all_formats) return format.beyond_largest(false);
   if (logarithm < -beyond_all_formats) return format.zero(false);
   (literal.exponent > 0 ? numerator : denominator) *=
       power_of(literal.radix, std::abs(literal.exponent));
@@ -114,11 +114,10 @@ Result<Bits> from_text(FloatFormat format, std::string_view text) {
   std::string_view rest = text;
   const bool negative = rest.starts_with('-');
   if (negative || rest.starts_with('+')) rest.remove_prefix(1);
-  const Bits sign = format.zero(negative);
-  if (is_word(rest, "inf") || is_word(rest, "infinity")) return sign | format.infinity(false);
+  if (is_word(rest, "inf") || is_word(rest, "infinity")) return format.beyond_largest(negative);
   if (is_word(rest, "nan")) return format.quiet_nan();
   if (const std::optional<Literal> literal = read_literal(rest)) {
-    return sign | round_literal(format, *literal);
+    return with_sign(format, negative, round_literal(format, *literal));
   }
   return Error{
       .message = "not a number",

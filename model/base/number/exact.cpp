@@ -37,13 +37,18 @@ long last_place(FloatFormat format, long floor_log2) {
 
 /// The encoding of quotient * 2^place, where place = last_place of the value before rounding. If
 /// rounding carried the quotient to the next power of two, it carries into the exponent field;
-/// beyond the largest number that gives infinity.
+/// beyond the largest number that gives infinity, or the NaN of a format without infinities.
 Bits assemble(FloatFormat format, long place, const mpz_class& quotient) {
   const long binade = place + format.fraction_bits() - format.min_exponent();
-  return (Bits(binade) << format.fraction_bits()) + to_bits(quotient);
+  const Bits magnitude = (Bits(binade) << format.fraction_bits()) + to_bits(quotient);
+  return std::min(magnitude, format.beyond_largest(false));
 }
 
 }  // namespace
+
+Bits with_sign(FloatFormat format, bool negative, Bits magnitude) {
+  return format.is_nan(magnitude) ? magnitude : magnitude | format.zero(negative);
+}
 
 Bits to_bits(const mpz_class& value) {
   static_assert(std::numeric_limits<mp_limb_t>::digits == 64);
@@ -57,8 +62,8 @@ mpz_class to_integer(Bits bits) {
 }
 
 mpq_class to_rational(FloatFormat format, Bits bits) {
+  MIXCMP_CHECK(format.is_finite(bits));
   const int field = format.biased_exponent(bits);
-  MIXCMP_CHECK(field != format.max_biased_exponent());
   const Bits leading = field == 0 ? 0 : Bits{1} << format.fraction_bits();
   const mpq_class magnitude = scaled(to_integer(leading | format.fraction(bits)),
                                      std::max(field, 1) - format.bias() - format.fraction_bits());
@@ -68,7 +73,7 @@ mpq_class to_rational(FloatFormat format, Bits bits) {
 Bits converted(FloatFormat to, FloatFormat from, Bits bits) {
   const bool negative = from.sign(bits);
   if (from.is_nan(bits)) return to.quiet_nan();
-  if (from.is_infinite(bits)) return to.infinity(negative);
+  if (from.is_infinite(bits)) return to.beyond_largest(negative);
   if (from.is_zero(bits)) return to.zero(negative);
   return from_rational(to, to_rational(from, bits));
 }
@@ -78,12 +83,12 @@ Bits from_ratio(FloatFormat format, const mpz_class& numerator, const mpz_class&
   const bool negative = numerator < 0;
   const mpz_class magnitude = abs(numerator);
   const long exponent = floor_log2(magnitude, denominator);
-  if (exponent > format.max_exponent()) return format.infinity(negative);
+  if (exponent > format.max_exponent()) return format.beyond_largest(negative);
   const long place = last_place(format, exponent);
   Division division = divide(magnitude, denominator, place);
   const bool odd = mpz_odd_p(division.quotient.get_mpz_t()) != 0;
   if (division.half > 0 || (division.half == 0 && odd)) ++division.quotient;
-  return format.zero(negative) | assemble(format, place, division.quotient);
+  return with_sign(format, negative, assemble(format, place, division.quotient));
 }
 
 Bits from_rational(FloatFormat format, const mpq_class& value) {
@@ -94,7 +99,7 @@ Bits from_rational_up(FloatFormat format, const mpq_class& value) {
   MIXCMP_CHECK(value >= 0);
   if (value == 0) return format.zero(false);
   const long exponent = floor_log2(value);
-  if (exponent > format.max_exponent()) return format.infinity(false);
+  if (exponent > format.max_exponent()) return format.beyond_largest(false);
   const long place = last_place(format, exponent);
   return assemble(format, place, ceiling_of(scaled(value, -place)));
 }

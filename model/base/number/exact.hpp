@@ -11,20 +11,24 @@ namespace mixcmp::inline number {
 /// The value of a finite encoding.
 mpq_class to_rational(FloatFormat format, Bits bits);
 
-/// The encoding nearest to `value`: ties to even, gradual subnormals, infinity from the midpoint
-/// above the largest number on. Zero becomes +0.
+/// The encoding nearest to `value`: ties to even, gradual subnormals, beyond_largest from the
+/// midpoint above the largest number on; if that number's last bit is 0, the midpoint is rounded to
+/// it. Zero becomes +0.
 Bits from_rational(FloatFormat format, const mpq_class& value);
 
-/// The encoding in `to` nearest to a number in `from`. Infinities and the signs of zeros stay;
-/// every NaN becomes the quiet NaN.
+/// The encoding in `to` nearest to a number in `from`. The signs of zeros stay, and infinities if
+/// `to` has some; otherwise they become the NaN. Every NaN becomes the quiet NaN.
 Bits converted(FloatFormat to, FloatFormat from, Bits bits);
 
 /// The encoding nearest to numerator / denominator, for denominator > 0 and any common factors.
 Bits from_ratio(FloatFormat format, const mpz_class& numerator, const mpz_class& denominator);
 
 /// The encoding of the smallest number of the format that is at least `value` >= 0, subnormals
-/// included; infinity above the largest.
+/// included; beyond_largest above the largest.
 Bits from_rational_up(FloatFormat format, const mpq_class& value);
+
+/// A magnitude with a sign; a NaN stays as it is.
+Bits with_sign(FloatFormat format, bool negative, Bits magnitude);
 
 /// The low 128 bits of a non-negative integer.
 Bits to_bits(const mpz_class& value);

@@ -32,11 +32,11 @@ Error format_error(std::string received) {
 
 }  // namespace
 
-Result<FloatFormat> FloatFormat::make(int precision, int exponent_bits) {
+Result<FloatFormat> FloatFormat::make(int precision, int exponent_bits, Specials specials) {
   const bool valid = min_precision <= precision && precision <= max_precision &&
                      min_exponent_bits <= exponent_bits && exponent_bits <= max_exponent_bits;
   if (!valid) return format_error(fmt::format("s{}e{}", precision, exponent_bits));
-  return FloatFormat(precision, exponent_bits);
+  return FloatFormat(precision, exponent_bits, specials);
 }
 
 std::string FloatFormat::accepted(int least, int most) {
@@ -53,6 +53,11 @@ Result<FloatFormat> FloatFormat::parse(std::string_view text) {
   for (const NamedFormat& named : named_formats) {
     if (text == named.name) return make(named.precision, named.exponent_bits);
   }
+  if (text == "E4M3") {
+    return Error{.message = "a format of operands only, since it has no infinities",
+                 .received = "\"E4M3\"",
+                 .accepted = FloatFormat::accepted()};
+  }
   const size_t e = text.find('e');
   if (text.empty() || text[0] != 's' || e == std::string_view::npos) {
     return format_error(fmt::format("\"{}\"", text));
@@ -65,6 +70,7 @@ Result<FloatFormat> FloatFormat::parse(std::string_view text) {
 }
 
 std::string FloatFormat::name() const {
+  if (!has_infinities()) return fmt::format("E{}M{}", exponent_bits_, fraction_bits());
   return fmt::format("s{}e{}", precision_, exponent_bits_);
 }
 

@@ -68,11 +68,13 @@ Scientific scientific(FloatFormat format, Bits number) {
           .unit_exponent = std::max(exponent, 1) - format.bias() - format.fraction_bits()};
 }
 
-/// The word of a number in a floating-point format; none if it is no number of that format.
+/// The word of a number in a floating-point format; none if the format lacks it.
 std::optional<Bits> floating_word(FloatFormat to, FloatFormat from, Bits number) {
   const bool is_negative = from.sign(number);
   if (from.is_nan(number)) return to.quiet_nan();
-  if (from.is_infinite(number)) return to.infinity(is_negative);
+  if (from.is_infinite(number)) {
+    return to.has_infinities() ? std::optional(to.infinity(is_negative)) : std::nullopt;
+  }
   auto [unused, significand, unit_exponent] = scientific(from, number);
   if (significand == 0) return to.zero(is_negative);
   for (; (significand & 1) == 0; ++unit_exponent) significand >>= 1;
@@ -85,7 +87,8 @@ std::optional<Bits> floating_word(FloatFormat to, FloatFormat from, Bits number)
   }
   if (exponent < to.min_exponent()) return to.pack(is_negative, 0, significand << above_least);
   const Bits fraction = (significand << (to.precision() - digits)) & low_mask(to.fraction_bits());
-  return to.pack(is_negative, exponent + to.bias(), fraction);
+  const Bits word = to.pack(is_negative, exponent + to.bias(), fraction);
+  return to.is_finite(word) ? std::optional(word) : std::nullopt;
 }
 
 /// The integer that a finite number is in units of 2^unit_exponent; none if it is no integer, or
@@ -114,20 +117,16 @@ Result<OperandFormat> OperandFormat::parse_fixed(std::string_view name) {
 
 Result<OperandFormat> OperandFormat::parse(std::string_view name) {
   if (auto fixed = parse_fixed(name); fixed.ok()) return fixed;
+  if (name == "E4M3") return OperandFormat(FloatFormat::make(4, 4, Specials::one_nan).value());
   if (name == "E5M2") return OperandFormat(FloatFormat::make(3, 5).value());
   const Result<FloatFormat> floating = FloatFormat::parse(name);
   if (floating.ok()) return OperandFormat(*floating);
   return Error{
-      .message = name == "E4M3" ? "not a format of operands: it has no infinities, and its "
-                                  "NaN is one word"
-                                : "not a format of operands",
-      .received = in_quotes(name),
-      .accepted =
-          name == "E4M3" ? "s4e5, which holds its numbers, or another " + accepted() : accepted()};
+      .message = "not a format of operands", .received = in_quotes(name), .accepted = accepted()};
 }
 
 std::string OperandFormat::accepted() {
-  return accepted_fixed() + "; " + FloatFormat::accepted() + ", E5M2";
+  return accepted_fixed() + "; " + FloatFormat::accepted() + ", E4M3, E5M2";
 }
 
 std::string OperandFormat::accepted_fixed() {
@@ -158,7 +157,8 @@ bool OperandFormat::is_held_by(FloatFormat other) const {
            format->unit_exponent >= other.min_exponent();
   }
   return other.precision() >= floating()->precision() &&
-         other.exponent_bits() >= floating()->exponent_bits();
+         other.max_exponent() >= floating()->max_exponent() &&
+         other.min_exponent() <= floating()->min_exponent();
 }
 
 bool OperandFormat::holds(FloatFormat from, Bits number) const {

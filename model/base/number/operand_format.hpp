@@ -20,8 +20,9 @@ public:
   explicit OperandFormat(FloatFormat format) : format_(format) {}
   explicit OperandFormat(FixedFormat format) : format_(format) {}
 
-  /// Reads the name of any format. "E5M2" is s3e5, the format of eight bits in the Open Compute
-  /// Project's specification. That specification's "E4M3" is an error: it has no infinities.
+  /// Reads the name of any format. "E4M3" and "E5M2" are the formats of eight bits in the Open
+  /// Compute Project's specification OFP8: s3e5, and s4e4 without infinities, whose largest number
+  /// is 448.
   static Result<OperandFormat> parse(std::string_view name);
   /// Reads the name of a fixed-point format: "uint10" and "int8" are integers of 10 and 8 bits;
   /// "q3.12" has a sign, 3 bits before the point and 12 behind it, so 16 bits; "uq4.12" has no
@@ -42,7 +43,7 @@ public:
   /// so that no treatment of subnormal numbers changes it.
   bool is_held_by(FloatFormat other) const;
   /// Whether a number is one of this format. It is encoded in `from`. Formats in floating point
-  /// have infinities and NaNs.
+  /// have NaNs and, but for those without, infinities.
   bool holds(FloatFormat from, Bits number) const;
   /// The word of a number that the format holds. The number is encoded in `from`. A NaN becomes the
   /// quiet NaN, except in `from` itself.

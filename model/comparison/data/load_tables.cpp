@@ -69,6 +69,11 @@ Result<Done> round_columns(Table& table, std::span<const WantedColumn> wanted) {
             .received = to_text(table.format, bits),
             .accepted = "a smaller number, or a format with more exponent bits"};
       }
+      if (column.rounded_to->is_nan(rounded) && !table.format.is_nan(bits)) {
+        table.lost.add({1, fmt::format("{} in {}, row {}, {}, read in {}",
+                                       to_text(table.format, bits), table.source, table.label(row),
+                                       column.name, column.rounded_to->name())});
+      }
       bits = converted(table.format, *column.rounded_to, rounded);
     }
   }

@@ -161,7 +161,7 @@ mpq_class integer_of(std::uint64_t bits, const NpyScalar& scalar) {
   return mpq_class(static_cast<long>(bits << unused) >> unused);
 }
 
-/// Rounds a number to a format; none if it is finite and overflows.
+/// Rounds a number to a format; none if it is finite and becomes an infinity.
 std::optional<Bits> read_scalar(std::uint64_t bits, const NpyScalar& scalar, FloatFormat format) {
   const bool is_float = scalar.kind == 'f';
   const Bits value = is_float ? converted(format, float_of(scalar.bytes), bits)
@@ -172,8 +172,9 @@ std::optional<Bits> read_scalar(std::uint64_t bits, const NpyScalar& scalar, Flo
 }
 
 /// Whether `value`, which read_scalar made of an integer, is another one, or of a float other than
-/// 0, is 0.
+/// 0, is 0, or is a NaN that was none.
 bool is_lost(std::uint64_t bits, const NpyScalar& scalar, FloatFormat format, Bits value) {
+  if (format.is_nan(value)) return scalar.kind != 'f' || !float_of(scalar.bytes).is_nan(bits);
   if (scalar.kind != 'f') return to_rational(format, value) != integer_of(bits, scalar);
   return format.is_zero(value) && !float_of(scalar.bytes).is_zero(bits);
 }

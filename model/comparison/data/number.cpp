@@ -37,6 +37,7 @@ Result<Bits> read_number(FloatFormat format, std::string_view text) {
 bool is_lost(FloatFormat format, std::string_view text, Bits number) {
   std::string_view digits = trimmed(text);
   if (digits.starts_with('-') || digits.starts_with('+')) digits.remove_prefix(1);
+  if (format.is_nan(number)) return !digits.starts_with('n') && !digits.starts_with('N');
   if (format.is_zero(number)) {
     const bool is_hex = digits.starts_with("0x") || digits.starts_with("0X");
     if (is_hex) digits.remove_prefix(2);

@@ -21,7 +21,8 @@ struct FileColumn {
 };
 
 /// Numbers of a file that a format does not keep: whole numbers that it rounds (written in digits,
-/// or integers by their type), and others than 0 that become 0.
+/// or integers by their type), others than 0 that become 0, and in a format without infinities
+/// those that become a NaN: infinities, and numbers that round to none of its numbers.
 struct LostNumbers {
   std::uint64_t count = 0;
   std::string first;  ///< "17 in a.csv, line 3, x, read in s3e5"; empty: none

@@ -41,7 +41,7 @@ public:
     RowRandom random(seed_, stream_, row);
     for (int k = 0; k < most_draws; ++k) {
       const Bits bits = from_rational(format_, number(random));
-      if (format_.is_infinite(bits) || !contains(numbers_, to_rational(format_, bits))) continue;
+      if (!format_.is_finite(bits) || !contains(numbers_, to_rational(format_, bits))) continue;
       return format_ == table_format_ ? bits : converted(table_format_, format_, bits);
     }
     return std::nullopt;

@@ -92,7 +92,9 @@ mpq_class smallest_number(FloatFormat format) {
 }
 
 mpq_class largest_number(FloatFormat format) {
-  return (2 - power_of_two(-format.fraction_bits())) * power_of_two(format.max_exponent());
+  // Without infinities, the significand of all ones at the largest exponent is that of the NaN.
+  const int places_below_two = format.fraction_bits() - (format.has_infinities() ? 0 : 1);
+  return (2 - power_of_two(-places_below_two)) * power_of_two(format.max_exponent());
 }
 
 mpq_class binade(const mpq_class& value) {

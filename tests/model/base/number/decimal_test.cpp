@@ -96,6 +96,21 @@ TEST(FromText, OverflowsToInfinityAtTheMidpointBeyondTheLargest) {
   EXPECT_EQ(parse(format, "-1e-99999999999999999999"), format.zero(true));
 }
 
+/// What E4M3 lacks is its one NaN, without a sign.
+TEST(FromText, WithoutInfinitiesTheNanIsBeyondTheLargest) {
+  const FloatFormat format = FloatFormat::make(4, 4, Specials::one_nan).value();
+  EXPECT_EQ(parse(format, "464"), format.largest_finite(false));
+  EXPECT_EQ(parse(format, "-464"), format.largest_finite(true));
+  for (const char* text :
+       {"464.0000001", "-480", "500", "-1e99999999999999999999", "inf", "-inf", "nan", "-nan"}) {
+    EXPECT_EQ(parse(format, text), format.quiet_nan()) << text;
+  }
+  for (Bits bits = 0; bits < 256; ++bits) {
+    const Bits expected = format.is_nan(bits) ? format.quiet_nan() : bits;
+    EXPECT_EQ(parse(format, to_text(format, bits)), expected) << to_hex(bits, 8);
+  }
+}
+
 TEST(FromText, ReadsEveryAcceptedForm) {
   const FloatFormat format = format_of(24, 8);
   EXPECT_EQ(parse(format, "12.5"), Bits{0x41480000});

@@ -91,6 +91,59 @@ TEST(Exact, RoundsUpToTheLeastNumberNotBelow) {
   }
 }
 
+const FloatFormat e4m3 = FloatFormat::make(4, 4, Specials::one_nan).value();
+
+/// The value of a word of E4M3 that is no NaN, by the table of the Open Compute Project's OFP8.
+mpq_class value_of_e4m3(int word) {
+  const int field = word >> 3 & 15, fraction = word & 7;
+  const mpq_class magnitude =
+      field == 0 ? fraction * power_of_two(-9) : (8 + fraction) * power_of_two(field - 10);
+  return word < 0x80 ? magnitude : mpq_class(-magnitude);
+}
+
+TEST(WithoutInfinities, EveryWordHasTheValueOfTheSpecification) {
+  for (int word = 0; word < 256; ++word) {
+    const Bits bits = static_cast<Bits>(word);
+    if (e4m3.is_nan(bits)) {
+      EXPECT_TRUE(std::isnan(to_double(e4m3, bits)));
+      EXPECT_EQ(converted(format_of(24, 8), e4m3, bits), format_of(24, 8).quiet_nan());
+      continue;
+    }
+    EXPECT_EQ(to_rational(e4m3, bits), value_of_e4m3(word)) << word;
+    EXPECT_EQ(mpq_class(to_double(e4m3, bits)), value_of_e4m3(word)) << word;
+    const Bits wide = converted(format_of(24, 8), e4m3, bits);
+    EXPECT_EQ(to_rational(format_of(24, 8), wide), value_of_e4m3(word)) << word;
+    EXPECT_EQ(converted(e4m3, format_of(24, 8), wide), bits) << word;
+  }
+}
+
+/// Of two neighbours the even one takes their midpoint. Above 464 = 448 + 16 is the NaN.
+TEST(WithoutInfinities, NumbersAreRoundedToTheNearestAndBeyondTheLargestToTheNan) {
+  const mpq_class tiny = power_of_two(-60);
+  for (int word = 0; word < 0x7f; ++word) {
+    const mpq_class value = value_of_e4m3(word);
+    const mpq_class next = word == 0x7e ? mpq_class(480) : value_of_e4m3(word + 1);
+    const mpq_class middle = (value + next) / 2;
+    const Bits low = static_cast<Bits>(word), high = low + 1;
+    EXPECT_EQ(from_rational(e4m3, middle - tiny), low) << word;
+    EXPECT_EQ(from_rational(e4m3, middle), word % 2 == 0 ? low : high) << word;
+    EXPECT_EQ(from_rational(e4m3, middle + tiny), high) << word;
+    EXPECT_EQ(from_rational_up(e4m3, value), low) << word;
+    EXPECT_EQ(from_rational_up(e4m3, value + tiny), high) << word;
+  }
+  for (const mpq_class& beyond : {mpq_class(465), mpq_class(480), mpq_class(496), mpq_class(500),
+                                  mpq_class(512), mpq_class(power_of_two(100'000))}) {
+    EXPECT_EQ(from_rational(e4m3, beyond), e4m3.quiet_nan()) << beyond;
+    EXPECT_EQ(from_rational(e4m3, -beyond), e4m3.quiet_nan()) << beyond;
+    EXPECT_EQ(from_rational_up(e4m3, beyond), e4m3.quiet_nan()) << beyond;
+  }
+  for (const FloatFormat from : {format_of(11, 5), format_of(53, 11)}) {
+    EXPECT_EQ(converted(e4m3, from, from.infinity(false)), e4m3.quiet_nan());
+    EXPECT_EQ(converted(e4m3, from, from.infinity(true)), e4m3.quiet_nan());
+    EXPECT_EQ(converted(e4m3, from, from.zero(true)), e4m3.zero(true));
+  }
+}
+
 TEST(Double, HoldsEveryNumberOfFormatsThatFit) {
   std::mt19937_64 random(2);
   for (const FloatFormat format : {format_of(11, 5), format_of(53, 8), format_of(53, 11)}) {

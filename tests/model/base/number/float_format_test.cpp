@@ -46,6 +46,35 @@ TEST(FloatFormat, ClassifiesEveryEncodingOfASmallFormat) {
   EXPECT_EQ(subnormals, 6);
 }
 
+TEST(FloatFormat, WithoutInfinitiesTheLargestExponentHoldsNumbersAndOneNan) {
+  const FloatFormat e4m3 = FloatFormat::make(4, 4, Specials::one_nan).value();
+  EXPECT_EQ(e4m3.name(), "E4M3");
+  EXPECT_FALSE(e4m3.has_infinities());
+  EXPECT_EQ(e4m3.bias(), 7);
+  EXPECT_EQ(e4m3.min_exponent(), -6);
+  EXPECT_EQ(e4m3.max_exponent(), 8);
+  EXPECT_EQ(e4m3.largest_finite(false), Bits{0x7e});
+  EXPECT_EQ(e4m3.largest_finite(true), Bits{0xfe});
+  EXPECT_EQ(e4m3.quiet_nan(), Bits{0x7f});
+  EXPECT_EQ(e4m3.beyond_largest(true), e4m3.quiet_nan());
+  for (Bits bits = 0; bits < 256; ++bits) {
+    const bool is_nan = bits == 0x7f || bits == 0xff;
+    EXPECT_EQ(e4m3.is_nan(bits), is_nan) << to_hex(bits, 8);
+    EXPECT_EQ(e4m3.is_finite(bits), !is_nan) << to_hex(bits, 8);
+    EXPECT_FALSE(e4m3.is_infinite(bits));
+  }
+  EXPECT_FALSE(e4m3 == format_of(4, 4));
+  EXPECT_EQ(format_of(4, 4).beyond_largest(true), format_of(4, 4).infinity(true));
+}
+
+/// The smallest format has one number in its largest binade.
+TEST(FloatFormat, WithoutInfinitiesTwoDigitsAreEnough) {
+  const FloatFormat format = FloatFormat::make(2, 2, Specials::one_nan).value();
+  EXPECT_EQ(format.largest_finite(false), Bits{0b110});
+  EXPECT_EQ(format.max_exponent(), 2);
+  EXPECT_TRUE(format.is_nan(0b111));
+}
+
 TEST(FloatFormat, FillsAllBitsOfBinary128) {
   const FloatFormat format = *FloatFormat::parse("binary128");
   EXPECT_EQ(format.width(), 128);
@@ -75,6 +104,7 @@ TEST(FloatFormat, RefusesWhatItCannotPack) {
     EXPECT_EQ(format.error().received, "\"" + std::string(text) + "\"");
     EXPECT_NE(format.error().accepted.find("P 2..113"), std::string::npos);
   }
+  EXPECT_NE(FloatFormat::parse("E4M3").error().message.find("operands only"), std::string::npos);
   EXPECT_FALSE(FloatFormat::make(114, 8).ok());
   EXPECT_FALSE(FloatFormat::make(17, 1).ok());
 }

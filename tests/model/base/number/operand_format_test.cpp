@@ -86,7 +86,7 @@ TEST(OperandFormat, SpecialNumbersAreNotHeld) {
 /// Every number of formats of 8 and 16 bits, encoded in wider formats: words come back, and a
 /// number with one digit more is not held.
 TEST(OperandFormat, EveryFloatingPointWordComesBack) {
-  for (const char* name : {"E5M2", "s4e4", "binary16", "bfloat16", "s5e3"}) {
+  for (const char* name : {"E4M3", "E5M2", "s4e4", "binary16", "bfloat16", "s5e3"}) {
     const auto format = OperandFormat::parse(name);
     ASSERT_TRUE(format.ok()) << name;
     const FloatFormat own = *format->floating();
@@ -124,18 +124,34 @@ TEST(OperandFormat, IsHeldByWiderFormats) {
   EXPECT_TRUE(is_held("bfloat16", 8, 8));
   EXPECT_FALSE(is_held("bfloat16", 11, 5)) << "exponents";
   EXPECT_FALSE(is_held("binary16", 8, 8)) << "digits";
+  EXPECT_TRUE(is_held("E4M3", 4, 5));
+  EXPECT_FALSE(is_held("E4M3", 4, 4)) << "256 and more";
+  EXPECT_FALSE(is_held("E4M3", 3, 5)) << "digits";
+  EXPECT_TRUE(is_held("s4e4", 4, 4));
   EXPECT_TRUE(is_held("uint24", 24, 8));
   EXPECT_FALSE(is_held("uint25", 24, 8));
   EXPECT_TRUE(is_held("q0.7", 7, 5));
   EXPECT_FALSE(is_held("q0.7", 7, 4)) << "a subnormal number of s7e4";
 }
 
-TEST(OperandFormat, AFormatWithoutInfinitiesIsRefused) {
-  const auto format = OperandFormat::parse("E4M3");
-  ASSERT_FALSE(format.ok());
-  EXPECT_NE(format.error().message.find("no infinities"), std::string::npos);
-  EXPECT_EQ(format.error().accepted.substr(0, 4), "s4e5");
-  EXPECT_EQ(OperandFormat::parse("float16").error().message, "not a format of operands");
+TEST(OperandFormat, AFormatWithoutInfinitiesLacksThemAndItsNansNumber) {
+  const OperandFormat format = *OperandFormat::parse("E4M3");
+  EXPECT_EQ(format.name(), "E4M3");
+  EXPECT_EQ(format.width(), 8);
+  const FloatFormat from = format_of(24, 8);
+  const auto held = [&](const mpq_class& value) {
+    return format.holds(from, from_rational(from, value));
+  };
+  EXPECT_TRUE(held(448));
+  EXPECT_FALSE(held(480)) << "the NaN's fields";
+  EXPECT_FALSE(held(-480));
+  EXPECT_FALSE(held(512));
+  EXPECT_TRUE(held(mpq_class(7, 512)));
+  EXPECT_FALSE(held(mpq_class(7, 1024))) << "below a subnormal's unit";
+  EXPECT_FALSE(format.holds(from, from.infinity(false)));
+  EXPECT_TRUE(format.holds(from, from.quiet_nan()));
+  EXPECT_EQ(format.word_of(from, from.quiet_nan()), Bits{0x7f});
+  EXPECT_NE(OperandFormat::parse("float16").error().accepted.find("E4M3"), std::string::npos);
 }
 
 TEST(OperandFormat, WidthsAddUp) {

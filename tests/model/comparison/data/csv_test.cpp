@@ -74,6 +74,25 @@ TEST_F(CsvTest, CountsWholeNumbersThatItRounds) {
   EXPECT_EQ(coarse->lost.first, "2049.000 in data, line 2, y, read in s11e5");
 }
 
+/// E4M3 has no infinities and no number above 448; the NaN that is written is none that is lost.
+TEST_F(CsvTest, CountsNumbersThatBecomeNan) {
+  const FloatFormat e4m3 = FloatFormat::make(4, 4, Specials::one_nan).value();
+  const std::vector<data::WantedColumn> wanted = {{.name = "x", .column = "x", .rounded_to = e4m3},
+                                                  {.name = "y", .column = "y"}};
+  const auto table = data::read_csv(
+      write("x,y\n464.0,1\n-464.5,2\ninf,3\n nan,4\nNaN,5\n-1e9,6\n-448,inf\n0x1p-9,8\n"),
+      binary64_, wanted);
+  ASSERT_TRUE(table.ok()) << table.error().to_string();
+  const std::vector<std::string> expected = {"448", "nan", "nan",  "nan",
+                                             "nan", "nan", "-448", "0.001953125"};
+  for (std::size_t row = 0; row < expected.size(); ++row) {
+    EXPECT_EQ(text(*table, row, 0), expected[row]) << row;
+  }
+  EXPECT_EQ(text(*table, 6, 1), "inf");
+  EXPECT_EQ(table->lost.count, 4U) << "464 as well, as a whole number that is rounded";
+  EXPECT_EQ(table->lost.first, "464.0 in data, line 2, x, read in E4M3");
+}
+
 TEST_F(CsvTest, MistakesNameLineAndColumn) {
   const auto error = [&](const std::string& bytes) {
     return told(data::read_csv(write(bytes), binary16_, xy));

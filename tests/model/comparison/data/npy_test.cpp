@@ -111,6 +111,28 @@ TEST_F(NpyTest, CountsIntegersThatItRounds) {
   EXPECT_EQ(zeros->lost.first, "-1e-300 in data, row 1, column 1, read in s11e5");
 }
 
+TEST_F(NpyTest, CountsNumbersThatBecomeNan) {
+  std::vector<data::WantedColumn> wanted(xy.begin(), xy.end());
+  wanted[0].rounded_to = FloatFormat::make(4, 4, Specials::one_nan).value();
+  const auto lost = [&](const char* type, const std::string& numbers) {
+    const auto table =
+        data::read_npy(write(npy(type, "False", "(4, 2)", numbers)), binary64_, wanted);
+    EXPECT_TRUE(table.ok()) << table.error().to_string();
+    EXPECT_TRUE(table->format.is_nan(table->at(1, 0)));
+    EXPECT_TRUE(table->format.is_nan(table->at(3, 0)));
+    EXPECT_EQ(text(*table, 0, 0), "-448");
+    EXPECT_EQ(text(*table, 1, 1), "500");
+    return table->lost;
+  };
+  const auto floats =
+      lost("'<f8'", bytes_of<double>({-449, 1, 465, 500, NAN, 1, double{INFINITY}, 1}));
+  EXPECT_EQ(floats.count, 2U);
+  EXPECT_EQ(floats.first, "465 in data, row 1, column 0, read in E4M3");
+  const auto integers = lost("'<i8'", bytes_of<std::int64_t>({-448, 1, 465, 500, 3, 1, -999, 1}));
+  EXPECT_EQ(integers.count, 2U);
+  EXPECT_EQ(integers.first, "465 in data, row 1, column 0, read in E4M3");
+}
+
 TEST_F(NpyTest, StructuredArraysAreReadByFieldName) {
   std::string data;
   data += bytes_of<float>({0.25F}) + "abcd" + bytes_of<std::int16_t>({-1});

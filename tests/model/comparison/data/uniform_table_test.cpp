@@ -80,6 +80,15 @@ TEST(UniformTable, RoundsToNoNumberBeyondTheRange) {
   EXPECT_EQ(counts.rbegin()->first, mpq_class(7, 4));
 }
 
+TEST(UniformTable, DrawsNoNanOfAFormatWithoutInfinities) {
+  const auto table = uniform_table(
+      {.columns = {{"cx", {440, 600}, FloatFormat::make(4, 4, Specials::one_nan).value()}},
+       .count = 100},
+      FloatFormat::make(24, 8).value());
+  ASSERT_TRUE(table.ok()) << table.error().to_string();
+  for (const Bits number : table->values) EXPECT_EQ(to_rational(table->format, number), 448);
+}
+
 TEST(UniformTable, AFormatWithoutSuchNumbersIsRefused) {
   const FloatFormat coarse = FloatFormat::make(3, 4).value();
   const auto error_of = [&](const UniformNumbers& numbers) {

@@ -120,6 +120,35 @@ TEST_F(RelativeProof, OperandsOfNarrowFormatsHaveFewDigits) {
   EXPECT_FALSE(proof_of(false).machine_checked());
 }
 
+/// The proofs' own largest number of a format without infinities lies below that of its NaN's
+/// fields.
+TEST_F(RelativeProof, TheLargestNumberIsTheFormats) {
+  const FloatFormat e4m3 = FloatFormat::make(4, 4, Specials::one_nan).value();
+  EXPECT_EQ(proof::largest_number(e4m3), 448);
+  EXPECT_EQ(proof::smallest_number(e4m3), power_of_two(-9));
+  EXPECT_EQ(proof::largest_number(format("s3e5")), 57344);
+  EXPECT_EQ(proof::largest_number(format("s4e4")), 240);
+}
+
+/// 146 * 448 is a number of s12e5, and 147 * 448 is none: the analysis finds no overflow in the
+/// first product of an operand in E4M3, and the proof agrees.
+TEST_F(RelativeProof, OperandsWithoutInfinitiesEndAtTheirLargestNumber) {
+  for (const int factor : {146, 147}) {
+    Graph graph = graph_of(std::to_string(factor) + " * a", "b");
+    graph.arrives_in(0, FloatFormat::make(4, 4, Specials::one_nan).value());
+    const TypedGraph typed =
+        lane_graph(graph, format("s24e8"), {format("s12e5")}, LaneInputs::rounded);
+    const Lane lane = error::certified_lane(typed, {.ranges = {std::nullopt, Range{0, 1}}}).value();
+    const auto product =
+        std::find_if(lane.graph.nodes.begin(), lane.graph.nodes.end(),
+                     [](const TypedNode& node) { return node.operation == Operation::multiply; });
+    const auto id = static_cast<std::size_t>(product - lane.graph.nodes.begin());
+    EXPECT_EQ(lane.hazards[id].overflow, factor == 147) << factor;
+    const LaneProof proof = prove(lane, Effort::operations);
+    EXPECT_TRUE(proof.machine_checked()) << factor << "\n" << report::to_text(proof, "");
+  }
+}
+
 /// Products of few digits, conversions to more digits and scalings by powers of two round nothing.
 TEST_F(RelativeProof, WhatRoundsNothingIsProvenToRoundNothing) {
   const Graph graph = graph_of("a * b", "b + c / 4");

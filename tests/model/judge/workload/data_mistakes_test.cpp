@@ -45,7 +45,6 @@ protected:
     return text;
   }
 
-private:
   Result<data::Comparisons> load(const std::string& file,
                                  const std::vector<std::string>& settings) const {
     const Result<scene::Scene> scene = scene::load_scene(directory_.path() / file, settings);
@@ -53,6 +52,7 @@ private:
     return workload::load_comparisons(*scene);
   }
 
+private:
   test::ScratchDirectory directory_;
 };
 
@@ -265,6 +265,23 @@ TEST(ComparisonProgress, CountsUpToAllComparisons) {
   });
   ASSERT_TRUE(data.ok()) << data.error().to_string();
   EXPECT_EQ(told, (std::vector<std::uint64_t>{4096, 8192, 9096, 10'000}));
+}
+
+/// Atoms are read in the reference's format first. E4M3 has no number for a coordinate of 999.
+TEST_F(DataMistakes, CoordinatesThatAFormatWithoutInfinitiesLacksAreCounted) {
+  write("atoms.pdb",
+        "ATOM      1  N   MET A   1      11.000  12.000  13.000  1.00 10.00           N\n"
+        "ATOM      2  N   MET A   1     999.000-465.000-448.000  1.00 10.00           N\n");
+  write("scene.toml",
+        "reference.format = \"binary64\"\n[comparison]\nname = \"n\"\n"
+        "f = \"(cxi - cxj)^2 + (cyi - cyj)^2\"\ng = \"czi * czj\"\n"
+        "[inputs]\n\"c*\" = { format = \"E4M3\" }\n"
+        "[data]\nfile = \"atoms.pdb\"\npairs = \"all\"\n");
+  const Result<data::Comparisons> loaded = load("scene.toml", {});
+  ASSERT_TRUE(loaded.ok()) << loaded.error().to_string();
+  const data::LostNumbers lost = data::lost_numbers_of(*loaded);
+  EXPECT_EQ(lost.count, 2U);
+  EXPECT_EQ(lost.first, "999 in atoms.pdb, row A 1 MET N, cx, read in E4M3");
 }
 
 /// Each number of an input in fixed point is one of its format.
