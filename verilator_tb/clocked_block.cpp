@@ -120,6 +120,7 @@ std::string ClockedBlock::wrapper() const {
       connections(inputs, "d"), connections(outputs, "q"));
 }
 
+/// Its own names have a $, which no name of a scene has, and so no port.
 std::string ClockedBlock::stub() const {
   const auto inputs = ports_of(*this, rtl::Direction::input);
   const auto outputs = ports_of(*this, rtl::Direction::output);
@@ -134,11 +135,11 @@ std::string ClockedBlock::stub() const {
       "    input chandle block, input bit {2}d, output bit {3}q\n  );\n\n"
       "`ifdef SETTLE_BLOCKS\n"
       "  import \"DPI-C\" function void {0}_settle(input chandle block, input bit {2}d);\n"
-      "  always @(negedge aclk) {0}_settle(block, {4});\n`endif\n\n"
-      "  chandle block;\n  reg {3}q;\n  reg {3}next_q;\n\n"
-      "  initial block = {0}_make();\n\n"
-      "  always @(posedge aclk) begin\n    {0}_clock(block, {4}, next_q);\n"
-      "    q <= next_q;\n  end\n\n  assign {5} = q;\n\nendmodule\n",
+      "  always @(negedge aclk) {0}_settle(block$, {4});\n`endif\n\n"
+      "  chandle block$;\n  reg {3}q$;\n  reg {3}next$;\n\n"
+      "  initial block$ = {0}_make();\n\n"
+      "  always @(posedge aclk) begin\n    {0}_clock(block$, {4}, next$);\n"
+      "    q$ <= next$;\n  end\n\n  assign {5} = q$;\n\nendmodule\n",
       module, header, range(total_width(inputs)), range(total_width(outputs)),
       concatenation(inputs), concatenation(outputs));
 }

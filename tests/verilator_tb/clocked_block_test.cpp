@@ -42,8 +42,9 @@ TEST(ClockedBlock, ItsWrapperAndItsStubPackTheSameWay) {
   EXPECT_NE(block->wrapper().find(".go(d[488:488])"), std::string::npos) << block->wrapper();
   EXPECT_NE(block->wrapper().find(".verdict(q[1:0])"), std::string::npos) << block->wrapper();
   EXPECT_NE(block->wrapper().find(".valid(q[2:2])"), std::string::npos) << block->wrapper();
-  EXPECT_NE(block->stub().find("{go, data}, next_q"), std::string::npos) << block->stub();
-  EXPECT_NE(block->stub().find("assign {valid, verdict} = q;"), std::string::npos) << block->stub();
+  EXPECT_NE(block->stub().find("{go, data}, next$"), std::string::npos) << block->stub();
+  EXPECT_NE(block->stub().find("assign {valid, verdict} = q$;"), std::string::npos)
+      << block->stub();
 }
 
 TEST(ClockedBlock, IsNoModuleThatMixcmpWouldNotPrint) {

@@ -207,11 +207,21 @@ Fields<Scene> system_fields(const Scene& scene) {
   return device_fields() + count_fields(scene) + stream_fields(scene.system);
 }
 
+/// The format of an input that has not the reference's.
+std::string own_format(const Scene& scene, const OperandFormat& format) {
+  const FloatFormat* const floating = format.floating();
+  if (floating == nullptr) return format.name();
+  const std::string_view standard = floating->standard_name();
+  return fmt::format("{}{}, widened to {}", format.name(),
+                     standard.empty() ? "" : fmt::format(" ({})", standard),
+                     scene.reference.format.name());
+}
+
 std::string declaration(const Scene& scene, std::size_t input) {
   std::string text = scene.ranges[input] ? shown(*scene.ranges[input]) : "no range";
   const OperandFormat& format = scene.operand_formats[input];
   const bool is_own = !(format == OperandFormat(scene.reference.format));
-  if (is_own) text = format.name() + ", " + text;
+  if (is_own) text = own_format(scene, format) + ", " + text;
   if (scene.data_ranges[input]) text += ", from the data";
   if (const auto& grid = scene.grids[input]) {
     text += fmt::format(", multiples of {}", expression::to_text(*grid));

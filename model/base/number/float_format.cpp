@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -14,14 +15,15 @@ struct NamedFormat {
   std::string_view name;
   int precision;
   int exponent_bits;
+  std::array<std::string_view, 4> elsewhere;  ///< names that languages and libraries have for it
 };
 
 constexpr std::array<NamedFormat, 5> named_formats = {{
-    {"binary16", 11, 5},
-    {"bfloat16", 8, 8},
-    {"binary32", 24, 8},
-    {"binary64", 53, 11},
-    {"binary128", 113, 15},
+    {"binary16", 11, 5, {"float16", "fp16", "half"}},
+    {"bfloat16", 8, 8, {"bf16"}},
+    {"binary32", 24, 8, {"float32", "fp32", "single", "float"}},
+    {"binary64", 53, 11, {"float64", "fp64", "double"}},
+    {"binary128", 113, 15, {"float128", "fp128", "quad"}},
 }};
 
 Error format_error(std::string received) {
@@ -37,6 +39,22 @@ Result<FloatFormat> FloatFormat::make(int precision, int exponent_bits, Specials
                      min_exponent_bits <= exponent_bits && exponent_bits <= max_exponent_bits;
   if (!valid) return format_error(fmt::format("s{}e{}", precision, exponent_bits));
   return FloatFormat(precision, exponent_bits, specials);
+}
+
+std::string_view FloatFormat::standard_name(std::string_view elsewhere) {
+  for (const NamedFormat& named : named_formats) {
+    const auto& names = named.elsewhere;
+    const bool is_one = std::find(names.begin(), names.end(), elsewhere) != names.end();
+    if (!elsewhere.empty() && is_one) return named.name;
+  }
+  return "";
+}
+
+std::string_view FloatFormat::standard_name() const {
+  for (const NamedFormat& named : named_formats) {
+    if (make(named.precision, named.exponent_bits).value() == *this) return named.name;
+  }
+  return "";
 }
 
 std::string FloatFormat::accepted(int least, int most) {

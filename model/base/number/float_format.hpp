@@ -36,6 +36,12 @@ public:
   /// Reads "s17e8", or one of binary16, bfloat16, binary32, binary64, binary128.
   static Result<FloatFormat> parse(std::string_view text);
 
+  /// The name that `parse` reads of a format that is called `elsewhere`, as in "float16"; empty if
+  /// none is known.
+  static std::string_view standard_name(std::string_view elsewhere);
+  /// "binary16" or another name of a standard; empty if it has none.
+  std::string_view standard_name() const;
+
   constexpr bool has_infinities() const { return specials_ == Specials::ieee; }
   constexpr int precision() const { return precision_; }
   constexpr int exponent_bits() const { return exponent_bits_; }

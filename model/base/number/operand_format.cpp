@@ -121,8 +121,12 @@ Result<OperandFormat> OperandFormat::parse(std::string_view name) {
   if (name == "E5M2") return OperandFormat(FloatFormat::make(3, 5).value());
   const Result<FloatFormat> floating = FloatFormat::parse(name);
   if (floating.ok()) return OperandFormat(*floating);
-  return Error{
-      .message = "not a format of operands", .received = in_quotes(name), .accepted = accepted()};
+  const std::string_view standard = FloatFormat::standard_name(name);
+  return Error{.message = "not a format of operands",
+               .received = in_quotes(name),
+               .accepted = standard.empty()
+                               ? accepted()
+                               : fmt::format("{} (the same format); {}", standard, accepted())};
 }
 
 std::string OperandFormat::accepted() {

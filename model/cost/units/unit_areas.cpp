@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "embedded/library_files.hpp"
 #include "model/base/common/memo.hpp"
@@ -293,6 +294,26 @@ private:
   std::vector<Sides> sides_;  ///< by parameter
 };
 
+/// Whether no size of a unit is above the other's. Their literals are equal.
+bool is_within(const Unit& unit, const Unit& other) {
+  return std::equal(unit.parameters.begin(), unit.parameters.end(), other.parameters.begin(),
+                    [](const Parameter& a, const Parameter& b) {
+                      return a.is_literal() ? a == b : !b.is_literal() && a.size() <= b.size();
+                    });
+}
+
+/// A predicted number of memories, moved to what measured units allow: no fewer than a smaller unit
+/// has, no more than a larger one. Memories are few and whole, and a formula of sizes may miss one.
+int within_measured_memories(const TemplateAreas& known, const Unit& unit, int memories) {
+  int least = 0, most = std::numeric_limits<int>::max();
+  for (std::size_t k = 0; k < known.units.size(); ++k) {
+    const int measured = known.areas[k].memories;
+    if (is_within(known.units[k], unit)) least = std::max(least, measured);
+    if (is_within(unit, known.units[k])) most = std::min(most, measured);
+  }
+  return std::min(std::max(memories, least), std::max(most, least));
+}
+
 /// An amount of each resource.
 using Amounts = std::array<double, area_columns.size()>;
 
@@ -447,6 +468,7 @@ std::optional<devices::Area> UnitAreas::predicted(const Unit& unit) const {
     int& amount = area.*area_columns[c].amount;
     amount = std::max(static_cast<int>(std::lround(amount + rest[c])), 0);
   }
+  area.memories = within_measured_memories(*known, unit, area.memories);
   return area;
 }
 

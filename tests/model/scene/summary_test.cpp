@@ -32,6 +32,18 @@ const scene::RangeQuestion& event(const scene::DatapathSummary& datapath,
   return datapath.events.front();
 }
 
+TEST(Summary, NamesFormatsOfOperandsAndTheirWidening) {
+  std::vector<std::string> formats = choices;
+  formats.pop_back();  // the radii's range
+  formats.emplace_back("inputs.ri={format=\"bfloat16\"}");
+  formats.emplace_back("inputs.rj={format=\"E4M3\",range=[1,100]}");
+  const scene::Scene scene = load(examples / "sphere_collision/scene.toml", formats);
+  const std::string text = report::to_text(scene::summarise(scene, nullptr));
+  EXPECT_NE(text.find("s8e8 (bfloat16), widened to s53e8, no range\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("E4M3, widened to s53e8, [1, 100]\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("[0, 100]\n"), std::string::npos) << text;
+}
+
 TEST(Summary, CountsTheSphereComparison) {
   const scene::Scene scene = load(examples / "sphere_collision/scene.toml", choices);
   const scene::Summary summary = scene::summarise(scene, nullptr);

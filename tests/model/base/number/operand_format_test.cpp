@@ -38,6 +38,18 @@ TEST(OperandFormat, OtherNamesAreRefused) {
 }
 
 /// Every number of every format up to eight bits, its neighbours, and the numbers beyond its ends.
+TEST(OperandFormat, NamesFromElsewhereLeadToTheStandards) {
+  const auto advice = [](const char* name) {
+    const auto format = OperandFormat::parse(name);
+    return format.ok() ? "" : format.error().accepted.substr(0, format.error().accepted.find(';'));
+  };
+  EXPECT_EQ(advice("float16"), "binary16 (the same format)");
+  EXPECT_EQ(advice("bf16"), "bfloat16 (the same format)");
+  EXPECT_EQ(advice("double"), "binary64 (the same format)");
+  EXPECT_EQ(advice("float8").substr(0, 5), "uint1") << "no name of one format";
+  EXPECT_EQ(advice("").substr(0, 5), "uint1");
+}
+
 TEST(OperandFormat, WordsAreTwosComplement) {
   const FloatFormat from = format_of(24, 8);
   for (const char* name :

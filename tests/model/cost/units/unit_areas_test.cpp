@@ -38,6 +38,33 @@ units::UnitAreas sums(int step) {
   return library;
 }
 
+Unit memory(int a, int b, int width) {
+  return {"squares",
+          {units::integer("A", a), units::integer("B", b), units::integer("WIDTH", width)}};
+}
+
+/// Two ports share one memory up to ten bits, from eleven on they need four.
+TEST(UnitAreas, HaveAsManyMemoriesAsMeasuredUnitsAllow) {
+  units::UnitAreas library("synth_a");
+  library.set({.module = "squares",
+               .rtl = "0",
+               .units = {memory(2, 2, 2), memory(3, 3, 4), memory(8, 8, 15), memory(9, 9, 17),
+                         memory(10, 10, 19), memory(11, 11, 21), memory(12, 12, 23)},
+               .areas = {{},
+                         {.memories = 1},
+                         {.memories = 1},
+                         {.memories = 1},
+                         {.memories = 1},
+                         {.memories = 4},
+                         {.memories = 4}}});
+  for (int bits = 3; bits <= 10; ++bits) {
+    const auto area = library.of(memory(bits, bits, 2 * bits - 2));
+    EXPECT_EQ(area->memories, 1) << bits;
+  }
+  EXPECT_EQ(library.of(memory(11, 12, 22))->memories, 4);
+  EXPECT_GE(library.of(memory(14, 14, 27))->memories, 4);
+}
+
 std::string message_of(const std::string& text) {
   const auto read = units::UnitAreas::read(text, "l.csv");
   return read.ok() ? "read" : read.error().to_string();
