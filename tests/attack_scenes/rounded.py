@@ -36,7 +36,7 @@ class Format:
     precision: int
     exponent_bits: int
     flush: bool = False
-    has_infinities: bool = True  # False: as E4M3, which has a NaN in place of all beyond its largest
+    has_infinities: bool = True  # False: as E4M3, whose NaN stands for all beyond its largest
 
     @property
     def name(self):

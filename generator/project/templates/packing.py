@@ -153,8 +153,8 @@ def _fixed_of(bits, count, is_signed, fraction_bits):
 
 
 def _float_bits(values, digits, exponent_bits, has_one_nan):
-    """As IEEE 754 packs: the fraction lowest, then the exponent, then the sign. With one NaN, that is
-    all ones below the sign, and stands for all that the format lacks."""
+    """As IEEE 754 packs: the fraction lowest, then the exponent, then the sign. With one NaN, that
+    is all ones below the sign, and stands for all that the format lacks."""
     largest = (1 << exponent_bits) - 1  # of the exponent's field
     least = 1 - largest // 2            # exponent of the least normal number
     is_finite = np.isfinite(values)
