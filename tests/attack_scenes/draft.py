@@ -328,6 +328,8 @@ class Draft:
                 rest = table.strip("{} ")
                 table = f'format = "{chosen[column].name}"{", " + rest if rest else ""}'
                 self.scene.inputs[word] = f"{{ {table} }}"
+        if all(word in self.scene.inputs for word in self.scene.graph().inputs()):
+            self.scene.inputs.pop("*", None)  # a key that decides nothing is refused
         for row in self.scene.rows + self.scene.others:
             for column in row:
                 if chosen.get(column):

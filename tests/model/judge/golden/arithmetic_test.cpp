@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "model/base/number/decimal.hpp"
+#include "model/base/number/exact.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/integer_float.hpp"
 
@@ -218,6 +219,19 @@ TEST(Arithmetic, AgreesWithTheMachinesFloat) {
 
 TEST(Arithmetic, AgreesWithTheMachinesDouble) {
   Machine<double, std::uint64_t>{format_of(53, 11)}.judge_all(200'000);
+}
+
+/// Operands in E4M3: MPFR's value of every word is that of GMP, and the NaNs are exceptional.
+TEST(Arithmetic, ConvertsEveryWordOfAFormatWithoutInfinities) {
+  const FloatFormat e4m3 = FloatFormat::make(4, 4, Specials::one_nan).value();
+  for (const FloatFormat to : {format_of(4, 5), format_of(11, 5), format_of(24, 8)}) {
+    for (Bits word = 0; word < 256; ++word) {
+      const Rounded result = golden::convert({to}, e4m3, word);
+      EXPECT_EQ(to_hex(result.bits, to.width()), to_hex(converted(to, e4m3, word), to.width()))
+          << to.name() << ", word " << to_hex(word, 8);
+      EXPECT_EQ(result.exceptional, word == 0x7f || word == 0xff) << to_hex(word, 8);
+    }
+  }
 }
 
 TEST(Arithmetic, ConvertsLikeTheMachine) {
