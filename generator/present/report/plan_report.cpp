@@ -83,10 +83,19 @@ std::string counted_text(const PrecisionPlan& plan) {
   return text + "\n";
 }
 
+/// The paper's baseline; empty if there are no references.
+std::string references_text(const Optimisation& optimisation) {
+  if (optimisation.references.empty()) return "";
+  const auto* alone = std::get_if<Allocation>(&optimisation.reference_only);
+  if (alone == nullptr) return "references alone: none fits\n";
+  return fmt::format("references alone: {} of them, {:.3g} G comparisons/s\n", alone->lane_count(),
+                     baseline_per_s(optimisation) / giga);
+}
+
 std::string no_plan_text(const Optimisation& optimisation) {
   const bool is_any = std::any_of(optimisation.plans.begin(), optimisation.plans.end(),
                                   [](const auto& plan) { return plan.allocation() != nullptr; });
-  if (!is_any) return "no precision has a feasible plan\n";
+  if (!is_any) return "no precision has a feasible plan\n" + references_text(optimisation);
   return fmt::format(
       "no plan: lanes of these precisions cost more than references, which alone have {:.3g} G "
       "comparisons/s\n",
@@ -103,12 +112,10 @@ std::string best_text(const Optimisation& optimisation) {
       s.precision, s.lanes, s.references, s.throughput_per_s / giga, s.kinds,
       shares(s.used, optimisation));
   if (is_in_engine(*best)) text += counted_text(*best);
-  if (optimisation.references.empty()) return text;
+  text += references_text(optimisation);
   const double baseline = baseline_per_s(optimisation);
-  if (baseline == 0) return text + "references alone: none fits\n";
-  const auto& alone = std::get<Allocation>(optimisation.reference_only);
-  text += fmt::format("references alone: {} of them, {:.3g} G comparisons/s; gain {:.2f}\n",
-                      alone.lane_count(), baseline / giga, s.throughput_per_s / baseline);
+  if (baseline == 0) return text;
+  text.insert(text.size() - 1, fmt::format("; gain {:.2f}", s.throughput_per_s / baseline));
   if (s.throughput_per_s >= baseline) return text;
   return text + "note: references alone are faster than this plan\n";
 }

@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "model/base/settings/limits.hpp"
 #include "model/cost/performance/performance.hpp"
 #include "model/design/design.hpp"
 #include "model/plan/optimise/crossover.hpp"
@@ -39,6 +40,8 @@ AllocationResult fill_with_references(const scene::Scene& scene, const devices::
   problem.available = device.available;
   problem.slack = scene.system.slack;
   problem.clocks = domains;
+  // References are the baseline: no limit of streams stops them.
+  problem.max_lanes = settings::limits::engine_lanes.most;
   if (is_chain(scene)) problem.max_lanes = *scene.lane_count();
   return allocate(problem);
 }
