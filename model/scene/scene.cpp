@@ -206,9 +206,8 @@ void choose_exponent_bits(ReducedSpec& reduced, const Graph& graph, FloatFormat 
   reduced.format = FloatFormat::make(reduced.format->precision(), bits).value();
 }
 
-/// Chooses the bits of a format written as "exact", and its bound where operands arrive in floating
-/// point, or explains why there is no exact lane. The
-/// error's field is reduced.format.
+/// Chooses the bits of a format written as "exact", or explains why no lane is exact. Where
+/// operands arrive in floating point, the default bound becomes `grid`.
 Result<Done> choose_exact_bits(ReducedSpec& reduced, const Graph& graph, FloatFormat reference,
                                fixed::FixedOptions operands) {
   if (!reduced.is_exact) return Done{};
@@ -216,6 +215,12 @@ Result<Done> choose_exact_bits(ReducedSpec& reduced, const Graph& graph, FloatFo
       std::all_of(operands.operand_formats.begin(), operands.operand_formats.end(),
                   [](const OperandFormat& format) { return format.fixed() != nullptr; });
   if (!all_fixed) reduced.error_bound = reduced.error_bound.value_or(BoundKind::grid);
+  if (all_fixed && reduced.error_bound == BoundKind::grid) {
+    return Error{.field = "reduced.error_bound",
+                 .message = "all operands arrive in fixed point: there is no grid to rely on",
+                 .received = "grid",
+                 .accepted = "auto, constant"};
+  }
   operands.bound = reduced.error_bound;
   const auto bits =
       fixed::exact_bits(graph, reference, std::move(operands), settings::limits::fixed_bits.most);

@@ -22,16 +22,17 @@ int signed_bits(const FixedFormat& format) {
   return format.width + (format.is_signed ? 0 : 1);
 }
 
-/// The unit that converts an operand: aligned to its range or, in block floating point, to the
-/// largest operand.
+/// The unit that converts an operand: aligned to its range; exactly, to its grid; or, in block
+/// floating point, aligned to the largest operand.
 Unit operand_unit(const FixedLane& lane, const FixedNode& input, const DelayTable& delays) {
   const FloatFormat from = lane.input_format;
   const FixedFormat& to = input.format;
   StageList stages(delays);
   stages.add("distance", stages.carry(from.exponent_bits()) + stages.lut_delay_ns(1));
-  stages.add("shift", stages.lut_delay_ns(1 + shift_levels(bits_for(to.width - 1))));
+  const int or_levels = input.on_grid ? reduction_levels(to.width) : 0;  // of the bits shifted out
+  stages.add("shift", stages.lut_delay_ns(1 + shift_levels(bits_for(to.width - 1)) + or_levels));
   if (input.on_grid) {
-    stages.add("negate", to.is_signed ? stages.carry(to.width) : 0);
+    stages.add("negate", to.is_signed ? stages.carry(to.width) : stages.lut_delay_ns(1));
     return std::move(stages).unit("fixed_grid_operand");
   }
   return std::move(stages).unit(lane.format.is_block ? "fixed_alignment" : "fixed_operand");

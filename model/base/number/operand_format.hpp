@@ -20,7 +20,7 @@ public:
   explicit OperandFormat(FloatFormat format) : format_(format) {}
   explicit OperandFormat(FixedFormat format) : format_(format) {}
 
-  /// Reads the name of any format. "E4M3" and "E5M2" are the formats of eight bits in the Open
+  /// Reads the name of any format. "E5M2" and "E4M3" are the formats of eight bits in the Open
   /// Compute Project's specification OFP8: s3e5, and s4e4 without infinities, whose largest number
   /// is 448.
   static Result<OperandFormat> parse(std::string_view name);

@@ -244,7 +244,7 @@ Result<Lane> lane_of(BoundKind kind, TypedGraph graph, const CertifiedOptions& o
   }
   return Error{.field = "reduced.error_bound",
                .message = "a bound of lanes in fixed point",
-               .received = "norm",
+               .received = std::string(to_string(kind)),
                .accepted = "auto, relative, running, constant, or reduced.format = \"q13\""};
 }
 

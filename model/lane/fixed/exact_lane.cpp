@@ -81,21 +81,30 @@ int digits_within(const Range& value, const mpq_class& unit) {
   return digits_of(ceiling_of(units));
 }
 
-/// Whether the lane relies on a grid of the input.
-bool has_grid(const FixedOptions& options, std::size_t input) {
-  return options.bound == BoundKind::grid && options.grids[input] && options.ranges[input];
+/// Why no lane with this bound is exact for an input in floating point.
+Error not_exact_in_floating_point(const Graph& graph, const FixedOptions& options,
+                                  std::size_t input) {
+  const std::string& name = graph.inputs()[input];
+  if (options.bound && options.bound != BoundKind::grid) {
+    return {
+        .field = "reduced.error_bound",
+        .message = "only the bound grid makes a lane exact for an input in floating point, " + name,
+        .received = std::string(to_string(*options.bound)),
+        .accepted = "auto, grid"};
+  }
+  return not_exact("an input has neither a format in fixed point nor a grid",
+                   fmt::format("{} in {}", name, options.operand_formats[input].name()),
+                   "inputs with a format such as uint10, or with a range and a grid");
 }
 
-/// The lane with the fewest bits for which `property` holds. With the bound `grid` there is none of
-/// too few bits.
+/// The lane with the fewest bits for which `property` holds. With the bound `grid`, fixed_lane
+/// fails where bits are too few, so these errors are skipped.
 Result<FixedLane> lane_with(bool (*property)(const FixedLane&), const Graph& graph,
                             FloatFormat input_format, FixedOptions options, int most_bits) {
   for (std::size_t input = 0; input < options.operand_formats.size(); ++input) {
-    const OperandFormat& format = options.operand_formats[input];
-    if (format.fixed() != nullptr || has_grid(options, input)) continue;
-    return not_exact("not all inputs arrive in fixed point or have a grid",
-                     fmt::format("{} in {}", graph.inputs()[input], format.name()),
-                     "inputs with a format such as uint10, or with a range and a grid");
+    const bool is_fixed = options.operand_formats[input].fixed() != nullptr;
+    if (is_fixed || options.relied_grid(input) != nullptr) continue;
+    return not_exact_in_floating_point(graph, options, input);
   }
   const auto lane_of = [&](int bits) {
     options.format = {.bits = bits};

@@ -13,6 +13,11 @@
 namespace mixcmp::fixed {
 namespace {
 
+bool any_on_grid(const std::vector<FixedNode>& nodes) {
+  return std::any_of(nodes.begin(), nodes.end(),
+                     [](const FixedNode& node) { return node.on_grid; });
+}
+
 bool has_no_error(const FixedNode& node) {
   return node.error.low == 0 && node.error.high == 0;
 }
@@ -87,11 +92,13 @@ Error no_error_to_bound(BoundKind kind) {
 
 Error no_grid(const FixedPoint& format, bool relies_on_grids) {
   return {.field = "reduced.error_bound",
-          .message = relies_on_grids ? fmt::format("in {} something is rounded", format.name())
-                                     : fmt::format("no input has a grid whose multiples {} holds",
-                                                   format.name()),
+          .message = relies_on_grids
+                         ? fmt::format("{} rounds a constant or a result of f or g", format.name())
+                         : fmt::format("{} holds the multiples of no grid of an input in floating "
+                                       "point",
+                                       format.name()),
           .received = "grid",
-          .accepted = "auto, constant, norm, or reduced.format = \"exact\""};
+          .accepted = "auto, constant, norm, running, or reduced.format = \"exact\""};
 }
 
 Error no_norm() {
@@ -108,6 +115,13 @@ Error no_running() {
           .message = "no running bound: no error grows with what f and g multiply",
           .received = "running",
           .accepted = "constant, or norm for sums of squares"};
+}
+
+Error no_grid_in(const FixedPoint& format) {
+  return {.field = "reduced.format",
+          .message = "lanes that rely on grids have neither guard digits nor blocks",
+          .received = format.name(),
+          .accepted = "qW, such as q10"};
 }
 
 Error no_block(const FixedPoint& format) {
@@ -131,10 +145,8 @@ std::string shown(const mpq_class& value) {
 std::string describe(const ConstantThresholds& thresholds, const FixedPart& part,
                      const std::vector<FixedNode>& nodes) {
   if (thresholds.exact) {
-    const bool has_promises =
-        std::any_of(nodes.begin(), nodes.end(), [](const FixedNode& node) { return node.on_grid; });
-    return has_promises ? "certified: everywhere on the declared grids, nothing is rounded"
-                        : "certified: everywhere, nothing is rounded";
+    return any_on_grid(nodes) ? "certified: everywhere on the declared grids, nothing is rounded"
+                              : "certified: everywhere, nothing is rounded";
   }
   const mpq_class unit = nodes[part.difference].format.unit();
   return fmt::format("certified: where f - g is {} or more, or {} or less",
@@ -216,6 +228,8 @@ Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
       std::any_of(options.operand_formats.begin(), options.operand_formats.end(),
                   [](const OperandFormat& format) { return format.fixed() != nullptr; });
   if (options.format.is_block && any_fixed) return no_block(options.format);
+  const bool is_plain = !options.format.is_block && options.format.guard_digits == 0;
+  if (options.bound == BoundKind::grid && !is_plain) return no_grid_in(options.format);
   MIXCMP_TRY(degrees, degrees_of(graph, options.format));
   FixedGraphBuilder builder(graph, input_format, options);
   MIXCMP_DO(builder.cut_in_common());
@@ -250,6 +264,11 @@ Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
 OperandFormat operand_format(const FixedLane& lane, int input) {
   return lane.operand_formats.empty() ? OperandFormat(lane.input_format)
                                       : lane.operand_formats[static_cast<std::size_t>(input)];
+}
+
+const mpq_class* FixedOptions::relied_grid(std::size_t input) const {
+  if (bound != BoundKind::grid || grids.empty() || !grids[input]) return nullptr;
+  return &*grids[input];
 }
 
 std::vector<FloatFormat> arriving_formats(const FixedLane& lane) {
@@ -351,8 +370,7 @@ std::vector<NodeId> read_by(const Criterion& criterion) {
 }
 
 bool relies_on_grids(const FixedLane& lane) {
-  return std::any_of(lane.nodes.begin(), lane.nodes.end(),
-                     [](const FixedNode& node) { return node.on_grid; });
+  return any_on_grid(lane.nodes);
 }
 
 bool has_norm(const FixedLane& lane) {

@@ -50,7 +50,8 @@ struct FixedNode {
   Operation operation;
   std::array<NodeId, 2> operands = {-1, -1};
   int input = -1;  ///< for Operation::input
-  /// For an input that arrives in floating point: the scene promises multiples of the unit.
+  /// For an input in floating point: hardware checks that it is a multiple of the unit and converts
+  /// it exactly.
   bool on_grid = false;
   mpz_class constant;  ///< for Operation::constant: in units
   FixedFormat format;
@@ -175,12 +176,14 @@ struct FixedOptions {
   /// One per input; a lane needs them all. In block floating point they are optional: an input
   /// whose range has no negative numbers needs no sign.
   std::vector<std::optional<Range>> ranges;
-  /// One per input, or none: the power of two whose multiples the operands promise to be. Only
-  /// lanes with the bound `grid` rely on it. They convert such operands exactly and check the
-  /// promise.
+  /// One per input, or none: the declared grid, a power of two. Only lanes with the bound `grid`
+  /// rely on it.
   std::vector<std::optional<mpq_class>> grids = {};
   /// One per input, or none: all operands arrive in the lane's input format.
   std::vector<OperandFormat> operand_formats = {};
+
+  /// The grid on which the lane relies; null: it relies on none of this input.
+  const mpq_class* relied_grid(std::size_t input) const;
 };
 
 /// The formats of operands that arrive in floating point, one per input; an input in fixed point

@@ -350,9 +350,8 @@ Result<FixedNode> FixedGraphBuilder::input(const Node& node) const {
 
 /// The bits of the promised multiples' magnitudes below 2^top; 0 if the lane relies on no grid.
 int FixedGraphBuilder::bits_of_multiples(int top, std::size_t input) const {
-  const bool relies = options_.bound == BoundKind::grid && !options_.grids.empty();
-  if (!relies || !options_.grids[input]) return 0;
-  return top - static_cast<int>(floor_log2(*options_.grids[input]));
+  const mpq_class* const grid = options_.relied_grid(input);
+  return grid == nullptr ? 0 : top - static_cast<int>(floor_log2(*grid));
 }
 
 /// An operand whose magnitude is below 2^top, in a unit of 2^(top - bits).

@@ -190,7 +190,7 @@ private:
     node.operands = {-1, -1};
     node.conversion = {};
     node.dropped_bits = 0;
-    node.on_grid = false;
+    node.on_grid = false;  // the loader checks it
     node.input = static_cast<int>(rest.loaded_inputs.size());
     rest.loaded_inputs.push_back(
         {.role = role,

@@ -80,8 +80,8 @@ std::vector<Bound> bounds_in_fixed_point(const scene::Scene& scene, std::span<co
     if (!reduced.fixed_point) return;
     const bool runs = reduced.error_bound == BoundKind::running;
     for (const auto& bound : bounds_of(*reduced.fixed_point)) {
-      const bool is_usual = bound.kind != BoundKind::running && bound.kind != BoundKind::grid;
-      if (runs || is_usual) add_new(bound);
+      if (bound == grid_bound) continue;  // counted_bounds_of adds it
+      if (runs || bound.kind != BoundKind::running) add_new(bound);
     }
   };
   for (const Bound& bound : scene::counted_bounds_of(scene)) add_new(bound);
@@ -110,9 +110,9 @@ void add_fixed_lanes(const scene::Scene& scene, int bits, std::span<const Bound>
     scene::ReducedSpec reduced = with_bound(scene.reduced, bound);
     reduced.fixed_point = bound.fixed_point(bits);
     SchemeLanes& scheme = scheme_with(schemes, bound, SchemeKind::certified);
-    // More bits than the grids' multiples need change nothing.
-    const bool is_known = bound == grid_bound && scheme.exists();
-    if (!is_known && allow(limits, *reduced.fixed_point)) {
+    // The narrowest lane on grids decides as all wider ones do, so these are not made.
+    const bool has_narrower = bound == grid_bound && scheme.exists();
+    if (!has_narrower && allow(limits, *reduced.fixed_point)) {
       add(schemes, bound, SchemeKind::certified, design::design_lane(scene, reduced, nullptr));
     } else {
       scheme.lanes.emplace_back(std::nullopt);

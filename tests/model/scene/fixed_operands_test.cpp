@@ -48,8 +48,8 @@ TEST_F(FixedOperandsTest, RangeGridReferenceAndLaneFollow) {
   EXPECT_EQ(scene.system.references, 0);
 }
 
-/// A grid that is promised of operands in floating point makes a lane exact, and the lane checks
-/// it: references stay. Both ranges need 10 bits of magnitude.
+/// A declared grid makes a lane for operands in floating point exact. The lane checks its operands,
+/// so references stay. [-512, 511] needs 10 bits of magnitude, because of 512.
 TEST_F(FixedOperandsTest, PromisedGridsMakeLanesExact) {
   std::string promised = orientation + "[reference]\nformat = \"binary32\"\n";
   const std::string format = "{ format = \"uint10\" }";
@@ -61,11 +61,16 @@ TEST_F(FixedOperandsTest, PromisedGridsMakeLanesExact) {
   EXPECT_FALSE(scene.has_fixed_operands());
   EXPECT_EQ(scene.system.references, std::nullopt);
   EXPECT_EQ(scene_of(promised, {"inputs.*.grid=0.5"}).reduced.format_name(), "q11");
+  const std::string of_norm = error(promised, {"reduced.error_bound=norm"});
+  EXPECT_NE(of_norm.find("only the bound grid makes a lane exact"), std::string::npos) << of_norm;
+  const std::string of_integers = error(orientation, {"reduced.error_bound=grid"});
+  EXPECT_NE(of_integers.find("there is no grid to rely on"), std::string::npos) << of_integers;
   promised.replace(promised.find(", grid = 1"), 10, "");
-  EXPECT_EQ(error(promised),
-            ":8: reduced.format: no lane is exact: not all inputs arrive in fixed point or have a "
-            "grid: received \"exact\" with bx in s24e8; accepted inputs with a format such as "
-            "uint10, or with a range and a grid, or a format such as q13");
+  EXPECT_EQ(
+      error(promised),
+      ":8: reduced.format: no lane is exact: an input has neither a format in fixed point nor "
+      "a grid: received \"exact\" with bx in s24e8; accepted inputs with a format such as "
+      "uint10, or with a range and a grid, or a format such as q13");
 }
 
 TEST_F(FixedOperandsTest, ReferencesAreForLanesThatRound) {

@@ -61,7 +61,7 @@ TEST_F(FloatOperandsTest, TheReferencesFormatIsNoOtherFormat) {
 TEST_F(FloatOperandsTest, MistakesNameTheKey) {
   EXPECT_TRUE(error(products, {"inputs.a.format=float16"})
                   .starts_with("--set: inputs.a.format: not a format of operands: received "
-                               "\"float16\"; accepted uint1..uint64, "));
+                               "\"float16\"; accepted binary16 (the same format); uint1"));
   const std::string wide = error(products, {"inputs.a.format=binary64"});
   EXPECT_TRUE(
       wide.starts_with("--set inputs.a.format: reference.format: it does not hold every "

@@ -148,7 +148,7 @@ TEST(ExactBits, SaysWhyThereIsNone) {
   EXPECT_EQ(reason("within(a, 0, 7)", "b", "uint8"), "limits leave comparisons undecided");
   EXPECT_EQ(reason("a^4", "b", "uint20"), "it takes more than 24 bits");
   EXPECT_EQ(reason("a", "b + 0x1.000001p30", "uint8"), "it takes more than 24 bits");
-  EXPECT_EQ(reason("a", "b", "s24e8"), "not all inputs arrive in fixed point or have a grid");
+  EXPECT_EQ(reason("a", "b", "s24e8"), "an input has neither a format in fixed point nor a grid");
   EXPECT_EQ(reason("a", "b", "uint24"), "");
 }
 
@@ -159,6 +159,27 @@ TEST(ExactBits, DependOnTheBound) {
   EXPECT_EQ(*exact_bits(graph, operands), 14);
   EXPECT_EQ(*exact_bits(graph, operands, BoundKind::constant), 27);
   EXPECT_FALSE(exact_bits(graph, operands, BoundKind::norm).ok());
+}
+
+/// The message about a lane on grids of 1, of inputs in [-8, 7].
+std::string no_grid_lane(const char* f, const char* g, FixedPoint lane_format) {
+  const Graph graph = graph_of(f, g);
+  const std::size_t inputs = graph.inputs().size();
+  const auto lane = fixed::fixed_lane(graph, format_of(24, 8),
+                                      {.format = lane_format,
+                                       .bound = BoundKind::grid,
+                                       .ranges = {inputs, std::optional(Range{-8, 7})},
+                                       .grids = std::vector(inputs, std::optional<mpq_class>(1))});
+  return lane.ok() ? "" : lane.error().message;
+}
+
+TEST(GridLanes, AreRefusedWhereSomethingIsRounded) {
+  EXPECT_EQ(no_grid_lane("a * b", "a + 3", {4}), "");
+  EXPECT_EQ(no_grid_lane("0.1 * a", "b", {4}), "q4 rounds a constant or a result of f or g");
+  EXPECT_EQ(no_grid_lane("a * b", "a + 3", {3}),
+            "q3 holds the multiples of no grid of an input in floating point");
+  EXPECT_EQ(no_grid_lane("a * b", "a^2", {.bits = 4, .guard_digits = 2}),
+            "lanes that rely on grids have neither guard digits nor blocks");
 }
 
 std::string exact_format(const Graph& graph, const std::vector<const char*>& names) {

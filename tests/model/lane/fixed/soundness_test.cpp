@@ -126,5 +126,14 @@ INSTANTIATE_TEST_SUITE_P(Comparisons, EveryTupleInFixedPoint,
                          testing::ValuesIn(bounded_comparisons()),
                          [](const auto& parameter) { return parameter.param.name; });
 
+/// Otherwise EveryTuple would try none of them.
+TEST(GridLanes, ExistForManyOfTheComparisons) {
+  int comparisons = 0;
+  for (const BoundedComparison& comparison : bounded_comparisons()) {
+    comparisons += grid_lanes(comparison, format_of(4, 4), {6}).empty() ? 0 : 1;
+  }
+  EXPECT_GE(comparisons, 20);
+}
+
 }  // namespace
 }  // namespace mixcmp::test::soundness_test
