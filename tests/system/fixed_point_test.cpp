@@ -315,6 +315,30 @@ TEST(PromisedGridsInAnEngine, AreCheckedWhereItemsAreLoaded) {
   EXPECT_EQ(report.truth->wrong_by_lane, 0u) << to_text(report);
 }
 
+/// A column has a grid as item i and a finer one as item j: its word has both, each with its check.
+TEST(PromisedGridsInAnEngine, OfOneColumnMayDiffer) {
+  const Graph graph = graph_of("xi", "xj");
+  const FloatFormat s24e8 = format("s24e8");
+  const fixed::FixedOptions options = {.format = {6},
+                                       .bound = BoundKind::grid,
+                                       .ranges = std::vector(2, std::optional(Range{0, 8})),
+                                       .grids = {mpq_class(1), mpq_class(1, 4)}};
+  design::Design design = design_of(graph, s24e8, {6}, {0, 8});
+  design.lanes.front().lane = fixed::fixed_lane(graph, s24e8, options).value();
+  design.system = with_engine(design.system, {.kind = scene::EngineKind::pairwise, .capacity = 16});
+  data::Table items{.format = s24e8, .columns = {"x"}, .values = {}, .labels = {}};
+  for (int k = 0; k < 16; ++k) {
+    items.values.push_back(from_rational(s24e8, mpq_class(k * 5 % 16, k == 15 ? 8 : 4)));
+  }
+  const auto data = data::Comparisons::all_pairs(items, design.inputs);
+  ASSERT_TRUE(data.ok()) << data.error().to_string();
+  const verilator_tb::VerifyReport report =
+      simulate(design, *data, {.simulator = verilator_tb::SimulatorKind::icarus});
+  EXPECT_TRUE(report.passed()) << to_text(report);
+  EXPECT_GT(report.recomputations, 60u) << "items i off the coarse grid";
+  EXPECT_LT(report.recomputations, report.comparisons);
+}
+
 /// The families of spheres that are made to mislead a lane.
 TEST(SpheresInFixedPoint, AreDecidedTruly) {
   const Graph graph = sphere_graph();

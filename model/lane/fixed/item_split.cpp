@@ -32,13 +32,13 @@ using Affected = std::array<std::set<std::pair<std::size_t, std::size_t>>, 3>;
 /// A loader under construction.
 struct Loading {
   /// The properties that all formats of one column's operand share, so that a coarser one is the
-  /// upper bits of a finer one: the power of two that bounds the operand, and whether it is signed
-  /// and on a grid. Units differ.
+  /// upper bits of a finer one: the power of two that bounds the operand, and whether it is signed.
+  /// Units differ. An operand on a grid is checked against its own: it shares no other's bits.
   struct Operand {
     int column;
     int top;
     bool is_signed;
-    bool on_grid;
+    std::optional<int> grid_exponent;  ///< of an operand on a grid
 
     friend auto operator<=>(const Operand&, const Operand&) = default;
   };
@@ -105,7 +105,7 @@ private:
   Loading::Operand operand_of(const FixedNode& input) const {
     const FixedFormat& format = input.format;
     return {inputs_[input.input].column, format.unit_exponent + format.magnitude_bits(),
-            format.is_signed, input.on_grid};
+            format.is_signed, input.on_grid ? std::optional(format.unit_exponent) : std::nullopt};
   }
 
   void note_finest(const FixedLane& lane) {
