@@ -254,6 +254,12 @@ struct LaneSpecs {
   std::vector<LaneGroupSpec> groups;
 };
 
+/// What lanes in fixed point read of their operands.
+fixed::FixedOptions operands_of(const InputDeclarations& declared,
+                                const std::vector<OperandFormat>& formats) {
+  return {.ranges = declared.ranges, .grids = declared.grids, .operand_formats = formats};
+}
+
 /// Reads [reduced] and [[lanes]], and chooses their exponent bits and the bits of exact lanes.
 Result<LaneSpecs> read_lanes(const settings::Settings& settings, const Graph& graph,
                              FloatFormat reference, const fixed::FixedOptions& operands) {
@@ -514,10 +520,7 @@ Result<Scene> interpret(SceneSettings read) {
   MIXCMP_DO(check_sums(settings, graph, reference.arithmetic.sums));
   MIXCMP_TRY(data, read_data(settings));
   MIXCMP_TRY(operand_formats, settle_operands(settings, format, graph, declared, data, notes));
-  MIXCMP_TRY(lanes, read_lanes(settings, graph, format,
-                               {.ranges = declared.ranges,
-                                .grids = declared.grids,
-                                .operand_formats = operand_formats}));
+  MIXCMP_TRY(lanes, read_lanes(settings, graph, format, operands_of(declared, operand_formats)));
   MIXCMP_TRY(references, read_reference_groups(settings, reference.structure));
   MIXCMP_TRY(system, read_system(settings));
   if (data) {

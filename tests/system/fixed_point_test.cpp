@@ -285,7 +285,7 @@ INSTANTIATE_TEST_SUITE_P(
              mpq_class(1, 4)}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
-/// Of an engine's items all but every seventh keep the promise of a grid. One lane takes them
+/// Every seventh item breaks its promise of a grid. One lane takes the others
 /// exactly, the other, of fewer bits, truncates them: the items' words have both.
 TEST(PromisedGridsInAnEngine, AreCheckedWhereItemsAreLoaded) {
   const Graph graph = graph_of("(xi - xj)^2 + (yi - yj)^2", "12");

@@ -117,7 +117,7 @@ TEST(WithoutInfinities, EveryWordHasTheValueOfTheSpecification) {
   }
 }
 
-/// Of two neighbours the even one takes their midpoint. Above 464 = 448 + 16 is the NaN.
+/// A midpoint goes to the even neighbour. The NaN takes everything above 464 = 448 + 16.
 TEST(WithoutInfinities, NumbersAreRoundedToTheNearestAndBeyondTheLargestToTheNan) {
   const mpq_class tiny = power_of_two(-60);
   for (int word = 0; word < 0x7f; ++word) {
