@@ -4,6 +4,7 @@
 
 #include <array>
 #include <bit>
+#include <numeric>
 
 #include "model/base/common/check.hpp"
 
@@ -37,6 +38,16 @@ bool is_open(const settings::Settings& settings, const char* section, const char
 template <class Value, class Values>
 std::vector<Value> choices(bool open, const Value& given, const Values& usual) {
   return open ? std::vector<Value>(usual.begin(), usual.end()) : std::vector<Value>{given};
+}
+
+/// The sizes of groups to be tried. Systems without references have few other choices, so that every
+/// size can be tried: one group may then have as many lanes as fit.
+std::vector<int> groups_of(const scene::Scene& scene) {
+  std::vector<int> groups(usual_groups.begin(), usual_groups.end());
+  if (scene.reference_count() != 0) return groups;
+  groups.resize(usual_groups.back());
+  std::iota(groups.begin(), groups.end(), 1);
+  return groups;
 }
 
 /// The architectures with these counters, groups and kind of operands.
@@ -116,7 +127,7 @@ std::vector<Architecture> architectures_of(const scene::Scene& scene, const Open
         for (const auto store : choices(open.operands, given.operands, stores)) {
           like.operands = store;
           for (const int group :
-               choices(open.lanes_per_group, given.lanes_per_group, usual_groups)) {
+               choices(open.lanes_per_group, given.lanes_per_group, groups_of(scene))) {
             like.lanes_per_group = group;
             add_streams(all, like, given, open);
           }
