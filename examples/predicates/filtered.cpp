@@ -1,5 +1,6 @@
 // The predicates in software: in double where a bound on the roundings proves the sign, else in
-// GMP's integers. Prints how many comparisons were made again, and the rate of one thread.
+// GMP's integers. Prints how many comparisons were made again, and the rate of one thread. The
+// coordinates are doubles: GMP gets them times the power of two that makes all of them integers.
 //   filtered orient2d|orient3d|incircle|insphere SIMPLICES.csv ATOMS.csv VERDICTS.csv
 // VERDICTS.csv: i, j and verdict of every comparison.
 #include <gmpxx.h>
@@ -17,14 +18,12 @@
 
 namespace {
 
-/// A double, and the same expression with every term's magnitude. The operands are integers of at
-/// most 52 digits, so that their differences are exact. Fewer than 20 roundings lie on the way of
-/// any term, which change it by less than 21 * 2^-53 of its magnitude (Higham, Accuracy and
-/// Stability of Numerical Algorithms, lemma 3.1). The limit of 64 * 2^-53 also covers the roundings
-/// of `magnitude`.
+/// A double, and the same expression with every term's magnitude. A vertex as seen from the point
+/// is rounded once. Fewer than 25 roundings lie on the way of any term, which change it by less
+/// than 26 * 2^-53 of its magnitude (Higham, Accuracy and Stability of Numerical Algorithms,
+/// lemma 3.1). The limit of 64 * 2^-53 also covers the roundings of `magnitude`.
 struct Filtered {
   double value, magnitude;
-  Filtered(double x) : value(x), magnitude(std::fabs(x)) {}
   Filtered(double x, double y) : value(x), magnitude(y) {}
 };
 Filtered operator*(Filtered a, Filtered b) {
@@ -114,14 +113,38 @@ Rows read(const char* path) {
   return rows;
 }
 
+/// The least k that makes 2^k times each number an integer.
+int binary_digits(const Rows& rows) {
+  int digits = 0;
+  for (const auto& row : rows) {
+    for (const double x : row) {
+      while (std::ldexp(x, digits) != std::nearbyint(std::ldexp(x, digits))) ++digits;
+    }
+  }
+  return digits;
+}
+
+/// A coordinate as seen from the point's, rounded.
+Filtered rounded(double x, double from) {
+  return {x - from, std::fabs(x - from)};
+}
+
+/// The same exactly, in units of 2^-digits.
+struct Exactly {
+  int digits;
+  mpz_class operator()(double x, double from) const {
+    return mpz_class(std::ldexp(x, digits)) - mpz_class(std::ldexp(from, digits));
+  }
+};
+
 /// Sets `vertices` to those of the simplex, of two or three coordinates, as seen from the point.
-template <class N>
+template <class N, class Seen>
 void look(const std::vector<double>& simplex, const std::vector<double>& point,
-          std::size_t dimensions, std::vector<Vertex<N>>& vertices) {
+          std::size_t dimensions, const Seen& seen, std::vector<Vertex<N>>& vertices) {
   vertices.clear();
   for (std::size_t k = 0; k < simplex.size(); k += dimensions) {
-    const double z = dimensions == 3 ? simplex[k + 2] - point[2] : 0;
-    vertices.push_back({N(simplex[k] - point[0]), N(simplex[k + 1] - point[1]), N(z)});
+    vertices.push_back({seen(simplex[k], point[0]), seen(simplex[k + 1], point[1]),
+                        dimensions == 3 ? seen(simplex[k + 2], point[2]) : seen(0, 0)});
   }
 }
 
@@ -137,15 +160,16 @@ Signs signs_of(const Rows& simplices, const Rows& points) {
   signs.all.reserve(simplices.size() * points.size());
   std::vector<Vertex<Filtered>> near;
   std::vector<Vertex<mpz_class>> exact;
+  const Exactly exactly{std::max(binary_digits(simplices), binary_digits(points))};
   for (const auto& simplex : simplices) {
     for (const auto& point : points) {
-      look(simplex, point, Predicate::dimensions, near);
+      look(simplex, point, Predicate::dimensions, rounded, near);
       const Filtered d = Predicate::determinant(near);
       if (std::fabs(d.value) > 0x1p-47 * d.magnitude) {
         signs.all.push_back(d.value > 0 ? 1 : -1);
         continue;
       }
-      look(simplex, point, Predicate::dimensions, exact);
+      look(simplex, point, Predicate::dimensions, exactly, exact);
       signs.all.push_back(sgn(Predicate::determinant(exact)));
       ++signs.again;
     }

@@ -348,7 +348,7 @@ Result<fixed::FixedLane> design_exact_reference(const scene::Scene& scene) {
     if (!is_chain) error.accepted += ", or 0 references";
     return error;
   }
-  const std::vector<bool> is_exact = error::exact_on_grid(
+  const std::vector<bool> is_exact = error::exact_nodes(
       reference_graph(scene.graph, scene.reference), scene.ranges, scene.grids);
   if (std::find(is_exact.begin(), is_exact.end(), false) != is_exact.end()) {
     return Error{.field = "reference.format",

@@ -514,7 +514,7 @@ Result<Scene> interpret(SceneSettings read) {
   MIXCMP_TRY(comparison, read_formulation(formulations, lets, notes, graphs));
   Graph& graph = comparison.graph;
   MIXCMP_TRY(declared, read_inputs(settings, graph.inputs()));
-  MIXCMP_TRY(reference, read_reference(settings, graphs, declared.formats));
+  MIXCMP_TRY(reference, read_reference(settings, graphs, declared));
   const FloatFormat format = reference.arithmetic.format;
   MIXCMP_DO(check_constants(settings, graph, reference.arithmetic, notes));
   MIXCMP_DO(check_sums(settings, graph, reference.arithmetic.sums));

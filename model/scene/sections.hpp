@@ -8,6 +8,7 @@
 #include "model/base/number/operand_format.hpp"
 #include "model/base/settings/section.hpp"
 #include "model/base/settings/settings.hpp"
+#include "model/scene/input_ranges.hpp"
 #include "model/scene/scene.hpp"
 
 /// Readers of the sections of a scene, one function each; load_scene puts the results together.
@@ -57,12 +58,11 @@ struct ReferenceSpec {
 };
 
 /// Reads [reference]. With the format "exact", which is the default if every input arrives in fixed
-/// point, the reference rounds nothing. `formats` has an entry for each input; none: floating
-/// point.
+/// point, the reference rounds nothing.
 /// `graphs`: of all formulations, which share their data and so the reference format.
 Result<ReferenceSpec> read_reference(const settings::Settings& settings,
                                      std::span<const Graph> graphs,
-                                     std::span<const std::optional<OperandFormat>> formats);
+                                     const InputDeclarations& declared);
 
 /// Reads [reduced]. Exponent bits that depend on ranges are chosen neither here nor in
 /// read_lane_groups.

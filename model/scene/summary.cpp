@@ -255,16 +255,13 @@ std::string first_loose_sum(const Scene& scene, const TypedGraph& reference) {
   return {};
 }
 
-/// `composed`: the reference with composed sums. If none of its operations rounds, no digit of a
-/// fused sum is cut off or rounded.
-Exactness summarise_exactness(const Scene& scene, const TypedGraph& composed,
-                              const TypedGraph& reference) {
-  const std::vector<bool> exact = error::exact_on_grid(composed, scene.ranges, scene.grids);
+Exactness summarise_exactness(const Scene& scene, const TypedGraph& reference) {
+  const std::vector<bool> exact = error::exact_nodes(reference, scene.ranges, scene.grids);
   const auto first = std::find(exact.begin(), exact.end(), false);
   if (first == exact.end()) return {.exact = true};
   return {
       .exact = false,
-      .first_rounding = to_text(composed.nodes, composed.input_names,
+      .first_rounding = to_text(reference.nodes, reference.input_names,
                                 static_cast<NodeId>(first - exact.begin()), max_expression_length),
       .first_loose_sum = first_loose_sum(scene, reference)};
 }
@@ -354,8 +351,6 @@ std::string_view to_string(Possibility possibility) {
 
 Summary summarise(const Scene& scene, const data::Comparisons* data) {
   const TypedGraph reference = reference_graph(scene.graph, scene.reference);
-  Arithmetic composed = scene.reference;
-  composed.sums = Sums::composed;
   Summary summary{.scene = &scene};
   summary.sides = summarise_sides(scene);
   summary.datapaths.push_back(summarise_datapath("reference", reference, scene.ranges));
@@ -365,7 +360,7 @@ Summary summarise(const Scene& scene, const data::Comparisons* data) {
     if (!groups[k].reduced.format) continue;
     summary.datapaths.push_back(summarise_lane(labels[k], scene, groups[k].reduced));
   }
-  summary.reference = summarise_exactness(scene, reference_graph(scene.graph, composed), reference);
+  summary.reference = summarise_exactness(scene, reference);
   if (data != nullptr) summary.data = summarise_data(scene, *data);
   return summary;
 }

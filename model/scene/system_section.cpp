@@ -8,7 +8,7 @@
 #include "model/base/settings/section.hpp"
 #include "model/comparison/expression/name.hpp"
 #include "model/cost/devices/device.hpp"
-#include "model/lane/fixed/exact_lane.hpp"
+#include "model/lane/error/exactness.hpp"
 #include "model/scene/sections.hpp"
 
 namespace mixcmp::scene {
@@ -75,17 +75,20 @@ Error no_exact_reference(const settings::Section& section, const Error& error) {
 /// The format of a reference that rounds nothing in any formulation.
 Result<FloatFormat> read_exact_format(const settings::Section& section,
                                       std::span<const Graph> graphs,
-                                      std::span<const std::optional<OperandFormat>> formats) {
-  if (!all_fixed(formats)) {
-    return no_exact_reference(section, {.message = "not all inputs arrive in fixed point",
-                                        .received = "\"exact\"",
-                                        .accepted = "inputs with a format such as uint10"});
+                                      const InputDeclarations& declared) {
+  std::vector<OperandFormat> formats;
+  for (std::size_t input = 0; input < declared.formats.size(); ++input) {
+    if (!declared.formats[input]) {
+      return no_exact_reference(section,
+                                {.message = "an input has no format",
+                                 .received = graphs.front().inputs()[input],
+                                 .accepted = "inputs with a format such as uint10 or binary32"});
+    }
+    formats.push_back(*declared.formats[input]);
   }
-  std::vector<OperandFormat> known;
-  for (const std::optional<OperandFormat>& format : formats) known.push_back(*format);
-  int precision = 0, exponent_bits = 0;
+  int precision = settings::limits::reference_precision.least, exponent_bits = 0;
   for (const Graph& graph : graphs) {
-    const Result<FloatFormat> format = fixed::exact_format(graph, known);
+    const auto format = error::exact_format(graph, formats, declared.ranges, declared.grids);
     if (!format.ok()) return no_exact_reference(section, format.error());
     precision = std::max(precision, format->precision());
     exponent_bits = std::max(exponent_bits, format->exponent_bits());
@@ -112,16 +115,17 @@ void read_structure(settings::Section& section, ReferenceStructureSpec& structur
 
 Result<ReferenceSpec> read_reference(const settings::Settings& settings,
                                      std::span<const Graph> graphs,
-                                     std::span<const std::optional<OperandFormat>> formats) {
+                                     const InputDeclarations& declared) {
   settings::Section section(settings, "reference");
   std::optional<FloatFormat> format;
   Subnormals subnormals = Subnormals::gradual;
   Sums sums = Sums::composed;
   const settings::Setting* given = section.find("format");
   const auto* word = given == nullptr ? nullptr : std::get_if<std::string>(&given->value);
-  const bool is_exact = given == nullptr ? all_fixed(formats) : word != nullptr && *word == "exact";
+  const bool is_exact =
+      given == nullptr ? all_fixed(declared.formats) : word != nullptr && *word == "exact";
   if (is_exact) {
-    MIXCMP_TRY(exact, read_exact_format(section, graphs, formats));
+    MIXCMP_TRY(exact, read_exact_format(section, graphs, declared));
     format = exact;
   } else {
     section.require("format");

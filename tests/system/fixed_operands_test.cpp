@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "model/base/number/exact.hpp"
-#include "model/lane/fixed/exact_lane.hpp"
+#include "model/lane/error/exactness.hpp"
 #include "tests/support/float_samples.hpp"
 #include "tests/support/graphs.hpp"
 #include "tests/support/simulated_system.hpp"
@@ -30,7 +30,10 @@ std::vector<OperandFormat> formats_of(const Case& c) {
 
 /// The format in which nothing is rounded.
 Arithmetic exact_reference(const Graph& graph, const std::vector<OperandFormat>& formats) {
-  return {fixed::exact_format(graph, formats).value()};
+  const std::size_t inputs = formats.size();
+  return {error::exact_format(graph, formats, std::vector<std::optional<Range>>(inputs),
+                              std::vector<std::optional<mpq_class>>(inputs))
+              .value()};
 }
 
 /// An exact lane, and one of two bits whose multipliers are logic.

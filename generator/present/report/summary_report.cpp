@@ -354,8 +354,7 @@ Fields<DataSummary> data_fields(const DataSummary& data) {
            [](const DataSummary& each) { return object_of(source_fields(), each.inputs); }}};
 }
 
-/// Says whether the reference rounds, for a scene that declares a grid: otherwise a reader does not
-/// expect it to be exact.
+/// Says whether the reference rounds.
 std::string exactness(const Summary& summary) {
   if (!summary.reference.exact) {
     return "may round, first in " + summary.reference.first_rounding;
@@ -363,7 +362,7 @@ std::string exactness(const Summary& summary) {
   const bool broken =
       summary.data && (summary.data->off_grid > 0 || summary.data->out_of_range > 0);
   return broken ? "exact, but for data that break a range or a grid"
-                : "exact: its verdicts are the order of the real numbers";
+                : "exact: every verdict is the order of the real numbers";
 }
 
 /// Says whether no fused sum has a larger error bound than the composed sum.
@@ -442,8 +441,12 @@ SummaryLines ranges_section(const Summary& summary) {
   const auto& grids = summary.scene->grids;
   const bool any_grid =
       std::any_of(grids.begin(), grids.end(), [](const auto& grid) { return grid.has_value(); });
-  if (any_grid) add(section, {{"reference", exactness(summary)}});
-  if (summary.scene->reference.sums == Sums::fused) {
+  // Without a grid or fused sums a reader does not expect the reference to be exact.
+  const bool is_fused = summary.scene->reference.sums == Sums::fused;
+  if (any_grid || is_fused || summary.reference.exact) {
+    add(section, {{"reference", exactness(summary)}});
+  }
+  if (is_fused) {
     add(section, {{"fused sums", fused_sums(summary)}});
   }
   return section;

@@ -1,109 +1,280 @@
 #include "model/lane/error/exactness.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <utility>
 
 #include "model/base/common/check.hpp"
+#include "model/base/number/double.hpp"
 #include "model/base/number/dyadic.hpp"
 #include "model/base/number/exact.hpp"
+#include "model/comparison/expression/text.hpp"
 #include "model/lane/error/range_analysis.hpp"
 
 namespace mixcmp::error {
 namespace {
 
-/// A power of two that divides every value of a node; none: no such power is known.
-using Quantum = std::optional<mpq_class>;
+/// What is known of the values of a node that rounds nothing.
+struct Multiples {
+  mpq_class quantum;  ///< a power of two: every value is a multiple
+  int digits;      ///< no value has more significant digits; `unlimited`: only `most` limits them
+  mpq_class most;  ///< no magnitude is larger
 
-/// The largest power of two that divides a dyadic rational. None for other rationals, and for 0,
-/// which every power of two divides.
-Quantum quantum_of(const mpq_class& value) {
-  if (value == 0 || mpz_popcount(value.get_den_mpz_t()) != 1) return std::nullopt;
-  const mp_bitcnt_t zeros = mpz_scan1(value.get_num_mpz_t(), 0);
-  return mpq_class(mpz_class(1) << zeros, value.get_den());
+  static constexpr int unlimited = std::numeric_limits<int>::max();
+
+  /// The digits that a format needs to hold every value.
+  int precision() const {
+    const mpz_class units = ceiling_of(mpq_class(most / quantum));
+    const int of_units =
+        is_power_of_two(mpq_class(units)) ? digits_of(units) - 1 : digits_of(units);
+    return std::max(1, std::min(digits, of_units));
+  }
+};
+/// None: the node rounds, or one below it does.
+using Known = std::optional<Multiples>;
+
+/// The numbers of a format, if nothing else is known of them.
+Multiples numbers_of(FloatFormat format) {
+  return {to_rational(format, Bits{1}), format.precision(),
+          to_rational(format, format.largest_finite(false))};
+}
+
+/// A constant's; none if it has no end in binary digits.
+Known constant(const mpq_class& value) {
+  if (value == 0) return Multiples{1, 1, 0};
+  if (!is_power_of_two(mpq_class(value.get_den()))) return std::nullopt;
+  const mpq_class magnitude = abs(value);
+  const long last = lowest_digit(magnitude);
+  return Multiples{power_of_two(last), static_cast<int>(floor_log2(magnitude) - last) + 1,
+                   magnitude};
 }
 
 class ExactnessAnalyser {
 public:
-  ExactnessAnalyser(const TypedGraph& graph, const std::vector<std::optional<Range>>& ranges,
+  ExactnessAnalyser(const TypedGraph& graph, std::vector<std::optional<Range>> ranges,
                     const std::vector<std::optional<mpq_class>>& grids)
-      : graph_(graph), ranges_(analyse_ranges(graph, ranges)), declared_(ranges), grids_(grids) {}
+      : graph_(graph), declared_(std::move(ranges)), grids_(grids) {
+    std::vector<std::optional<Range>> possible = declared_;
+    for (int input = 0; input < graph.input_count; ++input) {
+      const mpq_class most = numbers_of(graph.arriving_format(input)).most;
+      auto& range = possible[static_cast<std::size_t>(input)];
+      if (!range) range = Range{mpq_class(-most), most};
+    }
+    ranges_ = analyse_ranges(graph, possible);
+  }
 
-  std::vector<bool> run() {
+  /// Of each node, what its values are if it and all below it round nothing, as far as the
+  /// operations tell, whatever the formats are.
+  std::vector<Known> in_any_format() {
+    for (const TypedNode& node : graph_.nodes) add(multiples(node));
+    return std::move(nodes_);
+  }
+
+  std::vector<bool> in_formats_of_nodes() {
     std::vector<bool> exact;
-    for (NodeId id = 0; id < static_cast<NodeId>(graph_.nodes.size()); ++id) {
-      Quantum quantum = quantum_of_result(id);
-      if (quantum && !fits(id, *quantum)) quantum.reset();
-      quanta_.push_back(quantum);
-      exact.push_back(quantum.has_value());
+    for (const TypedNode& node : graph_.nodes) {
+      add(multiples(node));
+      Known& known = nodes_.back();
+      if (known && !node.is_sign_of_sum() && !fits(nodes_.size() - 1, *known)) known.reset();
+      exact.push_back(known.has_value());
     }
     return exact;
   }
 
 private:
-  Quantum quantum_of_result(NodeId id) const {
-    const TypedNode& node = graph_.nodes[id];
-    const Quantum none;
-    const Quantum& a = node.operands[0] < 0 ? none : quanta_[node.operands[0]];
-    const Quantum& b = node.operands[1] < 0 ? none : quanta_[node.operands[1]];
+  void add(Known known) {
+    const Range& value = ranges_[nodes_.size()].value;
+    if (known) known->most = std::max<mpq_class>(abs(value.low), abs(value.high));
+    nodes_.push_back(std::move(known));
+  }
+
+  Known multiples(const TypedNode& node) const {
+    const auto operand = [&](int k) -> const Known& {
+      return nodes_[static_cast<std::size_t>(node.operands[k])];
+    };
     switch (node.operation) {
-      case Operation::input: return declared_[node.input] ? grids_[node.input] : none;
-      case Operation::constant: return constant(node);
+      case Operation::input: return input(node.input);
+      case Operation::constant: return constant(node.value);
       case Operation::convert:
       case Operation::negate:
-      case Operation::absolute: return a;
+      case Operation::absolute: return operand(0);
       case Operation::add:
-      case Operation::subtract:
+      case Operation::subtract: return either(operand(0), operand(1), Multiples::unlimited);
       case Operation::minimum:
-      case Operation::maximum: return a && b ? Quantum(std::min(*a, *b)) : none;
-      case Operation::multiply: return a && b ? Quantum(*a * *b) : none;
-      case Operation::square: return a ? Quantum(*a * *a) : none;
-      case Operation::divide: return quotient(a, graph_.nodes[node.operands[1]]);
-      case Operation::square_root:
-      case Operation::fused_sum: return none;
+      case Operation::maximum: return choice(operand(0), operand(1));
+      case Operation::multiply: return product(operand(0), operand(1));
+      case Operation::square: return product(operand(0), operand(0));
+      case Operation::divide: return quotient(operand(0), graph_.nodes[node.operands[1]]);
+      case Operation::square_root: return std::nullopt;
+      case Operation::fused_sum: return sum(node);
     }
     MIXCMP_CHECK(false);
   }
 
-  /// The quantum of a constant that the format holds exactly. Zero is a multiple of every power of
-  /// two; its quantum is set to 1.
-  static Quantum constant(const TypedNode& node) {
-    if (node.format.is_infinite(node.constant)) return std::nullopt;
-    if (to_rational(node.format, node.constant) != node.value) return std::nullopt;
-    return node.value == 0 ? Quantum(1) : quantum_of(node.value);
+  /// A fused sum cuts its terms below a place that the largest one's exponent sets. None if that
+  /// may cut a digit.
+  Known sum(const TypedNode& node) const {
+    mpq_class quantum, largest = 0;
+    for (const FusedTerm& term : node.terms) {
+      Known known = nodes_[static_cast<std::size_t>(term.a)];
+      mpq_class most_of_term = known ? known->most : mpq_class();
+      if (term.is_product()) {
+        const Known& factor = nodes_[static_cast<std::size_t>(term.b)];
+        known = product(known, factor);
+        if (known) most_of_term *= factor->most;
+      }
+      if (!known) return std::nullopt;
+      quantum = &term == &node.terms.front() ? known->quantum : std::min(quantum, known->quantum);
+      largest = std::max(largest, most_of_term);
+    }
+    const int kept = node.operand_format.precision() + fused_guard_digits(node.terms.size());
+    if (largest > 0 && scaled(quantum, kept) < power_of_two(floor_log2(largest))) return {};
+    return node.is_sign_of_sum() ? Multiples{1, 1, 1}
+                                 : Multiples{quantum, Multiples::unlimited, largest};
   }
 
-  static Quantum quotient(const Quantum& a, const TypedNode& divisor) {
+  Multiples input(int input) const {
+    Multiples numbers = numbers_of(graph_.arriving_format(input));
+    const auto k = static_cast<std::size_t>(input);
+    if (declared_[k] && grids_[k]) numbers.quantum = std::max(numbers.quantum, *grids_[k]);
+    return numbers;
+  }
+
+  static Known either(const Known& a, const Known& b, int digits) {
+    if (!a || !b) return std::nullopt;
+    return Multiples{std::min(a->quantum, b->quantum), digits, 0};
+  }
+
+  static Known choice(const Known& a, const Known& b) {
+    return either(a, b, a && b ? std::max(a->precision(), b->precision()) : 0);
+  }
+
+  static Known product(const Known& a, const Known& b) {
+    if (!a || !b) return std::nullopt;
+    return Multiples{a->quantum * b->quantum, a->precision() + b->precision(), 0};
+  }
+
+  static Known quotient(const Known& a, const TypedNode& divisor) {
     const bool scales =
         divisor.operation == Operation::constant && is_power_of_two(abs(divisor.value));
     if (!a || !scales) return std::nullopt;
-    return mpq_class(*a / abs(divisor.value));
+    return Multiples{mpq_class(a->quantum / abs(divisor.value)), a->digits, 0};
   }
 
-  /// Whether multiples of `quantum` in the node's range are numbers of the format: at most 2^P
-  /// quanta, and neither too large nor too small.
-  bool fits(NodeId id, const mpq_class& quantum) const {
-    const NodeRange& range = ranges_[static_cast<std::size_t>(id)];
+  /// Whether the format of the node holds such numbers.
+  bool fits(std::size_t id, const Multiples& numbers) const {
     const FloatFormat format = graph_.nodes[id].format;
-    const mpq_class most =
-        std::max<mpq_class>(abs(range.value.low), abs(range.value.high)) / quantum;
-    if (range.may(Event::overflow) || most > mpz_class(1) << format.precision()) return false;
+    if (ranges_[id].may(Event::overflow) || numbers.precision() > format.precision()) return false;
+    const TypedNode& node = graph_.nodes[id];
+    if (node.operation == Operation::constant && format.is_infinite(node.constant)) return false;
     const bool gradual = graph_.arithmetic.subnormals == Subnormals::gradual;
-    return quantum >= to_rational(format, gradual ? Bits{1} : format.smallest_normal(false));
+    return numbers.quantum >=
+           to_rational(format, gradual ? Bits{1} : format.smallest_normal(false));
   }
 
   const TypedGraph& graph_;
-  std::vector<NodeRange> ranges_;
-  const std::vector<std::optional<Range>>& declared_;
+  std::vector<std::optional<Range>> declared_;
   const std::vector<std::optional<mpq_class>>& grids_;
-  std::vector<Quantum> quanta_;
+  std::vector<NodeRange> ranges_;
+  std::vector<Known> nodes_;
 };
+
+Error not_exact(std::string message, std::string received, std::string accepted) {
+  return {.field = "reference.format",
+          .message = std::move(message),
+          .received = std::move(received),
+          .accepted = std::move(accepted)};
+}
+
+constexpr std::size_t most_characters = 60;
+
+/// Why an operation rounds in every format.
+Error rounds_always(const TypedGraph& graph, NodeId id) {
+  const TypedNode& node = graph.nodes[static_cast<std::size_t>(id)];
+  const std::string text = to_text(graph.nodes, graph.input_names, id, most_characters);
+  switch (node.operation) {
+    case Operation::square_root:
+      return not_exact("square roots are rounded", text, "the squares of both sides");
+    case Operation::divide:
+      return not_exact("quotients are rounded", text, "both sides times the divisor");
+    default:
+      return not_exact("a constant is no multiple of a power of two", text,
+                       "constants such as 0.25");
+  }
+}
+
+/// The format of all operands, before anything is computed. Operands that are all in fixed point
+/// have no format of their own: it is that of double.
+struct LeastFormat {
+  int precision = 0, exponent_bits = 0;
+
+  void hold(const OperandFormat& format) {
+    const FloatFormat* floating = format.floating();
+    precision = std::max(precision, floating == nullptr ? double_digits : floating->precision());
+    constexpr int of_double = 11;
+    exponent_bits =
+        std::max(exponent_bits, floating == nullptr ? of_double : floating->exponent_bits());
+  }
+};
+
+/// The exponent bits with which units of 2^last and numbers up to 2^first are normal numbers.
+int exponent_bits_of(long first, long last) {
+  const long farthest = std::max(std::abs(first), std::abs(last) + 1);
+  int bits = FloatFormat::min_exponent_bits;
+  while ((1L << (bits - 1)) - 1 < farthest) ++bits;
+  return bits;
+}
 
 }  // namespace
 
-std::vector<bool> exact_on_grid(const TypedGraph& graph,
-                                const std::vector<std::optional<Range>>& ranges,
-                                const std::vector<std::optional<mpq_class>>& grids) {
+std::vector<bool> exact_nodes(const TypedGraph& graph,
+                              const std::vector<std::optional<Range>>& ranges,
+                              const std::vector<std::optional<mpq_class>>& grids) {
   MIXCMP_CHECK(ranges.size() == grids.size());
-  return ExactnessAnalyser(graph, ranges, grids).run();
+  return ExactnessAnalyser(graph, ranges, grids).in_formats_of_nodes();
+}
+
+Result<FloatFormat> exact_format(const Graph& graph, const std::vector<OperandFormat>& formats,
+                                 std::vector<std::optional<Range>> ranges,
+                                 std::vector<std::optional<mpq_class>> grids) {
+  const FloatFormat widest =
+      FloatFormat::make(FloatFormat::max_precision, FloatFormat::max_exponent_bits).value();
+  TypedGraph typed = sides_graph(graph, {.format = widest});
+  LeastFormat least;
+  for (std::size_t input = 0; input < formats.size(); ++input) {
+    least.hold(formats[input]);
+    const FixedFormat* fixed = formats[input].fixed();
+    typed.arriving.push_back(fixed != nullptr ? widest : *formats[input].floating());
+    if (fixed == nullptr) continue;
+    grids[input] = fixed->unit();
+    ranges[input] = Range{fixed->smallest() * fixed->unit(), fixed->largest() * fixed->unit()};
+  }
+  const std::vector<Known> nodes =
+      ExactnessAnalyser(typed, std::move(ranges), grids).in_any_format();
+  for (std::size_t id = 0; id < nodes.size(); ++id) {
+    if (!nodes[id]) return rounds_always(typed, static_cast<NodeId>(id));
+    const int precision = nodes[id]->precision();
+    if (precision > FloatFormat::max_precision) {
+      return not_exact(
+          fmt::format("it needs {} digits", precision),
+          to_text(typed.nodes, typed.input_names, static_cast<NodeId>(id), most_characters),
+          fmt::format("at most {}, as inputs with a range and a grid may have",
+                      FloatFormat::max_precision));
+    }
+    least.precision = std::max(least.precision, precision);
+    const long first = nodes[id]->most == 0 ? 0 : floor_log2(nodes[id]->most) + 1;
+    least.exponent_bits =
+        std::max(least.exponent_bits, exponent_bits_of(first, floor_log2(nodes[id]->quantum)));
+  }
+  if (least.exponent_bits > FloatFormat::max_exponent_bits) {
+    return not_exact(fmt::format("it needs {} exponent bits", least.exponent_bits),
+                     to_text(graph, graph.parts().front().f, most_characters),
+                     fmt::format("at most {}", FloatFormat::max_exponent_bits));
+  }
+  return FloatFormat::make(least.precision, least.exponent_bits);
 }
 
 }  // namespace mixcmp::error

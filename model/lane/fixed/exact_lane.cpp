@@ -75,12 +75,6 @@ int widest(const std::vector<OperandFormat>& operand_formats) {
   return bits;
 }
 
-/// The digits of the numbers in a range of multiples of the unit.
-int digits_within(const Range& value, const mpq_class& unit) {
-  const mpq_class units = std::max<mpq_class>(abs(value.low), abs(value.high)) / unit;
-  return digits_of(ceiling_of(units));
-}
-
 /// Why no lane with this bound is exact for an input in floating point.
 Error not_exact_in_floating_point(const Graph& graph, const FixedOptions& options,
                                   std::size_t input) {
@@ -127,27 +121,6 @@ Result<int> exact_bits(const Graph& graph, FloatFormat input_format, FixedOption
   const auto property = options.bound == BoundKind::grid ? rounds_nothing : is_exact;
   MIXCMP_TRY(lane, lane_with(property, graph, input_format, std::move(options), most_bits));
   return lane.format.bits;
-}
-
-Result<FloatFormat> exact_format(const Graph& graph,
-                                 const std::vector<OperandFormat>& operand_formats) {
-  // A lane with constants has a node for each of the graph's. No operand arrives in floating point.
-  const FixedOptions options{
-      .bound = BoundKind::constant, .ranges = {}, .operand_formats = operand_formats};
-  const FloatFormat unused =
-      FloatFormat::make(FloatFormat::max_precision, FloatFormat::max_exponent_bits).value();
-  MIXCMP_TRY(lane, lane_with(has_no_error, graph, unused, options, FloatFormat::max_precision));
-  int precision = double_digits, farthest = 1;  // exponents of units and of largest numbers
-  for (const FixedNode& node : lane.nodes) {
-    const int digits = digits_within(node.value, node.format.unit());
-    precision = std::max(precision, digits);
-    farthest = std::max({farthest, std::abs(node.format.unit_exponent) + 1,
-                         std::abs(node.format.unit_exponent + digits)});
-  }
-  if (precision > FloatFormat::max_precision) return too_wide(graph, FloatFormat::max_precision);
-  int exponent_bits = 11;  // of binary64
-  while ((1 << (exponent_bits - 1)) - 1 < farthest) ++exponent_bits;
-  return FloatFormat::make(precision, exponent_bits);
 }
 
 }  // namespace mixcmp::fixed

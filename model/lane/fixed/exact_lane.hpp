@@ -12,9 +12,4 @@ namespace mixcmp::fixed {
 Result<int> exact_bits(const Graph& graph, FloatFormat input_format, FixedOptions options,
                        int most_bits);
 
-/// A floating-point format in which no operation of the comparison of such operands, all in fixed
-/// point, rounds: the smallest that is no smaller than binary64.
-Result<FloatFormat> exact_format(const Graph& graph,
-                                 const std::vector<OperandFormat>& operand_formats);
-
 }  // namespace mixcmp::fixed

@@ -160,8 +160,8 @@ TEST_F(FixedOperandsTest, WhatCannotBeExactSaysWhy) {
       "[comparison]\nname = \"n\"\nf = \"sqrt(a)\"\ng = \"b\"\n[inputs]\n"
       "\"*\" = { format = \"uint10\" }\n[reduced]\nformat = \"exact\"\n";
   EXPECT_EQ(error(root),
-            ": reference.format: no reference is exact: square roots are rounded: received sqrt in "
-            "f or g; accepted the squares of both sides, or a format such as s53e11");
+            ": reference.format: no reference is exact: square roots are rounded: received "
+            "sqrt(a); accepted the squares of both sides, or a format such as s53e11");
   EXPECT_EQ(
       error(root + "[reference]\nformat = \"s40e8\"\n"),
       ":8: reduced.format: no lane is exact: square roots are rounded: received \"exact\" with "

@@ -85,9 +85,11 @@ TEST_F(FloatOperandsTest, MistakesNameTheKey) {
   EXPECT_EQ(error(products, {"inputs.a.grid=1"}),
             "--set: inputs.a.grid: a grid without a range: received 1; accepted a range beside it");
   EXPECT_EQ(error(products, {"reference.format=exact"}),
-            "--set: reference.format: no reference is exact: not all inputs arrive in fixed point: "
-            "received \"exact\"; accepted inputs with a format such as uint10, or a format such as "
-            "s53e11");
+            "--set: reference.format: no reference is exact: an input has no format: received c; "
+            "accepted inputs with a format such as uint10 or binary32, or a format such as s53e11");
+  const std::vector<std::string> exact = {"reference.format=exact", "inputs.c.format=binary16",
+                                          "reduced.format=s8e6"};
+  EXPECT_EQ(scene_of(products, exact).reference.format.name(), "s11e9");
 }
 
 /// E4M3: its largest number is 448, and 4 exponent bits do not hold it.

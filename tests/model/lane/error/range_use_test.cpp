@@ -4,6 +4,7 @@
 #include <random>
 
 #include "model/base/number/exact.hpp"
+#include "model/base/number/operand_format.hpp"
 #include "model/judge/golden/evaluate.hpp"
 #include "model/lane/error/certified_lane.hpp"
 #include "model/lane/error/exactness.hpp"
@@ -201,7 +202,7 @@ TEST(LaneExponentBits, ServeEveryPart) {
 }
 
 /// For all operands on the grid, a node that is called exact holds the real value.
-TEST(ExactOnGrid, NodesAreExact) {
+TEST(ExactNodes, NodesAreExact) {
   const FloatFormat reference = format_of(12, 5);
   const mpq_class grid(1, 4);
   const Range range{-5, 6};
@@ -214,7 +215,7 @@ TEST(ExactOnGrid, NodesAreExact) {
         "6 + (a / 8)^2", "(a / 8)^2 - 6", "max((a / 8)^2, -8) + 6"}) {
     const Graph graph = graph_of(f, "b");
     const auto typed = reference_graph(graph, {reference});
-    const auto exact = error::exact_on_grid(typed, ranges, grids);
+    const auto exact = error::exact_nodes(typed, ranges, grids);
     if (!exact[static_cast<size_t>(typed.f())]) continue;
     ++exact_functions;
     for (mpq_class a = range.low; a <= range.high; a += grid) {
@@ -230,17 +231,170 @@ TEST(ExactOnGrid, NodesAreExact) {
   EXPECT_EQ(exact_functions, 11) << "all but a^3, a / b, the root, the tenth and the sixes";
 }
 
-TEST(ExactOnGrid, EndsWhereTheDigitsEnd) {
+TEST(ExactNodes, EndsWhereTheDigitsEnd) {
   const auto exact = [](int precision, const mpq_class& grid, const Range& range) -> bool {
     const auto typed = reference_graph(graph_of("(a - b)^2", "c"), {format_of(precision, 8)});
-    return error::exact_on_grid(
-        typed, Ranges(3, range),
-        std::vector(3, std::optional(grid)))[static_cast<size_t>(typed.f())];
+    return error::exact_nodes(typed, Ranges(3, range),
+                              std::vector(3, std::optional(grid)))[static_cast<size_t>(typed.f())];
   };
   EXPECT_TRUE(exact(20, mpq_class(1, 8), {0, 128})) << "1024^2 = 2^20 quanta";
   EXPECT_FALSE(exact(19, mpq_class(1, 8), {0, 128}));
   EXPECT_FALSE(exact(20, mpq_class(1, 16), {0, 128}));
   EXPECT_TRUE(exact(20, 1, {-512, 512}));
+}
+
+using Grids = std::vector<std::optional<mpq_class>>;
+
+/// The format's name, or why there is none. `names`: of the operands' formats.
+std::string exact_format(const Graph& graph, const std::vector<const char*>& names,
+                         const std::optional<Range>& range = {},
+                         const std::optional<mpq_class>& grid = {}) {
+  std::vector<OperandFormat> formats;
+  for (const char* name : names) formats.push_back(*OperandFormat::parse(name));
+  const auto format =
+      error::exact_format(graph, formats, Ranges(names.size(), range), Grids(names.size(), grid));
+  return format.ok() ? format->name() : format.error().message;
+}
+
+TEST(ExactFormat, HoldsEveryResult) {
+  EXPECT_EQ(exact_format(graph_of("a", "b"), {"uint10", "int4"}), "s53e11");
+  // The product has 80 digits, and so has the difference.
+  EXPECT_EQ(exact_format(graph_of("a * b", "a"), {"uint40", "uint40"}), "s80e11");
+  EXPECT_EQ(exact_format(graph_of("a", "b"), {"uq0.60", "uint4"}), "s60e11");
+}
+
+/// No result is below the smallest normal number, even if subnormals are flushed: the products
+/// count units of 2^-1030.
+TEST(ExactFormat, HasNoSubnormalResults) {
+  EXPECT_EQ(exact_format(graph_of("a * 0x1p-970", "b * 0x1p-970"), {"uq0.60", "uq0.60"}), "s60e12");
+}
+
+TEST(ExactFormat, HoldsSquaresThatAreDividedLater) {
+  EXPECT_EQ(exact_format(graph_of("a^2 / 0x1p100", "b"), {"uint50", "uint4"}), "s100e11");
+  EXPECT_EQ(exact_format(graph_of("(0x1p600 * a)^2 / 0x1p1200", "b"), {"uint8", "uint8"}),
+            "s53e12");
+  EXPECT_EQ(exact_format(graph_of("a^2 / 0x1p120", "b"), {"uint60", "uint4"}),
+            "it needs 120 digits");
+}
+
+TEST(ExactFormat, NeedsOperationsThatAreExact) {
+  EXPECT_EQ(exact_format(graph_of("a + 0.1", "b + 0.1"), {"uint8", "uint8"}),
+            "a constant is no multiple of a power of two");
+}
+
+/// Limits leave comparisons undecided, but round nothing.
+TEST(ExactFormat, IsThatOfAComparisonWithLimits) {
+  EXPECT_EQ(exact_format(graph_of("within(a, 0, 7) * b", "b"), {"int6", "int6"}), "s53e11");
+}
+
+TEST(ExactFormat, HoldsProductsOfNumbersInFloatingPoint) {
+  EXPECT_EQ(exact_format(graph_of("a * b", "a"), {"binary32", "binary32"}), "s48e10");
+  EXPECT_EQ(exact_format(graph_of("a * b", "-b * 0.75"), {"binary32", "bfloat16"}), "s32e10");
+  EXPECT_EQ(exact_format(graph_of("a * b", "max(a, b)"), {"binary64", "binary64"}), "s106e13");
+  EXPECT_EQ(exact_format(graph_of("a^3", "b"), {"binary64", "binary64"}), "it needs 159 digits");
+  EXPECT_EQ(exact_format(graph_of("a * b", "a"), {"binary32", "uint10"}), "s53e11");
+}
+
+TEST(ExactFormat, HoldsSumsWhoseWidthIsBounded) {
+  EXPECT_EQ(exact_format(graph_of("a * a + b * b", "a"), {"E4M3", "E4M3"}), "s37e6");
+  EXPECT_EQ(exact_format(graph_of("a * b + a", "b"), {"E5M2", "E5M2"}), "s64e7");
+  EXPECT_EQ(exact_format(graph_of("a + b", "a"), {"binary32", "binary32"}), "it needs 278 digits");
+  EXPECT_EQ(exact_format(graph_of("a + b", "a"), {"binary32", "binary32"}, Range{0, 100},
+                         mpq_class(1, 1024)),
+            "s24e8");
+  EXPECT_EQ(exact_format(graph_of("(a - b)^2", "a"), {"binary32", "binary32"}, Range{0, 100},
+                         mpq_class(1, 1024)),
+            "s34e8");
+}
+
+TEST(ExactFormat, IsRefusedWhereAnOperationRounds) {
+  EXPECT_EQ(exact_format(graph_of("a / b", "a"), {"binary32", "binary32"}),
+            "quotients are rounded");
+  EXPECT_EQ(exact_format(graph_of("sqrt(a)", "b"), {"binary32", "binary32"}),
+            "square roots are rounded");
+}
+
+/// Every pair of numbers, subnormals and those at the ends of a range among them.
+TEST(ExactFormat, MakesEveryVerdictTheOrderOfTheRealNumbers) {
+  const FloatFormat small = format_of(3, 2);
+  for (const char* f : {"a * b", "a * b + a", "(a - b)^2", "a^3 - b", "max(a, b) * 0.375",
+                        "abs(a * b - 1.5)", "(a * b - a / 8)^2"}) {
+    Graph graph = graph_of(f, "b * 1.25");
+    const auto format = error::exact_format(graph, {OperandFormat(small), OperandFormat(small)},
+                                            Ranges(2), Grids(2));
+    ASSERT_TRUE(format.ok()) << f << ": " << format.error().to_string();
+    const auto typed = reference_graph(graph, {*format});
+    for (Bits a = 0; a < Bits{1} << small.width(); ++a) {
+      for (Bits b = 0; b < Bits{1} << small.width(); ++b) {
+        if (!small.is_finite(a) || !small.is_finite(b)) continue;
+        const std::vector<Bits> operands = {converted(*format, small, a),
+                                            converted(*format, small, b)};
+        EXPECT_EQ(to_string(evaluate_reference(typed, operands)),
+                  to_string(true_verdict(graph, *format, operands)))
+            << f << " " << int(a) << " " << int(b);
+      }
+    }
+    // A digit or an exponent bit less, and some operation rounds.
+    const auto nodes = [&](int precision, int exponent_bits) {
+      TypedGraph narrow = sides_graph(graph, {format_of(precision, exponent_bits)});
+      narrow.arriving = {small, small};
+      return error::exact_nodes(narrow, Ranges(2), Grids(2));
+    };
+    const auto all = [](const std::vector<bool>& exact) {
+      return std::find(exact.begin(), exact.end(), false) == exact.end();
+    };
+    EXPECT_TRUE(all(nodes(format->precision(), format->exponent_bits()))) << f;
+    EXPECT_FALSE(all(nodes(format->precision() - 1, format->exponent_bits()))) << f;
+  }
+}
+
+/// The fewest digits with which no node rounds.
+int exact_digits(const Graph& graph, FloatFormat arriving, Sums sums) {
+  const std::size_t inputs = graph.inputs().size();
+  for (int precision = arriving.precision();; ++precision) {
+    TypedGraph typed = reference_graph(graph, {.format = format_of(precision, 6), .sums = sums});
+    typed.arriving.assign(inputs, arriving);
+    const std::vector<bool> exact = error::exact_nodes(typed, Ranges(inputs), Grids(inputs));
+    if (std::find(exact.begin(), exact.end(), false) == exact.end()) return precision;
+  }
+}
+
+/// The sign of a fused sum needs fewer digits than the sides have.
+TEST(ExactNodes, SignsOfFusedSumsAreExactWhereNoDigitIsCut) {
+  const FloatFormat small = format_of(3, 2);
+  const Graph graph = graph_of("a * b", "c * b - a");
+  const int fused = exact_digits(graph, small, Sums::fused);
+  EXPECT_LT(fused, exact_digits(graph, small, Sums::composed));
+  const FloatFormat wide = format_of(fused, 6);
+  const TypedGraph typed = reference_graph(graph, {.format = wide, .sums = Sums::fused});
+  std::vector<Bits> numbers;
+  for (Bits word = 0; word < Bits{1} << small.width(); ++word) {
+    if (small.is_finite(word)) numbers.push_back(converted(wide, small, word));
+  }
+  for (const Bits a : numbers) {
+    for (const Bits b : numbers) {
+      for (const Bits c : numbers) {
+        const std::vector<Bits> operands = {a, b, c};
+        ASSERT_EQ(to_string(evaluate_reference(typed, operands)),
+                  to_string(true_verdict(graph, wide, operands)))
+            << to_rational(wide, a) << " " << to_rational(wide, b) << " " << to_rational(wide, c);
+      }
+    }
+  }
+}
+
+TEST(ExactNodes, FusedSumsMayCutDigitsOfSmallTerms) {
+  const Ranges ranges(2, Range{-8, 8});
+  const Grids grids(2, mpq_class(1, 64));
+  const auto is_exact = [&](int precision) {
+    const auto typed = reference_graph(graph_of("a * b", "b * b + a"),
+                                       {.format = format_of(precision, 8), .sums = Sums::fused});
+    const auto exact = error::exact_nodes(typed, ranges, grids);
+    return std::find(exact.begin(), exact.end(), false) == exact.end();
+  };
+  // Products are multiples of 2^-12 and at most 2^6; three terms have seven guard digits.
+  EXPECT_TRUE(is_exact(11));
+  EXPECT_FALSE(is_exact(10));
 }
 
 }  // namespace

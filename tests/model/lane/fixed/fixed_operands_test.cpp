@@ -182,43 +182,6 @@ TEST(GridLanes, AreRefusedWhereSomethingIsRounded) {
             "lanes that rely on grids have neither guard digits nor blocks");
 }
 
-std::string exact_format(const Graph& graph, const std::vector<const char*>& names) {
-  const auto format = fixed::exact_format(graph, formats(names));
-  return format.ok() ? format->name() : format.error().message;
-}
-
-TEST(ExactFormat, HoldsEveryResult) {
-  EXPECT_EQ(exact_format(graph_of("a", "b"), {"uint10", "int4"}), "s53e11");
-  // The product has 80 digits, and so has the difference.
-  EXPECT_EQ(exact_format(graph_of("a * b", "a"), {"uint40", "uint40"}), "s80e11");
-  EXPECT_EQ(exact_format(graph_of("a", "b"), {"uq0.60", "uint4"}), "s64e11");
-}
-
-/// No result is below the smallest normal number, even if subnormals are flushed: the products
-/// count units of 2^-1030.
-TEST(ExactFormat, HasNoSubnormalResults) {
-  EXPECT_EQ(exact_format(graph_of("a * 0x1p-970", "b * 0x1p-970"), {"uq0.60", "uq0.60"}), "s60e12");
-}
-
-/// The square is a node of the reference, but not of a lane that takes the coefficient's root.
-TEST(ExactFormat, HoldsWhatALaneWithANormDoesNotCompute) {
-  EXPECT_EQ(exact_format(graph_of("a^2 / 0x1p100", "b"), {"uint50", "uint4"}), "s104e11");
-  EXPECT_EQ(exact_format(graph_of("(0x1p600 * a)^2 / 0x1p1200", "b"), {"uint8", "uint8"}),
-            "s53e12");
-  EXPECT_EQ(exact_format(graph_of("a^2 / 0x1p120", "b"), {"uint60", "uint4"}),
-            "it takes more than 113 bits");
-}
-
-TEST(ExactFormat, NeedsOperationsThatAreExact) {
-  EXPECT_EQ(exact_format(graph_of("a + 0.1", "b + 0.1"), {"uint8", "uint8"}),
-            "a constant is no multiple of a power of two");
-}
-
-/// Limits leave comparisons undecided, but round nothing.
-TEST(ExactFormat, IsThatOfAComparisonWithLimits) {
-  EXPECT_EQ(exact_format(graph_of("within(a, 0, 7) * b", "b"), {"int6", "int6"}), "s53e11");
-}
-
 TEST(FixedOperands, BlocksDoNotTakeThem) {
   const auto lane = fixed::fixed_lane(graph_of("a", "b"), format_of(53, 11),
                                       {.format = {.bits = 8, .is_block = true},
