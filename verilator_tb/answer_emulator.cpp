@@ -28,7 +28,9 @@ AnswerEmulator::AnswerEmulator(const design::Design& design)
     : marks_second_tier_(design.has_second_lanes()) {
   for (const design::LaneGroup& group : design.lanes) lanes_.push_back(emulator_of(group.lane));
   if (design.second_tier) second_tier_.emplace(emulator_of(design.second_tier->lane));
-  if (!design.references.empty()) reference_.emplace(design.reference);
+  if (design.references.empty()) return;
+  const fixed::FixedLane* rounding = design.rounding_reference();
+  rounding == nullptr ? reference_.emplace(design.reference) : reference_.emplace(*rounding);
 }
 
 bool AnswerEmulator::emulates(std::size_t group) const {

@@ -38,6 +38,12 @@ golden::LaneResult decide(const design::Lane& lane, std::span<const Bits> operan
 
 }  // namespace
 
+Verdict reference_verdict(const design::Design& design, std::span<const Bits> operands) {
+  const fixed::FixedLane* rounding = design.rounding_reference();
+  if (rounding != nullptr) return golden::evaluate_lane(*rounding, operands).verdict;
+  return golden::evaluate_reference(design.reference, operands);
+}
+
 ResultWord expected_word(const design::Design& design, std::size_t group,
                          std::span<const Bits> operands) {
   const golden::LaneResult first = decide(design.lanes[group].lane, operands);
@@ -49,7 +55,7 @@ ResultWord expected_word(const design::Design& design, std::size_t group,
     if (second.decided) return ResultWord::decided(second.verdict);
   }
   if (design.references.empty()) return ResultWord::undecided();
-  return ResultWord::recomputed(golden::evaluate_reference(design.reference, operands));
+  return ResultWord::recomputed(reference_verdict(design, operands));
 }
 
 bool reaches_reference(const design::Design& design, std::span<const Bits> operands) {
@@ -125,8 +131,7 @@ void check_against_truth(const TruthCheck& check, const design::Design& design,
   ++truth.checked;
   if (has_order && !design.references.empty()) {
     ++truth.reference_alone_checked;
-    const Verdict reference = golden::evaluate_reference(design.reference, operands);
-    truth.reference_alone_wrong += reference == *verdict ? 0 : 1;
+    truth.reference_alone_wrong += reference_verdict(design, operands) == *verdict ? 0 : 1;
   }
   if (word.verdict() == *verdict) return;
   if (recomputed) {

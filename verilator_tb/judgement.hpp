@@ -19,6 +19,8 @@ VerifyReport empty_report(const emit::Signature& signature, const design::Design
 /// by the golden model.
 ResultWord expected_word(const design::Design& design, std::size_t group,
                          std::span<const Bits> operands);
+/// The verdict of a reference of the design, by the golden model.
+Verdict reference_verdict(const design::Design& design, std::span<const Bits> operands);
 /// Whether a reference must answer for operands that a lane leaves undecided: unless a second tier
 /// decides them.
 bool reaches_reference(const design::Design& design, std::span<const Bits> operands);

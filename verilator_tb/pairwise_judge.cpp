@@ -239,9 +239,8 @@ void PairwiseJudge::count(const SetRange& set, std::uint64_t i, std::uint64_t j,
 }
 
 void PairwiseJudge::mark_if_reported(std::uint64_t pair, ResultWord word) {
-  const Verdict verdict = word.is_undecided()
-                              ? golden::evaluate_reference(design_.reference, operands_)
-                              : word.verdict();
+  const Verdict verdict =
+      word.is_undecided() ? reference_verdict(design_, operands_) : word.verdict();
   const bool is_marked = design_.system.engine.report.contains(verdict);
   data_->reported[pair / 64] |= std::uint64_t{is_marked} << pair % 64;
 }

@@ -9,7 +9,8 @@
 #include "generator/software/source.hpp"
 #include "model/base/number/double.hpp"
 #include "model/base/number/verdict.hpp"
-#include "model/judge/golden/evaluate.hpp"
+#include "model/judge/golden/fixed_evaluate.hpp"
+#include "model/scene/reference_model.hpp"
 
 namespace mixcmp::software {
 namespace {
@@ -107,7 +108,7 @@ public:
   explicit Judges(const scene::Scene& scene)
       : scene_(scene),
         doubles_(reference_graph(scene.graph, {software_format()})),
-        reference_(reference_graph(scene.graph, scene.reference)) {}
+        reference_(scene::reference_model(scene).value()) {}
 
   ExpectedLetters judge(const std::vector<Bits>& operands) const {
     std::vector<Bits> doubles;
@@ -122,7 +123,8 @@ public:
 
 private:
   const scene::Scene& scene_;
-  TypedGraph doubles_, reference_;
+  TypedGraph doubles_;
+  ReferenceDatapath reference_;
 };
 
 void count(BaselineCheck& check, const std::vector<KernelOutput>& kernels, std::size_t index,
@@ -207,6 +209,8 @@ const BaselineKernel& Baseline::fastest() const {
 Result<Baseline> software_baseline(const scene::Scene& scene, const data::Comparisons& data,
                                    const BaselineOptions& options) {
   if (!fits_double(scene.reference.format)) return no_doubles(scene);
+  const auto reference = scene::reference_model(scene);
+  if (!reference.ok()) return reference.error();
   if (!has_software_loops(data.pairing())) {
     MIXCMP_TRY(rows, written_out(scene, data, most_written_out));
     return software_baseline(scene, rows, options);

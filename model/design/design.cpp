@@ -17,6 +17,7 @@
 #include "model/lane/error/range_analysis.hpp"
 #include "model/lane/fixed/exact_lane.hpp"
 #include "model/lane/fixed/square_tables.hpp"
+#include "model/scene/reference_model.hpp"
 
 namespace mixcmp::design {
 namespace {
@@ -334,9 +335,13 @@ std::string planned_clock(const scene::Scene& scene) {
   return clock.empty() ? "" : clock + basis;
 }
 
-/// The exact lane of the fewest bits. The judges compute in the reference format, which must not
-/// round either.
-Result<fixed::FixedLane> design_exact_reference(const scene::Scene& scene) {
+/// The lane of the scene's bits, or the exact lane of the fewest bits. Beside the latter the judges
+/// compute in the reference format, which must not round either.
+Result<fixed::FixedLane> design_fixed_reference(const scene::Scene& scene) {
+  if (scene.fixed_reference) {
+    MIXCMP_TRY(model, scene::reference_model(scene));
+    return std::get<fixed::FixedLane>(std::move(model));
+  }
   const bool is_chain = scene.system.engine.kind == scene::EngineKind::arg_min;
   const auto bits = fixed::exact_bits(scene.graph, scene.reference.format,
                                       {.ranges = {}, .operand_formats = scene.operand_formats},
@@ -348,8 +353,8 @@ Result<fixed::FixedLane> design_exact_reference(const scene::Scene& scene) {
     if (!is_chain) error.accepted += ", or 0 references";
     return error;
   }
-  const std::vector<bool> is_exact = error::exact_nodes(
-      reference_graph(scene.graph, scene.reference), scene.ranges, scene.grids);
+  const std::vector<bool> is_exact =
+      error::exact_nodes(reference_graph(scene.graph, scene.reference), scene.ranges, scene.grids);
   if (std::find(is_exact.begin(), is_exact.end(), false) != is_exact.end()) {
     return Error{.field = "reference.format",
                  .message =
@@ -407,9 +412,9 @@ Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
     shortest = std::min(shortest.value_or(*interval), *interval);
     MIXCMP_DO(check_request_beats(scene.system, *interval));
   }
-  if (scene.has_fixed_operands() && !design.references.empty()) {
-    MIXCMP_TRY(exact, design_exact_reference(scene));
-    design.exact_reference = std::move(exact);
+  if (scene.has_fixed_references() && !design.references.empty()) {
+    MIXCMP_TRY(fixed, design_fixed_reference(scene));
+    design.fixed_reference = std::move(fixed);
   }
   design.system.request_beats =
       request_beats(scene.system, total_width(design.formats_of_inputs()), shortest.value_or(1));
@@ -429,10 +434,10 @@ int total(const Groups& groups) {
 }  // namespace
 
 Result<ReferenceDatapath> reference_datapath(const scene::Scene& scene) {
-  if (!scene.has_fixed_operands()) {
+  if (!scene.has_fixed_references()) {
     return ReferenceDatapath(reference_graph(scene.graph, scene.reference));
   }
-  MIXCMP_TRY(lane, design_exact_reference(scene));
+  MIXCMP_TRY(lane, design_fixed_reference(scene));
   return ReferenceDatapath(std::move(lane));
 }
 
@@ -463,8 +468,12 @@ bool Design::has_fixed_operands() const {
 }
 
 ReferenceDatapath Design::reference_datapath() const {
-  if (exact_reference) return *exact_reference;
+  if (fixed_reference) return *fixed_reference;
   return reference;
+}
+
+const fixed::FixedLane* Design::rounding_reference() const {
+  return fixed_reference && fixed_reference->is_reference ? &*fixed_reference : nullptr;
 }
 
 std::vector<OperandFormat> Design::formats_of_inputs() const {

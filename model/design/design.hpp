@@ -8,6 +8,7 @@
 #include "model/design/lane.hpp"
 #include "model/design/reference_structure.hpp"
 #include "model/lane/error/profiled_lane.hpp"
+#include "model/lane/fixed/reference_datapath.hpp"
 #include "model/scene/scene.hpp"
 
 namespace mixcmp::design {
@@ -26,12 +27,12 @@ struct ReferenceGroup {
   int count = 1;
 };
 
-/// The datapath of a reference: the comparison in the reference format or, if operands arrive in
-/// fixed point, the exact lane of the fewest bits. Both have the same verdicts.
-using ReferenceDatapath = std::variant<TypedGraph, fixed::FixedLane>;
+using mixcmp::ReferenceDatapath;
 
-/// The datapath of a scene's references. It is an error if operands arrive in fixed point and no
-/// lane is exact.
+/// The datapath of a scene's references: the comparison in the reference format, or a lane in fixed
+/// point. That is the one that the scene asks for or, if operands arrive in fixed point, the exact
+/// lane of the fewest bits, which has the verdicts of the reference format. It is an error if there
+/// is no such lane.
 Result<ReferenceDatapath> reference_datapath(const scene::Scene& scene);
 
 /// The datapath of a scene's references; of a scene that can have none, the model of them.
@@ -54,16 +55,19 @@ struct Design {
   std::vector<scene::PartText> parts;  ///< f and g of each part, as in the scene, for display
   std::vector<LetDefinition> lets;     ///< those that f and g need, as in the scene, for display
   std::string planned_clock;           ///< "312.5 MHz (placed and routed)", from a plan; or empty
-  TypedGraph reference;                ///< the judges' model of references
+  TypedGraph reference;  ///< the judges' model of references, unless these round in fixed point
   std::vector<ReferenceGroup> references;  ///< empty: p_H = 0
   scene::SystemSpec system;
   /// One per input: the format in which it arrives. Empty: all have the reference's format.
   std::vector<OperandFormat> operand_formats = {};
-  /// The datapath of references if operands arrive in fixed point.
-  std::optional<fixed::FixedLane> exact_reference = {};
+  /// The datapath of references in fixed point.
+  std::optional<fixed::FixedLane> fixed_reference = {};
 
   bool has_fixed_operands() const;  ///< whether any operand arrives in fixed point
   ReferenceDatapath reference_datapath() const;
+  /// The datapath that judges evaluate as well, since it rounds; null: `reference` has its
+  /// verdicts.
+  const fixed::FixedLane* rounding_reference() const;
   /// The same, with an entry for each input.
   std::vector<OperandFormat> formats_of_inputs() const;
   int lane_count() const;       ///< p_L
@@ -120,6 +124,7 @@ struct NamedLane {
   Lane lane;
 };
 /// One for each group of lanes, then the second tier's and the exact reference, where there is one.
+/// A reference that rounds is no lane.
 std::vector<NamedLane> named_lanes(const Design& design);
 
 }  // namespace mixcmp::design

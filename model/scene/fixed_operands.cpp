@@ -75,16 +75,15 @@ Result<Done> check_lanes(const settings::Settings& settings, const Scene& scene)
 Result<Done> check_references(const settings::Settings& settings, const Scene& scene) {
   const settings::Section section(settings, "reference");
   if (scene.reference.sums == Sums::fused) {
-    return section.mistake("sums", "a reference for operands in fixed point rounds no sum",
-                           "\"fused\"", "\"composed\"");
+    return section.mistake("sums", "a reference in fixed point fuses no sums", "\"fused\"",
+                           "\"composed\"");
   }
   for (const ReferenceGroupSpec& group : scene.reference_groups()) {
     const int interval = group.structure.initiation_interval.value_or(1);
     if (interval == 1) continue;
-    return section.mistake(
-        "initiation_interval",
-        "a reference for operands in fixed point takes a comparison in every cycle",
-        fmt::format("{}", interval), "1");
+    return section.mistake("initiation_interval",
+                           "a reference in fixed point takes a comparison in every cycle",
+                           fmt::format("{}", interval), "1");
   }
   return Done{};
 }
@@ -120,10 +119,8 @@ Result<Done> check_operand_formats(const settings::Settings& settings,
 }
 
 Result<Done> check_fixed_operands(const settings::Settings& settings, const Scene& scene) {
-  if (scene.has_fixed_operands()) {
-    MIXCMP_DO(check_lanes(settings, scene));
-    MIXCMP_DO(check_references(settings, scene));
-  }
+  if (scene.has_fixed_operands()) MIXCMP_DO(check_lanes(settings, scene));
+  if (scene.has_fixed_references()) MIXCMP_DO(check_references(settings, scene));
   if (scene.system.engine.kind == EngineKind::none) return Done{};
   return check_columns(settings, scene);
 }

@@ -18,8 +18,8 @@ Result<Done> check_operand_formats(const settings::Settings& settings,
                                    const std::optional<data::DataSpec>& data);
 
 /// Checks that systems of the scene can take its operands. If some of them are in fixed point,
-/// lanes are in fixed point as well, and references are not folded. The inputs of one column of an
-/// engine's items have one format. Errors name the setting.
+/// lanes are in fixed point as well. References in fixed point are not folded. The inputs of one
+/// column of an engine's items have one format. Errors name the setting.
 Result<Done> check_fixed_operands(const settings::Settings& settings, const Scene& scene);
 
 }  // namespace mixcmp::scene

@@ -448,16 +448,18 @@ std::optional<bool> has_exact_lanes(const Scene& scene) {
 /// engine has one behind all other lanes; if there is no exact lane, the design refuses it. While
 /// formats of lanes are open, so is the number.
 void choose_references(Scene& scene) {
-  if (!scene.has_fixed_operands()) return;
+  if (!scene.has_fixed_references()) return;
   const auto close = [](ReferenceStructureSpec& structure) {
     structure.initiation_interval = structure.initiation_interval.value_or(1);
   };
   close(scene.reference_structure);
   for (ReferenceGroupSpec& group : scene.references) close(group.structure);
+  if (!scene.has_fixed_operands()) return;
   if (!scene.references.empty() || scene.system.references) return;
   const std::optional<bool> are_exact = has_exact_lanes(scene);
   if (!are_exact) return;
   const bool can_have_some =
+      scene.fixed_reference ||
       fixed::exact_bits(scene.graph, scene.reference.format,
                         {.ranges = {}, .operand_formats = scene.operand_formats},
                         settings::limits::fixed_bits.most)
@@ -542,6 +544,7 @@ Result<Scene> interpret(SceneSettings read) {
               .data_ranges = are_from_data(declared),
               .operand_formats = std::move(operand_formats),
               .reference = reference.arithmetic,
+              .fixed_reference = reference.fixed_point,
               .reference_structure = reference.structure,
               .reduced = std::move(lanes.reduced),
               .lanes = std::move(lanes.groups),

@@ -177,7 +177,11 @@ struct Scene {
   /// One per graph input: the format in which it arrives, all of whose numbers `reference.format`
   /// holds. The graph knows those in floating point that differ from `reference.format`.
   std::vector<OperandFormat> operand_formats;
-  Arithmetic reference;                        ///< rounds to nearest even
+  /// The model of references, which rounds to nearest even, and the format of operands.
+  Arithmetic reference;
+  /// References compute in fixed point of so many bits, written as "q40". None: in the format of
+  /// `reference`, or exactly where operands arrive in fixed point.
+  std::optional<FixedPoint> fixed_reference;
   ReferenceStructureSpec reference_structure;  ///< used if there is no [[references]]
   ReducedSpec reduced;
   std::vector<LaneGroupSpec> lanes;  ///< [[lanes]]; empty: system.lanes times `reduced`
@@ -199,6 +203,8 @@ struct Scene {
   std::string g_text() const;
 
   bool has_fixed_operands() const;  ///< whether any input arrives in fixed point
+  /// Whether the datapath of references is in fixed point.
+  bool has_fixed_references() const { return fixed_reference || has_fixed_operands(); }
   /// Whether any input in floating point is declared to hold only multiples of a grid.
   bool has_promised_grids() const;
 

@@ -54,11 +54,13 @@ Result<Done> check_unused_lets(const settings::Settings& settings,
 
 struct ReferenceSpec {
   Arithmetic arithmetic;
+  std::optional<FixedPoint> fixed_point;  ///< see Scene
   ReferenceStructureSpec structure;
 };
 
 /// Reads [reference]. With the format "exact", which is the default if every input arrives in fixed
-/// point, the reference rounds nothing.
+/// point, the reference rounds nothing. With a format in fixed point, the floating-point format is
+/// the smallest that holds all operands.
 /// `graphs`: of all formulations, which share their data and so the reference format.
 Result<ReferenceSpec> read_reference(const settings::Settings& settings,
                                      std::span<const Graph> graphs,

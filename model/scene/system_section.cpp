@@ -5,6 +5,7 @@
 
 #include "model/base/common/check.hpp"
 #include "model/base/common/quote.hpp"
+#include "model/base/number/double.hpp"
 #include "model/base/settings/section.hpp"
 #include "model/comparison/expression/name.hpp"
 #include "model/cost/devices/device.hpp"
@@ -96,6 +97,34 @@ Result<FloatFormat> read_exact_format(const settings::Section& section,
   return FloatFormat::make(precision, exponent_bits);
 }
 
+void check_fixed_reference(settings::Section& section, const FixedPoint& format) {
+  const bool is_plain = !format.is_block && format.guard_digits == 0;
+  if (is_plain && settings::limits::fixed_bits.allow(format.bits)) return;
+  section.fail("format", is_plain ? "out of range" : "a reference in fixed point is plain",
+               in_quotes(format.name()),
+               fmt::format("qW with W {}", settings::to_string(settings::limits::fixed_bits)));
+}
+
+/// The floating-point format of the operands beside a reference in fixed point.
+Result<FloatFormat> read_operands_format(const settings::Section& section,
+                                         const std::vector<std::string>& inputs,
+                                         const InputDeclarations& declared) {
+  int precision = settings::limits::reference_precision.least, exponent_bits = 2;
+  for (std::size_t input = 0; input < inputs.size(); ++input) {
+    const std::optional<OperandFormat>& format = declared.formats[input];
+    if (!format) {
+      return section.mistake("format", "references in fixed point give operands no format",
+                             inputs[input], "inputs with a format such as binary32 or uint10");
+    }
+    const FloatFormat* floating = format->floating();
+    precision = std::max(precision, floating == nullptr ? double_digits : floating->precision());
+    constexpr int of_double = 11;
+    exponent_bits =
+        std::max(exponent_bits, floating == nullptr ? of_double : floating->exponent_bits());
+  }
+  return FloatFormat::make(precision, exponent_bits);
+}
+
 }  // namespace
 
 void use_device(SystemSpec& system, const std::string& device) {
@@ -122,23 +151,30 @@ Result<ReferenceSpec> read_reference(const settings::Settings& settings,
   Sums sums = Sums::composed;
   const settings::Setting* given = section.find("format");
   const auto* word = given == nullptr ? nullptr : std::get_if<std::string>(&given->value);
+  std::optional<FixedPoint> fixed_point = word == nullptr ? std::nullopt : FixedPoint::parse(*word);
   const bool is_exact =
       given == nullptr ? all_fixed(declared.formats) : word != nullptr && *word == "exact";
   if (is_exact) {
     MIXCMP_TRY(exact, read_exact_format(section, graphs, declared));
     format = exact;
+  } else if (fixed_point) {
+    MIXCMP_TRY(of_operands, read_operands_format(section, graphs.front().inputs(), declared));
+    format = of_operands;
+    check_fixed_reference(section, *fixed_point);
   } else {
     section.require("format");
     constexpr settings::Limits precisions = settings::limits::reference_precision;
-    section.format("format", format, precisions,
-                   "\"exact\", " + FloatFormat::accepted(precisions.least, precisions.most));
+    section.format(
+        "format", format, precisions,
+        "\"exact\", qW such as q40, " + FloatFormat::accepted(precisions.least, precisions.most));
   }
   section.choice("subnormals", subnormals, {Subnormals::flush, Subnormals::gradual});
   section.choice("sums", sums, {Sums::composed, Sums::fused});
   ReferenceStructureSpec structure;
   read_structure(section, structure);
   if (const auto error = section.finish()) return *error;
-  return ReferenceSpec{{.format = *format, .subnormals = subnormals, .sums = sums}, structure};
+  return ReferenceSpec{
+      {.format = *format, .subnormals = subnormals, .sums = sums}, fixed_point, structure};
 }
 
 settings::Limits lane_limits(const settings::Settings& settings) {

@@ -2,7 +2,7 @@
 // least GREATER_FROM, less (0) if it is at most LESS_TO.
 // Latency: the population count of CUTS (one bit); initiation interval 1; no reset.
 // A difference out of range is undecided. The difference and the constants are in two's complement.
-// A verdict is valid where `decided` is 1.
+// A verdict is valid where `decided` is 1; in a reference, which decides all, it is valid everywhere.
 `default_nettype none
 
 module fixed_constant_decision #(
@@ -10,7 +10,9 @@ module fixed_constant_decision #(
   parameter [WIDTH:0] GREATER_FROM = 1,    // the least difference that is greater
   // the greatest difference that is less, below GREATER_FROM
   parameter [WIDTH:0] LESS_TO      = {(WIDTH + 1) {1'b1}},
-  parameter           EXACT        = 0,    // 1: differences in between are equal (1); 0: undecided
+  // differences in between: 0: undecided; 1: equal (1); 2: equal, of a reference, which says
+  // unordered (3) where a difference is out of range
+  parameter           EXACT        = 0,
   parameter [0:0]     CUTS         = 1'b0  // 1: a register behind the stage
 ) (
   input  wire             aclk,
@@ -31,14 +33,16 @@ module fixed_constant_decision #(
   wire [WIDTH:0] s0_difference = {difference[WIDTH-1], difference};
   wire           s0_greater    = $signed(s0_difference) >= $signed(GREATER_FROM);
   wire           s0_less       = $signed(s0_difference) <= $signed(LESS_TO);
-  wire           s0_decided    = s0_greater || s0_less || (EXACT != 0);
+  wire           s0_equal      = (EXACT != 0) && !s0_greater && !s0_less;
+  wire           s0_unordered  = (EXACT == 2) && out_of_range;
 
   fp_rank #(
     .WIDTH     (3),
     .REGISTERED(CUTS[0])
   ) rank_0 (
     .aclk(aclk),
-    .d   ({s0_greater, (EXACT != 0) && !s0_greater && !s0_less, s0_decided && !out_of_range}),
+    .d   ({s0_greater || s0_unordered, s0_equal || s0_unordered,
+           (s0_greater || s0_less || s0_equal) && !out_of_range}),
     .q   ({verdict, decided})
   );
 

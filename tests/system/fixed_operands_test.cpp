@@ -62,7 +62,7 @@ design::Design design_of(const Graph& graph, const std::vector<OperandFormat>& f
   design.operand_formats = formats;
   if (references > 0) {
     design.references = {{.count = references}};
-    design.exact_reference = exact;
+    design.fixed_reference = exact;
   }
   return design;
 }

@@ -112,8 +112,14 @@ Described describe_lane(const Design& design, const std::string& name,
 }
 
 std::vector<std::string> reference_facts(const Design& design, const std::string& name) {
-  if (design.exact_reference) {
-    const design::Lane lane = *design.exact_reference;
+  if (design.rounding_reference() != nullptr) {
+    return {fmt::format("{}: {} in fixed point.", name, what_is_ordered(design)),
+            fmt::format("Operands: {}.", operands_text(design)),
+            arithmetic_fact(design::Lane(*design.fixed_reference)),
+            "Operands out of range, infinities and NaNs make the verdict unordered."};
+  }
+  if (design.fixed_reference) {
+    const design::Lane lane = *design.fixed_reference;
     return {lane_fact(design, name, lane), fmt::format("Operands: {}.", operands_text(design)),
             arithmetic_fact(lane)};
   }

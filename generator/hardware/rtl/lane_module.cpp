@@ -128,12 +128,15 @@ private:
     const mpz_class greater_from = std::clamp<mpz_class>(thresholds.greater_from, -above, above);
     const mpz_class less_to = std::clamp<mpz_class>(thresholds.less_to, -above - 1, above - 1);
     return unit(part,
-                thresholds.exact ? "exact, certain everywhere."
-                                 : "certain where the difference exceeds its error.",
+                lane_.is_reference ? "the order of f and g as computed."
+                : thresholds.exact ? "exact, certain everywhere."
+                                   : "certain where the difference exceeds its error.",
                 {{"WIDTH", width},
                  {"GREATER_FROM", twos_complement(width + 1, greater_from)},
                  {"LESS_TO", twos_complement(width + 1, less_to)},
-                 {"EXACT", thresholds.exact ? 1 : 0}},
+                 {"EXACT", lane_.is_reference ? 2
+                           : thresholds.exact ? 1
+                                              : 0}},
                 {});
   }
 
@@ -205,7 +208,7 @@ private:
     operands.insert(operands.begin(),
                     {"difference", nodes_.signed_value(difference, start_of(part))});
     operands.push_back({"out_of_range", out_of_range});
-    // The unit has this output even if the lane is exact.
+    // The unit has this output even if the lane always decides.
     if (decides_ == Decides::always) operands.push_back({"decided", net(unused_bit())});
     return {std::move(what), std::move(parameters), std::move(operands)};
   }
@@ -294,13 +297,15 @@ Module lane_module(std::string name, const std::vector<InputPort>& ports, const 
                          schedule.entry_cycles);
 }
 
-Module exact_lane_module(std::string name, const std::vector<std::string>& inputs,
-                         const FixedLane& lane, const datapath::Schedule& schedule) {
+Module fixed_reference_module(std::string name, const std::vector<std::string>& inputs,
+                              const FixedLane& lane, const datapath::Schedule& schedule) {
   return datapath_module(
-      std::move(name), operand_ports(inputs, lane), {{Direction::output, 2, "verdict"}},
+      std::move(name), widened(operand_ports(inputs, lane), lane, schedule),
+      {{Direction::output, 2, "verdict"}},
       [&](DatapathBuilder& datapath) {
         build_lane(datapath, FixedParts(datapath, lane, schedule, Decides::always), schedule);
-      });
+      },
+      1, schedule.entry_cycles);
 }
 
 }  // namespace mixcmp::rtl

@@ -21,7 +21,7 @@ Module lane_module(std::string name, const std::vector<InputPort>& ports, const 
                    const datapath::Schedule& schedule);
 
 /// A lane that decides every comparison, as a reference: without the port `decided`.
-Module exact_lane_module(std::string name, const std::vector<std::string>& inputs,
-                         const fixed::FixedLane& lane, const datapath::Schedule& schedule);
+Module fixed_reference_module(std::string name, const std::vector<std::string>& inputs,
+                              const fixed::FixedLane& lane, const datapath::Schedule& schedule);
 
 }  // namespace mixcmp::rtl

@@ -60,8 +60,8 @@ void build_reference(DatapathBuilder& datapath, const TypedGraph& reference,
 Module reference_module(std::string name, const std::vector<std::string>& inputs,
                         const design::ReferenceDatapath& reference,
                         const datapath::Schedule& schedule) {
-  if (const auto* const exact = std::get_if<fixed::FixedLane>(&reference)) {
-    return exact_lane_module(std::move(name), inputs, *exact, schedule);
+  if (const auto* const fixed = std::get_if<fixed::FixedLane>(&reference)) {
+    return fixed_reference_module(std::move(name), inputs, *fixed, schedule);
   }
   const auto& graph = std::get<TypedGraph>(reference);
   std::vector<InputPort> ports = operands_of_width(inputs, graph.input_format.width());

@@ -402,11 +402,34 @@ SummaryLines limits_section(const Graph& graph) {
   return section;
 }
 
-SummaryLines formats_section(const Scene& scene) {
-  SummaryLines section{"formats", {{"reference", shown(scene.reference)}}};
-  if (const LaneFormat format = design::datapath_format(scene); format.fixed_point) {
-    add(section, {{"", "in hardware an exact lane in " + format.name()}});
+/// How far f - g, as a reference in fixed point computes it, is from the real difference.
+std::string accuracy(const fixed::FixedLane& reference) {
+  mpq_class most = 0;
+  for (const fixed::FixedPart& part : reference.parts) {
+    const Range& error = reference.nodes[static_cast<std::size_t>(part.difference)].error;
+    most = std::max<mpq_class>(most, std::max<mpq_class>(abs(error.low), abs(error.high)));
   }
+  return fmt::format("{}, where f - g errs by at most {:.3g}", reference.format.name(),
+                     most.get_d());
+}
+
+/// The arithmetic of references.
+Lines reference_lines(const Scene& scene) {
+  if (!scene.has_fixed_references()) return {{"reference", shown(scene.reference)}};
+  const auto datapath = design::reference_datapath(scene);
+  if (scene.fixed_reference) {
+    return {{"reference", datapath.ok() ? accuracy(std::get<fixed::FixedLane>(*datapath))
+                                        : scene.fixed_reference->name()}};
+  }
+  Lines lines = {{"reference", shown(scene.reference)}};
+  if (datapath.ok()) {
+    lines.push_back({"", "in hardware an exact lane in " + design::format_name(*datapath)});
+  }
+  return lines;
+}
+
+SummaryLines formats_section(const Scene& scene) {
+  SummaryLines section{"formats", reference_lines(scene)};
   const auto add_lane = [&](const ReducedSpec& lane, const std::string& title) {
     add(section, lines_of(reduced_fields(lane, title), lane));
   };
@@ -423,7 +446,7 @@ SummaryLines operators_section(const Scene& scene, const DatapathSummary& datapa
   std::string article;
   if (datapath.name == "lane") article = "a ";
   if (datapath.name == "reference") {
-    article = scene.has_fixed_operands() ? "the model of the " : "the ";
+    article = scene.has_fixed_references() ? "the model of the " : "the ";
   }
   return {"operators of " + article + datapath.name,
           lines_of(operator_fields(), datapath.operators)};
@@ -433,7 +456,7 @@ SummaryLines ranges_section(const Summary& summary) {
   SummaryLines section{"what the ranges rule out", {}};
   for (const SideSummary& side : summary.sides) add(section, lines_of(side_fields(side), side));
   for (const DatapathSummary& datapath : summary.datapaths) {
-    if (datapath.name == "reference" && summary.scene->has_fixed_operands()) continue;
+    if (datapath.name == "reference" && summary.scene->has_fixed_references()) continue;
     for (const RangeQuestion& event : datapath.events) {
       add(section, {{fmt::format("{} {}", datapath.name, event.question), answer(event, true)}});
     }
@@ -467,6 +490,7 @@ std::vector<SummaryLines> lines_of(const Summary& summary) {
     for (const auto& [key, value] : scene.plan->values) add(plan, {{key, value}});
   }
   for (const DatapathSummary& datapath : summary.datapaths) {
+    if (datapath.name == "reference" && scene.fixed_reference) continue;
     all.push_back(operators_section(scene, datapath));
   }
   all.push_back(ranges_section(summary));

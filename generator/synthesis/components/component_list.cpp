@@ -191,8 +191,8 @@ private:
   std::vector<design::ReferenceStructure> reference_structures() const {
     std::vector<design::ReferenceStructure> structures;
     for (const Multipliers multipliers : reference_multipliers(query_)) {
-      // Exact lanes as references are not folded.
-      const bool is_folded = !maker_.scene().has_fixed_operands();
+      // References in fixed point are not folded.
+      const bool is_folded = !maker_.scene().has_fixed_references();
       for (const int interval : is_folded ? query_.initiation_intervals : std::vector<int>{1}) {
         for (const std::optional<int> target : query_.reference_targets) {
           structures.push_back({multipliers, interval, target});

@@ -8,7 +8,7 @@
 
 #include "model/base/number/verdict.hpp"
 #include "model/lane/error/lane.hpp"
-#include "model/lane/fixed/fixed_lane.hpp"
+#include "model/lane/fixed/reference_datapath.hpp"
 
 namespace mixcmp::emulator {
 
@@ -33,6 +33,7 @@ public:
   explicit Emulator(fixed::FixedLane lane);
   /// A reference datapath: never undecided. Its graph may have up to 53 digits.
   explicit Emulator(const TypedGraph& reference);
+  explicit Emulator(const ReferenceDatapath& reference);
   ~Emulator();
   Emulator(Emulator&&) noexcept;
   Emulator& operator=(Emulator&&) noexcept;

@@ -246,7 +246,16 @@ LaneResult evaluate_lane(const FixedLane& lane, std::span<const Bits> inputs) {
   const std::vector<Integer> values = evaluate(lane, inputs);
   std::vector<LaneResult> parts;
   for (const FixedPart& part : lane.parts) parts.push_back(evaluate_part(lane, part, values));
-  return combine_parts(lane.combination, parts);
+  const LaneResult result = combine_parts(lane.combination, parts);
+  if (lane.is_reference && !result.decided) return {true, Verdict::unordered};
+  return result;
+}
+
+Verdict evaluate_reference(const ReferenceDatapath& reference, std::span<const Bits> inputs) {
+  if (const auto* fixed = std::get_if<FixedLane>(&reference)) {
+    return evaluate_lane(*fixed, inputs).verdict;
+  }
+  return evaluate_reference(std::get<TypedGraph>(reference), inputs);
 }
 
 }  // namespace mixcmp::golden

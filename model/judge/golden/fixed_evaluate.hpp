@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "model/judge/golden/evaluate.hpp"
-#include "model/lane/fixed/fixed_lane.hpp"
+#include "model/lane/fixed/reference_datapath.hpp"
 
 /// The golden model of lanes in fixed point, in GMP integers.
 namespace mixcmp::golden {
@@ -23,5 +23,8 @@ bool takes(const fixed::FixedLane& lane, int input, Bits operand);
 
 /// The decision of a lane in hardware, bit for bit.
 LaneResult evaluate_lane(const fixed::FixedLane& lane, std::span<const Bits> inputs);
+
+/// The verdict of a reference, bit for bit.
+Verdict evaluate_reference(const ReferenceDatapath& reference, std::span<const Bits> inputs);
 
 }  // namespace mixcmp::golden

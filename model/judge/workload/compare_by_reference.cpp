@@ -5,13 +5,13 @@
 #include "model/base/number/double.hpp"
 #include "model/base/number/verdict.hpp"
 #include "model/judge/emulator/emulator.hpp"
-#include "model/judge/golden/evaluate.hpp"
+#include "model/judge/golden/fixed_evaluate.hpp"
 
 namespace mixcmp::workload {
 namespace {
 
 /// Decides one comparison after the other in the golden model, for formats that double cannot hold.
-void compare_by_golden_model(const TypedGraph& reference, const data::Comparisons& data,
+void compare_by_golden_model(const ReferenceDatapath& reference, const data::Comparisons& data,
                              std::span<const data::Items> items, std::span<std::uint8_t> greater) {
   std::vector<Bits> operands(data.input_count());
   for (std::size_t k = 0; k < items.size(); ++k) {
@@ -41,8 +41,10 @@ void compare_by_emulator(const emulator::Emulator& emulator, const data::Compari
 
 }  // namespace
 
-data::CompareItems compare_by_reference(const TypedGraph& reference) {
-  if (!fits_double(reference.input_format)) {
+data::CompareItems compare_by_reference(const ReferenceDatapath& reference) {
+  const FloatFormat format =
+      std::visit([](const auto& made) { return made.input_format; }, reference);
+  if (!fits_double(format)) {
     return [reference](const data::Comparisons& data, std::span<const data::Items> items,
                        std::span<std::uint8_t> greater) {
       compare_by_golden_model(reference, data, items, greater);

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "model/comparison/data/comparisons.hpp"
-#include "model/comparison/expression/typed_graph.hpp"
+#include "model/lane/fixed/reference_datapath.hpp"
 
 namespace mixcmp::workload {
 
 /// Makes a data::CompareItems that decides as a reference datapath does, bit for bit.
-data::CompareItems compare_by_reference(const TypedGraph& reference);
+data::CompareItems compare_by_reference(const ReferenceDatapath& reference);
 
 }  // namespace mixcmp::workload

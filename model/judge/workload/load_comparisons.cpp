@@ -9,6 +9,7 @@
 #include "model/comparison/data/load_tables.hpp"
 #include "model/comparison/expression/text.hpp"
 #include "model/judge/workload/compare_by_reference.hpp"
+#include "model/scene/reference_model.hpp"
 
 namespace mixcmp::workload {
 namespace {
@@ -79,8 +80,8 @@ Result<data::Comparisons> arrange(const scene::Scene& scene, std::vector<data::T
       return Comparisons::cross(std::move(first), std::move(second), inputs);
     case data::Pairing::arg_min: break;
   }
-  const data::CompareItems compare =
-      compare_by_reference(reference_graph(scene.graph, scene.reference));
+  MIXCMP_TRY(reference, scene::reference_model(scene));
+  const data::CompareItems compare = compare_by_reference(reference);
   return Comparisons::arg_min(std::move(first), std::move(second), inputs,
                               with_progress(compare, progress));
 }

@@ -41,6 +41,11 @@ Result<FixedPart> make_part(FixedGraphBuilder& builder, const Sides& sides,
     if (auto part = norm_part(builder, f, g)) return *part;
   }
   const NodeId difference = builder.difference(f, g);
+  if (options.is_reference) {
+    return FixedPart{
+        .difference = difference,
+        .criterion = ConstantThresholds{.greater_from = 1, .less_to = -1, .exact = true}};
+  }
   if (!is_exact && options.bound == BoundKind::running) {
     auto running = running_thresholds(builder.nodes(), options.format.bits, difference,
                                       builder.nodes_in_products(sides));
@@ -239,7 +244,9 @@ Result<FixedLane> fixed_lane(const Graph& graph, FloatFormat input_format,
                  .input_format = input_format,
                  .parts = {},
                  .combination = graph.combination(),
-                 .operand_formats = options.operand_formats};
+                 .operand_formats = options.operand_formats,
+                 .outputs = {},
+                 .is_reference = options.is_reference};
   for (std::size_t k = 0; k < graph.parts().size(); ++k) {
     MIXCMP_TRY(part, make_part(builder, graph.parts()[k], options));
     lane.parts.push_back(std::move(part));
@@ -305,9 +312,9 @@ bool is_always_taken(const FixedLane& lane, const FixedNode& input) {
 }  // namespace
 
 bool rounds_nothing(const FixedLane& lane) {
-  return std::all_of(lane.parts.begin(), lane.parts.end(), [](const FixedPart& part) {
+  return std::all_of(lane.parts.begin(), lane.parts.end(), [&](const FixedPart& part) {
     const auto* constants = std::get_if<ConstantThresholds>(&part.criterion);
-    return constants != nullptr && constants->exact;
+    return constants != nullptr && constants->exact && has_no_error(lane.nodes[part.difference]);
   });
 }
 

@@ -75,8 +75,8 @@ bool is_checked(const FixedNode& node);
 struct ConstantThresholds {
   mpz_class greater_from;
   mpz_class less_to;
-  /// The difference has no error: all comparisons whose operands fit are decided, also those of
-  /// equal sides.
+  /// All comparisons whose operands fit are decided: a difference that is neither is equal. In a
+  /// lane it then has no error.
   bool exact = false;
 
   friend bool operator==(const ConstantThresholds&, const ConstantThresholds&) = default;
@@ -163,6 +163,9 @@ struct FixedLane {
   std::vector<OperandFormat> operand_formats = {};
   /// The results of a graph without parts; empty elsewhere.
   std::vector<NodeId> outputs = {};
+  /// The lane is a reference: it orders f and g as computed, equal ones as equal. A comparison
+  /// whose operands do not fit is unordered.
+  bool is_reference = false;
 
   friend bool operator==(const FixedLane&, const FixedLane&) = default;
 };
@@ -181,6 +184,8 @@ struct FixedOptions {
   std::vector<std::optional<mpq_class>> grids = {};
   /// One per input, or none: all operands arrive in the lane's input format.
   std::vector<OperandFormat> operand_formats = {};
+  /// Makes a reference. The bound is then `constant`.
+  bool is_reference = false;
 
   /// The grid on which the lane relies; null: it relies on none of this input.
   const mpq_class* relied_grid(std::size_t input) const;

@@ -8,6 +8,7 @@
 #include "model/judge/golden/fixed_evaluate.hpp"
 #include "model/plan/profile/in_double.hpp"
 #include "model/plan/profile/rate_worker.hpp"
+#include "model/scene/reference_model.hpp"
 
 namespace mixcmp::profile {
 namespace {
@@ -201,7 +202,7 @@ RateProfile profile_rates(const scene::Scene& scene, const data::Comparisons& da
                     emulator::Emulator(std::move(same.exact_reference)));
   }
   return rates_of(scene, data, errors, options,
-                  emulator::Emulator(reference_graph(scene.graph, scene.reference)));
+                  emulator::Emulator(scene::reference_model(scene).value()));
 }
 
 }  // namespace mixcmp::profile

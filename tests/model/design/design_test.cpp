@@ -332,12 +332,12 @@ TEST(MakeDesign, ReferencesOfIntegersAreExactLanes) {
   scene.ranges.assign(scene.graph.inputs().size(), Range{0, 511});
   scene.grids.assign(scene.graph.inputs().size(), mpq_class(1));
   scene.reduced.fixed_point = FixedPoint{.bits = 5};
-  EXPECT_FALSE(design::make_design(scene, nullptr)->exact_reference.has_value());
+  EXPECT_FALSE(design::make_design(scene, nullptr)->fixed_reference.has_value());
   scene.system.references = 2;
   const Design design = design::make_design(scene, nullptr).value();
-  ASSERT_TRUE(design.exact_reference.has_value());
-  EXPECT_TRUE(fixed::is_exact(*design.exact_reference));
-  EXPECT_EQ(design.exact_reference->format.bits, 9);
+  ASSERT_TRUE(design.fixed_reference.has_value());
+  EXPECT_TRUE(fixed::is_exact(*design.fixed_reference));
+  EXPECT_EQ(design.fixed_reference->format.bits, 9);
   EXPECT_EQ(reference_group_names(design), std::vector<std::string>{"q9"});
   ASSERT_EQ(named_lanes(design).size(), 2u);
   EXPECT_EQ(named_lanes(design).back().name, "reference_q9");

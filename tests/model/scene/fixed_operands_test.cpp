@@ -148,7 +148,7 @@ TEST_F(FixedOperandsTest, MistakesNameTheKey) {
 
 TEST_F(FixedOperandsTest, ReferencesAreNotFolded) {
   EXPECT_EQ(error(orientation, {"reduced.format=q9", "reference.initiation_interval=4"}),
-            "--set: reference.initiation_interval: a reference for operands in fixed point takes a "
+            "--set: reference.initiation_interval: a reference in fixed point takes a "
             "comparison in every cycle: received 4; accepted 1");
   EXPECT_EQ(scene_of(orientation, {"reference.initiation_interval=auto"})
                 .reference_structure.initiation_interval,

@@ -92,6 +92,29 @@ TEST_F(FloatOperandsTest, MistakesNameTheKey) {
   EXPECT_EQ(scene_of(products, exact).reference.format.name(), "s11e9");
 }
 
+TEST_F(FloatOperandsTest, ReferencesMayComputeInFixedPoint) {
+  const std::string ranges =
+      "[comparison]\nname = \"n\"\nf = \"sqrt(a)\"\ng = \"b\"\n[inputs]\n"
+      "a = { format = \"binary16\", range = [0, 9] }\n"
+      "b = { format = \"bfloat16\", range = [0, 9] }\n[reduced]\n"
+      "format = \"q7\"\n[reference]\nformat = \"q30\"\n";
+  const scene::Scene scene = scene_of(ranges);
+  EXPECT_EQ(scene.fixed_reference->name(), "q30");
+  EXPECT_EQ(scene.reference.format.name(), "s11e8") << "which holds both formats";
+  EXPECT_TRUE(scene.has_fixed_references());
+  EXPECT_NE(error(ranges, {"reference.initiation_interval=4"})
+                .find("a reference in fixed point takes a comparison in every cycle"),
+            std::string::npos);
+  EXPECT_NE(error(ranges, {"reference.sums=fused"}).find("fuses no sums"), std::string::npos);
+  EXPECT_NE(error(ranges, {"reference.format=q49"}).find("out of range: received \"q49\""),
+            std::string::npos);
+  EXPECT_NE(error(ranges, {"reference.format=q9g2"}).find("is plain: received \"q9g2\""),
+            std::string::npos);
+  EXPECT_NE(error(products, {"reference.format=q30"})
+                .find("give operands no format: received c; accepted inputs with a format"),
+            std::string::npos);
+}
+
 /// E4M3: its largest number is 448, and 4 exponent bits do not hold it.
 TEST_F(FloatOperandsTest, AFormatWithoutInfinitiesIsOneOfOperandsOnly) {
   const std::vector<std::string> e4m3 = {"inputs.a.format=E4M3"};

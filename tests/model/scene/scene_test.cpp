@@ -382,10 +382,12 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"s53e8", "s10e8",
                 ":11: reference.format: precision out of range: received \"s10e8\"; accepted "
                 "\"exact\", "
-                "sPeE with P 11..113 and E 2..15, or binary16, binary32, binary64, binary128"},
+                "qW such as q40, sPeE with P 11..113 and E 2..15, or binary16, binary32, binary64, "
+                "binary128"},
         Mistake{"s53e8", "double",
                 ":11: reference.format: not a floating-point format: received \"double\"; accepted "
-                "\"exact\", sPeE with P 11..113 and E 2..15, or binary16, binary32, binary64, "
+                "\"exact\", qW such as q40, sPeE with P 11..113 and E 2..15, or binary16, "
+                "binary32, binary64, "
                 "binary128"},
         Mistake{
             "s17e8", "s3e8",

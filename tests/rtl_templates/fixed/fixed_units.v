@@ -161,7 +161,7 @@ module fixed_units #(
           .WIDTH       (5),
           .GREATER_FROM(GREATER_FROM),
           .LESS_TO     (LESS_TO),
-          .EXACT       (slot / 2 % 2),
+          .EXACT       (slot / 2 % 3),
           .CUTS        (slot % 2)
       ) decision (
           .aclk        (aclk),

@@ -90,9 +90,10 @@ std::uint64_t answer(bool greater, bool equal, bool decided) {
 std::uint64_t constant_decision(int slot, const Operands& operands) {
   const int difference = low_signed(operands.a, 5);
   const int less_to = slot % 16 - 13, greater_from = slot % 16 - 12 + slot / 16;
-  const bool exact = slot / 2 % 2 == 1;
+  const bool exact = slot / 2 % 3 > 0, unordered = slot / 2 % 3 == 2 && operands.flag;
   const bool greater = difference >= greater_from, less = difference <= less_to;
-  return answer(greater, exact && !greater && !less, (greater || less || exact) && !operands.flag);
+  return answer(greater || unordered, (exact && !greater && !less) || unordered,
+                (greater || less || exact) && !operands.flag);
 }
 
 /// 2^k for the least k with square < 4^k.
