@@ -14,13 +14,13 @@ namespace mixcmp::error {
 /// of the node has all digits of the value, and neither overflows nor makes it subnormal and
 /// inexact.
 ///
-/// A value's digits are known in two ways. If every value of a node is a multiple of some 2^k and at
-/// most 2^m, m - k digits suffice; for an input, k and m follow from its grid and its range, or from
-/// the format in which it arrives. Or an input has the digits of its format, a product those of both
-/// factors together, a minimum those of either operand. A fused sum, and the sign of one, needs all
-/// digits of its terms within the place below which it cuts them. These nodes are not exact, nor is
-/// any node that depends on one: divisions other than by powers of two, roots, and constants that
-/// the format rounds.
+/// A value's digits are known in two ways. If every value of a node is a multiple of some 2^k and
+/// at most 2^m, m - k digits suffice; for an input, k and m follow from its grid and its range, or
+/// from the format in which it arrives. Or an input has the digits of its format, a product those
+/// of both factors together, a minimum those of either operand. A fused sum, and the sign of one,
+/// needs all digits of its terms within the place below which it cuts them. These nodes are not
+/// exact, nor is any node that depends on one: divisions other than by powers of two, roots, and
+/// constants that the format rounds.
 std::vector<bool> exact_nodes(const TypedGraph& graph,
                               const std::vector<std::optional<Range>>& ranges,
                               const std::vector<std::optional<mpq_class>>& grids);
