@@ -288,6 +288,24 @@ def undecided(draft):
     draft.scene.set("system", references=0)
 
 
+def fixed_format(rng):
+    bits, is_signed = rng.randint(2, 12), rng.random() < 0.6
+    behind = rng.randint(1, bits - 1) if rng.random() < 0.4 else 0
+    prefix = "" if is_signed else "u"
+    name = f"{prefix}q{bits - behind - is_signed}.{behind}" if behind else f"{prefix}int{bits}"
+    return FixedFormat(name, bits, behind, is_signed)
+
+
+def promised_grids(rng, names):
+    """A range and a grid for each input. In one of six the grid is nearly the range or coarser."""
+    forms = {}
+    for word in names:
+        form = fixed_format(rng)
+        coarser = form.bits + rng.randint(-2, 3) if rng.random() < 1 / 6 else 0
+        forms[word] = dataclasses.replace(form, is_promised=True, coarser=max(0, coarser))
+    return forms
+
+
 def integers(draft):
     """Operands in fixed point, with lanes that are exact and lanes that are not."""
     rng = draft.rng
@@ -297,12 +315,9 @@ def integers(draft):
         draft.scene.sections.pop("lanes", None)
         draft.scene.sections.pop("second_tier", None)
         draft.scene.sections["system"].setdefault("lanes", 4 * draft.scene.get("engine", "lanes_per_group"))
-    bits, is_signed = rng.randint(2, 12), draft.chance(0.6)
-    behind = rng.randint(1, bits - 1) if draft.chance(0.4) else 0
-    prefix = "" if is_signed else "u"
-    name = f"{prefix}q{bits - behind - is_signed}.{behind}" if behind else f"{prefix}int{bits}"
-    draft.fixed = FixedFormat(name, bits, behind, is_signed)
-    short = f"q{rng.randint(2, max(2, bits - 1))}"
+    form = fixed_format(rng)
+    draft.fixed = lambda names: dict.fromkeys(names, form)
+    short = f"q{rng.randint(2, max(2, form.bits - 1))}"
     lanes = rng.choice(("exact", "q24", short, short, short))
     draft.scene.set("reference", format="s53e11", initiation_interval=1)
     draft.scene.sections["reduced"] = {"format": lanes}
@@ -312,9 +327,10 @@ def integers(draft):
 
 
 def grids(draft):
-    """Operands in floating point of which a grid is promised, with lanes that rely on it."""
+    """Operands in floating point with promised grids, one per input, and lanes that rely on them.
+    Items i and j of a column may have different grids."""
     integers(draft)
-    draft.fixed = dataclasses.replace(draft.fixed, is_promised=True)
+    draft.fixed = lambda names: promised_grids(draft.rng, names)
     draft.scene.set("reduced", format=draft.rng.choice(("exact", "exact", "q24", "q9")))
     if draft.scene.get("reduced", "format") == "q24":
         draft.scene.set("reduced", error_bound="grid")

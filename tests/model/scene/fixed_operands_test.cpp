@@ -73,6 +73,23 @@ TEST_F(FixedOperandsTest, PromisedGridsMakeLanesExact) {
       "uint10, or with a range and a grid, or a format such as q13");
 }
 
+/// Of the range [-3, 3] a grid of 4 or 16 leaves 0, for which one bit is enough. Ranges without any
+/// multiple are refused.
+TEST_F(FixedOperandsTest, AGridMayBeCoarserThanTheRange) {
+  const std::string text =
+      "[comparison]\nname = \"n\"\nf = \"a\"\ng = \"b\"\n[inputs]\n"
+      "a = { range = [-3, 3], grid = 4 }\nb = { range = [0, 15], grid = 1 }\n"
+      "[reference]\nformat = \"binary32\"\n[reduced]\nformat = \"exact\"\n";
+  for (const char* grid : {"inputs.a.grid=4", "inputs.a.grid=16"}) {
+    EXPECT_EQ(scene_of(text, {grid}).reduced.format_name(), "q4") << grid;
+  }
+  std::string far = text;
+  far.replace(far.find("[-3, 3]"), 7, "[5, 7]");
+  EXPECT_EQ(error(far),
+            ":6: inputs.a.grid: the range has no multiple of it: received 4; accepted a power of "
+            "two with a multiple in [5, 7]");
+}
+
 TEST_F(FixedOperandsTest, ReferencesAreForLanesThatRound) {
   const auto references = [&](const std::vector<std::string>& settings) {
     return scene_of(orientation, settings).system.references;
