@@ -256,9 +256,9 @@ private:
     }
     const FixedKernel truncating =
         format.is_signed ? FixedKernel::convert_signed : FixedKernel::convert_unsigned;
-    const FixedKernel exact =
-        format.is_signed ? FixedKernel::take_signed : FixedKernel::take_unsigned;
-    return {.kernel = node(id).on_grid ? exact : truncating,
+    const FixedKernel exact = format.is_signed ? FixedKernel::convert_exactly_signed
+                                               : FixedKernel::convert_exactly_unsigned;
+    return {.kernel = node(id).is_promised ? exact : truncating,
             .result = id,
             .a = from,
             .b = from,

@@ -13,9 +13,9 @@
 namespace mixcmp::fixed {
 namespace {
 
-bool any_on_grid(const std::vector<FixedNode>& nodes) {
+bool any_promised(const std::vector<FixedNode>& nodes) {
   return std::any_of(nodes.begin(), nodes.end(),
-                     [](const FixedNode& node) { return node.on_grid; });
+                     [](const FixedNode& node) { return node.is_promised; });
 }
 
 bool has_no_error(const FixedNode& node) {
@@ -145,8 +145,8 @@ std::string shown(const mpq_class& value) {
 std::string describe(const ConstantThresholds& thresholds, const FixedPart& part,
                      const std::vector<FixedNode>& nodes) {
   if (thresholds.exact) {
-    return any_on_grid(nodes) ? "certified: everywhere on the declared grids, nothing is rounded"
-                              : "certified: everywhere, nothing is rounded";
+    return any_promised(nodes) ? "certified: everywhere on the promised grids, nothing is rounded"
+                               : "certified: everywhere, nothing is rounded";
   }
   const mpq_class unit = nodes[part.difference].format.unit();
   return fmt::format("certified: where f - g is {} or more, or {} or less",
@@ -370,7 +370,7 @@ std::vector<NodeId> read_by(const Criterion& criterion) {
 }
 
 bool relies_on_grids(const FixedLane& lane) {
-  return any_on_grid(lane.nodes);
+  return any_promised(lane.nodes);
 }
 
 bool has_norm(const FixedLane& lane) {

@@ -354,7 +354,7 @@ std::optional<FixedNode> FixedGraphBuilder::multiple_below(int top, const mpq_cl
   const int bits = std::max(1, top - unit);
   if (bits > options_.format.operand_bits()) return std::nullopt;
   FixedNode exact = input_below(unit + bits, bits, nonnegative, index);
-  exact.on_grid = true;
+  exact.is_promised = true;
   exact.error = {0, 0};
   return exact;
 }
