@@ -224,7 +224,7 @@ Result<std::vector<ArchitectureSearch::System>> ArchitectureSearch::systems_of(
   optimise::OpenKeys open = optimise::open_keys(read.settings);
   const LoadedScene& loaded = formulation.loaded;
   MIXCMP_TRY(given, with_chain_lanes(loaded.scene, loaded.data_if_any(), request_->planning.scene));
-  if (given.has_fixed_operands()) open.initiation_interval = false;
+  if (given.has_exact_references()) open.initiation_interval = false;
   const bool streams = given.system.engine.kind == EngineKind::none;
   ComponentQuery query = query_for(request_->choice, given, open);
   MIXCMP_TRY(choices, reference_choices(given, std::move(query), open));

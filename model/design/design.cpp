@@ -407,7 +407,7 @@ Result<Design> choose(const scene::Scene& scene, const data::Comparisons* data,
     shortest = std::min(shortest.value_or(*interval), *interval);
     MIXCMP_DO(check_request_beats(scene.system, *interval));
   }
-  if (scene.has_fixed_operands() && !design.references.empty()) {
+  if (scene.has_exact_references() && !design.references.empty()) {
     MIXCMP_TRY(exact, design_exact_reference(scene));
     design.exact_reference = std::move(exact);
   }
@@ -429,7 +429,7 @@ int total(const Groups& groups) {
 }  // namespace
 
 Result<ReferenceDatapath> reference_datapath(const scene::Scene& scene) {
-  if (!scene.has_fixed_operands()) {
+  if (!scene.has_exact_references()) {
     return ReferenceDatapath(reference_graph(scene.graph, scene.reference));
   }
   MIXCMP_TRY(lane, design_exact_reference(scene));

@@ -122,6 +122,8 @@ Result<Done> check_operand_formats(const settings::Settings& settings,
 Result<Done> check_fixed_operands(const settings::Settings& settings, const Scene& scene) {
   if (scene.has_fixed_operands()) {
     MIXCMP_DO(check_lanes(settings, scene));
+  }
+  if (scene.has_exact_references()) {
     MIXCMP_DO(check_references(settings, scene));
   }
   if (scene.system.engine.kind == EngineKind::none) return Done{};

@@ -395,12 +395,11 @@ std::vector<OperandFormat> formats_of_operands(const InputDeclarations& declared
   return formats;
 }
 
-/// Declares the inputs that arrive in another format in floating point than the reference's.
+/// Declares the inputs that arrive in another format than the reference's.
 void declare_arrival(Graph& graph, std::span<const OperandFormat> formats, FloatFormat reference) {
   for (std::size_t k = 0; k < formats.size(); ++k) {
-    const FloatFormat* format = formats[k].floating();
-    if (format == nullptr || *format == reference) continue;
-    graph.arrives_in(static_cast<int>(k), *format);
+    if (formats[k] == OperandFormat(reference)) continue;
+    graph.arrives_in(static_cast<int>(k), formats[k]);
   }
 }
 
@@ -443,12 +442,12 @@ std::optional<bool> has_exact_lanes(const Scene& scene) {
   });
 }
 
-/// Sets what a scene with operands in fixed point leaves open of references, which are exact lanes:
-/// none behind lanes that are exact as well or if there is no exact lane, otherwise one. An arg-min
-/// engine has one behind all other lanes; if there is no exact lane, the design refuses it. While
-/// formats of lanes are open, so is the number.
+/// Sets what a scene leaves open of references that are exact lanes: none behind lanes that are
+/// exact as well or if there is no exact lane, otherwise one. An arg-min engine has one behind all
+/// other lanes; if there is no exact lane, the design refuses it. While formats of lanes are open,
+/// so is the number.
 void choose_references(Scene& scene) {
-  if (!scene.has_fixed_operands()) return;
+  if (!scene.has_exact_references()) return;
   const auto close = [](ReferenceStructureSpec& structure) {
     structure.initiation_interval = structure.initiation_interval.value_or(1);
   };
@@ -474,7 +473,7 @@ Result<Done> check_chain_decides(const settings::Settings& settings, const Scene
     return Done{};
   }
   std::string accepted = fmt::format("1..{}", max_references);
-  if (scene.has_fixed_operands()) accepted += ", or 0 with reduced.format = \"exact\"";
+  if (scene.has_exact_references()) accepted += ", or 0 with reduced.format = \"exact\"";
   return settings::Section(settings, "system")
       .mistake("references", "the arg-min engine needs every verdict", "0", accepted);
 }

@@ -199,7 +199,10 @@ struct Scene {
   std::string g_text() const;
 
   bool has_fixed_operands() const;  ///< whether any input arrives in fixed point
-  /// Whether any input in floating point is declared to hold only multiples of a grid.
+  /// Whether references are exact lanes: all inputs arrive in fixed point. Otherwise they compute
+  /// in floating point.
+  bool has_exact_references() const;
+  /// Whether any input in floating point is promised to hold only multiples of a grid.
   bool has_promised_grids() const;
 
   /// Tells for each input whether its declared range excludes negative values.

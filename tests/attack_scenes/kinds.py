@@ -8,6 +8,7 @@ import dataclasses
 from .draft import DEVICES, Draft
 from .expressions import name
 from .rows import FixedFormat
+from .scene import item_column
 
 
 def fold(draft):
@@ -296,13 +297,18 @@ def fixed_format(rng):
     return FixedFormat(name, bits, behind, is_signed)
 
 
-def promised_grids(rng, names):
-    """A range and a grid for each input. In one of six the grid is nearly the range or coarser."""
-    forms = {}
+def promised_grids(draft, names):
+    """A range and a grid for each input. In one of six the grid is nearly the range or coarser. One
+    column of six arrives in fixed point instead."""
+    rng, arriving, forms = draft.rng, {}, {}
     for word in names:
+        column = item_column(word)[0] if draft.scene.pairs else word
         form = fixed_format(rng)
+        if column not in arriving:
+            arriving[column] = form if rng.random() < 1 / 6 else None
         coarser = form.bits + rng.randint(-2, 3) if rng.random() < 1 / 6 else 0
-        forms[word] = dataclasses.replace(form, is_promised=True, coarser=max(0, coarser))
+        promised = dataclasses.replace(form, is_promised=True, coarser=max(0, coarser))
+        forms[word] = arriving[column] or promised
     return forms
 
 
@@ -314,7 +320,8 @@ def integers(draft):
         pairwise(draft)
         draft.scene.sections.pop("lanes", None)
         draft.scene.sections.pop("second_tier", None)
-        draft.scene.sections["system"].setdefault("lanes", 4 * draft.scene.get("engine", "lanes_per_group"))
+        lanes = 4 * draft.scene.get("engine", "lanes_per_group")
+        draft.scene.sections["system"].setdefault("lanes", lanes)
     form = fixed_format(rng)
     draft.fixed = lambda names: dict.fromkeys(names, form)
     short = f"q{rng.randint(2, max(2, form.bits - 1))}"
@@ -328,9 +335,9 @@ def integers(draft):
 
 def grids(draft):
     """Operands in floating point with promised grids, one per input, and lanes that rely on them.
-    Items i and j of a column may have different grids."""
+    Items i and j of a column may have different grids. Some inputs arrive in fixed point."""
     integers(draft)
-    draft.fixed = lambda names: promised_grids(draft.rng, names)
+    draft.fixed = lambda names: promised_grids(draft, names)
     draft.scene.set("reduced", format=draft.rng.choice(("exact", "exact", "q24", "q9")))
     if draft.scene.get("reduced", "format") == "q24":
         draft.scene.set("reduced", error_bound="grid")

@@ -195,7 +195,8 @@ class FixedOperands(Operands):
         return dyadic_text(value)
 
     def beside(self, name, value, places):
-        return dyadic_text(value + places * min(form.grid for form in self.forms[name]))
+        step = min(form.grid for form in self.forms[name])
+        return self.kept(dyadic_text(value + places * step), name)
 
 
 def float_of(written):

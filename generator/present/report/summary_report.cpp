@@ -424,7 +424,7 @@ SummaryLines operators_section(const Scene& scene, const DatapathSummary& datapa
   std::string article;
   if (datapath.name == "lane") article = "a ";
   if (datapath.name == "reference") {
-    article = scene.has_fixed_operands() ? "the model of the " : "the ";
+    article = scene.has_exact_references() ? "the model of the " : "the ";
   }
   return {"operators of " + article + datapath.name,
           lines_of(operator_fields(), datapath.operators)};
@@ -434,7 +434,7 @@ SummaryLines ranges_section(const Summary& summary) {
   SummaryLines section{"what the ranges rule out", {}};
   for (const SideSummary& side : summary.sides) add(section, lines_of(side_fields(side), side));
   for (const DatapathSummary& datapath : summary.datapaths) {
-    if (datapath.name == "reference" && summary.scene->has_fixed_operands()) continue;
+    if (datapath.name == "reference" && summary.scene->has_exact_references()) continue;
     for (const RangeQuestion& event : datapath.events) {
       add(section, {{fmt::format("{} {}", datapath.name, event.question), answer(event, true)}});
     }

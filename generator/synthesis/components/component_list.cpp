@@ -194,7 +194,7 @@ private:
     std::vector<design::ReferenceStructure> structures;
     for (const Multipliers multipliers : reference_multipliers(query_)) {
       // Exact lanes as references are not folded.
-      const bool is_folded = !maker_.scene().has_fixed_operands();
+      const bool is_folded = !maker_.scene().has_exact_references();
       for (const int interval : is_folded ? query_.initiation_intervals : std::vector<int>{1}) {
         for (const std::optional<int> target : query_.reference_targets) {
           structures.push_back({multipliers, interval, target});

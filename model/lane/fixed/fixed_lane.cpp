@@ -271,16 +271,16 @@ const mpq_class* FixedOptions::relied_grid(std::size_t input) const {
   return &*grids[input];
 }
 
-std::vector<FloatFormat> arriving_formats(const FixedLane& lane) {
-  std::vector<FloatFormat> formats;
+std::vector<OperandFormat> arriving_formats(const FixedLane& lane) {
+  std::vector<OperandFormat> formats;
   if (!lane.loaded_inputs.empty()) return formats;
+  const OperandFormat read(lane.input_format);
   bool any = false;
   for (const OperandFormat& format : lane.operand_formats) {
-    const FloatFormat* floating = format.floating();
-    formats.push_back(floating == nullptr ? lane.input_format : *floating);
-    any = any || !(formats.back() == lane.input_format);
+    formats.push_back(format.floating() == nullptr ? read : format);
+    any = any || !(formats.back() == read);
   }
-  return any ? formats : std::vector<FloatFormat>();
+  return any ? formats : std::vector<OperandFormat>();
 }
 
 const FixedFormat* arriving_fixed(const FixedLane& lane, const FixedNode& node) {

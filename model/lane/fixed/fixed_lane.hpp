@@ -189,7 +189,7 @@ struct FixedOptions {
 /// The formats of operands that arrive in floating point, one per input; an input in fixed point
 /// counts as one in `input_format`. Empty if none has another format, or if the lane reads values
 /// that were converted before.
-std::vector<FloatFormat> arriving_formats(const FixedLane& lane);
+std::vector<OperandFormat> arriving_formats(const FixedLane& lane);
 
 /// Makes the lane of a comparison whose operands arrive in `input_format`, unless the options say
 /// otherwise. Errors name the input without a range, the operation that fixed point does not have,

@@ -48,7 +48,7 @@ TEST_F(FixedOperandsTest, RangeGridReferenceAndLaneFollow) {
   EXPECT_EQ(scene.system.references, 0);
 }
 
-/// A declared grid makes a lane for operands in floating point exact. The lane checks its operands,
+/// A promised grid makes a lane for operands in floating point exact. The lane checks its operands,
 /// so references stay. [-512, 511] needs 10 bits of magnitude, because of 512.
 TEST_F(FixedOperandsTest, PromisedGridsMakeLanesExact) {
   std::string promised = orientation + "[reference]\nformat = \"binary32\"\n";
@@ -136,6 +136,27 @@ format = "q8"
   EXPECT_EQ(scene.grids[0], mpq_class(1, 64));
   EXPECT_EQ(scene.ranges[1], (Range{-16, 15}));
   EXPECT_TRUE(scene.has_fixed_operands());
+}
+
+/// The exact lane leaves b to a reference where it is off its grid, so references are as for
+/// floats.
+TEST_F(FixedOperandsTest, BesideFloatsReferencesComputeInFloatingPoint) {
+  const std::string text =
+      "[comparison]\nname = \"n\"\nf = \"a * b\"\ng = \"1\"\n[inputs]\n"
+      "a = { format = \"uint8\" }\nb = { range = [0, 15], grid = 0.5 }\n"
+      "[reference]\nformat = \"binary32\"\n[reduced]\nformat = \"exact\"\n";
+  const scene::Scene scene = scene_of(text);
+  EXPECT_EQ(scene.reduced.format_name(), "q8");
+  EXPECT_EQ(scene.reduced.error_bound, BoundKind::grid);
+  EXPECT_TRUE(scene.has_fixed_operands());
+  EXPECT_FALSE(scene.has_exact_references());
+  EXPECT_EQ(scene.system.references, std::nullopt);
+  EXPECT_EQ(scene.graph.arriving_format(0)->name(), "uint8");
+  const std::vector<std::string> folded = {"reference.initiation_interval=4",
+                                           "reference.sums=fused"};
+  EXPECT_EQ(scene_of(text, folded).reference_structure.initiation_interval, 4);
+  EXPECT_TRUE(scene_of(orientation).has_exact_references());
+  EXPECT_FALSE(scene_of(sphere_scene).has_exact_references());
 }
 
 TEST_F(FixedOperandsTest, ScenesWithoutThemAreAsBefore) {

@@ -92,7 +92,7 @@ TEST(Exact, RoundsUpToTheLeastNumberNotBelow) {
   }
 }
 
-const FloatFormat e4m3 = FloatFormat::make(4, 4, Specials::one_nan).value();
+const FloatFormat e4m3 = FloatFormat::e4m3();
 
 /// The value of a word of E4M3 that is no NaN, by the table of the Open Compute Project's OFP8.
 mpq_class value_of_e4m3(int word) {
