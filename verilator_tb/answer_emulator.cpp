@@ -29,7 +29,7 @@ AnswerEmulator::AnswerEmulator(const design::Design& design)
   for (const design::LaneGroup& group : design.lanes) lanes_.push_back(emulator_of(group.lane));
   if (design.second_tier) second_tier_.emplace(emulator_of(design.second_tier->lane));
   if (design.references.empty()) return;
-  const fixed::FixedLane* rounding = design.rounding_reference();
+  const fixed::FixedLane* rounding = design.requested_reference();
   rounding == nullptr ? reference_.emplace(design.reference) : reference_.emplace(*rounding);
 }
 

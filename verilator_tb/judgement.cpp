@@ -39,7 +39,7 @@ golden::LaneResult decide(const design::Lane& lane, std::span<const Bits> operan
 }  // namespace
 
 Verdict reference_verdict(const design::Design& design, std::span<const Bits> operands) {
-  const fixed::FixedLane* rounding = design.rounding_reference();
+  const fixed::FixedLane* rounding = design.requested_reference();
   if (rounding != nullptr) return golden::evaluate_lane(*rounding, operands).verdict;
   return golden::evaluate_reference(design.reference, operands);
 }

@@ -101,8 +101,8 @@ std::string c_float_call(const std::string& module, const std::string& function,
   if (format.has_infinities()) {
     return fmt::format("{}_{}({}, {}, {})", module, function, argument, digits, exponent_bits);
   }
-  return fmt::format("{}_{}_one_nan({}, {}, {}, {})", module, function, argument, digits,
-                     exponent_bits, c_power(1 << (exponent_bits - 1)));
+  return fmt::format("{}_{}_no_infinities({}, {}, {}, {})", module, function, argument, digits,
+                     exponent_bits, c_power(OperandFormat(format).scaled_float().scale));
 }
 
 std::string c_pack(const std::string& module, const std::string& field, int at,
@@ -203,7 +203,7 @@ std::string c_record(const PackedRecord& record, const std::string& module) {
 std::string python_format(const OperandFormat& format) {
   if (const FloatFormat* const floating = format.floating()) {
     return fmt::format("(\"float\", {}, {}, {})", floating->precision(), floating->exponent_bits(),
-                       floating->has_infinities() ? "False" : "True");
+                       floating->has_infinities() ? "True" : "False");
   }
   const FixedFormat& fixed = *format.fixed();
   return fmt::format("(\"fixed\", {}, {}, {})", fixed.width, fixed.is_signed ? "True" : "False",
@@ -258,7 +258,7 @@ std::vector<GeneratedFile> packing_files(const PackingSpec& spec, const std::str
   MIXCMP_CHECK(!spec.records.empty());
   const PackedRecord& first = spec.records.front();
   std::vector<std::string> c_records, tables, functions;
-  bool has_floats = false, has_wide = false, has_fractions = false, has_one_nan = false;
+  bool has_floats = false, has_wide = false, has_fractions = false, any_without_infinities = false;
   for (const PackedRecord& record : spec.records) {
     c_records.push_back(c_record(record, spec.module));
     tables.push_back(python_table(record));
@@ -267,7 +267,8 @@ std::vector<GeneratedFile> packing_files(const PackingSpec& spec, const std::str
       const FloatFormat* const floating = format.floating();
       has_floats = has_floats || (floating != nullptr && fits_double(*floating));
       has_wide = has_wide || (floating != nullptr && !fits_double(*floating));
-      has_one_nan = has_one_nan || (floating != nullptr && !floating->has_infinities());
+      any_without_infinities =
+          any_without_infinities || (floating != nullptr && !floating->has_infinities());
       has_fractions = has_fractions || (format.fixed() != nullptr && !is_integer(*format.fixed()));
     }
   }
@@ -278,7 +279,7 @@ std::vector<GeneratedFile> packing_files(const PackingSpec& spec, const std::str
                      {"HEAD", c_head},
                      {"EXAMPLE", c_example(first, spec.module)},
                      {"FLOATS", has_floats ? "yes" : ""},
-                     {"ONE_NAN", has_one_nan ? "yes" : ""},
+                     {"NO_INFINITIES", any_without_infinities ? "yes" : ""},
                      {"WIDE", has_wide ? "yes" : ""},
                      {"FRACTIONS", has_fractions ? "yes" : ""},
                      {"RECORDS", fmt::format("{}", fmt::join(c_records, "\n\n"))}}),
@@ -286,7 +287,7 @@ std::vector<GeneratedFile> packing_files(const PackingSpec& spec, const std::str
                     {{"MODULE", spec.module},
                      {"HEAD", python_head},
                      {"EXAMPLE", python_example(first, spec.module)},
-                     {"ONE_NAN", has_one_nan ? "yes" : ""},
+                     {"NO_INFINITIES", any_without_infinities ? "yes" : ""},
                      {"TABLES", fmt::format("{}", fmt::join(tables, "\n"))},
                      {"FUNCTIONS", fmt::format("{}", fmt::join(functions, "\n\n\n"))}})};
 }

@@ -124,7 +124,7 @@ public:
 private:
   const scene::Scene& scene_;
   TypedGraph doubles_;
-  ReferenceDatapath reference_;
+  fixed::ReferenceDatapath reference_;
 };
 
 void count(BaselineCheck& check, const std::vector<KernelOutput>& kernels, std::size_t index,
@@ -209,8 +209,6 @@ const BaselineKernel& Baseline::fastest() const {
 Result<Baseline> software_baseline(const scene::Scene& scene, const data::Comparisons& data,
                                    const BaselineOptions& options) {
   if (!fits_double(scene.reference.format)) return no_doubles(scene);
-  const auto reference = scene::reference_model(scene);
-  if (!reference.ok()) return reference.error();
   if (!has_software_loops(data.pairing())) {
     MIXCMP_TRY(rows, written_out(scene, data, most_written_out));
     return software_baseline(scene, rows, options);

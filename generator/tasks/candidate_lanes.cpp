@@ -116,7 +116,8 @@ Result<std::set<measured::Lane>> useful_lanes(const scene::Scene& scene,
 Result<std::vector<ReferenceChoice>> reference_choices(const scene::Scene& scene,
                                                        ComponentQuery query,
                                                        const optimise::OpenKeys& open) {
-  if (!scene.has_fixed_operands()) return std::vector{ReferenceChoice{scene, std::move(query)}};
+  if (!scene.has_only_fixed_operands())
+    return std::vector{ReferenceChoice{scene, std::move(query)}};
   MIXCMP_TRY(lanes, lanes_of(scene, query));
   std::set<measured::Lane> exact, rounding;
   for (const measured::Lane& lane : lanes) {

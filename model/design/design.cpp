@@ -182,7 +182,7 @@ Result<Done> check_fixed_bound(const scene::ReducedSpec& reduced) {
 bool can_decide(const fixed::FixedLane&, const fixed::ConstantThresholds& thresholds,
                 const fixed::FixedNode& difference) {
   const mpq_class unit = difference.format.unit();
-  return thresholds.exact || thresholds.greater_from * unit <= difference.value.high ||
+  return thresholds.decides_ties || thresholds.greater_from * unit <= difference.value.high ||
          thresholds.less_to * unit >= difference.value.low;
 }
 
@@ -338,7 +338,7 @@ std::string planned_clock(const scene::Scene& scene) {
 /// The lane of the scene's bits, or the exact lane of the fewest bits. Beside the latter the judges
 /// compute in the reference format, which must not round either.
 Result<fixed::FixedLane> design_fixed_reference(const scene::Scene& scene) {
-  if (scene.fixed_reference) {
+  if (scene.reference_fixed_point) {
     MIXCMP_TRY(model, scene::reference_model(scene));
     return std::get<fixed::FixedLane>(std::move(model));
   }
@@ -472,7 +472,7 @@ ReferenceDatapath Design::reference_datapath() const {
   return reference;
 }
 
-const fixed::FixedLane* Design::rounding_reference() const {
+const fixed::FixedLane* Design::requested_reference() const {
   return fixed_reference && fixed_reference->is_reference ? &*fixed_reference : nullptr;
 }
 

@@ -27,7 +27,7 @@ struct ReferenceGroup {
   int count = 1;
 };
 
-using mixcmp::ReferenceDatapath;
+using fixed::ReferenceDatapath;
 
 /// The datapath of a scene's references: the comparison in the reference format, or a lane in fixed
 /// point. That is the one that the scene asks for or, if operands arrive in fixed point, the exact
@@ -37,7 +37,7 @@ Result<ReferenceDatapath> reference_datapath(const scene::Scene& scene);
 
 /// The datapath of a scene's references; of a scene that can have none, the model of them.
 ReferenceDatapath datapath_or_model(const scene::Scene& scene);
-/// The format in which references compute: "s53e8", or of an exact lane "q9".
+/// The format in which references compute: "s53e8", or in fixed point "q9".
 LaneFormat datapath_format(const ReferenceDatapath& reference);
 /// That of datapath_or_model.
 LaneFormat datapath_format(const scene::Scene& scene);
@@ -67,7 +67,7 @@ struct Design {
   ReferenceDatapath reference_datapath() const;
   /// The datapath that judges evaluate as well, since it rounds; null: `reference` has its
   /// verdicts.
-  const fixed::FixedLane* rounding_reference() const;
+  const fixed::FixedLane* requested_reference() const;
   /// The same, with an entry for each input.
   std::vector<OperandFormat> formats_of_inputs() const;
   int lane_count() const;       ///< p_L
@@ -114,7 +114,7 @@ Result<Done> check_multipliers(const Lane& lane, scene::Multipliers multipliers)
 /// trait.
 std::vector<std::string> lane_group_names(const Design& design);
 std::vector<std::string> reference_group_names(const Design& design);
-/// "s53e11" or, of an exact lane, "q9".
+/// "s53e11" or, in fixed point, "q9".
 std::string format_name(const ReferenceDatapath& reference);
 
 /// A lane of a design by the name of its group; "second_tier_q13" is a lane of the second tier,

@@ -137,7 +137,7 @@ std::vector<NamedLane> named_lanes(const Design& design) {
     const Lane& lane = design.second_tier->lane;
     lanes.push_back({"second_tier_" + format_name(lane), lane});
   }
-  if (design.fixed_reference && design.rounding_reference() == nullptr) {
+  if (design.fixed_reference && design.requested_reference() == nullptr) {
     const Lane lane = *design.fixed_reference;
     lanes.push_back({"reference_" + format_name(lane), lane});
   }

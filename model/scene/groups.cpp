@@ -36,6 +36,12 @@ bool Scene::has_fixed_operands() const {
                      [](const OperandFormat& format) { return format.fixed() != nullptr; });
 }
 
+bool Scene::has_only_fixed_operands() const {
+  return has_fixed_operands() &&
+         std::all_of(operand_formats.begin(), operand_formats.end(),
+                     [](const OperandFormat& format) { return format.fixed() != nullptr; });
+}
+
 bool Scene::has_promised_grids() const {
   for (std::size_t k = 0; k < grids.size(); ++k) {
     if (grids[k] && operand_formats[k].fixed() == nullptr) return true;

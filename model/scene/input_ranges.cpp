@@ -102,6 +102,11 @@ Result<InputDeclaration> read_range(settings::Section& section,
     return wrong(fmt::format("{} has no number in the range", format->name()),
                  fmt::format("[{}, {}]", to_text(*low), to_text(*high)));
   }
+  if (grid && floor_of(*high / *grid) < ceiling_of(*low / *grid)) {
+    return section.mistake(
+        "grid", "the range has no multiple of it", to_text(*grid),
+        fmt::format("a power of two with a multiple in [{}, {}]", to_text(*low), to_text(*high)));
+  }
   return InputDeclaration{
       .range = Range{.low = *low, .high = *high}, .grid = grid, .format = format};
 }

@@ -5,8 +5,9 @@
 
 namespace mixcmp::scene {
 
-/// What judges evaluate in place of a scene's references: the comparison in the reference format or,
-/// if references round in fixed point, their datapath. It is an error if there is no such lane.
-Result<ReferenceDatapath> reference_model(const Scene& scene);
+/// The datapath whose verdicts judges expect of references: the comparison in the reference format
+/// or the lane in fixed point that the scene asks for. It is an error if there is no such lane,
+/// which load_scene finds.
+Result<fixed::ReferenceDatapath> reference_model(const Scene& scene);
 
 }  // namespace mixcmp::scene

@@ -21,6 +21,7 @@
 #include "model/scene/input_ranges.hpp"
 #include "model/scene/override_error.hpp"
 #include "model/scene/plan.hpp"
+#include "model/scene/reference_model.hpp"
 #include "model/scene/sections.hpp"
 #include "model/scene/variant.hpp"
 
@@ -395,12 +396,11 @@ std::vector<OperandFormat> formats_of_operands(const InputDeclarations& declared
   return formats;
 }
 
-/// Declares the inputs that arrive in another format in floating point than the reference's.
+/// Declares the inputs that arrive in another format than the reference's.
 void declare_arrival(Graph& graph, std::span<const OperandFormat> formats, FloatFormat reference) {
   for (std::size_t k = 0; k < formats.size(); ++k) {
-    const FloatFormat* format = formats[k].floating();
-    if (format == nullptr || *format == reference) continue;
-    graph.arrives_in(static_cast<int>(k), *format);
+    if (formats[k] == OperandFormat(reference)) continue;
+    graph.arrives_in(static_cast<int>(k), formats[k]);
   }
 }
 
@@ -443,10 +443,10 @@ std::optional<bool> has_exact_lanes(const Scene& scene) {
   });
 }
 
-/// Sets what a scene with operands in fixed point leaves open of references, which are exact lanes:
-/// none behind lanes that are exact as well or if there is no exact lane, otherwise one. An arg-min
-/// engine has one behind all other lanes; if there is no exact lane, the design refuses it. While
-/// formats of lanes are open, so is the number.
+/// Sets what a scene leaves open of references in fixed point. They are not folded. If all operands
+/// arrive in fixed point, there are none behind exact lanes or if no lane is exact, otherwise one.
+/// An arg-min engine has one behind all other lanes; if there is no exact lane, the design refuses
+/// it. While formats of lanes are open, so is the number.
 void choose_references(Scene& scene) {
   if (!scene.has_fixed_references()) return;
   const auto close = [](ReferenceStructureSpec& structure) {
@@ -454,18 +454,23 @@ void choose_references(Scene& scene) {
   };
   close(scene.reference_structure);
   for (ReferenceGroupSpec& group : scene.references) close(group.structure);
-  if (!scene.has_fixed_operands()) return;
+  if (!scene.has_only_fixed_operands()) return;
   if (!scene.references.empty() || scene.system.references) return;
   const std::optional<bool> are_exact = has_exact_lanes(scene);
   if (!are_exact) return;
   const bool can_have_some =
-      scene.fixed_reference ||
+      scene.reference_fixed_point ||
       fixed::exact_bits(scene.graph, scene.reference.format,
                         {.ranges = {}, .operand_formats = scene.operand_formats},
                         settings::limits::fixed_bits.most)
           .ok();
   const bool needs_some = scene.system.engine.kind == EngineKind::arg_min;
   scene.system.references = !*are_exact && (can_have_some || needs_some) ? 1 : 0;
+}
+
+Result<Done> check_reference_model(const Scene& scene) {
+  const auto model = reference_model(scene);
+  return model.ok() ? Result<Done>(Done{}) : model.error();
 }
 
 /// Refuses an arg-min engine without references, unless its lanes are exact: its chain of
@@ -476,7 +481,7 @@ Result<Done> check_chain_decides(const settings::Settings& settings, const Scene
     return Done{};
   }
   std::string accepted = fmt::format("1..{}", max_references);
-  if (scene.has_fixed_operands()) accepted += ", or 0 with reduced.format = \"exact\"";
+  if (scene.has_only_fixed_operands()) accepted += ", or 0 with reduced.format = \"exact\"";
   return settings::Section(settings, "system")
       .mistake("references", "the arg-min engine needs every verdict", "0", accepted);
 }
@@ -544,7 +549,7 @@ Result<Scene> interpret(SceneSettings read) {
               .data_ranges = are_from_data(declared),
               .operand_formats = std::move(operand_formats),
               .reference = reference.arithmetic,
-              .fixed_reference = reference.fixed_point,
+              .reference_fixed_point = reference.fixed_point,
               .reference_structure = reference.structure,
               .reduced = std::move(lanes.reduced),
               .lanes = std::move(lanes.groups),
@@ -556,6 +561,7 @@ Result<Scene> interpret(SceneSettings read) {
               .data = std::move(data),
               .plan = std::move(read.plan),
               .notes = std::move(notes)};
+  if (scene.reference_fixed_point) MIXCMP_DO(check_reference_model(scene));
   choose_references(scene);
   MIXCMP_DO(check_chain_decides(settings, scene));
   MIXCMP_DO(check_fixed_operands(settings, scene));

@@ -181,7 +181,7 @@ struct Scene {
   Arithmetic reference;
   /// References compute in fixed point of so many bits, written as "q40". None: in the format of
   /// `reference`, or exactly where operands arrive in fixed point.
-  std::optional<FixedPoint> fixed_reference;
+  std::optional<FixedPoint> reference_fixed_point;
   ReferenceStructureSpec reference_structure;  ///< used if there is no [[references]]
   ReducedSpec reduced;
   std::vector<LaneGroupSpec> lanes;  ///< [[lanes]]; empty: system.lanes times `reduced`
@@ -202,10 +202,11 @@ struct Scene {
   std::string f_text() const;
   std::string g_text() const;
 
-  bool has_fixed_operands() const;  ///< whether any input arrives in fixed point
+  bool has_fixed_operands() const;       ///< whether any input arrives in fixed point
+  bool has_only_fixed_operands() const;  ///< whether all inputs do
   /// Whether the datapath of references is in fixed point.
-  bool has_fixed_references() const { return fixed_reference || has_fixed_operands(); }
-  /// Whether any input in floating point is declared to hold only multiples of a grid.
+  bool has_fixed_references() const { return reference_fixed_point || has_only_fixed_operands(); }
+  /// Whether any input in floating point is promised to hold only multiples of a grid.
   bool has_promised_grids() const;
 
   /// Tells for each input whether its declared range excludes negative values.

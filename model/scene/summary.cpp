@@ -11,6 +11,7 @@
 #include "model/lane/error/certified_lane.hpp"
 #include "model/lane/error/exactness.hpp"
 #include "model/lane/error/hazards.hpp"
+#include "model/scene/reference_model.hpp"
 
 namespace mixcmp::scene {
 namespace {
@@ -256,6 +257,10 @@ std::string first_loose_sum(const Scene& scene, const TypedGraph& reference) {
 }
 
 Exactness summarise_exactness(const Scene& scene, const TypedGraph& reference) {
+  if (scene.reference_fixed_point) {
+    const auto model = reference_model(scene);
+    return {.exact = model.ok() && fixed::is_exact(std::get<fixed::FixedLane>(*model))};
+  }
   const std::vector<bool> exact = error::exact_nodes(reference, scene.ranges, scene.grids);
   const auto first = std::find(exact.begin(), exact.end(), false);
   if (first == exact.end()) return {.exact = true};

@@ -76,7 +76,8 @@ struct DataSummary {
   std::uint64_t comparisons = 0;
   std::uint64_t out_of_range = 0;  ///< numbers of the table that break a declared range
   std::string first_out_of_range;  ///< the first of them in words; empty if none
-  std::uint64_t off_grid = 0;      ///< numbers of the table that are no multiple of a declared grid
+  std::uint64_t off_grid =
+      0;  ///< numbers of the table that are no multiple of their grid, promised or declared
   std::string first_off_grid;
   data::LostNumbers lost;
   std::vector<data::InputSource> inputs;  ///< which column feeds which input

@@ -73,20 +73,30 @@ Error no_exact_reference(const settings::Section& section, const Error& error) {
                          error.accepted + ", or a format such as s53e11");
 }
 
+/// The formats of all inputs; `why` says in an error why an input needs one.
+Result<std::vector<OperandFormat>> all_formats(const settings::Section& section,
+                                               const std::vector<std::string>& inputs,
+                                               const InputDeclarations& declared, const char* why) {
+  std::vector<OperandFormat> formats;
+  for (std::size_t input = 0; input < inputs.size(); ++input) {
+    const std::optional<OperandFormat>& format = declared.formats[input];
+    if (!format) {
+      return section.mistake("format", fmt::format("{} each input needs a format", why),
+                             "none for " + inputs[input],
+                             "formats such as uint10 or binary32, or a reference in one such as "
+                             "s53e11");
+    }
+    formats.push_back(*format);
+  }
+  return formats;
+}
+
 /// The format of a reference that rounds nothing in any formulation.
 Result<FloatFormat> read_exact_format(const settings::Section& section,
                                       std::span<const Graph> graphs,
                                       const InputDeclarations& declared) {
-  std::vector<OperandFormat> formats;
-  for (std::size_t input = 0; input < declared.formats.size(); ++input) {
-    if (!declared.formats[input]) {
-      return no_exact_reference(section,
-                                {.message = "an input has no format",
-                                 .received = graphs.front().inputs()[input],
-                                 .accepted = "inputs with a format such as uint10 or binary32"});
-    }
-    formats.push_back(*declared.formats[input]);
-  }
+  MIXCMP_TRY(formats, all_formats(section, graphs.front().inputs(), declared,
+                                  "for a reference that rounds nothing"));
   int precision = settings::limits::reference_precision.least, exponent_bits = 0;
   for (const Graph& graph : graphs) {
     const auto format = error::exact_format(graph, formats, declared.ranges, declared.grids);
@@ -97,32 +107,23 @@ Result<FloatFormat> read_exact_format(const settings::Section& section,
   return FloatFormat::make(precision, exponent_bits);
 }
 
-void check_fixed_reference(settings::Section& section, const FixedPoint& format) {
-  const bool is_plain = !format.is_block && format.guard_digits == 0;
-  if (is_plain && settings::limits::fixed_bits.allow(format.bits)) return;
-  section.fail("format", is_plain ? "out of range" : "a reference in fixed point is plain",
-               in_quotes(format.name()),
-               fmt::format("qW with W {}", settings::to_string(settings::limits::fixed_bits)));
-}
-
 /// The floating-point format of the operands beside a reference in fixed point.
 Result<FloatFormat> read_operands_format(const settings::Section& section,
                                          const std::vector<std::string>& inputs,
                                          const InputDeclarations& declared) {
-  int precision = settings::limits::reference_precision.least, exponent_bits = 2;
-  for (std::size_t input = 0; input < inputs.size(); ++input) {
-    const std::optional<OperandFormat>& format = declared.formats[input];
-    if (!format) {
-      return section.mistake("format", "references in fixed point give operands no format",
-                             inputs[input], "inputs with a format such as binary32 or uint10");
-    }
-    const FloatFormat* floating = format->floating();
-    precision = std::max(precision, floating == nullptr ? double_digits : floating->precision());
-    constexpr int of_double = 11;
-    exponent_bits =
-        std::max(exponent_bits, floating == nullptr ? of_double : floating->exponent_bits());
-  }
-  return FloatFormat::make(precision, exponent_bits);
+  MIXCMP_TRY(formats, all_formats(section, inputs, declared, "with references in fixed point"));
+  const FloatFormat held = format_holding(formats);
+  return FloatFormat::make(std::max(held.precision(), settings::limits::reference_precision.least),
+                           held.exponent_bits());
+}
+
+void check_fixed_reference(settings::Section& section, const FixedPoint& format) {
+  const bool is_plain = !format.is_block && format.guard_digits == 0;
+  if (is_plain && settings::limits::fixed_bits.allow(format.bits)) return;
+  section.fail("format",
+               is_plain ? "out of range" : "a reference has neither guard digits nor blocks",
+               in_quotes(format.name()),
+               fmt::format("qW with W {}", settings::to_string(settings::limits::fixed_bits)));
 }
 
 }  // namespace

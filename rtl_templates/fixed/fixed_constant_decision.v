@@ -2,7 +2,7 @@
 // least GREATER_FROM, less (0) if it is at most LESS_TO.
 // Latency: the population count of CUTS (one bit); initiation interval 1; no reset.
 // A difference out of range is undecided. The difference and the constants are in two's complement.
-// A verdict is valid where `decided` is 1; in a reference, which decides all, it is valid everywhere.
+// A verdict is valid where `decided` is 1; in a reference (EXACT = 2) everywhere.
 `default_nettype none
 
 module fixed_constant_decision #(

@@ -27,7 +27,8 @@ class Draft:
         self.sides = "any"  # how f and g are drawn: a method sides_... below
         self.ranges = {}
         self.wants_ranges = False
-        self.fixed = None  # the FixedFormat of all operands; None: floating point
+        self.fixed = None  # draws the FixedFormats of inputs by name; None: floating point
+        self.forms = {}  # input -> its FixedFormat
         self.row_count = self.rng.choice((12, 20, 30, 45))
         self.formats()
         self.scene.set("system", lanes=self.rng.choice((1, 1, 1, 2, 3)),
@@ -274,22 +275,33 @@ class Draft:
             self.scene.rows = [{"a": "1"}]
             return
         if self.fixed:
-            self.scene.inputs["*"] = self.fixed.declaration
+            self.declare_forms(names)
         elif self.wants_ranges or self.chance(0.15):
             self.draw_ranges(names)
         allows_specials = not self.scene.inputs.get("*", "").count("data")
         form = self.scene.reference_format()
         if not self.scene.pairs:
-            operands = self.operands(names, self.ranges, allows_specials)
+            operands = self.operands({word: [word] for word in names}, self.ranges,
+                                     allows_specials)
             reference = Reference(graph, form, self.scene.get("reference", "sums") == "fused")
             self.scene.rows = draw_rows(operands, reference, names, self.row_count)
             return
         self.draw_tables(names, allows_specials)
 
-    def operands(self, names, ranges, allows_specials):
+    def declare_forms(self, names):
+        """Draws and declares the inputs' formats in fixed point and their promised grids."""
+        self.forms = self.fixed(names)
+        declared = {word: form.declaration for word, form in self.forms.items()}
+        self.scene.inputs = declared if len(set(declared.values())) > 1 else {
+            "*": declared[names[0]]}
+
+    def operands(self, columns, ranges, allows_specials):
+        """The operands of each column, which may be that of several inputs: column -> inputs."""
         form = self.scene.reference_format()
         if self.fixed:
-            return FixedOperands(self.rng, form, names, self.fixed)
+            forms = {column: [self.forms[word] for word in words]
+                     for column, words in columns.items()}
+            return FixedOperands(self.rng, form, forms)
         return Operands(self.rng, form, ranges, allows_specials)
 
     def draw_tables(self, names, allows_specials):
@@ -305,7 +317,11 @@ class Draft:
                 self.scene.inputs[word] = table_of(exact_text(low), exact_text(high))
         rest = [word for word in names if not is_item(word)]
         columns = sorted({item_column(word)[0] for word in names if is_item(word)})
-        operands = self.operands(columns + rest, ranges, allows_specials)
+        of_column = {column: [word for word in names
+                              if is_item(word) and item_column(word)[0] == column]
+                     for column in columns}
+        operands = self.operands({**of_column, **{word: [word] for word in rest}}, ranges,
+                                 allows_specials)
         if self.scene.pairs == "arg_min":
             self.scene.others = draw_items(operands, columns, self.scene.lane_count() + 1)
             self.scene.rows = draw_items(operands, rest, self.rng.choice((4, 6, 9)))

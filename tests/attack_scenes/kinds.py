@@ -8,6 +8,7 @@ import dataclasses
 from .draft import DEVICES, Draft
 from .expressions import name
 from .rows import FixedFormat
+from .scene import item_column
 
 
 def fold(draft):
@@ -288,6 +289,29 @@ def undecided(draft):
     draft.scene.set("system", references=0)
 
 
+def fixed_format(rng):
+    bits, is_signed = rng.randint(2, 12), rng.random() < 0.6
+    behind = rng.randint(1, bits - 1) if rng.random() < 0.4 else 0
+    prefix = "" if is_signed else "u"
+    name = f"{prefix}q{bits - behind - is_signed}.{behind}" if behind else f"{prefix}int{bits}"
+    return FixedFormat(name, bits, behind, is_signed)
+
+
+def promised_grids(draft, names):
+    """A range and a grid for each input. In one of six the grid is nearly the range or coarser. One
+    column of six arrives in fixed point instead."""
+    rng, arriving, forms = draft.rng, {}, {}
+    for word in names:
+        column = item_column(word)[0] if draft.scene.pairs else word
+        form = fixed_format(rng)
+        if column not in arriving:
+            arriving[column] = form if rng.random() < 1 / 6 else None
+        coarser = form.bits + rng.randint(-2, 3) if rng.random() < 1 / 6 else 0
+        promised = dataclasses.replace(form, is_promised=True, coarser=max(0, coarser))
+        forms[word] = arriving[column] or promised
+    return forms
+
+
 def integers(draft):
     """Operands in fixed point, with lanes that are exact and lanes that are not."""
     rng = draft.rng
@@ -296,13 +320,11 @@ def integers(draft):
         pairwise(draft)
         draft.scene.sections.pop("lanes", None)
         draft.scene.sections.pop("second_tier", None)
-        draft.scene.sections["system"].setdefault("lanes", 4 * draft.scene.get("engine", "lanes_per_group"))
-    bits, is_signed = rng.randint(2, 12), draft.chance(0.6)
-    behind = rng.randint(1, bits - 1) if draft.chance(0.4) else 0
-    prefix = "" if is_signed else "u"
-    name = f"{prefix}q{bits - behind - is_signed}.{behind}" if behind else f"{prefix}int{bits}"
-    draft.fixed = FixedFormat(name, bits, behind, is_signed)
-    short = f"q{rng.randint(2, max(2, bits - 1))}"
+        lanes = 4 * draft.scene.get("engine", "lanes_per_group")
+        draft.scene.sections["system"].setdefault("lanes", lanes)
+    form = fixed_format(rng)
+    draft.fixed = lambda names: dict.fromkeys(names, form)
+    short = f"q{rng.randint(2, max(2, form.bits - 1))}"
     lanes = rng.choice(("exact", "q24", short, short, short))
     draft.scene.set("reference", format="s53e11", initiation_interval=1)
     draft.scene.sections["reduced"] = {"format": lanes}
@@ -312,9 +334,10 @@ def integers(draft):
 
 
 def grids(draft):
-    """Operands in floating point of which a grid is promised, with lanes that rely on it."""
+    """Operands in floating point with promised grids, one per input, and lanes that rely on them.
+    Items i and j of a column may have different grids. Some inputs arrive in fixed point."""
     integers(draft)
-    draft.fixed = dataclasses.replace(draft.fixed, is_promised=True)
+    draft.fixed = lambda names: promised_grids(draft, names)
     draft.scene.set("reduced", format=draft.rng.choice(("exact", "exact", "q24", "q9")))
     if draft.scene.get("reduced", "format") == "q24":
         draft.scene.set("reduced", error_bound="grid")

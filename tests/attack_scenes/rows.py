@@ -73,7 +73,7 @@ class Operands:
         form, rng = self.form, self.rng
         if name in self.ranges and rng.random() < 0.7:
             value = rng.choice(self.ranges[name])
-            return self.beside(value, rng.choice((0, 0, 1, -1)))
+            return self.beside(name, value, rng.choice((0, 0, 1, -1)))
         tiny, normal = form.last_place(0), TWO ** form.least_exponent
         value = rng.choice((Fraction(0), tiny, 3 * tiny, normal, normal - tiny, normal + tiny,
                             form.largest, TWO ** exponent_of(form.largest), Fraction(1)))
@@ -84,8 +84,8 @@ class Operands:
     def decimal(self, _):
         return self.rng.choice(DECIMALS)
 
-    def beside(self, value, places):
-        """The number `places` last places away from a value."""
+    def beside(self, name, value, places):
+        """The number of the input's column `places` last places away from a value."""
         return self.nearest(value + places * self.form.last_place(abs(value)))
 
     def near_tie(self, row, name, difference):
@@ -112,7 +112,8 @@ class Operands:
         """The row with an operand moved to a place where the reference changes its verdicts."""
         if "n" in row[name]:  # infinities and NaNs have no neighbours
             return row
-        near = [{**row, name: self.beside(literal(row[name]), places)} for places in range(-5, 6)]
+        near = [{**row, name: self.beside(name, literal(row[name]), places)}
+                for places in range(-5, 6)]
         found = [verdicts(other) for other in near]
         turns = [k for k in range(len(near) - 1) if found[k] != found[k + 1]]
         if not turns:
@@ -125,52 +126,77 @@ class Operands:
         name = self.rng.choice(names)
         if row[name] in ("inf", "-inf", "nan"):
             return row
-        moved = self.beside(literal(row[name]), self.rng.choice((1, -1, 1, -1, 2, -3)))
+        moved = self.beside(name, literal(row[name]), self.rng.choice((1, -1, 1, -1, 2, -3)))
         return {**row, name: self.kept(moved, name)}
 
 
 @dataclasses.dataclass(frozen=True)
 class FixedFormat:
-    """A format of operands such as int8 or q3.12."""
+    """The numbers of an input: a format such as int8 or q3.12, or multiples of a promised grid."""
 
     name: str
     bits: int
     behind: int = 0  # bits behind the point
     is_signed: bool = True
     is_promised: bool = False  # operands arrive in floating point, and nearly all are its numbers
+    coarser: int = 0  # a promised grid is 2^coarser units, which may be more than the range
 
     @property
     def declaration(self):
         if not self.is_promised:
             return f'{{ format = "{self.name}" }}'
-        low, high = (("-" if end < 0 else "") + dyadic_text(abs(end)) for end in self.ends)
-        return f'{{ range = ["{low}", "{high}"], grid = "0x1p-{self.behind}" }}'
+        low, high = map(dyadic_text, self.ends)
+        return f'{{ range = ["{low}", "{high}"], grid = "{dyadic_text(self.grid)}" }}'
+
+    @property
+    def unit(self):
+        return TWO ** -self.behind
+
+    @property
+    def grid(self):
+        return self.unit * 2 ** self.coarser
 
     @property
     def ends(self):
         below = 2 ** (self.bits - 1 if self.is_signed else self.bits)
-        unit = TWO ** -self.behind
-        return (-below * unit if self.is_signed else Fraction(0)), (below - 1) * unit
+        return (-below * self.unit if self.is_signed else Fraction(0)), (below - 1) * self.unit
+
+    def near(self, value):
+        """The multiple of the grid within the range that is nearest to a fraction."""
+        low, high = (round_to(end / self.grid) for round_to, end in
+                     zip((math.ceil, math.floor), self.ends))
+        return min(max(round(value / self.grid), low), high) * self.grid
 
 
 class FixedOperands(Operands):
-    """Draws operands that are numbers of a format in fixed point. One in 30 breaks a promise."""
+    """Draws operands of inputs in fixed point or on promised grids. One in 30 breaks a promise.
 
-    def __init__(self, rng, form, names, fixed):
-        super().__init__(rng, form, {name: fixed.ends for name in names}, allows_specials=False)
-        self.fixed = fixed
+    `forms` has the FixedFormats of each column: of item i and item j, where both read it. An
+    operand is a number of one of them.
+    """
+
+    def __init__(self, rng, form, forms):
+        ranges = {name: (min(one.ends[0] for one in each), max(one.ends[1] for one in each))
+                  for name, each in forms.items()}
+        super().__init__(rng, form, ranges, allows_specials=False)
+        self.forms = forms
         self.styles["decimal"] = self.random
 
-    def nearest(self, value):
-        unit = TWO ** -self.fixed.behind
-        low, high = self.fixed.ends
-        rounded = min(max(round(value / unit) * unit, low), high)
-        if self.fixed.is_promised and self.rng.random() < 1 / 30:
-            rounded += self.rng.choice((unit / 2, -unit / 4, 2 * high))
-        return ("-" if rounded < 0 else "") + dyadic_text(abs(rounded))
+    def kept(self, written, name):
+        """The text of the nearest number of a format of the column."""
+        form, value = self.rng.choice(self.forms[name]), literal(written)
+        kept = form.near(value)
+        if form.is_promised and self.rng.random() < 1 / 30:
+            kept += self.rng.choice((form.grid / 2, -form.unit / 4, 2 * form.ends[1]))
+        return written if kept == value else dyadic_text(kept)
 
-    def beside(self, value, places):
-        return self.nearest(value + places * TWO ** -self.fixed.behind)
+    def nearest(self, value):
+        """The text of the fraction: `kept` makes it a number of the column."""
+        return dyadic_text(value)
+
+    def beside(self, name, value, places):
+        step = min(form.grid for form in self.forms[name])
+        return self.kept(dyadic_text(value + places * step), name)
 
 
 def float_of(written):

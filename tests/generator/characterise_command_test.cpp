@@ -372,6 +372,34 @@ TEST_F(CharacteriseCommand, NamesGuardDigitsAndRunningBounds) {
                                              "q6g3 fixed_norm_g3"}));
 }
 
+/// Lanes on grids differ only in their names, so the one of the fewest bits is measured.
+TEST_F(CharacteriseCommand, MeasuresALaneOnGridsWhereAnInputHasAGrid) {
+  const auto formats_on_grids = [&](const std::string& grid) {
+    write("scene.toml",
+          "[comparison]\nname = \"squares\"\nf = \"(a - b)^2\"\ng = \"c^2\"\n"
+          "[inputs]\n\"*\" = { range = [0, 1]" +
+              grid +
+              " }\n"
+              "[reference]\nformat = \"s11e5\"\n[reduced]\nformat = \"auto\"\n"
+              "[system]\ndevice = \"ecp5-85k\"\n");
+    const Outcome run = mixcmp(
+        "characterise scene.toml --store s.sqlite --area-only --components lane --precisions 5-8 "
+        "--inputs exact --multipliers logic -o table.csv",
+        fake(""));
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    const auto table = measured::read_characterisation(path("table.csv"));
+    EXPECT_TRUE(table.ok()) << run.output;
+    std::vector<std::string> formats;
+    for (const auto& row : table.value().rows) {
+      const measured::Lane* const lane = lane_of(row.key);
+      if (lane->bound == grid_bound) formats.push_back(lane->format.name());
+    }
+    return formats;
+  };
+  EXPECT_EQ(formats_on_grids(""), std::vector<std::string>());
+  EXPECT_EQ(formats_on_grids(", grid = \"0x1p-5\""), std::vector<std::string>{"q6"});
+}
+
 /// A norm bound of the fixture's product does not exist.
 TEST_F(CharacteriseCommand, WhereNoComponentExistsTheOldTableStays) {
   const std::string nothing =

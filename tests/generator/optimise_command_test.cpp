@@ -72,6 +72,10 @@ TEST_F(OptimiseCommand, ReferencesThatAreBetterAloneAreTold) {
   EXPECT_EQ(none.exit_code, 2) << none.output;
   EXPECT_NE(none.output.find("no plan: lanes of these precisions cost more"), std::string::npos)
       << none.output;
+  for (const char* written : {" --json", " --json -o plan.toml", " -o plan.toml"}) {
+    EXPECT_EQ(mixcmp(embedded + written).exit_code, 2) << written;
+    EXPECT_FALSE(fs::exists(path("plan.toml"))) << written;
+  }
   write_table("scene-virtex6-lx760.csv", "virtex6-lx760", "spheres", 19000);
   const std::string note = "note: references alone are faster than this plan";
   EXPECT_EQ(mixcmp(embedded).output.find(note), std::string::npos);

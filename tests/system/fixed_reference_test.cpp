@@ -41,7 +41,7 @@ fixed::FixedLane lane_of(const Graph& graph, int bits, bool is_reference) {
 
 Graph graph_of_case(const Case& c) {
   Graph graph = graph_of(c.parts, c.combination);
-  for (int input = 0; input < 2; ++input) graph.arrives_in(input, arriving);
+  for (int input = 0; input < 2; ++input) graph.arrives_in(input, OperandFormat(arriving));
   return graph;
 }
 
@@ -74,9 +74,9 @@ bool is_taken(Bits operand) {
   return value >= range.low && value <= range.high;
 }
 
-class FixedReferences : public testing::TestWithParam<Case> {};
+class FixedReferenceSystem : public testing::TestWithParam<Case> {};
 
-TEST_P(FixedReferences, EveryPairIsDecidedAsTheGoldenModelSays) {
+TEST_P(FixedReferenceSystem, EveryPairIsDecidedAsTheGoldenModelSays) {
   const design::Design design = design_of(GetParam());
   const auto data = data::Comparisons::rows(every_pair(), design.inputs);
   ASSERT_TRUE(data.ok()) << data.error().to_string();
@@ -116,6 +116,14 @@ TEST_P(FixedReference, KeepsToItsStatedAccuracy) {
   EXPECT_GT(equal, 0);
 }
 
+/// A lane leaves numbers beyond a limit undecided; a reference takes them.
+TEST(FixedReferenceLimits, AreNone) {
+  const Graph limited = graph_of({{"within(a, 0, 1) * b", "a"}}, Combination::all);
+  const std::vector<Bits> operands = {from_rational(widened, 4), from_rational(widened, 2)};
+  EXPECT_FALSE(golden::evaluate_lane(lane_of(limited, 7, false), operands).decided);
+  EXPECT_EQ(golden::evaluate_lane(lane_of(limited, 7, true), operands).verdict, Verdict::greater);
+}
+
 std::string name_of(const testing::TestParamInfo<Case>& instance) {
   return instance.param.name;
 }
@@ -125,7 +133,7 @@ const Case roots = {"roots", {{"sqrt(abs(a * b))", "max(a, -b) * 0.75"}}, 5};
 const Parts two_parts = {{"a", "b * 1.25"}, {"a * a", "b + 2"}};
 
 INSTANTIATE_TEST_SUITE_P(Of, FixedReference, testing::Values(products, roots), name_of);
-INSTANTIATE_TEST_SUITE_P(Of, FixedReferences,
+INSTANTIATE_TEST_SUITE_P(Of, FixedReferenceSystem,
                          testing::Values(products, roots,
                                          Case{"parts", two_parts, 4, Combination::any},
                                          Case{"parts_by_icarus", two_parts, 4, Combination::all,

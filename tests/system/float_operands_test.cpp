@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <bit>
+#include <cmath>
 #include <filesystem>
 
 #include "model/base/common/output_file.hpp"
@@ -11,9 +13,9 @@
 #include "tests/support/graphs.hpp"
 #include "tests/support/simulated_system.hpp"
 
-/// Systems whose operands arrive in floating-point formats that are narrower than the reference's:
-/// on every operand of small formats, subnormal and special ones included, they decide as the
-/// golden model does, which takes operands in the reference format.
+/// Systems whose operands arrive in narrower formats than the reference's, at least one of them in
+/// floating point: on every operand of small formats, subnormal and special ones included, they
+/// decide as the golden model does, which takes operands in the reference format.
 namespace mixcmp::test::float_operands_system_test {
 namespace {
 
@@ -40,7 +42,7 @@ FloatFormat format_named(const char* name) {
   return *OperandFormat::parse(name)->floating();
 }
 
-Graph graph_arriving_in(const std::vector<FloatFormat>& formats) {
+Graph graph_arriving_in(const std::vector<OperandFormat>& formats) {
   Graph graph = graph_of(f, g);
   for (std::size_t k = 0; k < formats.size(); ++k) {
     graph.arrives_in(static_cast<int>(k), formats[k]);
@@ -65,11 +67,9 @@ design::Lane lane_of(const Case& c, const Graph& graph, const std::vector<Operan
 }
 
 design::Design design_of(const Case& c) {
-  const std::vector<FloatFormat> arriving = {format_named(c.format_of_a),
-                                             format_named(c.format_of_b)};
-  const std::vector<OperandFormat> formats = {OperandFormat(arriving[0]),
-                                              OperandFormat(arriving[1])};
-  const Graph graph = graph_arriving_in(arriving);
+  const std::vector<OperandFormat> formats = {OperandFormat::parse(c.format_of_a).value(),
+                                              OperandFormat::parse(c.format_of_b).value()};
+  const Graph graph = graph_arriving_in(formats);
   return {.name = "float_operands",
           .inputs = graph.inputs(),
           .lanes = {{.lane = lane_of(c, graph, formats)}},
@@ -79,17 +79,28 @@ design::Design design_of(const Case& c) {
           .operand_formats = formats};
 }
 
+/// A word as the reference's encoding has it.
+Bits encoded(FloatFormat encoding, const OperandFormat& format, Bits word) {
+  const FixedFormat* const fixed = format.fixed();
+  if (fixed == nullptr) return converted(encoding, *format.floating(), word);
+  const Bits beyond = Bits{1} << fixed->magnitude_bits();
+  mpz_class units = to_integer(word);
+  if (word >= beyond) units -= to_integer(beyond) * 2;
+  return from_rational(encoding, units * fixed->unit());
+}
+
 /// Every word of the wider format beside words of the other one; a row more than a multiple of the
 /// other's count each time, so that every one of them meets many.
 data::Table every_word(const Case& c) {
-  const FloatFormat a = format_named(c.format_of_a), b = format_named(c.format_of_b);
+  const OperandFormat a = OperandFormat::parse(c.format_of_a).value();
+  const OperandFormat b = OperandFormat::parse(c.format_of_b).value();
   const FloatFormat encoding = c.reference.format;
   data::Table table{.format = encoding, .columns = {"a", "b"}, .values = {}, .labels = {}};
   const Bits words_of_a = Bits{1} << a.width(), words_of_b = Bits{1} << b.width();
   const Bits rows = std::max(Bits{1} << 14, std::max(words_of_a, words_of_b));
   for (Bits row = 0; row < rows; ++row) {
-    table.values.push_back(converted(encoding, a, row % words_of_a));
-    table.values.push_back(converted(encoding, b, (row * 37 + row / words_of_a) % words_of_b));
+    table.values.push_back(encoded(encoding, a, row % words_of_a));
+    table.values.push_back(encoded(encoding, b, (row * 37 + row / words_of_a) % words_of_b));
   }
   return table;
 }
@@ -154,6 +165,17 @@ INSTANTIATE_TEST_SUITE_P(
              "E4M3",
              "E4M3",
              {format_of(24, 8), Rounding::nearest_even, Subnormals::gradual, Sums::fused}},
+        Case{"integers", Kind::fixed, "int8", "E5M2"},
+        Case{"single_bits", Kind::fixed, "uint1", "s4e4"},
+        Case{"integers_of_all_digits", Kind::fixed, "int9", "s4e4", {format_of(8, 5)}},
+        Case{"fractions", Kind::fixed, "uq2.6", "E4M3", flushing(format_of(11, 5))},
+        Case{"fractions_folded",
+             Kind::fixed,
+             "s4e4",
+             "q3.5",
+             {format_of(24, 8)},
+             format_of(9, 8),
+             6},
         Case{"folded", Kind::floating, "s4e4", "bfloat16", {format_of(24, 8)}, format_of(9, 8), 6},
         Case{"fused",
              Kind::floating,
@@ -172,9 +194,15 @@ std::filesystem::path reference_file(const std::filesystem::path& folder) {
   return {};
 }
 
-/// A bench that holds each word of 8 bits at the reference for longer than its latency and prints
-/// its verdict on the word and the number at which `numbers` has it.
-std::string bench_of_words(const std::string& module, const std::vector<std::string>& numbers) {
+/// A word of 8 bits, and the number with which the reference compares it.
+struct Compared {
+  int word;
+  float number;
+};
+
+/// A bench that holds each pair at the reference for longer than its latency and prints its
+/// verdict.
+std::string bench_of_words(const std::string& module, const std::vector<Compared>& pairs) {
   std::string bench = fmt::format(R"(`timescale 1ns / 1ns
 module tb;
   reg aclk = 0;
@@ -186,20 +214,37 @@ module tb;
   initial begin
 )",
                                   module);
-  for (std::size_t word = 0; word < numbers.size(); ++word) {
-    bench += fmt::format("    a = {}; b = 32'h{}; #80 $display(\"%0d\", verdict);\n", word,
-                         numbers[word]);
+  for (const auto& [word, number] : pairs) {
+    bench += fmt::format("    a = {}; b = 32'h{:08x}; #80 $display(\"%0d\", verdict);\n", word,
+                         std::bit_cast<std::uint32_t>(number));
   }
   return bench + "    $finish;\n  end\nendmodule\n";
 }
 
-/// Also the words that no data make, such as a NaN with a sign.
+/// The number of a word, by the tables of OFP8: E4M3 has a NaN of all ones and no infinity, E5M2
+/// has those of IEEE 754.
+float number_of(const std::string& format, int word) {
+  const bool is_e4m3 = format == "E4M3";
+  const int fraction_bits = is_e4m3 ? 3 : 2, bias = is_e4m3 ? 7 : 15;
+  const int largest = is_e4m3 ? 15 : 31;
+  const int field = word >> fraction_bits & largest, ones = (1 << fraction_bits) - 1;
+  const int fraction = word & ones;
+  const int significand = field == 0 ? fraction : fraction + ones + 1;
+  float magnitude =
+      std::ldexp(static_cast<float>(significand), std::max(field, 1) - bias - fraction_bits);
+  if (is_e4m3 && field == largest && fraction == ones) magnitude = NAN;
+  if (!is_e4m3 && field == largest) magnitude = fraction == 0 ? INFINITY : NAN;
+  return word < 128 ? magnitude : -magnitude;
+}
+
+/// Also the words that no data make, such as a NaN with a sign. Each is compared with its number
+/// and with the neighbours of that in s24e8.
 TEST(FloatOperandWords, EachOfEveryByteIsItsNumberInTheReference) {
   if (!is_in_path("iverilog")) GTEST_SKIP() << "Icarus is not installed";
   for (const char* name : {"E4M3", "E5M2"}) {
     const FloatFormat byte = format_named(name), encoding = format_of(24, 8);
     Graph graph = graph_of("a", "b");
-    graph.arrives_in(0, byte);
+    graph.arrives_in(0, OperandFormat(byte));
     const Case c{"words", Kind::floating, name, "s24e8"};
     const std::vector<OperandFormat> formats = {OperandFormat(byte), OperandFormat(encoding)};
     const design::Design design{.name = "words",
@@ -210,14 +255,21 @@ TEST(FloatOperandWords, EachOfEveryByteIsItsNumberInTheReference) {
                                 .system = {},
                                 .operand_formats = formats};
     const auto folder = generate_to(design, fmt::format("words_{}_{}", name, getpid()));
-    std::vector<std::string> numbers;
+    std::vector<Compared> pairs;
     std::string expected;
-    for (Bits word = 0; word < 256; ++word) {
-      numbers.push_back(to_hex(converted(encoding, byte, word), 32));
-      expected += byte.is_nan(word) ? "3\n" : "1\n";
+    for (int word = 0; word < 256; ++word) {
+      const float number = number_of(name, word);
+      for (const float other :
+           {std::nextafter(number, -INFINITY), number, std::nextafter(number, INFINITY)}) {
+        pairs.push_back({word, other});
+        expected += std::isnan(number) ? "3\n"
+                    : number < other   ? "0\n"
+                    : number == other  ? "1\n"
+                                       : "2\n";
+      }
     }
     const std::string reference = reference_file(folder).stem().string();
-    ASSERT_TRUE(write_file(folder / "tb.v", bench_of_words(reference, numbers)).ok());
+    ASSERT_TRUE(write_file(folder / "tb.v", bench_of_words(reference, pairs)).ok());
     const auto path = [&](const char* file) { return (folder / file).string(); };
     const auto built = capture({"iverilog", "-g2001", "-y", folder.string(), "-s", "tb", "-o",
                                 path("tb.vvp"), path("tb.v")});
@@ -239,7 +291,7 @@ TEST_P(FloatOperandsInAnEngine, EveryPairOfItemsIsDecidedAsTheGoldenModelSays) {
   const std::vector<FloatFormat> arriving = {byte, byte, brain, brain};
   std::vector<OperandFormat> formats;
   for (int k = 0; k < 4; ++k) {
-    graph.arrives_in(k, arriving[static_cast<std::size_t>(k)]);
+    graph.arrives_in(k, OperandFormat(arriving[static_cast<std::size_t>(k)]));
     formats.emplace_back(arriving[static_cast<std::size_t>(k)]);
   }
   const FloatFormat reference = format_of(24, 8);

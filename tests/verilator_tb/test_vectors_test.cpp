@@ -190,7 +190,7 @@ TEST(TestVectorsOfParts, HaveATieInOnePartBesideEachOtherVerdict) {
 std::set<int> words_of_vectors_in(const char* name) {
   const OperandFormat arriving = OperandFormat::parse(name).value();
   Graph graph = graph_of("a * b", "c");
-  for (int input = 0; input < 3; ++input) graph.arrives_in(input, *arriving.floating());
+  for (int input = 0; input < 3; ++input) graph.arrives_in(input, arriving);
   TypedGraph lane = lane_graph(graph, format("s24e8"), {format("s8e8")}, LaneInputs::exact);
   const design::Design design{
       .name = "narrow",

@@ -15,6 +15,7 @@
 #include "model/base/number/bound.hpp"
 #include "model/base/settings/bound_name.hpp"
 #include "model/plan/profile/profile.hpp"
+#include "model/scene/lane_bound.hpp"
 
 namespace mixcmp::cli {
 namespace {
@@ -188,6 +189,12 @@ Result<std::vector<std::optional<int>>> reference_targets(const CharacteriseComm
   return target || command.area_only ? Targets{target} : usual_targets(scene);
 }
 
+std::vector<std::string> names_of_counted_bounds() {
+  std::vector<std::string> names;
+  for (const Bound& bound : counted_bounds()) names.push_back(to_string(bound));
+  return names;
+}
+
 Result<components::ComponentQuery> query_of(const CharacteriseCommand& command,
                                             const scene::Scene& scene) {
   const settings::Limits allowed = settings::lane_precisions(scene.reference.format);
@@ -197,8 +204,12 @@ Result<components::ComponentQuery> query_of(const CharacteriseCommand& command,
                                      : command.precisions;
   MIXCMP_TRY(numbers, number_list("--precisions", precisions, allowed));
   query.precisions = numbers;
-  MIXCMP_TRY(choices, parse_bounds("--bounds", words(command.bounds)));
-  query.bounds = choices;
+  if (command.bounds.empty()) {
+    query.bounds = scene::counted_bounds_of(scene);
+  } else {
+    MIXCMP_TRY(choices, parse_bounds("--bounds", words(command.bounds)));
+    query.bounds = choices;
+  }
   MIXCMP_TRY(inputs, kinds_of_inputs(command.inputs, scene.reference.format));
   query.inputs = inputs;
   MIXCMP_TRY(multipliers, multiplier_kinds(command.multipliers));
@@ -253,7 +264,9 @@ void add_characterise_options(const Verb& verb, CharacteriseCommand& command) {
       fmt::format("of lanes: {}-{} or 8,12,17 (default: all that the scene can have)",
                   settings::limits::lane_precision.least, settings::limits::lane_precision.most));
   verb.option("--bounds", command.bounds,
-              fmt::format("of lanes: {} (default: {})", settings::bound_names(), command.bounds));
+              fmt::format("of lanes: {} (default: {}; also {} where an input has a grid)",
+                          settings::bound_names(), fmt::join(names_of_counted_bounds(), ","),
+                          to_string(grid_bound)));
   verb.option("--inputs", command.inputs,
               "of lanes: exact, rounded, digits that operands are rounded to, 20 (default: " +
                   command.inputs + ")");

@@ -10,9 +10,7 @@ namespace mixcmp::cli {
 struct CharacteriseCommand {
   SceneOptions scene;
   std::string precisions;  ///< empty: all that the scene can have
-  std::string bounds =
-      "relative,running_4,running_1,constant,profiled,fixed_norm,fixed_constant,block_norm,"
-      "block_constant";
+  std::string bounds;      ///< empty: those that a profile counts of the scene
   std::string inputs = "exact,rounded";
   std::string multipliers = "both";
   std::string components;  ///< empty: all that the scene's systems have

@@ -29,9 +29,10 @@ Unit operand_unit(const FixedLane& lane, const FixedNode& input, const DelayTabl
   const FixedFormat& to = input.format;
   StageList stages(delays);
   stages.add("distance", stages.carry(from.exponent_bits()) + stages.lut_delay_ns(1));
-  const int or_levels = input.on_grid ? reduction_levels(to.width) : 0;  // of the bits shifted out
+  const int or_levels =
+      input.is_promised ? reduction_levels(to.width) : 0;  // of the bits shifted out
   stages.add("shift", stages.lut_delay_ns(1 + shift_levels(bits_for(to.width - 1)) + or_levels));
-  if (input.on_grid) {
+  if (input.is_promised) {
     stages.add("negate", to.is_signed ? stages.carry(to.width) : stages.lut_delay_ns(1));
     return std::move(stages).unit("fixed_grid_operand");
   }

@@ -139,15 +139,15 @@ Step Scheduler::wires(const std::vector<NodeId>& reads, int earliest) const {
   return {.start_cycle = start, .ready_cycle = start, .reads = each_once(reads)};
 }
 
-void Scheduler::widen(const std::vector<FloatFormat>& arriving, FloatFormat format,
+void Scheduler::widen(const std::vector<OperandFormat>& arriving, FloatFormat format,
                       bool is_folded) {
-  const bool any = std::any_of(arriving.begin(), arriving.end(), [&](FloatFormat from) {
-    return from.exponent_bits() != format.exponent_bits();
-  });
-  if (!any) return;
-  for (const FloatFormat from : arriving) {
+  const auto needs_unit = [&](const OperandFormat& from) {
+    return from.floating() == nullptr || from.floating()->exponent_bits() != format.exponent_bits();
+  };
+  if (std::none_of(arriving.begin(), arriving.end(), needs_unit)) return;
+  for (const OperandFormat& from : arriving) {
     Step& step = schedule_.widenings.emplace_back();
-    if (from.exponent_bits() == format.exponent_bits()) continue;
+    if (!needs_unit(from)) continue;
     step = place(widening_unit(from, format, delays_), {});
     if (!is_folded) continue;
     step.cuts.assign(step.cuts.size(), false);

@@ -28,7 +28,8 @@ public:
 
   /// Places the conversions of operands that arrive in the formats `arriving` into `format`; there
   /// are none if `arriving` is empty. A folded datapath has no registers in them.
-  void widen(const std::vector<FloatFormat>& arriving, FloatFormat format, bool is_folded = false);
+  void widen(const std::vector<OperandFormat>& arriving, FloatFormat format,
+             bool is_folded = false);
 
   /// Completes the schedule: combines the verdicts of the parts, and sets the latency and the list
   /// of slow stages.

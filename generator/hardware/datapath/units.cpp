@@ -205,24 +205,25 @@ void leave_special_values(Unit& unit, FloatFormat operands, const DelayTable& de
 
 }  // namespace
 
-ConvertedOperand converted_operand(FloatFormat from) {
-  if (from.has_infinities()) return {from, 0};
-  const FloatFormat wider = FloatFormat::make(from.precision(), from.exponent_bits() + 1).value();
-  return {wider, bias_difference(wider, from)};
-}
-
-Unit widening_unit(FloatFormat from, FloatFormat to, const DelayTable& delays) {
+Unit widening_unit(const OperandFormat& from, FloatFormat to, const DelayTable& delays) {
+  const auto [read, scale] = from.scaled_float();
   StageList stages(delays);
-  stages.add_operand(converted_operand(from).format, Subnormals::gradual);
-  const bool denormalises = bias_difference(to, from) < from.precision() - 1;
+  stages.add_operand(read, Subnormals::gradual);
+  const bool denormalises = bias_difference(to, read) + scale < read.precision() - 1;
   const int moved = denormalises ? 1 + shift_levels(bits_for(to.precision() + 2)) : 0;
   stages.add("denormalise", stages.carry(to.exponent_bits() + 2) + stages.lut_delay_ns(moved));
   stages.add("round", 0);
   stages.add("round, upper half", 0);
   stages.add("pack", stages.lut_delay_ns(1));
   const double nan_ns = stages.lut_delay_ns(reduction_levels(from.width() - 1));
+  const double absolute_ns = stages.carry(from.width());
   Unit unit = std::move(stages).unit("fp_convert");
-  if (!from.has_infinities()) unit.stages.front().delay_ns += nan_ns;
+  double& first_ns = unit.stages.front().delay_ns;
+  if (const FixedFormat* const fixed = from.fixed()) {
+    if (fixed->is_signed) first_ns += absolute_ns;
+  } else if (!from.floating()->has_infinities()) {
+    first_ns += nan_ns;
+  }
   return unit;
 }
 

@@ -92,18 +92,10 @@ std::optional<Unit> serial_square_unit(const TypedNode& square, Subnormals subno
 /// agree with Yosys 0.23 for the iCE40 within one part in ten, for 13 to 53 bits.
 double logic_square_tables(FloatFormat operands);
 double serial_square_tables(FloatFormat operands);
-/// An operand as fp_convert reads it: 2^scale times a number of a format with infinities.
-struct ConvertedOperand {
-  FloatFormat format;
-  int scale;
-};
-/// The operand itself if its format has infinities. Otherwise a bit of value 0 in front of the
-/// exponent makes it 2^-scale of its value in a format with one exponent bit more, and the same bit
-/// of value 1 makes the NaN one of that format, since all its other bits are ones.
-ConvertedOperand converted_operand(FloatFormat from);
-/// fp_convert of an operand into a format that holds all its numbers, subnormal ones included. Its
-/// rounding is left out by synthesis, so it takes no time.
-Unit widening_unit(FloatFormat from, FloatFormat to, const DelayTable& delays);
+/// fp_convert of an operand (OperandFormat::scaled_float) into a format that holds all its numbers,
+/// subnormal ones included; in front of it the absolute value of a signed number in fixed point.
+/// Its rounding is left out by synthesis, so it takes no time.
+Unit widening_unit(const OperandFormat& from, FloatFormat to, const DelayTable& delays);
 Unit compare_unit(FloatFormat format, const DelayTable& delays);
 Unit ulp_distance_unit(FloatFormat format, const DelayTable& delays);
 Unit interval_decision_unit(FloatFormat format, const DelayTable& delays);

@@ -112,11 +112,11 @@ Described describe_lane(const Design& design, const std::string& name,
 }
 
 std::vector<std::string> reference_facts(const Design& design, const std::string& name) {
-  if (design.rounding_reference() != nullptr) {
+  if (design.requested_reference() != nullptr) {
     return {fmt::format("{}: {} in fixed point.", name, what_is_ordered(design)),
             fmt::format("Operands: {}.", operands_text(design)),
             arithmetic_fact(design::Lane(*design.fixed_reference)),
-            "Operands out of range, infinities and NaNs make the verdict unordered."};
+            "Operands that do not fit, infinities and NaNs make the verdict unordered."};
   }
   if (design.fixed_reference) {
     const design::Lane lane = *design.fixed_reference;

@@ -59,7 +59,7 @@ struct SignatureLanes {
 struct SignatureReferences {
   int count = 0;
   std::string module;  ///< the channel: one reference behind the crossbar
-  std::string format;  ///< "s53e11" or, of an exact lane, "q9"
+  std::string format;  ///< "s53e11" or, in fixed point, "q9"
   int latency_cycles = 0;
   int initiation_interval_cycles = 1;
   scene::Multipliers multipliers = scene::Multipliers::embedded;

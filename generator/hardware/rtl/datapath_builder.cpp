@@ -36,14 +36,6 @@ bool reads_phase(const std::vector<ModuleItem>& items) {
   });
 }
 
-/// An operand's word as fp_convert reads it: see datapath::ConvertedOperand.
-Operand read_by_unit(const std::string& port, FloatFormat format) {
-  if (format.has_infinities()) return net(port);
-  const int sign = format.width() - 1;
-  const Operand magnitude = slice(port, sign - 1, 0);
-  return concatenation({bit(port, sign), all_bits(magnitude), magnitude});
-}
-
 }  // namespace
 
 std::vector<InputPort> operands_of_width(const std::vector<std::string>& names, int width) {
@@ -52,10 +44,10 @@ std::vector<InputPort> operands_of_width(const std::vector<std::string>& names, 
   return ports;
 }
 
-void widen(std::vector<InputPort>& ports, const std::vector<FloatFormat>& arriving, FloatFormat to,
-           const datapath::Schedule& schedule) {
+void widen(std::vector<InputPort>& ports, const std::vector<OperandFormat>& arriving,
+           FloatFormat to, const datapath::Schedule& schedule) {
   for (std::size_t k = 0; k < arriving.size(); ++k) {
-    if (arriving[k] == to) continue;
+    if (arriving[k] == OperandFormat(to)) continue;
     ports[k].width = arriving[k].width();
     ports[k].widening = Widening{.from = arriving[k], .to = to};
     if (!schedule.widenings.empty()) ports[k].widening->step = schedule.widenings[k];
@@ -108,18 +100,48 @@ std::string DatapathBuilder::entered(const std::string& name, int width, int rea
   return waited;
 }
 
+/// The sign and the magnitude of a number in fixed point, with zeros between them.
+Operand DatapathBuilder::as_subnormal(const std::string& port, const FixedFormat& fixed,
+                                      FloatFormat read) {
+  Operand sign = zeros(1), magnitude = net(port);
+  if (fixed.is_signed) {
+    const std::string name = pool_.unique(port + "_magnitude");
+    add(Wire{fixed.width, name, nullptr});
+    add(Instance{"fixed_absolute",
+                 pool_.unique("absolute_" + port),
+                 {{"A_WIDTH", fixed.width}, {"WIDTH", fixed.width}},
+                 {{"aclk", net("aclk")}, {"a", net(port)}, {"y", net(name)}}});
+    sign = bit(port, fixed.width - 1);
+    magnitude = net(name);
+  }
+  return concatenation({sign, zeros(read.width() - 1 - fixed.width), magnitude});
+}
+
+/// An operand's word in the format OperandFormat::scaled_float.
+Operand DatapathBuilder::read_by_unit(const std::string& port, const OperandFormat& from) {
+  if (from.fixed() != nullptr) {
+    return as_subnormal(port, *from.fixed(), from.scaled_float().format);
+  }
+  const FloatFormat& format = *from.floating();
+  if (format.has_infinities()) return net(port);
+  const int sign = format.width() - 1;
+  const Operand magnitude = slice(port, sign - 1, 0);
+  return concatenation({bit(port, sign), all_bits(magnitude), magnitude});
+}
+
 /// Converts an input. Zeros behind its fraction leave it the same number; if the formats have
 /// exponents of different lengths, a unit moves the exponent and normalises subnormal numbers.
 std::string DatapathBuilder::widened(int input) {
   const std::string& port = ports_[static_cast<std::size_t>(input)];
   const auto& [from, to, step] = *inputs_[static_cast<std::size_t>(input)].widening;
   const std::string name = pool_.unique(port + "_widened");
-  const auto [read, scale] = datapath::converted_operand(from);
+  const auto [read, scale] = from.scaled_float();
+  const char* const bits =
+      from.fixed() != nullptr ? "zeros in front of its magnitude" : "a bit in front, 1 for the NaN";
   add(Comment{fmt::format("{} in {}; it arrives in {}{}.", port, to.name(), from.name(),
                           scale == 0 ? ""
-                                     : fmt::format(". With a bit in front, 1 for the NaN, it is "
-                                                   "2^{} times a number of {}",
-                                                   scale, read.name()))});
+                                     : fmt::format(". With {}, it is 2^{} times a number of {}",
+                                                   bits, scale, read.name()))});
   if (step.unit.module.empty()) {
     Operand narrow = net(arrived(input));
     add(Wire{to.width(), name, concatenation({narrow, zeros(to.width() - from.width())})});

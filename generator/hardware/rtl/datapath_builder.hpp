@@ -27,7 +27,7 @@ struct Signal {
 /// The conversion of an operand from the format in which it arrives to the format in which the
 /// datapath reads it, which holds all its numbers.
 struct Widening {
-  FloatFormat from;
+  OperandFormat from;
   FloatFormat to;
   /// Has no unit if both formats have equally many exponent bits: then it only appends zeros.
   datapath::Step step = {};
@@ -41,8 +41,8 @@ struct InputPort {
 };
 /// Operands of a datapath with this schedule, which reads them in `to`. They arrive in the formats
 /// `arriving`; if that is empty, all arrive in `to`. Further ports stay as they are.
-void widen(std::vector<InputPort>& ports, const std::vector<FloatFormat>& arriving, FloatFormat to,
-           const datapath::Schedule& schedule);
+void widen(std::vector<InputPort>& ports, const std::vector<OperandFormat>& arriving,
+           FloatFormat to, const datapath::Schedule& schedule);
 
 /// Operands of one width.
 std::vector<InputPort> operands_of_width(const std::vector<std::string>& names, int width);
@@ -97,6 +97,8 @@ public:
 private:
   std::string entered(const std::string& name, int width, int ready_cycle);
   std::string widened(int input);
+  Operand read_by_unit(const std::string& port, const OperandFormat& from);
+  Operand as_subnormal(const std::string& port, const FixedFormat& fixed, FloatFormat read);
   Operand delayed(const Signal& signal, const Operand& source, int from, int to);
   Operand held(const Signal& signal, int cycle);
 

@@ -453,7 +453,7 @@ void FixedNodes::describe(NodeId id, const std::string& more) {
   }
   const bool is_input = node.operation == Operation::input;
   const bool is_cut = fixed::is_common_cut(node);
-  if (node.operation == Operation::input && node.on_grid) {
+  if (node.operation == Operation::input && node.is_promised) {
     return datapath_.describe(
         schedule_.steps[id],
         fmt::format("{} exactly, in {}; the scene promises multiples of {}.",

@@ -128,15 +128,15 @@ private:
     const mpz_class greater_from = std::clamp<mpz_class>(thresholds.greater_from, -above, above);
     const mpz_class less_to = std::clamp<mpz_class>(thresholds.less_to, -above - 1, above - 1);
     return unit(part,
-                lane_.is_reference ? "the order of f and g as computed."
-                : thresholds.exact ? "exact, certain everywhere."
-                                   : "certain where the difference exceeds its error.",
+                lane_.is_reference        ? "the order of f and g as computed."
+                : thresholds.decides_ties ? "exact, certain everywhere."
+                                          : "certain where the difference exceeds its error.",
                 {{"WIDTH", width},
                  {"GREATER_FROM", twos_complement(width + 1, greater_from)},
                  {"LESS_TO", twos_complement(width + 1, less_to)},
-                 {"EXACT", lane_.is_reference ? 2
-                           : thresholds.exact ? 1
-                                              : 0}},
+                 {"EXACT", lane_.is_reference        ? 2
+                           : thresholds.decides_ties ? 1
+                                                     : 0}},
                 {});
   }
 

@@ -409,17 +409,18 @@ std::string accuracy(const fixed::FixedLane& reference) {
     const Range& error = reference.nodes[static_cast<std::size_t>(part.difference)].error;
     most = std::max<mpq_class>(most, std::max<mpq_class>(abs(error.low), abs(error.high)));
   }
-  return fmt::format("{}, where f - g errs by at most {:.3g}", reference.format.name(),
-                     most.get_d());
+  if (most == 0) return reference.format.name();
+  return fmt::format("{}, where f - g errs by less than 2^{}", reference.format.name(),
+                     floor_log2(most) + 1);
 }
 
 /// The arithmetic of references.
 Lines reference_lines(const Scene& scene) {
   if (!scene.has_fixed_references()) return {{"reference", shown(scene.reference)}};
   const auto datapath = design::reference_datapath(scene);
-  if (scene.fixed_reference) {
+  if (scene.reference_fixed_point) {
     return {{"reference", datapath.ok() ? accuracy(std::get<fixed::FixedLane>(*datapath))
-                                        : scene.fixed_reference->name()}};
+                                        : scene.reference_fixed_point->name()}};
   }
   Lines lines = {{"reference", shown(scene.reference)}};
   if (datapath.ok()) {
@@ -466,7 +467,8 @@ SummaryLines ranges_section(const Summary& summary) {
       std::any_of(grids.begin(), grids.end(), [](const auto& grid) { return grid.has_value(); });
   // Without a grid or fused sums a reader does not expect the reference to be exact.
   const bool is_fused = summary.scene->reference.sums == Sums::fused;
-  if (any_grid || is_fused || summary.reference.exact) {
+  const bool may_round = !summary.scene->reference_fixed_point && (any_grid || is_fused);
+  if (may_round || summary.reference.exact) {
     add(section, {{"reference", exactness(summary)}});
   }
   if (is_fused) {
@@ -490,7 +492,7 @@ std::vector<SummaryLines> lines_of(const Summary& summary) {
     for (const auto& [key, value] : scene.plan->values) add(plan, {{key, value}});
   }
   for (const DatapathSummary& datapath : summary.datapaths) {
-    if (datapath.name == "reference" && scene.fixed_reference) continue;
+    if (datapath.name == "reference" && scene.reference_fixed_point) continue;
     all.push_back(operators_section(scene, datapath));
   }
   all.push_back(ranges_section(summary));
@@ -539,7 +541,8 @@ nlohmann::json to_json(const Summary& summary) {
     json["datapaths"][datapath.name] = json_of(datapath);
   }
   json["reference_exact"] = summary.reference.exact;
-  if (!summary.reference.exact) json["first_rounding"] = summary.reference.first_rounding;
+  if (!summary.reference.first_rounding.empty())
+    json["first_rounding"] = summary.reference.first_rounding;
   const std::string& loose = summary.reference.first_loose_sum;
   if (!loose.empty()) json["first_loose_sum"] = loose;
   if (scene.plan) {

@@ -34,7 +34,7 @@ void add_nodes(PipelineMaker& maker, const TypedGraph& graph, const datapath::Sc
     if (node.operation == Operation::constant || node.is_sign_of_sum()) {
       maker.add_node(PipelineMaker::none);
     } else if (node.operation == Operation::input) {
-      maker.add_node(maker.add_input(node.input, graph.arriving_format(node.input).name()));
+      maker.add_node(maker.add_input(node.input, graph.operand_format(node.input).name()));
     } else {
       maker.add_node(side_of(graph, id) + maker.title_of(id), format,
                      maker.read_by(schedule.steps[static_cast<std::size_t>(id)]));

@@ -8,7 +8,7 @@
 // the format must hold the number; one with digits behind the point is a double as well, so that
 // formats of more than 53 bits have numbers that are rounded when they are unpacked. Operands lie
 // side by side without gaps, the first lowest.
-@IF ONE_NAN@
+@IF NO_INFINITIES@
 //
 // E4M3 has no infinities: they, and numbers that round to more than 448, become its NaN.
 @END@
@@ -108,11 +108,11 @@ static inline double @MODULE@_number(uint64_t word, int digits, int exponent_bit
   return number;
 }
 @END@
-@IF ONE_NAN@
+@IF NO_INFINITIES@
 
 // The same for a format without infinities, whose NaN is all ones below the sign. Its other words
 // are those of 1 / scale of its numbers in a format with one exponent bit more.
-static inline uint64_t @MODULE@_word_one_nan(
+static inline uint64_t @MODULE@_word_no_infinities(
     double value, int digits, int exponent_bits, double scale) {
   const int magnitude_bits = digits - 1 + exponent_bits;
   const uint64_t nan = ((uint64_t)1 << magnitude_bits) - 1;
@@ -121,7 +121,7 @@ static inline uint64_t @MODULE@_word_one_nan(
   return magnitude < nan ? magnitude | (word >> (magnitude_bits + 1) << magnitude_bits) : nan;
 }
 
-static inline double @MODULE@_number_one_nan(
+static inline double @MODULE@_number_no_infinities(
     uint64_t word, int digits, int exponent_bits, double scale) {
   const int magnitude_bits = digits - 1 + exponent_bits;
   const uint64_t nan = ((uint64_t)1 << magnitude_bits) - 1;

@@ -6,7 +6,7 @@
 Floating point: numbers become doubles, and these are rounded to nearest, ties to even; overflow gives
 infinity. Fixed point: the format must hold the number. Unpacked numbers are integers where the format
 has no digits behind the point, otherwise doubles, which round formats of more than 53 bits.
-@IF ONE_NAN@
+@IF NO_INFINITIES@
 
 E4M3 has no infinities: they, and numbers that round to more than 448, become its NaN.
 @END@
@@ -152,9 +152,9 @@ def _fixed_of(bits, count, is_signed, fraction_bits):
     return words if fraction_bits == 0 else np.ldexp(words.astype(np.float64), -fraction_bits)
 
 
-def _float_bits(values, digits, exponent_bits, has_one_nan):
-    """As IEEE 754 packs: the fraction lowest, then the exponent, then the sign. With one NaN, that
-    is all ones below the sign, and stands for all that the format lacks."""
+def _float_bits(values, digits, exponent_bits, has_infinities):
+    """As IEEE 754 packs: the fraction lowest, then the exponent, then the sign. Without infinities
+    the NaN is all ones below the sign, and stands for all that the format lacks."""
     largest = (1 << exponent_bits) - 1  # of the exponent's field
     least = 1 - largest // 2            # exponent of the least normal number
     is_finite = np.isfinite(values)
@@ -165,14 +165,14 @@ def _float_bits(values, digits, exponent_bits, has_one_nan):
     leading = np.floor(np.ldexp(steps, 1 - digits))
     fractions = steps - np.ldexp(leading, digits - 1)
     fields = places - least + leading
-    if has_one_nan:
-        nan_fraction = 2.0 ** (digits - 1) - 1
-        is_last = (fields == largest) & (fractions == nan_fraction)
-        is_nan = is_over = ~is_finite | (fields > largest) | is_last
-    else:
+    if has_infinities:
         nan_fraction = 2.0 ** (digits - 2)
         is_nan = np.isnan(values)
         is_over = ~is_finite | (fields >= largest)
+    else:
+        nan_fraction = 2.0 ** (digits - 1) - 1
+        is_last = (fields == largest) & (fractions == nan_fraction)
+        is_nan = is_over = ~is_finite | (fields > largest) | is_last
     fields = np.where(is_over, largest, fields)
     fractions = np.where(is_over, np.where(is_nan, nan_fraction, 0), fractions)
     high = np.floor(np.ldexp(fractions, -64))
@@ -183,7 +183,7 @@ def _float_bits(values, digits, exponent_bits, has_one_nan):
                            (np.signbit(values) & ~is_nan)[:, None].astype(np.uint8)], axis=1)
 
 
-def _float_of(bits, digits, exponent_bits, has_one_nan):
+def _float_of(bits, digits, exponent_bits, has_infinities):
     """The nearest double. Below 2^-1022 it is rounded twice and may be off by one place."""
     largest = (1 << exponent_bits) - 1
     fractions = bits[:, :digits - 1]
@@ -194,7 +194,7 @@ def _float_of(bits, digits, exponent_bits, has_one_nan):
     with np.errstate(over="ignore", under="ignore"):
         values = np.ldexp(words.astype(np.float64), exponents.astype(np.intc))
     special = np.where(fractions.any(axis=1), np.nan, np.inf)
-    is_special = (fields == largest) & (fractions.all(axis=1) | (not has_one_nan))
+    is_special = (fields == largest) & (fractions.all(axis=1) | has_infinities)
     values = np.where(is_special, special, values)
     return np.where(bits[:, -1] > 0, -values, values)
 

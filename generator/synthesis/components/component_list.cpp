@@ -124,6 +124,8 @@ private:
         missing_.push_back({wanted, designed.error()});
         continue;
       }
+      // Further bits change nothing in a lane on grids.
+      if (wanted.bound == grid_bound && !grid_lanes_.insert(wanted.multipliers).second) continue;
       if (!maker_.has_engine()) {
         MIXCMP_DO(visit_stream_lane(wanted));
         continue;
@@ -227,6 +229,7 @@ private:
   std::set<ComponentKey> seen_;
   std::set<ComponentKey> units_;
   std::set<int> slots_;
+  std::set<std::optional<Multipliers>> grid_lanes_;  ///< the multipliers of those visited
   std::vector<MissingLane> missing_;
 };
 

@@ -7,11 +7,11 @@
 /// Conversions to and from the processor's double, which is binary64.
 namespace mixcmp::inline number {
 
-constexpr int double_digits = 53;
+constexpr int double_digits = 53, double_exponent_bits = 11;
 
 /// Whether double holds every number of the format: at most 53 digits and 11 exponent bits.
 constexpr bool fits_double(FloatFormat format) {
-  return format.precision() <= double_digits && format.exponent_bits() <= 11;
+  return format.precision() <= double_digits && format.exponent_bits() <= double_exponent_bits;
 }
 
 /// The encoding of a double that is a number of the format (a broken invariant if it is not). Every

@@ -11,9 +11,9 @@ namespace mixcmp::inline number {
 /// The value of a finite encoding.
 mpq_class to_rational(FloatFormat format, Bits bits);
 
-/// The encoding nearest to `value`: ties to even, gradual subnormals, beyond_largest from the
-/// midpoint above the largest number on; if that number's last bit is 0, the midpoint is rounded to
-/// it. Zero becomes +0.
+/// The encoding nearest to `value`, with ties to even and gradual subnormals. The largest number's
+/// successor, were there one, counts as beyond_largest: values nearer to it become beyond_largest,
+/// and so does the midpoint, unless the largest number's last bit is 0. Zero becomes +0.
 Bits from_rational(FloatFormat format, const mpq_class& value);
 
 /// The encoding in `to` nearest to a number in `from`. The signs of zeros stay, and infinities if

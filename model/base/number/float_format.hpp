@@ -11,16 +11,17 @@ namespace mixcmp::inline number {
 
 /// The encodings that are no numbers.
 enum class Specials {
-  ieee,     ///< the largest biased exponent holds the infinities and the NaNs
-  one_nan,  ///< all ones below the sign are a NaN; the rest of the largest binade is numbers
+  ieee,  ///< the largest biased exponent holds the infinities and the NaNs
+  /// All ones below the sign are a NaN. The rest of the largest binade is numbers.
+  no_infinities,
 };
 
 /// One binary floating-point layout, packed like the interchange formats of IEEE 754: sign, biased
 /// exponent, trailing fraction. Written sPeE with P digits of significand, including the leading
 /// one, and E exponent bits (the paper's notation).
 ///
-/// Only operands arrive in formats without infinities (Specials::one_nan); all arithmetic is in
-/// formats of IEEE 754.
+/// Only operands arrive in formats without infinities (Specials::no_infinities); all arithmetic is
+/// in formats of IEEE 754.
 class FloatFormat {
 public:
   static constexpr int min_precision = 2, max_precision = 113;
@@ -28,6 +29,9 @@ public:
 
   static Result<FloatFormat> make(int precision, int exponent_bits,
                                   Specials specials = Specials::ieee);
+
+  /// OFP8's format of 8 bits without infinities, s4e4 but for that. Its largest number is 448.
+  static constexpr FloatFormat e4m3() { return FloatFormat(4, 4, Specials::no_infinities); }
 
   /// The formats that `parse` accepts, with precisions from `least` to `most`, in a message's
   /// words.

@@ -3,10 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
 
 #include "model/base/common/check.hpp"
 #include "model/base/common/quote.hpp"
+#include "model/base/number/double.hpp"
 #include "model/base/number/whole_number.hpp"
 
 namespace mixcmp::inline number {
@@ -117,7 +119,7 @@ Result<OperandFormat> OperandFormat::parse_fixed(std::string_view name) {
 
 Result<OperandFormat> OperandFormat::parse(std::string_view name) {
   if (auto fixed = parse_fixed(name); fixed.ok()) return fixed;
-  if (name == "E4M3") return OperandFormat(FloatFormat::make(4, 4, Specials::one_nan).value());
+  if (name == "E4M3") return OperandFormat(FloatFormat::e4m3());
   if (name == "E5M2") return OperandFormat(FloatFormat::make(3, 5).value());
   const Result<FloatFormat> floating = FloatFormat::parse(name);
   if (floating.ok()) return OperandFormat(*floating);
@@ -190,6 +192,41 @@ Bits OperandFormat::word_of(FloatFormat from, Bits number) const {
   MIXCMP_CHECK(magnitude);
   const Bits word = parts.is_negative ? Bits{0} - *magnitude : *magnitude;
   return word & low_mask(format->width);
+}
+
+ScaledFloat OperandFormat::scaled_float() const {
+  if (const FloatFormat* const own = floating()) {
+    if (own->has_infinities()) return {*own, 0};
+    const auto wider = FloatFormat::make(own->precision(), own->exponent_bits() + 1).value();
+    return {wider, wider.bias() - own->bias()};
+  }
+  const int precision = std::max(FloatFormat::min_precision, fixed()->width);
+  int exponent_bits = FloatFormat::min_exponent_bits;
+  const auto scaled = [&] {
+    const auto format = FloatFormat::make(precision, exponent_bits).value();
+    const int exponent_of_last_bit = format.min_exponent() - format.fraction_bits();
+    return ScaledFloat{format, fixed()->unit_exponent - exponent_of_last_bit};
+  };
+  while (std::abs(scaled().scale) >= 1 << exponent_bits) ++exponent_bits;
+  return scaled();
+}
+
+FloatFormat format_holding(std::span<const OperandFormat> formats) {
+  int precision = FloatFormat::min_precision, exponent_bits = FloatFormat::min_exponent_bits;
+  for (const OperandFormat& format : formats) {
+    const FixedFormat* fixed = format.fixed();
+    precision =
+        std::max(precision, fixed == nullptr ? format.floating()->precision()
+                                             : std::max(double_digits, fixed->magnitude_bits()));
+    if (fixed != nullptr) exponent_bits = std::max(exponent_bits, double_exponent_bits);
+  }
+  const auto holds_all = [&] {
+    const FloatFormat made = FloatFormat::make(precision, exponent_bits).value();
+    return std::all_of(formats.begin(), formats.end(),
+                       [&](const OperandFormat& format) { return format.is_held_by(made); });
+  };
+  while (!holds_all()) ++exponent_bits;
+  return FloatFormat::make(precision, exponent_bits).value();
 }
 
 int total_width(std::span<const OperandFormat> formats) {

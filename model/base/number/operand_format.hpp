@@ -11,6 +11,12 @@
 
 namespace mixcmp::inline number {
 
+/// Numbers of a format with infinities, each times 2^scale.
+struct ScaledFloat {
+  FloatFormat format;
+  int scale;
+};
+
 /// The format in which an operand arrives at the ports of a system: floating point, or fixed point,
 /// which includes integers. Fixed-point words have at most 64 bits.
 class OperandFormat {
@@ -48,12 +54,23 @@ public:
   /// The word of a number that the format holds. The number is encoded in `from`. A NaN becomes the
   /// quiet NaN, except in `from` itself.
   Bits word_of(FloatFormat from, Bits number) const;
+  /// A format with infinities in which a word is its number, but for the scale, as soon as bits are
+  /// put in front of its magnitude:
+  /// - none, in front of a word of a format with infinities;
+  /// - the exponent's first bit, where there are none: it is 1 for the NaN, otherwise 0;
+  /// - zeros, in front of a magnitude in fixed point. The number is then subnormal or, if the last
+  ///   bit of the exponent is the magnitude's first one, in the least binade.
+  ScaledFloat scaled_float() const;
 
   friend bool operator==(const OperandFormat&, const OperandFormat&) = default;
 
 private:
   std::variant<FloatFormat, FixedFormat> format_;
 };
+
+/// The smallest floating-point format that holds all numbers of these formats. Beside one in fixed
+/// point it is no smaller than double's.
+FloatFormat format_holding(std::span<const OperandFormat> formats);
 
 /// The bits of words of these formats side by side.
 int total_width(std::span<const OperandFormat> formats);

@@ -107,7 +107,7 @@ bool Graph::limit(NodeId id, const Range& limits) {
   return true;
 }
 
-std::optional<FloatFormat> Graph::arriving_format(int input) const {
+std::optional<OperandFormat> Graph::arriving_format(int input) const {
   const auto found = arriving_.find(input);
   return found == arriving_.end() ? std::nullopt : std::optional(found->second);
 }

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "model/base/number/float_format.hpp"
+#include "model/base/number/operand_format.hpp"
 #include "model/comparison/expression/combination.hpp"
 #include "model/comparison/expression/range.hpp"
 
@@ -79,11 +79,11 @@ public:
   bool limit(NodeId id, const Range& limits);
 
   /// Declares that all values of an input, an index of inputs(), are numbers of `format`.
-  void arrives_in(int input, FloatFormat format) { arriving_.insert_or_assign(input, format); }
+  void arrives_in(int input, OperandFormat format) { arriving_.insert_or_assign(input, format); }
   /// This comparison without the declarations of arrives_in.
   Graph with_any_operands() const;
   /// The format declared by arrives_in; none: the input has every format's numbers.
-  std::optional<FloatFormat> arriving_format(int input) const;
+  std::optional<OperandFormat> arriving_format(int input) const;
 
   void compare(NodeId f, NodeId g);
   /// Compares the two sides of each part; there is at least one.
@@ -109,7 +109,7 @@ private:
   std::vector<Node> nodes_;
   std::vector<std::string> inputs_;
   std::map<NodeId, Range> limits_;
-  std::map<int, FloatFormat> arriving_;
+  std::map<int, OperandFormat> arriving_;
   std::vector<Sides> parts_;
   Combination combination_ = Combination::all;
 };

@@ -193,15 +193,16 @@ FloatFormat entering_format(FloatFormat reference, FloatFormat lane, LaneInputs 
 
 /// One per input. Empty if all arrive in the reference's format. A format that the reference's does
 /// not hold says nothing: the graph is then one of a program that rounds its operands first.
-std::vector<FloatFormat> arriving_formats(const Graph& graph, FloatFormat reference) {
-  std::vector<FloatFormat> formats;
+std::vector<OperandFormat> arriving_formats(const Graph& graph, FloatFormat reference) {
+  const OperandFormat unknown(reference);
+  std::vector<OperandFormat> formats;
   for (int input = 0; input < static_cast<int>(graph.inputs().size()); ++input) {
-    const FloatFormat format = graph.arriving_format(input).value_or(reference);
-    formats.push_back(OperandFormat(format).is_held_by(reference) ? format : reference);
+    const OperandFormat format = graph.arriving_format(input).value_or(unknown);
+    formats.push_back(format.is_held_by(reference) ? format : unknown);
   }
   const bool any = std::any_of(formats.begin(), formats.end(),
-                               [&](FloatFormat format) { return !(format == reference); });
-  return any ? formats : std::vector<FloatFormat>();
+                               [&](const OperandFormat& format) { return !(format == unknown); });
+  return any ? formats : std::vector<OperandFormat>();
 }
 
 /// Whether a constant is a normal number of the format, or zero.
@@ -221,7 +222,7 @@ std::vector<bool> fitting_nodes(const Graph& graph, const TypedGraph& typed) {
     for (int k = 0; k < arity(node.operation); ++k) value = value && fits[node.operands[k]];
     if (node.operation == Operation::constant) value = is_normal_number(lane, node.value);
     if (node.operation == Operation::input) {
-      value = !typed.arriving.empty() && OperandFormat(typed.arriving[node.input]).is_held_by(lane);
+      value = !typed.arriving.empty() && typed.arriving[node.input].is_held_by(lane);
     }
     fits.push_back(value);
   }
@@ -409,7 +410,7 @@ int TypedGraphBuilder::digits_of(NodeId id) const {
   const TypedNode& node = typed_.nodes[id];
   const int own = node.format.precision();
   if (typed_.arriving.empty()) return own;
-  if (node.operation == Operation::input) return typed_.arriving[node.input].precision();
+  if (node.operation == Operation::input) return typed_.arriving_format(node.input).precision();
   const bool only_moves = node.operation == Operation::convert || only_moves_bits(node.operation);
   return only_moves ? std::min(own, node.operand_digits()) : own;
 }

@@ -70,7 +70,7 @@ struct TypedGraph {
   /// One per input: the format in which it arrives, all of whose numbers `input_format` holds.
   /// Empty: all arrive in `input_format`. Evaluations take operands in `input_format`; a datapath
   /// converts them from these formats first, which rounds nothing.
-  std::vector<FloatFormat> arriving = {};
+  std::vector<OperandFormat> arriving = {};
   Arithmetic arithmetic;     ///< rounding and subnormals of every operation; format of f and g
   std::vector<Sides> parts;  ///< at least one
   Combination combination = Combination::all;  ///< valid only if there are several parts
@@ -79,8 +79,14 @@ struct TypedGraph {
   NodeId f() const;
   NodeId g() const;
 
+  /// The format in which an input arrives; one in fixed point counts as one in `input_format`.
   FloatFormat arriving_format(int input) const {
-    return arriving.empty() ? input_format : arriving[static_cast<std::size_t>(input)];
+    const OperandFormat format = operand_format(input);
+    return format.floating() == nullptr ? input_format : *format.floating();
+  }
+  OperandFormat operand_format(int input) const {
+    return arriving.empty() ? OperandFormat(input_format)
+                            : arriving[static_cast<std::size_t>(input)];
   }
 
   friend bool operator==(const TypedGraph&, const TypedGraph&) = default;

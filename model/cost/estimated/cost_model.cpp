@@ -255,7 +255,8 @@ int embedded_multipliers(const error::Lane& lane, const devices::MultiplierSize&
   return multipliers_of(lane.graph, size);
 }
 
-int embedded_multipliers(const Reference& reference, const devices::MultiplierSize& size) {
+int embedded_multipliers(const fixed::ReferenceDatapath& reference,
+                         const devices::MultiplierSize& size) {
   return std::visit(
       Cases{[&](const TypedGraph& graph) { return multipliers_of(graph, size); },
             [&](const fixed::FixedLane& lane) { return embedded_multipliers(lane, size); }},
@@ -282,7 +283,7 @@ int memory_blocks(const fixed::FixedLane& lane, const devices::MemoryBlock& bloc
   return static_cast<int>(blocks);
 }
 
-double reference_luts(const Reference& reference, Products products) {
+double reference_luts(const fixed::ReferenceDatapath& reference, Products products) {
   return std::visit(Cases{[&](const TypedGraph& graph) {
                             const int digits = graph.arithmetic.format.precision();
                             return graph_luts(graph, products) +

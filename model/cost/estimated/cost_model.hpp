@@ -5,16 +5,12 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "model/cost/devices/device.hpp"
 #include "model/lane/error/lane.hpp"
-#include "model/lane/fixed/fixed_lane.hpp"
+#include "model/lane/fixed/reference_datapath.hpp"
 
 namespace mixcmp::estimated {
-
-/// The datapath of a reference: in floating point, or an exact lane.
-using Reference = std::variant<TypedGraph, fixed::FixedLane>;
 
 /// Whether an estimate includes products.
 enum class Products {
@@ -28,12 +24,14 @@ enum class Products {
 /// precisions of one expression. Registers, scoreboards and the crossbar are not included.
 double lane_luts(const error::Lane& lane, Products products = Products::in_luts);
 double lane_luts(const fixed::FixedLane& lane, Products products = Products::in_luts);
-double reference_luts(const Reference& reference, Products products = Products::in_luts);
+double reference_luts(const fixed::ReferenceDatapath& reference,
+                      Products products = Products::in_luts);
 
 /// The number of embedded multipliers of this size that cover every product of a datapath.
 int embedded_multipliers(const error::Lane& lane, const devices::MultiplierSize& size);
 int embedded_multipliers(const fixed::FixedLane& lane, const devices::MultiplierSize& size);
-int embedded_multipliers(const Reference& reference, const devices::MultiplierSize& size);
+int embedded_multipliers(const fixed::ReferenceDatapath& reference,
+                         const devices::MultiplierSize& size);
 
 /// The number of blocks that hold the squares of a lane that reads them from memories, if a block
 /// can hold any part of a memory.

@@ -62,7 +62,7 @@ struct Lane {
 /// One reference datapath by itself.
 struct Reference {
   static constexpr ComponentKind kind = ComponentKind::reference;
-  LaneFormat format;                              ///< in fixed point: an exact lane
+  LaneFormat format;                              ///< in floating or in fixed point
   std::optional<scene::Multipliers> multipliers;  ///< none in a datapath without a product
   Sums sums = Sums::composed;
   int initiation_interval = 1;    ///< in cycles

@@ -193,12 +193,12 @@ public:
   bool is_emulated() const override { return code_ || wide_; }
 
   void decide(OperandColumns operands, std::span<Decision> decisions) const override {
-    find(operands, decisions);
+    decide_as_lane(operands, decisions);
     if (!lane_.is_reference) return;
     std::replace(decisions.begin(), decisions.end(), Decision::undecided, Decision::unordered);
   }
 
-  void find(OperandColumns operands, std::span<Decision> decisions) const {
+  void decide_as_lane(OperandColumns operands, std::span<Decision> decisions) const {
     if (wide_) return wide_->decide(operands, decisions);
     if (!code_) {
       for (std::size_t k = 0; k < decisions.size(); ++k) {
@@ -242,7 +242,7 @@ Emulator::Emulator(const TypedGraph& reference) : combination_(reference.combina
     parts_.push_back(std::make_unique<const FloatProgram>(part_of(reference, part).graph));
   }
 }
-Emulator::Emulator(const ReferenceDatapath& reference)
+Emulator::Emulator(const fixed::ReferenceDatapath& reference)
     : Emulator(std::visit([](const auto& made) { return Emulator(made); }, reference)) {}
 Emulator::~Emulator() = default;
 Emulator::Emulator(Emulator&&) noexcept = default;

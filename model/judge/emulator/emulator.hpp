@@ -33,7 +33,7 @@ public:
   explicit Emulator(fixed::FixedLane lane);
   /// A reference datapath: never undecided. Its graph may have up to 53 digits.
   explicit Emulator(const TypedGraph& reference);
-  explicit Emulator(const ReferenceDatapath& reference);
+  explicit Emulator(const fixed::ReferenceDatapath& reference);
   ~Emulator();
   Emulator(Emulator&&) noexcept;
   Emulator& operator=(Emulator&&) noexcept;

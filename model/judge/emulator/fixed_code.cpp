@@ -256,9 +256,9 @@ private:
     }
     const FixedKernel truncating =
         format.is_signed ? FixedKernel::convert_signed : FixedKernel::convert_unsigned;
-    const FixedKernel exact =
-        format.is_signed ? FixedKernel::take_signed : FixedKernel::take_unsigned;
-    return {.kernel = node(id).on_grid ? exact : truncating,
+    const FixedKernel exact = format.is_signed ? FixedKernel::convert_exactly_signed
+                                               : FixedKernel::convert_exactly_unsigned;
+    return {.kernel = node(id).is_promised ? exact : truncating,
             .result = id,
             .a = from,
             .b = from,
@@ -334,7 +334,7 @@ private:
     const mpz_class below = -thresholds.less_to - 1;
     criterion.offset_above = thresholds.greater_from.get_d() * unit;
     criterion.offset_below = below.get_d() * unit;
-    if (thresholds.exact) criterion.otherwise = static_cast<std::uint8_t>(Decision::equal);
+    if (thresholds.decides_ties) criterion.otherwise = static_cast<std::uint8_t>(Decision::equal);
   }
 
   void set(FixedCriterion& criterion, const fixed::NormThresholds& thresholds, double unit) {

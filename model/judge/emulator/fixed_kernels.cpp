@@ -190,12 +190,17 @@ HWY_INLINE Vec or_no_number(Vec a, Vec b, Vec chosen) {
   return hn::IfThenElse(numbers, chosen, hn::NaN(Tag()));
 }
 
-/// The bits of a negative operand are inverted: if k is its magnitude in units, cut to an integer,
-/// the result is -k - 1. Rounding down gives the same if the magnitude is first raised to the next
-/// double: an integer k is then above k, and any other magnitude is at most k + 1. The result may
-/// have the operand's column.
-template <bool is_signed, bool on_grid>
+/// One of the kernels convert_... . An exact one gives the operand itself, if it is a multiple of
+/// the unit. The others cut its magnitude in units to an integer k. If the operand is negative, its
+/// bits are inverted, so the result is -k - 1. Rounding down gives the same if the magnitude is
+/// first raised to the next double: an integer k is then above k, and any other magnitude is at
+/// most k + 1. The result may have the operand's column.
+template <FixedKernel kernel>
 HWY_INLINE void execute_conversion(const FixedInstruction& instruction, const Block& block) {
+  constexpr bool is_signed =
+      kernel == FixedKernel::convert_signed || kernel == FixedKernel::convert_exactly_signed;
+  constexpr bool is_exact = kernel == FixedKernel::convert_exactly_signed ||
+                            kernel == FixedKernel::convert_exactly_unsigned;
   const Vec unit = hn::Set(Tag(), instruction.unit);
   const Vec per_unit = hn::Set(Tag(), 1 / instruction.unit);
   const Vec limit = hn::Set(Tag(), instruction.beyond);
@@ -209,7 +214,7 @@ HWY_INLINE void execute_conversion(const FixedInstruction& instruction, const Bl
     auto taken = hn::RebindMask(Tag(), hn::Lt(hn::BitCast(words, x), hn::BitCast(words, limit)));
     Vec units = hn::Mul(x, per_unit);
     if constexpr (is_signed) taken = hn::Lt(hn::Abs(x), limit);
-    if constexpr (on_grid) {
+    if constexpr (is_exact) {
       taken = hn::And(taken, hn::Eq(hn::Floor(units), units));
     } else if constexpr (is_signed) {
       const IntVec bits = hn::BitCast(Int(), units);
@@ -224,10 +229,14 @@ void execute_one(const FixedInstruction& instruction, const Block& block) {
   const auto each = [&](auto function) HWY_ATTR { loop(instruction, block, function); };
   switch (instruction.kernel) {
     case FixedKernel::common_power: return execute_common_power(instruction, block);
-    case FixedKernel::convert_signed: return execute_conversion<true, false>(instruction, block);
-    case FixedKernel::convert_unsigned: return execute_conversion<false, false>(instruction, block);
-    case FixedKernel::take_signed: return execute_conversion<true, true>(instruction, block);
-    case FixedKernel::take_unsigned: return execute_conversion<false, true>(instruction, block);
+    case FixedKernel::convert_signed:
+      return execute_conversion<FixedKernel::convert_signed>(instruction, block);
+    case FixedKernel::convert_unsigned:
+      return execute_conversion<FixedKernel::convert_unsigned>(instruction, block);
+    case FixedKernel::convert_exactly_signed:
+      return execute_conversion<FixedKernel::convert_exactly_signed>(instruction, block);
+    case FixedKernel::convert_exactly_unsigned:
+      return execute_conversion<FixedKernel::convert_exactly_unsigned>(instruction, block);
     case FixedKernel::sum: return execute_sum(instruction, block);
     case FixedKernel::common_cut: return execute_common_cut(instruction, block);
     case FixedKernel::running_threshold: return execute_running_threshold(instruction, block);

@@ -31,11 +31,10 @@ enum class FixedKernel : std::uint8_t {
   /// `beyond` are taken, and by convert_unsigned no sign; others become NaNs.
   convert_signed,
   convert_unsigned,
-  /// a, if it is a multiple of `unit` with a magnitude below `beyond` and, for take_unsigned,
-  /// without
-  /// a sign; others become NaNs.
-  take_signed,
-  take_unsigned,
+  /// a, if it is a multiple of `unit` with a magnitude below `beyond` and, for
+  /// convert_exactly_unsigned, without a sign; others become NaNs.
+  convert_exactly_signed,
+  convert_exactly_unsigned,
   sum,  ///< the sum of `terms`; the next ones have operands a and b
   absolute,
   minimum,

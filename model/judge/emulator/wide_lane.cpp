@@ -110,7 +110,7 @@ private:
                .dropped_bits = node.dropped_bits,
                .arrives_fixed = node.operation == Operation::input &&
                                 fixed::arriving_fixed(lane_, node) != nullptr,
-               .on_grid = node.on_grid,
+               .is_promised = node.is_promised,
                .constant = wide(node.constant)};
     if (aligns_operands(node.operation)) align(added);
     if (node.operation == Operation::square_root) {
@@ -167,7 +167,7 @@ private:
 
   Criterion converted(const fixed::ConstantThresholds& thresholds) {
     return Constant{wide(thresholds.greater_from), wide(thresholds.less_to),
-                    thresholds.exact ? Decision::equal : Decision::undecided};
+                    thresholds.decides_ties ? Decision::equal : Decision::undecided};
   }
 
   Criterion converted(const fixed::NormThresholds& thresholds) {
@@ -245,8 +245,8 @@ private:
   }
 
   /// An operand as an integer: its magnitude is truncated, and all bits are inverted if its sign
-  /// bit is set. On a grid it is exact. False if the format does not hold the magnitude or the
-  /// sign, or if an operand on a grid is no multiple of the unit.
+  /// bit is set. A promised multiple of the unit is exact. False if the format does not hold the
+  /// magnitude or the sign, or if the promise is broken.
   static bool convert(const Node& node, double operand, int scale, Wide& value) {
     const FixedFormat& format = node.format;
     if (node.arrives_fixed) {
@@ -258,7 +258,7 @@ private:
     const double units = std::ldexp(std::abs(operand), -(format.unit_exponent + scale));
     if (units >= std::ldexp(1, format.magnitude_bits())) return false;
     const auto magnitude = static_cast<Wide>(units);
-    if (node.on_grid) {
+    if (node.is_promised) {
       value = is_negative ? -magnitude : magnitude;
       return std::trunc(units) == units;
     }

@@ -25,7 +25,7 @@ bool passes(const error::RangeCheck& check, FloatFormat format, Bits operand);
 
 struct LaneResult {
   bool decided;
-  Verdict verdict;  ///< valid if decided; of a lane then never unordered
+  Verdict verdict;  ///< valid if decided; unordered only from a reference
 };
 
 /// The decision of a lane from those of its parts: theorem 11 of docs/error_bounds.md.

@@ -40,32 +40,34 @@ std::optional<int> block_exponent(const FixedLane& lane, std::span<const Bits> i
   return exponent;
 }
 
-/// An operand as an integer: its magnitude is truncated, and all bits are inverted if its sign bit
-/// is set. On a grid it is exact. None if the format does not hold the magnitude or the sign, or if
-/// an operand on a grid is no multiple of the unit.
-Integer converted(FloatFormat from, Bits bits, const FixedFormat& to, bool on_grid) {
+/// The format whose numbers are 2^exponent times as large.
+FixedFormat scaled(FixedFormat format, int exponent) {
+  format.unit_exponent += exponent;
+  return format;
+}
+
+/// An operand as an integer of an input's format, whose unit is 2^scale times as large: its
+/// magnitude is truncated, and all bits are inverted if its sign bit is set. A promised multiple of
+/// the unit is exact. None if the format does not hold the magnitude or the sign, or if the promise
+/// is broken.
+Integer converted(FloatFormat from, Bits bits, const FixedNode& input, int scale) {
+  const FixedFormat to = scaled(input.format, scale);
   if (from.is_nan(bits) || from.is_infinite(bits)) return std::nullopt;
   if (from.sign(bits) && !to.is_signed) return std::nullopt;
   const mpq_class value = to_rational(from, from.magnitude(bits));
-  const mpz_class scaled = shifted(value.get_num(), std::max(0, -to.unit_exponent));
+  const mpz_class parts = shifted(value.get_num(), std::max(0, -to.unit_exponent));
   const mpz_class per_unit = value.get_den() * shifted(1, std::max(0, to.unit_exponent));
-  const mpz_class magnitude = scaled / per_unit;
+  const mpz_class magnitude = parts / per_unit;
   if (magnitude >= shifted(1, to.magnitude_bits())) return std::nullopt;
-  if (on_grid && magnitude * per_unit != scaled) return std::nullopt;
-  if (on_grid) return from.sign(bits) ? mpz_class(-magnitude) : magnitude;
-  return from.sign(bits) ? mpz_class(-magnitude - 1) : magnitude;
+  if (!input.is_promised) return from.sign(bits) ? mpz_class(-magnitude - 1) : magnitude;
+  if (magnitude * per_unit != parts) return std::nullopt;
+  return from.sign(bits) ? mpz_class(-magnitude) : magnitude;
 }
 
 /// A number that arrived in fixed point, without the low bits that the input drops.
 mpz_class cut(FloatFormat from, Bits bits, const FixedFormat& to) {
   const mpq_class value = to_rational(from, bits);
   return floor_of(mixcmp::scaled(value, -to.unit_exponent));
-}
-
-/// The format whose numbers are 2^exponent times as large.
-FixedFormat scaled(FixedFormat format, int exponent) {
-  format.unit_exponent += exponent;
-  return format;
 }
 
 mpz_class operate(Operation operation, const mpz_class& a, const mpz_class& b) {
@@ -152,7 +154,7 @@ LaneResult decide(const fixed::ConstantThresholds& thresholds, const mpz_class& 
                   const FixedLane&, const std::vector<Integer>&) {
   if (difference >= thresholds.greater_from) return {true, Verdict::greater};
   if (difference <= thresholds.less_to) return {true, Verdict::less};
-  return {thresholds.exact, Verdict::equal};
+  return {thresholds.decides_ties, Verdict::equal};
 }
 
 LaneResult decide(const fixed::NormThresholds& thresholds, const mpz_class& difference,
@@ -217,8 +219,7 @@ std::vector<Integer> evaluate(const FixedLane& lane, std::span<const Bits> input
     } else if (node.operation == Operation::input && fixed::arriving_fixed(lane, node)) {
       values.emplace_back(cut(lane.input_format, inputs[node.input], node.format));
     } else if (node.operation == Operation::input) {
-      const FixedFormat format = scaled(node.format, *scale);
-      values.push_back(converted(lane.input_format, inputs[node.input], format, node.on_grid));
+      values.push_back(converted(lane.input_format, inputs[node.input], node, *scale));
     } else if (node.operation == Operation::constant) {
       values.emplace_back(node.constant);
     } else if (fixed::is_common_cut(node)) {
@@ -237,8 +238,7 @@ bool takes(const FixedLane& lane, int input, Bits operand) {
   const int scale = lane.format.is_block ? lane.input_format.max_exponent() + 1 : 0;
   return std::all_of(lane.nodes.begin(), lane.nodes.end(), [&](const FixedNode& node) {
     return node.operation != Operation::input || node.input != input ||
-           fixed::arriving_fixed(lane, node) ||
-           converted(lane.input_format, operand, scaled(node.format, scale), node.on_grid);
+           fixed::arriving_fixed(lane, node) || converted(lane.input_format, operand, node, scale);
   });
 }
 
@@ -251,7 +251,8 @@ LaneResult evaluate_lane(const FixedLane& lane, std::span<const Bits> inputs) {
   return result;
 }
 
-Verdict evaluate_reference(const ReferenceDatapath& reference, std::span<const Bits> inputs) {
+Verdict evaluate_reference(const fixed::ReferenceDatapath& reference,
+                           std::span<const Bits> inputs) {
   if (const auto* fixed = std::get_if<FixedLane>(&reference)) {
     return evaluate_lane(*fixed, inputs).verdict;
   }

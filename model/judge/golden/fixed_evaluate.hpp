@@ -25,6 +25,6 @@ bool takes(const fixed::FixedLane& lane, int input, Bits operand);
 LaneResult evaluate_lane(const fixed::FixedLane& lane, std::span<const Bits> inputs);
 
 /// The verdict of a reference, bit for bit.
-Verdict evaluate_reference(const ReferenceDatapath& reference, std::span<const Bits> inputs);
+Verdict evaluate_reference(const fixed::ReferenceDatapath& reference, std::span<const Bits> inputs);
 
 }  // namespace mixcmp::golden

@@ -142,7 +142,7 @@ private:
         if (const FixedFormat* arriving = fixed::arriving_fixed(lane_, node)) {
           return own == arriving->unit_exponent;
         }
-        if (node.on_grid) return !lane_.format.is_block;
+        if (node.is_promised) return !lane_.format.is_block;
         return !lane_.format.is_block ||
                (own == -lane_.format.operand_bits() && node.format.magnitude_bits() == -own);
       case Operation::constant:
@@ -264,13 +264,13 @@ private:
   }
 
   /// Theorem 1, by hand; an operand in fixed point loses only its dropped bits. The hardware checks
-  /// that one on a grid is a multiple of the unit.
+  /// that promised multiples of the unit are such.
   void assume_operand(FixedNode& node) const {
     const mpq_class unit = node.format.unit();
     node.value = {node.format.smallest() * unit, node.format.largest() * unit};
     const FixedFormat* arriving = fixed::arriving_fixed(lane_, node);
     const mpq_class arriving_unit = arriving == nullptr ? mpq_class(0) : arriving->unit();
-    node.error = {node.on_grid ? mpq_class(0) : mpq_class(arriving_unit - unit), 0};
+    node.error = {node.is_promised ? mpq_class(0) : mpq_class(arriving_unit - unit), 0};
   }
 
   void add_script(NodeId id, const Range& value, const Range& exact) {
@@ -340,7 +340,7 @@ private:
     add_exact("the constants lie beyond the error of f - g",
               thresholds.greater_from * unit > difference.error.high &&
                   thresholds.less_to * unit < difference.error.low &&
-                  (!thresholds.exact || is_exact(difference, thresholds)));
+                  (!thresholds.decides_ties || is_exact(difference, thresholds)));
     if (has_reaches()) {
       add_exact("constants depend on no reach", !depends_on_reach(part.difference));
     }

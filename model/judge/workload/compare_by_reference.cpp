@@ -11,8 +11,9 @@ namespace mixcmp::workload {
 namespace {
 
 /// Decides one comparison after the other in the golden model, for formats that double cannot hold.
-void compare_by_golden_model(const ReferenceDatapath& reference, const data::Comparisons& data,
-                             std::span<const data::Items> items, std::span<std::uint8_t> greater) {
+void compare_by_golden_model(const fixed::ReferenceDatapath& reference,
+                             const data::Comparisons& data, std::span<const data::Items> items,
+                             std::span<std::uint8_t> greater) {
   std::vector<Bits> operands(data.input_count());
   for (std::size_t k = 0; k < items.size(); ++k) {
     data.fetch(items[k], operands);
@@ -41,7 +42,7 @@ void compare_by_emulator(const emulator::Emulator& emulator, const data::Compari
 
 }  // namespace
 
-data::CompareItems compare_by_reference(const ReferenceDatapath& reference) {
+data::CompareItems compare_by_reference(const fixed::ReferenceDatapath& reference) {
   const FloatFormat format =
       std::visit([](const auto& made) { return made.input_format; }, reference);
   if (!fits_double(format)) {

@@ -6,6 +6,6 @@
 namespace mixcmp::workload {
 
 /// Makes a data::CompareItems that decides as a reference datapath does, bit for bit.
-data::CompareItems compare_by_reference(const ReferenceDatapath& reference);
+data::CompareItems compare_by_reference(const fixed::ReferenceDatapath& reference);
 
 }  // namespace mixcmp::workload

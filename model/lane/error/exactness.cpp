@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "model/base/common/check.hpp"
-#include "model/base/number/double.hpp"
 #include "model/base/number/dyadic.hpp"
 #include "model/base/number/exact.hpp"
 #include "model/comparison/expression/text.hpp"
@@ -36,15 +35,24 @@ struct Multiples {
 /// None: the node rounds, or one below it does.
 using Known = std::optional<Multiples>;
 
-/// The numbers of a format, if nothing else is known of them.
-Multiples numbers_of(FloatFormat format) {
-  return {to_rational(format, Bits{1}), format.precision(),
-          to_rational(format, format.largest_finite(false))};
+/// The finite numbers of a format.
+Range range_of(const OperandFormat& format) {
+  if (const FixedFormat* fixed = format.fixed()) {
+    return {fixed->smallest() * fixed->unit(), fixed->largest() * fixed->unit()};
+  }
+  const mpq_class most = to_rational(*format.floating(), format.floating()->largest_finite(false));
+  return {-most, most};
 }
 
-/// A constant's; none if it has no end in binary digits.
+/// What a format says of its numbers.
+Multiples numbers_of(const OperandFormat& format) {
+  if (const FixedFormat* fixed = format.fixed()) return {fixed->unit(), Multiples::unlimited};
+  return {to_rational(*format.floating(), Bits{1}), format.floating()->precision()};
+}
+
+/// The values of a constant; none if its binary digits never end.
 Known constant(const mpq_class& value) {
-  if (value == 0) return Multiples{1, 1, 0};
+  if (value == 0) return Multiples{1, 1};
   if (!is_power_of_two(mpq_class(value.get_den()))) return std::nullopt;
   const mpq_class magnitude = abs(value);
   const long last = lowest_digit(magnitude);
@@ -59,15 +67,13 @@ public:
       : graph_(graph), declared_(std::move(ranges)), grids_(grids) {
     std::vector<std::optional<Range>> possible = declared_;
     for (int input = 0; input < graph.input_count; ++input) {
-      const mpq_class most = numbers_of(graph.arriving_format(input)).most;
       auto& range = possible[static_cast<std::size_t>(input)];
-      if (!range) range = Range{mpq_class(-most), most};
+      if (!range) range = range_of(graph.operand_format(input));
     }
     ranges_ = analyse_ranges(graph, possible);
   }
 
-  /// Of each node, what its values are if it and all below it round nothing, as far as the
-  /// operations tell, whatever the formats are.
+  /// The values of each node if no operation rounds, for unlimited formats.
   std::vector<Known> in_any_format() {
     for (const TypedNode& node : graph_.nodes) add(multiples(node));
     return std::move(nodes_);
@@ -137,7 +143,7 @@ private:
   }
 
   Multiples input(int input) const {
-    Multiples numbers = numbers_of(graph_.arriving_format(input));
+    Multiples numbers = numbers_of(graph_.operand_format(input));
     const auto k = static_cast<std::size_t>(input);
     if (declared_[k] && grids_[k]) numbers.quantum = std::max(numbers.quantum, *grids_[k]);
     return numbers;
@@ -145,7 +151,7 @@ private:
 
   static Known either(const Known& a, const Known& b, int digits) {
     if (!a || !b) return std::nullopt;
-    return Multiples{std::min(a->quantum, b->quantum), digits, 0};
+    return Multiples{std::min(a->quantum, b->quantum), digits};
   }
 
   static Known choice(const Known& a, const Known& b) {
@@ -154,14 +160,14 @@ private:
 
   static Known product(const Known& a, const Known& b) {
     if (!a || !b) return std::nullopt;
-    return Multiples{a->quantum * b->quantum, a->precision() + b->precision(), 0};
+    return Multiples{a->quantum * b->quantum, a->precision() + b->precision()};
   }
 
   static Known quotient(const Known& a, const TypedNode& divisor) {
     const bool scales =
         divisor.operation == Operation::constant && is_power_of_two(abs(divisor.value));
     if (!a || !scales) return std::nullopt;
-    return Multiples{mpq_class(a->quantum / abs(divisor.value)), a->digits, 0};
+    return Multiples{mpq_class(a->quantum / abs(divisor.value)), a->digits};
   }
 
   /// Whether the format of the node holds such numbers.
@@ -200,25 +206,23 @@ Error rounds_always(const TypedGraph& graph, NodeId id) {
       return not_exact("square roots are rounded", text, "the squares of both sides");
     case Operation::divide:
       return not_exact("quotients are rounded", text, "both sides times the divisor");
-    default:
+    case Operation::constant:
       return not_exact("a constant is no multiple of a power of two", text,
                        "constants such as 0.25");
+    case Operation::input:
+    case Operation::convert:
+    case Operation::negate:
+    case Operation::absolute:
+    case Operation::add:
+    case Operation::subtract:
+    case Operation::multiply:
+    case Operation::square:
+    case Operation::minimum:
+    case Operation::maximum:
+    case Operation::fused_sum: break;
   }
+  MIXCMP_CHECK(!"an operation that rounds although none below it does");
 }
-
-/// The format of all operands, before anything is computed. Operands that are all in fixed point
-/// have no format of their own: it is that of double.
-struct LeastFormat {
-  int precision = 0, exponent_bits = 0;
-
-  void hold(const OperandFormat& format) {
-    const FloatFormat* floating = format.floating();
-    precision = std::max(precision, floating == nullptr ? double_digits : floating->precision());
-    constexpr int of_double = 11;
-    exponent_bits =
-        std::max(exponent_bits, floating == nullptr ? of_double : floating->exponent_bits());
-  }
-};
 
 /// The exponent bits with which units of 2^last and numbers up to 2^first are normal numbers.
 int exponent_bits_of(long first, long last) {
@@ -238,43 +242,36 @@ std::vector<bool> exact_nodes(const TypedGraph& graph,
 }
 
 Result<FloatFormat> exact_format(const Graph& graph, const std::vector<OperandFormat>& formats,
-                                 std::vector<std::optional<Range>> ranges,
-                                 std::vector<std::optional<mpq_class>> grids) {
+                                 const std::vector<std::optional<Range>>& ranges,
+                                 const std::vector<std::optional<mpq_class>>& grids) {
   const FloatFormat widest =
       FloatFormat::make(FloatFormat::max_precision, FloatFormat::max_exponent_bits).value();
   TypedGraph typed = sides_graph(graph, {.format = widest});
-  LeastFormat least;
-  for (std::size_t input = 0; input < formats.size(); ++input) {
-    least.hold(formats[input]);
-    const FixedFormat* fixed = formats[input].fixed();
-    typed.arriving.push_back(fixed != nullptr ? widest : *formats[input].floating());
-    if (fixed == nullptr) continue;
-    grids[input] = fixed->unit();
-    ranges[input] = Range{fixed->smallest() * fixed->unit(), fixed->largest() * fixed->unit()};
-  }
-  const std::vector<Known> nodes =
-      ExactnessAnalyser(typed, std::move(ranges), grids).in_any_format();
+  typed.arriving = formats;
+  const FloatFormat of_operands = format_holding(formats);
+  int least_precision = of_operands.precision(), least_exponent_bits = of_operands.exponent_bits();
+  const std::vector<Known> nodes = ExactnessAnalyser(typed, ranges, grids).in_any_format();
+  const auto text = [&](std::size_t id) {
+    return to_text(typed.nodes, typed.input_names, static_cast<NodeId>(id), most_characters);
+  };
   for (std::size_t id = 0; id < nodes.size(); ++id) {
     if (!nodes[id]) return rounds_always(typed, static_cast<NodeId>(id));
     const int precision = nodes[id]->precision();
     if (precision > FloatFormat::max_precision) {
-      return not_exact(
-          fmt::format("it needs {} digits", precision),
-          to_text(typed.nodes, typed.input_names, static_cast<NodeId>(id), most_characters),
-          fmt::format("at most {}, as inputs with a range and a grid may have",
-                      FloatFormat::max_precision));
+      return not_exact(fmt::format("it needs {} digits", precision), text(id),
+                       fmt::format("at most {}; a range and a grid for the inputs lower it",
+                                   FloatFormat::max_precision));
     }
-    least.precision = std::max(least.precision, precision);
+    least_precision = std::max(least_precision, precision);
     const long first = nodes[id]->most == 0 ? 0 : floor_log2(nodes[id]->most) + 1;
-    least.exponent_bits =
-        std::max(least.exponent_bits, exponent_bits_of(first, floor_log2(nodes[id]->quantum)));
+    const int exponent_bits = exponent_bits_of(first, floor_log2(nodes[id]->quantum));
+    if (exponent_bits > FloatFormat::max_exponent_bits) {
+      return not_exact(fmt::format("it needs {} exponent bits", exponent_bits), text(id),
+                       fmt::format("at most {}", FloatFormat::max_exponent_bits));
+    }
+    least_exponent_bits = std::max(least_exponent_bits, exponent_bits);
   }
-  if (least.exponent_bits > FloatFormat::max_exponent_bits) {
-    return not_exact(fmt::format("it needs {} exponent bits", least.exponent_bits),
-                     to_text(graph, graph.parts().front().f, most_characters),
-                     fmt::format("at most {}", FloatFormat::max_exponent_bits));
-  }
-  return FloatFormat::make(least.precision, least.exponent_bits);
+  return FloatFormat::make(least_precision, least_exponent_bits);
 }
 
 }  // namespace mixcmp::error

@@ -16,21 +16,21 @@ namespace mixcmp::error {
 ///
 /// A value's digits are known in two ways. If every value of a node is a multiple of some 2^k and
 /// at most 2^m, m - k digits suffice; for an input, k and m follow from its grid and its range, or
-/// from the format in which it arrives. Or an input has the digits of its format, a product those
-/// of both factors together, a minimum those of either operand. A fused sum, and the sign of one,
-/// needs all digits of its terms within the place below which it cuts them. These nodes are not
-/// exact, nor is any node that depends on one: divisions other than by powers of two, roots, and
-/// constants that the format rounds.
+/// from the format in which it arrives. And an input has the digits of its format; a product, the
+/// sum of its factors' digits; a minimum, the larger number of the two. A fused sum, or the sign of
+/// one, is exact if it cuts no digit of a term. These nodes are not exact, nor is any node that
+/// depends on one: divisions other than by powers of two, roots, and constants that the format
+/// rounds.
 std::vector<bool> exact_nodes(const TypedGraph& graph,
                               const std::vector<std::optional<Range>>& ranges,
                               const std::vector<std::optional<mpq_class>>& grids);
 
-/// The smallest floating-point format that holds every operand and in which no operation of the
-/// comparison rounds. An error names the operation that rounds in every format, or that needs too
-/// many digits. All arguments but the graph have one entry per input; those in fixed point need
-/// neither a range nor a grid.
+/// The smallest floating-point format that holds all operands, as format_holding has it, and in
+/// which no operation of the comparison rounds. An error names the operation that rounds in every
+/// format, or that needs too many digits. All arguments but the graph have one entry per input;
+/// those in fixed point need neither a range nor a grid.
 Result<FloatFormat> exact_format(const Graph& graph, const std::vector<OperandFormat>& formats,
-                                 std::vector<std::optional<Range>> ranges,
-                                 std::vector<std::optional<mpq_class>> grids);
+                                 const std::vector<std::optional<Range>>& ranges,
+                                 const std::vector<std::optional<mpq_class>>& grids);
 
 }  // namespace mixcmp::error

@@ -13,9 +13,9 @@
 namespace mixcmp::fixed {
 namespace {
 
-bool any_on_grid(const std::vector<FixedNode>& nodes) {
+bool any_promised(const std::vector<FixedNode>& nodes) {
   return std::any_of(nodes.begin(), nodes.end(),
-                     [](const FixedNode& node) { return node.on_grid; });
+                     [](const FixedNode& node) { return node.is_promised; });
 }
 
 bool has_no_error(const FixedNode& node) {
@@ -29,7 +29,7 @@ ConstantThresholds constant_thresholds(const FixedNode& difference) {
   const Range& error = difference.error;
   return {.greater_from = floor_of(error.high / unit) + 1,
           .less_to = ceiling_of(error.low / unit) - 1,
-          .exact = has_no_error(difference)};
+          .decides_ties = has_no_error(difference)};
 }
 
 Result<FixedPart> make_part(FixedGraphBuilder& builder, const Sides& sides,
@@ -44,7 +44,7 @@ Result<FixedPart> make_part(FixedGraphBuilder& builder, const Sides& sides,
   if (options.is_reference) {
     return FixedPart{
         .difference = difference,
-        .criterion = ConstantThresholds{.greater_from = 1, .less_to = -1, .exact = true}};
+        .criterion = ConstantThresholds{.greater_from = 1, .less_to = -1, .decides_ties = true}};
   }
   if (!is_exact && options.bound == BoundKind::running) {
     auto running = running_thresholds(builder.nodes(), options.format.bits, difference,
@@ -149,9 +149,9 @@ std::string shown(const mpq_class& value) {
 
 std::string describe(const ConstantThresholds& thresholds, const FixedPart& part,
                      const std::vector<FixedNode>& nodes) {
-  if (thresholds.exact) {
-    return any_on_grid(nodes) ? "certified: everywhere on the declared grids, nothing is rounded"
-                              : "certified: everywhere, nothing is rounded";
+  if (thresholds.decides_ties) {
+    return any_promised(nodes) ? "certified: everywhere on the promised grids, nothing is rounded"
+                               : "certified: everywhere, nothing is rounded";
   }
   const mpq_class unit = nodes[part.difference].format.unit();
   return fmt::format("certified: where f - g is {} or more, or {} or less",
@@ -278,16 +278,16 @@ const mpq_class* FixedOptions::relied_grid(std::size_t input) const {
   return &*grids[input];
 }
 
-std::vector<FloatFormat> arriving_formats(const FixedLane& lane) {
-  std::vector<FloatFormat> formats;
+std::vector<OperandFormat> arriving_formats(const FixedLane& lane) {
+  std::vector<OperandFormat> formats;
   if (!lane.loaded_inputs.empty()) return formats;
+  const OperandFormat read(lane.input_format);
   bool any = false;
   for (const OperandFormat& format : lane.operand_formats) {
-    const FloatFormat* floating = format.floating();
-    formats.push_back(floating == nullptr ? lane.input_format : *floating);
-    any = any || !(formats.back() == lane.input_format);
+    formats.push_back(format.floating() == nullptr ? read : format);
+    any = any || !(formats.back() == read);
   }
-  return any ? formats : std::vector<FloatFormat>();
+  return any ? formats : std::vector<OperandFormat>();
 }
 
 const FixedFormat* arriving_fixed(const FixedLane& lane, const FixedNode& node) {
@@ -314,7 +314,8 @@ bool is_always_taken(const FixedLane& lane, const FixedNode& input) {
 bool rounds_nothing(const FixedLane& lane) {
   return std::all_of(lane.parts.begin(), lane.parts.end(), [&](const FixedPart& part) {
     const auto* constants = std::get_if<ConstantThresholds>(&part.criterion);
-    return constants != nullptr && constants->exact && has_no_error(lane.nodes[part.difference]);
+    return constants != nullptr && constants->decides_ties &&
+           has_no_error(lane.nodes[part.difference]);
   });
 }
 
@@ -377,7 +378,7 @@ std::vector<NodeId> read_by(const Criterion& criterion) {
 }
 
 bool relies_on_grids(const FixedLane& lane) {
-  return any_on_grid(lane.nodes);
+  return any_promised(lane.nodes);
 }
 
 bool has_norm(const FixedLane& lane) {

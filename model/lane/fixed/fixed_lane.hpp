@@ -40,9 +40,9 @@ enum class Conversion {
 /// The magnitude of an input that arrives in floating point is truncated to the unit and, if its
 /// sign bit is set, every bit is inverted. Both round down, to within a unit. Some operands leave
 /// the comparison undecided: NaN, infinity, a magnitude or sign that the format does not have, and
-/// a negative zero if the format is unsigned. So does an operand that is no multiple of the unit if
-/// the input is `on_grid`; its other operands are converted exactly. An input that arrives in fixed
-/// point loses `dropped_bits` low bits, often none, and leaves nothing undecided.
+/// a negative zero if the format is unsigned. If the input is `is_promised`, so does an operand
+/// that is no multiple of the unit, and the others are converted exactly. An input that arrives in
+/// fixed point loses `dropped_bits` low bits, often none, and leaves nothing undecided.
 ///
 /// The operands of an addition, a subtraction, a minimum and a maximum are aligned to the finer
 /// unit of the two. A square root is rounded down to its own unit, whatever its operand's unit is.
@@ -50,9 +50,9 @@ struct FixedNode {
   Operation operation;
   std::array<NodeId, 2> operands = {-1, -1};
   int input = -1;  ///< for Operation::input
-  /// For an input in floating point: hardware checks that it is a multiple of the unit and converts
-  /// it exactly.
-  bool on_grid = false;
+  /// For an input in floating point: the scene promises multiples of the unit. Hardware checks
+  /// that, and converts them exactly.
+  bool is_promised = false;
   mpz_class constant;  ///< for Operation::constant: in units
   FixedFormat format;
   std::optional<Conversion> conversion = {};  ///< for Operation::convert
@@ -77,7 +77,7 @@ struct ConstantThresholds {
   mpz_class less_to;
   /// All comparisons whose operands fit are decided: a difference that is neither is equal. In a
   /// lane it then has no error.
-  bool exact = false;
+  bool decides_ties = false;
 
   friend bool operator==(const ConstantThresholds&, const ConstantThresholds&) = default;
 };
@@ -179,7 +179,7 @@ struct FixedOptions {
   /// One per input; a lane needs them all. In block floating point they are optional: an input
   /// whose range has no negative numbers needs no sign.
   std::vector<std::optional<Range>> ranges;
-  /// One per input, or none: the declared grid, a power of two. Only lanes with the bound `grid`
+  /// One per input, or none: the promised grid, a power of two. Only lanes with the bound `grid`
   /// rely on it.
   std::vector<std::optional<mpq_class>> grids = {};
   /// One per input, or none: all operands arrive in the lane's input format.
@@ -194,7 +194,7 @@ struct FixedOptions {
 /// The formats of operands that arrive in floating point, one per input; an input in fixed point
 /// counts as one in `input_format`. Empty if none has another format, or if the lane reads values
 /// that were converted before.
-std::vector<FloatFormat> arriving_formats(const FixedLane& lane);
+std::vector<OperandFormat> arriving_formats(const FixedLane& lane);
 
 /// Makes the lane of a comparison whose operands arrive in `input_format`, unless the options say
 /// otherwise. Errors name the input without a range, the operation that fixed point does not have,
@@ -242,7 +242,7 @@ int least_block_exponent(FloatFormat input_format);
 /// The nodes that a criterion reads besides the difference.
 std::vector<NodeId> read_by(const Criterion& criterion);
 
-/// Whether any input is `on_grid`.
+/// Whether any input is `is_promised`.
 bool relies_on_grids(const FixedLane& lane);
 
 /// Whether any part is decided by a norm.

@@ -179,7 +179,7 @@ Result<NodeId> FixedGraphBuilder::node(NodeId id) {
   MIXCMP_TRY(made, make(id));
   known_[id] = add(std::move(made));
   const auto limits = graph_.limits().find(id);
-  if (limits == graph_.limits().end()) return known_[id];
+  if (limits == graph_.limits().end() || options_.is_reference) return known_[id];
   MIXCMP_TRY(checked, limited(id, limits->second));
   known_[id] = checked;
   return checked;
@@ -338,20 +338,25 @@ Result<FixedNode> FixedGraphBuilder::input(const Node& node) const {
                  .accepted = "a range, such as [0, 100]"};
   }
   const int top = exponent_above(absolute(*range).high, input_format_);
-  const int bits_on_grid = bits_of_multiples(top, number);
-  if (bits_on_grid < 1 || bits_on_grid > bits) {
-    return input_below(top, bits, range->low >= 0, node.input);
+  if (const mpq_class* const grid = options_.relied_grid(number)) {
+    const std::optional<FixedNode> exact = multiple_below(top, *grid, range->low >= 0, node.input);
+    if (exact) return *exact;
   }
-  FixedNode exact = input_below(top, bits_on_grid, range->low >= 0, node.input);
-  exact.on_grid = true;
-  exact.error = {0, 0};
-  return exact;
+  return input_below(top, bits, range->low >= 0, node.input);
 }
 
-/// The bits of the promised multiples' magnitudes below 2^top; 0 if the lane relies on no grid.
-int FixedGraphBuilder::bits_of_multiples(int top, std::size_t input) const {
-  const mpq_class* const grid = options_.relied_grid(input);
-  return grid == nullptr ? 0 : top - static_cast<int>(floor_log2(*grid));
+/// An operand that is a multiple of a promised grid, with a magnitude below 2^top; none if it has
+/// more bits than the lane's format. If 2^top is not above the grid, only 0 is such an operand. An
+/// integer has a bit all the same, so the lane then takes the grid as well.
+std::optional<FixedNode> FixedGraphBuilder::multiple_below(int top, const mpq_class& grid,
+                                                           bool nonnegative, int index) const {
+  const int unit = static_cast<int>(std::min<long>(floor_log2(grid), input_format_.max_exponent()));
+  const int bits = std::max(1, top - unit);
+  if (bits > options_.format.operand_bits()) return std::nullopt;
+  FixedNode exact = input_below(unit + bits, bits, nonnegative, index);
+  exact.is_promised = true;
+  exact.error = {0, 0};
+  return exact;
 }
 
 /// An operand whose magnitude is below 2^top, in a unit of 2^(top - bits).

@@ -53,7 +53,8 @@ private:
   Result<FixedNode> make(NodeId id);  ///< the operands exist already
   Result<FixedNode> input(const Node& node) const;
   FixedNode input_below(int top, int bits, bool nonnegative, int index) const;
-  int bits_of_multiples(int top, std::size_t input) const;
+  std::optional<FixedNode> multiple_below(int top, const mpq_class& grid, bool nonnegative,
+                                          int index) const;
   FixedNode arriving_input(const FixedFormat& arriving, int index) const;
   FixedNode constant(const mpq_class& value, int bits) const;
   Result<FixedNode> square_root(NodeId id);

@@ -33,12 +33,13 @@ using Affected = std::array<std::set<std::pair<std::size_t, std::size_t>>, 3>;
 struct Loading {
   /// The properties that all formats of one column's operand share, so that a coarser one is the
   /// upper bits of a finer one: the power of two that bounds the operand, and whether it is signed.
-  /// Units differ. An operand on a grid is checked against its own: it shares no other's bits.
+  /// Units differ. An operand with a promised grid is checked against that: it shares no other's
+  /// bits.
   struct Operand {
     int column;
     int top;
     bool is_signed;
-    std::optional<int> grid_exponent;  ///< of an operand on a grid
+    std::optional<int> grid_exponent;  ///< of an operand with a promised grid
 
     friend auto operator<=>(const Operand&, const Operand&) = default;
   };
@@ -105,7 +106,8 @@ private:
   Loading::Operand operand_of(const FixedNode& input) const {
     const FixedFormat& format = input.format;
     return {inputs_[input.input].column, format.unit_exponent + format.magnitude_bits(),
-            format.is_signed, input.on_grid ? std::optional(format.unit_exponent) : std::nullopt};
+            format.is_signed,
+            input.is_promised ? std::optional(format.unit_exponent) : std::nullopt};
   }
 
   void note_finest(const FixedLane& lane) {
@@ -190,7 +192,7 @@ private:
     node.operands = {-1, -1};
     node.conversion = {};
     node.dropped_bits = 0;
-    node.on_grid = false;  // the loader checks it
+    node.is_promised = false;  // the loader checks it
     node.input = static_cast<int>(rest.loaded_inputs.size());
     rest.loaded_inputs.push_back(
         {.role = role,

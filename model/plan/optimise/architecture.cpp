@@ -42,7 +42,7 @@ std::vector<Value> choices(bool open, const Value& given, const Values& usual) {
 
 /// The sizes of groups to be tried. Systems without references have few other choices, so that
 /// every size can be tried: one group may then have as many lanes as fit.
-std::vector<int> groups_of(const scene::Scene& scene) {
+std::vector<int> group_sizes(const scene::Scene& scene) {
   std::vector<int> groups(usual_groups.begin(), usual_groups.end());
   if (scene.reference_count() != 0) return groups;
   groups.resize(usual_groups.back());
@@ -127,7 +127,7 @@ std::vector<Architecture> architectures_of(const scene::Scene& scene, const Open
         for (const auto store : choices(open.operands, given.operands, stores)) {
           like.operands = store;
           for (const int group :
-               choices(open.lanes_per_group, given.lanes_per_group, groups_of(scene))) {
+               choices(open.lanes_per_group, given.lanes_per_group, group_sizes(scene))) {
             like.lanes_per_group = group;
             add_streams(all, like, given, open);
           }

@@ -156,7 +156,7 @@ void note_one_interval(const scene::Scene& scene, const measured::Characterisati
     const auto* reference = std::get_if<measured::Reference>(&row.key);
     if (reference != nullptr) measured.insert(reference->initiation_interval);
   }
-  if (!is_open || measured.size() != 1 || scene.has_fixed_operands()) return;
+  if (!is_open || measured.size() != 1 || scene.has_only_fixed_operands()) return;
   found.notes.push_back(
       fmt::format("reference.initiation_interval is \"auto\", but the table has references of "
                   "only interval {}; `mixcmp characterise --initiation-intervals 1,4,16` measures "

@@ -5,14 +5,11 @@
 #include "model/base/number/double.hpp"
 #include "model/plan/profile/in_double.hpp"
 #include "model/plan/profile/profile.hpp"
-#include "model/scene/reference_model.hpp"
 
 namespace mixcmp::profile {
 
 Result<Done> check_profile(const scene::Scene& scene, const ProfileOptions& options) {
   if (!fits_double(scene.reference.format)) MIXCMP_DO(check_in_double(scene));
-  const auto reference = scene::reference_model(scene);
-  if (!reference.ok()) return reference.error();
   if (scene.reduced.format && !fits_double(*scene.reduced.format)) {
     return Error{.file = scene.path.string(),
                  .field = "reduced.format",

@@ -23,7 +23,7 @@ bool is_double(const OperandFormat& operand) {
 }  // namespace
 
 Result<Done> check_in_double(const scene::Scene& scene) {
-  if (!scene.has_fixed_operands()) {
+  if (!scene.has_only_fixed_operands()) {
     return unsuitable(scene, "", "up to 53 digits and 11 exponent bits");
   }
   const auto& formats = scene.operand_formats;

@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "model/base/common/check.hpp"
-#include "model/judge/golden/evaluate.hpp"
+#include "model/judge/golden/fixed_evaluate.hpp"
+#include "model/scene/reference_model.hpp"
 
 namespace mixcmp::profile {
 
@@ -12,8 +13,8 @@ VariantCheck check_variant(const scene::Scene& given, const scene::Scene& varian
                            const std::function<void(double)>& progress) {
   MIXCMP_CHECK(given.graph.inputs() == variant.graph.inputs());
   const FloatFormat format = given.reference.format;
-  const TypedGraph reference = reference_graph(given.graph, given.reference);
-  const TypedGraph variant_reference = reference_graph(variant.graph, variant.reference);
+  const auto reference = scene::reference_model(given).value();
+  const auto variant_reference = scene::reference_model(variant).value();
   VariantCheck check{.variant = variant.variant, .comparisons = std::min(most, data.size())};
   std::vector<Bits> operands(data.input_count());
   for (std::uint64_t k = 0; k < check.comparisons; ++k) {

@@ -48,7 +48,7 @@ TEST_F(FixedOperandsTest, RangeGridReferenceAndLaneFollow) {
   EXPECT_EQ(scene.system.references, 0);
 }
 
-/// A declared grid makes a lane for operands in floating point exact. The lane checks its operands,
+/// A promised grid makes a lane for operands in floating point exact. The lane checks its operands,
 /// so references stay. [-512, 511] needs 10 bits of magnitude, because of 512.
 TEST_F(FixedOperandsTest, PromisedGridsMakeLanesExact) {
   std::string promised = orientation + "[reference]\nformat = \"binary32\"\n";
@@ -71,6 +71,23 @@ TEST_F(FixedOperandsTest, PromisedGridsMakeLanesExact) {
       ":8: reduced.format: no lane is exact: an input has neither a format in fixed point nor "
       "a grid: received \"exact\" with bx in s24e8; accepted inputs with a format such as "
       "uint10, or with a range and a grid, or a format such as q13");
+}
+
+/// Of the range [-3, 3] a grid of 4 or 16 leaves 0, for which one bit is enough. Ranges without any
+/// multiple are refused.
+TEST_F(FixedOperandsTest, AGridMayBeCoarserThanTheRange) {
+  const std::string text =
+      "[comparison]\nname = \"n\"\nf = \"a\"\ng = \"b\"\n[inputs]\n"
+      "a = { range = [-3, 3], grid = 4 }\nb = { range = [0, 15], grid = 1 }\n"
+      "[reference]\nformat = \"binary32\"\n[reduced]\nformat = \"exact\"\n";
+  for (const char* grid : {"inputs.a.grid=4", "inputs.a.grid=16"}) {
+    EXPECT_EQ(scene_of(text, {grid}).reduced.format_name(), "q4") << grid;
+  }
+  std::string far = text;
+  far.replace(far.find("[-3, 3]"), 7, "[5, 7]");
+  EXPECT_EQ(error(far),
+            ":6: inputs.a.grid: the range has no multiple of it: received 4; accepted a power of "
+            "two with a multiple in [5, 7]");
 }
 
 TEST_F(FixedOperandsTest, ReferencesAreForLanesThatRound) {
@@ -119,6 +136,27 @@ format = "q8"
   EXPECT_EQ(scene.grids[0], mpq_class(1, 64));
   EXPECT_EQ(scene.ranges[1], (Range{-16, 15}));
   EXPECT_TRUE(scene.has_fixed_operands());
+}
+
+/// The exact lane leaves b to a reference where it is off its grid, so references are as for
+/// floats.
+TEST_F(FixedOperandsTest, BesideFloatsReferencesComputeInFloatingPoint) {
+  const std::string text =
+      "[comparison]\nname = \"n\"\nf = \"a * b\"\ng = \"1\"\n[inputs]\n"
+      "a = { format = \"uint8\" }\nb = { range = [0, 15], grid = 0.5 }\n"
+      "[reference]\nformat = \"binary32\"\n[reduced]\nformat = \"exact\"\n";
+  const scene::Scene scene = scene_of(text);
+  EXPECT_EQ(scene.reduced.format_name(), "q8");
+  EXPECT_EQ(scene.reduced.error_bound, BoundKind::grid);
+  EXPECT_TRUE(scene.has_fixed_operands());
+  EXPECT_FALSE(scene.has_only_fixed_operands());
+  EXPECT_EQ(scene.system.references, std::nullopt);
+  EXPECT_EQ(scene.graph.arriving_format(0)->name(), "uint8");
+  const std::vector<std::string> folded = {"reference.initiation_interval=4",
+                                           "reference.sums=fused"};
+  EXPECT_EQ(scene_of(text, folded).reference_structure.initiation_interval, 4);
+  EXPECT_TRUE(scene_of(orientation).has_only_fixed_operands());
+  EXPECT_FALSE(scene_of(sphere_scene).has_only_fixed_operands());
 }
 
 TEST_F(FixedOperandsTest, ScenesWithoutThemAreAsBefore) {

@@ -99,7 +99,7 @@ TEST_F(FloatOperandsTest, ReferencesMayComputeInFixedPoint) {
       "b = { format = \"bfloat16\", range = [0, 9] }\n[reduced]\n"
       "format = \"q7\"\n[reference]\nformat = \"q30\"\n";
   const scene::Scene scene = scene_of(ranges);
-  EXPECT_EQ(scene.fixed_reference->name(), "q30");
+  EXPECT_EQ(scene.reference_fixed_point->name(), "q30");
   EXPECT_EQ(scene.reference.format.name(), "s11e8") << "which holds both formats";
   EXPECT_TRUE(scene.has_fixed_references());
   EXPECT_NE(error(ranges, {"reference.initiation_interval=4"})
@@ -108,7 +108,7 @@ TEST_F(FloatOperandsTest, ReferencesMayComputeInFixedPoint) {
   EXPECT_NE(error(ranges, {"reference.sums=fused"}).find("fuses no sums"), std::string::npos);
   EXPECT_NE(error(ranges, {"reference.format=q49"}).find("out of range: received \"q49\""),
             std::string::npos);
-  EXPECT_NE(error(ranges, {"reference.format=q9g2"}).find("is plain: received \"q9g2\""),
+  EXPECT_NE(error(ranges, {"reference.format=q9g2"}).find("has neither guard digits nor blocks: received \"q9g2\""),
             std::string::npos);
   EXPECT_NE(error(products, {"reference.format=q30"})
                 .find("give operands no format: received c; accepted inputs with a format"),

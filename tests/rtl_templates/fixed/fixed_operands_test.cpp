@@ -27,7 +27,7 @@ const FloatFormat format = format_of(PRECISION, EXPONENT_BITS);
 constexpr int slots = 2 * TOPS * WIDTHS;
 
 /// A lane that is one input in the format of this slot.
-FixedLane lane_of(int slot, bool on_grid) {
+FixedLane lane_of(int slot, bool is_promised) {
   const bool is_signed = slot % 2 == 1;
   const int width = FIRST_WIDTH + WIDTH_STEP * ((slot / 2) % WIDTHS);
   const int top = FIRST_TOP + TOP_STEP * (slot / 2 / WIDTHS);
@@ -35,7 +35,7 @@ FixedLane lane_of(int slot, bool on_grid) {
       .width = width + (is_signed ? 1 : 0), .unit_exponent = top - width, .is_signed = is_signed};
   const FixedNode input{.operation = Operation::input,
                         .input = 0,
-                        .on_grid = on_grid,
+                        .is_promised = is_promised,
                         .constant = {},
                         .format = fixed_format,
                         .value = {},
@@ -46,8 +46,8 @@ FixedLane lane_of(int slot, bool on_grid) {
 class FixedOperands : public testing::Test {
 protected:
   FixedOperands() : units_(&context_) {
-    for (const bool on_grid : {false, true}) {
-      for (int slot = 0; slot < slots; ++slot) lanes_.push_back(lane_of(slot, on_grid));
+    for (const bool is_promised : {false, true}) {
+      for (int slot = 0; slot < slots; ++slot) lanes_.push_back(lane_of(slot, is_promised));
     }
     units_.aclk = 0;
     units_.eval();
@@ -101,8 +101,8 @@ private:
     const FixedNode& input = lane.nodes.front();
     const FixedFormat& fixed_format = input.format;
     const std::string what =
-        fmt::format("{}{}, cuts {}, x = {}", fixed_format.name(), input.on_grid ? " on grid" : "",
-                    cuts, to_hex(x, format.width()));
+        fmt::format("{}{}, cuts {}, x = {}", fixed_format.name(),
+                    input.is_promised ? " on grid" : "", cuts, to_hex(x, format.width()));
     ASSERT_EQ(out_of_range, !expected.has_value()) << what;
     if (!expected) return;
     const mpz_class modulus = mpz_class(1) << fixed_format.width;

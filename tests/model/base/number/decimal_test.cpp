@@ -98,7 +98,7 @@ TEST(FromText, OverflowsToInfinityAtTheMidpointBeyondTheLargest) {
 
 /// What E4M3 lacks is its one NaN, without a sign.
 TEST(FromText, WithoutInfinitiesTheNanIsBeyondTheLargest) {
-  const FloatFormat format = FloatFormat::make(4, 4, Specials::one_nan).value();
+  const FloatFormat format = FloatFormat::e4m3();
   EXPECT_EQ(parse(format, "464"), format.largest_finite(false));
   EXPECT_EQ(parse(format, "-464"), format.largest_finite(true));
   for (const char* text :

@@ -10,6 +10,7 @@
 
 #include "model/base/number/double.hpp"
 #include "model/base/number/dyadic.hpp"
+#include "model/judge/golden/arithmetic.hpp"
 #include "tests/support/float_samples.hpp"
 
 /// Tests conversions in GMP integers against those of the golden model, which use MPFR.
@@ -21,10 +22,10 @@ std::string shown(FloatFormat format, Bits bits) {
 }
 
 /// Judges the number itself, numbers a hair beside it, and the midpoint between it and its
-/// neighbour.
+/// neighbour, by the conversions in MPFR.
 void judge_around(FloatFormat format, Bits bits) {
   const mpq_class value = to_rational(format, bits);
-  EXPECT_EQ(value, to_rational(format, bits)) << shown(format, bits);
+  EXPECT_EQ(value, golden::to_rational(format, bits)) << shown(format, bits);
   if (value != 0) {
     EXPECT_EQ(from_rational(format, value), bits) << shown(format, bits);
   }
@@ -32,7 +33,7 @@ void judge_around(FloatFormat format, Bits bits) {
   const mpq_class half = power_of_two(place - format.fraction_bits() - 1);
   for (const mpq_class& offset : {mpq_class(half / 3), half, mpq_class(half * 5 / 4)}) {
     for (const mpq_class& near : {mpq_class(value + offset), mpq_class(value - offset)}) {
-      EXPECT_EQ(from_rational(format, near), from_rational(format, near))
+      EXPECT_EQ(from_rational(format, near), golden::from_rational(format, near))
           << near << " in " << format.name();
     }
   }
@@ -91,7 +92,7 @@ TEST(Exact, RoundsUpToTheLeastNumberNotBelow) {
   }
 }
 
-const FloatFormat e4m3 = FloatFormat::make(4, 4, Specials::one_nan).value();
+const FloatFormat e4m3 = FloatFormat::e4m3();
 
 /// The value of a word of E4M3 that is no NaN, by the table of the Open Compute Project's OFP8.
 mpq_class value_of_e4m3(int word) {

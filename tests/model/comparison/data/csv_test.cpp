@@ -76,7 +76,7 @@ TEST_F(CsvTest, CountsWholeNumbersThatItRounds) {
 
 /// E4M3 has no infinities and no number above 448; the NaN that is written is none that is lost.
 TEST_F(CsvTest, CountsNumbersThatBecomeNan) {
-  const FloatFormat e4m3 = FloatFormat::make(4, 4, Specials::one_nan).value();
+  const FloatFormat e4m3 = FloatFormat::e4m3();
   const std::vector<data::WantedColumn> wanted = {{.name = "x", .column = "x", .rounded_to = e4m3},
                                                   {.name = "y", .column = "y"}};
   const auto table = data::read_csv(

@@ -81,10 +81,9 @@ TEST(UniformTable, RoundsToNoNumberBeyondTheRange) {
 }
 
 TEST(UniformTable, DrawsNoNanOfAFormatWithoutInfinities) {
-  const auto table = uniform_table(
-      {.columns = {{"cx", {440, 600}, FloatFormat::make(4, 4, Specials::one_nan).value()}},
-       .count = 100},
-      FloatFormat::make(24, 8).value());
+  const auto table =
+      uniform_table({.columns = {{"cx", {440, 600}, FloatFormat::e4m3()}}, .count = 100},
+                    FloatFormat::make(24, 8).value());
   ASSERT_TRUE(table.ok()) << table.error().to_string();
   for (const Bits number : table->values) EXPECT_EQ(to_rational(table->format, number), 448);
 }

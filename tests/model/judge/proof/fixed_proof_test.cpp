@@ -435,7 +435,7 @@ TEST(FixedProofOfIntegers, RefusesLanesThatForgetDroppedBits) {
   EXPECT_FALSE(is_refused(lane_of_integers(5)));
   FixedLane exact = lane_of_integers(5);
   exact.parts.front().criterion =
-      fixed::ConstantThresholds{.greater_from = 1, .less_to = -1, .exact = true};
+      fixed::ConstantThresholds{.greater_from = 1, .less_to = -1, .decides_ties = true};
   EXPECT_TRUE(is_refused(exact));
   FixedLane shifted = lane_of_integers(5);
   shifted.nodes.front().dropped_bits = 1;

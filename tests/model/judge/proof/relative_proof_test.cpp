@@ -101,7 +101,7 @@ TEST_F(RelativeProof, OperandsOfNarrowFormatsHaveFewDigits) {
   const auto proof_of = [&](bool arrive_narrow) {
     Graph graph = graph_of("a * b", "a * c + b");
     for (int input = 0; arrive_narrow && input < 3; ++input) {
-      graph.arrives_in(input, format("s8e8"));
+      graph.arrives_in(input, OperandFormat(format("s8e8")));
     }
     TypedGraph typed = lane_graph(graph, format("s24e8"), {format("s17e8")}, LaneInputs::rounded);
     for (TypedNode& node : typed.nodes) {
@@ -123,7 +123,7 @@ TEST_F(RelativeProof, OperandsOfNarrowFormatsHaveFewDigits) {
 /// The proofs' own largest number of a format without infinities lies below that of its NaN's
 /// fields.
 TEST_F(RelativeProof, TheLargestNumberIsTheFormats) {
-  const FloatFormat e4m3 = FloatFormat::make(4, 4, Specials::one_nan).value();
+  const FloatFormat e4m3 = FloatFormat::e4m3();
   EXPECT_EQ(proof::largest_number(e4m3), 448);
   EXPECT_EQ(proof::smallest_number(e4m3), power_of_two(-9));
   EXPECT_EQ(proof::largest_number(format("s3e5")), 57344);
@@ -135,7 +135,7 @@ TEST_F(RelativeProof, TheLargestNumberIsTheFormats) {
 TEST_F(RelativeProof, OperandsWithoutInfinitiesEndAtTheirLargestNumber) {
   for (const int factor : {146, 147}) {
     Graph graph = graph_of(std::to_string(factor) + " * a", "b");
-    graph.arrives_in(0, FloatFormat::make(4, 4, Specials::one_nan).value());
+    graph.arrives_in(0, OperandFormat(FloatFormat::e4m3()));
     const TypedGraph typed =
         lane_graph(graph, format("s24e8"), {format("s12e5")}, LaneInputs::rounded);
     const Lane lane = error::certified_lane(typed, {.ranges = {std::nullopt, Range{0, 1}}}).value();

@@ -334,10 +334,10 @@ TEST(ExactFormat, MakesEveryVerdictTheOrderOfTheRealNumbers) {
             << f << " " << int(a) << " " << int(b);
       }
     }
-    // A digit or an exponent bit less, and some operation rounds.
+    // A digit less, and some operation rounds.
     const auto nodes = [&](int precision, int exponent_bits) {
       TypedGraph narrow = sides_graph(graph, {format_of(precision, exponent_bits)});
-      narrow.arriving = {small, small};
+      narrow.arriving.assign(2, OperandFormat(small));
       return error::exact_nodes(narrow, Ranges(2), Grids(2));
     };
     const auto all = [](const std::vector<bool>& exact) {
@@ -353,7 +353,7 @@ int exact_digits(const Graph& graph, FloatFormat arriving, Sums sums) {
   const std::size_t inputs = graph.inputs().size();
   for (int precision = arriving.precision();; ++precision) {
     TypedGraph typed = reference_graph(graph, {.format = format_of(precision, 6), .sums = sums});
-    typed.arriving.assign(inputs, arriving);
+    typed.arriving.assign(inputs, OperandFormat(arriving));
     const std::vector<bool> exact = error::exact_nodes(typed, Ranges(inputs), Grids(inputs));
     if (std::find(exact.begin(), exact.end(), false) == exact.end()) return precision;
   }
