@@ -40,8 +40,8 @@ std::vector<Value> choices(bool open, const Value& given, const Values& usual) {
   return open ? std::vector<Value>(usual.begin(), usual.end()) : std::vector<Value>{given};
 }
 
-/// The sizes of groups to be tried. Systems without references have few other choices, so that every
-/// size can be tried: one group may then have as many lanes as fit.
+/// The sizes of groups to be tried. Systems without references have few other choices, so that
+/// every size can be tried: one group may then have as many lanes as fit.
 std::vector<int> groups_of(const scene::Scene& scene) {
   std::vector<int> groups(usual_groups.begin(), usual_groups.end());
   if (scene.reference_count() != 0) return groups;
