@@ -37,15 +37,25 @@ template_stride() {
   fi
 }
 
-# tuple_stride HEAVY: for tests of lanes and operations on every tuple of operands, of every how many one
-# runs. All after a change of the analysis or of a judge, else a quarter.
+# quarter HEAVY FILES...: for tests that try FILES on many values, of every how many one runs. All
+# after a change of FILES, else a quarter.
+quarter() {
+  heavy=$1
+  shift
+  if [ "$heavy" = ON ] || changed_lately "$@"; then echo 1; else echo 4; fi
+}
+
+# tuple_stride HEAVY: for tests of the analysis, of its judges and of profiles: on every tuple of
+# operands, and in many formats.
 tuple_stride() {
-  if [ "$1" = ON ] || changed_lately model/lane model/judge/golden model/judge/emulator \
-    model/base/number model/comparison/expression tests/model/lane tests/support; then
-    echo 1
-  else
-    echo 4
-  fi
+  quarter "$1" model/lane model/judge/golden model/judge/emulator model/base/number \
+    model/comparison/expression model/plan/profile tests/model/lane tests/model/judge \
+    tests/model/plan/profile tests/extremes tests/support
+}
+
+# synthesis_stride HEAVY: for tests that call Yosys and nextpnr, on many devices.
+synthesis_stride() {
+  quarter "$1" generator/synthesis model/cost/devices tests/generator/synthesis
 }
 
 # Prints the dependencies of any test beside its inputs: the tools, and the files that programs read.
