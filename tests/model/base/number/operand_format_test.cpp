@@ -166,6 +166,23 @@ TEST(OperandFormat, AFormatWithoutInfinitiesLacksThemAndItsNansNumber) {
   EXPECT_NE(OperandFormat::parse("float16").error().accepted.find("E4M3"), std::string::npos);
 }
 
+std::string holding(const std::vector<const char*>& names) {
+  std::vector<OperandFormat> formats;
+  for (const char* name : names) formats.push_back(*OperandFormat::parse(name));
+  const FloatFormat format = format_holding(formats);
+  for (const OperandFormat& each : formats) EXPECT_TRUE(each.is_held_by(format)) << each.name();
+  return format.name();
+}
+
+TEST(OperandFormat, TheSmallestFormatThatHoldsSeveral) {
+  EXPECT_EQ(holding({"binary16", "bfloat16"}), "s11e8");
+  EXPECT_EQ(holding({"E5M2"}), "s3e5");
+  EXPECT_EQ(holding({"E4M3"}), "s4e5") << "448 is beyond e4";
+  EXPECT_EQ(holding({"E4M3", "binary32"}), "s24e8");
+  EXPECT_EQ(holding({"uint10", "binary16"}), "s53e11");
+  EXPECT_EQ(holding({"uint60", "int4"}), "s60e11");
+}
+
 TEST(OperandFormat, WidthsAddUp) {
   const std::vector<OperandFormat> formats = {*OperandFormat::parse("uint10"),
                                               *OperandFormat::parse("q3.12"),

@@ -324,7 +324,7 @@ TEST(FixedProofOfUnits, RefusesWhatTheHardwareDoesNotCount) {
 TEST(FixedProofOfConstants, RefusesEqualityWhereSomethingIsRounded) {
   FixedLane lane = lane_of({"", sum, 12, {0, 5}, ""});
   EXPECT_FALSE(is_refused(lane));
-  std::get<fixed::ConstantThresholds>(lane.parts[0].criterion).exact = true;
+  std::get<fixed::ConstantThresholds>(lane.parts[0].criterion).decides_ties = true;
   EXPECT_TRUE(is_refused(lane));
 }
 
