@@ -83,7 +83,7 @@ Result<std::vector<OperandFormat>> all_formats(const settings::Section& section,
     if (!format) {
       return section.mistake("format", fmt::format("{} each input needs a format", why),
                              "none for " + inputs[input],
-                             "formats such as uint10 or binary32, or a reference in one such as "
+                             "a format such as uint10 or binary32, or a reference in one such as "
                              "s53e11");
     }
     formats.push_back(*format);

@@ -84,9 +84,11 @@ TEST_F(FloatOperandsTest, MistakesNameTheKey) {
             "accepted a pattern that decides for some input, or the inputs' own keys");
   EXPECT_EQ(error(products, {"inputs.a.grid=1"}),
             "--set: inputs.a.grid: a grid without a range: received 1; accepted a range beside it");
-  EXPECT_EQ(error(products, {"reference.format=exact"}),
-            "--set: reference.format: no reference is exact: an input has no format: received c; "
-            "accepted inputs with a format such as uint10 or binary32, or a format such as s53e11");
+  EXPECT_EQ(
+      error(products, {"reference.format=exact"}),
+      "--set: reference.format: for a reference that rounds nothing each input needs a format: "
+      "received none for c; accepted a format such as uint10 or binary32, or a reference in one "
+      "such as s53e11");
   const std::vector<std::string> exact = {"reference.format=exact", "inputs.c.format=binary16",
                                           "reduced.format=s8e6"};
   EXPECT_EQ(scene_of(products, exact).reference.format.name(), "s11e9");
@@ -108,10 +110,11 @@ TEST_F(FloatOperandsTest, ReferencesMayComputeInFixedPoint) {
   EXPECT_NE(error(ranges, {"reference.sums=fused"}).find("fuses no sums"), std::string::npos);
   EXPECT_NE(error(ranges, {"reference.format=q49"}).find("out of range: received \"q49\""),
             std::string::npos);
-  EXPECT_NE(error(ranges, {"reference.format=q9g2"}).find("has neither guard digits nor blocks: received \"q9g2\""),
+  EXPECT_NE(error(ranges, {"reference.format=q9g2"})
+                .find("has neither guard digits nor blocks: received \"q9g2\""),
             std::string::npos);
   EXPECT_NE(error(products, {"reference.format=q30"})
-                .find("give operands no format: received c; accepted inputs with a format"),
+                .find("each input needs a format: received none for c; accepted a format"),
             std::string::npos);
 }
 
