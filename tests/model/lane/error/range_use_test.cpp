@@ -231,6 +231,18 @@ TEST(ExactNodes, NodesAreExact) {
   EXPECT_EQ(exact_functions, 11) << "all but a^3, a / b, the root, the tenth and the sixes";
 }
 
+TEST(ExactNodes, ProductsMayOverflow) {
+  const auto is_exact = [](int exponent_bits) -> bool {
+    TypedGraph typed = reference_graph(graph_of("a * b", "a"), {format_of(6, exponent_bits)});
+    typed.arriving.assign(2, OperandFormat(format_of(3, 2)));
+    return error::exact_nodes(
+        typed, Ranges(2),
+        std::vector(2, std::optional<mpq_class>()))[static_cast<size_t>(typed.f())];
+  };
+  EXPECT_FALSE(is_exact(2)) << "3.5^2 is beyond 4";
+  EXPECT_TRUE(is_exact(3));
+}
+
 TEST(ExactNodes, EndsWhereTheDigitsEnd) {
   const auto exact = [](int precision, const mpq_class& grid, const Range& range) -> bool {
     const auto typed = reference_graph(graph_of("(a - b)^2", "c"), {format_of(precision, 8)});
@@ -267,6 +279,8 @@ TEST(ExactFormat, HoldsEveryResult) {
 /// count units of 2^-1030.
 TEST(ExactFormat, HasNoSubnormalResults) {
   EXPECT_EQ(exact_format(graph_of("a * 0x1p-970", "b * 0x1p-970"), {"uq0.60", "uq0.60"}), "s60e12");
+  EXPECT_EQ(exact_format(graph_of("a * 0x1p-1022", "b"), {"uint4", "uint4"}), "s53e11");
+  EXPECT_EQ(exact_format(graph_of("a * 0x1p-1023", "b"), {"uint4", "uint4"}), "s53e12");
 }
 
 TEST(ExactFormat, HoldsSquaresThatAreDividedLater) {
@@ -290,6 +304,8 @@ TEST(ExactFormat, IsThatOfAComparisonWithLimits) {
 TEST(ExactFormat, HoldsProductsOfNumbersInFloatingPoint) {
   EXPECT_EQ(exact_format(graph_of("a * b", "a"), {"binary32", "binary32"}), "s48e10");
   EXPECT_EQ(exact_format(graph_of("a * b", "-b * 0.75"), {"binary32", "bfloat16"}), "s32e10");
+  EXPECT_EQ(exact_format(graph_of("a * 1.75", "b"), {"binary32", "binary32"}), "s27e9");
+  EXPECT_EQ(exact_format(graph_of("max(a, b) * a", "b"), {"binary32", "bfloat16"}), "s48e10");
   EXPECT_EQ(exact_format(graph_of("a * b", "max(a, b)"), {"binary64", "binary64"}), "s106e13");
   EXPECT_EQ(exact_format(graph_of("a^3", "b"), {"binary64", "binary64"}), "it needs 159 digits");
   EXPECT_EQ(exact_format(graph_of("a * b", "a"), {"binary32", "uint10"}), "s53e11");
