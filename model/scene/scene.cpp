@@ -468,9 +468,14 @@ void choose_references(Scene& scene) {
   scene.system.references = !*are_exact && (can_have_some || needs_some) ? 1 : 0;
 }
 
-Result<Done> check_reference_model(const Scene& scene) {
+/// Refuses a reference in fixed point that f and g do not have.
+Result<Done> check_reference_model(const settings::Settings& settings, const Scene& scene) {
   const auto model = reference_model(scene);
-  return model.ok() ? Result<Done>(Done{}) : model.error();
+  if (model.ok()) return Done{};
+  const Error& error = model.error();
+  if (error.field != "reference.format") return error;
+  return settings::Section(settings, "reference")
+      .mistake("format", error.message, error.received, error.accepted);
 }
 
 /// Refuses an arg-min engine without references, unless its lanes are exact: its chain of
@@ -523,7 +528,9 @@ Result<Scene> interpret(SceneSettings read) {
   MIXCMP_TRY(declared, read_inputs(settings, graph.inputs()));
   MIXCMP_TRY(reference, read_reference(settings, graphs, declared));
   const FloatFormat format = reference.arithmetic.format;
-  MIXCMP_DO(check_constants(settings, graph, reference.arithmetic, notes));
+  if (!reference.fixed_point) {
+    MIXCMP_DO(check_constants(settings, graph, reference.arithmetic, notes));
+  }
   MIXCMP_DO(check_sums(settings, graph, reference.arithmetic.sums));
   MIXCMP_TRY(data, read_data(settings));
   MIXCMP_TRY(operand_formats, settle_operands(settings, format, graph, declared, data, notes));
@@ -561,7 +568,7 @@ Result<Scene> interpret(SceneSettings read) {
               .data = std::move(data),
               .plan = std::move(read.plan),
               .notes = std::move(notes)};
-  if (scene.reference_fixed_point) MIXCMP_DO(check_reference_model(scene));
+  if (scene.reference_fixed_point) MIXCMP_DO(check_reference_model(settings, scene));
   choose_references(scene);
   MIXCMP_DO(check_chain_decides(settings, scene));
   MIXCMP_DO(check_fixed_operands(settings, scene));

@@ -117,6 +117,21 @@ Result<FloatFormat> read_operands_format(const settings::Section& section,
                            held.exponent_bits());
 }
 
+/// Refuses fused sums that may cut digits in a format in which composed sums round nothing.
+Result<Done> check_exact_sums(const settings::Section& section, std::span<const Graph> graphs,
+                              const InputDeclarations& declared, const Arithmetic& reference) {
+  if (reference.sums == Sums::composed) return Done{};
+  for (const Graph& graph : graphs) {
+    TypedGraph typed = reference_graph(graph, reference);
+    for (const auto& format : declared.formats) typed.arriving.push_back(*format);
+    const std::vector<bool> exact = error::exact_nodes(typed, declared.ranges, declared.grids);
+    if (std::find(exact.begin(), exact.end(), false) == exact.end()) continue;
+    return section.mistake("sums", "a fused sum may cut digits, and format = \"exact\" keeps all",
+                           "\"fused\"", "\"composed\"");
+  }
+  return Done{};
+}
+
 void check_fixed_reference(settings::Section& section, const FixedPoint& format) {
   const bool is_plain = !format.is_block && format.guard_digits == 0;
   if (is_plain && settings::limits::fixed_bits.allow(format.bits)) return;
@@ -174,8 +189,9 @@ Result<ReferenceSpec> read_reference(const settings::Settings& settings,
   ReferenceStructureSpec structure;
   read_structure(section, structure);
   if (const auto error = section.finish()) return *error;
-  return ReferenceSpec{
-      {.format = *format, .subnormals = subnormals, .sums = sums}, fixed_point, structure};
+  const Arithmetic arithmetic = {.format = *format, .subnormals = subnormals, .sums = sums};
+  if (is_exact) MIXCMP_DO(check_exact_sums(section, graphs, declared, arithmetic));
+  return ReferenceSpec{arithmetic, fixed_point, structure};
 }
 
 settings::Limits lane_limits(const settings::Settings& settings) {

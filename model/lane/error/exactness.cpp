@@ -136,8 +136,14 @@ private:
       quantum = &term == &node.terms.front() ? known->quantum : std::min(quantum, known->quantum);
       largest = std::max(largest, most_of_term);
     }
+    if (largest == 0) return node.is_sign_of_sum() ? Multiples{1, 1} : Multiples{quantum, 1};
     const int kept = node.operand_format.precision() + fused_guard_digits(node.terms.size());
-    if (largest > 0 && scaled(quantum, kept) < power_of_two(floor_log2(largest))) return {};
+    long exponent = floor_log2(largest);
+    // With subnormals, small terms are cut as if one of them were the smallest normal number.
+    if (graph_.arithmetic.subnormals == Subnormals::gradual) {
+      exponent = std::max<long>(exponent, node.operand_format.min_exponent());
+    }
+    if (scaled(quantum, kept) < power_of_two(exponent)) return std::nullopt;
     return node.is_sign_of_sum() ? Multiples{1, 1, 1}
                                  : Multiples{quantum, Multiples::unlimited, largest};
   }

@@ -40,11 +40,11 @@ std::vector<Value> choices(bool open, const Value& given, const Values& usual) {
   return open ? std::vector<Value>(usual.begin(), usual.end()) : std::vector<Value>{given};
 }
 
-/// The sizes of groups to be tried. Systems without references have few other choices, so that
-/// every size can be tried: one group may then have as many lanes as fit.
+/// The sizes of groups to be tried. Systems of exact lanes have few other choices, so that every
+/// size can be tried: one group may then have as many lanes as fit.
 std::vector<int> group_sizes(const scene::Scene& scene) {
   std::vector<int> groups(usual_groups.begin(), usual_groups.end());
-  if (scene.reference_count() != 0) return groups;
+  if (scene.reference_count() != 0 || !scene.has_only_fixed_operands()) return groups;
   groups.resize(usual_groups.back());
   std::iota(groups.begin(), groups.end(), 1);
   return groups;

@@ -92,6 +92,15 @@ TEST_F(FloatOperandsTest, MistakesNameTheKey) {
   const std::vector<std::string> exact = {"reference.format=exact", "inputs.c.format=binary16",
                                           "reduced.format=s8e6"};
   EXPECT_EQ(scene_of(products, exact).reference.format.name(), "s11e9");
+  const std::string fused =
+      "[comparison]\nname = \"n\"\nf = \"a * b - c * b\"\ng = \"e\"\n[inputs]\n"
+      "e = { format = \"binary32\" }\n"
+      "\"*\" = { format = \"binary16\", range = [0, 1024], grid = 1 }\n[reduced]\n"
+      "format = \"s8e8\"\n[reference]\nformat = \"exact\"\n";
+  EXPECT_EQ(scene_of(fused).reference.format.name(), "s24e9");
+  EXPECT_NE(
+      error(fused, {"reference.sums=fused"}).find("reference.sums: a fused sum may cut digits"),
+      std::string::npos);
 }
 
 TEST_F(FloatOperandsTest, ReferencesMayComputeInFixedPoint) {
@@ -113,6 +122,10 @@ TEST_F(FloatOperandsTest, ReferencesMayComputeInFixedPoint) {
   EXPECT_NE(error(ranges, {"reference.format=q9g2"})
                 .find("has neither guard digits nor blocks: received \"q9g2\""),
             std::string::npos);
+  EXPECT_NE(
+      error(ranges, {"comparison.g=a / b"}).find("reference.format: fixed point divides only"),
+      std::string::npos);
+  EXPECT_TRUE(load(ranges, {"comparison.g=b * 1e9"}).ok()) << "no number of the operands' formats";
   EXPECT_NE(error(products, {"reference.format=q30"})
                 .find("each input needs a format: received none for c; accepted a format"),
             std::string::npos);

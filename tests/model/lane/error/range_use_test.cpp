@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <random>
 
+#include "model/base/number/dyadic.hpp"
 #include "model/base/number/exact.hpp"
 #include "model/base/number/operand_format.hpp"
 #include "model/judge/golden/evaluate.hpp"
@@ -411,6 +412,19 @@ TEST(ExactNodes, FusedSumsMayCutDigitsOfSmallTerms) {
   // Products are multiples of 2^-12 and at most 2^6; three terms have seven guard digits.
   EXPECT_TRUE(is_exact(11));
   EXPECT_FALSE(is_exact(10));
+}
+
+/// With subnormals, terms below the smallest normal number are cut as beside that number.
+TEST(ExactNodes, FusedSumsMayCutTermsBelowTheSmallestNormalNumber) {
+  const auto sign_is_exact = [](int grid_exponent) {
+    const auto typed = reference_graph(graph_of("a * b", "b * b"),
+                                       {.format = format_of(11, 5), .sums = Sums::fused});
+    const Grids grids(2, power_of_two(grid_exponent));
+    const auto exact = error::exact_nodes(typed, Ranges(2, Range{0, power_of_two(-13)}), grids);
+    return bool(exact[static_cast<std::size_t>(typed.f())]);
+  };
+  EXPECT_TRUE(sign_is_exact(-15)) << "2^-30 is above 2^(-14 - 11 - 6)";
+  EXPECT_FALSE(sign_is_exact(-16));
 }
 
 }  // namespace
