@@ -138,13 +138,15 @@ class FixedFormat:
     behind: int = 0  # bits behind the point
     is_signed: bool = True
     is_promised: bool = False  # operands arrive in floating point, and nearly all are its numbers
+    arrives_in: str = ""  # the format in floating point of promised operands, where they have one
 
     @property
     def declaration(self):
         if not self.is_promised:
             return f'{{ format = "{self.name}" }}'
         low, high = (("-" if end < 0 else "") + dyadic_text(abs(end)) for end in self.ends)
-        return f'{{ range = ["{low}", "{high}"], grid = "0x1p-{self.behind}" }}'
+        form = f'format = "{self.arrives_in}", ' if self.arrives_in else ""
+        return f'{{ {form}range = ["{low}", "{high}"], grid = "0x1p-{self.behind}" }}'
 
     @property
     def ends(self):
