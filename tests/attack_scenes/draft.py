@@ -159,6 +159,11 @@ class Draft:
         return self.sides_any({"*": 8, "square": 6, "^": 1, "abs": 0.2, "min": 0.2, "max": 0.2,
                                "/": 0.2, "sqrt": 0.2, "sum": 1})
 
+    def sides_dyadic(self):
+        """Sums, products and choices, in which no operation rounds if there are digits enough."""
+        return self.sides_any({"/": 0, "sqrt": 0, "^": 0, "product": 0, "scale": 0.5, "shift": 0.2,
+                               "min": 1, "max": 1, "choices": 0.5})
+
     def sides_quotients(self):
         return self.sides_any({"/": 6, "sqrt": 5})
 
@@ -338,7 +343,8 @@ class Draft:
             base, item = item_column(word)
             column = base if self.scene.pairs and item in "ij" else word
             if column not in chosen:
-                chosen[column] = self.narrower(form) if rng.random() < 0.7 else None
+                has_own = self.scene.widest or rng.random() < 0.7
+                chosen[column] = self.narrower(form) if has_own else None
             if chosen[column]:
                 table = self.scene.inputs.get(word, self.scene.inputs.get("*", "{ }"))
                 rest = table.strip("{} ")
@@ -376,7 +382,7 @@ class Draft:
             self.scene.set("data", **{"with": "others.csv"})
         self.run_options()
         if not self.fixed and self.scene.inputs.keys() <= {"*", *self.scene.graph().inputs()}:
-            if self.chance(0.3):
+            if self.scene.widest or self.chance(0.3):
                 self.narrow_operands()
         return self.scene
 

@@ -28,6 +28,17 @@ def verdict(graph, part, inputs):
     return None
 
 
+def difference_within(graph, part, inputs, error):
+    """Whether |f - g| is at most `error`; None if that is undetermined."""
+    try:
+        f, g = (_value(graph, side, inputs, PRECISIONS[0], {}) for side in part)
+    except (Undefined, Undetermined):
+        return None
+    if f[0] - g[1] > error or g[0] - f[1] > error:
+        return False
+    return True if f[1] - g[0] <= error and g[1] - f[0] <= error else None
+
+
 def _order(f, g):
     if f[1] < g[0]:
         return "less"

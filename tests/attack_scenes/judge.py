@@ -10,9 +10,10 @@ import dataclasses
 import json
 import re
 import subprocess
+from fractions import Fraction
 
 from . import exact
-from .rounded import Reference
+from .rounded import Reference, is_finite, value_of
 from .scene import comparisons, contest
 
 SECONDS = 900  # that one run may take
@@ -49,7 +50,7 @@ def attack(scene, folder, program):
     except subprocess.TimeoutExpired:
         return Outcome(way="hangs", detail=f"no end after {SECONDS} s")
     try:
-        return _judge(scene, folder, done)
+        return _judge(scene, folder, done, stated_error(scene, folder, program))
     except Failure as failure:
         return failure.outcome
 
@@ -63,7 +64,21 @@ def verify_command(scene, folder, program):
     return command
 
 
-def _judge(scene, folder, done):
+def stated_error(scene, folder, program):
+    """How far f - g of a reference in fixed point may be from the real one, as `check` says."""
+    said = re.search(r"where f - g errs by at most (\S+)", _checked(scene, folder, program))
+    return Fraction(said[1]) * Fraction(101, 100) if said else None  # written with three digits
+
+
+def _checked(scene, folder, program):
+    if not scene.widest:
+        return ""
+    done = subprocess.run([str(program), "check", str(folder / "scene.toml")], capture_output=True,
+                          text=True, timeout=SECONDS, check=False)
+    return done.stdout
+
+
+def _judge(scene, folder, done, error):
     if done.returncode not in (0, 1, 2):
         raise Failure(f"exit code {done.returncode}", done.stderr[-2000:])
     try:
@@ -74,7 +89,7 @@ def _judge(scene, folder, done):
     if "error" in report:
         return _refusal(report["error"], done.returncode)
     try:
-        outcome = check_verdicts(scene, folder, report)
+        outcome = check_verdicts(scene, folder, report, error)
     except Failure as failure:
         outcome = failure.outcome
     if report["passed"] is not True or done.returncode != 0:
@@ -95,10 +110,11 @@ def _refusal(error, returncode):
     return Outcome(refusal=re.sub(r"\d+", "#", f'{error.get("field", "")}: {message}'), detail=said)
 
 
-def check_verdicts(scene, folder, report):
+def check_verdicts(scene, folder, report, error=None):
     with open(folder / "verdicts.csv", newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     judge = Judge(scene)
+    judge.error = error
     if scene.pairs == "arg_min":
         judge.check_chains(rows)
     elif scene.engine == "pairwise":
@@ -122,6 +138,9 @@ class Judge:
         self.certified = all(table.get("bound") != "profiled" for table in tables)
         self.has_references = scene.get("system", "references", 1) != 0
         self.has_second_tier = scene.get("second_tier", "format", "none") != "none"
+        form = scene.get("reference", "format")
+        self.is_exact, self.is_fixed = form == "exact", bool(scene.widest) and form != "exact"
+        self.error = None  # of f - g in a reference in fixed point
         self.outcome = Outcome()
 
     def truth(self, inputs):
@@ -132,7 +151,19 @@ class Judge:
         return None if None in verdicts else self._combined(verdicts)
 
     def recomputed(self, inputs):
-        return self._combined(self.reference.verdicts(inputs))
+        """The verdict of a reference; None if this judge does not know it."""
+        if not (self.is_exact or self.is_fixed):
+            return self._combined(self.reference.verdicts(inputs))
+        if not all(map(is_finite, inputs.values())):
+            return "unordered" if self.is_fixed else None
+        if not all(self.scene.keeps_promises(name, value_of(number))
+                   for name, number in inputs.items()):
+            return None
+        if self.is_fixed and any(
+                exact.difference_within(self.graph, part, inputs, self.error) is not False
+                for part in self.graph.parts):
+            return None
+        return self.truth(inputs)
 
     def _combined(self, verdicts):
         return max(verdicts, key=self.order.index)
@@ -156,7 +187,7 @@ class Judge:
             return
         pairs = [(self.truth(inputs), self.recomputed(inputs))
                  for _, _, inputs in comparisons(self.scene, self.graph)]
-        if said["not_checked"]["undetermined"] or any(truth is None for truth, _ in pairs):
+        if said["not_checked"]["undetermined"] or any(None in pair for pair in pairs):
             return
         defined = [pair for pair in pairs if pair[0] != "unordered"]
         expected = len(defined), sum(truth != computed for truth, computed in defined)
@@ -229,6 +260,9 @@ class Judge:
         if row["recomputed"] == "1":
             self.outcome.recomputed += 1
             expected = self.recomputed(inputs)
+            if expected is None:
+                self.outcome.unchecked += 1
+                return ""
             if said == expected or (self.has_second_tier and said == self.truth(inputs)):
                 return ""
             return f"{said} is recomputed, {expected} is right in the reference format"

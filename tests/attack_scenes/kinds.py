@@ -344,10 +344,49 @@ def grids(draft):
     draft.scene.set("system", references=draft.rng.choice((1, 1, 2)))
 
 
+def references(draft):
+    """References that round nothing, or that compute in fixed point."""
+    rng, scene = draft.rng, draft.scene
+    if draft.chance(0.5):
+        form = "exact"
+        draft.sides = rng.choice(("dyadic", "dyadic", "choices"))
+        scene.widest = f"s{rng.choice((11, 11, 12))}e{rng.choice((4, 5, 5, 6))}"
+        draft.wants_ranges = draft.chance(0.3)
+        lane = f"s{rng.randint(4, 9)}e{rng.randint(3, 8)}"
+    else:
+        form = f"q{rng.choice((2, 3, 5, 8, 12, 16, 20, 24, 47, 48))}"
+        draft.sides = rng.choice(("polynomials", "norms", "homogeneous"))
+        scene.widest = f"s{rng.choice((11, 12, 17, 24))}e{rng.choice((5, 6, 8))}"
+        draft.wants_ranges = True
+        lane = rng.choice((f"s{rng.randint(4, 9)}e6", f"q{rng.randint(2, 9)}"))
+    if draft.chance(0.3):  # promised multiples
+        bits = rng.randint(2, 10)
+        draft.fixed = FixedFormat("", bits, rng.randint(0, 4), True, is_promised=True,
+                                  arrives_in=scene.widest)
+        draft.wants_ranges = False
+    elif form != "exact" and draft.chance(0.3):
+        bits = rng.randint(2, 12)
+        draft.fixed = FixedFormat(f"int{bits}", bits)
+        scene.widest, lane = "s53e11", f"q{rng.randint(2, 6)}"
+    scene.set("reference", format=form)
+    scene.sections["reduced"] = {"format": lane}
+    engine = rng.choice(("none", "none", "none", "pairwise"))
+    if engine == "pairwise":
+        scene.set("data", pairs="all")
+        scene.set("system", lanes=2)
+        scene.set("engine", kind="pairwise", capacity=16, lanes_per_group=rng.choice((1, 2)))
+    elif draft.chance(0.3):
+        scene.set("system", operands="refetched")
+    elif draft.chance(0.3):
+        scene.set("system", order="in_order")
+    if engine == "none":
+        draft.draw_parts(rng.choice((1, 1, 2)))
+
+
 KINDS = (fold, fused, formats, roundings, fixed, guarded, block, bounds, groups, second_tier, beats,
          memories, refetched, in_order, counters, devices, pairwise, arg_min, pairs, parts, mixed,
          limited, quotients, choices, vectors, undecided,
-         integers, grids)
+         integers, grids, references)
 NAMES_OF_KINDS = tuple(kind.__name__ for kind in KINDS)
 SPREAD = 7  # share in percent of each other option
 

@@ -140,13 +140,15 @@ class FixedFormat:
     is_signed: bool = True
     is_promised: bool = False  # operands arrive in floating point, and nearly all are its numbers
     coarser: int = 0  # a promised grid is 2^coarser units, which may be more than the range
+    arrives_in: str = ""  # the format in floating point of promised operands, where they have one
 
     @property
     def declaration(self):
         if not self.is_promised:
             return f'{{ format = "{self.name}" }}'
         low, high = map(dyadic_text, self.ends)
-        return f'{{ range = ["{low}", "{high}"], grid = "{dyadic_text(self.grid)}" }}'
+        form = f'format = "{self.arrives_in}", ' if self.arrives_in else ""
+        return f'{{ {form}range = ["{low}", "{high}"], grid = "{dyadic_text(self.grid)}" }}'
 
     @property
     def unit(self):

@@ -6,7 +6,7 @@ import fnmatch
 import re
 
 from .rounded import Format, number
-from .trees import Graph, reads, text
+from .trees import Graph, literal, reads, text
 
 NAMED_FORMATS = {"binary16": (11, 5), "bfloat16": (8, 8), "binary32": (24, 8), "binary64": (53, 11),
                  "binary128": (113, 15), "E5M2": (3, 5)}
@@ -36,6 +36,7 @@ class Scene:
     sections: dict = dataclasses.field(default_factory=dict)  # section -> key -> value
     inputs: dict = dataclasses.field(default_factory=dict)  # pattern -> the table as TOML
     options: dict = dataclasses.field(default_factory=dict)  # of verify: name -> value
+    widest: str = ""  # holds all operands, where the reference's format is "exact" or such as "q20"
 
     def copy(self):
         return copy.deepcopy(self)
@@ -58,15 +59,26 @@ class Scene:
         return self.get("system", "lanes") or sum(kind["count"] for kind in self.sections["lanes"])
 
     def reference_format(self):
-        return float_format(self.get("reference", "format"),
+        return float_format(self.widest or self.get("reference", "format"),
                             self.get("reference", "subnormals") == "flush")
 
     def operand_format(self, name):
         """The format in floating point to which an input's numbers are rounded when read."""
-        tables = [self.inputs[key] for key in self.inputs if fnmatch.fnmatchcase(name, key)]
-        table = self.inputs.get(name, tables[0] if tables else "")
-        own = re.search(r'format = "(s[0-9]+e[0-9]+|E[0-9]M[0-9])"', table)
+        own = re.search(r'format = "(s[0-9]+e[0-9]+|E[0-9]M[0-9])"', self.input_table(name))
         return float_format(own[1]) if own else self.reference_format()
+
+    def input_table(self, name):
+        """What the scene declares of an input, as TOML."""
+        tables = [self.inputs[key] for key in self.inputs if fnmatch.fnmatchcase(name, key)]
+        return self.inputs.get(name, tables[0] if tables else "")
+
+    def keeps_promises(self, name, value):
+        """Whether a fraction is in the range and on the grid that an input declares in numbers."""
+        table = self.input_table(name)
+        ends = re.search(r'range = \["?([^",]+)"?, "?([^",]+)"?\]', table)
+        grid = re.search(r'grid = "?([^",} ]+)', table)
+        inside = not ends or literal(ends[1]) <= value <= literal(ends[2])
+        return inside and (not grid or (value / literal(grid[1])).denominator == 1)
 
     def graph(self):
         made = Graph(self.lets)
