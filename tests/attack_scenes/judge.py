@@ -66,8 +66,8 @@ def verify_command(scene, folder, program):
 
 def stated_error(scene, folder, program):
     """How far f - g of a reference in fixed point may be from the real one, as `check` says."""
-    said = re.search(r"where f - g errs by at most (\S+)", _checked(scene, folder, program))
-    return Fraction(said[1]) * Fraction(101, 100) if said else None  # written with three digits
+    said = re.search(r"where f - g errs by less than 2\^(\S+)", _checked(scene, folder, program))
+    return Fraction(2) ** int(said[1]) if said else Fraction(0)
 
 
 def _checked(scene, folder, program):

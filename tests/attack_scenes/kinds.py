@@ -361,12 +361,14 @@ def references(draft):
         lane = rng.choice((f"s{rng.randint(4, 9)}e6", f"q{rng.randint(2, 9)}"))
     if draft.chance(0.3):  # promised multiples
         bits = rng.randint(2, 10)
-        draft.fixed = FixedFormat("", bits, rng.randint(0, 4), True, is_promised=True,
-                                  arrives_in=scene.widest)
+        promised = FixedFormat("", bits, rng.randint(0, 4), True, is_promised=True,
+                               arrives_in=scene.widest)
+        draft.fixed = lambda names: dict.fromkeys(names, promised)
         draft.wants_ranges = False
     elif form != "exact" and draft.chance(0.3):
         bits = rng.randint(2, 12)
-        draft.fixed = FixedFormat(f"int{bits}", bits)
+        whole = FixedFormat(f"int{bits}", bits)
+        draft.fixed = lambda names: dict.fromkeys(names, whole)
         scene.widest, lane = "s53e11", f"q{rng.randint(2, 6)}"
     scene.set("reference", format=form)
     scene.sections["reduced"] = {"format": lane}
