@@ -8,6 +8,7 @@
 #include "model/base/common/quote.hpp"
 #include "model/base/settings/section.hpp"
 #include "model/comparison/data/pairing.hpp"
+#include "model/scene/reference_model.hpp"
 
 namespace mixcmp::scene {
 namespace {
@@ -121,6 +122,7 @@ Result<Done> check_operand_formats(const settings::Settings& settings,
 Result<Done> check_fixed_operands(const settings::Settings& settings, const Scene& scene) {
   if (scene.has_fixed_operands()) MIXCMP_DO(check_lanes(settings, scene));
   if (scene.has_fixed_references()) MIXCMP_DO(check_references(settings, scene));
+  MIXCMP_DO(check_reference_model(settings, scene));
   if (scene.system.engine.kind == EngineKind::none) return Done{};
   return check_columns(settings, scene);
 }

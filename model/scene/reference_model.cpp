@@ -1,5 +1,7 @@
 #include "model/scene/reference_model.hpp"
 
+#include "model/base/settings/section.hpp"
+
 namespace mixcmp::scene {
 
 Result<fixed::ReferenceDatapath> reference_model(const Scene& scene) {
@@ -17,6 +19,15 @@ Result<fixed::ReferenceDatapath> reference_model(const Scene& scene) {
   if (error.file.empty()) error.file = scene.path.string();
   if (error.field == "reduced.format") error.field = "reference.format";
   return error;
+}
+
+Result<Done> check_reference_model(const settings::Settings& settings, const Scene& scene) {
+  const auto model = reference_model(scene);
+  if (model.ok()) return Done{};
+  const Error& error = model.error();
+  if (error.field != "reference.format") return error;
+  return settings::Section(settings, "reference")
+      .mistake("format", error.message, error.received, error.accepted);
 }
 
 }  // namespace mixcmp::scene

@@ -21,7 +21,6 @@
 #include "model/scene/input_ranges.hpp"
 #include "model/scene/override_error.hpp"
 #include "model/scene/plan.hpp"
-#include "model/scene/reference_model.hpp"
 #include "model/scene/sections.hpp"
 #include "model/scene/variant.hpp"
 
@@ -300,13 +299,15 @@ void note_unused_keys(const Scene& scene, const settings::Settings& settings,
 /// Notes constants that the reference format only approximates. A constant that it cannot hold at
 /// all is an error in the choice of format.
 Result<Done> check_constants(const settings::Settings& settings, const Graph& graph,
-                             const Arithmetic& reference, std::vector<std::string>& notes) {
-  const FloatFormat format = reference.format;
+                             const ReferenceSpec& reference, std::vector<std::string>& notes) {
+  if (reference.fixed_point) return Done{};
+  const FloatFormat format = reference.arithmetic.format;
   for (const Node& node : graph.nodes()) {
     if (node.operation != Operation::constant) continue;
     const Bits bits = from_rational(format, node.value);
-    const bool vanishes = format.is_zero(bits) ||
-                          (reference.subnormals == Subnormals::flush && format.is_subnormal(bits));
+    const bool vanishes =
+        format.is_zero(bits) ||
+        (reference.arithmetic.subnormals == Subnormals::flush && format.is_subnormal(bits));
     if (format.is_infinite(bits) || (vanishes && node.value != 0)) {
       const settings::Section section(settings, "reference");
       return section.mistake("format",
@@ -468,16 +469,6 @@ void choose_references(Scene& scene) {
   scene.system.references = !*are_exact && (can_have_some || needs_some) ? 1 : 0;
 }
 
-/// Refuses a reference in fixed point that f and g do not have.
-Result<Done> check_reference_model(const settings::Settings& settings, const Scene& scene) {
-  const auto model = reference_model(scene);
-  if (model.ok()) return Done{};
-  const Error& error = model.error();
-  if (error.field != "reference.format") return error;
-  return settings::Section(settings, "reference")
-      .mistake("format", error.message, error.received, error.accepted);
-}
-
 /// Refuses an arg-min engine without references, unless its lanes are exact: its chain of
 /// comparisons cannot continue after one that stays undecided.
 Result<Done> check_chain_decides(const settings::Settings& settings, const Scene& scene) {
@@ -528,9 +519,7 @@ Result<Scene> interpret(SceneSettings read) {
   MIXCMP_TRY(declared, read_inputs(settings, graph.inputs()));
   MIXCMP_TRY(reference, read_reference(settings, graphs, declared));
   const FloatFormat format = reference.arithmetic.format;
-  if (!reference.fixed_point) {
-    MIXCMP_DO(check_constants(settings, graph, reference.arithmetic, notes));
-  }
+  MIXCMP_DO(check_constants(settings, graph, reference, notes));
   MIXCMP_DO(check_sums(settings, graph, reference.arithmetic.sums));
   MIXCMP_TRY(data, read_data(settings));
   MIXCMP_TRY(operand_formats, settle_operands(settings, format, graph, declared, data, notes));
@@ -568,7 +557,6 @@ Result<Scene> interpret(SceneSettings read) {
               .data = std::move(data),
               .plan = std::move(read.plan),
               .notes = std::move(notes)};
-  if (scene.reference_fixed_point) MIXCMP_DO(check_reference_model(settings, scene));
   choose_references(scene);
   MIXCMP_DO(check_chain_decides(settings, scene));
   MIXCMP_DO(check_fixed_operands(settings, scene));
