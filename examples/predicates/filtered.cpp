@@ -129,7 +129,7 @@ Filtered rounded(double x, double from) {
   return {x - from, std::fabs(x - from)};
 }
 
-/// The same exactly, in units of 2^-digits.
+/// The exact difference, in units of 2^-digits.
 struct Exactly {
   int digits;
   mpz_class operator()(double x, double from) const {

@@ -254,7 +254,7 @@ struct LaneSpecs {
   std::vector<LaneGroupSpec> groups;
 };
 
-/// What lanes in fixed point read of their operands.
+/// The ranges, grids and formats of operands, for lanes in fixed point.
 fixed::FixedOptions operands_of(const InputDeclarations& declared,
                                 const std::vector<OperandFormat>& formats) {
   return {.ranges = declared.ranges, .grids = declared.grids, .operand_formats = formats};

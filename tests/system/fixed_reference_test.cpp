@@ -91,7 +91,7 @@ TEST_P(FixedReferenceSystem, EveryPairIsDecidedAsTheGoldenModelSays) {
 /// Comparisons of one part.
 class FixedReference : public testing::TestWithParam<Case> {};
 
-/// Where the difference exceeds the stated error, the verdict is the order of the real numbers.
+/// A verdict is the order of the real numbers if the difference exceeds the stated error.
 TEST_P(FixedReference, KeepsToItsStatedAccuracy) {
   const Graph graph = graph_of_case(GetParam());
   const fixed::FixedLane reference = lane_of(graph, 7, true);

@@ -77,7 +77,7 @@ std::map<std::string, std::string> keys_for(const LaneEstimate& lane, const scen
       {"reduced.bound_digits", digits ? std::to_string(reduced.bound_digits) : ""},
       {"reduced.multipliers", std::string(to_string(lane.key.multipliers))},
       {"system.lanes", "4"},
-      // Where references are exact lanes, the default follows from the lane.
+      // If all operands arrive in fixed point, the default follows from the lane.
       {"system.references", scene.has_only_fixed_operands() ? "" : "1"}};
 }
 

@@ -16,10 +16,12 @@
 namespace mixcmp::error {
 namespace {
 
-/// What is known of the values of a node that rounds nothing.
+/// The known limits of a node's values, if nothing is rounded.
 struct Multiples {
   mpq_class quantum;  ///< a power of two: every value is a multiple
-  int digits;      ///< no value has more significant digits; `unlimited`: only `most` limits them
+  /// No value has more significant digits; `unlimited`: `most` and `quantum` limit them.
+  int digits;
+  ///< them
   mpq_class most;  ///< no magnitude is larger
 
   static constexpr int unlimited = std::numeric_limits<int>::max();
@@ -44,7 +46,7 @@ Range range_of(const OperandFormat& format) {
   return {-most, most};
 }
 
-/// What a format says of its numbers.
+/// The limits of a format's numbers, but for the largest magnitude.
 Multiples numbers_of(const OperandFormat& format) {
   if (const FixedFormat* fixed = format.fixed()) return {fixed->unit(), Multiples::unlimited};
   return {to_rational(*format.floating(), Bits{1}), format.floating()->precision()};

@@ -73,8 +73,8 @@ TEST_F(FixedOperandsTest, PromisedGridsMakeLanesExact) {
       "uint10, or with a range and a grid, or a format such as q13");
 }
 
-/// Of the range [-3, 3] a grid of 4 or 16 leaves 0, for which one bit is enough. Ranges without any
-/// multiple are refused.
+/// The only multiple of 4 or 16 in the range [-3, 3] is 0, for which one bit is enough. Ranges
+/// without any multiple are refused.
 TEST_F(FixedOperandsTest, AGridMayBeCoarserThanTheRange) {
   const std::string text =
       "[comparison]\nname = \"n\"\nf = \"a\"\ng = \"b\"\n[inputs]\n"
