@@ -21,7 +21,6 @@ struct Multiples {
   mpq_class quantum;  ///< a power of two: every value is a multiple
   /// No value has more significant digits; `unlimited`: `most` and `quantum` limit them.
   int digits;
-  ///< them
   mpq_class most;  ///< no magnitude is larger
 
   static constexpr int unlimited = std::numeric_limits<int>::max();
