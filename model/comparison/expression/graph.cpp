@@ -13,7 +13,7 @@ bool is_commutative(Operation operation) {
 
 bool same(const Node& a, const Node& b) {
   return a.operation == b.operation && a.operands == b.operands && a.input == b.input &&
-         a.value == b.value;
+         a.value == b.value && a.function == b.function;
 }
 
 }  // namespace
@@ -27,7 +27,9 @@ int arity(Operation operation) {
     case Operation::negate:
     case Operation::absolute:
     case Operation::square:
-    case Operation::square_root: return 1;
+    case Operation::square_root:
+    case Operation::function:
+    case Operation::look_up: return 1;
     case Operation::add:
     case Operation::subtract:
     case Operation::multiply:
@@ -61,6 +63,8 @@ std::string_view to_string(Operation operation) {
     case Operation::square_root: return "square_root";
     case Operation::minimum: return "minimum";
     case Operation::maximum: return "maximum";
+    case Operation::function: return "function";
+    case Operation::look_up: return "look_up";
     case Operation::fused_sum: return "fused_sum";
   }
   MIXCMP_CHECK(false);
@@ -87,12 +91,20 @@ NodeId Graph::constant(const mpq_class& value) {
 
 NodeId Graph::apply(Operation operation, NodeId first, NodeId second) {
   MIXCMP_CHECK(operation != Operation::convert && operation != Operation::fused_sum);
+  MIXCMP_CHECK(operation != Operation::function && operation != Operation::look_up);
   MIXCMP_CHECK(arity(operation) == (second < 0 ? 1 : 2));
   if (operation == Operation::multiply && first == second) {
     return intern({.operation = Operation::square, .operands = {first, -1}, .value = {}});
   }
   if (is_commutative(operation) && second < first) std::swap(first, second);
   return intern({.operation = operation, .operands = {first, second}, .value = {}});
+}
+
+NodeId Graph::apply(Function function, NodeId argument) {
+  return intern({.operation = Operation::function,
+                 .operands = {argument, -1},
+                 .value = {},
+                 .function = function});
 }
 
 bool Graph::limit(NodeId id, const Range& limits) {

@@ -11,6 +11,7 @@
 
 #include "model/base/number/operand_format.hpp"
 #include "model/comparison/expression/combination.hpp"
+#include "model/comparison/expression/function.hpp"
 #include "model/comparison/expression/range.hpp"
 
 namespace mixcmp::inline expression {
@@ -29,6 +30,8 @@ enum class Operation {
   square_root,
   minimum,  ///< IEEE 754-2019 minimum: NaN wins, -0 < +0
   maximum,  ///< IEEE 754-2019 maximum
+  function,  ///< of one argument: Node::function
+  look_up,   ///< a word of a table, in fixed point: FixedNode::table
   /// A sum of products that is rounded once, in graphs of references. Its operands are
   /// TypedNode::terms.
   fused_sum,
@@ -54,6 +57,7 @@ struct Node {
   std::array<NodeId, 2> operands = {-1, -1};  ///< the first arity(operation) are used
   int input = -1;                             ///< for Operation::input: index into Graph::inputs
   mpq_class value;                            ///< for Operation::constant: exactly as written
+  std::optional<Function> function = {};      ///< for Operation::function
 };
 
 /// One part of a comparison: the sign of f - g.
@@ -72,6 +76,7 @@ public:
   NodeId input(const std::string& name);
   NodeId constant(const mpq_class& value);
   NodeId apply(Operation operation, NodeId first, NodeId second = -1);
+  NodeId apply(Function function, NodeId argument);
 
   /// Declares that a node's value matters only within `limits`: a lane may leave other comparisons
   /// undecided. Several limits of one node are intersected. If the intersection is empty, returns

@@ -1,0 +1,61 @@
+#include "model/lane/function/interval.hpp"
+
+#include "model/base/common/check.hpp"
+#include "model/base/number/dyadic.hpp"
+
+namespace mixcmp::function {
+namespace {
+
+mpq_class to_rational(mpfr_srcptr number) {
+  MIXCMP_CHECK(mpfr_number_p(number) != 0);
+  if (mpfr_zero_p(number) != 0) return 0;
+  mpz_class significand;
+  const mpfr_exp_t exponent = mpfr_get_z_2exp(significand.get_mpz_t(), number);
+  return scaled(mpq_class(significand), exponent);
+}
+
+}  // namespace
+
+Interval::Interval(const Range& range) : Interval() {
+  mpfi_interv_q(value_, range.low.get_mpq_t(), range.high.get_mpq_t());
+}
+
+Interval& Interval::operator=(const Interval& other) {
+  mpfi_set(value_, other.value_);
+  return *this;
+}
+
+Range Interval::range() const {
+  return {to_rational(&value_->left), to_rational(&value_->right)};
+}
+
+mpq_class Interval::middle() const {
+  const Range ends = range();
+  return (ends.low + ends.high) / 2;
+}
+
+Interval operator+(const Interval& a, const Interval& b) {
+  Interval sum;
+  mpfi_add(sum.value_, a.value_, b.value_);
+  return sum;
+}
+
+Interval operator-(const Interval& a, const Interval& b) {
+  Interval difference;
+  mpfi_sub(difference.value_, a.value_, b.value_);
+  return difference;
+}
+
+Interval operator*(const Interval& a, const Interval& b) {
+  Interval product;
+  mpfi_mul(product.value_, a.value_, b.value_);
+  return product;
+}
+
+Interval operator/(const Interval& a, const Interval& b) {
+  Interval quotient;
+  mpfi_div(quotient.value_, a.value_, b.value_);
+  return quotient;
+}
+
+}  // namespace mixcmp::function

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <gmpxx.h>
+#include <mpfi.h>
+
+#include "model/comparison/expression/range.hpp"
+
+namespace mixcmp::function {
+
+/// A closed interval of real numbers with ends of 192 digits. Results are rounded outward, so that
+/// they enclose those of all numbers of the operands (MPFI).
+class Interval {
+public:
+  static constexpr int digits = 192;
+
+  Interval() { mpfi_init2(value_, digits); }
+  Interval(int value) : Interval() { mpfi_set_si(value_, value); }
+  Interval(const mpq_class& value) : Interval() { mpfi_set_q(value_, value.get_mpq_t()); }
+  explicit Interval(const Range& range);
+  Interval(const Interval& other) : Interval() { mpfi_set(value_, other.value_); }
+  Interval& operator=(const Interval& other);
+  ~Interval() { mpfi_clear(value_); }
+
+  mpfi_srcptr get() const { return value_; }
+  mpfi_ptr get() { return value_; }
+
+  /// The ends. They are infinite where an operation has no enclosure; then there is no range.
+  bool is_bounded() const { return mpfi_bounded_p(value_) != 0; }
+  Range range() const;
+  /// A number within.
+  mpq_class middle() const;
+
+  friend Interval operator+(const Interval& a, const Interval& b);
+  friend Interval operator-(const Interval& a, const Interval& b);
+  friend Interval operator*(const Interval& a, const Interval& b);
+  friend Interval operator/(const Interval& a, const Interval& b);
+
+private:
+  mpfi_t value_;
+};
+
+}  // namespace mixcmp::function

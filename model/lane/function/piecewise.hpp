@@ -1,0 +1,54 @@
+#pragma once
+
+#include <gmpxx.h>
+
+#include <optional>
+#include <vector>
+
+#include "model/base/number/fixed_format.hpp"
+#include "model/comparison/expression/function.hpp"
+#include "model/comparison/expression/range.hpp"
+
+/// Functions as polynomials of pieces, in fixed point. Proof: docs/fixed_point.md, theorem 9.
+namespace mixcmp::function {
+
+/// The polynomials' coefficients of t^k, one word for each piece.
+struct CoefficientTable {
+  FixedFormat format;
+  std::vector<mpz_class> words;  ///< in units, [address]
+
+  friend bool operator==(const CoefficientTable&, const CoefficientTable&) = default;
+};
+
+/// A function of a fixed-point number X. The upper bits of X, in two's complement if it is signed,
+/// are the address of a piece; t is what the `piece_bits` lower bits count, in X's units. With the
+/// words c[k] at the address,
+///   s[degree] = c[degree],  s[k] = c[k] + (s[k + 1] t, cut to the unit of c[k]),
+/// and the result is s[0] cut to `result`. Words of pieces that no argument reaches are 0.
+struct Piecewise {
+  FixedFormat argument;
+  int piece_bits = 0;
+  std::vector<CoefficientTable> coefficients;  ///< [k], at least one
+  FixedFormat result;
+  /// Encloses the result less the function's real value at X, for every X of the arguments.
+  Range error;
+
+  int degree() const { return static_cast<int>(coefficients.size()) - 1; }
+  int address_bits() const { return argument.width - piece_bits; }
+  friend bool operator==(const Piecewise&, const Piecewise&) = default;
+};
+
+/// The result of hardware for the argument X, in units of the result; X is one of the arguments.
+mpz_class evaluate(const Piecewise& piecewise, const mpz_class& argument);
+
+/// The least area among degrees and numbers of pieces, by a rough model, whose error is less than a
+/// unit of 2^unit_exponent. `arguments`: the least and the greatest X, in units of the format. None
+/// if the function has no value somewhere between them, or if more pieces would be needed than
+/// 2^most_address_bits.
+std::optional<Piecewise> approximate(Function function, const FixedFormat& argument,
+                                     const mpz_class& least, const mpz_class& greatest,
+                                     int unit_exponent);
+
+inline constexpr int most_address_bits = 12;
+
+}  // namespace mixcmp::function

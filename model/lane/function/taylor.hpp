@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "model/comparison/expression/function.hpp"
+#include "model/lane/function/interval.hpp"
+
+namespace mixcmp::function {
+
+/// Encloses the Taylor coefficients f^(k)(x) / k! of a function, k = 0 .. count - 1, for every x of
+/// the interval, by the recurrences of Moore (Methods and Applications of Interval Analysis, 1979).
+/// An interval that leaves the function's domain has unbounded ones.
+std::vector<Interval> taylor(Function function, const Interval& x, int count);
+
+/// Encloses the function's values.
+Interval value(Function function, const Interval& x);
+
+}  // namespace mixcmp::function
