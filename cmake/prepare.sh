@@ -4,8 +4,8 @@
 # What the build, the tests and `mixcmp verify` need, on Debian 12 and 13. tests/release writes into
 # a release's SBOM what each package is for.
 build_tools="g++ cmake ninja-build ccache pkg-config make git ca-certificates"
-libraries="libmpfr-dev libgmp-dev libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev
-  tao-pegtl-dev libhwy-dev zlib1g-dev libsqlite3-dev coinor-libcbc-dev"
+libraries="libmpfr-dev libmpfi-dev libgmp-dev libfmt-dev libcli11-dev libtomlplusplus-dev
+  nlohmann-json3-dev tao-pegtl-dev libhwy-dev zlib1g-dev libsqlite3-dev coinor-libcbc-dev"
 test_packages="libgtest-dev libbenchmark-dev jq python3"
 called_tools="verilator iverilog yosys nextpnr-ice40 gappa glpk-utils gnuplot-nox gtkwave"
 packages="$build_tools $libraries $test_packages $called_tools"

@@ -28,7 +28,8 @@ RELATIONS = ("BUILD_TOOL_OF", "BUILD_DEPENDENCY_OF", "TEST_DEPENDENCY_OF", "OPTI
 
 # The shared libraries that the program names. tests/released compares them with a built program.
 LINKED = ("libc.so.6", "libgcc_s.so.1", "libstdc++.so.6", "libCbcSolver.so", "libfmt.so",
-          "libgmp.so", "libhwy.so", "libmpfr.so", "libsqlite3.so", "libtomlplusplus.so")
+          "libgmp.so", "libhwy.so", "libmpfi.so", "libmpfr.so", "libsqlite3.so",
+          "libtomlplusplus.so")
 
 # SPDX identifiers of licences, by the names that Debian gives them, in lower case.
 LICENCES = {name.lower(): name for name in (

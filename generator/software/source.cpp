@@ -72,6 +72,8 @@ std::string expression(const Body& body, NodeId id) {
     case Operation::square_root: return fmt::format("square_root({})", operand(0));
     case Operation::minimum: return fmt::format("minimum({}, {})", operand(0), operand(1));
     case Operation::maximum: return fmt::format("maximum({}, {})", operand(0), operand(1));
+    case Operation::function:
+    case Operation::look_up:
     case Operation::fused_sum: break;  // software has only composed sums
   }
   MIXCMP_CHECK(false);

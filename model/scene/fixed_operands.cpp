@@ -53,8 +53,13 @@ Result<Done> check_data(const settings::Settings& settings, const std::vector<st
   return Done{};
 }
 
+/// Refuses lanes in floating point that cannot be.
 Result<Done> check_lanes(const settings::Settings& settings, const Scene& scene) {
-  const std::string message = "a lane in floating point takes no operands in fixed point";
+  const std::optional<Function> function = scene.graph.first_function();
+  if (!function && !scene.has_fixed_operands()) return Done{};
+  const std::string message =
+      function ? fmt::format("a lane in floating point has no {}", to_string(*function))
+               : "a lane in floating point takes no operands in fixed point";
   const std::string accepted = "\"exact\", \"auto\", or qW such as q13";
   for (const LaneGroupSpec& group : scene.lane_groups()) {
     if (!group.reduced.format) continue;
@@ -120,7 +125,7 @@ Result<Done> check_operand_formats(const settings::Settings& settings,
 }
 
 Result<Done> check_fixed_operands(const settings::Settings& settings, const Scene& scene) {
-  if (scene.has_fixed_operands()) MIXCMP_DO(check_lanes(settings, scene));
+  MIXCMP_DO(check_lanes(settings, scene));
   if (scene.has_fixed_references()) MIXCMP_DO(check_references(settings, scene));
   MIXCMP_DO(check_reference_model(settings, scene));
   if (scene.system.engine.kind == EngineKind::none) return Done{};

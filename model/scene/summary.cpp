@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "model/base/number/decimal.hpp"
 #include "model/base/number/dyadic.hpp"
@@ -257,10 +258,6 @@ std::string first_loose_sum(const Scene& scene, const TypedGraph& reference) {
 }
 
 Exactness summarise_exactness(const Scene& scene, const TypedGraph& reference) {
-  if (scene.reference_fixed_point) {
-    const auto model = reference_model(scene);
-    return {.exact = model.ok() && fixed::is_exact(std::get<fixed::FixedLane>(*model))};
-  }
   const std::vector<bool> exact = error::exact_nodes(reference, scene.ranges, scene.grids);
   const auto first = std::find(exact.begin(), exact.end(), false);
   if (first == exact.end()) return {.exact = true};
@@ -311,23 +308,53 @@ DatapathSummary summarise_lane(const std::string& name, const Scene& scene,
   return summary;
 }
 
+/// Makes the side of one part, by its name, text and node in the sides' graph.
+using MakeSide = std::function<SideSummary(std::string, const std::string&, NodeId)>;
+
 /// The sides of the comparison: f and g of a single part, or f[0], g[0], f[1], ... of several
 /// parts.
-std::vector<SideSummary> summarise_sides(const Scene& scene) {
-  const TypedGraph reference = sides_graph(scene.graph, scene.reference);
-  const std::vector<error::NodeRange> ranges =
-      error::analyse_ranges(reference, scene.ranges, error::Infinities::followed);
+std::vector<SideSummary> sides_of(const Scene& scene, const std::vector<Sides>& parts,
+                                  const MakeSide& make) {
   std::vector<SideSummary> sides;
-  for (std::size_t k = 0; k < reference.parts.size(); ++k) {
-    const std::string index = reference.parts.size() == 1 ? "" : fmt::format("[{}]", k);
-    const auto add = [&](const std::string& name, const std::string& text, NodeId root) {
-      sides.push_back(summarise_side(name + index, text, reference, root,
-                                     ranges[static_cast<std::size_t>(root)]));
-    };
-    add("f", scene.parts[k].f, reference.parts[k].f);
-    add("g", scene.parts[k].g, reference.parts[k].g);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const std::string index = parts.size() == 1 ? "" : fmt::format("[{}]", k);
+    sides.push_back(make("f" + index, scene.parts[k].f, parts[k].f));
+    sides.push_back(make("g" + index, scene.parts[k].g, parts[k].g));
   }
   return sides;
+}
+
+/// The sides as a reference in fixed point computes them. All its inputs have ranges.
+std::vector<SideSummary> sides_of(const Scene& scene, const fixed::FixedLane& reference) {
+  std::vector<Sides> parts;
+  for (const fixed::FixedPart& part : reference.parts) {
+    const auto [f, g] = reference.nodes[part.difference].operands;
+    parts.push_back({f, g});
+  }
+  return sides_of(scene, parts, [&](std::string name, const std::string& text, NodeId root) {
+    const Range& value = reference.nodes[root].value;
+    SideSummary side{.name = name,
+                     .text = text,
+                     .value = value,
+                     .negative = {.question = name + " negative"},
+                     .zero = {.question = name + " zero"}};
+    const auto may = [&](RangeQuestion& finding) {
+      finding.answer = Possibility::possible;
+      finding.operations = {text};
+    };
+    if (value.low < 0) may(side.negative);
+    if (contains_zero(value)) may(side.zero);
+    return side;
+  });
+}
+
+std::vector<SideSummary> sides_of(const Scene& scene, const TypedGraph& reference) {
+  const std::vector<error::NodeRange> ranges =
+      error::analyse_ranges(reference, scene.ranges, error::Infinities::followed);
+  return sides_of(scene, reference.parts,
+                  [&](std::string name, const std::string& text, NodeId root) {
+                    return summarise_side(std::move(name), text, reference, root, ranges[root]);
+                  });
 }
 
 }  // namespace
@@ -355,17 +382,24 @@ std::string_view to_string(Possibility possibility) {
 }
 
 Summary summarise(const Scene& scene, const data::Comparisons* data) {
-  const TypedGraph reference = reference_graph(scene.graph, scene.reference);
   Summary summary{.scene = &scene};
-  summary.sides = summarise_sides(scene);
-  summary.datapaths.push_back(summarise_datapath("reference", reference, scene.ranges));
+  const auto model = reference_model(scene);
+  MIXCMP_CHECK(model.ok());  // the scene was checked
+  if (const auto* fixed = std::get_if<fixed::FixedLane>(&*model)) {
+    summary.sides = sides_of(scene, *fixed);
+    summary.reference = {.exact = fixed::is_exact(*fixed)};
+  } else {
+    const auto& reference = std::get<TypedGraph>(*model);
+    summary.sides = sides_of(scene, sides_graph(scene.graph, scene.reference));
+    summary.datapaths.push_back(summarise_datapath("reference", reference, scene.ranges));
+    summary.reference = summarise_exactness(scene, reference);
+  }
   const std::vector<std::string> labels = lane_group_labels(scene);
   const std::vector<LaneGroupSpec> groups = scene.lane_groups();
   for (std::size_t k = 0; k < groups.size(); ++k) {
     if (!groups[k].reduced.format) continue;
     summary.datapaths.push_back(summarise_lane(labels[k], scene, groups[k].reduced));
   }
-  summary.reference = summarise_exactness(scene, reference);
   if (data != nullptr) summary.data = summarise_data(scene, *data);
   return summary;
 }

@@ -132,6 +132,19 @@ Result<Done> check_exact_sums(const settings::Section& section, std::span<const 
   return Done{};
 }
 
+/// Refuses a reference in floating point where f or g applies a function.
+Result<Done> check_functions(const settings::Section& section, std::span<const Graph> graphs,
+                             const std::string& received) {
+  for (const Graph& graph : graphs) {
+    const std::optional<Function> function = graph.first_function();
+    if (!function) continue;
+    return section.mistake(
+        "format", fmt::format("a reference in floating point has no {}", to_string(*function)),
+        received, "qW such as q40");
+  }
+  return Done{};
+}
+
 void check_fixed_reference(settings::Section& section, const FixedPoint& format) {
   const bool is_plain = !format.is_block && format.guard_digits == 0;
   if (is_plain && settings::limits::fixed_bits.allow(format.bits)) return;
@@ -170,6 +183,9 @@ Result<ReferenceSpec> read_reference(const settings::Settings& settings,
   std::optional<FixedPoint> fixed_point = word == nullptr ? std::nullopt : FixedPoint::parse(*word);
   const bool is_exact =
       given == nullptr ? all_fixed(declared.formats) : word != nullptr && *word == "exact";
+  if (!fixed_point && word != nullptr)
+    MIXCMP_DO(check_functions(section, graphs, in_quotes(*word)));
+  if (given == nullptr) MIXCMP_DO(check_functions(section, graphs, "none"));
   if (is_exact) {
     MIXCMP_TRY(exact, read_exact_format(section, graphs, declared));
     format = exact;

@@ -65,6 +65,14 @@ Unit choice_unit(int bits, const DelayTable& delays) {
   return std::move(stages).unit("fixed_minimum_maximum");
 }
 
+/// A table in logic: look-up tables of six inputs, and multiplexers of four.
+Unit table_unit(int address_bits, const DelayTable& delays) {
+  constexpr int inputs = 6;
+  StageList stages(delays);
+  stages.add("read", stages.lut_delay_ns(1 + shift_levels(std::max(0, address_bits - inputs))));
+  return std::move(stages).unit("fixed_table");
+}
+
 /// A square root with one stage for each bit of the root.
 Unit square_root_unit(int root_bits, const DelayTable& delays) {
   StageList stages(delays);
@@ -159,7 +167,9 @@ Unit fixed_unit(const FixedLane& lane, const FixedNode& node, scene::Multipliers
     case Operation::square_root: return square_root_unit(node.format.width, delays);
     case Operation::convert: return common_cut_unit(node, delays);
     case Operation::constant:
+    case Operation::look_up: return table_unit(node.words.address_bits(), delays);
     case Operation::divide:
+    case Operation::function:
     case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(!"an operation that fixed point has no unit for");

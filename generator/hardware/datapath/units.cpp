@@ -288,6 +288,8 @@ Unit unit_for(const TypedNode& node, Subnormals subnormals, const error::Hazards
     case Operation::constant:
     case Operation::negate:
     case Operation::absolute:
+    case Operation::function:
+    case Operation::look_up:
     case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(!"only wires, or a sum whose unit depends on the graph");

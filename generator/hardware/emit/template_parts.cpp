@@ -136,7 +136,7 @@ const Tokens& body_of(const std::string& module) {
 std::vector<rtl::TemplateInstance> template_parts(const rtl::TemplateInstance& instance) {
   Constants constants;
   const std::vector<rtl::Parameter> parameters = template_parameters(instance);
-  for (const rtl::Parameter& each : parameters) constants.set(each.name, integer_of(each));
+  set_integers(constants, parameters);
   Cursor cursor(body_of(instance.module));
   BodyReader reader;
   reader.read_items(cursor, constants);

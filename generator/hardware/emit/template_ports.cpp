@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "generator/hardware/emit/constants.hpp"
 #include "generator/hardware/emit/templates.hpp"
+#include "model/base/common/cases.hpp"
 #include "model/base/common/check.hpp"
 #include "model/base/common/memo.hpp"
 
@@ -86,7 +86,7 @@ const Head& head_of(const std::string& module) {
 Constants constants_of(const Head& head, const std::vector<rtl::Parameter>& given) {
   Constants constants;
   for (const Declaration& each : head.parameters) constants.define(each.name, each.value);
-  for (const rtl::Parameter& each : given) constants.set(each.name, integer_of(each));
+  set_integers(constants, given);
   return constants;
 }
 
@@ -101,14 +101,26 @@ const Declaration* find_parameter(const Head& head, const std::string& name) {
 std::string fault_of(const rtl::Parameter& given, const Head& head, const Constants& constants) {
   const Declaration* const declared = find_parameter(head, given.name);
   if (declared == nullptr) return "there is no parameter " + given.name;
-  const auto* literal = std::get_if<rtl::Literal>(&given.value);
-  if (literal == nullptr || declared->high.empty()) return "";
+  if (std::holds_alternative<long long>(given.value) || declared->high.empty()) return "";
   const long long width = constants.value(declared->high) + 1;
-  if (width == literal->width) return "";
-  return fmt::format("parameter {} has {} bits, and gets {}", given.name, width, literal->width);
+  const long long given_width = std::visit(
+      Cases{[](long long) { return 0LL; },
+            [](const rtl::Literal& literal) { return static_cast<long long>(literal.width); },
+            [](const rtl::Words& words) {
+              return static_cast<long long>(words.words.size()) * words.width;
+            }},
+      given.value);
+  if (width == given_width) return "";
+  return fmt::format("parameter {} has {} bits, and gets {}", given.name, width, given_width);
 }
 
 }  // namespace
+
+void set_integers(Constants& constants, const std::vector<rtl::Parameter>& parameters) {
+  for (const rtl::Parameter& each : parameters) {
+    if (!std::holds_alternative<rtl::Words>(each.value)) constants.set(each.name, integer_of(each));
+  }
+}
 
 long long integer_of(const rtl::Parameter& parameter) {
   const auto* literal = std::get_if<rtl::Literal>(&parameter.value);

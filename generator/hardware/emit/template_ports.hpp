@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/hardware/emit/constants.hpp"
 #include "generator/hardware/rtl/checked_modules.hpp"
 #include "model/base/common/result.hpp"
 
@@ -28,6 +29,8 @@ std::vector<rtl::Parameter> template_parameters(const rtl::TemplateInstance& ins
 
 /// The value of a parameter, that of a literal as well.
 long long integer_of(const rtl::Parameter& parameter);
+/// Sets all parameters but the words of tables, on which no width depends.
+void set_integers(Constants& constants, const std::vector<rtl::Parameter>& parameters);
 
 /// Checks a tree of modules that instantiate each other and templates.
 rtl::CheckedModules checked(std::vector<rtl::Module> modules);

@@ -85,11 +85,33 @@ std::string argument_list(const std::string& indent, const std::vector<Argument>
   return fmt::format("(\n{0}  {1}\n{0})", indent, fmt::join(lines, fmt::format(",\n{}  ", indent)));
 }
 
+/// Words, that of the last address first, on lines of their own.
+std::string print(const Words& words, const std::string& next_line) {
+  std::string text = "{", line;
+  for (std::size_t address = words.words.size(); address-- > 0;) {
+    const std::string word = print(Literal{words.width, words.words[address]});
+    if (next_line.size() + line.size() + word.size() + 3 > line_length) {
+      text += next_line + line;
+      line.clear();
+    }
+    line += line.empty() ? word : " " + word;
+    if (address > 0) line += ",";
+  }
+  return text + next_line + line + "}";
+}
+
+std::string print(const Parameter& parameter, const std::string& next_line) {
+  return std::visit(Cases{[](long long number) { return fmt::format("{}", number); },
+                          [](const Literal& literal) { return print(literal); },
+                          [&](const Words& words) { return print(words, next_line); }},
+                    parameter.value);
+}
+
 std::string print(const Instance& instance, const std::string& indent) {
   std::string text = indent + instance.module;
   std::vector<Argument> parameters;
   for (const Parameter& parameter : instance.parameters) {
-    parameters.push_back({parameter.name, to_verilog(parameter)});
+    parameters.push_back({parameter.name, print(parameter, "\n" + indent + "    ")});
   }
   if (!parameters.empty()) text += " #" + argument_list(indent, parameters);
   std::vector<Argument> connections;
@@ -314,9 +336,7 @@ std::string print(const std::string& module, const std::vector<Port>& ports,
 }  // namespace
 
 std::string to_verilog(const Parameter& parameter) {
-  return std::visit(Cases{[](long long number) { return fmt::format("{}", number); },
-                          [](const Literal& literal) { return print(literal); }},
-                    parameter.value);
+  return print(parameter, " ");
 }
 
 std::string to_comment(const std::vector<std::string>& lines) {

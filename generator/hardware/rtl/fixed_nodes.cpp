@@ -347,6 +347,26 @@ void FixedNodes::build_memory_square(NodeId id, const fixed::SquareTable& table)
                      std::move(connections));
 }
 
+/// The upper bits of a look-up's operand.
+Operand FixedNodes::address(const FixedNode& look_up, int cycle) {
+  const Signal& whole = values_[look_up.operands[0]];
+  const Operand value = datapath_.at(whole, cycle);
+  const int low = fixed::piece_bits(lane_.nodes, look_up);
+  if (low == 0) return value;
+  return slice(std::get<Net>(value->node).name, whole.width - 1, low);
+}
+
+std::vector<Parameter> FixedNodes::table_parameters(const FixedNode& look_up) const {
+  const int width = look_up.format.width;
+  Words table{width, {}};
+  for (std::size_t address = 0; address < look_up.words.size(); ++address) {
+    table.words.push_back(twos_complement(width, look_up.words[address]).value);
+  }
+  return {{"ADDRESS_BITS", look_up.words.address_bits()},
+          {"WIDTH", width},
+          {"WORDS", std::move(table)}};
+}
+
 /// A node's value in two's complement. A value without a sign gets a zero above it, and a shift
 /// adds zeros below.
 Operand FixedNodes::operand(NodeId node, int shift, int cycle) {
@@ -365,6 +385,7 @@ std::vector<Connection> FixedNodes::operands(NodeId id, int cycle) {
     connections.push_back({port, operand(node.operands[k], shift, cycle)});
   };
   switch (node.operation) {
+    case Operation::look_up: connections.push_back({"address", address(node, cycle)}); break;
     case Operation::square_root:  // never negative
       connections.push_back({"a", datapath_.at(values_[node.operands[0]], cycle)});
       break;
@@ -406,6 +427,7 @@ std::vector<Parameter> FixedNodes::parameters(NodeId id) const {
       parameters = {{"A_WIDTH", radicand.width}, {"SHIFT", shift}};
       break;
     }
+    case Operation::look_up: return table_parameters(node);
     case Operation::absolute: parameters = {{"A_WIDTH", bits(0)}}; break;
     case Operation::minimum:
     case Operation::maximum:
@@ -450,6 +472,21 @@ void FixedNodes::describe(NodeId id, const std::string& more) {
   if (fixed::is_reach(node)) {
     return datapath_.add(Comment{fmt::format(
         "{} in {}, unless it is so far from 0 that it decides by itself.", text(0), format)});
+  }
+  if (node.operation == Operation::look_up) {
+    return datapath_.describe(
+        schedule_.steps[id],
+        fmt::format(
+            "{}: the coefficient of t^{} in {}({}), in {}; its address is the {} upper bits.",
+            names_[id], node.power, to_string(*node.function), text(0), format,
+            node.words.address_bits()));
+  }
+  if (node.conversion == fixed::Conversion::place) {
+    return datapath_.add(
+        Comment{fmt::format("t, {}'s place in its piece: the low bits, {}.", text(0), format)});
+  }
+  if (node.conversion == fixed::Conversion::function_value) {
+    return datapath_.add(Comment{fmt::format("{}, rounded down to {}.", text(0), format)});
   }
   const bool is_input = node.operation == Operation::input;
   const bool is_cut = fixed::is_common_cut(node);

@@ -53,6 +53,8 @@ private:
   void build_memory_square(NodeId id, const fixed::SquareTable& table);
   Operand operand(NodeId node, int shift, int cycle);
   std::vector<Connection> operands(NodeId id, int cycle);
+  Operand address(const fixed::FixedNode& look_up, int cycle);
+  std::vector<Parameter> table_parameters(const fixed::FixedNode& look_up) const;
   std::vector<Parameter> parameters(NodeId id) const;
   void append_positive_factors(NodeId id, std::vector<Parameter>& parameters) const;
   void describe(NodeId id, const std::string& more = {});

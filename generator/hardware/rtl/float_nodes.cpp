@@ -165,6 +165,8 @@ void FloatNodes::build_node(NodeId id) {
     case Operation::minimum:
     case Operation::maximum:
     case Operation::fused_sum: build_unit(id); break;
+    case Operation::function:
+    case Operation::look_up: break;
   }
 }
 

@@ -81,9 +81,15 @@ struct Port {
   bool vector = false;  ///< keep the [0:0] range: the port is indexed even at width 1
 };
 
+/// The words of a table.
+struct Words {
+  int width;
+  std::vector<Bits> words;  ///< [address]
+};
+
 struct Parameter {
   std::string name;
-  std::variant<long long, Literal> value;
+  std::variant<long long, Literal, Words> value;
 };
 
 /// A template with its parameters, unconnected.

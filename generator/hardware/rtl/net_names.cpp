@@ -33,6 +33,8 @@ std::string role(Operation operation) {
     case Operation::minimum: return "smaller";
     case Operation::maximum: return "larger";
     case Operation::fused_sum: return "fused_sum";
+    case Operation::look_up: return "coefficient";
+    case Operation::function: break;
   }
   MIXCMP_CHECK(false);
 }
@@ -52,7 +54,9 @@ std::string spelled(Operation operation, const std::string& a, const std::string
     case Operation::square_root: return a + "_root";
     case Operation::minimum: return a + "_min_" + b;
     case Operation::maximum: return a + "_max_" + b;
+    case Operation::look_up:
     case Operation::fused_sum: return role(operation);
+    case Operation::function: break;
   }
   MIXCMP_CHECK(false);
 }
@@ -65,8 +69,17 @@ std::string spelled_or_role(Operation operation, const std::string& a, const std
   return unless_too_long(spelled(operation, a, b), role(operation));
 }
 
+/// exp_c2, exp_t or exp_of_x.
+std::string name_in_function(const fixed::FixedNode& node, const std::string& argument) {
+  const std::string function(to_string(*node.function));
+  if (node.operation == Operation::look_up) return fmt::format("{}_c{}", function, node.power);
+  if (node.conversion == fixed::Conversion::place) return function + "_t";
+  return unless_too_long(function + "_of_" + argument, function);
+}
+
 std::string spelled_or_role(const fixed::FixedNode& node, const std::string& a,
                             const std::string& b) {
+  if (node.function) return name_in_function(node, a);
   if (node.operation != Operation::convert) return spelled_or_role(node.operation, a, b);
   const std::string role = fixed::is_limit(node)   ? "limited"
                            : fixed::is_reach(node) ? "near"
@@ -183,6 +196,8 @@ std::string formula(Operation operation, const std::string& a, const std::string
     case Operation::square_root: return "sqrt(" + a + ")";
     case Operation::minimum: return "min(" + a + ", " + b + ")";
     case Operation::maximum: return "max(" + a + ", " + b + ")";
+    case Operation::function:
+    case Operation::look_up:
     case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);

@@ -22,6 +22,8 @@ const char* unit_name(Operation operation) {
     case Operation::negate:
     case Operation::absolute:
     case Operation::subtract:
+    case Operation::function:
+    case Operation::look_up:
     case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);

@@ -238,12 +238,11 @@ ComponentParts parts_of(const std::vector<Module>& modules) {
 units::Unit unit_of(const TemplateInstance& instance) {
   units::Unit unit{.module = instance.module, .parameters = {}};
   for (const Parameter& parameter : emit::template_parameters(instance)) {
-    unit.parameters.push_back(
-        std::visit(Cases{[&](long long value) { return units::integer(parameter.name, value); },
-                         [&](const Literal& value) {
-                           return units::Parameter{parameter.name, value.width, value.value};
-                         }},
-                   parameter.value));
+    if (const auto* literal = std::get_if<Literal>(&parameter.value)) {
+      unit.parameters.push_back({parameter.name, literal->width, literal->value});
+    } else if (const auto* number = std::get_if<long long>(&parameter.value)) {
+      unit.parameters.push_back(units::integer(parameter.name, *number));
+    }
   }
   const Instance alone{instance.module, "unit", instance.parameters, {}};
   unit.parameters.push_back(

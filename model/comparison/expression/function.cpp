@@ -1,5 +1,7 @@
 #include "model/comparison/expression/function.hpp"
 
+#include <fmt/core.h>
+
 #include "model/base/common/check.hpp"
 
 namespace mixcmp::inline expression {
@@ -21,6 +23,16 @@ std::string_view to_string(Function function) {
     case Function::tanh: return "tanh";
   }
   MIXCMP_CHECK(false);
+}
+
+std::optional<mpq_class> open_end(Function function) {
+  if (function == Function::log || function == Function::log2) return 0;
+  return function == Function::log1p ? std::optional<mpq_class>(-1) : std::nullopt;
+}
+
+std::string accepted_arguments(Function function) {
+  const std::optional<mpq_class> end = open_end(function);
+  return end ? fmt::format("a number above {}", end->get_str()) : "a number";
 }
 
 }  // namespace mixcmp::inline expression

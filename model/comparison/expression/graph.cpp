@@ -107,6 +107,13 @@ NodeId Graph::apply(Function function, NodeId argument) {
                  .function = function});
 }
 
+std::optional<Function> Graph::first_function() const {
+  for (const Node& node : nodes_) {
+    if (node.function) return node.function;
+  }
+  return std::nullopt;
+}
+
 bool Graph::limit(NodeId id, const Range& limits) {
   const auto known = limits_.find(id);
   Range narrowed = limits;

@@ -28,8 +28,8 @@ enum class Operation {
   square,
   divide,
   square_root,
-  minimum,  ///< IEEE 754-2019 minimum: NaN wins, -0 < +0
-  maximum,  ///< IEEE 754-2019 maximum
+  minimum,   ///< IEEE 754-2019 minimum: NaN wins, -0 < +0
+  maximum,   ///< IEEE 754-2019 maximum
   function,  ///< of one argument: Node::function
   look_up,   ///< a word of a table, in fixed point: FixedNode::table
   /// A sum of products that is rounded once, in graphs of references. Its operands are
@@ -77,6 +77,8 @@ public:
   NodeId constant(const mpq_class& value);
   NodeId apply(Operation operation, NodeId first, NodeId second = -1);
   NodeId apply(Function function, NodeId argument);
+  /// The first function that any node applies; none if no node does.
+  std::optional<Function> first_function() const;
 
   /// Declares that a node's value matters only within `limits`: a lane may leave other comparisons
   /// undecided. Several limits of one node are intersected. If the intersection is empty, returns

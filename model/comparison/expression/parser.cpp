@@ -27,32 +27,50 @@ constexpr long max_terms = max_nodes;
 // The greatest value of an index or a subscript.
 constexpr long max_integer = 999'999;
 
-struct Function {
-  std::string_view name;
-  std::optional<Operation> operation;  ///< none: its value is the first argument's
+/// A function that texts may call.
+struct Callable {
   enum class Arguments {
     one,
     two_or_more,       ///< or an index
     value_and_limits,  ///< a value, its least and its greatest
-  } arguments;
+  };
+
+  std::string_view name;
+  std::optional<Operation> operation;  ///< none: its value is the first argument's
+  Arguments arguments;
+  std::optional<Function> function = {};  ///< for Operation::function
 
   bool reduces() const { return arguments == Arguments::two_or_more; }
 };
-constexpr std::array<Function, 7> functions = {{
-    {"sqrt", Operation::square_root, Function::Arguments::one},
-    {"abs", Operation::absolute, Function::Arguments::one},
-    {"min", Operation::minimum, Function::Arguments::two_or_more},
-    {"max", Operation::maximum, Function::Arguments::two_or_more},
-    {"sum", Operation::add, Function::Arguments::two_or_more},
-    {"product", Operation::multiply, Function::Arguments::two_or_more},
-    {"within", std::nullopt, Function::Arguments::value_and_limits},
-}};
+
+std::vector<Callable> make_callables() {
+  std::vector<Callable> callables = {
+      {"sqrt", Operation::square_root, Callable::Arguments::one},
+      {"abs", Operation::absolute, Callable::Arguments::one},
+      {"min", Operation::minimum, Callable::Arguments::two_or_more},
+      {"max", Operation::maximum, Callable::Arguments::two_or_more},
+      {"sum", Operation::add, Callable::Arguments::two_or_more},
+      {"product", Operation::multiply, Callable::Arguments::two_or_more},
+      {"within", std::nullopt, Callable::Arguments::value_and_limits},
+  };
+  for (const Function function : all_functions) {
+    callables.push_back(
+        {to_string(function), Operation::function, Callable::Arguments::one, function});
+  }
+  return callables;
+}
+
+const std::vector<Callable>& callables() {
+  static const std::vector<Callable> all = make_callables();
+  return all;
+}
+
 constexpr std::string_view reducing_functions = "sum, product, min or max";
 
-const Function* find_function(const std::string& name) {
-  const auto found = std::find_if(functions.begin(), functions.end(),
-                                  [&](const Function& f) { return f.name == name; });
-  return found == functions.end() ? nullptr : found;
+const Callable* find_callable(const std::string& name) {
+  const auto found = std::find_if(callables().begin(), callables().end(),
+                                  [&](const Callable& known) { return known.name == name; });
+  return found == callables().end() ? nullptr : &*found;
 }
 
 template <class T>
@@ -84,6 +102,8 @@ mpq_class fold(Operation operation, const mpq_class& a, const mpq_class& b) {
     case Operation::constant:
     case Operation::convert:
     case Operation::square_root:
+    case Operation::function:
+    case Operation::look_up:
     case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);
@@ -125,6 +145,9 @@ private:
   Value reduction(const Syntax& syntax);
 
   Value applied(Operation operation, const Value& a, const Value& b);
+  Value applied(Function function, const Value& argument);
+  /// The value of a new node of the graph.
+  Value made(std::size_t column, NodeId node) const;
   Value raised(const Value& base, int exponent);
   Value joined_pairwise(Operation operation, std::vector<Value> values);
   const Value& let_value(const LetDefinition& let, const Syntax& use);
@@ -272,37 +295,38 @@ Value GraphBuilder::raised(const Value& base, int exponent) {
 
 [[noreturn]] void fail_unknown_function(const Syntax& syntax) {
   std::vector<std::string> names;
-  for (const Function& f : functions) names.emplace_back(f.name);
+  for (const Callable& known : callables()) names.emplace_back(known.name);
   fail(syntax.column, "unknown function", syntax.text, list_with_nearest(syntax.text, names));
 }
 
-void check_arguments(const Syntax& syntax, const Function& function) {
+void check_arguments(const Syntax& syntax, const Callable& function) {
   const std::size_t count = syntax.parts.size();
   const auto refuse = [&](const std::string& needed, const std::string& accepted) {
     fail(syntax.column, fmt::format("{} takes {}", syntax.text, needed),
          fmt::format("{} argument{}", count, count == 1 ? "" : "s"), accepted);
   };
   switch (function.arguments) {
-    case Function::Arguments::one:
+    case Callable::Arguments::one:
       if (count != 1) refuse("1 argument", "1 argument");
       return;
-    case Function::Arguments::two_or_more:
+    case Callable::Arguments::two_or_more:
       if (count >= 2) return;
       refuse("2 arguments or more", "2 arguments or more, or an index (k in 0..3) and a term");
       return;
-    case Function::Arguments::value_and_limits:
+    case Callable::Arguments::value_and_limits:
       if (count != 3) refuse("3 arguments", "a value, its least and its greatest");
       return;
   }
 }
 
 Value GraphBuilder::call(const Syntax& syntax) {
-  const Function* function = find_function(syntax.text);
+  const Callable* function = find_callable(syntax.text);
   if (function == nullptr) fail_unknown_function(syntax);
   check_arguments(syntax, *function);
   if (!function->operation) return limited(syntax);
   std::vector<Value> values;
   for (const Syntax& part : syntax.parts) values.push_back(value_of(part));
+  if (function->function) return applied(*function->function, values[0]);
   if (!function->reduces()) return applied(*function->operation, values[0], values[0]);
   return joined_pairwise(*function->operation, std::move(values));
 }
@@ -337,7 +361,7 @@ mpq_class GraphBuilder::limit(const Syntax& syntax) {
 }
 
 Value GraphBuilder::reduction(const Syntax& syntax) {
-  const Function* function = find_function(syntax.text);
+  const Callable* function = find_callable(syntax.text);
   if (function == nullptr) fail_unknown_function(syntax);
   if (!function->reduces()) {
     fail(syntax.column, fmt::format("{} takes no index", syntax.text), syntax.index + " in",
@@ -417,9 +441,8 @@ Value GraphBuilder::applied(Operation operation, const Value& a, const Value& b)
     fail(a.column, "square root of a negative constant" + index_values(),
          a.constant->get_str().substr(0, 40), "a constant of at least zero");
   }
-  Value result{.column = a.column};
   if (a.constant && b.constant && operation != Operation::square_root) {
-    result.constant = fold(operation, *a.constant, *b.constant);
+    const Value result{.column = a.column, .constant = fold(operation, *a.constant, *b.constant)};
     if (!is_too_long(*result.constant)) return result;
     fail(a.column, "the constant is too long", {},
          fmt::format("at most {} bits", max_constant_bits));
@@ -431,13 +454,26 @@ Value GraphBuilder::applied(Operation operation, const Value& a, const Value& b)
   if (scales)
     return applied(Operation::multiply, a, {.column = b.column, .constant = 1 / *b.constant});
   const NodeId first = node_of(a);
-  result.node = arity(operation) == 1 ? graph_.apply(operation, first)
-                                      : graph_.apply(operation, first, node_of(b));
+  return made(a.column, arity(operation) == 1 ? graph_.apply(operation, first)
+                                              : graph_.apply(operation, first, node_of(b)));
+}
+
+Value GraphBuilder::applied(Function function, const Value& argument) {
+  const std::optional<mpq_class> end = open_end(function);
+  if (argument.constant && end && *argument.constant <= *end) {
+    fail(argument.column,
+         fmt::format("{} has no value there{}", to_string(function), index_values()),
+         to_text(*argument.constant), accepted_arguments(function));
+  }
+  return made(argument.column, graph_.apply(function, node_of(argument)));
+}
+
+Value GraphBuilder::made(std::size_t column, NodeId node) const {
   if (graph_.nodes().size() > max_nodes) {
-    fail(a.column, "the expressions are too large", {},
+    fail(column, "the expressions are too large", {},
          fmt::format("at most {} different operations, inputs and constants", max_nodes));
   }
-  return result;
+  return {.column = column, .node = node};
 }
 
 /// Parses a let on its first use. The indices around that use are not visible in the let.
@@ -537,7 +573,7 @@ Result<IndexRange> parse_index_range(const std::string& text, std::span<const Le
 }
 
 bool is_function_name(const std::string& name) {
-  return find_function(name) != nullptr;
+  return find_callable(name) != nullptr;
 }
 
 }  // namespace mixcmp::inline expression

@@ -34,7 +34,9 @@ Binding binding_of(const AnyNode& node) {
     case Operation::absolute:
     case Operation::square_root:
     case Operation::minimum:
-    case Operation::maximum: return Binding::atom;
+    case Operation::maximum:
+    case Operation::function:
+    case Operation::look_up: return Binding::atom;
   }
   MIXCMP_CHECK(false);
 }
@@ -82,10 +84,18 @@ private:
       case Operation::square_root: return call(node, "sqrt");
       case Operation::minimum: return call(node, "min");
       case Operation::maximum: return call(node, "max");
+      case Operation::function: return call(node, function_name(node));
       case Operation::fused_sum: return terms(node);
+      case Operation::look_up: return call(node, "look_up");
       case Operation::convert: break;
     }
     MIXCMP_CHECK(false);
+  }
+
+  static std::string_view function_name(const Node& node) { return to_string(*node.function); }
+  static std::string_view function_name(const TypedNode& /*node*/) {
+    MIXCMP_CHECK(!"floating point has no functions");
+    return {};
   }
 
   void terms(const Node& /*node*/) { MIXCMP_CHECK(!"only rounding makes a sum a fused one"); }

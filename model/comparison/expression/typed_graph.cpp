@@ -65,7 +65,9 @@ private:
       case Operation::square_root:
       case Operation::minimum:
       case Operation::maximum:
+      case Operation::function:
       case Operation::fused_sum: terms_.push_back({id, -1, negated}); return;
+      case Operation::look_up: break;
     }
     MIXCMP_CHECK(false);
   }

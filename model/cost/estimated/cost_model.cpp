@@ -89,6 +89,8 @@ double node_luts(const TypedGraph& graph, const TypedNode& node, Products produc
     case Operation::minimum:
     case Operation::maximum: return selection(operand);
     case Operation::fused_sum: return fused_luts(node, products);
+    case Operation::function:
+    case Operation::look_up: break;
   }
   MIXCMP_CHECK(false);
 }
@@ -204,6 +206,12 @@ double shift_luts(int most) {
   return most == 0 ? 0 : 0.5 * std::bit_width(static_cast<unsigned>(most));
 }
 
+/// LUTs for each bit of a table's word.
+double table_luts(int address_bits) {
+  constexpr int inputs = 6;
+  return std::ldexp(1, std::max(0, address_bits - inputs));
+}
+
 /// - A sum takes a LUT per bit.
 /// - A root takes a sum for each bit of its result.
 /// - An operand takes a shifter, two places per LUT, and a compare of its exponent; in block
@@ -238,6 +246,7 @@ double lane_luts(const fixed::FixedLane& lane, Products products) {
         if (products != Products::left_out) luts += 0.25 * width * width;
         break;
       case Operation::square_root: luts += 0.5 * width * (width + 5); break;
+      case Operation::look_up: luts += width * table_luts(node.words.address_bits()); break;
       default: luts += width; break;
     }
   }

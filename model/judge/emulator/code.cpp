@@ -57,6 +57,8 @@ bool rounds(Operation operation) {
     case Operation::square_root:
     case Operation::convert:
     case Operation::fused_sum: return true;
+    case Operation::function:
+    case Operation::look_up: break;
     case Operation::input:
     case Operation::constant:
     case Operation::negate:
@@ -82,6 +84,8 @@ Kernel kernel_of(Operation operation) {
     case Operation::maximum: return Kernel::maximum;
     case Operation::input:
     case Operation::constant:
+    case Operation::function:
+    case Operation::look_up:
     case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);

@@ -60,6 +60,8 @@ FixedKernel fixed_kernel_of(Operation operation) {
     case Operation::constant:
     case Operation::convert:
     case Operation::divide:
+    case Operation::function:
+    case Operation::look_up:
     case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);
@@ -158,7 +160,9 @@ private:
       case Operation::square_root:
       case Operation::minimum:
       case Operation::maximum:
+      case Operation::look_up:
       case Operation::fused_sum: return of_column(id);
+      case Operation::function: break;
     }
     MIXCMP_CHECK(false);
   }
@@ -280,6 +284,7 @@ private:
     const FixedNode& added = node(id);
     if (fixed::is_common_cut(added)) return add_common_cut(id);
     if (fixed::is_reach(added)) return add_sum(id);
+    if (added.operation == Operation::look_up) return add_look_up(id);
     if (added.operation == Operation::convert) return add_conversion(id);
     const bool truncates = added.dropped_bits > 0 || added.operation == Operation::square_root;
     const int result = truncates ? code_.layout.columns++ : id;
@@ -310,8 +315,24 @@ private:
                          .unit = power(node(id).format.unit_exponent)});
   }
 
+  void add_look_up(NodeId id) {
+    const FixedNode& added = node(id);
+    const FixedFormat& argument = node(added.operands[0]).format;
+    FixedInstruction& look_up = add_unary(FixedKernel::look_up, id, added.operands[0]);
+    look_up.unit = power(argument.unit_exponent + fixed::piece_bits(lane_.nodes, added));
+    const double unit = power(added.format.unit_exponent);
+    for (std::size_t address = 0; address < added.words.size(); ++address) {
+      look_up.words.push_back(added.words[address].get_d() * unit);
+    }
+  }
+
   void add_conversion(NodeId id) {
     const FixedNode& added = node(id);
+    if (added.conversion == fixed::Conversion::place) {
+      add_unary(FixedKernel::place, id, added.operands[0]).unit =
+          power(added.format.unit_exponent + added.format.width);
+      return;
+    }
     if (!fixed::is_limit(added)) return add_truncation(id, added.operands[0]);
     FixedInstruction& limit = add_unary(FixedKernel::limit, id, added.operands[0]);
     limit.low = added.value.low.get_d();

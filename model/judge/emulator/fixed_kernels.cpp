@@ -184,6 +184,15 @@ HWY_INLINE Vec power_above_root(Vec square) {
   return hn::Max(power, hn::Set(Tag(), 1));
 }
 
+/// The word at an integer's low bits; a NaN for a NaN. Adding 3 2^51 to an integer leaves it in the
+/// low bits of the double.
+HWY_INLINE Vec look_up(const std::vector<double>& words, Vec integer) {
+  const IntVec bits = hn::BitCast(Int(), hn::Add(integer, hn::Set(Tag(), 0x1.8p52)));
+  const auto last = static_cast<std::int64_t>(words.size()) - 1;
+  const Vec word = hn::GatherIndex(Tag(), words.data(), hn::And(bits, hn::Set(Int(), last)));
+  return hn::MulAdd(integer, hn::Zero(Tag()), word);
+}
+
 /// Minimum and maximum keep a NaN in either operand; those of processors do not.
 HWY_INLINE Vec or_no_number(Vec a, Vec b, Vec chosen) {
   const auto numbers = hn::And(hn::Eq(a, a), hn::Eq(b, b));
@@ -251,6 +260,18 @@ void execute_one(const FixedInstruction& instruction, const Block& block) {
       const Vec per_unit = hn::Set(Tag(), 1 / instruction.unit);
       return each([&](Vec a, Vec)
                       HWY_ATTR { return hn::Mul(hn::Floor(hn::Mul(a, per_unit)), unit); });
+    }
+    case FixedKernel::place: {
+      const Vec unit = hn::Set(Tag(), instruction.unit);
+      const Vec per_unit = hn::Set(Tag(), 1 / instruction.unit);
+      return each([&](Vec a, Vec)
+                      HWY_ATTR { return hn::NegMulAdd(hn::Floor(hn::Mul(a, per_unit)), unit, a); });
+    }
+    case FixedKernel::look_up: {
+      const Vec per_unit = hn::Set(Tag(), 1 / instruction.unit);
+      return each([&](Vec a, Vec) HWY_ATTR {
+        return look_up(instruction.words, hn::Floor(hn::Mul(a, per_unit)));
+      });
     }
     case FixedKernel::limit: {
       const Vec low = hn::Set(Tag(), instruction.low), high = hn::Set(Tag(), instruction.high);

@@ -41,7 +41,10 @@ enum class FixedKernel : std::uint8_t {
   maximum,
   square_root,  ///< of a, rounded to nearest
   truncate,     ///< a, rounded down to a multiple of `unit`
-  limit,        ///< a if it is from `low` to `high`, a NaN otherwise
+  place,        ///< by how much a exceeds that
+  /// The entry of `words` at the address that a, rounded down to units, has in two's complement.
+  look_up,
+  limit,  ///< a if it is from `low` to `high`, a NaN otherwise
   /// 2^k `unit` for the least k >= 0 with a < 4^k `square_unit`; arbitrary for a NaN.
   power_above_root,
   common_cut,  ///< of all `cuts` at once
@@ -75,6 +78,7 @@ struct FixedInstruction {
   std::vector<FixedCut> cuts = {};
   std::vector<FixedWatched> watched = {};  ///< for running_threshold
   std::vector<double> of_steps = {};       ///< [step]: its threshold, a number
+  std::vector<double> words = {};          ///< [address]: a number; their count is a power of two
   double beyond = 0;  ///< for common_cut: 2^W, above all results' magnitudes, in units
   int least_exponent = 0;
 };

@@ -91,6 +91,8 @@ std::optional<Extent> result(const TypedNode& node, const SafeOperands& operands
     case Operation::square_root: return root(a);
     case Operation::minimum: return either(a, b, nonnegative);
     case Operation::maximum: return either(a, b, a.nonnegative || b.nonnegative);
+    case Operation::function:
+    case Operation::look_up:
     case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);

@@ -117,12 +117,20 @@ private:
       added.shifts[0] = unit_of(node.operands[0]) - 2 * node.format.unit_exponent;
     }
     if (fixed::is_limit(node)) set_limits(added, node.value);
+    if (node.operation == Operation::look_up) set_words(added, node);
     const int bits = result_bits(added, node);
     fits_ = fits_ && bits <= most_bits;
     const int most = fixed::is_common_cut(node) ? lane_.format.bits : most_bits;
     const bool is_input = node.operation == Operation::input;
     node_bits_.push_back(std::clamp(is_input ? bits : bits - node.dropped_bits, 0, most));
     made_.nodes_.push_back(added);
+  }
+
+  void set_words(Node& node, const FixedNode& look_up) const {
+    node.piece_bits = fixed::piece_bits(lane_.nodes, look_up);
+    for (std::size_t address = 0; address < look_up.words.size(); ++address) {
+      node.words.push_back(wide(look_up.words[address]));
+    }
   }
 
   int unit_of(NodeId id) const { return lane_.nodes[id].format.unit_exponent; }
@@ -149,7 +157,9 @@ private:
     switch (node.operation) {
       case Operation::input: return node.format.magnitude_bits();
       case Operation::constant: return bits_of(source.constant);
-      case Operation::convert: return operand(0);
+      case Operation::convert:
+        return node.conversion == fixed::Conversion::place ? node.format.width : operand(0);
+      case Operation::look_up: return node.format.magnitude_bits();
       case Operation::negate:
       case Operation::absolute: return operand(0) + 1;
       case Operation::add:
@@ -160,6 +170,7 @@ private:
       case Operation::maximum: return std::max(operand(0), operand(1));
       case Operation::square_root: return operand(0);
       case Operation::divide:
+      case Operation::function:
       case Operation::fused_sum: break;
     }
     MIXCMP_CHECK(false);
@@ -286,7 +297,13 @@ private:
       if (!has_value_[node.operands[k]]) return false;
       operands[k] = shifted(values_[node.operands[k]], node.shifts[k]);
     }
+    if (node.operation == Operation::look_up) {
+      const auto upper = static_cast<std::size_t>(operands[0] >> node.piece_bits);
+      value = node.words[upper & (node.words.size() - 1)];
+      return true;
+    }
     value = shifted(result(node.operation, operands[0], operands[1]), -node.dropped_bits);
+    if (node.conversion == fixed::Conversion::place) value &= power_of_two(node.format.width) - 1;
     const bool is_limit = node.conversion == fixed::Conversion::limit;
     return !is_limit || (value >= node.low && value <= node.high);
   }
@@ -306,6 +323,8 @@ private:
       case Operation::input:
       case Operation::constant:
       case Operation::divide:
+      case Operation::function:
+      case Operation::look_up:
       case Operation::fused_sum: break;
     }
     MIXCMP_CHECK(false);

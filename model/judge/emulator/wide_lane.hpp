@@ -37,7 +37,9 @@ private:
     bool arrives_fixed = false;  ///< an input that arrives in fixed point
     bool is_promised = false;    ///< an input of promised multiples of the unit
     Wide constant = 0;
-    Wide low = 0, high = 0;  ///< of Conversion::limit
+    Wide low = 0, high = 0;        ///< of Conversion::limit
+    int piece_bits = 0;            ///< of Operation::look_up
+    std::vector<Wide> words = {};  ///< of Operation::look_up
   };
   struct Constant {
     Wide greater_from, less_to;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/judge/golden/encoding.hpp"
+#include "model/lane/function/taylor.hpp"
 
 namespace mixcmp::golden {
 namespace {
@@ -91,6 +92,25 @@ Knowledge enclose_root(Interval& y, const Interval& x) {
   mpfr_sqrt(y.low.get(), x.low.get(), MPFR_RNDD);
   mpfr_sqrt(y.high.get(), x.high.get(), MPFR_RNDU);
   return Knowledge::enclosed;
+}
+
+/// The precision of the ends is kept. Where the function has no value at an end, mpfi gives NaN or
+/// an infinity.
+Knowledge enclose_function(Interval& y, const Interval& x, Function function) {
+  const mpfr_prec_t precision = y.low.precision();
+  mpfi_t argument, value;
+  mpfi_init2(argument, precision);
+  mpfi_init2(value, precision);
+  mpfi_interv_fr(argument, x.low.get(), x.high.get());
+  function::enclose(function, value, argument);
+  mpfi_get_left(y.low.get(), value);
+  mpfi_get_right(y.high.get(), value);
+  mpfi_clear(argument);
+  mpfi_clear(value);
+  if (is_finite(y)) return Knowledge::enclosed;
+  const std::optional<mpq_class> end = open_end(function);
+  const bool is_outside = end && mpfr_cmp_q(x.high.get(), end->get_mpq_t()) <= 0;
+  return is_outside ? Knowledge::undefined : Knowledge::uncertain;
 }
 
 /// Computes both ends by one operation that is monotone in both operands.
@@ -187,8 +207,10 @@ Separation Enclosure::find_separation(NodeId id) {
     case Operation::square_root: return separation_of_root(a(), id);
     case Operation::minimum:
     case Operation::maximum: return separation_of_either(a(), b());
+    case Operation::function: return no_separation();
     case Operation::input:  // an input's interval is a point
     case Operation::convert:
+    case Operation::look_up:
     case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);
@@ -209,7 +231,9 @@ Knowledge Enclosure::compute_node(NodeId id, FloatFormat format, std::span<const
       mpfr_set_q(y.high.get(), node.value.get_mpq_t(), MPFR_RNDU);
       break;
     case Operation::convert:
+    case Operation::look_up:
     case Operation::fused_sum: MIXCMP_CHECK(false); break;  // no real number is rounded
+    case Operation::function: return enclose_function(y, a, *node.function);
     case Operation::negate: negate(y, a); break;
     case Operation::absolute: absolute(y, a); break;
     case Operation::add: monotone(y, a, b, mpfr_add); break;

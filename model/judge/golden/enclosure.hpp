@@ -21,7 +21,8 @@ struct Interval {
 enum class Knowledge {
   enclosed,   ///< every node has a real value, within its interval
   uncertain,  ///< a divisor may be zero or a radicand negative: more digits may decide
-  undefined,  ///< a divisor is zero, a radicand negative, or an input not finite
+  undefined,  ///< a divisor is zero, a radicand negative, a logarithm's argument not positive, or
+              ///< an input not finite
 };
 
 /// The largest precision of intervals, in bits, before a value counts as undetermined: four times

@@ -53,6 +53,8 @@ Rounded evaluate_node(const TypedNode& node, const Arithmetic& arithmetic,
     case Operation::minimum: return minimum(result, a, b);
     case Operation::maximum: return maximum(result, a, b);
     case Operation::fused_sum: return evaluate_sum(node, result, values);
+    case Operation::function:
+    case Operation::look_up: break;
   }
   MIXCMP_CHECK(false);
 }

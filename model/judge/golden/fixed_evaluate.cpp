@@ -25,6 +25,13 @@ mpz_class shifted(const mpz_class& value, int shift) {
   return result;
 }
 
+/// The `count` low bits of a number in two's complement, as a number without a sign.
+mpz_class low_bits(const mpz_class& value, int count) {
+  mpz_class result;
+  mpz_fdiv_r_2exp(result.get_mpz_t(), value.get_mpz_t(), static_cast<mp_bitcnt_t>(count));
+  return result;
+}
+
 /// In block floating point, e of theorem 6 (docs/fixed_point.md); 0 elsewhere. None if an operand
 /// is infinite or a NaN.
 std::optional<int> block_exponent(const FixedLane& lane, std::span<const Bits> inputs) {
@@ -85,6 +92,8 @@ mpz_class operate(Operation operation, const mpz_class& a, const mpz_class& b) {
     case Operation::constant:
     case Operation::divide:
     case Operation::square_root:
+    case Operation::function:
+    case Operation::look_up:
     case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);
@@ -105,6 +114,13 @@ Integer within(const FixedNode& node, const mpz_class& value) {
   return number < node.value.low || number > node.value.high ? Integer() : value;
 }
 
+/// The word of a look-up: its address is the argument's upper bits, in two's complement.
+mpz_class word_of(const FixedNode& node, const std::vector<FixedNode>& nodes,
+                  const mpz_class& argument) {
+  const mpz_class upper = shifted(argument, -fixed::piece_bits(nodes, node));
+  return node.words[low_bits(upper, node.words.address_bits()).get_ui()];
+}
+
 Integer result_of(const FixedNode& node, const std::vector<FixedNode>& nodes,
                   const std::vector<Integer>& values) {
   mpz_class operands[2];
@@ -121,6 +137,10 @@ Integer result_of(const FixedNode& node, const std::vector<FixedNode>& nodes,
   }
   if (node.operation == Operation::square_root) {
     return root(operands[0], finest, node.format.unit_exponent);
+  }
+  if (node.operation == Operation::look_up) return word_of(node, nodes, operands[0]);
+  if (node.conversion == fixed::Conversion::place) {
+    return low_bits(operands[0], node.format.width);
   }
   if (fixed::is_limit(node)) return within(node, operands[0]);
   return shifted(operate(node.operation, operands[0], operands[1]), -node.dropped_bits);

@@ -16,8 +16,7 @@ bool is_zero(const Separation& value) {
 Separation checked(Separation value) {
   value.bounded = value.bounded && value.numerator_bits < limit && value.denominator_bits < limit &&
                   value.exponent < limit && value.exponent > -limit;
-  if (!value.bounded) return {.bounded = false, .numerator_bits = 1, .roots = {}};
-  return value;
+  return value.bounded ? value : no_separation();
 }
 
 /// The parts of a separation that every value computed from two operands inherits: the roots, and
@@ -47,6 +46,10 @@ std::optional<std::int64_t> Separation::least_exponent() const {
   if (!bounded || roots.size() > most_roots) return std::nullopt;
   const std::int64_t conjugates = std::int64_t{1} << roots.size();
   return exponent - denominator_bits - (conjugates - 1) * numerator_bits;
+}
+
+Separation no_separation() {
+  return {.bounded = false, .numerator_bits = 1, .roots = {}};
 }
 
 Separation separation_of(const BigFloat& number) {

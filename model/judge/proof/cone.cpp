@@ -41,6 +41,8 @@ bool is_inexpressible(const TypedGraph& graph, const std::vector<NodeClaim>& cla
     case Operation::divide:
     case Operation::square_root:
     case Operation::fused_sum: return false;
+    case Operation::function:
+    case Operation::look_up: break;
   }
   MIXCMP_CHECK(false);
 }
@@ -109,6 +111,8 @@ int digits_of_operands(const TypedGraph& graph, const TypedNode& node) {
       case Operation::square:
       case Operation::square_root:
       case Operation::fused_sum: digits.push_back(own); break;
+      case Operation::function:
+      case Operation::look_up: break;
     }
   }
   return most_of(node);
@@ -140,6 +144,8 @@ OwnRounding own_rounding(const TypedGraph& graph, const TypedNode& node) {
     case Operation::subtract:
     case Operation::square_root:
     case Operation::fused_sum: return OwnRounding::rounds;
+    case Operation::function:
+    case Operation::look_up: break;
   }
   MIXCMP_CHECK(false);
 }

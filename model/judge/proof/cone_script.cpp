@@ -188,6 +188,8 @@ std::string CaseScript::expression(NodeId id, std::string Names::*name) const {
     case Operation::constant:
     case Operation::minimum:
     case Operation::maximum:
+    case Operation::function:
+    case Operation::look_up:
     case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);

@@ -146,9 +146,11 @@ private:
         return !lane_.format.is_block ||
                (own == -lane_.format.operand_bits() && node.format.magnitude_bits() == -own);
       case Operation::constant:
+      case Operation::look_up:
       case Operation::square_root: return node.dropped_bits == 0;
       case Operation::convert: {
-        const bool is_cut = node.conversion == fixed::Conversion::cut;
+        const bool is_cut = node.conversion == fixed::Conversion::cut ||
+                            node.conversion == fixed::Conversion::function_value;
         return own == unit(0) && (is_cut || node.dropped_bits == 0);
       }
       case Operation::negate:
@@ -160,6 +162,7 @@ private:
       case Operation::minimum:
       case Operation::maximum: return own == std::min(unit(0), unit(1));
       case Operation::divide:
+      case Operation::function:
       case Operation::fused_sum: return false;
     }
     MIXCMP_CHECK(false);
@@ -188,6 +191,7 @@ private:
       node.value = fixed::rounded_down(node.value, node.format.unit());
       return;
     }
+    if (node.operation == Operation::look_up) return;  // assumed
     if (node.operation == Operation::convert) return convert(node);
     const FixedNode& a = nodes_[node.operands[0]];
     const FixedNode& b = nodes_[node.operands[std::max(0, arity(node.operation) - 1)]];
@@ -248,6 +252,8 @@ private:
         node.value = in_format(operand.value, node.format);
         node.error = operand.error;
         return;
+      case fixed::Conversion::place:
+      case fixed::Conversion::function_value: return;  // assumed
     }
     MIXCMP_CHECK(false);
   }

@@ -117,6 +117,8 @@ bool HazardProof::is_finite(NodeId id) {
     case Operation::divide:
     case Operation::minimum:
     case Operation::maximum:
+    case Operation::function:
+    case Operation::look_up:
     case Operation::fused_sum: break;
   }
   return never_overflows(id) && all_operands(id, [&](NodeId k) { return is_finite(k); });
@@ -162,6 +164,8 @@ bool HazardProof::is_flushed(NodeId id) {
     case Operation::divide:
     case Operation::square_root:
     case Operation::fused_sum: return true;
+    case Operation::function:
+    case Operation::look_up: break;
   }
   MIXCMP_CHECK(false);
 }

@@ -78,6 +78,8 @@ std::string result_text(const TypedNode& node, const std::string& a, const std::
     case Operation::constant:
     case Operation::minimum:
     case Operation::maximum:
+    case Operation::function:
+    case Operation::look_up:
     case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);

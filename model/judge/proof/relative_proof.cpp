@@ -122,6 +122,8 @@ error::RelativeBound RelativeProof::before_rounding(NodeId id, Width width) cons
     case Operation::square:
     case Operation::divide:
     case Operation::square_root:
+    case Operation::function:
+    case Operation::look_up:
     case Operation::fused_sum: break;
   }
   return claimed(id, claims_[id].relative, width);

@@ -105,6 +105,8 @@ NodeRules RuleWriter::run() && {
     case Operation::square: square(); break;
     case Operation::divide: divide(); break;
     case Operation::square_root: square_root(); break;
+    case Operation::function:
+    case Operation::look_up:
     case Operation::fused_sum: MIXCMP_CHECK(!"lanes have no fused sums"); break;
   }
   if (!rule_.terms.empty()) result_.rules.push_back(std::move(rule_));

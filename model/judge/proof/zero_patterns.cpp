@@ -47,6 +47,8 @@ void add_atoms(const Cone& cone, NodeId id, std::set<NodeId>& atoms) {
     case Operation::constant:
     case Operation::minimum:
     case Operation::maximum:
+    case Operation::function:
+    case Operation::look_up:
     case Operation::fused_sum: MIXCMP_CHECK(false);
   }
   atoms.insert(id);
@@ -80,6 +82,8 @@ bool zero_by_operands(const TypedNode& node, const Zeros& zeros) {
     case Operation::constant:
     case Operation::minimum:
     case Operation::maximum:
+    case Operation::function:
+    case Operation::look_up:
     case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);

@@ -161,6 +161,8 @@ BeforeRounding ErrorAnalyser::exact(NodeId id) {
     case Operation::square: return {exact_square(a), ""};
     case Operation::divide: return {exact_quotient(id, a, b), ""};
     case Operation::square_root: return {exact_root(id, a), ""};
+    case Operation::function:
+    case Operation::look_up:
     case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);
@@ -302,6 +304,8 @@ bool ErrorAnalyser::rounds_nothing(const TypedNode& node) const {
     case Operation::subtract:
     case Operation::square_root:
     case Operation::fused_sum: return false;
+    case Operation::function:
+    case Operation::look_up: break;
   }
   MIXCMP_CHECK(false);
 }
@@ -443,6 +447,8 @@ std::optional<RelativeBound> ErrorAnalyser::before_rounding(NodeId id,
     case Operation::divide:
     case Operation::square_root:
     case Operation::fused_sum: return bound.relative;
+    case Operation::function:
+    case Operation::look_up: break;
   }
   MIXCMP_CHECK(false);
 }

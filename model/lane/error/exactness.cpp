@@ -117,6 +117,8 @@ private:
       case Operation::divide: return quotient(operand(0), graph_.nodes[node.operands[1]]);
       case Operation::square_root: return std::nullopt;
       case Operation::fused_sum: return sum(node);
+      case Operation::function:
+      case Operation::look_up: break;
     }
     MIXCMP_CHECK(false);
   }
@@ -226,6 +228,8 @@ Error rounds_always(const TypedGraph& graph, NodeId id) {
     case Operation::square:
     case Operation::minimum:
     case Operation::maximum:
+    case Operation::function:
+    case Operation::look_up:
     case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(!"an operation that rounds although none below it does");

@@ -111,6 +111,8 @@ private:
       case Operation::divide:
       case Operation::square_root:
       case Operation::fused_sum: return true;
+      case Operation::function:
+      case Operation::look_up: break;
     }
     MIXCMP_CHECK(false);
   }

@@ -109,6 +109,8 @@ private:
       case Operation::fused_sum:
         return std::any_of(node.terms.begin(), node.terms.end(),
                            [&](const FusedTerm& term) { return passes_negative_infinity(term); });
+      case Operation::function:
+      case Operation::look_up: break;
     }
     MIXCMP_CHECK(false);
   }
@@ -185,6 +187,8 @@ private:
       case Operation::minimum:
       case Operation::maximum: return exact(node, operand(node, 0), operand(node, 1));
       case Operation::fused_sum: return node.is_sign_of_sum() ? Range{-1, 1} : cut_sum(node);
+      case Operation::function:
+      case Operation::look_up: break;
     }
     MIXCMP_CHECK(false);
   }
@@ -230,6 +234,8 @@ private:
       case Operation::absolute:
       case Operation::square:
       case Operation::square_root:
+      case Operation::function:
+      case Operation::look_up:
       case Operation::fused_sum: break;
     }
     MIXCMP_CHECK(false);

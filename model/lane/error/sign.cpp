@@ -48,6 +48,8 @@ Sign sign_of(const TypedNode& node, const std::vector<Sign>& signs,
     case Operation::maximum:
       return {either(a.nonnegative, b.nonnegative), both(a.nonpositive, b.nonpositive)};
     case Operation::fused_sum: return sum_sign(node.terms, signs);
+    case Operation::function:
+    case Operation::look_up: break;
   }
   MIXCMP_CHECK(false);
 }

@@ -37,7 +37,9 @@ bool is_affine(const Graph& graph, const Node& node, const std::vector<bool>& af
     case Operation::divide: return is_shift(operand(1));
     case Operation::square:
     case Operation::square_root:
+    case Operation::function:
     case Operation::fused_sum: return false;
+    case Operation::look_up: break;
   }
   MIXCMP_CHECK(false);
 }

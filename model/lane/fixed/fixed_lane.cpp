@@ -211,6 +211,15 @@ Result<std::vector<mpq_class>> degrees_of(const Graph& graph, const FixedPoint& 
 
 }  // namespace
 
+int piece_bits(const std::vector<FixedNode>& nodes, const FixedNode& look_up) {
+  return nodes[look_up.operands[0]].format.width - look_up.words.address_bits();
+}
+
+bool follows_operands(const FixedNode& node) {
+  return node.operation != Operation::look_up && node.conversion != Conversion::place &&
+         node.conversion != Conversion::function_value;
+}
+
 bool is_limit(const FixedNode& node) {
   return node.conversion == Conversion::limit;
 }

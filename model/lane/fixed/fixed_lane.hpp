@@ -15,6 +15,7 @@
 #include "model/base/number/operand_format.hpp"
 #include "model/comparison/expression/graph.hpp"
 #include "model/comparison/expression/range.hpp"
+#include "model/lane/function/piecewise.hpp"
 
 /// Lanes in fixed point: operands that the scene bounds become integers when they arrive, and all
 /// further arithmetic is on integers. Proofs: docs/fixed_point.md.
@@ -33,6 +34,12 @@ enum class Conversion {
   /// Keeps the low bits that hold a number within `value`. A number outside has a square that
   /// decides the part by itself, so hardware need not compute the rest of the difference.
   reach,
+  /// Keeps the low bits of a number in two's complement, without a sign: where it is in its piece
+  /// of a piecewise polynomial.
+  place,
+  /// Drops low bits of a polynomial's value. The result stands for a function of the polynomial's
+  /// argument: `error` is what theorem 9 bounds.
+  function_value,
 };
 
 /// One operation. Its result is an integer of `format`, in that format's units.
@@ -46,6 +53,7 @@ enum class Conversion {
 ///
 /// The operands of an addition, a subtraction, a minimum and a maximum are aligned to the finer
 /// unit of the two. A square root is rounded down to its own unit, whatever its operand's unit is.
+/// The operand's upper bits are the address of a look-up.
 struct FixedNode {
   Operation operation;
   std::array<NodeId, 2> operands = {-1, -1};
@@ -58,12 +66,21 @@ struct FixedNode {
   std::optional<Conversion> conversion = {};  ///< for Operation::convert
   int dropped_bits = 0;  ///< low bits of the exact result that are dropped: it is rounded down
   int most_dropped = 0;  ///< for Conversion::common_cut: the most bits that it drops
-  Range value;           ///< encloses the computed number: the result times its unit
-  Range error;           ///< encloses the computed number less the real one
+  function::Words words = {};  ///< for Operation::look_up
+  /// For Operation::look_up, and the conversions `place` and `function_value`.
+  std::optional<Function> function = {};
+  int power = 0;  ///< for Operation::look_up: of t, whose coefficient it is
+  Range value;    ///< encloses the computed number: the result times its unit
+  Range error;    ///< encloses the computed number less the real one
 
   friend bool operator==(const FixedNode&, const FixedNode&) = default;
 };
 
+/// The operand's low bits that are no part of a look-up's address.
+int piece_bits(const std::vector<FixedNode>& nodes, const FixedNode& look_up);
+/// Whether value and error follow from those of the operands. They do not inside a piecewise
+/// polynomial.
+bool follows_operands(const FixedNode& node);
 bool is_limit(const FixedNode& node);
 bool is_common_cut(const FixedNode& node);
 bool is_reach(const FixedNode& node);

@@ -48,25 +48,6 @@ std::optional<mpq_class> exact_root(const mpq_class& value) {
   return mpq_class(sqrt(value.get_num()), sqrt(value.get_den()));
 }
 
-/// The format that holds a range of multiples of the unit.
-FixedFormat format_of(const Range& value, int unit_exponent) {
-  const mpq_class per_unit = power_of_two(-unit_exponent);
-  return FixedFormat::holding(floor_of(value.low * per_unit), ceiling_of(value.high * per_unit),
-                              unit_exponent);
-}
-
-/// Drops `count` low bits of a result that has dropped none so far; nothing if `count` <= 0.
-void drop_bits(FixedNode& node, int count) {
-  if (count <= 0) return;
-  node.dropped_bits = count;
-  const mpq_class exact_unit = node.format.unit();
-  const int unit_exponent = node.format.unit_exponent + count;
-  const mpq_class unit = power_of_two(unit_exponent);
-  node.error.low -= unit - exact_unit;
-  node.value = rounded_down(node.value, unit);
-  node.format = format_of(node.value, unit_exponent);
-}
-
 }  // namespace
 
 FixedGraphBuilder::FixedGraphBuilder(const Graph& graph, FloatFormat input_format,
@@ -75,6 +56,7 @@ FixedGraphBuilder::FixedGraphBuilder(const Graph& graph, FloatFormat input_forma
       input_format_(input_format),
       options_(options),
       affine_(affine_nodes(graph)),
+      declared_(graph.nodes().size()),
       known_(graph.nodes().size(), -1),
       cut_(graph.nodes().size(), -1) {}
 
@@ -229,6 +211,7 @@ Result<FixedNode> FixedGraphBuilder::make(NodeId id) {
     case Operation::constant: return constant(node.value, options_.format.bits);
     case Operation::square_root: return square_root(id);
     case Operation::divide: return quotient(id);
+    case Operation::function: return function(id);
     case Operation::convert:
     case Operation::negate:
     case Operation::absolute:
@@ -238,6 +221,7 @@ Result<FixedNode> FixedGraphBuilder::make(NodeId id) {
     case Operation::square:
     case Operation::minimum:
     case Operation::maximum:
+    case Operation::look_up:
     case Operation::fused_sum: break;
   }
   const NodeId first = operand(id, 0);
@@ -429,6 +413,13 @@ Result<FixedNode> FixedGraphBuilder::square_root(NodeId id) {
 }
 
 FixedNode FixedGraphBuilder::operation(Operation operation, NodeId a, NodeId b) const {
+  FixedNode node = exactly(operation, a, b);
+  const int exact_bits = std::max(2 * options_.format.bits, options_.format.operand_bits());
+  drop_bits(node, node.format.width - exact_bits - spare_bits);
+  return node;
+}
+
+FixedNode FixedGraphBuilder::exactly(Operation operation, NodeId a, NodeId b) const {
   const FixedNode& first = nodes_[a];
   const FixedNode& second = nodes_[b < 0 ? a : b];
   FixedNode node{.operation = operation, .operands = {a, b}, .constant = {}};
@@ -436,8 +427,6 @@ FixedNode FixedGraphBuilder::operation(Operation operation, NodeId a, NodeId b) 
   node.value = cancels ? Range{0, 0} : exact_value(operation, first.value, second.value);
   node.error = cancels ? Range{0, 0} : exact_error(operation, first, second);
   node.format = format_of(node.value, unit_exponent_of(operation, first.format, second.format));
-  const int exact_bits = std::max(2 * options_.format.bits, options_.format.operand_bits());
-  drop_bits(node, node.format.width - exact_bits - spare_bits);
   return node;
 }
 

@@ -63,15 +63,26 @@ private:
   FixedNode product(NodeId a, NodeId b);
   Result<NodeId> limited(NodeId id, const Range& limits);
   NodeId factor(NodeId id);
+  /// Encloses the real values of an expression's node, for inputs within their ranges.
+  const Range& declared(NodeId id);
+  std::optional<Range> enclosed(NodeId id);
+  Result<NodeId> argument_of(NodeId id);
+  Result<FixedNode> function(NodeId id);
+  NodeId coefficient(Function function, const function::Piecewise& piecewise, int power,
+                     NodeId argument);
+  NodeId polynomial(Function function, const function::Piecewise& piecewise, NodeId argument);
+  /// An operation whose result loses the bits that are too many.
   FixedNode operation(Operation operation, NodeId a, NodeId b = -1) const;
+  FixedNode exactly(Operation operation, NodeId a, NodeId b) const;
   NodeId add(FixedNode node);
 
   const Graph& graph_;
   FloatFormat input_format_;
   const FixedOptions& options_;
-  std::vector<bool> affine_;   ///< [node of the expression]
-  std::vector<NodeId> known_;  ///< [node of the expression]: its node here, or -1
-  std::vector<NodeId> cut_;    ///< [node of the expression]: the node after the cut, or -1
+  std::vector<bool> affine_;                    ///< [node of the expression]
+  std::vector<std::optional<Range>> declared_;  ///< [node of the expression]: known so far
+  std::vector<NodeId> known_;                   ///< [node of the expression]: its node here, or -1
+  std::vector<NodeId> cut_;  ///< [node of the expression]: the node after the cut, or -1
   std::vector<FixedNode> nodes_;
 };
 

@@ -47,6 +47,8 @@ Range exact_error(Operation operation, const FixedNode& a, const FixedNode& b) {
     case Operation::convert:
     case Operation::divide:
     case Operation::square_root:
+    case Operation::function:
+    case Operation::look_up:
     case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);
@@ -67,6 +69,8 @@ Range exact_value(Operation operation, const Range& a, const Range& b) {
     case Operation::convert:
     case Operation::divide:
     case Operation::square_root:
+    case Operation::function:
+    case Operation::look_up:
     case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);
@@ -79,6 +83,23 @@ void narrow(Range& range, const Range& other) {
 
 Range rounded_down(const Range& value, const mpq_class& unit) {
   return {floor_of(value.low / unit) * unit, floor_of(value.high / unit) * unit};
+}
+
+FixedFormat format_of(const Range& value, int unit_exponent) {
+  const mpq_class per_unit = power_of_two(-unit_exponent);
+  return FixedFormat::holding(floor_of(value.low * per_unit), ceiling_of(value.high * per_unit),
+                              unit_exponent);
+}
+
+void drop_bits(FixedNode& node, int count) {
+  if (count <= 0) return;
+  node.dropped_bits = count;
+  const mpq_class exact_unit = node.format.unit();
+  const int unit_exponent = node.format.unit_exponent + count;
+  const mpq_class unit = power_of_two(unit_exponent);
+  node.error.low -= unit - exact_unit;
+  node.value = rounded_down(node.value, unit);
+  node.format = format_of(node.value, unit_exponent);
 }
 
 /// Dropping bits moves a positive end towards 0 and a negative one towards -1 unit. Dropping the

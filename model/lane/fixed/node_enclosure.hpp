@@ -18,6 +18,12 @@ void narrow(Range& range, const Range& other);
 /// The ends of a range rounded down to multiples of a unit.
 Range rounded_down(const Range& value, const mpq_class& unit);
 
+/// The format that holds a range of multiples of the unit.
+FixedFormat format_of(const Range& value, int unit_exponent);
+
+/// Drops `count` low bits of a result that has dropped none so far; nothing if `count` <= 0.
+void drop_bits(FixedNode& node, int count);
+
 /// A common cut of `node` to magnitudes of `bits` bits that drops `most` bits at most. Proof:
 /// docs/fixed_point.md, theorem 7.
 Range cut_value(const FixedNode& node, int bits, int most);

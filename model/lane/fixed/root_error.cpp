@@ -36,13 +36,15 @@ bool is_nonnegative(const std::vector<FixedNode>& nodes, NodeId id) {
     case Operation::add:
     case Operation::multiply:
     case Operation::minimum: return operand(0) && operand(1);
-    case Operation::convert: return operand(0);
+    case Operation::convert: return follows_operands(node) && operand(0);
     case Operation::maximum: return operand(0) || operand(1);
     case Operation::constant:
     case Operation::negate:
     case Operation::subtract:
     case Operation::divide:
+    case Operation::look_up:
     case Operation::fused_sum: return false;
+    case Operation::function: break;
   }
   MIXCMP_CHECK(false);
 }

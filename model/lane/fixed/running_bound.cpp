@@ -29,7 +29,7 @@ public:
 private:
   /// Narrows value and error by those of the operands.
   void enclose(FixedNode& node) const {
-    if (arity(node.operation) == 0) return;
+    if (arity(node.operation) == 0 || !follows_operands(node)) return;
     const FixedNode& a = nodes_[node.operands[0]];
     const FixedNode& b = nodes_[node.operands[arity(node.operation) - 1]];
     const mpq_class unit = node.format.unit();

@@ -90,6 +90,9 @@ private:
       case Operation::subtract:
       case Operation::minimum:
       case Operation::maximum: return common(id, operands[0], operands[1]);
+      case Operation::function:
+        return refused(graph_, scaled_, id, "a function other than a power does not scale");
+      case Operation::look_up:
       case Operation::fused_sum: break;
     }
     MIXCMP_CHECK(false);

@@ -29,9 +29,21 @@ Range Interval::range() const {
   return {to_rational(&value_->left), to_rational(&value_->right)};
 }
 
-mpq_class Interval::middle() const {
-  const Range ends = range();
-  return (ends.low + ends.high) / 2;
+Interval Interval::magnitude() const {
+  Interval largest;
+  mpfi_mag(&largest.value_->right, value_);
+  mpfr_set(&largest.value_->left, &largest.value_->right, MPFR_RNDN);
+  return largest;
+}
+
+mpf_class Interval::middle() const {
+  mpfr_t middle;
+  mpfr_init2(middle, digits);
+  mpfi_mid(middle, value_);
+  mpf_class found(0, digits);
+  mpfr_get_f(found.get_mpf_t(), middle, MPFR_RNDN);
+  mpfr_clear(middle);
+  return found;
 }
 
 Interval operator+(const Interval& a, const Interval& b) {

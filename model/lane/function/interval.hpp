@@ -27,8 +27,10 @@ public:
   /// The ends. They are infinite where an operation has no enclosure; then there is no range.
   bool is_bounded() const { return mpfi_bounded_p(value_) != 0; }
   Range range() const;
-  /// A number within.
-  mpq_class middle() const;
+  /// The largest magnitude, as an interval of one number.
+  Interval magnitude() const;
+  /// A number within, roughly in the middle.
+  mpf_class middle() const;
 
   friend Interval operator+(const Interval& a, const Interval& b);
   friend Interval operator-(const Interval& a, const Interval& b);

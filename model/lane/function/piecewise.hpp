@@ -2,7 +2,10 @@
 
 #include <gmpxx.h>
 
+#include <bit>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "model/base/number/fixed_format.hpp"
@@ -12,10 +15,31 @@
 /// Functions as polynomials of pieces, in fixed point. Proof: docs/fixed_point.md, theorem 9.
 namespace mixcmp::function {
 
+/// The words of a table, which its copies share.
+class Words {
+public:
+  Words() = default;
+  explicit Words(std::vector<mpz_class> words)
+      : words_(std::make_shared<const std::vector<mpz_class>>(std::move(words))) {}
+
+  /// A power of two, or 0: there is no table.
+  std::size_t size() const { return words_ ? words_->size() : 0; }
+  const mpz_class& operator[](std::size_t address) const { return (*words_)[address]; }
+  /// The bits of an address. There is a table.
+  int address_bits() const { return std::countr_zero(words_->size()); }
+
+  friend bool operator==(const Words& a, const Words& b) {
+    return a.words_ == b.words_ || (a.words_ && b.words_ && *a.words_ == *b.words_);
+  }
+
+private:
+  std::shared_ptr<const std::vector<mpz_class>> words_;
+};
+
 /// The polynomials' coefficients of t^k, one word for each piece.
 struct CoefficientTable {
   FixedFormat format;
-  std::vector<mpz_class> words;  ///< in units, [address]
+  Words words;  ///< in units, [address]
 
   friend bool operator==(const CoefficientTable&, const CoefficientTable&) = default;
 };
@@ -41,14 +65,14 @@ struct Piecewise {
 /// The result of hardware for the argument X, in units of the result; X is one of the arguments.
 mpz_class evaluate(const Piecewise& piecewise, const mpz_class& argument);
 
-/// The least area among degrees and numbers of pieces, by a rough model, whose error is less than a
-/// unit of 2^unit_exponent. `arguments`: the least and the greatest X, in units of the format. None
-/// if the function has no value somewhere between them, or if more pieces would be needed than
-/// 2^most_address_bits.
+/// A piecewise polynomial whose error is less than a unit of 2^unit_exponent, of the least area
+/// among degrees and numbers of pieces by a rough model. `arguments`: the least and the greatest
+/// X, in units of the format. None if the function has no value somewhere between them, or if more
+/// pieces would be needed than 2^most_address_bits. Equal calls are answered from memory.
 std::optional<Piecewise> approximate(Function function, const FixedFormat& argument,
                                      const mpz_class& least, const mpz_class& greatest,
                                      int unit_exponent);
 
-inline constexpr int most_address_bits = 12;
+inline constexpr int most_address_bits = 10;
 
 }  // namespace mixcmp::function

@@ -8,13 +8,6 @@ namespace mixcmp::function {
 namespace {
 
 using Series = std::vector<Interval>;
-using Evaluate = int (*)(mpfi_ptr, mpfi_srcptr);
-
-Interval apply(Evaluate evaluate, const Interval& x) {
-  Interval y;
-  evaluate(y.get(), x.get());
-  return y;
-}
 
 /// The k-th coefficient of a product.
 Interval coefficient(const Series& a, const Series& b, std::size_t k) {
@@ -62,7 +55,7 @@ Series tangent(Interval first, int sign, int count) {
 }
 
 /// Of atan: y' = 1 / (1 + x^2).
-Series arc_tangent(const Interval& x, int count) {
+Series arc_tangent(Interval first, const Interval& x, int count) {
   Interval square;
   mpfi_sqr(square.get(), x.get());
   const Interval divisor = Interval(1) + square, twice = Interval(2) * x;
@@ -73,7 +66,7 @@ Series arc_tangent(const Interval& x, int count) {
     if (k > 1) rest = rest + rate[at - 2];
     rate.push_back(Interval(0) - rest / divisor);
   }
-  Series y = {apply(mpfi_atan, x)};
+  Series y = {std::move(first)};
   for (int k = 1; k < count; ++k) {
     y.push_back(rate[static_cast<std::size_t>(k) - 1] / Interval(k));
   }
@@ -88,34 +81,54 @@ Interval log_of_two() {
 
 }  // namespace
 
-Series taylor(Function function, const Interval& x, int count) {
+std::vector<Interval> taylor(Function function, const Interval& x, int count) {
   MIXCMP_CHECK(count > 0);
-  const Interval one = 1;
+  const Interval one = 1, first = value(function, x);
   switch (function) {
-    case Function::exp: return exponential(apply(mpfi_exp, x), one, count);
-    case Function::exp2: return exponential(apply(mpfi_exp2, x), log_of_two(), count);
+    case Function::exp: return exponential(first, one, count);
+    case Function::exp2: return exponential(first, log_of_two(), count);
     case Function::expm1: {
-      Series y = exponential(apply(mpfi_exp, x), one, count);
-      y.front() = apply(mpfi_expm1, x);
+      Series y = exponential(value(Function::exp, x), one, count);
+      y.front() = first;
       return y;
     }
-    case Function::log: return logarithm(apply(mpfi_log, x), x, one, count);
-    case Function::log2: return logarithm(apply(mpfi_log2, x), x, one / log_of_two(), count);
-    case Function::log1p: return logarithm(apply(mpfi_log1p, x), one + x, one, count);
-    case Function::sin: return oscillation(apply(mpfi_sin, x), apply(mpfi_cos, x), -1, count);
-    case Function::cos:
-      return oscillation(apply(mpfi_cos, x), Interval(0) - apply(mpfi_sin, x), -1, count);
-    case Function::tan: return tangent(apply(mpfi_tan, x), 1, count);
-    case Function::atan: return arc_tangent(x, count);
-    case Function::sinh: return oscillation(apply(mpfi_sinh, x), apply(mpfi_cosh, x), 1, count);
-    case Function::cosh: return oscillation(apply(mpfi_cosh, x), apply(mpfi_sinh, x), 1, count);
-    case Function::tanh: return tangent(apply(mpfi_tanh, x), -1, count);
+    case Function::log: return logarithm(first, x, one, count);
+    case Function::log2: return logarithm(first, x, one / log_of_two(), count);
+    case Function::log1p: return logarithm(first, one + x, one, count);
+    case Function::sin: return oscillation(first, value(Function::cos, x), -1, count);
+    case Function::cos: return oscillation(first, Interval(0) - value(Function::sin, x), -1, count);
+    case Function::tan: return tangent(first, 1, count);
+    case Function::atan: return arc_tangent(first, x, count);
+    case Function::sinh: return oscillation(first, value(Function::cosh, x), 1, count);
+    case Function::cosh: return oscillation(first, value(Function::sinh, x), 1, count);
+    case Function::tanh: return tangent(first, -1, count);
+  }
+  MIXCMP_CHECK(false);
+}
+
+void enclose(Function function, mpfi_ptr y, mpfi_srcptr x) {
+  switch (function) {
+    case Function::exp: mpfi_exp(y, x); return;
+    case Function::exp2: mpfi_exp2(y, x); return;
+    case Function::expm1: mpfi_expm1(y, x); return;
+    case Function::log: mpfi_log(y, x); return;
+    case Function::log2: mpfi_log2(y, x); return;
+    case Function::log1p: mpfi_log1p(y, x); return;
+    case Function::sin: mpfi_sin(y, x); return;
+    case Function::cos: mpfi_cos(y, x); return;
+    case Function::tan: mpfi_tan(y, x); return;
+    case Function::atan: mpfi_atan(y, x); return;
+    case Function::sinh: mpfi_sinh(y, x); return;
+    case Function::cosh: mpfi_cosh(y, x); return;
+    case Function::tanh: mpfi_tanh(y, x); return;
   }
   MIXCMP_CHECK(false);
 }
 
 Interval value(Function function, const Interval& x) {
-  return taylor(function, x, 1).front();
+  Interval y;
+  enclose(function, y.get(), x.get());
+  return y;
 }
 
 }  // namespace mixcmp::function

@@ -12,7 +12,8 @@ namespace mixcmp::function {
 /// An interval that leaves the function's domain has unbounded ones.
 std::vector<Interval> taylor(Function function, const Interval& x, int count);
 
-/// Encloses the function's values.
+/// Encloses the function's values, in the precision of y.
+void enclose(Function function, mpfi_ptr y, mpfi_srcptr x);
 Interval value(Function function, const Interval& x);
 
 }  // namespace mixcmp::function

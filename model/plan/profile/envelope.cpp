@@ -132,6 +132,8 @@ MIXCMP_VECTOR_CLONES void Envelope::evaluate(std::span<const double* const> colu
       case Operation::square_root: envelope_kernels::root(y, a, unit_); break;
       case Operation::minimum: envelope_kernels::selection(y, a, b, false); break;
       case Operation::maximum: envelope_kernels::selection(y, a, b, true); break;
+      case Operation::function:
+      case Operation::look_up:
       case Operation::fused_sum: MIXCMP_CHECK(!"lanes have no fused sums"); break;
     }
     check(step, y, block.wild);

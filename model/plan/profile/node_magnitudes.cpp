@@ -71,6 +71,8 @@ NodeMagnitude exact_magnitude(const TypedNode& node, const NodeMagnitude& a,
               .least = std::min(a.least, b.least)};
     case Operation::input:
     case Operation::constant:
+    case Operation::function:
+    case Operation::look_up:
     case Operation::fused_sum: break;
   }
   MIXCMP_CHECK(false);
@@ -98,6 +100,8 @@ bool rounds(Operation operation) {
     case Operation::divide:
     case Operation::square_root:
     case Operation::fused_sum: return true;
+    case Operation::function:
+    case Operation::look_up: break;
     case Operation::input:
     case Operation::constant:
     case Operation::negate:

@@ -387,6 +387,8 @@ private:
       case Operation::maximum: y = std::max(a, b); break;
       case Operation::convert:
       case Operation::fused_sum: return false;
+      case Operation::function:
+      case Operation::look_up: break;
     }
     return true;
   }
@@ -453,6 +455,8 @@ private:
       case Operation::maximum: mpfr_max(y, a, b, MPFR_RNDN); break;
       case Operation::convert:
       case Operation::fused_sum: return false;
+      case Operation::function:
+      case Operation::look_up: break;
     }
     clear_noise(y);
     return true;

@@ -175,6 +175,8 @@ private:
       case Operation::input:
       case Operation::constant:
       case Operation::convert:
+      case Operation::function:
+      case Operation::look_up:
       case Operation::fused_sum: break;
     }
     MIXCMP_CHECK(false);

@@ -1,0 +1,211 @@
+#include <algorithm>
+
+#include "model/base/number/dyadic.hpp"
+#include "model/lane/fixed/graph_builder.hpp"
+#include "model/lane/fixed/node_enclosure.hpp"
+#include "model/lane/fixed/root_error.hpp"
+#include "model/lane/function/taylor.hpp"
+
+/// Functions as piecewise polynomials. Proof: docs/fixed_point.md, theorem 9.
+namespace mixcmp::fixed {
+namespace {
+
+/// A function's value has at most W + 8 bits.
+constexpr int spare_function_bits = 8;
+
+/// A limit costs a comparator. It is worth that if errors become so many times smaller.
+constexpr int worth_a_limit = 2;
+
+/// The real numbers that the computed ones of a range may stand for.
+Range stood_for(const Range& computed, const Range& error) {
+  return difference(computed, error);
+}
+
+/// By how much a function's value changes if its argument does by an error: the slopes between the
+/// computed argument and the real one, times the error. None if some slope has no bound.
+std::optional<Range> moved_by(Function function, const Range& computed, const Range& error) {
+  const Range real = stood_for(computed, error);
+  const Range both = {std::min(computed.low, real.low), std::max(computed.high, real.high)};
+  const function::Interval slope = function::taylor(function, function::Interval(both), 2).back();
+  if (!slope.is_bounded()) return std::nullopt;
+  return product(slope.range(), error);
+}
+
+/// The unit of a function's values. As for a root, it is the power of two at or below half of the
+/// error that results from the argument's error.
+int unit_exponent_for(const Range& values, const mpq_class& effect, int bits) {
+  const mpq_class greatest = absolute(values).high;
+  const int largest = greatest == 0 ? 0 : static_cast<int>(floor_log2(greatest));
+  const int digits = largest + 1 - bits;
+  if (effect == 0) return digits;
+  return std::clamp(static_cast<int>(floor_log2(effect)) - 1, digits - spare_function_bits,
+                    largest);
+}
+
+bool are_equal(const function::Words& words) {
+  for (std::size_t k = 1; k < words.size(); ++k) {
+    if (words[k] != words[0]) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+const Range& FixedGraphBuilder::declared(NodeId id) {
+  std::optional<Range>& range = declared_[id];
+  if (range) return *range;
+  const FixedNode& computed = nodes_[known_[id]];
+  range = stood_for(computed.value, computed.error);
+  if (const auto found = enclosed(id)) narrow(*range, *found);
+  return *range;
+}
+
+/// The real values of a node by those of its operands; none if the computed numbers tell as much.
+std::optional<Range> FixedGraphBuilder::enclosed(NodeId id) {
+  const Node& node = graph_.nodes()[id];
+  switch (node.operation) {
+    case Operation::input: return options_.ranges[static_cast<std::size_t>(node.input)];
+    case Operation::constant: return Range{node.value, node.value};
+    case Operation::square_root: {
+      const Range& radicand = declared(node.operands[0]);
+      if (radicand.low < 0) return std::nullopt;
+      return Range{root_of(radicand.low, root_digits), root_above(radicand.high, root_digits)};
+    }
+    case Operation::divide: {
+      const mpq_class reciprocal = 1 / graph_.nodes()[node.operands[1]].value;
+      const Range factor = {reciprocal, reciprocal};
+      return exact_value(Operation::multiply, declared(node.operands[0]), factor);
+    }
+    case Operation::negate:
+    case Operation::absolute:
+    case Operation::square: return exact_value(node.operation, declared(node.operands[0]), {});
+    case Operation::add:
+    case Operation::subtract:
+    case Operation::multiply:
+    case Operation::minimum:
+    case Operation::maximum: {
+      const Range first = declared(node.operands[0]);
+      return exact_value(node.operation, first, declared(node.operands[1]));
+    }
+    case Operation::convert:
+    case Operation::function:
+    case Operation::look_up:
+    case Operation::fused_sum: return std::nullopt;
+  }
+  MIXCMP_CHECK(false);
+}
+
+/// The argument of a function, limited if its format has numbers beyond what the scene declares at
+/// which the function has no value or is steep.
+Result<NodeId> FixedGraphBuilder::argument_of(NodeId id) {
+  const Function function = *graph_.nodes()[id].function;
+  const NodeId whole = factor(operand(id, 0));
+  const FixedNode& argument = nodes_[whole];
+  const mpq_class unit = argument.format.unit();
+  const Range& real = declared(graph_.nodes()[id].operands[0]);
+  mpz_class least = floor_of((real.low + argument.error.low) / unit);
+  if (const auto end = open_end(function)) {
+    least = std::max<mpz_class>(least, floor_of((*end + argument.error.high) / unit) + 1);
+  }
+  Range limits = {std::max<mpq_class>(argument.value.low, least * unit),
+                  std::min<mpq_class>(argument.value.high,
+                                      ceiling_of((real.high + argument.error.high) / unit) * unit)};
+  const auto limited =
+      limits.low > limits.high ? std::nullopt : moved_by(function, limits, argument.error);
+  if (!limited) {
+    return refused(id, "the argument's range holds numbers at which the function has no bound",
+                   "a narrower range of the inputs, or within(x, low, high) around the argument");
+  }
+  const auto unlimited = moved_by(function, argument.value, argument.error);
+  if (unlimited && absolute(*unlimited).high <= worth_a_limit * absolute(*limited).high) {
+    return whole;
+  }
+  FixedNode node = conversion(Conversion::limit, whole);
+  node.value = limits;
+  node.format = format_of(node.value, argument.format.unit_exponent);
+  return add(std::move(node));
+}
+
+/// The node of the coefficient of t^power.
+NodeId FixedGraphBuilder::coefficient(Function function, const function::Piecewise& piecewise,
+                                      int power, NodeId argument) {
+  const function::CoefficientTable& table =
+      piecewise.coefficients[static_cast<std::size_t>(power)];
+  const mpq_class unit = table.format.unit();
+  if (are_equal(table.words)) {
+    FixedNode constant{.operation = Operation::constant, .constant = table.words[0]};
+    constant.format = table.format;
+    constant.value = {table.words[0] * unit, table.words[0] * unit};
+    return add(std::move(constant));
+  }
+  FixedNode word{.operation = Operation::look_up, .operands = {argument, -1}, .constant = {}};
+  word.format = table.format;
+  mpz_class least = table.words[0], greatest = table.words[0];
+  for (std::size_t k = 1; k < table.words.size(); ++k) {
+    least = std::min(least, table.words[k]);
+    greatest = std::max(greatest, table.words[k]);
+  }
+  word.value = {least * unit, greatest * unit};
+  word.words = table.words;
+  word.function = function;
+  word.power = power;
+  return add(std::move(word));
+}
+
+/// The polynomial's value before its last cut. The computed numbers inside stand for themselves, so
+/// that they have no error.
+NodeId FixedGraphBuilder::polynomial(Function function, const function::Piecewise& piecewise,
+                                     NodeId argument) {
+  NodeId sum = coefficient(function, piecewise, piecewise.degree(), argument);
+  if (piecewise.degree() == 0) return sum;
+  FixedNode place = conversion(Conversion::place, argument);
+  place.format = {.width = piecewise.piece_bits,
+                  .unit_exponent = nodes_[argument].format.unit_exponent};
+  place.value = {0, place.format.largest() * place.format.unit()};
+  place.error = {0, 0};
+  place.function = function;
+  const NodeId t = add(std::move(place));
+  for (int k = piecewise.degree() - 1; k >= 0; --k) {
+    const NodeId constant = coefficient(function, piecewise, k, argument);
+    FixedNode product = exactly(Operation::multiply, sum, t);
+    drop_bits(product, piecewise.coefficients[static_cast<std::size_t>(k)].format.unit_exponent -
+                           product.format.unit_exponent);
+    product.error = {0, 0};
+    const NodeId multiple = add(std::move(product));
+    sum = add(exactly(Operation::add, constant, multiple));
+  }
+  return sum;
+}
+
+Result<FixedNode> FixedGraphBuilder::function(NodeId id) {
+  const Function function = *graph_.nodes()[id].function;
+  MIXCMP_TRY(argument, argument_of(id));
+  const FixedNode computed = nodes_[argument];
+  const mpq_class unit = computed.format.unit();
+  const Range moved = *moved_by(function, computed.value, computed.error);
+  const Range values = function::value(function, function::Interval(computed.value)).range();
+  const int unit_exponent = unit_exponent_for(values, absolute(moved).high, options_.format.bits);
+  const auto piecewise =
+      function::approximate(function, computed.format, floor_of(computed.value.low / unit),
+                            ceiling_of(computed.value.high / unit), unit_exponent);
+  if (!piecewise) {
+    return refused(id, "the function needs more pieces than a table has words",
+                   "a narrower range of the inputs, or fewer bits");
+  }
+  const NodeId last = polynomial(function, *piecewise, argument);
+  FixedNode result = nodes_[last];
+  if (piecewise->degree() > 0) {
+    result = conversion(Conversion::function_value, last);
+    result.dropped_bits = unit_exponent - result.format.unit_exponent;
+    result.function = function;
+    const mpq_class result_unit = power_of_two(unit_exponent);
+    result.value =
+        rounded_down(sum(values, {piecewise->error.low, piecewise->error.high}), result_unit);
+    narrow(result.value, rounded_down(nodes_[last].value, result_unit));
+    result.format = format_of(result.value, unit_exponent);
+  }
+  result.error = sum(piecewise->error, moved);
+  return result;
+}
+
+}  // namespace mixcmp::fixed
