@@ -71,9 +71,28 @@ ErrorTally run(const ErrorJob& job, std::uint64_t samples, const ProfileOptions&
 
 }  // namespace
 
+namespace {
+
+/// The profiles of a scene that has no lanes in floating point whose errors could be measured.
+std::vector<ErrorProfile> without_errors(const std::vector<LaneInputs>& inputs,
+                                         const ProfileOptions& options) {
+  std::vector<ErrorProfile> profiles;
+  for (const LaneInputs each : inputs) {
+    ErrorProfile& profile = profiles.emplace_back(ErrorProfile{.inputs = each, .precisions = {}});
+    for (int precision = options.first_precision; precision <= options.last_precision;
+         ++precision) {
+      profile.precisions.push_back({.precision = precision});
+    }
+  }
+  return profiles;
+}
+
+}  // namespace
+
 std::vector<ErrorProfile> profile_errors(const scene::Scene& scene, const data::Comparisons& data,
                                          const std::vector<LaneInputs>& inputs,
                                          const ProfileOptions& options) {
+  if (scene.graph.first_function()) return without_errors(inputs, options);
   if (!fits_double(scene.reference.format)) {
     const InDouble same = in_double(scene, data);
     return profile_errors(same.scene, same.data, inputs, options);

@@ -116,12 +116,12 @@ private:
 }  // namespace
 
 PrecisionBand::PrecisionBand(const Envelope::Options& options, int next, int first,
-                             const TypedGraph& graph, const std::vector<SchemeLanes>& schemes)
-    : combination_(graph.combination),
-      reference_precision_(options.reference.precision()),
-      next_(next) {
-  for (std::size_t k = 0; k < graph.parts.size(); ++k) {
-    Part& part = parts_.emplace_back(Part{Envelope(part_of(graph, k).graph, options), {}});
+                             const std::optional<TypedGraph>& graph,
+                             const std::vector<SchemeLanes>& schemes)
+    : reference_precision_(options.reference.precision()), anchor_(options.anchor), next_(next) {
+  if (graph) combination_ = graph->combination;
+  for (std::size_t k = 0; graph && k < graph->parts.size(); ++k) {
+    Part& part = parts_.emplace_back(Part{Envelope(part_of(*graph, k).graph, options), {}});
     for (const SchemeLanes& scheme : schemes) {
       part.thresholds.push_back(threshold_of(scheme, k, options.anchor - first, part.envelope));
     }
@@ -136,6 +136,7 @@ PrecisionBand::PrecisionBand(const Envelope::Options& options, int next, int fir
 
 void PrecisionBand::classify(std::span<const double* const> columns, EnvelopeBlock& block,
                              const BlockFindings& findings) const {
+  if (parts_.empty()) return all_are_open(findings);
   if (parts_.size() == 1) return classify(parts_.front(), columns, block, findings);
   PartsMerger merger(combination_, scheme_count(), static_cast<LastOpen>(next_));
   for (const Part& part : parts_) {
@@ -143,6 +144,14 @@ void PrecisionBand::classify(std::span<const double* const> columns, EnvelopeBlo
     merger.add_part();
   }
   merger.finish(findings);
+}
+
+void PrecisionBand::all_are_open(const BlockFindings& findings) const {
+  std::fill_n(findings.doubtful, envelope_width, std::uint8_t{1});
+  for (std::size_t scheme = 0; scheme < scheme_count(); ++scheme) {
+    std::fill_n(findings.last + scheme * findings.stride, envelope_width,
+                static_cast<LastOpen>(next_));
+  }
 }
 
 void PrecisionBand::classify(const Part& part, std::span<const double* const> columns,

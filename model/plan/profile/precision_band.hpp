@@ -31,11 +31,12 @@ struct BlockFindings {
 /// for which comparisons they need not be run.
 class PrecisionBand {
 public:
-  /// `schemes` have lanes from precision `first` on.
-  PrecisionBand(const Envelope::Options& options, int next, int first, const TypedGraph& graph,
-                const std::vector<SchemeLanes>& schemes);
+  /// `schemes` have lanes from precision `first` on. Without a graph there is no envelope, and all
+  /// lanes have to be run.
+  PrecisionBand(const Envelope::Options& options, int next, int first,
+                const std::optional<TypedGraph>& graph, const std::vector<SchemeLanes>& schemes);
 
-  int anchor() const { return parts_.front().envelope.anchor(); }
+  int anchor() const { return anchor_; }
   int next() const { return next_; }
   std::size_t scheme_count() const { return runners_.size(); }
   const LaneRunner& runner(std::size_t scheme, int precision) const {
@@ -54,16 +55,17 @@ private:
     std::vector<Threshold> thresholds;  ///< one per scheme
   };
 
+  void all_are_open(const BlockFindings& findings) const;
   void classify(const Part& part, std::span<const double* const> columns, EnvelopeBlock& block,
                 const BlockFindings& findings) const;
   void last_open(const Part& part, const EnvelopeBlock& block, const BlockFindings& findings) const;
   void find_verdicts(const Part& part, const EnvelopeBlock& block,
                      const BlockFindings& findings) const;
 
-  std::vector<Part> parts_;
-  Combination combination_;
+  std::vector<Part> parts_;  ///< none without envelopes
+  Combination combination_ = Combination::all;
   int reference_precision_;
-  int next_;
+  int anchor_, next_;
   std::vector<std::vector<LaneRunner>> runners_;  ///< [scheme][precision - anchor()]
 };
 

@@ -119,19 +119,31 @@ void RateWorker::find_true_verdicts(UnsettledComparisons& unsettled) {
   }
   job_.source.fetch(indices, picked_.operands());
   job_.reference.decide(picked_.operands().columns(), indices.size(), decisions_);
+  const std::vector<Decision> certified = certified_verdicts(indices.size());
   std::vector<Bits> operands(job_.source.data().input_count());
   for (std::size_t n = 0; n < indices.size(); ++n) {
     const std::size_t k = rows[n];
-    job_.source.data().fetch(indices[n], operands);
     unsettled.reference[k] = decisions_[n];
-    const auto truth =
-        golden::true_verdict(job_.scene.graph, job_.scene.reference.format, operands);
-    unsettled.truth[k] = decision_of(truth);
-    if (!truth) ++tally_.undetermined;
+    unsettled.truth[k] = certified[n];
+    if (certified[n] == Decision::undecided) {
+      job_.source.data().fetch(indices[n], operands);
+      const auto truth =
+          golden::true_verdict(job_.scene.graph, job_.scene.reference.format, operands);
+      unsettled.truth[k] = decision_of(truth);
+      if (!truth) ++tally_.undetermined;
+      ++tally_.true_verdicts;
+    }
     if (is_wrong(unsettled.reference[k], unsettled.truth[k])) ++tally_.reference_wrong;
   }
-  tally_.true_verdicts += indices.size();
   if (job_.pairs != nullptr) mark_reported(unsettled);
+}
+
+/// The verdicts on the picked operands that a reference as a lane decides; the others undecided.
+std::vector<Decision> RateWorker::certified_verdicts(std::size_t count) {
+  std::vector<Decision> verdicts(capacity, Decision::undecided);
+  const bool may_rely = job_.certified_reference && job_.method != ProfileMethod::brute_force;
+  if (may_rely) job_.certified_reference->decide(picked_.operands().columns(), count, verdicts);
+  return verdicts;
 }
 
 void RateWorker::mark_reported(const UnsettledComparisons& unsettled) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "model/base/common/workers.hpp"
@@ -17,6 +18,9 @@ struct RateJob {
   std::vector<SchemeLanes> schemes;
   std::vector<PrecisionBand> bands;  ///< the next() of each is the anchor() of the next one
   emulator::Emulator reference;
+  /// Decides only what it decides as the real numbers do. None: each verdict in doubt is computed
+  /// by MPFR.
+  std::optional<emulator::Emulator> certified_reference = {};
   /// The operands of one input that lanes do not take. Bit k of of_row[row] is set if the value in
   /// that row of the input's table fails a range check of scheme k, or lies outside its fixed-point
   /// format. Inputs that never fail are left out.
@@ -68,6 +72,7 @@ private:
   void make_room(std::size_t band, std::size_t count);
   void classify(const PrecisionBand& band, UnsettledComparisons& unsettled, bool is_first);
   void find_true_verdicts(UnsettledComparisons& unsettled);
+  std::vector<Decision> certified_verdicts(std::size_t count);
   void mark_reported(const UnsettledComparisons& unsettled);
   void settle_finished(const PrecisionBand& band, const UnsettledComparisons& unsettled);
   void run_scheme(const PrecisionBand& band, std::size_t scheme,

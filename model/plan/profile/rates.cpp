@@ -5,6 +5,7 @@
 
 #include "model/base/common/check.hpp"
 #include "model/base/number/double.hpp"
+#include "model/design/design.hpp"
 #include "model/judge/golden/fixed_evaluate.hpp"
 #include "model/plan/profile/in_double.hpp"
 #include "model/plan/profile/rate_worker.hpp"
@@ -110,8 +111,11 @@ void add_bands(RateJob& job, const ErrorProfile& errors) {
                                     .last = anchors.back() - 1,
                                     .reference = job.scene.reference.format,
                                     .inputs = inputs};
-    job.bands.emplace_back(options, anchors[k + 1], anchors.front(),
-                           graph_at(job.scene, anchors[k], errors.inputs), job.schemes);
+    std::optional<TypedGraph> graph;
+    if (!job.scene.graph.first_function()) {
+      graph = graph_at(job.scene, anchors[k], errors.inputs);
+    }
+    job.bands.emplace_back(options, anchors[k + 1], anchors.front(), graph, job.schemes);
   }
 }
 
@@ -132,6 +136,16 @@ RateTally run(const RateJob& job, const ProfileOptions& options) {
   return total;
 }
 
+/// A reference in fixed point, made a lane: the verdicts that it decides are those of real numbers.
+std::optional<emulator::Emulator> certified_reference(const scene::Scene& scene) {
+  if (!scene.reference_fixed_point) return std::nullopt;
+  const scene::ReducedSpec lane{.fixed_point = scene.reference_fixed_point,
+                                .error_bound = BoundKind::constant};
+  const auto made = design::design_lane(scene, lane, nullptr);
+  if (!made.ok()) return std::nullopt;
+  return emulator::Emulator(std::get<fixed::FixedLane>(*made));
+}
+
 RateProfile rates_of(const scene::Scene& scene, const data::Comparisons& data,
                      const ErrorProfile& errors, const ProfileOptions& options,
                      emulator::Emulator reference) {
@@ -143,6 +157,7 @@ RateProfile rates_of(const scene::Scene& scene, const data::Comparisons& data,
               .schemes = existing_schemes(schemes),
               .bands = {},
               .reference = std::move(reference),
+              .certified_reference = certified_reference(scene),
               .failing = {},
               .stretch = options.stretch};
   std::shared_ptr<performance::PairwiseData> pairs;
