@@ -11,6 +11,7 @@
 #include "generator/hardware/emit/template_ports.hpp"
 #include "generator/synthesis/components/needed_parts.hpp"
 #include "model/base/common/cases.hpp"
+#include "model/cost/estimated/table_luts.hpp"
 
 namespace mixcmp::components {
 namespace {
@@ -242,6 +243,10 @@ units::Unit unit_of(const TemplateInstance& instance) {
       unit.parameters.push_back({parameter.name, literal->width, literal->value});
     } else if (const auto* number = std::get_if<long long>(&parameter.value)) {
       unit.parameters.push_back(units::integer(parameter.name, *number));
+    } else {
+      const auto& table = std::get<Words>(parameter.value);
+      unit.parameters.push_back(units::integer(std::string(units::table_luts),
+                                               estimated::table_luts(table.words, table.width)));
     }
   }
   const Instance alone{instance.module, "unit", instance.parameters, {}};

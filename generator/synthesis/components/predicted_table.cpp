@@ -64,7 +64,9 @@ void AreaPredictor::note(const std::string& module, bool is_known) const {
   const std::lock_guard lock(used_->mutex);
   if (!is_known) used_->unknown.insert(module);
   if (!is_known || !used_->seen.insert(module).second) return;
-  if (library_.areas.find(module)->rtl != template_hash(module)) used_->outdated.insert(module);
+  const units::TemplateAreas* const measured = library_.areas.find(module);
+  if (measured == nullptr) return;  // a table, whose area is known without
+  if (measured->rtl != template_hash(module)) used_->outdated.insert(module);
 }
 
 double six_input_luts(const devices::Device& device) {

@@ -13,7 +13,9 @@
 #include "model/base/common/check.hpp"
 #include "model/base/common/file.hpp"
 #include "model/base/number/dyadic.hpp"
+#include "model/base/number/exact.hpp"
 #include "model/base/settings/bound_name.hpp"
+#include "model/cost/estimated/table_luts.hpp"
 #include "model/lane/fixed/square_tables.hpp"
 
 namespace mixcmp::estimated {
@@ -206,10 +208,13 @@ double shift_luts(int most) {
   return most == 0 ? 0 : 0.5 * std::bit_width(static_cast<unsigned>(most));
 }
 
-/// LUTs for each bit of a table's word.
-double table_luts(int address_bits) {
-  constexpr int inputs = 6;
-  return std::ldexp(1, std::max(0, address_bits - inputs));
+int table_luts(const fixed::FixedNode& look_up) {
+  std::vector<Bits> words;
+  for (std::size_t address = 0; address < look_up.words.size(); ++address) {
+    const mpz_class& word = look_up.words[address];
+    words.push_back(to_bits(word < 0 ? word + shifted_left(1, look_up.format.width) : word));
+  }
+  return table_luts(words, look_up.format.width);
 }
 
 /// - A sum takes a LUT per bit.
@@ -246,7 +251,7 @@ double lane_luts(const fixed::FixedLane& lane, Products products) {
         if (products != Products::left_out) luts += 0.25 * width * width;
         break;
       case Operation::square_root: luts += 0.5 * width * (width + 5); break;
-      case Operation::look_up: luts += width * table_luts(node.words.address_bits()); break;
+      case Operation::look_up: luts += table_luts(node); break;
       default: luts += width; break;
     }
   }

@@ -29,6 +29,10 @@ Parameter integer(std::string name, long long value);
 /// multipliers, where the device has any.
 inline constexpr std::string_view embedded_products = "EMBEDDED_PRODUCTS";
 
+/// The name of a parameter that stands for a table's words: its look-up tables. The area of such a
+/// unit is these and a register for each bit that is cut; no library has it.
+inline constexpr std::string_view table_luts = "TABLE_LUTS";
+
 /// The name of a parameter that is no size: 2^TOP is a limit of numbers. Yosys finds 22 to 26 LUTs
 /// in a fixed_operand for every TOP from -996 to 300.
 inline constexpr std::string_view exponent_of_limit = "TOP";

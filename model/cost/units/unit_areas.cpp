@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "embedded/library_files.hpp"
+#include "model/base/common/check.hpp"
 #include "model/base/common/memo.hpp"
 #include "model/base/common/quote.hpp"
 
@@ -345,6 +346,24 @@ struct UnitAreas::Formulas {
   }
 };
 
+namespace {
+
+const Parameter* parameter_of(const Unit& unit, std::string_view name) {
+  const auto found = std::find_if(unit.parameters.begin(), unit.parameters.end(),
+                                  [&](const Parameter& each) { return each.name == name; });
+  return found == unit.parameters.end() ? nullptr : &*found;
+}
+
+devices::Area area_of_table(const Unit& unit, const Parameter& luts) {
+  const Parameter* const cuts = parameter_of(unit, "CUTS");
+  const Parameter* const width = parameter_of(unit, "WIDTH");
+  MIXCMP_CHECK(cuts != nullptr && width != nullptr);
+  return {.luts = static_cast<int>(luts.bits),
+          .registers = static_cast<int>(cuts->size() * width->size())};
+}
+
+}  // namespace
+
 struct UnitAreas::Known {
   Memo<std::string, Formulas> formulas;  ///< by template
   Memo<Unit, std::optional<devices::Area>> areas;
@@ -477,6 +496,7 @@ std::optional<devices::Area> UnitAreas::of(const Unit& unit) const {
 }
 
 std::optional<devices::Area> UnitAreas::found(const Unit& unit) const {
+  if (const Parameter* luts = parameter_of(unit, table_luts)) return area_of_table(unit, *luts);
   const devices::Area* const as_measured = measured(unit);
   if (as_measured != nullptr) return *as_measured;
   const std::optional<Split> split = split_of(unit);
