@@ -38,7 +38,7 @@ enum class Conversion {
   /// of a piecewise polynomial.
   place,
   /// Drops low bits of a polynomial's value. The result stands for a function of the polynomial's
-  /// argument: `error` is what theorem 9 bounds.
+  /// argument: `error` is what theorem 10 bounds.
   function_value,
 };
 

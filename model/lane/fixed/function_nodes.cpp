@@ -6,7 +6,7 @@
 #include "model/lane/fixed/root_error.hpp"
 #include "model/lane/function/taylor.hpp"
 
-/// Functions as piecewise polynomials. Proof: docs/fixed_point.md, theorem 9.
+/// Functions as piecewise polynomials. Proof: docs/fixed_point.md, theorem 10.
 namespace mixcmp::fixed {
 namespace {
 

@@ -12,7 +12,7 @@
 #include "model/comparison/expression/function.hpp"
 #include "model/comparison/expression/range.hpp"
 
-/// Functions as polynomials of pieces, in fixed point. Proof: docs/fixed_point.md, theorem 9.
+/// Functions as polynomials of pieces, in fixed point. Proof: docs/fixed_point.md, theorem 10.
 namespace mixcmp::function {
 
 /// The words of a table, which its copies share.
