@@ -65,6 +65,15 @@ Unit choice_unit(int bits, const DelayTable& delays) {
   return std::move(stages).unit("fixed_minimum_maximum");
 }
 
+/// The unit that finds the leading one of a function's argument.
+Unit floating_code_unit(const FixedLane& lane, const FixedNode& code, const DelayTable& delays) {
+  const int bits = lane.nodes[code.operands[0]].format.width;
+  StageList stages(delays);
+  stages.add("count", stages.lut_delay_ns(count_levels(bits)));
+  stages.add("shift", stages.lut_delay_ns(shift_levels(bits_for(bits - 1))));
+  return std::move(stages).unit("fixed_floating");
+}
+
 /// A table in logic: look-up tables of six inputs, and multiplexers of four.
 Unit table_unit(int address_bits, const DelayTable& delays) {
   constexpr int inputs = 6;
@@ -165,7 +174,9 @@ Unit fixed_unit(const FixedLane& lane, const FixedNode& node, scene::Multipliers
     case Operation::minimum:
     case Operation::maximum: return choice_unit(std::max(bits(0), bits(1)), delays);
     case Operation::square_root: return square_root_unit(node.format.width, delays);
-    case Operation::convert: return common_cut_unit(node, delays);
+    case Operation::convert:
+      return fixed::is_floating_code(node) ? floating_code_unit(lane, node, delays)
+                                           : common_cut_unit(node, delays);
     case Operation::constant:
     case Operation::look_up: return table_unit(node.words.address_bits(), delays);
     case Operation::divide:

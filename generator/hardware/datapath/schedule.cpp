@@ -178,7 +178,7 @@ private:
       return schedule().steps.push_back({});
     }
     if (fixed::is_common_cut(node)) return place_common_cut(node);
-    if (node.operation == Operation::convert) {
+    if (fixed::is_wires(node)) {
       schedule().steps.push_back(wires(operands_of(node)));
       if (!fixed::is_checked(node)) return;
       return schedule().checks.push_back(

@@ -33,7 +33,11 @@ void FixedNodes::build() {
       case Operation::input: build_input(id); break;
       case Operation::constant: build_constant(id); break;
       case Operation::convert:
-        fixed::is_common_cut(node) ? build_common_cut(id) : build_conversion(id);
+        if (fixed::is_floating_code(node)) {
+          build_unit(id);
+        } else {
+          fixed::is_common_cut(node) ? build_common_cut(id) : build_conversion(id);
+        }
         break;
       default: build_unit(id); break;
     }
@@ -120,7 +124,7 @@ Signal FixedNodes::leading_bits(int input) {
   const std::string name = datapath_.pool().unique(port + "_leading");
   const int width = format.width() - low;
   datapath_.add(Wire{width, name, slice(port, format.width() - 1, low)});
-  consume_low_bits(port, low);
+  consume_bits(port, low - 1, 0);
   return {net(name), name, width, 0};
 }
 
@@ -202,7 +206,7 @@ void FixedNodes::build_arriving(NodeId id) {
   describe(id);
   datapath_.add(Wire{node.format.width, names_[id],
                      slice(port, node.dropped_bits + node.format.width - 1, node.dropped_bits)});
-  consume_low_bits(port, node.dropped_bits);
+  consume_bits(port, node.dropped_bits - 1, 0);
 }
 
 void FixedNodes::build_constant(NodeId id) {
@@ -269,15 +273,18 @@ void FixedNodes::build_conversion(NodeId id) {
   } else {
     const std::string& name = std::get<Net>(value->node).name;
     datapath_.add(Wire{node.format.width, names_[id], slice(name, high, low)});
-    if (low > 0) consume_low_bits(name, low);
+    if (low > 0) consume_bits(name, low - 1, 0);
+    // A function's value has fewer bits than the polynomial's, by what the function's range says.
+    const bool ends_function = node.conversion == fixed::Conversion::function_value;
+    if (ends_function && high + 1 < whole.width) consume_bits(name, whole.width - 1, high + 1);
   }
   if (fixed::is_checked(node)) build_check(id);
 }
 
-/// Consumes the `count` low bits of a net, which may have no other reader.
-void FixedNodes::consume_low_bits(const std::string& name, int count) {
+/// Consumes bits of a net, which may have no other reader.
+void FixedNodes::consume_bits(const std::string& name, int high, int low) {
   datapath_.add(Wire{1, datapath_.pool().unique("unused_" + name),
-                     all_bits(concatenation({literal(1, 0), slice(name, count - 1, 0)}))});
+                     all_bits(concatenation({literal(1, 0), slice(name, high, low)}))});
 }
 
 void FixedNodes::build_check(NodeId id) {
@@ -353,7 +360,16 @@ Operand FixedNodes::address(const FixedNode& look_up, int cycle) {
   const Operand value = datapath_.at(whole, cycle);
   const int low = fixed::piece_bits(lane_.nodes, look_up);
   if (low == 0) return value;
-  return slice(std::get<Net>(value->node).name, whole.width - 1, low);
+  const std::string& name = std::get<Net>(value->node).name;
+  if (!has_place(look_up.operands[0])) consume_bits(name, low - 1, 0);
+  return slice(name, whole.width - 1, low);
+}
+
+/// Whether a polynomial reads the low bits of this argument.
+bool FixedNodes::has_place(NodeId argument) const {
+  return std::any_of(lane_.nodes.begin(), lane_.nodes.end(), [&](const FixedNode& node) {
+    return node.conversion == fixed::Conversion::place && node.operands[0] == argument;
+  });
 }
 
 std::vector<Parameter> FixedNodes::table_parameters(const FixedNode& look_up) const {
@@ -386,6 +402,7 @@ std::vector<Connection> FixedNodes::operands(NodeId id, int cycle) {
   };
   switch (node.operation) {
     case Operation::look_up: connections.push_back({"address", address(node, cycle)}); break;
+    case Operation::convert:      // of a number without a sign
     case Operation::square_root:  // never negative
       connections.push_back({"a", datapath_.at(values_[node.operands[0]], cycle)});
       break;
@@ -426,6 +443,12 @@ std::vector<Parameter> FixedNodes::parameters(NodeId id) const {
       const int shift = radicand.unit_exponent - 2 * node.format.unit_exponent;
       parameters = {{"A_WIDTH", radicand.width}, {"SHIFT", shift}};
       break;
+    }
+    case Operation::convert: {
+      const int width = lane_.nodes[node.operands[0]].format.width;
+      parameters = {{"A_WIDTH", width},
+                    {"EXPONENT_BITS", function::FloatingCode{width}.exponent_bits()}};
+      return parameters;
     }
     case Operation::look_up: return table_parameters(node);
     case Operation::absolute: parameters = {{"A_WIDTH", bits(0)}}; break;
@@ -480,6 +503,13 @@ void FixedNodes::describe(NodeId id, const std::string& more) {
             "{}: the coefficient of t^{} in {}({}), in {}; its address is the {} upper bits.",
             names_[id], node.power, to_string(*node.function), text(0), format,
             node.words.address_bits()));
+  }
+  if (fixed::is_floating_code(node)) {
+    return datapath_.describe(
+        schedule_.steps[id],
+        fmt::format(
+            "{} as a floating-point number: the place of its leading one, {} bits behind.", text(0),
+            function::FloatingCode{lane_.nodes[node.operands[0]].format.width}.fraction_bits()));
   }
   if (node.conversion == fixed::Conversion::place) {
     return datapath_.add(

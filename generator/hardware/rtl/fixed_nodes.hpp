@@ -45,7 +45,7 @@ private:
   void build_common_drop();
   void build_common_cut(NodeId id);
   void build_conversion(NodeId id);
-  void consume_low_bits(const std::string& name, int count);
+  void consume_bits(const std::string& name, int high, int low);
   void build_check(NodeId id);
   std::vector<Parameter> check_parameters(NodeId id) const;
   Signal any_of(const char* name, const std::vector<Signal>& flags);
@@ -54,6 +54,7 @@ private:
   Operand operand(NodeId node, int shift, int cycle);
   std::vector<Connection> operands(NodeId id, int cycle);
   Operand address(const fixed::FixedNode& look_up, int cycle);
+  bool has_place(NodeId argument) const;
   std::vector<Parameter> table_parameters(const fixed::FixedNode& look_up) const;
   std::vector<Parameter> parameters(NodeId id) const;
   void append_positive_factors(NodeId id, std::vector<Parameter>& parameters) const;

@@ -23,7 +23,7 @@ const fixed::FixedLane* splittable(const design::Lane& lane) {
 /// Whether a loader does more than select bits of operands that arrive in fixed point.
 bool computes(const fixed::FixedLane& loader) {
   return std::any_of(loader.nodes.begin(), loader.nodes.end(), [&](const fixed::FixedNode& node) {
-    return !fixed::is_read_as_it_arrives(loader, node) && node.operation != Operation::convert;
+    return !fixed::is_read_as_it_arrives(loader, node) && !fixed::is_wires(node);
   });
 }
 

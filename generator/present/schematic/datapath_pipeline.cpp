@@ -216,6 +216,9 @@ private:
   std::string title(NodeId id) const {
     const FixedNode& node = lane_.nodes[id];
     if (node.operation == Operation::input) return "convert";
+    if (node.operation == Operation::look_up) {
+      return fmt::format("{}: c{}", to_string(*node.function), node.power);
+    }
     if (node.operation != Operation::convert) {
       for (const fixed::FixedPart& part : lane_.parts) {
         if (part.difference == id) return part.swapped ? "g - f" : "f - g";
@@ -223,6 +226,9 @@ private:
       return maker_.title_of(id);
     }
     if (fixed::is_common_cut(node)) return "cut in common";
+    if (fixed::is_floating_code(node)) return "leading one";
+    if (node.conversion == fixed::Conversion::place) return "t";
+    if (node.function) return std::string(to_string(*node.function));
     if (fixed::is_limit(node)) return "limited";
     if (fixed::is_reach(node)) return "low bits";
     return fmt::format("drop {} bits", node.dropped_bits);

@@ -221,7 +221,8 @@ int table_luts(const fixed::FixedNode& look_up) {
 /// - A root takes a sum for each bit of its result.
 /// - An operand takes a shifter, two places per LUT, and a compare of its exponent; in block
 ///   floating point also its share of the search for the largest exponent.
-/// - A common cut takes a shifter, two places per LUT.
+/// - A common cut takes a shifter, two places per LUT; a floating code also a count of zeros.
+/// - A table takes what `table_luts` says.
 /// - A square that is read from a memory takes the sum that makes its operand's magnitude.
 /// - Products of logic and limits have factors that are fitted to mapped lanes.
 double lane_luts(const fixed::FixedLane& lane, Products products) {
@@ -235,7 +236,9 @@ double lane_luts(const fixed::FixedLane& lane, Products products) {
       case Operation::convert:
         luts += fixed::is_limit(node)   ? 1 + 0.1 * width
                 : fixed::is_reach(node) ? 1
-                                        : width * shift_luts(node.most_dropped);
+                : fixed::is_floating_code(node)
+                    ? width * (1 + shift_luts(lane.nodes[node.operands[0]].format.width - 1))
+                    : width * shift_luts(node.most_dropped);
         break;
       case Operation::input:
         if (fixed::is_read_as_it_arrives(lane, node)) break;

@@ -328,6 +328,12 @@ private:
 
   void add_conversion(NodeId id) {
     const FixedNode& added = node(id);
+    if (fixed::is_floating_code(added)) {
+      const FixedFormat& number = node(added.operands[0]).format;
+      const int offset = function::FloatingCode{number.width}.offset() - number.unit_exponent;
+      add_unary(FixedKernel::floating, id, added.operands[0]).low = offset - 1;
+      return;
+    }
     if (added.conversion == fixed::Conversion::place) {
       add_unary(FixedKernel::place, id, added.operands[0]).unit =
           power(added.format.unit_exponent + added.format.width);

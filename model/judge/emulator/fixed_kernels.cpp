@@ -193,6 +193,19 @@ HWY_INLINE Vec look_up(const std::vector<double>& words, Vec integer) {
   return hn::MulAdd(integer, hn::Zero(Tag()), word);
 }
 
+/// e + m + offset for a = 2^e m with 1 <= m < 2; a NaN for a NaN. An integer below 2^52 joined to
+/// the bits of 2^52 is their sum.
+HWY_INLINE Vec floating_code(Vec a, Vec offset) {
+  const Vec one = hn::Set(Tag(), 1), large = hn::Set(Tag(), 0x1p52);
+  const Words words;
+  const auto bits = hn::BitCast(words, a);
+  const auto fraction = hn::And(bits, hn::Set(words, (std::uint64_t{1} << 52) - 1));
+  const Vec significand = hn::BitCast(Tag(), hn::Or(fraction, hn::BitCast(words, one)));
+  const auto biased = hn::Or(hn::ShiftRight<52>(bits), hn::BitCast(words, large));
+  const Vec exponent = hn::Sub(hn::BitCast(Tag(), biased), hn::Set(Tag(), 0x1p52 + 1023));
+  return hn::MulAdd(a, hn::Zero(Tag()), hn::Add(hn::Add(exponent, offset), significand));
+}
+
 /// Minimum and maximum keep a NaN in either operand; those of processors do not.
 HWY_INLINE Vec or_no_number(Vec a, Vec b, Vec chosen) {
   const auto numbers = hn::And(hn::Eq(a, a), hn::Eq(b, b));
@@ -266,6 +279,10 @@ void execute_one(const FixedInstruction& instruction, const Block& block) {
       const Vec per_unit = hn::Set(Tag(), 1 / instruction.unit);
       return each([&](Vec a, Vec)
                       HWY_ATTR { return hn::NegMulAdd(hn::Floor(hn::Mul(a, per_unit)), unit, a); });
+    }
+    case FixedKernel::floating: {
+      const Vec offset = hn::Set(Tag(), instruction.low);
+      return each([&](Vec a, Vec) HWY_ATTR { return floating_code(a, offset); });
     }
     case FixedKernel::look_up: {
       const Vec per_unit = hn::Set(Tag(), 1 / instruction.unit);

@@ -118,6 +118,9 @@ private:
     }
     if (fixed::is_limit(node)) set_limits(added, node.value);
     if (node.operation == Operation::look_up) set_words(added, node);
+    if (fixed::is_floating_code(node)) {
+      added.argument_bits = lane_.nodes[node.operands[0]].format.width;
+    }
     const int bits = result_bits(added, node);
     fits_ = fits_ && bits <= most_bits;
     const int most = fixed::is_common_cut(node) ? lane_.format.bits : most_bits;
@@ -149,6 +152,9 @@ private:
     node.high = wide(floor);
   }
 
+  /// The bits of a conversion inside a function. A function's value has lost its low bits.
+  static int most_of(const FixedNode& node) { return node.format.width + node.dropped_bits; }
+
   /// The bits of the exact result, and of operands once they are aligned.
   int result_bits(const Node& node, const FixedNode& source) const {
     const auto operand = [&](int k) {
@@ -158,7 +164,7 @@ private:
       case Operation::input: return node.format.magnitude_bits();
       case Operation::constant: return bits_of(source.constant);
       case Operation::convert:
-        return node.conversion == fixed::Conversion::place ? node.format.width : operand(0);
+        return fixed::follows_operands(source) ? operand(0) : most_of(source);
       case Operation::look_up: return node.format.magnitude_bits();
       case Operation::negate:
       case Operation::absolute: return operand(0) + 1;
@@ -302,10 +308,23 @@ private:
       value = node.words[upper & (node.words.size() - 1)];
       return true;
     }
+    if (node.conversion == fixed::Conversion::floating) {
+      value = operands[0] > 0 ? floating_code(node, operands[0]) : 0;
+      return operands[0] > 0;
+    }
     value = shifted(result(node.operation, operands[0], operands[1]), -node.dropped_bits);
     if (node.conversion == fixed::Conversion::place) value &= power_of_two(node.format.width) - 1;
     const bool is_limit = node.conversion == fixed::Conversion::limit;
     return !is_limit || (value >= node.low && value <= node.high);
+  }
+
+  /// As function::FloatingCode::of.
+  static Wide floating_code(const Node& node, Wide number) {
+    const function::FloatingCode code{node.argument_bits};
+    int exponent = 0;
+    while ((number >> exponent) > 1) ++exponent;
+    const Wide field = exponent + code.offset() - 1;
+    return (field << code.fraction_bits()) + (number << (code.fraction_bits() - exponent));
   }
 
   static Wide result(Operation operation, Wide a, Wide b) {

@@ -38,6 +38,7 @@ private:
     bool is_promised = false;    ///< an input of promised multiples of the unit
     Wide constant = 0;
     Wide low = 0, high = 0;        ///< of Conversion::limit
+    int argument_bits = 0;         ///< of Conversion::floating: the operand's width
     int piece_bits = 0;            ///< of Operation::look_up
     std::vector<Wide> words = {};  ///< of Operation::look_up
   };

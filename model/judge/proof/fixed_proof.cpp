@@ -149,6 +149,7 @@ private:
       case Operation::look_up:
       case Operation::square_root: return node.dropped_bits == 0;
       case Operation::convert: {
+        if (fixed::is_floating_code(node)) return node.dropped_bits == 0;
         const bool is_cut = node.conversion == fixed::Conversion::cut ||
                             node.conversion == fixed::Conversion::function_value;
         return own == unit(0) && (is_cut || node.dropped_bits == 0);
@@ -252,6 +253,7 @@ private:
         node.value = in_format(operand.value, node.format);
         node.error = operand.error;
         return;
+      case fixed::Conversion::floating:
       case fixed::Conversion::place:
       case fixed::Conversion::function_value: return;  // assumed
     }

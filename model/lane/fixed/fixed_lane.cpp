@@ -216,8 +216,15 @@ int piece_bits(const std::vector<FixedNode>& nodes, const FixedNode& look_up) {
 }
 
 bool follows_operands(const FixedNode& node) {
-  return node.operation != Operation::look_up && node.conversion != Conversion::place &&
-         node.conversion != Conversion::function_value;
+  return !node.function;
+}
+
+bool is_floating_code(const FixedNode& node) {
+  return node.conversion == Conversion::floating;
+}
+
+bool is_wires(const FixedNode& node) {
+  return node.operation == Operation::convert && !is_common_cut(node) && !is_floating_code(node);
 }
 
 bool is_limit(const FixedNode& node) {

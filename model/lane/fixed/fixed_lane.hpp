@@ -34,6 +34,9 @@ enum class Conversion {
   /// Keeps the low bits that hold a number within `value`. A number outside has a square that
   /// decides the part by itself, so hardware need not compute the rest of the difference.
   reach,
+  /// A number without a sign as a floating-point one (function::FloatingCode): the place of its
+  /// leading one, and the bits behind that.
+  floating,
   /// Keeps the low bits of a number in two's complement, without a sign: where it is in its piece
   /// of a piecewise polynomial.
   place,
@@ -67,7 +70,7 @@ struct FixedNode {
   int dropped_bits = 0;  ///< low bits of the exact result that are dropped: it is rounded down
   int most_dropped = 0;  ///< for Conversion::common_cut: the most bits that it drops
   function::Words words = {};  ///< for Operation::look_up
-  /// For Operation::look_up, and the conversions `place` and `function_value`.
+  /// For Operation::look_up, and the conversions `floating`, `place` and `function_value`.
   std::optional<Function> function = {};
   int power = 0;  ///< for Operation::look_up: of t, whose coefficient it is
   Range value;    ///< encloses the computed number: the result times its unit
@@ -76,6 +79,9 @@ struct FixedNode {
   friend bool operator==(const FixedNode&, const FixedNode&) = default;
 };
 
+bool is_floating_code(const FixedNode& node);
+/// Whether hardware computes the node by wires alone, a check of its operand aside.
+bool is_wires(const FixedNode& node);
 /// The operand's low bits that are no part of a look-up's address.
 int piece_bits(const std::vector<FixedNode>& nodes, const FixedNode& look_up);
 /// Whether value and error follow from those of the operands. They do not inside a piecewise

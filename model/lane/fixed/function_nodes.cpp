@@ -129,8 +129,7 @@ Result<NodeId> FixedGraphBuilder::argument_of(NodeId id) {
 /// The node of the coefficient of t^power.
 NodeId FixedGraphBuilder::coefficient(Function function, const function::Piecewise& piecewise,
                                       int power, NodeId argument) {
-  const function::CoefficientTable& table =
-      piecewise.coefficients[static_cast<std::size_t>(power)];
+  const function::CoefficientTable& table = piecewise.coefficients[static_cast<std::size_t>(power)];
   const mpq_class unit = table.format.unit();
   if (are_equal(table.words)) {
     FixedNode constant{.operation = Operation::constant, .constant = table.words[0]};
@@ -152,10 +151,26 @@ NodeId FixedGraphBuilder::coefficient(Function function, const function::Piecewi
   return add(std::move(word));
 }
 
+NodeId FixedGraphBuilder::floating_code(Function function, NodeId argument) {
+  const FixedNode& number = nodes_[argument];
+  const function::FloatingCode code{number.format.width};
+  const auto at = [&](const mpq_class& end) {
+    return scaled(mpq_class(code.of(floor_of(end / number.format.unit()))),
+                  code.format().unit_exponent);
+  };
+  FixedNode node = conversion(Conversion::floating, argument);
+  node.format = code.format();
+  node.value = {at(number.value.low), at(number.value.high)};
+  node.error = {0, 0};
+  node.function = function;
+  return add(std::move(node));
+}
+
 /// The polynomial's value before its last cut. The computed numbers inside stand for themselves, so
 /// that they have no error.
 NodeId FixedGraphBuilder::polynomial(Function function, const function::Piecewise& piecewise,
                                      NodeId argument) {
+  if (piecewise.is_floating) argument = floating_code(function, argument);
   NodeId sum = coefficient(function, piecewise, piecewise.degree(), argument);
   if (piecewise.degree() == 0) return sum;
   FixedNode place = conversion(Conversion::place, argument);

@@ -70,6 +70,7 @@ private:
   Result<FixedNode> function(NodeId id);
   NodeId coefficient(Function function, const function::Piecewise& piecewise, int power,
                      NodeId argument);
+  NodeId floating_code(Function function, NodeId argument);
   NodeId polynomial(Function function, const function::Piecewise& piecewise, NodeId argument);
   /// An operation whose result loses the bits that are too many.
   FixedNode operation(Operation operation, NodeId a, NodeId b = -1) const;

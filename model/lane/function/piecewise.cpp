@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -14,12 +15,13 @@
 namespace mixcmp::function {
 namespace {
 
-constexpr int most_degree = 5;
+constexpr int most_degree = 8;
 
 /// The unit of s[0] is so many bits finer than that of the result: every coefficient and every cut
-/// adds an error of about a unit of s[0]. A word that is the result needs none.
+/// adds an error of about a unit of s[0], all together at most half a unit of the result. A word
+/// that is the result needs none.
 int guard_bits(int degree) {
-  return degree == 0 ? 0 : 3;
+  return degree == 0 ? 0 : 2 + std::bit_width(static_cast<unsigned>(degree));
 }
 
 /// Bounds are taken on so many parts of a piece, so that the Taylor coefficients of the difference
@@ -36,49 +38,89 @@ mpq_class power(const mpq_class& base, int exponent) {
   return result;
 }
 
-/// The pieces of the arguments with so many lower bits.
+/// The pieces of the arguments with so many lower bits of the code C.
 struct Pieces {
   FixedFormat argument;
+  bool is_floating;
   int piece_bits;
-  mpz_class least, greatest;  ///< arguments
-  mpz_class first, last;      ///< of the pieces that hold arguments: X / 2^piece_bits, rounded down
+  FixedFormat code;
+  mpz_class least, greatest;  ///< C of the arguments
+  mpz_class first, last;      ///< of the pieces that hold arguments: C / 2^piece_bits, rounded down
 
-  Pieces(const FixedFormat& format, int bits, const mpz_class& from, const mpz_class& to)
+  Pieces(const FixedFormat& format, bool floating, int bits, const mpz_class& from,
+         const mpz_class& to)
       : argument(format),
+        is_floating(floating),
         piece_bits(bits),
-        least(from),
-        greatest(to),
-        first(upper(from)),
-        last(upper(to)) {}
+        code(floating ? FloatingCode{format.width}.format() : format),
+        least(code_of(from)),
+        greatest(code_of(to)),
+        first(upper(least)),
+        last(upper(greatest)) {}
 
+  int address_bits() const { return code.width - piece_bits; }
+  mpz_class code_of(const mpz_class& number) const {
+    return is_floating ? FloatingCode{argument.width}.of(number) : number;
+  }
   mpz_class upper(const mpz_class& number) const {
     return floor_of(scaled(mpq_class(number), -piece_bits));
   }
   std::size_t address(const mpz_class& piece) const {
     mpz_class address;
     mpz_fdiv_r_2exp(address.get_mpz_t(), piece.get_mpz_t(),
-                    static_cast<mp_bitcnt_t>(argument.width - piece_bits));
+                    static_cast<mp_bitcnt_t>(address_bits()));
     return address.get_ui();
   }
+  /// The exponent of the power of two that an argument grows by where C does by one.
+  int step_exponent(const mpz_class& piece) const {
+    if (!is_floating) return argument.unit_exponent;
+    const FloatingCode floating{argument.width};
+    const mpz_class field = upper_bits(piece);
+    return static_cast<int>(field.get_si()) - floating.offset() - floating.fraction_bits() +
+           argument.unit_exponent;
+  }
+  /// The argument at t = 0.
   mpq_class start(const mpz_class& piece) const {
-    return scaled(mpq_class(piece), piece_bits + argument.unit_exponent);
+    const mpz_class number = shifted_left(piece, piece_bits);
+    if (!is_floating) return scaled(mpq_class(number), argument.unit_exponent);
+    const int fraction_bits = FloatingCode{argument.width}.fraction_bits();
+    const mpz_class hidden = shifted_left(1, fraction_bits);
+    const mpz_class significand = hidden + number % hidden;
+    return scaled(mpq_class(significand), step_exponent(piece));
+  }
+  /// By how much an argument grows where t does by one.
+  mpq_class slope(const mpz_class& piece) const {
+    return power_of_two(step_exponent(piece) - code.unit_exponent);
   }
   /// The t of the arguments in a piece.
   Range places(const mpz_class& piece) const {
     const mpz_class start = shifted_left(piece, piece_bits), most = shifted_left(1, piece_bits) - 1;
     const mpz_class from = least - start, to = greatest - start;
-    return {scaled(mpq_class(std::max<mpz_class>(0, from)), argument.unit_exponent),
-            scaled(mpq_class(std::min(most, to)), argument.unit_exponent)};
+    return {scaled(mpq_class(std::max<mpz_class>(0, from)), code.unit_exponent),
+            scaled(mpq_class(std::min(most, to)), code.unit_exponent)};
   }
   /// The greatest t of any piece.
   mpq_class span() const {
-    return scaled(mpq_class(shifted_left(1, piece_bits) - 1), argument.unit_exponent);
+    return scaled(mpq_class(shifted_left(1, piece_bits) - 1), code.unit_exponent);
   }
+
+private:
+  /// The exponent field of a FloatingCode.
+  mpz_class upper_bits(const mpz_class& piece) const {
+    return floor_of(scaled(mpq_class(piece), piece_bits - (argument.width - 1)));
+  }
+};
+
+/// Where a piece's arguments are: x = start + slope t.
+struct Line {
+  mpq_class start, slope;
+
+  mpq_class at(const mpq_class& t) const { return start + slope * t; }
 };
 
 /// The polynomial in t that has the function's values at Chebyshev's points of the places, by
 /// Newton's divided differences. Its coefficients are near those numbers; no proof relies on them.
-std::vector<mpf_class> interpolated(Function function, const mpq_class& start, const Range& places,
+std::vector<mpf_class> interpolated(Function function, const Line& line, const Range& places,
                                     int degree) {
   const auto count = static_cast<std::size_t>(degree) + 1;
   const mpf_class zero(0, Interval::digits);
@@ -87,7 +129,7 @@ std::vector<mpf_class> interpolated(Function function, const mpq_class& start, c
     const double part = 0.5 - 0.5 * std::cos(double(2 * k + 1) * M_PI / double(2 * count));
     const mpq_class point = places.low + (places.high - places.low) * mpq_class(part);
     points.push_back(zero + point);
-    differences.push_back(value(function, Interval(mpq_class(start + point))).middle());
+    differences.push_back(value(function, Interval(line.at(point))).middle());
   }
   std::vector<mpf_class> coefficients(count, zero);
   if (places.low == places.high) {
@@ -123,13 +165,14 @@ Polynomial moved(Polynomial coefficients, const Interval& at) {
 /// Encloses polynomial less function for all real t within `radius` of `centre`; none where the
 /// function has no value.
 std::optional<Range> difference_around(Function function, const Polynomial& polynomial,
-                                       const mpq_class& start, const mpq_class& centre,
+                                       const Line& line, const mpq_class& centre,
                                        const mpq_class& radius) {
   const auto terms = polynomial.size() + further_terms;
-  const mpq_class x = start + centre;
-  const Polynomial here = taylor(function, Interval(x), static_cast<int>(terms));
-  const Interval rest =
-      taylor(function, Interval(Range{x - radius, x + radius}), static_cast<int>(terms) + 1).back();
+  const mpq_class x = line.at(centre), reach_of_x = line.slope * radius;
+  const Polynomial here = taylor(function, Interval(x), static_cast<int>(terms), line.slope);
+  const Interval rest = taylor(function, Interval(Range{x - reach_of_x, x + reach_of_x}),
+                               static_cast<int>(terms) + 1, line.slope)
+                            .back();
   if (!rest.is_bounded()) return std::nullopt;
   const Polynomial around = moved(polynomial, Interval(centre));
   const Interval reach(radius);
@@ -145,12 +188,12 @@ std::optional<Range> difference_around(Function function, const Polynomial& poly
 
 /// The same for all real t of the places.
 std::optional<Range> difference_on_piece(Function function, const Polynomial& polynomial,
-                                         const mpq_class& start, const Range& places) {
+                                         const Line& line, const Range& places) {
   const mpq_class span = places.high - places.low, radius = span / (2 * parts);
   std::optional<Range> all;
   for (int part = 0; part < parts; ++part) {
     const mpq_class centre = places.low + span * mpq_class(2 * part + 1, 2 * parts);
-    const auto found = difference_around(function, polynomial, start, centre, radius);
+    const auto found = difference_around(function, polynomial, line, centre, radius);
     if (!found) return std::nullopt;
     all = all ? Range{std::min(all->low, found->low), std::max(all->high, found->high)} : *found;
     if (radius == 0) break;
@@ -158,11 +201,30 @@ std::optional<Range> difference_on_piece(Function function, const Polynomial& po
   return all;
 }
 
+/// A table with words that nobody reads: each is that of an address that differs in one bit, the
+/// highest possible. Where half of a table is not read, the halves become equal.
+std::vector<mpz_class> completed(std::vector<std::optional<mpz_class>> table) {
+  for (std::size_t bit = table.size() / 2; bit > 0; bit /= 2) {
+    const std::vector<std::optional<mpz_class>> known = table;
+    for (std::size_t address = 0; address < table.size(); ++address) {
+      if (!known[address]) table[address] = known[address ^ bit];
+    }
+  }
+  std::vector<mpz_class> words;
+  for (std::optional<mpz_class>& word : table) words.push_back(std::move(*word));
+  return words;
+}
+
 /// Piecewise polynomials of one degree, with pieces of so many bits.
 class Candidate {
 public:
-  Candidate(Function function, Pieces pieces, int degree, int unit_exponent)
-      : function_(function), pieces_(std::move(pieces)), degree_(degree), unit_(unit_exponent) {
+  /// `arguments`: those of the pieces, as numbers.
+  Candidate(Function function, Range arguments, Pieces pieces, int degree, int unit_exponent)
+      : function_(function),
+        arguments_(std::move(arguments)),
+        pieces_(std::move(pieces)),
+        degree_(degree),
+        unit_(unit_exponent) {
     // Powers of t below 1 in magnitude need no coarser units for higher coefficients.
     const int span_exponent =
         pieces_.span() == 0 ? 0 : static_cast<int>(floor_log2(pieces_.span())) + 1;
@@ -171,7 +233,8 @@ public:
   }
 
   int degree() const { return degree_; }
-  int address_bits() const { return pieces_.argument.width - pieces_.piece_bits; }
+  bool is_floating() const { return pieces_.is_floating; }
+  int address_bits() const { return pieces_.address_bits(); }
 
   /// Tries the pieces at both ends and in the middle. False: the error is not less than a unit.
   bool may_do() {
@@ -191,8 +254,9 @@ public:
   /// Look-up tables of six inputs, roughly: 64 bits of a table each, a row of a product for each
   /// bit of t, an adder's bit for each of a sum. Of the pieces that were tried.
   double area() const {
-    const double words = std::ldexp(1, address_bits());
-    double luts = 0;
+    const double words = mpz_class(pieces_.last - pieces_.first + 1).get_d();
+    const int bits = pieces_.argument.width;
+    double luts = is_floating() ? 0.5 * bits * std::bit_width(static_cast<unsigned>(bits)) : 0;
     for (std::size_t k = 0; k < units_.size(); ++k) {
       const int width = FixedFormat::holding(least_[k], greatest_[k], 0).width;
       luts += width * std::max(1.0, words / 64);
@@ -212,12 +276,11 @@ private:
 
   bool add(const mpz_class& piece) {
     if (words_.empty()) forget();
-    const mpq_class start = pieces_.start(piece);
+    const Line line{pieces_.start(piece), pieces_.slope(piece)};
     const Range places = pieces_.places(piece);
-    if (!value(function_, Interval(Range{start + places.low, start + places.high})).is_bounded()) {
-      return false;
-    }
-    const std::vector<mpf_class> wanted = interpolated(function_, start, places, degree_);
+    const Range arguments = {line.at(places.low), line.at(places.high)};
+    if (!value(function_, Interval(arguments)).is_bounded()) return false;
+    const std::vector<mpf_class> wanted = interpolated(function_, line, places, degree_);
     Polynomial rounded;
     std::vector<mpz_class> words;
     for (std::size_t k = 0; k < units_.size(); ++k) {
@@ -231,7 +294,7 @@ private:
       least_[k] = std::min(least_[k], words.back());
       greatest_[k] = std::max(greatest_[k], words.back());
     }
-    const auto error = difference_on_piece(function_, rounded, start, places);
+    const auto error = difference_on_piece(function_, rounded, line, places);
     if (!error) return false;
     const Range with_cuts = {error->low - cuts(), error->high};
     error_ =
@@ -254,19 +317,18 @@ private:
 
   Piecewise made() const {
     Piecewise made{.argument = pieces_.argument,
+                   .is_floating = is_floating(),
                    .piece_bits = pieces_.piece_bits,
                    .coefficients = {},
                    .result = {},
                    .error = *error_};
     for (std::size_t k = 0; k < units_.size(); ++k) {
-      std::vector<mpz_class> table(std::size_t{1} << address_bits(), 0);
+      std::vector<std::optional<mpz_class>> table(std::size_t{1} << address_bits());
       for (const auto& [address, words] : words_) table[address] = words[k];
-      made.coefficients.push_back(
-          {FixedFormat::holding(least_[k], greatest_[k], units_[k]), Words(std::move(table))});
+      made.coefficients.push_back({FixedFormat::holding(least_[k], greatest_[k], units_[k]),
+                                   Words(completed(std::move(table)))});
     }
-    const mpq_class unit = pieces_.argument.unit();
-    const Range values =
-        value(function_, Interval(Range{pieces_.least * unit, pieces_.greatest * unit})).range();
+    const Range values = value(function_, Interval(arguments_)).range();
     made.result =
         FixedFormat::holding(floor_of(scaled(values.low + error_->low, -unit_)),
                              ceiling_of(scaled(values.high + error_->high, -unit_)), unit_);
@@ -274,6 +336,7 @@ private:
   }
 
   Function function_;
+  Range arguments_;
   Pieces pieces_;
   int degree_, unit_;
   std::vector<int> units_;  ///< of s[k] and c[k]
@@ -282,55 +345,97 @@ private:
   std::vector<mpz_class> least_, greatest_;                            ///< [k]: words
 };
 
+/// What is looked for.
+struct Wanted {
+  Function function;
+  FixedFormat argument;
+  mpz_class least, greatest;
+  int unit_exponent;
+
+  friend auto operator<=>(const Wanted& a, const Wanted& b) { return a.key() <=> b.key(); }
+
+  Range arguments() const { return {least * argument.unit(), greatest * argument.unit()}; }
+  bool may_be_floating() const { return least > 0 && argument.width > 1; }
+
+private:
+  using Key = std::tuple<Function, int, int, bool, std::string, std::string, int>;
+  Key key() const {
+    return {function,          argument.width,       argument.unit_exponent, argument.is_signed,
+            least.get_str(62), greatest.get_str(62), unit_exponent};
+  }
+};
+
 /// The candidate of a degree with the fewest pieces, `address_bits` or more, that may do.
-std::optional<Candidate> candidate(Function function, const FixedFormat& argument,
-                                   const mpz_class& least, const mpz_class& greatest,
-                                   int unit_exponent, int degree, int address_bits) {
-  const int most = std::min(argument.width, most_address_bits);
-  if (argument.is_signed) address_bits = std::max(address_bits, 1);  // no piece has both signs
-  for (; address_bits <= most; ++address_bits) {
-    const int piece_bits = argument.width - address_bits;
+std::optional<Candidate> candidate(const Wanted& wanted, bool is_floating, int degree,
+                                   int address_bits) {
+  const FixedFormat& argument = wanted.argument;
+  const FloatingCode floating{argument.width};
+  const FixedFormat code = is_floating ? floating.format() : argument;
+  const int most = std::min(code.width, most_address_bits);
+  // No piece has both signs, or two exponents.
+  const int fewest = is_floating ? floating.exponent_bits() : argument.is_signed ? 1 : 0;
+  for (int bits = std::max(address_bits, fewest); bits <= most; ++bits) {
+    const int piece_bits = code.width - bits;
     if (degree > 0 && piece_bits == 0) break;
-    Candidate made(function, Pieces(argument, piece_bits, least, greatest), degree, unit_exponent);
+    Candidate made(wanted.function, wanted.arguments(),
+                   Pieces(argument, is_floating, piece_bits, wanted.least, wanted.greatest), degree,
+                   wanted.unit_exponent);
     if (made.may_do()) return made;
   }
   return std::nullopt;
 }
 
-std::optional<Piecewise> search(Function function, const FixedFormat& argument,
-                                const mpz_class& least, const mpz_class& greatest,
-                                int unit_exponent) {
+std::optional<Piecewise> search(const Wanted& wanted) {
   std::vector<Candidate> open;
-  const auto try_from = [&](int degree, int address_bits) {
-    auto found =
-        candidate(function, argument, least, greatest, unit_exponent, degree, address_bits);
+  const auto try_from = [&](bool is_floating, int degree, int address_bits) {
+    auto found = candidate(wanted, is_floating, degree, address_bits);
     if (found) open.push_back(std::move(*found));
   };
-  for (int degree = 0; degree <= most_degree; ++degree) try_from(degree, 0);
+  for (int degree = 0; degree <= most_degree; ++degree) {
+    try_from(false, degree, 0);
+    if (wanted.may_be_floating()) try_from(true, degree, 0);
+  }
   while (!open.empty()) {
     const auto best = std::min_element(
         open.begin(), open.end(),
         [](const Candidate& a, const Candidate& b) { return a.area() < b.area(); });
     if (auto made = best->certified()) return made;
+    const bool is_floating = best->is_floating();
     const int degree = best->degree(), address_bits = best->address_bits() + 1;
     open.erase(best);
-    try_from(degree, address_bits);
+    try_from(is_floating, degree, address_bits);
   }
   return std::nullopt;
 }
 
 }  // namespace
 
+FixedFormat FloatingCode::format() const {
+  return {.width = exponent_bits() + fraction_bits(), .unit_exponent = -fraction_bits()};
+}
+
+mpz_class FloatingCode::of(const mpz_class& number) const {
+  MIXCMP_CHECK(number > 0);
+  const int exponent = digits_of(number) - 1;
+  const mpz_class significand = shifted_left(number, fraction_bits() - exponent);
+  return shifted_left(exponent + offset() - 1, fraction_bits()) + significand;
+}
+
+FixedFormat Piecewise::code() const {
+  return is_floating ? FloatingCode{argument.width}.format() : argument;
+}
+
 mpz_class evaluate(const Piecewise& piecewise, const mpz_class& argument) {
-  const Pieces pieces(piecewise.argument, piecewise.piece_bits, argument, argument);
+  const Pieces pieces(piecewise.argument, piecewise.is_floating, piecewise.piece_bits, argument,
+                      argument);
   const std::size_t address = pieces.address(pieces.first);
-  const mpz_class t = argument - shifted_left(pieces.first, piecewise.piece_bits);
+  const mpz_class t = pieces.least - shifted_left(pieces.first, piecewise.piece_bits);
   const auto coefficient = [&](int k) -> const CoefficientTable& {
     return piecewise.coefficients[static_cast<std::size_t>(k)];
   };
   mpz_class sum = coefficient(piecewise.degree()).words[address];
   for (int k = piecewise.degree() - 1; k >= 0; --k) {
-    const int exact = coefficient(k + 1).format.unit_exponent + piecewise.argument.unit_exponent;
+    const int exact = coefficient(k + 1).format.unit_exponent + pieces.code.unit_exponent;
     const mpq_class product =
         scaled(mpq_class(sum * t), exact - coefficient(k).format.unit_exponent);
     sum = coefficient(k).words[address] + floor_of(product);
@@ -342,15 +447,13 @@ mpz_class evaluate(const Piecewise& piecewise, const mpz_class& argument) {
 std::optional<Piecewise> approximate(Function function, const FixedFormat& argument,
                                      const mpz_class& least, const mpz_class& greatest,
                                      int unit_exponent) {
-  using Key = std::tuple<Function, int, int, bool, mpz_class, mpz_class, int>;
+  const Wanted wanted{function, argument, least, greatest, unit_exponent};
   static std::mutex mutex;
-  static std::map<Key, std::optional<Piecewise>> known;
-  const Key key(function, argument.width, argument.unit_exponent, argument.is_signed, least,
-                greatest, unit_exponent);
+  static std::map<Wanted, std::optional<Piecewise>> known;
   const std::scoped_lock lock(mutex);
-  const auto found = known.find(key);
+  const auto found = known.find(wanted);
   if (found != known.end()) return found->second;
-  return known[key] = search(function, argument, least, greatest, unit_exponent);
+  return known[wanted] = search(wanted);
 }
 
 }  // namespace mixcmp::function

@@ -44,21 +44,39 @@ struct CoefficientTable {
   friend bool operator==(const CoefficientTable&, const CoefficientTable&) = default;
 };
 
-/// A function of a fixed-point number X. The upper bits of X, in two's complement if it is signed,
-/// are the address of a piece; t is what the `piece_bits` lower bits count, in X's units. With the
-/// words c[k] at the address,
+/// A number without a sign as a floating-point one: for X = 2^e (1 + F / 2^(w - 1)) of w bits, the
+/// integer (e + offset) 2^(w - 1) + F, whose exponent field ends at all ones. It grows with X.
+struct FloatingCode {
+  int width;  ///< w, 2 or more
+
+  int fraction_bits() const { return width - 1; }
+  int exponent_bits() const { return std::bit_width(static_cast<unsigned>(width - 1)); }
+  int offset() const { return (1 << exponent_bits()) - width; }
+  /// The codes. The unit is that of F.
+  FixedFormat format() const;
+  mpz_class of(const mpz_class& number) const;  ///< number > 0
+};
+
+/// A function of a fixed-point number X. C is X itself or, if the pieces shrink towards 0, X as a
+/// FloatingCode. The upper bits of C, in two's complement if it is signed, are the address of a
+/// piece; t is what the `piece_bits` lower bits count, in C's units. With the words c[k] at the
+/// address,
 ///   s[degree] = c[degree],  s[k] = c[k] + (s[k + 1] t, cut to the unit of c[k]),
-/// and the result is s[0] cut to `result`. Words of pieces that no argument reaches are 0.
+/// and the result is s[0] cut to `result`. Words of pieces that no argument reaches are those of
+/// others.
 struct Piecewise {
   FixedFormat argument;
+  bool is_floating = false;
   int piece_bits = 0;
   std::vector<CoefficientTable> coefficients;  ///< [k], at least one
   FixedFormat result;
   /// Encloses the result less the function's real value at X, for every X of the arguments.
   Range error;
 
+  /// The format of C.
+  FixedFormat code() const;
   int degree() const { return static_cast<int>(coefficients.size()) - 1; }
-  int address_bits() const { return argument.width - piece_bits; }
+  int address_bits() const { return code().width - piece_bits; }
   friend bool operator==(const Piecewise&, const Piecewise&) = default;
 };
 

@@ -106,6 +106,19 @@ std::vector<Interval> taylor(Function function, const Interval& x, int count) {
   MIXCMP_CHECK(false);
 }
 
+std::vector<Interval> taylor(Function function, const Interval& x, int count,
+                             const mpq_class& slope) {
+  std::vector<Interval> series = taylor(function, x, count);
+  if (slope == 1) return series;
+  const Interval factor(slope);
+  Interval power = 1;
+  for (Interval& coefficient : series) {
+    coefficient = coefficient * power;
+    power = power * factor;
+  }
+  return series;
+}
+
 void enclose(Function function, mpfi_ptr y, mpfi_srcptr x) {
   switch (function) {
     case Function::exp: mpfi_exp(y, x); return;

@@ -9,8 +9,11 @@ namespace mixcmp::function {
 
 /// Encloses the Taylor coefficients f^(k)(x) / k! of a function, k = 0 .. count - 1, for every x of
 /// the interval, by the recurrences of Moore (Methods and Applications of Interval Analysis, 1979).
-/// An interval that leaves the function's domain has unbounded ones.
+/// An interval that leaves the function's domain has unbounded ones. With a slope they are those of
+/// f(slope t), in t.
 std::vector<Interval> taylor(Function function, const Interval& x, int count);
+std::vector<Interval> taylor(Function function, const Interval& x, int count,
+                             const mpq_class& slope);
 
 /// Encloses the function's values, in the precision of y.
 void enclose(Function function, mpfi_ptr y, mpfi_srcptr x);
