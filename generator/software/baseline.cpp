@@ -18,6 +18,15 @@ namespace {
 // The most comparisons that are written out, since their operands fill memory.
 constexpr std::uint64_t most_written_out = std::uint64_t{1} << 22;
 
+/// A library's functions are not correctly rounded, so no filter has a proven bound.
+Error no_function(const scene::Scene& scene, Function function) {
+  return {.file = scene.path.string(),
+          .field = "comparison",
+          .message = "the program in double has no functions but sqrt, whose error is known",
+          .received = std::string(to_string(function)),
+          .accepted = "f and g of + - * / ^ sqrt abs min max"};
+}
+
 Error no_doubles(const scene::Scene& scene) {
   return {.file = scene.path.string(),
           .field = "reference.format",
@@ -209,6 +218,7 @@ const BaselineKernel& Baseline::fastest() const {
 Result<Baseline> software_baseline(const scene::Scene& scene, const data::Comparisons& data,
                                    const BaselineOptions& options) {
   if (!fits_double(scene.reference.format)) return no_doubles(scene);
+  if (const auto function = scene.graph.first_function()) return no_function(scene, *function);
   if (!has_software_loops(data.pairing())) {
     MIXCMP_TRY(rows, written_out(scene, data, most_written_out));
     return software_baseline(scene, rows, options);

@@ -508,16 +508,19 @@ bool Design::certified() const {
 Result<Lane> design_lane(const scene::Scene& scene, const scene::ReducedSpec& reduced,
                          const data::Comparisons* data, MeasureErrors measure) {
   if (reduced.fixed_point) return as_lane(design_fixed_lane(scene, reduced));
+  const std::optional<std::string> no_float_lane = scene.why_no_float_lane();
   if (!reduced.format) {
-    if (scene.has_fixed_operands()) {
-      return unresolved(scene, "reduced.format", "--format exact", "\"exact\", or qW such as q13");
+    if (no_float_lane) {
+      return unresolved(scene, "reduced.format",
+                        scene.has_fixed_operands() ? "--format exact" : "--format q13",
+                        "\"exact\", or qW such as q13");
     }
     return unresolved(scene, "reduced.format", "--format s17e8",
                       "sPeE, such as s17e8, qW, such as q13, or blockW");
   }
-  if (scene.has_fixed_operands()) {
+  if (no_float_lane) {
     return Error{.field = "reduced.format",
-                 .message = "a lane in floating point takes no operands in fixed point",
+                 .message = *no_float_lane,
                  .received = reduced.format_name(),
                  .accepted = "\"exact\", or qW such as q13"};
   }

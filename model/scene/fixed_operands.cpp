@@ -55,22 +55,19 @@ Result<Done> check_data(const settings::Settings& settings, const std::vector<st
 
 /// Refuses lanes in floating point that cannot be.
 Result<Done> check_lanes(const settings::Settings& settings, const Scene& scene) {
-  const std::optional<Function> function = scene.graph.first_function();
-  if (!function && !scene.has_fixed_operands()) return Done{};
-  const std::string message =
-      function ? fmt::format("a lane in floating point has no {}", to_string(*function))
-               : "a lane in floating point takes no operands in fixed point";
+  const std::optional<std::string> message = scene.why_no_float_lane();
+  if (!message) return Done{};
   const std::string accepted = "\"exact\", \"auto\", or qW such as q13";
   for (const LaneGroupSpec& group : scene.lane_groups()) {
     if (!group.reduced.format) continue;
     const std::string received = in_quotes(group.reduced.format_name());
     if (scene.lanes.empty()) {
-      return settings::Section(settings, "reduced").mistake("format", message, received, accepted);
+      return settings::Section(settings, "reduced").mistake("format", *message, received, accepted);
     }
     return Error{.file = group.place.file,
                  .line = group.place.line,
                  .field = "lanes.format",
-                 .message = message,
+                 .message = *message,
                  .received = received,
                  .accepted = accepted};
   }

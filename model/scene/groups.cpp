@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "model/scene/scene.hpp"
@@ -29,6 +31,14 @@ std::string Scene::f_text() const {
 
 std::string Scene::g_text() const {
   return joined(parts, &PartText::g);
+}
+
+std::optional<std::string> Scene::why_no_float_lane() const {
+  if (const std::optional<Function> function = graph.first_function()) {
+    return fmt::format("a lane in floating point has no {}", to_string(*function));
+  }
+  if (!has_fixed_operands()) return std::nullopt;
+  return "a lane in floating point takes no operands in fixed point";
 }
 
 bool Scene::has_fixed_operands() const {

@@ -199,7 +199,7 @@ std::vector<LetDefinition> texts_of_lets(const ComparisonSpec& comparison,
 /// needs the reference's exponent bits.
 void choose_exponent_bits(ReducedSpec& reduced, const Graph& graph, FloatFormat reference,
                           const std::vector<std::optional<Range>>& ranges) {
-  if (!reduced.exponent_bits_from_ranges || reduced.is_profiled) return;
+  if (!reduced.exponent_bits_from_ranges || reduced.is_profiled || graph.first_function()) return;
   const Arithmetic arithmetic{*reduced.format, reduced.rounding, reduced.subnormals};
   const LaneInputs inputs = reduced.inputs_beside(reference);
   const int bits = error::lane_exponent_bits(graph, reference, arithmetic, inputs, ranges);

@@ -204,9 +204,8 @@ struct Scene {
 
   bool has_fixed_operands() const;       ///< whether any input arrives in fixed point
   bool has_only_fixed_operands() const;  ///< whether all inputs do
-  /// Whether lanes may be in floating point: they take no operands in fixed point and have no
-  /// functions.
-  bool may_have_float_lanes() const { return !has_fixed_operands() && !graph.first_function(); }
+  /// Why no lane may be in floating point; none if one may be.
+  std::optional<std::string> why_no_float_lane() const;
   /// Whether the datapath of references is in fixed point.
   bool has_fixed_references() const { return reference_fixed_point || has_only_fixed_operands(); }
   /// Whether any input in floating point is promised to hold only multiples of a grid.

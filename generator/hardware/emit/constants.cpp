@@ -92,7 +92,7 @@ private:
       cursor_.expect(")");
       return inner;
     }
-    if (cursor_.take_if("{")) return repeated();
+    if (cursor_.take_if("{")) return joined();
     const Token word = cursor_.take();
     long long number = 0;
     const char* const end_of_word = word.data() + word.size();
@@ -110,14 +110,30 @@ private:
     return constants_.call(name, arguments);
   }
 
-  /// The value of a repeated bit, such as {(WIDTH + 1) {1'b1}}, behind its first bracket.
-  long long repeated() {
-    const long long count = primary();
+  /// The value of a repeated bit, such as {(WIDTH + 1) {1'b1}}, or of a bit in front of repeated
+  /// ones, such as {1'b1, {(WIDTH - 1) {1'b0}}}; behind the first bracket.
+  long long joined() {
+    const long long first = primary();
+    if (cursor_.peek() == "{") return repeated(first).bits;
+    cursor_.expect(",");
+    cursor_.expect("{");
+    const Repeated behind = repeated(primary());
+    cursor_.expect("}");
+    return (first << behind.count) | behind.bits;
+  }
+
+  struct Repeated {
+    int count;
+    long long bits;
+  };
+
+  Repeated repeated(long long count) {
     cursor_.expect("{");
     const long long bit = primary();
     cursor_.expect("}");
     cursor_.expect("}");
-    return bit == 0 ? 0 : static_cast<long long>(low_mask(static_cast<int>(count)));
+    const auto ones = static_cast<long long>(low_mask(static_cast<int>(count)));
+    return {static_cast<int>(count), bit == 0 ? 0 : ones};
   }
 
   Cursor cursor_;

@@ -33,7 +33,7 @@ private:
     const Token first = cursor.peek();
     if (first == "(") {
       cursor.take_bracketed();  // an attribute
-    } else if (is_one_of(first, {"wire", "reg", "integer", "genvar", "assign"})) {
+    } else if (is_one_of(first, {"wire", "reg", "integer", "genvar", "assign", "initial"})) {
       take_statement(cursor);
     } else if (!cursor.take_if("generate") && !cursor.take_if("endgenerate")) {
       read_item_with_parts(cursor, constants);

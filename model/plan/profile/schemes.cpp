@@ -127,7 +127,7 @@ std::vector<SchemeLanes> make_schemes(const scene::Scene& scene, const ErrorProf
   std::vector<SchemeLanes> schemes;
   const std::vector<Bound> in_fixed_point = bounds_in_fixed_point(scene, bounds);
   for (const ErrorAtPrecision& error : errors.precisions) {
-    if (scene.may_have_float_lanes()) add_float_lanes(scene, errors, error, schemes);
+    if (!scene.why_no_float_lane()) add_float_lanes(scene, errors, error, schemes);
     add_fixed_lanes(scene, error.precision, in_fixed_point, schemes);
   }
   const auto is_unwanted = [&](const SchemeLanes& scheme) {
