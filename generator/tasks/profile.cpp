@@ -14,7 +14,7 @@ Result<report::ProfileReport> measure_profile(const LoadedScene& loaded,
   others.erase(scene.reduced.inputs);
   measured.insert(measured.end(), others.begin(), others.end());
   report::ProfileReport report{.scene = scene.name,
-                               .reference = scene.reference.format,
+                               .reference = scene.format_of_reference(),
                                .comparisons = loaded.data->size(),
                                .errors = profile_errors(scene, *loaded.data, measured, options),
                                .rates = {}};

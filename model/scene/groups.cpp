@@ -33,6 +33,11 @@ std::string Scene::g_text() const {
   return joined(parts, &PartText::g);
 }
 
+LaneFormat Scene::format_of_reference() const {
+  if (reference_fixed_point) return {.fixed_point = reference_fixed_point};
+  return {.floating = reference.format};
+}
+
 std::optional<std::string> Scene::why_no_float_lane() const {
   if (const std::optional<Function> function = graph.first_function()) {
     return fmt::format("a lane in floating point has no {}", to_string(*function));

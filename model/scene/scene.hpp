@@ -204,6 +204,7 @@ struct Scene {
 
   bool has_fixed_operands() const;       ///< whether any input arrives in fixed point
   bool has_only_fixed_operands() const;  ///< whether all inputs do
+  LaneFormat format_of_reference() const;
   /// Why no lane may be in floating point; none if one may be.
   std::optional<std::string> why_no_float_lane() const;
   /// Whether the datapath of references is in fixed point.

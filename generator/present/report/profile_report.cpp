@@ -59,7 +59,15 @@ std::string left_out(const ErrorAtPrecision& error) {
   return fmt::format("left out: {} of f, {} of g", error.f_unbounded, error.g_unbounded);
 }
 
+/// Whether anything is known of the errors. Functions have none in floating point.
+bool knows_errors(const ErrorProfile& profile) {
+  return profile.comparisons > 0 || !profile.no_f_bound.empty() ||
+         std::any_of(profile.precisions.begin(), profile.precisions.end(),
+                     [](const ErrorAtPrecision& error) { return error.f_bound || error.g_bound; });
+}
+
 std::string text_of(const ErrorProfile& profile) {
+  if (!knows_errors(profile)) return "";
   const Fields<ErrorAtPrecision> shown =
       pick(error_fields(), {"precision", "f_error", "f_bound", "g_error", "g_bound"});
   const Fields<ErrorAtPrecision> remark = {{{""}, left_out}};

@@ -6,6 +6,7 @@
 
 #include "generator/present/report/plot.hpp"
 #include "generator/present/table/table.hpp"
+#include "model/base/number/lane_format.hpp"
 #include "model/plan/profile/profile.hpp"
 
 namespace mixcmp::report {
@@ -13,7 +14,7 @@ namespace mixcmp::report {
 /// The results of one run of `profile`.
 struct ProfileReport {
   std::string scene;
-  FloatFormat reference;
+  LaneFormat reference;
   std::uint64_t comparisons = 0;
   std::vector<profile::ErrorProfile> errors;
   std::vector<profile::RateProfile> rates;
