@@ -109,9 +109,12 @@ void run(const Emulator& emulator, Task task, const Pairs& pairs, std::span<Deci
   }
 }
 
-void time(benchmark::State& state, const Emulator& emulator, Task task, std::int64_t target) {
+/// `operands`: how many columns of a pair the comparison reads.
+void time(benchmark::State& state, const Emulator& emulator, Task task, std::int64_t target,
+          std::size_t operands = operand_count) {
   choose_instruction_set(target);
-  const Pairs pairs;
+  Pairs pairs;
+  pairs.pointers.resize(operands);
   std::vector<Decision> decisions(pair_count);
   std::vector<double> f(pair_count), g(pair_count);
   std::vector<std::uint8_t> exceptional(pair_count);
@@ -140,6 +143,20 @@ void by_fixed_lane(benchmark::State& state, std::int64_t target) {
           {.format = {static_cast<int>(state.range(0))}, .bound = {}, .ranges = ranges})
           .value());
   time(state, emulator, Task::decide, target);
+}
+
+/// Function values: f(x) against another operand.
+void by_function(benchmark::State& state, std::int64_t target, Function function) {
+  Graph graph;
+  const NodeId value = graph.apply(function, graph.input("x"));
+  graph.compare({{value, graph.input("y")}}, Combination::all);
+  const std::vector<std::optional<Range>> ranges = {Range{1, 100}, Range{0, 100}};
+  const Emulator emulator(
+      fixed::fixed_lane(
+          graph, test::format("s53e8"),
+          {.format = {static_cast<int>(state.range(0))}, .bound = {}, .ranges = ranges})
+          .value());
+  time(state, emulator, Task::decide, target, 2);
 }
 
 void by_reference(benchmark::State& state, std::int64_t target) {
@@ -186,6 +203,14 @@ void register_emulator(std::int64_t target) {
       ->Arg(13)
       ->Arg(17)
       ->Arg(24);
+  for (const Function function : {Function::sin, Function::log}) {
+    const std::string name = "emulator/" + set + "/" + std::string(to_string(function));
+    benchmark::RegisterBenchmark(name.c_str(), by_function, target, function)
+        ->Arg(8)
+        ->Arg(13)
+        ->Arg(17)
+        ->Arg(24);
+  }
   benchmark::RegisterBenchmark(("emulator/" + set + "/reference").c_str(), by_reference, target);
 }
 

@@ -192,7 +192,7 @@ private:
       node.value = fixed::rounded_down(node.value, node.format.unit());
       return;
     }
-    if (node.operation == Operation::look_up) return;  // assumed
+    if (node.operation == Operation::look_up) return;  // theorem 10
     if (node.operation == Operation::convert) return convert(node);
     const FixedNode& a = nodes_[node.operands[0]];
     const FixedNode& b = nodes_[node.operands[std::max(0, arity(node.operation) - 1)]];
@@ -255,7 +255,7 @@ private:
         return;
       case fixed::Conversion::floating:
       case fixed::Conversion::place:
-      case fixed::Conversion::function_value: return;  // assumed
+      case fixed::Conversion::function_value: return;  // theorem 10
     }
     MIXCMP_CHECK(false);
   }
@@ -470,6 +470,9 @@ private:
     }
     if (any([](const FixedNode& node) { return node.operation == Operation::square_root; })) {
       add_step("5", "docs/fixed_point.md, theorem 5: value and error of a square root");
+    }
+    if (any([](const FixedNode& node) { return node.function.has_value(); })) {
+      add_step("10", "docs/fixed_point.md, theorem 10: value and error of a function");
     }
     if (lane_.format.is_block) {
       add_step("6", "docs/fixed_point.md, theorem 6: operands divided by a power of two");
