@@ -1,6 +1,6 @@
 # The mixtures of two Gaussians that expectation-maximisation goes through, on the durations of
-# geyser.csv, from all pairs of starting means of a grid:
-#   awk -F, -f em.awk geyser.csv >mixtures.csv
+# ../em/geyser.csv, from all pairs of starting means of a grid:
+#   awk -F, -f em.awk ../em/geyser.csv >mixtures.csv
 # w is a component's weight, m its mean, t one over its standard deviation.
 function density(x, w, m, t) { return w * t * exp(-((x - m) * t) ^ 2 / 2) }
 function run(m1, m2,    w1, t1, w2, t2, step, k, a, p, n1, s1, q1, n2, s2, q2) {

@@ -19,8 +19,8 @@ constexpr double luts_of_choice = 0.35;
 class Functions {
 public:
   void add(std::string_view values) {
-    const bool is_constant = std::all_of(values.begin(), values.end(),
-                                         [&](char value) { return value == values[0]; });
+    const bool is_constant =
+        std::all_of(values.begin(), values.end(), [&](char value) { return value == values[0]; });
     if (is_constant || !known_.emplace(values).second) return;
     if (values.size() <= lut_entries) {
       ++luts_;

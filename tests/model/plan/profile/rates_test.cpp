@@ -204,8 +204,10 @@ TEST(Rates, CallNobodyWrongWhereTheTruthIsUndetermined) {
   for (const auto& scheme : profile.schemes) {
     for (const SchemeCounts& counts : scheme.counts) EXPECT_EQ(counts.wrong, 0u) << scheme.name;
   }
-  const report::ProfileReport report{
-      .scene = "tie", .reference = {.floating = scene.reference.format}, .comparisons = 10, .rates = {profile}};
+  const report::ProfileReport report{.scene = "tie",
+                                     .reference = {.floating = scene.reference.format},
+                                     .comparisons = 10,
+                                     .rates = {profile}};
   EXPECT_NE(report::to_text(report).find("the truth is undetermined of 10"), std::string::npos);
   EXPECT_EQ(report::to_json(report)["recomputation_rates"][0]["truth_undetermined"], 10);
 }
