@@ -17,15 +17,15 @@ Interval coefficient(const Series& a, const Series& b, std::size_t k) {
 }
 
 /// Of y with y' = rate y.
-Series exponential(Interval first, const Interval& rate, int count) {
-  Series y = {std::move(first)};
+Series exponential(const Interval& first, const Interval& rate, int count) {
+  Series y = {first};
   for (int k = 1; k < count; ++k) y.push_back(rate * y.back() / Interval(k));
   return y;
 }
 
 /// Of y with y' = scale / x.
-Series logarithm(Interval first, const Interval& x, const Interval& scale, int count) {
-  Series y = {std::move(first)};
+Series logarithm(const Interval& first, const Interval& x, const Interval& scale, int count) {
+  Series y = {first};
   Interval power = scale / x;  // +- scale / x^k
   for (int k = 1; k < count; ++k) {
     y.push_back(power / Interval(k));
@@ -35,8 +35,8 @@ Series logarithm(Interval first, const Interval& x, const Interval& scale, int c
 }
 
 /// Of y with y'' = sign y.
-Series oscillation(Interval first, Interval slope, int sign, int count) {
-  Series y = {std::move(first), std::move(slope)};
+Series oscillation(const Interval& first, const Interval& slope, int sign, int count) {
+  Series y = {first, slope};
   for (int k = 2; k < count; ++k) {
     y.push_back(Interval(sign) * y[static_cast<std::size_t>(k) - 2] / Interval(k * (k - 1)));
   }
@@ -45,8 +45,8 @@ Series oscillation(Interval first, Interval slope, int sign, int count) {
 }
 
 /// Of y with y' = 1 + sign y^2.
-Series tangent(Interval first, int sign, int count) {
-  Series y = {std::move(first)};
+Series tangent(const Interval& first, int sign, int count) {
+  Series y = {first};
   for (int k = 1; k < count; ++k) {
     const Interval square = coefficient(y, y, static_cast<std::size_t>(k) - 1);
     y.push_back((Interval(k == 1 ? 1 : 0) + Interval(sign) * square) / Interval(k));
@@ -55,7 +55,7 @@ Series tangent(Interval first, int sign, int count) {
 }
 
 /// Of atan: y' = 1 / (1 + x^2).
-Series arc_tangent(Interval first, const Interval& x, int count) {
+Series arc_tangent(const Interval& first, const Interval& x, int count) {
   Interval square;
   mpfi_sqr(square.get(), x.get());
   const Interval divisor = Interval(1) + square, twice = Interval(2) * x;
@@ -66,7 +66,7 @@ Series arc_tangent(Interval first, const Interval& x, int count) {
     if (k > 1) rest = rest + rate[at - 2];
     rate.push_back(Interval(0) - rest / divisor);
   }
-  Series y = {std::move(first)};
+  Series y = {first};
   for (int k = 1; k < count; ++k) {
     y.push_back(rate[static_cast<std::size_t>(k) - 1] / Interval(k));
   }
