@@ -300,6 +300,11 @@ std::optional<Candidate> candidate(Function function, const FixedFormat& argumen
 std::optional<Piecewise> search(Function function, const FixedFormat& argument,
                                 const mpz_class& least, const mpz_class& greatest,
                                 int unit_exponent) {
+  const mpq_class unit = argument.unit();
+  // A pole between two arguments may lie in no piece.
+  if (!value(function, Interval(Range{least * unit, greatest * unit})).is_bounded()) {
+    return std::nullopt;
+  }
   std::vector<Candidate> open;
   const auto try_from = [&](int degree, int address_bits) {
     auto found =
