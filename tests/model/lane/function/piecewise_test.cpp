@@ -147,8 +147,7 @@ std::set<mpz_class> hard_arguments(const Piecewise& piecewise, const Arguments& 
 TEST_P(EveryArgument, OfManyBitsHasAResultWithinTheError) {
   std::mt19937_64 random(1);
   int tables = 0;
-  for (const auto& [width, unit_exponent] :
-       {std::pair{20, -12}, {20, -22}, {27, -20}, {32, -16}}) {
+  for (const auto& [width, unit_exponent] : {std::pair{20, -12}, {20, -22}, {27, -20}, {32, -16}}) {
     for (const bool is_signed : {false, true}) {
       for (const int reach : {-5, 0, 2}) {
         const FixedFormat format = format_below(reach, width, is_signed);

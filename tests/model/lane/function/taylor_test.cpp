@@ -110,8 +110,11 @@ TEST(Taylor, OfIntervalsEnclosesThatOfEachPoint) {
 
 TEST(Taylor, OfIntervalsInsideTheDomainIsBounded) {
   for (const Function function : all_functions) {
-    for (const Range& range : {Range{mpq_class(1, 1024), 1}, {mpq_class(-7, 8), mpq_class(-1, 8)},
-                               {-1, 1}, {mpq_class(13, 8), 4}, {-30, -29}}) {
+    for (const Range& range : {Range{mpq_class(1, 1024), 1},
+                               {mpq_class(-7, 8), mpq_class(-1, 8)},
+                               {-1, 1},
+                               {mpq_class(13, 8), 4},
+                               {-30, -29}}) {
       const auto end = open_end(function);
       if (end && range.low <= *end) continue;
       if (function == Function::tan && range.low < -29) continue;  // a pole: -19 pi / 2
@@ -140,7 +143,12 @@ TEST(Taylor, OfIntervalsBeyondTheDomainIsUnbounded) {
   for (const Range& range : {Range{-1, 1}, {-3, 1}, {-3, -2}, {-1, -1}, {-2, -1}}) {
     expect_unbounded(Function::log1p, range);
   }
-  for (const Range& range : {Range{1, 2}, {-2, -1}, {-4, 4}, {4, 5}, {0, 100}, {10, 13},
+  for (const Range& range : {Range{1, 2},
+                             {-2, -1},
+                             {-4, 4},
+                             {4, 5},
+                             {0, 100},
+                             {10, 13},
                              {mpq_class(25, 16), mpq_class(101, 64)}}) {
     expect_unbounded(Function::tan, range);
   }

@@ -1,0 +1,342 @@
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/base/number/double.hpp"
+#include "model/base/number/dyadic.hpp"
+#include "model/judge/golden/fixed_evaluate.hpp"
+#include "model/lane/fixed/fixed_lane.hpp"
+#include "tests/support/float_samples.hpp"
+#include "tests/support/function_values.hpp"
+#include "tests/support/graphs.hpp"
+
+/// Tests lanes whose expressions have functions: each node's number against the real one by MPFR,
+/// and each verdict against the truth.
+namespace mixcmp::test::functions_test {
+namespace {
+
+using fixed::Conversion;
+using fixed::FixedLane;
+using fixed::FixedNode;
+using Random = std::mt19937_64;
+using Values = std::vector<std::optional<mpz_class>>;
+
+/// The real number that a node stands for, in a narrow range; none if the node does not tell.
+using Truth = std::optional<Range>;
+
+/// Rounds outward to multiples of 2^-400, so that numbers stay short.
+Range shortened(const Range& range) {
+  const mpq_class unit = power_of_two(-400);
+  return {floor_of(range.low / unit) * unit, ceiling_of(range.high / unit) * unit};
+}
+
+Range root_near(const Range& radicand) {
+  return {root_of(std::max<mpq_class>(0, radicand.low), 300), root_above(radicand.high, 300)};
+}
+
+bool is_point(const Range& range) {
+  return range.low == range.high;
+}
+
+/// Computes the numbers that the nodes of a lane stand for from the real operands. Nodes inside a
+/// piecewise polynomial stand for themselves.
+class Truths {
+public:
+  Truths(const FixedLane& lane, const std::vector<double>& operands, const Values& values)
+      : lane_(lane), operands_(operands), values_(values) {
+    for (std::size_t id = 0; id < lane_.nodes.size(); ++id) {
+      inside_.push_back(is_inside(lane_.nodes[id]));
+      truths_.push_back(truth_of(static_cast<NodeId>(id)));
+    }
+  }
+
+  const Truth& operator[](std::size_t id) const { return truths_[id]; }
+
+private:
+  static bool has_no_error(const FixedNode& node) { return node.error == Range{0, 0}; }
+
+  bool is_inside(const FixedNode& node) const {
+    if (node.operation == Operation::look_up) return has_no_error(node);
+    if (node.conversion == Conversion::place) return true;
+    if (node.conversion == Conversion::function_value) return false;
+    bool any = false;
+    for (int k = 0; k < arity(node.operation); ++k) any = any || inside_[node.operands[k]];
+    return any;
+  }
+
+  /// The argument of the polynomial that this node is part of.
+  NodeId argument_below(NodeId id) const {
+    const FixedNode& node = lane_.nodes[id];
+    if (node.operation == Operation::look_up || node.conversion == Conversion::place) {
+      return node.operands[0];
+    }
+    for (int k = 0; k < arity(node.operation); ++k) {
+      if (inside_[node.operands[k]]) return argument_below(node.operands[k]);
+    }
+    ADD_FAILURE() << "node " << id << " has no argument";
+    return 0;
+  }
+
+  Truth function_of(const FixedNode& node, NodeId argument) const {
+    const Truth& x = truths_[argument];
+    const auto end = open_end(*node.function);
+    if (!x || (end && x->low <= *end)) return std::nullopt;
+    return value_near(*node.function, *x);
+  }
+
+  Truth truth_of(NodeId id) const {
+    const FixedNode& node = lane_.nodes[id];
+    if (!values_[id]) return std::nullopt;
+    if (inside_[id]) {
+      const mpq_class itself = *values_[id] * node.format.unit();
+      return Range{itself, itself};
+    }
+    if (node.operation == Operation::look_up) return function_of(node, node.operands[0]);
+    if (node.conversion == Conversion::function_value) {
+      return function_of(node, argument_below(node.operands[0]));
+    }
+    return ordinary(node);
+  }
+
+  Truth ordinary(const FixedNode& node) const {
+    if (node.operation == Operation::input) {
+      const mpq_class operand = operands_[node.input];
+      return Range{operand, operand};
+    }
+    if (node.operation == Operation::constant) {
+      if (!is_point(node.error)) return std::nullopt;  // a function's value everywhere
+      const mpq_class value = node.value.low - node.error.low;
+      return shortened({value, value});
+    }
+    const Truth& a = truths_[node.operands[0]];
+    const Truth& b = arity(node.operation) > 1 ? truths_[node.operands[1]] : a;
+    if (!a || !b) return std::nullopt;
+    switch (node.operation) {
+      case Operation::convert: return a;
+      case Operation::negate: return negated(*a);
+      case Operation::absolute: return absolute(*a);
+      case Operation::add: return sum(*a, *b);
+      case Operation::subtract: return difference(*a, *b);
+      case Operation::multiply: return shortened(product(*a, *b));
+      case Operation::square: return shortened(square(*a));
+      case Operation::minimum: return minimum(*a, *b);
+      case Operation::maximum: return maximum(*a, *b);
+      case Operation::square_root: return shortened(root_near(*a));
+      default: ADD_FAILURE() << to_string(node.operation); return std::nullopt;
+    }
+  }
+
+  const FixedLane& lane_;
+  const std::vector<double>& operands_;
+  const Values& values_;
+  std::vector<bool> inside_;
+  std::vector<Truth> truths_;
+};
+
+struct Counts {
+  int errors = 0;     ///< of nodes with a known real number
+  int functions = 0;  ///< of those, functions
+  int decided = 0;
+};
+
+/// Checks each node that has a value: its format, its enclosure and, where the real number is
+/// known, its error.
+void expect_enclosed(const FixedLane& lane, const std::vector<double>& operands,
+                     const Values& values, Counts& counts) {
+  const Truths truths(lane, operands, values);
+  for (std::size_t id = 0; id < values.size(); ++id) {
+    if (!values[id]) continue;
+    const FixedNode& node = lane.nodes[id];
+    const mpq_class value = *values[id] * node.format.unit();
+    EXPECT_TRUE(node.value.low <= value && value <= node.value.high)
+        << "node " << id << ", " << to_string(node.operation) << ": " << value.get_d()
+        << " is not in [" << node.value.low.get_d() << ", " << node.value.high.get_d() << "]";
+    EXPECT_TRUE(node.format.smallest() <= *values[id] && *values[id] <= node.format.largest())
+        << "node " << id << ": " << *values[id] << " in " << node.format.name();
+    if (!truths[id]) continue;
+    EXPECT_TRUE(value - truths[id]->low >= node.error.low &&
+                value - truths[id]->high <= node.error.high)
+        << "node " << id << ", " << to_string(node.operation) << ": off by "
+        << mpq_class(value - truths[id]->low).get_d() << ", not in [" << node.error.low.get_d()
+        << ", " << node.error.high.get_d() << "]";
+    ++counts.errors;
+    if (node.function && !(node.error == Range{0, 0})) ++counts.functions;
+  }
+}
+
+/// A comparison, the ranges of its inputs in the order of the graph, and formats of its operands if
+/// they are in fixed point.
+struct Case {
+  std::string name;
+  std::vector<std::pair<std::string, std::string>> parts;
+  std::vector<Range> ranges;
+  std::vector<const char*> formats = {};
+  int functions = 100;  ///< tuples of operands and nodes, at least
+};
+
+std::vector<Case> cases() {
+  const mpq_class near_one(15, 16), small(1, 64);
+  return {
+      {"Metropolis", {{"u", "exp(-d)"}}, {{0, 1}, {0, 10}}},
+      {"MetropolisOfBothSigns", {{"u", "exp(-d)"}}, {{0, 1}, {-3, 3}}},
+      {"Exp2", {{"exp2(a)", "b"}}, {{-4, 4}, {0, 20}}},
+      {"Expm1", {{"expm1(a)", "b"}}, {{-1, 1}, {-1, 2}}},
+      {"LogTouchingZero", {{"log(a)", "b"}}, {{0, 1}, {-10, 0}}},
+      {"Log2TouchingZero", {{"log2(a)", "b - c"}}, {{0, 100}, {0, 8}, {0, 8}}},
+      {"LogOfMore", {{"log(a)", "b"}}, {{1, 100}, {0, 5}}},
+      {"LogOfNearlyOne", {{"log(a)", "b"}}, {{1, mpq_class(65, 64)}, {-2, 2}}},
+      {"LogOfOne", {{"log(a)", "b"}}, {{1, 1}, {-2, 2}}},
+      {"Log2OfOne", {{"log2(a)", "b"}}, {{1, 1}, {-2, 2}}},
+      {"LogOfDifference", {{"log(a - b)", "c"}}, {{2, 4}, {0, 1}, {-1, 2}}},
+      {"Log1pNearItsEnd", {{"log1p(a)", "b"}}, {{-near_one, 1}, {-3, 1}}},
+      {"Log1pTouchingItsEnd", {{"log1p(a)", "b"}}, {{-1, 1}, {-3, 1}}},
+      {"Sin", {{"sin(a)", "b"}}, {{-4, 4}, {-1, 1}}},
+      {"SinOfTwo", {{"sin(a + b)", "sin(a) * cos(b) - sin(b)"}}, {{0, 3}, {0, 3}}},
+      {"CosNearItsTop", {{"cos(a)", "1 - b^2"}}, {{-small, small}, {-small, small}}},
+      {"TanNearItsPole", {{"tan(a)", "b"}}, {{0, mpq_class(25, 16)}, {0, 90}}},
+      {"Tan", {{"tan(a)", "b"}}, {{-1, 1}, {-2, 2}}},
+      {"Atan", {{"atan(a)", "b"}}, {{-20, 20}, {-2, 2}}},
+      {"AtanOfSums", {{"atan(a - b) + 1", "atan(a)"}}, {{0, 3}, {0, 3}}},
+      {"Hyperbolic", {{"cosh(a)^2 - sinh(a)^2", "b"}}, {{-2, 2}, {0, 2}}},
+      {"TanhOfLogistic", {{"2 / 3 * tanh(a / 2) + 0.3", "b"}}, {{-6, 6}, {-1, 1}}},
+      {"ExpOfSin", {{"exp(sin(a))", "b"}}, {{-3, 3}, {0, 3}}},
+      {"Softplus", {{"log(1 + exp(a))", "b"}}, {{-5, 5}, {0, 5}}},
+      {"SoftplusByLog1p", {{"log1p(exp(-abs(a))) + max(a, 0)", "b"}}, {{-5, 5}, {0, 5}}},
+      {"Gaussian", {{"exp(-(a - b)^2 / 2)", "c"}}, {{0, 2}, {0, 2}, {0, 1}}},
+      {"OfConstants", {{"a + exp(1) - cos(0)", "log2(3) * b"}}, {{-1, 1}, {-1, 1}}, {}, 0},
+      {"OfConstantsOnly", {{"exp(1)", "cos(1) + sin(0)"}}, {}, {}, 0},
+      {"TwiceTheSame", {{"exp(a) * exp(a)", "exp(a) + exp(b)"}}, {{-1, 1}, {-1, 1}}},
+      {"BothSides", {{"exp(a)", "exp(b)"}}, {{-1, 1}, {-1, 1}}},
+      {"InChoices", {{"min(exp(a), b)", "max(log1p(b), sin(a))"}}, {{-1, 1}, {0, 2}}},
+      {"InProducts", {{"exp(a) * (b - 0.5) * sin(b)", "a^2"}}, {{-1, 1}, {0, 2}}},
+      {"InRoots", {{"sqrt(exp(a) + 1)", "cosh(b)"}}, {{-1, 1}, {0, 2}}},
+      {"InNorms", {{"exp(a)^2 + b^2", "(a - b)^2"}}, {{-1, 1}, {0, 2}}},
+      {"Within", {{"log(within(a - b, 0.25, 2))", "b"}}, {{0, 3}, {0, 3}}},
+      {"WithinPole", {{"tan(within(a, -1.5, 1.5))", "b"}}, {{-3, 3}, {-4, 4}}},
+      {"Parts", {{"exp(a)", "b"}, {"log(b + 1)", "a"}}, {{-1, 1}, {0, 3}}},
+      {"SmallIntegers", {{"exp(a / 16)", "b / 64"}}, {{-128, 127}, {0, 1023}}, {"int8", "uint10"}},
+      {"Fractions", {{"log2(a + 1)", "b"}}, {{0, 63}, {-8, 7}}, {"uint6", "q3.4"}},
+      {"WideProducts", {{"atan(a * b / 65536)", "c / 8"}}, {{}, {}, {}}, {"int8", "int10", "q4.2"}},
+      {"WideSquares",
+       {{"exp(-(a^2 + b^2) / 1000)", "c / 256"}},
+       {{}, {}, {}},
+       {"int8", "int8", "uint8"}},
+  };
+}
+
+/// Numbers at which functions, formats or limits change: in the range, its ends, small ones, and
+/// some beyond.
+double hard_operand(const Range& range, Random& random) {
+  const double low = range.low.get_d(), high = range.high.get_d();
+  const double inside = low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
+  const double step = std::ldexp(1, std::ilogb(high - low + 1) - static_cast<int>(random() % 16));
+  const double stepped = std::nearbyint(inside / step) * step;
+  switch (random() % 16) {
+    case 0: return std::nextafter(stepped, random() % 2 == 0 ? -1e300 : 1e300);
+    case 1:
+    case 2:
+    case 3: return stepped;
+    case 4: return random() % 2 == 0 ? low : high;
+    case 5: return std::ldexp(inside, -static_cast<int>(random() % 60));
+    case 6: return 3 * inside;
+    case 7: return -inside;
+    case 8: {
+      constexpr double infinity = std::numeric_limits<double>::infinity();
+      const double specials[] = {infinity, -infinity, std::nan(""), 1e30, -1e30, 0.0, -0.0};
+      return specials[random() % 7];
+    }
+    default: return inside;
+  }
+}
+
+class Functions : public testing::TestWithParam<Case> {
+protected:
+  std::vector<OperandFormat> operand_formats() const {
+    std::vector<OperandFormat> formats;
+    for (const char* name : GetParam().formats) formats.push_back(*OperandFormat::parse(name));
+    return formats;
+  }
+
+  /// An operand that the input may have: a number of binary32, or of the format in fixed point.
+  double operand(std::size_t input, Random& random) const {
+    const std::vector<OperandFormat> formats = operand_formats();
+    if (!formats.empty()) {
+      const FixedFormat& fixed = *formats[input].fixed();
+      const mpz_class span = fixed.largest() - fixed.smallest() + 1;
+      const mpz_class number = fixed.smallest() + mpz_class(random() >> 1) % span;
+      return mpq_class(number * fixed.unit()).get_d();
+    }
+    return static_cast<float>(hard_operand(GetParam().ranges[input], random));
+  }
+
+  Result<FixedLane> lane(const Graph& graph, FloatFormat format, int bits,
+                         bool is_reference = false) const {
+    std::vector<std::optional<Range>> ranges(GetParam().ranges.begin(), GetParam().ranges.end());
+    if (!GetParam().formats.empty()) ranges.assign(ranges.size(), std::nullopt);
+    return fixed::fixed_lane(graph, format,
+                             {.format = {.bits = bits},
+                              .bound = {},
+                              .ranges = ranges,
+                              .operand_formats = operand_formats(),
+                              .is_reference = is_reference});
+  }
+
+  Graph graph() const { return graph_of(GetParam().parts, Combination::all); }
+};
+
+std::vector<Bits> encoded(FloatFormat format, const std::vector<double>& operands) {
+  std::vector<Bits> bits;
+  for (const double operand : operands) bits.push_back(from_double(format, operand));
+  return bits;
+}
+
+std::string describe(const Case& comparison, int bits, const std::vector<double>& operands) {
+  std::string text = comparison.name + fmt::format(", q{}:", bits);
+  for (const double operand : operands) text += fmt::format(" {:a}", operand);
+  return text;
+}
+
+TEST_P(Functions, AreEnclosedAndDecidedAsTheRealNumbersAre) {
+  const Graph graph = this->graph();
+  const bool is_fixed = !GetParam().formats.empty();
+  const FloatFormat format = is_fixed ? format_of(53, 11) : format_of(24, 8);
+  Random random(1);
+  Counts counts;
+  int lanes = 0;
+  for (const int bits : {1, 2, 3, 5, 8, 11, 14}) {
+    const Result<FixedLane> made = lane(graph, format, bits);
+    if (!made.ok()) continue;
+    ++lanes;
+    for (int k = 0; k < 150; ++k) {
+      std::vector<double> operands;
+      for (std::size_t input = 0; input < graph.inputs().size(); ++input) {
+        operands.push_back(operand(input, random));
+      }
+      const std::vector<Bits> inputs = encoded(format, operands);
+      expect_enclosed(*made, operands, golden::evaluate(*made, inputs), counts);
+      const golden::LaneResult result = golden::evaluate_lane(*made, inputs);
+      if (result.decided) {
+        ++counts.decided;
+        EXPECT_EQ(result.verdict, golden::true_verdict(graph, format, inputs));
+      }
+      if (HasFailure()) FAIL() << describe(GetParam(), bits, operands);
+    }
+  }
+  EXPECT_GE(lanes, 3);
+  EXPECT_GT(counts.decided, 100);
+  EXPECT_GE(counts.functions, GetParam().functions);
+}
+
+INSTANTIATE_TEST_SUITE_P(Comparisons, Functions, testing::ValuesIn(cases()),
+                         [](const auto& parameter) { return parameter.param.name; });
+
+}  // namespace
+}  // namespace mixcmp::test::functions_test
