@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <random>
 #include <string>
@@ -15,8 +13,8 @@
 #include "model/judge/golden/fixed_evaluate.hpp"
 #include "model/lane/fixed/fixed_lane.hpp"
 #include "tests/support/float_samples.hpp"
+#include "tests/support/function_comparisons.hpp"
 #include "tests/support/function_values.hpp"
-#include "tests/support/graphs.hpp"
 
 /// Tests lanes whose expressions have functions: each node's number against the real one by MPFR,
 /// and each verdict against the truth.
@@ -172,102 +170,11 @@ void expect_enclosed(const FixedLane& lane, const std::vector<double>& operands,
   }
 }
 
-/// A comparison, the ranges of its inputs in the order of the graph, and formats of its operands if
-/// they are in fixed point.
-struct Case {
-  std::string name;
-  std::vector<std::pair<std::string, std::string>> parts;
-  std::vector<Range> ranges;
-  std::vector<const char*> formats = {};
-  int functions = 100;  ///< tuples of operands and nodes, at least
-};
-
-std::vector<Case> cases() {
-  const mpq_class near_one(15, 16), small(1, 64);
-  return {
-      {"Metropolis", {{"u", "exp(-d)"}}, {{0, 1}, {0, 10}}},
-      {"MetropolisOfBothSigns", {{"u", "exp(-d)"}}, {{0, 1}, {-3, 3}}},
-      {"Exp2", {{"exp2(a)", "b"}}, {{-4, 4}, {0, 20}}},
-      {"Expm1", {{"expm1(a)", "b"}}, {{-1, 1}, {-1, 2}}},
-      {"LogTouchingZero", {{"log(a)", "b"}}, {{0, 1}, {-10, 0}}},
-      {"Log2TouchingZero", {{"log2(a)", "b - c"}}, {{0, 100}, {0, 8}, {0, 8}}},
-      {"LogOfMore", {{"log(a)", "b"}}, {{1, 100}, {0, 5}}},
-      {"LogOfNearlyOne", {{"log(a)", "b"}}, {{1, mpq_class(65, 64)}, {-2, 2}}},
-      {"LogOfOne", {{"log(a)", "b"}}, {{1, 1}, {-2, 2}}},
-      {"Log2OfOne", {{"log2(a)", "b"}}, {{1, 1}, {-2, 2}}},
-      {"LogOfDifference", {{"log(a - b)", "c"}}, {{2, 4}, {0, 1}, {-1, 2}}},
-      {"Log1pNearItsEnd", {{"log1p(a)", "b"}}, {{-near_one, 1}, {-3, 1}}},
-      {"Log1pTouchingItsEnd", {{"log1p(a)", "b"}}, {{-1, 1}, {-3, 1}}},
-      {"Sin", {{"sin(a)", "b"}}, {{-4, 4}, {-1, 1}}},
-      {"SinOfTwo", {{"sin(a + b)", "sin(a) * cos(b) - sin(b)"}}, {{0, 3}, {0, 3}}},
-      {"CosNearItsTop", {{"cos(a)", "1 - b^2"}}, {{-small, small}, {-small, small}}},
-      {"TanNearItsPole", {{"tan(a)", "b"}}, {{0, mpq_class(25, 16)}, {0, 90}}},
-      {"Tan", {{"tan(a)", "b"}}, {{-1, 1}, {-2, 2}}},
-      {"Atan", {{"atan(a)", "b"}}, {{-20, 20}, {-2, 2}}},
-      {"AtanOfSums", {{"atan(a - b) + 1", "atan(a)"}}, {{0, 3}, {0, 3}}},
-      {"Hyperbolic", {{"cosh(a)^2 - sinh(a)^2", "b"}}, {{-2, 2}, {0, 2}}},
-      {"TanhOfLogistic", {{"2 / 3 * tanh(a / 2) + 0.3", "b"}}, {{-6, 6}, {-1, 1}}},
-      {"ExpOfSin", {{"exp(sin(a))", "b"}}, {{-3, 3}, {0, 3}}},
-      {"Softplus", {{"log(1 + exp(a))", "b"}}, {{-5, 5}, {0, 5}}},
-      {"SoftplusByLog1p", {{"log1p(exp(-abs(a))) + max(a, 0)", "b"}}, {{-5, 5}, {0, 5}}},
-      {"Gaussian", {{"exp(-(a - b)^2 / 2)", "c"}}, {{0, 2}, {0, 2}, {0, 1}}},
-      {"OfConstants", {{"a + exp(1) - cos(0)", "log2(3) * b"}}, {{-1, 1}, {-1, 1}}, {}, 0},
-      {"OfConstantsOnly", {{"exp(1)", "cos(1) + sin(0)"}}, {}, {}, 0},
-      {"TwiceTheSame", {{"exp(a) * exp(a)", "exp(a) + exp(b)"}}, {{-1, 1}, {-1, 1}}},
-      {"BothSides", {{"exp(a)", "exp(b)"}}, {{-1, 1}, {-1, 1}}},
-      {"InChoices", {{"min(exp(a), b)", "max(log1p(b), sin(a))"}}, {{-1, 1}, {0, 2}}},
-      {"InProducts", {{"exp(a) * (b - 0.5) * sin(b)", "a^2"}}, {{-1, 1}, {0, 2}}},
-      {"InRoots", {{"sqrt(exp(a) + 1)", "cosh(b)"}}, {{-1, 1}, {0, 2}}},
-      {"InNorms", {{"exp(a)^2 + b^2", "(a - b)^2"}}, {{-1, 1}, {0, 2}}},
-      {"Within", {{"log(within(a - b, 0.25, 2))", "b"}}, {{0, 3}, {0, 3}}},
-      {"WithinPole", {{"tan(within(a, -1.5, 1.5))", "b"}}, {{-3, 3}, {-4, 4}}},
-      {"Parts", {{"exp(a)", "b"}, {"log(b + 1)", "a"}}, {{-1, 1}, {0, 3}}},
-      {"SmallIntegers", {{"exp(a / 16)", "b / 64"}}, {{-128, 127}, {0, 1023}}, {"int8", "uint10"}},
-      {"Fractions", {{"log2(a + 1)", "b"}}, {{0, 63}, {-8, 7}}, {"uint6", "q3.4"}},
-      {"WideProducts", {{"atan(a * b / 65536)", "c / 8"}}, {{}, {}, {}}, {"int8", "int10", "q4.2"}},
-      {"WideSquares",
-       {{"exp(-(a^2 + b^2) / 1000)", "c / 256"}},
-       {{}, {}, {}},
-       {"int8", "int8", "uint8"}},
-  };
-}
-
-/// Numbers at which functions, formats or limits change: in the range, its ends, small ones, and
-/// some beyond.
-double hard_operand(const Range& range, Random& random) {
-  const double low = range.low.get_d(), high = range.high.get_d();
-  const double inside = low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
-  const double step = std::ldexp(1, std::ilogb(high - low + 1) - static_cast<int>(random() % 16));
-  const double stepped = std::nearbyint(inside / step) * step;
-  switch (random() % 16) {
-    case 0: return std::nextafter(stepped, random() % 2 == 0 ? -1e300 : 1e300);
-    case 1:
-    case 2:
-    case 3: return stepped;
-    case 4: return random() % 2 == 0 ? low : high;
-    case 5: return std::ldexp(inside, -static_cast<int>(random() % 60));
-    case 6: return 3 * inside;
-    case 7: return -inside;
-    case 8: {
-      constexpr double infinity = std::numeric_limits<double>::infinity();
-      const double specials[] = {infinity, -infinity, std::nan(""), 1e30, -1e30, 0.0, -0.0};
-      return specials[random() % 7];
-    }
-    default: return inside;
-  }
-}
-
-class Functions : public testing::TestWithParam<Case> {
+class Functions : public testing::TestWithParam<FunctionComparison> {
 protected:
-  std::vector<OperandFormat> operand_formats() const {
-    std::vector<OperandFormat> formats;
-    for (const char* name : GetParam().formats) formats.push_back(*OperandFormat::parse(name));
-    return formats;
-  }
-
   /// An operand that the input may have: a number of binary32, or of the format in fixed point.
   double operand(std::size_t input, Random& random) const {
-    const std::vector<OperandFormat> formats = operand_formats();
+    const std::vector<OperandFormat> formats = GetParam().operand_formats();
     if (!formats.empty()) {
       const FixedFormat& fixed = *formats[input].fixed();
       const mpz_class span = fixed.largest() - fixed.smallest() + 1;
@@ -276,20 +183,6 @@ protected:
     }
     return static_cast<float>(hard_operand(GetParam().ranges[input], random));
   }
-
-  Result<FixedLane> lane(const Graph& graph, FloatFormat format, int bits,
-                         bool is_reference = false) const {
-    std::vector<std::optional<Range>> ranges(GetParam().ranges.begin(), GetParam().ranges.end());
-    if (!GetParam().formats.empty()) ranges.assign(ranges.size(), std::nullopt);
-    return fixed::fixed_lane(graph, format,
-                             {.format = {.bits = bits},
-                              .bound = {},
-                              .ranges = ranges,
-                              .operand_formats = operand_formats(),
-                              .is_reference = is_reference});
-  }
-
-  Graph graph() const { return graph_of(GetParam().parts, Combination::all); }
 };
 
 std::vector<Bits> encoded(FloatFormat format, const std::vector<double>& operands) {
@@ -298,21 +191,22 @@ std::vector<Bits> encoded(FloatFormat format, const std::vector<double>& operand
   return bits;
 }
 
-std::string describe(const Case& comparison, int bits, const std::vector<double>& operands) {
+std::string describe(const FunctionComparison& comparison, int bits,
+                     const std::vector<double>& operands) {
   std::string text = comparison.name + fmt::format(", q{}:", bits);
   for (const double operand : operands) text += fmt::format(" {:a}", operand);
   return text;
 }
 
 TEST_P(Functions, AreEnclosedAndDecidedAsTheRealNumbersAre) {
-  const Graph graph = this->graph();
+  const Graph graph = GetParam().graph();
   const bool is_fixed = !GetParam().formats.empty();
   const FloatFormat format = is_fixed ? format_of(53, 11) : format_of(24, 8);
   Random random(1);
   Counts counts;
   int lanes = 0;
   for (const int bits : {1, 2, 3, 5, 8, 11, 14}) {
-    const Result<FixedLane> made = lane(graph, format, bits);
+    const Result<FixedLane> made = GetParam().lane(format, bits);
     if (!made.ok()) continue;
     ++lanes;
     for (int k = 0; k < 150; ++k) {
@@ -335,7 +229,7 @@ TEST_P(Functions, AreEnclosedAndDecidedAsTheRealNumbersAre) {
   EXPECT_GE(counts.functions, GetParam().functions);
 }
 
-INSTANTIATE_TEST_SUITE_P(Comparisons, Functions, testing::ValuesIn(cases()),
+INSTANTIATE_TEST_SUITE_P(Comparisons, Functions, testing::ValuesIn(function_comparisons()),
                          [](const auto& parameter) { return parameter.param.name; });
 
 }  // namespace
