@@ -198,6 +198,41 @@ std::string describe(const FunctionComparison& comparison, int bits,
   return text;
 }
 
+/// A reference orders f and g rightly where they differ by more than the error of their difference.
+TEST_P(Functions, AreOrderedRightlyByReferencesWithinTheirError) {
+  const Graph graph = GetParam().graph();
+  const FloatFormat format = GetParam().formats.empty() ? format_of(24, 8) : format_of(53, 11);
+  Random random(2);
+  int ordered = 0;
+  for (const int bits : {4, 9, 16}) {
+    const Result<FixedLane> made = GetParam().lane(format, bits, true);
+    if (!made.ok() || made->parts.size() > 1) continue;
+    for (int k = 0; k < 100; ++k) {
+      std::vector<double> operands;
+      for (std::size_t input = 0; input < graph.inputs().size(); ++input) {
+        operands.push_back(operand(input, random));
+      }
+      const std::vector<Bits> inputs = encoded(format, operands);
+      const Values values = golden::evaluate(*made, inputs);
+      const golden::LaneResult result = golden::evaluate_lane(*made, inputs);
+      ASSERT_TRUE(result.decided);
+      const NodeId difference = made->parts[0].difference;
+      ASSERT_EQ(result.verdict == Verdict::unordered, !values[difference]);
+      Counts counts;
+      expect_enclosed(*made, operands, values, counts);
+      const Truth truth = Truths(*made, operands, values)[difference];
+      const Range& error = made->nodes[difference].error;
+      const bool above = truth && truth->low > -error.low;
+      const bool below = truth && truth->high < -error.high;
+      EXPECT_TRUE(!above || result.verdict == Verdict::greater);
+      EXPECT_TRUE(!below || result.verdict == Verdict::less);
+      ordered += above || below;
+      if (HasFailure()) FAIL() << describe(GetParam(), bits, operands);
+    }
+  }
+  EXPECT_GT(ordered, GetParam().parts.size() > 1 || GetParam().functions == 0 ? -1 : 50);
+}
+
 TEST_P(Functions, AreEnclosedAndDecidedAsTheRealNumbersAre) {
   const Graph graph = GetParam().graph();
   const bool is_fixed = !GetParam().formats.empty();
