@@ -21,9 +21,10 @@ Result<fixed::FixedLane> FunctionComparison::lane(FloatFormat format, int bits,
                                                   bool is_reference) const {
   std::vector<std::optional<Range>> known(ranges.begin(), ranges.end());
   if (!formats.empty()) known.assign(known.size(), std::nullopt);
+  const auto bound = is_reference ? std::optional(BoundKind::constant) : std::nullopt;
   return fixed::fixed_lane(graph(), format,
                            {.format = {.bits = bits},
-                            .bound = {},
+                            .bound = bound,
                             .ranges = known,
                             .operand_formats = operand_formats(),
                             .is_reference = is_reference});

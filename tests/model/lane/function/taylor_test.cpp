@@ -154,5 +154,29 @@ TEST(Taylor, OfIntervalsBeyondTheDomainIsUnbounded) {
   }
 }
 
+/// MPFR has exponents of 30 bits and more. A rational number of 2^30 digits would fill memory.
+TEST(Taylor, OfLargeArgumentsHasShortEnds) {
+  const mpq_class far = power_of_two(29), least = power_of_two(-Interval::most_exponent);
+  for (const Function function : {Function::exp, Function::exp2, Function::sinh, Function::cosh}) {
+    EXPECT_FALSE(function::value(function, Interval(Range{0, far})).is_bounded());
+    EXPECT_FALSE(function::value(function, Interval(far)).is_bounded());
+  }
+  EXPECT_FALSE(function::value(Function::sinh, Interval(mpq_class(-far))).is_bounded());
+  for (const Function function : {Function::exp, Function::exp2}) {
+    EXPECT_EQ(function::value(function, Interval(mpq_class(-far))).range(), (Range{0, least}));
+    const Interval values = function::value(function, Interval(Range{-far, 0}));
+    EXPECT_TRUE(values.is_bounded());
+    EXPECT_EQ(values.range(), (Range{0, 1}));
+    const Interval negative = Interval(0) - values;
+    EXPECT_EQ(negative.range(), (Range{-1, 0}));
+    EXPECT_EQ((Interval(0) - function::value(function, Interval(mpq_class(-far)))).range(),
+              (Range{-least, 0}));
+  }
+  const Interval edge(least);
+  EXPECT_EQ(edge.range(), (Range{least, least}));
+  EXPECT_FALSE(Interval(power_of_two(Interval::most_exponent)).is_bounded());
+  EXPECT_TRUE(Interval(power_of_two(Interval::most_exponent - 1)).is_bounded());
+}
+
 }  // namespace
 }  // namespace mixcmp::test::taylor_test
