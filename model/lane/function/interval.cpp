@@ -56,7 +56,7 @@ mpf_class Interval::middle() const {
   mpfr_init2(middle, digits);
   mpfi_mid(middle, value_);
   mpf_class found(0, digits);
-  mpfr_get_f(found.get_mpf_t(), middle, MPFR_RNDN);
+  if (!is_below(middle, -most_exponent)) mpfr_get_f(found.get_mpf_t(), middle, MPFR_RNDN);
   mpfr_clear(middle);
   return found;
 }

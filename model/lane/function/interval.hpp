@@ -33,7 +33,7 @@ public:
   Range range() const;
   /// The largest magnitude, as an interval of one number.
   Interval magnitude() const;
-  /// A number within, roughly in the middle.
+  /// A number roughly in the middle; 0 if that is below 2^-most_exponent in magnitude.
   mpf_class middle() const;
 
   friend Interval operator+(const Interval& a, const Interval& b);

@@ -203,10 +203,11 @@ TEST_P(Functions, AreOrderedRightlyByReferencesWithinTheirError) {
   const Graph graph = GetParam().graph();
   const FloatFormat format = GetParam().formats.empty() ? format_of(24, 8) : format_of(53, 11);
   Random random(2);
-  int ordered = 0;
+  int ordered = 0, references = 0;
   for (const int bits : {4, 9, 16}) {
     const Result<FixedLane> made = GetParam().lane(format, bits, true);
     if (!made.ok() || made->parts.size() > 1) continue;
+    ++references;
     for (int k = 0; k < 100; ++k) {
       std::vector<double> operands;
       for (std::size_t input = 0; input < graph.inputs().size(); ++input) {
@@ -230,7 +231,8 @@ TEST_P(Functions, AreOrderedRightlyByReferencesWithinTheirError) {
       if (HasFailure()) FAIL() << describe(GetParam(), bits, operands);
     }
   }
-  EXPECT_GT(ordered, GetParam().parts.size() > 1 || GetParam().functions == 0 ? -1 : 50);
+  // References take no limits, so that some have poles. Values of constants have no known truth.
+  EXPECT_GE(ordered, GetParam().functions == 0 ? 0 : 5 * references);
 }
 
 TEST_P(Functions, AreEnclosedAndDecidedAsTheRealNumbersAre) {
