@@ -113,6 +113,10 @@ Knowledge enclose_function(Interval& y, const Interval& x, Function function) {
   return is_outside ? Knowledge::undefined : Knowledge::uncertain;
 }
 
+bool is_commutative(Operation operation) {
+  return operation == Operation::add || operation == Operation::multiply || is_choice(operation);
+}
+
 /// Computes both ends by one operation that is monotone in both operands.
 void monotone(Interval& y, const Interval& a, const Interval& b, Operate operate) {
   operate(y.low.get(), a.low.get(), b.low.get(), MPFR_RNDD);
@@ -143,6 +147,7 @@ Enclosure::Enclosure(const Graph& graph, Sides part, mpfr_prec_t precision)
 
 Knowledge Enclosure::compute(FloatFormat format, std::span<const Bits> inputs) {
   separations_.clear();
+  equal_.clear();
   Knowledge knowledge = Knowledge::enclosed;
   for (NodeId id = 0; id < static_cast<NodeId>(values_.size()); ++id) {
     if (!needed_[id]) continue;
@@ -168,19 +173,51 @@ bool Enclosure::operands_are_known(NodeId id) const {
 
 void Enclosure::decide_zero(NodeId id) {
   Interval& y = values_[id];
-  if (!may_be_zero(y) || is_point(y) || !is_proven_zero(y, separation(id))) return;
+  if (!may_be_zero(y) || is_point(y)) return;
+  const Node& node = graph_.nodes()[id];
+  const bool cancels =
+      node.operation == Operation::subtract && are_equal(node.operands[0], node.operands[1]);
+  if (!cancels && !is_proven_zero(y, separation(id))) return;
   mpfr_set_zero(y.low.get(), 1);
   mpfr_set_zero(y.high.get(), 1);
 }
 
 bool Enclosure::are_equal() {
-  if (part_.f == part_.g) return true;
+  return are_equal(part_.f, part_.g);
+}
+
+bool Enclosure::are_equal(NodeId a, NodeId b) {
+  if (a == b) return true;
+  const auto [found, is_new] = equal_.try_emplace({a, b}, false);
+  if (!is_new) return found->second;
+  const bool equal = are_equal_numbers(a, b) || apply_the_same(a, b);
+  return equal_[{a, b}] = equal;
+}
+
+/// Whether the intervals and the separations of two nodes prove them equal.
+bool Enclosure::are_equal_numbers(NodeId a, NodeId b) {
   Interval difference{BigFloat(scratch_.precision()), BigFloat(scratch_.precision())};
-  mpfr_sub(difference.low.get(), f().low.get(), g().high.get(), MPFR_RNDD);
-  mpfr_sub(difference.high.get(), f().high.get(), g().low.get(), MPFR_RNDU);
+  const Interval &x = values_[a], &y = values_[b];
+  mpfr_sub(difference.low.get(), x.low.get(), y.high.get(), MPFR_RNDD);
+  mpfr_sub(difference.high.get(), x.high.get(), y.low.get(), MPFR_RNDU);
   if (is_zero(difference)) return true;
   return may_be_zero(difference) &&
-         is_proven_zero(difference, separation_of_sum(separation(part_.f), separation(part_.g)));
+         is_proven_zero(difference, separation_of_sum(separation(a), separation(b)));
+}
+
+/// Whether two nodes are the same operation on equal operands, such as exp(a) and exp(b) with a =
+/// b. Functions have no separation that would prove it.
+bool Enclosure::apply_the_same(NodeId a, NodeId b) {
+  const Node &first = graph_.nodes()[a], &second = graph_.nodes()[b];
+  const int count = arity(first.operation);
+  if (count == 0 || first.operation != second.operation || first.function != second.function) {
+    return false;
+  }
+  const auto same = [&](int k, int other) {
+    return are_equal(first.operands[k], second.operands[other]);
+  };
+  if (same(0, 0) && (count == 1 || same(1, 1))) return true;
+  return is_commutative(first.operation) && same(0, 1) && same(1, 0);
 }
 
 const Separation& Enclosure::separation(NodeId id) {

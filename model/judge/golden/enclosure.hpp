@@ -1,7 +1,9 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "model/base/number/float_format.hpp"
@@ -31,7 +33,7 @@ mpfr_prec_t last_precision(FloatFormat format);
 
 /// Interval arithmetic over the nodes that f and g need, every end rounded outward. If an interval
 /// contains zero and is narrower than the value's separation from zero, the value is proven to be
-/// zero.
+/// zero. The same operation on operands that are proven to be equal has equal results.
 class Enclosure {
 public:
   /// Encloses the sides of `graph`'s only part, or of `part`, in intervals of `precision` digits,
@@ -52,6 +54,9 @@ private:
   bool operands_are_known(NodeId id) const;
   Knowledge compute_node(NodeId id, FloatFormat format, std::span<const Bits> inputs);
   void decide_zero(NodeId id);
+  bool are_equal(NodeId a, NodeId b);
+  bool are_equal_numbers(NodeId a, NodeId b);
+  bool apply_the_same(NodeId a, NodeId b);
   const Separation& separation(NodeId id);
   Separation find_separation(NodeId id);
 
@@ -62,6 +67,7 @@ private:
   std::vector<Interval> values_;
   /// Computed on demand, which is rare; empty until then.
   std::vector<std::optional<Separation>> separations_;
+  std::map<std::pair<NodeId, NodeId>, bool> equal_;  ///< pairs of nodes that were tried
   BigFloat scratch_;
 };
 

@@ -45,13 +45,16 @@ Verdict combine(Combination combination, Verdict a, Verdict b);
 
 /// The order of the real numbers f and g of these inputs, which are exact values in `format`. With
 /// several parts it is their combined verdict. It is `unordered` if f or g has no value: for a NaN,
-/// an infinite input, a division by zero or the root of a negative number.
+/// an infinite input, a division by zero, the root of a negative number or the logarithm of a
+/// number that is not positive.
 ///
 /// Interval arithmetic of growing precision decides. If an interval contains zero, the value's
 /// separation from zero (separation.hpp) decides. So ties, and zeros hidden behind roots and
 /// roundoff, are proven and never guessed. There is no verdict ("undetermined") if 2^14 bits do not
 /// suffice (2^15 to 2^17 bits for 13 to 15 exponent bits). That happens for ties of sums of about
-/// eight roots or more, and of rational numbers of that many bits.
+/// eight roots or more, and of rational numbers of that many bits. It happens for ties of
+/// functions, such as exp(log(a)) and a, unless both sides apply the same operations to equal
+/// numbers, and for values beyond MPFR's exponents, such as exp(1e20).
 std::optional<Verdict> true_verdict(const Graph& graph, FloatFormat format,
                                     std::span<const Bits> inputs);
 

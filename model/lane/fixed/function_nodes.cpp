@@ -49,6 +49,23 @@ bool are_equal(const function::Words& words) {
   return true;
 }
 
+/// Whether a node has the same number in every comparison.
+bool is_constant(const std::vector<FixedNode>& nodes, NodeId id) {
+  std::vector<bool> constant;
+  for (NodeId each = 0; each <= id; ++each) {
+    const FixedNode& node = nodes[each];
+    bool is_so = node.operation != Operation::input;
+    for (int k = 0; k < arity(node.operation); ++k) is_so = is_so && constant[node.operands[k]];
+    constant.push_back(is_so);
+  }
+  return constant.back();
+}
+
+/// A table with an address.
+function::Words with_address(const function::Words& words) {
+  return words.size() > 1 ? words : function::Words(std::vector<mpz_class>{words[0], words[0]});
+}
+
 }  // namespace
 
 const Range& FixedGraphBuilder::declared(NodeId id) {
@@ -126,12 +143,14 @@ Result<NodeId> FixedGraphBuilder::argument_of(NodeId id) {
   return add(std::move(node));
 }
 
-/// The node of the coefficient of t^power.
+/// The node of the coefficient of t^power. A constant does not read the argument, whose operands
+/// and limits are checked only if something does: a polynomial of degree 0 is a look-up.
 NodeId FixedGraphBuilder::coefficient(Function function, const function::Piecewise& piecewise,
                                       int power, NodeId argument) {
   const function::CoefficientTable& table = piecewise.coefficients[static_cast<std::size_t>(power)];
   const mpq_class unit = table.format.unit();
-  if (are_equal(table.words)) {
+  const bool is_read = piecewise.degree() > 0 || is_constant(nodes_, argument);
+  if (is_read && are_equal(table.words)) {
     FixedNode constant{.operation = Operation::constant, .constant = table.words[0]};
     constant.format = table.format;
     constant.value = {table.words[0] * unit, table.words[0] * unit};
@@ -145,7 +164,7 @@ NodeId FixedGraphBuilder::coefficient(Function function, const function::Piecewi
     greatest = std::max(greatest, table.words[k]);
   }
   word.value = {least * unit, greatest * unit};
-  word.words = table.words;
+  word.words = with_address(table.words);
   word.function = function;
   word.power = power;
   return add(std::move(word));

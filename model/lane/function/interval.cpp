@@ -14,6 +14,11 @@ mpq_class to_rational(mpfr_srcptr number) {
   return scaled(mpq_class(significand), exponent);
 }
 
+/// Whether a number's magnitude is below 2^exponent.
+bool is_below(mpfr_srcptr number, mpfr_exp_t exponent) {
+  return mpfr_zero_p(number) != 0 || (mpfr_regular_p(number) && mpfr_get_exp(number) <= exponent);
+}
+
 }  // namespace
 
 Interval::Interval(const Range& range) : Interval() {
@@ -25,8 +30,18 @@ Interval& Interval::operator=(const Interval& other) {
   return *this;
 }
 
+bool Interval::is_bounded() const {
+  return is_below(&value_->left, most_exponent) && is_below(&value_->right, most_exponent);
+}
+
+/// A rational number of 2^30 digits would fill memory: MPFR has exponents of that size.
 Range Interval::range() const {
-  return {to_rational(&value_->left), to_rational(&value_->right)};
+  const mpq_class least = power_of_two(-most_exponent);
+  const auto end = [&](mpfr_srcptr number, int outward) -> mpq_class {
+    if (!is_below(number, -most_exponent)) return to_rational(number);
+    return mpfr_sgn(number) == outward ? mpq_class(outward * least) : mpq_class(0);
+  };
+  return {end(&value_->left, -1), end(&value_->right, 1)};
 }
 
 Interval Interval::magnitude() const {
@@ -41,7 +56,7 @@ mpf_class Interval::middle() const {
   mpfr_init2(middle, digits);
   mpfi_mid(middle, value_);
   mpf_class found(0, digits);
-  mpfr_get_f(found.get_mpf_t(), middle, MPFR_RNDN);
+  if (!is_below(middle, -most_exponent)) mpfr_get_f(found.get_mpf_t(), middle, MPFR_RNDN);
   mpfr_clear(middle);
   return found;
 }

@@ -12,6 +12,8 @@ namespace mixcmp::function {
 class Interval {
 public:
   static constexpr int digits = 192;
+  /// Beyond the numbers of formats with 15 exponent bits.
+  static constexpr int most_exponent = 1 << 15;
 
   Interval() { mpfi_init2(value_, digits); }
   Interval(int value) : Interval() { mpfi_set_si(value_, value); }
@@ -24,12 +26,14 @@ public:
   mpfi_srcptr get() const { return value_; }
   mpfi_ptr get() { return value_; }
 
-  /// The ends. They are infinite where an operation has no enclosure; then there is no range.
-  bool is_bounded() const { return mpfi_bounded_p(value_) != 0; }
+  /// Whether both ends are below 2^most_exponent in magnitude. They are infinite where an operation
+  /// has no enclosure; then there is no range.
+  bool is_bounded() const;
+  /// The ends. Those below 2^-most_exponent in magnitude are rounded outward, to that or to 0.
   Range range() const;
   /// The largest magnitude, as an interval of one number.
   Interval magnitude() const;
-  /// A number within, roughly in the middle.
+  /// A number roughly in the middle; 0 if that is below 2^-most_exponent in magnitude.
   mpf_class middle() const;
 
   friend Interval operator+(const Interval& a, const Interval& b);

@@ -386,6 +386,8 @@ std::optional<Candidate> candidate(const Wanted& wanted, bool is_floating, int d
 }
 
 std::optional<Piecewise> search(const Wanted& wanted) {
+  // A pole between two arguments may lie in no piece.
+  if (!value(wanted.function, Interval(wanted.arguments())).is_bounded()) return std::nullopt;
   std::vector<Candidate> open;
   const auto try_from = [&](bool is_floating, int degree, int address_bits) {
     auto found = candidate(wanted, is_floating, degree, address_bits);

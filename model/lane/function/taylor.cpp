@@ -23,8 +23,9 @@ Series exponential(const Interval& first, const Interval& rate, int count) {
   return y;
 }
 
-/// Of y with y' = scale / x.
+/// Of y with y' = scale / x. Where x has no logarithm, scale / x may have a bound.
 Series logarithm(const Interval& first, const Interval& x, const Interval& scale, int count) {
+  if (!first.is_bounded()) return Series(static_cast<std::size_t>(count), first);
   Series y = {first};
   Interval power = scale / x;  // +- scale / x^k
   for (int k = 1; k < count; ++k) {

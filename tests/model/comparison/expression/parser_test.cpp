@@ -422,6 +422,59 @@ TEST(Parser, LongChainsOfOneKindAreNoDeepTrees) {
   EXPECT_EQ(value_of(constants), 1);
 }
 
+TEST(Parser, FunctionsAreNodes) {
+  for (const Function function : all_functions) {
+    Graph graph;
+    const std::string name(to_string(function));
+    const auto node = parse_expression(graph, name + "(x) + " + name + "(x)", {});
+    ASSERT_TRUE(node.ok()) << node.error().to_string();
+    EXPECT_EQ(count(graph, Operation::function), 1) << name;
+    EXPECT_EQ(graph.first_function(), function);
+    EXPECT_TRUE(is_function_name(name));
+  }
+}
+
+TEST(Parser, UnknownFunctionsAreAnsweredWithTheNearest) {
+  for (const auto& [wrong, right] : {std::pair{"expp", "exp"},
+                                     {"lg2", "log2"},
+                                     {"tanhh", "tanh"},
+                                     {"coss", "cos"},
+                                     {"log1", "log1p"},
+                                     {"sqr", "sqrt"}}) {
+    const Error error = error_of(fmt::format("x + {}(x)", wrong));
+    EXPECT_EQ(error.message, "unknown function");
+    EXPECT_EQ(error.column, 5);
+    EXPECT_EQ(error.received, wrong);
+    EXPECT_NE(error.accepted.find(right), std::string::npos) << error.accepted;
+  }
+}
+
+TEST(Parser, LogarithmsOfConstantsOutsideTheDomainAreRefused) {
+  for (const char* text : {"x + log(0)", "x + log(-1)", "x + log2(-0.5)", "x + log(1 - 1)",
+                           "x + log1p(-1)", "x + log1p(-3)"}) {
+    const Error error = error_of(text);
+    EXPECT_NE(error.message.find("has no value there"), std::string::npos) << error.message;
+    EXPECT_GE(error.column, 5) << text;
+    EXPECT_FALSE(error.accepted.empty());
+  }
+  for (const char* text : {"log(0.5)", "log1p(-0.5)", "log2(1e-300)", "tan(-7)", "exp(-1)"}) {
+    Graph graph;
+    EXPECT_TRUE(parse_expression(graph, text, {}).ok()) << text;
+  }
+}
+
+TEST(Parser, FunctionsTakeOneArgument) {
+  for (const Function function : all_functions) {
+    const std::string name(to_string(function));
+    EXPECT_EQ(error_of(name + "(x, y)").message, name + " takes 1 argument");
+    EXPECT_EQ(error_of(name + "(x, y)").received, "2 arguments");
+    EXPECT_FALSE(error_of(name + "()").message.empty());
+    EXPECT_FALSE(error_of(name + "(k in 0..3, x)").message.empty());
+    EXPECT_EQ(error_of(name).column, 1) << "no input has the name";
+    EXPECT_FALSE(error_of("sum(" + name + " in 0..3, x)").message.empty());
+  }
+}
+
 TEST(Parser, MistakesInLetsNameTheLet) {
   const Error error = error_of("x + d", {{"d", "(x + 1"}});
   EXPECT_EQ(error.field, "let.d");

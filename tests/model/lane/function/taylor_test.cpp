@@ -1,0 +1,182 @@
+#include "model/lane/function/taylor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+#include "model/base/number/dyadic.hpp"
+#include "tests/support/function_values.hpp"
+
+/// Tests enclosures of Taylor coefficients against divided differences of values by MPFR.
+namespace mixcmp::test::taylor_test {
+namespace {
+
+using function::Interval;
+using function::taylor;
+
+constexpr int count = 8;
+
+/// Steps of divided differences. Each costs so many digits of the next difference, and the
+/// differences are off by about one step.
+constexpr int step_exponent = -250;
+constexpr int value_digits = 2500;
+
+/// f^(k)(x) / k! for k = 0 .. count - 1, to about 2^-200.
+std::vector<mpq_class> divided_differences(Function function, const mpq_class& x) {
+  const mpq_class step = power_of_two(step_exponent);
+  std::vector<mpq_class> differences;
+  for (int k = 0; k < count; ++k) {
+    differences.push_back(value_at(function, x + k * step, value_digits).low);
+  }
+  for (std::size_t order = 1; order < count; ++order) {
+    for (std::size_t k = count - 1; k >= order; --k) {
+      differences[k] = (differences[k] - differences[k - 1]) / (static_cast<int>(order) * step);
+    }
+  }
+  return differences;
+}
+
+/// Dyadic numbers at which every function has a value.
+const std::array<mpq_class, 9> points = {mpq_class(1, 1024), mpq_class(1, 8), mpq_class(3, 4),
+                                         mpq_class(1),       mpq_class(5, 4), mpq_class(25, 16),
+                                         mpq_class(13, 8),   mpq_class(5),    mpq_class(77, 4)};
+
+/// And numbers below 0.
+std::vector<mpq_class> points_of(Function function) {
+  std::vector<mpq_class> all(points.begin(), points.end());
+  const auto end = open_end(function);
+  for (const mpq_class& point : points) {
+    if (!end || -point > *end) all.push_back(-point);
+  }
+  if (!end || *end < 0) all.emplace_back(0);
+  return all;
+}
+
+mpq_class magnitude_of(const mpq_class& value) {
+  return std::max<mpq_class>(1, abs(value));
+}
+
+TEST(Taylor, OfPointsIsThatOfDividedDifferences) {
+  for (const Function function : all_functions) {
+    for (const mpq_class& x : points_of(function)) {
+      const std::vector<Interval> series = taylor(function, Interval(x), count);
+      const std::vector<mpq_class> expected = divided_differences(function, x);
+      ASSERT_EQ(series.size(), expected.size());
+      for (std::size_t k = 0; k < count; ++k) {
+        const Range found = series[k].range();
+        const mpq_class off = magnitude_of(expected[k]) * power_of_two(-140);
+        EXPECT_TRUE(expected[k] - off < found.low && found.high < expected[k] + off)
+            << to_string(function) << "(" << x << "), coefficient " << k;
+      }
+    }
+  }
+}
+
+TEST(Taylor, OfPointsStartsWithTheValue) {
+  for (const Function function : all_functions) {
+    for (const mpq_class& x : points_of(function)) {
+      const Range found = taylor(function, Interval(x), 1).front().range();
+      const Range value = value_at(function, x);
+      EXPECT_TRUE(found.low <= value.low && value.high <= found.high) << to_string(function);
+      EXPECT_LE(found.high - found.low, magnitude_of(value.low) * power_of_two(-185));
+    }
+  }
+}
+
+/// Widths of a 16th and 1; sine and cosine have their extremes inside some.
+TEST(Taylor, OfIntervalsEnclosesThatOfEachPoint) {
+  for (const Function function : all_functions) {
+    for (const mpq_class& low : points_of(function)) {
+      for (const mpq_class& width : {mpq_class(1, 16), mpq_class(1)}) {
+        const Range range = {low, low + width};
+        const std::vector<Interval> series = taylor(function, Interval(range), count);
+        for (const int part : {0, 1, 4}) {
+          const mpq_class x = low + width * part / 4;
+          const std::vector<mpq_class> expected = divided_differences(function, x);
+          for (std::size_t k = 0; k < count; ++k) {
+            if (!series[k].is_bounded()) continue;
+            const Range found = series[k].range();
+            const mpq_class off = magnitude_of(expected[k]) * power_of_two(-140);
+            ASSERT_TRUE(found.low <= expected[k] + off && expected[k] - off <= found.high)
+                << to_string(function) << " on [" << range.low << ", " << range.high
+                << "], coefficient " << k << " at " << x;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Taylor, OfIntervalsInsideTheDomainIsBounded) {
+  for (const Function function : all_functions) {
+    for (const Range& range : {Range{mpq_class(1, 1024), 1},
+                               {mpq_class(-7, 8), mpq_class(-1, 8)},
+                               {-1, 1},
+                               {mpq_class(13, 8), 4},
+                               {-30, -29}}) {
+      const auto end = open_end(function);
+      if (end && range.low <= *end) continue;
+      if (function == Function::tan && range.low < -29) continue;  // a pole: -19 pi / 2
+      for (const Interval& coefficient : taylor(function, Interval(range), count)) {
+        EXPECT_TRUE(coefficient.is_bounded()) << to_string(function) << range.low << range.high;
+      }
+    }
+  }
+}
+
+/// Where a coefficient has no bound, none has: callers look at one of them.
+TEST(Taylor, OfIntervalsBeyondTheDomainIsUnbounded) {
+  const auto expect_unbounded = [](Function function, const Range& range) {
+    for (const int terms : {1, 2, count}) {
+      for (const Interval& coefficient : taylor(function, Interval(range), terms)) {
+        EXPECT_FALSE(coefficient.is_bounded())
+            << to_string(function) << " on [" << range.low << ", " << range.high << "]";
+      }
+    }
+  };
+  for (const Function function : {Function::log, Function::log2}) {
+    for (const Range& range : {Range{0, 1}, {-1, 1}, {-2, -1}, {0, 0}, {-1, 0}}) {
+      expect_unbounded(function, range);
+    }
+  }
+  for (const Range& range : {Range{-1, 1}, {-3, 1}, {-3, -2}, {-1, -1}, {-2, -1}}) {
+    expect_unbounded(Function::log1p, range);
+  }
+  for (const Range& range : {Range{1, 2},
+                             {-2, -1},
+                             {-4, 4},
+                             {4, 5},
+                             {0, 100},
+                             {10, 13},
+                             {mpq_class(25, 16), mpq_class(101, 64)}}) {
+    expect_unbounded(Function::tan, range);
+  }
+}
+
+/// MPFR has exponents of 30 bits and more. A rational number of 2^30 digits would fill memory.
+TEST(Taylor, OfLargeArgumentsHasShortEnds) {
+  const mpq_class far = power_of_two(29), least = power_of_two(-Interval::most_exponent);
+  for (const Function function : {Function::exp, Function::exp2, Function::sinh, Function::cosh}) {
+    EXPECT_FALSE(function::value(function, Interval(Range{0, far})).is_bounded());
+    EXPECT_FALSE(function::value(function, Interval(far)).is_bounded());
+  }
+  EXPECT_FALSE(function::value(Function::sinh, Interval(mpq_class(-far))).is_bounded());
+  for (const Function function : {Function::exp, Function::exp2}) {
+    EXPECT_EQ(function::value(function, Interval(mpq_class(-far))).range(), (Range{0, least}));
+    const Interval values = function::value(function, Interval(Range{-far, 0}));
+    EXPECT_TRUE(values.is_bounded());
+    EXPECT_EQ(values.range(), (Range{0, 1}));
+    const Interval negative = Interval(0) - values;
+    EXPECT_EQ(negative.range(), (Range{-1, 0}));
+    EXPECT_EQ((Interval(0) - function::value(function, Interval(mpq_class(-far)))).range(),
+              (Range{-least, 0}));
+  }
+  const Interval edge(least);
+  EXPECT_EQ(edge.range(), (Range{least, least}));
+  EXPECT_FALSE(Interval(power_of_two(Interval::most_exponent)).is_bounded());
+  EXPECT_TRUE(Interval(power_of_two(Interval::most_exponent - 1)).is_bounded());
+}
+
+}  // namespace
+}  // namespace mixcmp::test::taylor_test
