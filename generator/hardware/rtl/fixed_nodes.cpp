@@ -474,12 +474,14 @@ void FixedNodes::describe(NodeId id, const std::string& more) {
         "{} in {}, unless it is so far from 0 that it decides by itself.", text(0), format)});
   }
   if (node.operation == Operation::look_up) {
+    const int bits = node.words.address_bits();
+    const std::string upper = bits == 1 ? "upper bit" : fmt::format("{} upper bits", bits);
     return datapath_.describe(
         schedule_.steps[id],
         fmt::format(
-            "{}: the coefficient of t^{} in {}({}), in {}; its address is the {} upper bits.",
-            names_[id], node.power, to_string(*node.function), text(0), format,
-            node.words.address_bits()));
+            "{}: the coefficient of t^{} in {}({}), in {}; its address is the {} of {}, and "
+            "the words follow from the last address down to 0.",
+            names_[id], node.power, to_string(*node.function), text(0), format, upper, text(0)));
   }
   if (node.conversion == fixed::Conversion::place) {
     return datapath_.add(
