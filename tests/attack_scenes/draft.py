@@ -206,10 +206,10 @@ class Draft:
             base, item = item_column(word)
             like = [other for other in self.ranges if self.scene.pairs and item in "ij"
                     and item_column(other)[0] == base and item_column(other)[1] in "ij"]
-            ends = self.rng.choice([tuple(map(exact_text, self.ranges[other]))
-                                    for other in like[:1]] or RANGES)
-            self.ranges[word] = tuple(map(literal, ends))
-            self.scene.inputs[word] = table_of(*ends)
+            self.ranges[word] = self.ranges[like[0]] if like else tuple(
+                map(literal, self.rng.choice(RANGES)))
+            if not self.fixed:
+                self.scene.inputs[word] = table_of(*map(exact_text, self.ranges[word]))
         return self.ranges[word]
 
     def draw_parts(self, count=1):

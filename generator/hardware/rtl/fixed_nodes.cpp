@@ -269,6 +269,7 @@ void FixedNodes::build_conversion(NodeId id) {
   } else {
     const std::string& name = std::get<Net>(value->node).name;
     datapath_.add(Wire{node.format.width, names_[id], slice(name, high, low)});
+    if (node.function) datapath_.may_be_read_in_part(whole);
     if (low > 0) consume_low_bits(name, low);
   }
   if (fixed::is_checked(node)) build_check(id);
@@ -353,6 +354,7 @@ Operand FixedNodes::address(const FixedNode& look_up, int cycle) {
   const Operand value = datapath_.at(whole, cycle);
   const int low = fixed::piece_bits(lane_.nodes, look_up);
   if (low == 0) return value;
+  datapath_.may_be_read_in_part(whole);
   return slice(std::get<Net>(value->node).name, whole.width - 1, low);
 }
 
