@@ -156,6 +156,8 @@ class Judge:
             return self._combined(self.reference.verdicts(inputs))
         if not all(map(is_finite, inputs.values())):
             return "unordered" if self.is_fixed else None
+        if self.is_fixed and (True, 0) in inputs.values():
+            return None  # it is out of a range without negative numbers
         if not all(self.scene.keeps_promises(name, value_of(number))
                    for name, number in inputs.items()):
             return None

@@ -418,6 +418,8 @@ def functions(draft):
         scene.sections["lanes"] = [{"count": 1, "format": f"q{rng.randint(2, 12)}"}
                                    for _ in range(2)]
     draft.draw_parts(rng.choice((1, 1, 1, 2)))
+    if draft.fixed:
+        draft.ranges = {}  # the formats tell them
 
 
 KINDS = (fold, fused, formats, roundings, fixed, guarded, block, bounds, groups, second_tier, beats,
