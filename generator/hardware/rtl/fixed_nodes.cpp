@@ -38,18 +38,6 @@ void FixedNodes::build() {
       default: build_unit(id); break;
     }
   }
-  if (lane_.loaded_inputs.empty()) consume_unread_operands();
-}
-
-/// Consumes the operands on which no part depends: a function of them is constant in its format.
-void FixedNodes::consume_unread_operands() {
-  const std::vector<int> read = fixed::inputs_read(lane_);
-  for (int input = 0; input < static_cast<int>(lane_.input_names.size()); ++input) {
-    if (std::find(read.begin(), read.end(), input) != read.end()) continue;
-    const std::string& name = datapath_.arrived(input);
-    datapath_.add(Wire{1, datapath_.pool().unique("unused_" + name),
-                       all_bits(concatenation({literal(1, 0), net(name)}))});
-  }
 }
 
 void FixedNodes::build_input(NodeId id) {

@@ -41,7 +41,6 @@ private:
   void build_arriving(NodeId id);
   void build_aligned_operand(NodeId id);
   Signal leading_bits(int input);
-  void consume_unread_operands();
   void build_constant(NodeId id);
   void build_common_drop();
   void build_common_cut(NodeId id);
