@@ -301,6 +301,7 @@ class Draft:
             self.declare_forms(names)
         elif self.sides == "functions":
             self.ranges = {word: self.range_of(word) for word in names}
+            self.scene.inputs = {word: self.scene.inputs[word] for word in names}
         elif self.wants_ranges or self.chance(0.15):
             self.draw_ranges(names)
         allows_specials = not self.scene.inputs.get("*", "").count("data")

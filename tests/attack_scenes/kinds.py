@@ -411,8 +411,8 @@ def functions(draft):
     scene.sections["reduced"] = {"format": f"q{rng.randint(2, 12)}"}
     if draft.chance(0.3):
         scene.set("reduced", multipliers=rng.choice(("logic", "memory")))
-    if draft.chance(0.1):
-        scene.set("second_tier", format=f"q{rng.randint(8, 16)}")
+    if draft.chance(0.1) and not engine:
+        scene.set("second_tier", format=f"q{rng.randint(13, 16)}", count=1)
     elif draft.chance(0.25) and not engine:
         scene.sections["system"].pop("lanes")
         scene.sections["lanes"] = [{"count": 1, "format": f"q{rng.randint(2, 12)}"}

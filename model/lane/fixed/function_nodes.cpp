@@ -132,7 +132,8 @@ NodeId FixedGraphBuilder::coefficient(Function function, const function::Piecewi
   const function::CoefficientTable& table =
       piecewise.coefficients[static_cast<std::size_t>(power)];
   const mpq_class unit = table.format.unit();
-  if (are_equal(table.words)) {
+  // A table of equal words as the function's value reads the argument, whose range is checked.
+  if (are_equal(table.words) && piecewise.degree() > 0) {
     FixedNode constant{.operation = Operation::constant, .constant = table.words[0]};
     constant.format = table.format;
     constant.value = {table.words[0] * unit, table.words[0] * unit};
@@ -146,7 +147,7 @@ NodeId FixedGraphBuilder::coefficient(Function function, const function::Piecewi
     greatest = std::max(greatest, table.words[k]);
   }
   word.value = {least * unit, greatest * unit};
-  word.words = table.words;
+  word.words = table.words.size() > 1 ? table.words : function::Words({least, least});
   word.function = function;
   word.power = power;
   return add(std::move(word));
