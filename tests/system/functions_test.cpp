@@ -220,7 +220,8 @@ count = 3000
     }
   }
   const auto data = data::Comparisons::rows(std::move(table), scene.graph.inputs()).value();
-  const VerifyReport report = verified(scene, data, {.judge = verilator_tb::JudgeKind::golden_model});
+  const VerifyReport report =
+      verified(scene, data, {.judge = verilator_tb::JudgeKind::golden_model});
   expect_right(report);
   EXPECT_EQ(report.comparisons, 1u << 14);
   EXPECT_GT(report.verdicts[static_cast<std::size_t>(Verdict::unordered)], 0u);

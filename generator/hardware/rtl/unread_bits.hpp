@@ -19,9 +19,9 @@ struct BitRange {
 void consume_unread(const std::string& name, int bits, const std::vector<BitRange>& read,
                     std::vector<ModuleItem>& items);
 
-/// Consumes the bits that nothing reads of delayed values and of the nets `read_in_part`, whose widths
-/// it gives. A delay line takes a whole value, and the units behind it may read only some of its
-/// bits.
+/// Consumes the bits that nothing reads of delayed values and of the nets `read_in_part`, whose
+/// widths it gives. A delay line takes a whole value, and the units behind it may read only some of
+/// its bits.
 void consume_unread_bits(std::vector<ModuleItem>& items,
                          const std::map<std::string, int>& read_in_part, NamePool& pool);
 

@@ -129,8 +129,7 @@ Result<NodeId> FixedGraphBuilder::argument_of(NodeId id) {
 /// The node of the coefficient of t^power.
 NodeId FixedGraphBuilder::coefficient(Function function, const function::Piecewise& piecewise,
                                       int power, NodeId argument) {
-  const function::CoefficientTable& table =
-      piecewise.coefficients[static_cast<std::size_t>(power)];
+  const function::CoefficientTable& table = piecewise.coefficients[static_cast<std::size_t>(power)];
   const mpq_class unit = table.format.unit();
   // A table of equal words as the function's value reads the argument, whose range is checked.
   if (are_equal(table.words) && piecewise.degree() > 0) {

@@ -15,8 +15,7 @@
 namespace mixcmp::test::fixed_units_test {
 namespace {
 
-constexpr int widths = 5, kinds = 11, decisions = 96, checks = 80, overflows = 36,
-              tables = 40;
+constexpr int widths = 5, kinds = 11, decisions = 96, checks = 80, overflows = 36, tables = 40;
 constexpr int slots = kinds * widths * widths * 4;
 
 struct Operands {
