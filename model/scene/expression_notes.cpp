@@ -66,6 +66,8 @@ bool is_one_cost(const Graph& graph, const Sides& part) {
       image[id] = renamed.input(column ? fellow_of(input, *column) : input);
     } else if (node.operation == Operation::constant) {
       image[id] = static_cast<NodeId>(id);
+    } else if (node.function) {
+      image[id] = renamed.apply(*node.function, operand(0));
     } else {
       image[id] =
           renamed.apply(node.operation, operand(0), arity(node.operation) == 2 ? operand(1) : -1);

@@ -3,11 +3,10 @@
 `default_nettype none
 
 module fixed_table #(
-  parameter       ADDRESS_BITS = 2,    // 1 to 10
-  parameter       WIDTH        = 4,    // bits of a word, 1 or more
-  // the words, that of address 0 in the lowest bits
-  parameter [(WIDTH<<ADDRESS_BITS)-1:0] WORDS = 0,
-  parameter [0:0] CUTS         = 1'b0  // 1: a register behind the stage
+  parameter                             ADDRESS_BITS = 2,    // bits of the address, 1 to 10
+  parameter                             WIDTH        = 4,    // bits of a word, 1 or more
+  parameter [(WIDTH<<ADDRESS_BITS)-1:0] WORDS        = 0,    // the words, that of address 0 in the lowest bits
+  parameter [0:0]                       CUTS         = 1'b0  // 1: a register behind the stage
 ) (
   input  wire                    aclk,
   input  wire [ADDRESS_BITS-1:0] address,
@@ -22,8 +21,10 @@ module fixed_table #(
     if (WIDTH < 1) begin : g_refused_width WIDTH_is_below_1 refused (); end
   endgenerate
 
-  // Logic shares what the words have in common; a memory would not.
-  (* ram_style = "logic", rom_style = "distributed" *)
+  // The words become logic, which is smaller than a block memory for each table (Yosys reads
+  // ram_style first, Vivado rom_style, Quartus romstyle). Yosys has no distributed memory that is
+  // only read, so its ram_style is "registers", which gives look-up tables.
+  (* ram_style = "registers", rom_style = "distributed", romstyle = "logic" *)
   reg [WIDTH-1:0] words [0:(1<<ADDRESS_BITS)-1];
 
   genvar k;
@@ -34,12 +35,14 @@ module fixed_table #(
   endgenerate
 
   // Stage read.
+  wire [WIDTH-1:0] s0_word = words[address];
+
   fp_rank #(
     .WIDTH     (WIDTH),
     .REGISTERED(CUTS[0])
   ) rank_0 (
     .aclk(aclk),
-    .d   (words[address]),
+    .d   (s0_word),
     .q   (y)
   );
 

@@ -2,7 +2,9 @@
 
 import random
 
+from .elementary import FUNCTIONS
 from .expressions import Expressions, candidates_for_let, name
+from .function_sides import FunctionSides
 from .rounded import INFINITE, NAN, Format, Reference, number
 from .rows import FixedOperands, Operands, draw_items, draw_rows
 from .scene import Scene, float_format, item_column
@@ -194,6 +196,22 @@ class Draft:
             f = ("+", f, made.any(2))
         return f, made.over(vectors, count) if self.chance(0.4) else made.any(self.operations())
 
+    def sides_functions(self):
+        f, g = FunctionSides(self.rng, self.leaves, self.range_of).drawn()
+        return (f, g) if self.scene.pairs == "arg_min" or self.chance(0.6) else (g, f)
+
+    def range_of(self, word):
+        """The range of an input, declared when it is first asked for. Items of a column share it."""
+        if word not in self.ranges:
+            base, item = item_column(word)
+            like = [other for other in self.ranges if self.scene.pairs and item in "ij"
+                    and item_column(other)[0] == base and item_column(other)[1] in "ij"]
+            self.ranges[word] = self.ranges[like[0]] if like else tuple(
+                map(literal, self.rng.choice(RANGES)))
+            if not self.fixed:
+                self.scene.inputs[word] = table_of(*map(exact_text, self.ranges[word]))
+        return self.ranges[word]
+
     def draw_parts(self, count=1):
         draw = getattr(self, f"sides_{self.sides}")
         if self.leaves is None:
@@ -209,7 +227,7 @@ class Draft:
 
     def cost(self):
         """The size of the hardware; 1 is a size that Icarus simulates in a second or two."""
-        weights = {"input": 0, "constant": 0, "/": 3, "sqrt": 3}
+        weights = {"input": 0, "constant": 0, "/": 3, "sqrt": 3, **dict.fromkeys(FUNCTIONS, 6)}
         units = sum(weights.get(node.operation, 1) for node in self.scene.graph().nodes)
         datapaths = self.scene.lane_count() / 2 + self.scene.get("system", "references", 2)
         return units * datapaths / max(6, min(30, 700 / self.precision()))
@@ -281,6 +299,9 @@ class Draft:
             return
         if self.fixed:
             self.declare_forms(names)
+        elif self.sides == "functions":
+            self.ranges = {word: self.range_of(word) for word in names}
+            self.scene.inputs = {word: self.scene.inputs[word] for word in names}
         elif self.wants_ranges or self.chance(0.15):
             self.draw_ranges(names)
         allows_specials = not self.scene.inputs.get("*", "").count("data")

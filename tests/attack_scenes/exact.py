@@ -1,19 +1,12 @@
-"""The order of the real numbers f and g: by rationals, irrational roots by enclosures."""
+"""The order of the real numbers f and g: by rationals, irrational numbers by enclosures."""
 
 import math
 from fractions import Fraction
 
+from .elementary import FUNCTIONS, Undefined, Undetermined, enclosed
 from .rounded import exponent_of, is_finite, value_of
 
 PRECISIONS = (300, 2000, 8000)  # bits of an enclosure, tried in turn
-
-
-class Undefined(Exception):
-    """A side has no value: an operand is no number, a divisor zero or a radicand negative."""
-
-
-class Undetermined(Exception):
-    """More bits are needed to tell."""
 
 
 def verdict(graph, part, inputs):
@@ -93,6 +86,8 @@ def _applied(operation, operands, bits):
         return (Fraction(0) if low < 0 < high else least), most
     if operation == "sqrt":
         return _roots(low, high, bits)
+    if operation in FUNCTIONS:
+        return enclosed(operation, low, high, bits)
     second = operands[1]
     if operation == "+":
         return low + second[0], high + second[1]

@@ -144,26 +144,39 @@ class Judge:
         self.outcome = Outcome()
 
     def truth(self, inputs):
-        verdicts = [exact.verdict(self.graph, part, inputs) for part in self.graph.parts]
-        # The last verdict of the order wins, even if another part is not determined.
-        if self.order[-1] in verdicts:
-            return self.order[-1]
-        return None if None in verdicts else self._combined(verdicts)
+        return self._strongest([exact.verdict(self.graph, part, inputs)
+                                for part in self.graph.parts])
 
     def recomputed(self, inputs):
         """The verdict of a reference; None if this judge does not know it."""
         if not (self.is_exact or self.is_fixed):
             return self._combined(self.reference.verdicts(inputs))
-        if not all(map(is_finite, inputs.values())):
-            return "unordered" if self.is_fixed else None
+        if self.is_exact and not all(map(is_finite, inputs.values())):
+            return None
         if not all(self.scene.keeps_promises(name, value_of(number))
-                   for name, number in inputs.items()):
+                   for name, number in inputs.items() if is_finite(number)):
             return None
-        if self.is_fixed and any(
-                exact.difference_within(self.graph, part, inputs, self.error) is not False
-                for part in self.graph.parts):
+        if self.is_exact:
+            return self.truth(inputs)
+        if (True, 0) in inputs.values():
+            return None  # it is out of a range without negative numbers
+        return self._strongest([self._by_fixed_point(part, inputs) for part in self.graph.parts])
+
+    def _by_fixed_point(self, part, inputs):
+        """A part's verdict by a reference in fixed point; None if its error may decide."""
+        read = {self.graph.nodes[node].value for side in part for node in self.graph.below(side)
+                if self.graph.nodes[node].operation == "input"}
+        if not all(is_finite(inputs[name]) for name in read):
+            return "unordered"
+        if exact.difference_within(self.graph, part, inputs, self.error) is not False:
             return None
-        return self.truth(inputs)
+        return exact.verdict(self.graph, part, inputs)
+
+    def _strongest(self, verdicts):
+        """The last verdict of the order wins, even if another part is not determined."""
+        if self.order[-1] in verdicts:
+            return self.order[-1]
+        return None if None in verdicts else self._combined(verdicts)
 
     def _combined(self, verdicts):
         return max(verdicts, key=self.order.index)

@@ -385,10 +385,47 @@ def references(draft):
         draft.draw_parts(rng.choice((1, 1, 2)))
 
 
+def functions(draft):
+    """Functions of linear expressions, in streams and engines; operands in floating point, in fixed
+    point or on grids."""
+    rng, scene = draft.rng, draft.scene
+    engine = rng.choice((None, None, None, None, pairwise, arg_min))
+    if engine:
+        engine(draft)
+        lanes = scene.lane_count()
+        for section in ("lanes", "second_tier"):
+            scene.sections.pop(section, None)
+        scene.set("system", lanes=lanes)
+    draft.sides = "functions"
+    scene.widest = rng.choice(("s24e8", "s24e8", "s11e5", "s8e8"))
+    if draft.chance(0.35):
+        draft.draw_leaves()
+        words = [leaf[1] for leaf in draft.leaves]
+        form = fixed_format(rng)
+        forms = promised_grids(draft, words) if draft.chance(0.4) else dict.fromkeys(words, form)
+        draft.ranges = {word: one.ends for word, one in forms.items()}
+        draft.fixed = lambda names: {word: forms.get(word) or forms[word[:-1] + "i"]
+                                     for word in names}  # an arg-min's j is i
+        scene.widest = "s53e11"
+    scene.set("reference", format=f"q{rng.randint(10, 36)}")
+    scene.sections["reduced"] = {"format": f"q{rng.randint(2, 12)}"}
+    if draft.chance(0.3):
+        scene.set("reduced", multipliers=rng.choice(("logic", "memory")))
+    if draft.chance(0.1) and not engine:
+        scene.set("second_tier", format=f"q{rng.randint(13, 16)}", count=1)
+    elif draft.chance(0.25) and not engine:
+        scene.sections["system"].pop("lanes")
+        scene.sections["lanes"] = [{"count": 1, "format": f"q{rng.randint(2, 12)}"}
+                                   for _ in range(2)]
+    draft.draw_parts(rng.choice((1, 1, 1, 2)))
+    if draft.fixed:
+        draft.ranges = {}  # the formats tell them
+
+
 KINDS = (fold, fused, formats, roundings, fixed, guarded, block, bounds, groups, second_tier, beats,
          memories, refetched, in_order, counters, devices, pairwise, arg_min, pairs, parts, mixed,
          limited, quotients, choices, vectors, undecided,
-         integers, grids, references)
+         integers, grids, references, functions)
 NAMES_OF_KINDS = tuple(kind.__name__ for kind in KINDS)
 SPREAD = 7  # share in percent of each other option
 

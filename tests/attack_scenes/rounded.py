@@ -8,6 +8,7 @@ import dataclasses
 import math
 from fractions import Fraction
 
+from .elementary import FUNCTIONS, nearly
 from .trees import is_power_of_two, literal
 
 INFINITE = "infinite"
@@ -151,6 +152,16 @@ def square_root(form, a):
     return form.rounded(False, Fraction(eighths, 8) * place)
 
 
+def function_near(form, function, a):
+    """A function's value by doubles: only rows are drawn by it, since no format in floating point
+    computes functions."""
+    try:
+        value = Fraction(nearly(function, float(value_of(a))))
+    except (ArithmeticError, TypeError, ValueError):  # a is no number, or has no finite value
+        return NAN
+    return form.rounded(value < 0, abs(value))
+
+
 def choice(a, b, larger):
     """IEEE 754-2019 minimum and maximum."""
     if a is NAN or b is NAN:
@@ -211,6 +222,8 @@ def apply(form, operation, operands):
         return NAN if operands[0] is NAN else (False, operands[0][1])
     if operation == "sqrt":
         return square_root(form, operands[0])
+    if operation in FUNCTIONS:
+        return function_near(form, operation, operands[0])
     a, b = operands
     if operation == "+":
         return add(form, a, b)

@@ -4,6 +4,7 @@ import dataclasses
 from fractions import Fraction
 import math
 
+from .elementary import FUNCTIONS, nearly
 from .rounded import TWO, exponent_of, number
 from .trees import dyadic_text, fold, literal
 
@@ -235,6 +236,8 @@ def estimate(graph, inputs):
 
 
 def apply(operation, a, b=0.0):
+    if operation in FUNCTIONS:
+        return nearly(operation, a)
     return math.sqrt(a) if operation == "sqrt" else fold(operation, a, b)
 
 

@@ -3,7 +3,7 @@
 A tree is a tuple: an operation and its operands.
 
     ("input", "a") ("element", "p", tree) ("constant", "0x1.8p-3") ("let", "d") ("index", "k")
-    ("neg", x) ("abs", x) ("sqrt", x) ("^", x, 3) ("+", x, y) ("-", x, y) ("*", x, y) ("/", x, y)
+    ("neg", x) ("abs", x) ("sqrt", x) ("exp", x) ("^", x, 3) ("+", x, y) ("-", x, y) ("*", x, y) ("/", x, y)
     ("min", x, y, ...) ("max", ...) ("sum", ...) ("product", ...) ("within", x, "-4", "4")
     ("over", "sum", "k", 0, 2, x)
 
@@ -14,8 +14,11 @@ are one node, powers are squares and products, reductions are joined pairwise.
 import dataclasses
 from fractions import Fraction
 
+from .elementary import FUNCTIONS
+
 LEVELS = {"+": 1, "-": 1, "*": 2, "/": 2, "neg": 3, "^": 4}
 REDUCED_BY = {"sum": "+", "product": "*", "min": "min", "max": "max"}
+IRRATIONAL = ("sqrt", *FUNCTIONS)
 COMMUTATIVE = ("+", "*", "min", "max")
 
 
@@ -103,7 +106,7 @@ def reads(tree, operation):
 
 @dataclasses.dataclass(frozen=True)
 class Node:
-    operation: str  # input, constant, neg, abs, sqrt, +, -, *, /, min, max
+    operation: str  # input, constant, neg, abs, sqrt, +, -, *, /, min, max, FUNCTIONS
     operands: tuple = ()  # indices of nodes
     value: object = None  # an input's name, a constant's value
 
@@ -153,7 +156,7 @@ class Graph:
         return built if isinstance(built, int) else self._intern("constant", (), built)
 
     def _applied(self, operation, *built):
-        if all(isinstance(value, Fraction) for value in built) and operation != "sqrt":
+        if all(isinstance(value, Fraction) for value in built) and operation not in IRRATIONAL:
             return fold(operation, *built)
         divisor = built[-1]
         if operation == "/" and isinstance(divisor, Fraction) and is_power_of_two(abs(divisor)):

@@ -208,7 +208,7 @@ TEST(UnreadBits, OfADelayedValueAreConsumed) {
       Assignment{net("y"),
                  concatenation({slice("part", 6, 5), inverted(bit("part", 1)), net("whole")})}};
   NamePool pool({"unused_part"});
-  consume_unread_delays(items, pool);
+  consume_unread_bits(items, {}, pool);
   const std::vector<Port> ports = {
       {Direction::input, 1, "aclk"}, {Direction::input, 8, "a"}, {Direction::output, 11, "y"}};
   const std::string text = emit::to_verilog(emit::checked({{"m", ports, items}})).front();

@@ -111,6 +111,31 @@ TEST(Verilog, LongConcatenationsAreBrokenBetweenParts) {
       << printed(module);
 }
 
+TEST(Verilog, WordsOfATableAreHexadecimalFromTheLastAddressOn) {
+  Words narrow{.width = 5, .words = {}}, wide{.width = 30, .words = {}};
+  for (Bits k = 0; k < 16; ++k) {
+    narrow.words.push_back(k + 16);
+    wide.words.push_back(k << 26);
+  }
+  Module module = {"m", {{Direction::input, 1, "aclk"}, {Direction::input, 12, "d"}}, {}};
+  module.items = {Instance{"unit",
+                           "u",
+                           {{"WORDS", narrow}, {"OTHERS", wide}},
+                           {{"aclk", net("aclk")}, {"d", net("d")}}}};
+  const std::string text = printed(module);
+  EXPECT_NE(text.find(R"(
+    .WORDS ({
+      5'h1f, 5'h1e, 5'h1d, 5'h1c, 5'h1b, 5'h1a, 5'h19, 5'h18, 5'h17, 5'h16, 5'h15, 5'h14, 5'h13,
+      5'h12, 5'h11, 5'h10}),
+    .OTHERS({
+      30'h3c000000, 30'h38000000, 30'h34000000, 30'h30000000, 30'h2c000000, 30'h28000000,
+      30'h24000000, 30'h20000000, 30'h1c000000, 30'h18000000, 30'h14000000, 30'h10000000,
+      30'h0c000000, 30'h08000000, 30'h04000000, 30'h00000000})
+)"),
+            std::string::npos)
+      << text;
+}
+
 TEST(Verilog, PhasesStandOnOneLineOrOnOneEach) {
   Module module = {"phases", {{Direction::input, 4, "phase"}, {Direction::output, 2, "y"}}, {}};
   module.items = {

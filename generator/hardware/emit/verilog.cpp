@@ -85,11 +85,12 @@ std::string argument_list(const std::string& indent, const std::vector<Argument>
   return fmt::format("(\n{0}  {1}\n{0})", indent, fmt::join(lines, fmt::format(",\n{}  ", indent)));
 }
 
-/// Words, that of the last address first, on lines of their own.
+/// Words in hexadecimal, that of the last address first, on lines of their own.
 std::string print(const Words& words, const std::string& next_line) {
   std::string text = "{", line;
   for (std::size_t address = words.words.size(); address-- > 0;) {
-    const std::string word = print(Literal{words.width, words.words[address]});
+    const std::string word =
+        fmt::format("{}'h{}", words.width, to_hex(words.words[address], words.width));
     if (next_line.size() + line.size() + word.size() + 3 > line_length) {
       text += next_line + line;
       line.clear();

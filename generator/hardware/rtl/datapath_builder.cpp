@@ -249,7 +249,7 @@ Module datapath_module(std::string name, const std::vector<InputPort>& inputs,
   std::vector<Port> ports = second.data_ports();
   ports.insert(ports.end(), outputs.begin(), outputs.end());
   std::vector<ModuleItem> items = second.take();
-  consume_unread_delays(items, second.pool());
+  consume_unread_bits(items, second.read_in_part(), second.pool());
   if (initiation_interval > 1 && !reads_phase(items)) {
     items.emplace_back(Comment{"No unit is shared: every phase is alike."});
     items.emplace_back(Wire{1, second.pool().unique("unused_phase"), all_bits(net("phase"))});

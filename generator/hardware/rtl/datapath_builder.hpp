@@ -91,6 +91,9 @@ public:
   /// instance may change so that it is unique.
   void add_unit(const datapath::Step& step, const std::string& instance,
                 std::vector<Parameter> parameters, std::vector<Connection> connections);
+  /// Tells that some bits of a signal may have no reader.
+  void may_be_read_in_part(const Signal& signal) { read_in_part_[signal.name] = signal.width; }
+  const std::map<std::string, int>& read_in_part() const { return read_in_part_; }
   std::vector<ModuleItem> take() { return std::move(items_); }
   const DelayPlan& plan() const { return plan_; }
 
@@ -112,6 +115,7 @@ private:
   DelayPlan plan_;
   std::map<std::string, std::map<int, Operand>> taps_;
   std::vector<ModuleItem> items_;
+  std::map<std::string, int> read_in_part_;  ///< net -> its width
 };
 
 /// Makes a module that has the ports of a datapath, then `outputs`. `build` adds everything else;

@@ -273,10 +273,8 @@ void FixedNodes::build_conversion(NodeId id) {
   } else {
     const std::string& name = std::get<Net>(value->node).name;
     datapath_.add(Wire{node.format.width, names_[id], slice(name, high, low)});
+    if (node.function) datapath_.may_be_read_in_part(whole);
     if (low > 0) consume_bits(name, low - 1, 0);
-    // A function's value has fewer bits than the polynomial's, by what the function's range says.
-    const bool ends_function = node.conversion == fixed::Conversion::function_value;
-    if (ends_function && high + 1 < whole.width) consume_bits(name, whole.width - 1, high + 1);
   }
   if (fixed::is_checked(node)) build_check(id);
 }
@@ -360,16 +358,8 @@ Operand FixedNodes::address(const FixedNode& look_up, int cycle) {
   const Operand value = datapath_.at(whole, cycle);
   const int low = fixed::piece_bits(lane_.nodes, look_up);
   if (low == 0) return value;
-  const std::string& name = std::get<Net>(value->node).name;
-  if (!has_place(look_up.operands[0])) consume_bits(name, low - 1, 0);
-  return slice(name, whole.width - 1, low);
-}
-
-/// Whether a polynomial reads the low bits of this argument.
-bool FixedNodes::has_place(NodeId argument) const {
-  return std::any_of(lane_.nodes.begin(), lane_.nodes.end(), [&](const FixedNode& node) {
-    return node.conversion == fixed::Conversion::place && node.operands[0] == argument;
-  });
+  datapath_.may_be_read_in_part(whole);
+  return slice(std::get<Net>(value->node).name, whole.width - 1, low);
 }
 
 std::vector<Parameter> FixedNodes::table_parameters(const FixedNode& look_up) const {
@@ -497,12 +487,14 @@ void FixedNodes::describe(NodeId id, const std::string& more) {
         "{} in {}, unless it is so far from 0 that it decides by itself.", text(0), format)});
   }
   if (node.operation == Operation::look_up) {
+    const int bits = node.words.address_bits();
+    const std::string upper = bits == 1 ? "upper bit" : fmt::format("{} upper bits", bits);
     return datapath_.describe(
         schedule_.steps[id],
         fmt::format(
-            "{}: the coefficient of t^{} in {}({}), in {}; its address is the {} upper bits.",
-            names_[id], node.power, to_string(*node.function), text(0), format,
-            node.words.address_bits()));
+            "{}: the coefficient of t^{} in {}({}), in {}; its address is the {} of {}, and "
+            "the words follow from the last address down to 0.",
+            names_[id], node.power, to_string(*node.function), text(0), format, upper, text(0)));
   }
   if (fixed::is_floating_code(node)) {
     return datapath_.describe(

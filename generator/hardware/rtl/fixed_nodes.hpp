@@ -54,7 +54,6 @@ private:
   Operand operand(NodeId node, int shift, int cycle);
   std::vector<Connection> operands(NodeId id, int cycle);
   Operand address(const fixed::FixedNode& look_up, int cycle);
-  bool has_place(NodeId argument) const;
   std::vector<Parameter> table_parameters(const fixed::FixedNode& look_up) const;
   std::vector<Parameter> parameters(NodeId id) const;
   void append_positive_factors(NodeId id, std::vector<Parameter>& parameters) const;

@@ -36,6 +36,11 @@ bool is_delayed_value(const Instance& instance, const Connection& connection) {
   return instance.module == "delay_line" && connection.port == "q";
 }
 
+/// Tells whether a connection drives its net. Units drive "y".
+bool is_driver(const Instance& instance, const Connection& connection) {
+  return is_delayed_value(instance, connection) || connection.port == "y";
+}
+
 int width_of_delay(const Instance& instance) {
   const auto width =
       std::find_if(instance.parameters.begin(), instance.parameters.end(),
@@ -44,7 +49,7 @@ int width_of_delay(const Instance& instance) {
   return static_cast<int>(std::get<long long>(width->value));
 }
 
-/// The bits that items read, by the names of nets. Outputs of delay lines are not read there.
+/// The bits that items read, by the names of nets.
 class Reads {
 public:
   void add(const std::vector<ModuleItem>& items) {
@@ -67,7 +72,7 @@ private:
   }
   void add(const Instance& instance) {
     for (const Connection& connection : instance.connections) {
-      if (!is_delayed_value(instance, connection)) add(connection.value);
+      if (!is_driver(instance, connection)) add(connection.value);
     }
   }
 
@@ -102,19 +107,23 @@ void consume_unread(const std::string& name, int bits, const std::vector<BitRang
   if (!unused.empty()) items.push_back(consumer("unused_" + name, std::move(unused)));
 }
 
-void consume_unread_delays(std::vector<ModuleItem>& items, NamePool& pool) {
+void consume_unread_bits(std::vector<ModuleItem>& items,
+                         const std::map<std::string, int>& read_in_part, NamePool& pool) {
   Reads reads;
   reads.add(items);
   std::vector<ModuleItem> consumed;
+  const auto consume = [&](const std::string& name, int width) {
+    std::vector<Operand> unused = unread(name, width, reads.of(name));
+    if (unused.empty()) return;
+    consumed.emplace_back(consumer(pool.unique("unused_" + name), std::move(unused)));
+  };
+  for (const auto& [name, width] : read_in_part) consume(name, width);
   for (const ModuleItem& item : items) {
     const auto* instance = std::get_if<Instance>(&item);
     if (instance == nullptr) continue;
     for (const Connection& connection : instance->connections) {
       if (!is_delayed_value(*instance, connection)) continue;
-      const std::string& name = std::get<Net>(connection.value->node).name;
-      std::vector<Operand> unused = unread(name, width_of_delay(*instance), reads.of(name));
-      if (unused.empty()) continue;
-      consumed.emplace_back(consumer(pool.unique("unused_" + name), std::move(unused)));
+      consume(std::get<Net>(connection.value->node).name, width_of_delay(*instance));
     }
   }
   items.insert(items.end(), consumed.begin(), consumed.end());

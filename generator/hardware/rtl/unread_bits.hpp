@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,10 @@ struct BitRange {
 void consume_unread(const std::string& name, int bits, const std::vector<BitRange>& read,
                     std::vector<ModuleItem>& items);
 
-/// Consumes the bits of delayed values that nothing reads. A delay line takes a whole value, and
-/// the units behind it may read only some of its bits.
-void consume_unread_delays(std::vector<ModuleItem>& items, NamePool& pool);
+/// Consumes the bits that nothing reads of delayed values and of the nets `read_in_part`, whose
+/// widths it gives. A delay line takes a whole value, and the units behind it may read only some of
+/// its bits.
+void consume_unread_bits(std::vector<ModuleItem>& items,
+                         const std::map<std::string, int>& read_in_part, NamePool& pool);
 
 }  // namespace mixcmp::rtl

@@ -10,7 +10,8 @@ module fixed_units #(
     parameter KINDS     = 11,
     parameter DECISIONS = 96,
     parameter CHECKS    = 80,
-    parameter OVERFLOWS = 36
+    parameter OVERFLOWS = 36,
+    parameter TABLES    = 40
 ) (
     input wire       aclk,
     input wire [5:0] a,
@@ -37,11 +38,32 @@ module fixed_units #(
     endcase
   endfunction
 
+  // Address bits and bits of a word, for each slot of a table.
+  function integer address_bits(input integer slot);
+    case (slot / 8)
+      0: address_bits = 1;
+      1: address_bits = 2;
+      2: address_bits = 6;
+      3: address_bits = 7;
+      default: address_bits = 10;
+    endcase
+  endfunction
+
+  function integer word_bits(input integer slot);
+    case (slot / 2 % 4)
+      0: word_bits = 1;
+      1: word_bits = 7;
+      2: word_bits = 24;
+      default: word_bits = 43;
+    endcase
+  endfunction
+
   // The answers, which the test reads by hierarchical name.
   wire [63:0] results[0:SLOTS-1]  /* verilator public_flat_rd */;
   wire [63:0] decisions[0:2*DECISIONS-1]  /* verilator public_flat_rd */;
   wire [63:0] checks[0:CHECKS-1]  /* verilator public_flat_rd */;
   wire [63:0] overflows[0:OVERFLOWS-1]  /* verilator public_flat_rd */;
+  wire [63:0] tables[0:TABLES-1]  /* verilator public_flat_rd */;
 
   genvar slot;
 
@@ -252,6 +274,35 @@ module fixed_units #(
       end else begin : g_as_wide
         assign overflow = 1'b0;
       end
+    end
+  endgenerate
+
+  // Slot {address bits, bits of a word, register}. The words are consecutive bits of a pattern that
+  // repeats itself. Its 127 bits are a prime number, so that words differ.
+  wire       [10:0]  address = {b, a};
+  localparam [126:0] PATTERN = 127'h5a3c_91d7_e04f_2b68_c6f1_7a95_0d3e_8b24;
+
+  generate
+    for (slot = 0; slot < TABLES; slot = slot + 1) begin : g_table
+      localparam                             ADDRESS_BITS = address_bits(slot);
+      localparam                             WIDTH        = word_bits(slot);
+      localparam                             REPEATED     = (WIDTH << ADDRESS_BITS) / 127 + 1;
+      localparam [(WIDTH<<ADDRESS_BITS)-1:0] WORDS        = {REPEATED{PATTERN}};
+
+      wire [WIDTH-1:0] y;
+
+      assign tables[slot] = {{(64 - WIDTH) {1'b0}}, y};
+
+      fixed_table #(
+          .ADDRESS_BITS(ADDRESS_BITS),
+          .WIDTH       (WIDTH),
+          .WORDS       (WORDS),
+          .CUTS        (slot % 2)
+      ) unit (
+          .aclk   (aclk),
+          .address(address[ADDRESS_BITS-1:0]),
+          .y      (y)
+      );
     end
   endgenerate
 

@@ -15,7 +15,7 @@
 namespace mixcmp::test::fixed_units_test {
 namespace {
 
-constexpr int widths = 5, kinds = 11, decisions = 96, checks = 80, overflows = 36;
+constexpr int widths = 5, kinds = 11, decisions = 96, checks = 80, overflows = 36, tables = 40;
 constexpr int slots = kinds * widths * widths * 4;
 
 struct Operands {
@@ -126,6 +126,21 @@ std::uint64_t overflow(int slot, const Operands& operands) {
   return low_signed(operands.a, width) != low_signed(operands.a, narrower) ? 1 : 0;
 }
 
+/// A table's words are consecutive bits of a pattern of 127 bits that repeats itself.
+std::uint64_t table_word(int slot, const Operands& operands) {
+  constexpr std::uint64_t high = 0x5a3c91d7e04f2b68, low = 0xc6f17a950d3e8b24;
+  constexpr std::array address_bits = {1, 2, 6, 7, 10};
+  constexpr std::array word_bits = {1, 7, 24, 43};
+  const int address = (operands.b << 6 | operands.a) & ((1 << address_bits[slot / 8]) - 1);
+  const int width = word_bits[slot / 2 % 4];
+  std::uint64_t word = 0;
+  for (int k = 0; k < width; ++k) {
+    const int bit = (address * width + k) % 127;
+    word |= (bit < 64 ? low >> bit & 1 : high >> (bit - 64) & 1) << k;
+  }
+  return word;
+}
+
 class FixedUnits : public testing::Test {
 protected:
   FixedUnits() : units_(&context_) {
@@ -175,6 +190,11 @@ private:
       compare(
           units_.rootp->fixed_units__DOT__overflows[slot], is_wires ? 0 : slot % 2,
           [&](const Operands& operands) { return overflow(slot, operands); }, "overflow", slot);
+    }
+    for (int slot = 0; slot < tables; ++slot) {
+      compare(
+          units_.rootp->fixed_units__DOT__tables[slot], slot % 2,
+          [&](const Operands& operands) { return table_word(slot, operands); }, "table", slot);
     }
   }
 
