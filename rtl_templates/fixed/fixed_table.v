@@ -5,7 +5,7 @@
 module fixed_table #(
   parameter                             ADDRESS_BITS = 2,    // bits of the address, 1 to 10
   parameter                             WIDTH        = 4,    // bits of a word, 1 or more
-  parameter [(WIDTH<<ADDRESS_BITS)-1:0] WORDS        = 0,    // the words, that of address 0 in the lowest bits
+  parameter [(WIDTH<<ADDRESS_BITS)-1:0] WORDS        = 0,    // address 0 in the lowest bits
   parameter [0:0]                       CUTS         = 1'b0  // 1: a register behind the stage
 ) (
   input  wire                    aclk,
