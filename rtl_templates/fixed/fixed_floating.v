@@ -9,9 +9,9 @@ module fixed_floating #(
   parameter       EXPONENT_BITS = 4,     // 2^EXPONENT_BITS >= A_WIDTH
   parameter [1:0] CUTS          = 2'b00  // a register behind stage k if bit k is 1
 ) (
-  input  wire                               aclk,
-  input  wire [A_WIDTH-1:0]                 a,
-  output wire [EXPONENT_BITS+A_WIDTH-2:0]   y
+  input  wire                             aclk,
+  input  wire [A_WIDTH-1:0]               a,
+  output wire [EXPONENT_BITS+A_WIDTH-2:0] y
 );
 
   localparam FRACTION = A_WIDTH - 1;

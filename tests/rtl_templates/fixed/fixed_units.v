@@ -11,7 +11,8 @@ module fixed_units #(
     parameter DECISIONS = 96,
     parameter CHECKS    = 80,
     parameter OVERFLOWS = 36,
-    parameter TABLES    = 40
+    parameter TABLES    = 40,
+    parameter FLOATINGS = 24
 ) (
     input wire       aclk,
     input wire [5:0] a,
@@ -58,12 +59,25 @@ module fixed_units #(
     endcase
   endfunction
 
+  // Bits of a number, for each slot of a floating code.
+  function integer number_bits(input integer slot);
+    case (slot / 4)
+      0: number_bits = 2;
+      1: number_bits = 3;
+      2: number_bits = 5;
+      3: number_bits = 8;
+      4: number_bits = 9;
+      default: number_bits = 11;
+    endcase
+  endfunction
+
   // The answers, which the test reads by hierarchical name.
   wire [63:0] results[0:SLOTS-1]  /* verilator public_flat_rd */;
   wire [63:0] decisions[0:2*DECISIONS-1]  /* verilator public_flat_rd */;
   wire [63:0] checks[0:CHECKS-1]  /* verilator public_flat_rd */;
   wire [63:0] overflows[0:OVERFLOWS-1]  /* verilator public_flat_rd */;
   wire [63:0] tables[0:TABLES-1]  /* verilator public_flat_rd */;
+  wire [63:0] floatings[0:FLOATINGS-1]  /* verilator public_flat_rd */;
 
   genvar slot;
 
@@ -302,6 +316,28 @@ module fixed_units #(
           .aclk   (aclk),
           .address(address[ADDRESS_BITS-1:0]),
           .y      (y)
+      );
+    end
+  endgenerate
+
+  // Slot {bits of the number, cuts}.
+  generate
+    for (slot = 0; slot < FLOATINGS; slot = slot + 1) begin : g_floating
+      localparam WIDTH         = number_bits(slot);
+      localparam EXPONENT_BITS = (WIDTH > 8) ? 4 : (WIDTH > 4) ? 3 : (WIDTH > 2) ? 2 : 1;
+
+      wire [EXPONENT_BITS+WIDTH-2:0] y;
+
+      assign floatings[slot] = {{(65 - EXPONENT_BITS - WIDTH) {1'b0}}, y};
+
+      fixed_floating #(
+          .A_WIDTH      (WIDTH),
+          .EXPONENT_BITS(EXPONENT_BITS),
+          .CUTS         (slot % 4)
+      ) unit (
+          .aclk(aclk),
+          .a   (address[WIDTH-1:0]),
+          .y   (y)
       );
     end
   endgenerate

@@ -15,7 +15,8 @@
 namespace mixcmp::test::fixed_units_test {
 namespace {
 
-constexpr int widths = 5, kinds = 11, decisions = 96, checks = 80, overflows = 36, tables = 40;
+constexpr int widths = 5, kinds = 11, decisions = 96, checks = 80, overflows = 36, tables = 40,
+              floatings = 24;
 constexpr int slots = kinds * widths * widths * 4;
 
 struct Operands {
@@ -141,6 +142,21 @@ std::uint64_t table_word(int slot, const Operands& operands) {
   return word;
 }
 
+/// The exponent field and the fraction. A field of ones stands for the highest bit.
+std::uint64_t floating_code(int slot, const Operands& operands) {
+  constexpr std::array widths_of_numbers = {2, 3, 5, 8, 9, 11};
+  const int width = widths_of_numbers[slot / 4];
+  const auto ones = std::bit_ceil(static_cast<unsigned>(width)) - 1;
+  auto number = static_cast<unsigned>(operands.b << 6 | operands.a) & ((1U << width) - 1);
+  unsigned zeros = 0;
+  while (zeros < ones && zeros < static_cast<unsigned>(width) && (number >> (width - 1)) == 0) {
+    number = number << 1 & ((1U << width) - 1);
+    ++zeros;
+  }
+  const unsigned fraction = number & ((1U << (width - 1)) - 1);
+  return std::uint64_t{ones - zeros} << (width - 1) | fraction;
+}
+
 class FixedUnits : public testing::Test {
 protected:
   FixedUnits() : units_(&context_) {
@@ -195,6 +211,12 @@ private:
       compare(
           units_.rootp->fixed_units__DOT__tables[slot], slot % 2,
           [&](const Operands& operands) { return table_word(slot, operands); }, "table", slot);
+    }
+    for (int slot = 0; slot < floatings; ++slot) {
+      compare(
+          units_.rootp->fixed_units__DOT__floatings[slot], slot % 2 + slot / 2 % 2,
+          [&](const Operands& operands) { return floating_code(slot, operands); }, "floating",
+          slot);
     }
   }
 

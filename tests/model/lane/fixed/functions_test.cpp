@@ -63,7 +63,7 @@ private:
 
   bool is_inside(const FixedNode& node) const {
     if (node.operation == Operation::look_up) return has_no_error(node);
-    if (node.conversion == Conversion::place) return true;
+    if (node.conversion == Conversion::place || is_floating_code(node)) return true;
     if (node.conversion == Conversion::function_value) return false;
     bool any = false;
     for (int k = 0; k < arity(node.operation); ++k) any = any || inside_[node.operands[k]];
@@ -73,8 +73,10 @@ private:
   /// The argument of the polynomial that this node is part of.
   NodeId argument_below(NodeId id) const {
     const FixedNode& node = lane_.nodes[id];
+    if (is_floating_code(node)) return node.operands[0];
     if (node.operation == Operation::look_up || node.conversion == Conversion::place) {
-      return node.operands[0];
+      const NodeId read = node.operands[0];
+      return is_floating_code(lane_.nodes[read]) ? argument_below(read) : read;
     }
     for (int k = 0; k < arity(node.operation); ++k) {
       if (inside_[node.operands[k]]) return argument_below(node.operands[k]);
@@ -97,7 +99,7 @@ private:
       const mpq_class itself = *values_[id] * node.format.unit();
       return Range{itself, itself};
     }
-    if (node.operation == Operation::look_up) return function_of(node, node.operands[0]);
+    if (node.operation == Operation::look_up) return function_of(node, argument_below(id));
     if (node.conversion == Conversion::function_value) {
       return function_of(node, argument_below(node.operands[0]));
     }
