@@ -45,8 +45,8 @@ std::string_view to_string(Verdict verdict) {
   return mixcmp::to_string(static_cast<mixcmp::Verdict>(verdict));
 }
 
-const data::Comparisons& data_of(const SceneState& state, const std::string& why) {
-  const auto there = tasks::check_has_data(state.loaded, why);
+const data::Comparisons& data_of(const SceneState& state, std::string_view why) {
+  const auto there = tasks::check_has_data(state.loaded, std::string(why));
   if (there.ok()) return *state.loaded.data;
   mixcmp::Error error = there.error();
   error.accepted += ", or with_operands";

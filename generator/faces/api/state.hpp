@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "generator/faces/api/mixcmp.hpp"
@@ -41,6 +42,6 @@ T value_or_throw(Result<T> result, const SceneState& state) {
 }
 
 /// The scene's data; throws where there are none, with this message.
-const data::Comparisons& data_of(const SceneState& state, const std::string& why);
+const data::Comparisons& data_of(const SceneState& state, std::string_view why);
 
 }  // namespace mixcmp::api
