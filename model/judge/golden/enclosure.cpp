@@ -190,19 +190,19 @@ bool Enclosure::are_equal(NodeId a, NodeId b) {
   if (a == b) return true;
   const auto [found, is_new] = equal_.try_emplace({a, b}, false);
   if (!is_new) return found->second;
-  const bool equal = are_equal_numbers(a, b) || apply_the_same(a, b);
-  return equal_[{a, b}] = equal;
+  return equal_[{a, b}] = are_proven_equal(a, b);
 }
 
-/// Whether the intervals and the separations of two nodes prove them equal.
-bool Enclosure::are_equal_numbers(NodeId a, NodeId b) {
+/// By the intervals and separations of two nodes, or by what they are computed from.
+bool Enclosure::are_proven_equal(NodeId a, NodeId b) {
   Interval difference{BigFloat(scratch_.precision()), BigFloat(scratch_.precision())};
   const Interval &x = values_[a], &y = values_[b];
   mpfr_sub(difference.low.get(), x.low.get(), y.high.get(), MPFR_RNDD);
   mpfr_sub(difference.high.get(), x.high.get(), y.low.get(), MPFR_RNDU);
   if (is_zero(difference)) return true;
-  return may_be_zero(difference) &&
-         is_proven_zero(difference, separation_of_sum(separation(a), separation(b)));
+  if (!may_be_zero(difference)) return false;
+  return is_proven_zero(difference, separation_of_sum(separation(a), separation(b))) ||
+         apply_the_same(a, b);
 }
 
 /// Whether two nodes are the same operation on equal operands, such as exp(a) and exp(b) with a =

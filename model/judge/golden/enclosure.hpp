@@ -55,7 +55,7 @@ private:
   Knowledge compute_node(NodeId id, FloatFormat format, std::span<const Bits> inputs);
   void decide_zero(NodeId id);
   bool are_equal(NodeId a, NodeId b);
-  bool are_equal_numbers(NodeId a, NodeId b);
+  bool are_proven_equal(NodeId a, NodeId b);
   bool apply_the_same(NodeId a, NodeId b);
   const Separation& separation(NodeId id);
   Separation find_separation(NodeId id);

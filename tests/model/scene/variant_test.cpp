@@ -156,9 +156,14 @@ TEST_F(Variants, ATieOfRootsIsTold) {
 }
 
 TEST_F(Variants, ATieOfManyRootsIsNotTold) {
-  std::string roots;
-  for (int k = 2; k < 9; ++k) roots += " + sqrt(r + sqrt(" + std::to_string(k) + "))";
-  const std::string many = variant("many", "f = \"far" + roots + "\"\ng = \"r" + roots + "\"\n");
+  // In two orders: equal terms of equal sums would be told to be equal.
+  std::string roots, reversed;
+  for (int k = 2; k < 9; ++k) {
+    const std::string root = " + sqrt(r + sqrt(" + std::to_string(k) + "))";
+    roots += root;
+    reversed.insert(0, root);
+  }
+  const std::string many = variant("many", "f = \"far" + roots + "\"\ng = \"r" + reversed + "\"\n");
   const scene::Scene given = load(many).value(), variant = load(many, "many").value();
   const auto data =
       data::Comparisons::rows(points({3, 4, 5, 1, 0, 2}), given.graph.inputs()).value();
