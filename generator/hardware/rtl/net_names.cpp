@@ -80,7 +80,7 @@ std::string name_in_function(const fixed::FixedNode& node, const std::string& ar
 
 std::string spelled_or_role(const fixed::FixedNode& node, const std::string& a,
                             const std::string& b) {
-  if (node.function) return name_in_function(node, a);
+  if (node.function && node.operation != Operation::constant) return name_in_function(node, a);
   if (node.operation != Operation::convert) return spelled_or_role(node.operation, a, b);
   const std::string role = fixed::is_limit(node)   ? "limited"
                            : fixed::is_reach(node) ? "near"

@@ -5,6 +5,7 @@
 #include "generator/hardware/rtl/channel_modules.hpp"
 #include "generator/hardware/rtl/segment_module.hpp"
 #include "model/base/common/check.hpp"
+#include "model/scene/reference_model.hpp"
 
 namespace mixcmp::components {
 namespace {
@@ -20,14 +21,19 @@ design::Design design_of(const scene::Scene& scene, const design::LaneGroup& lan
   if (scene.reference_count() != 0) {
     references = {{.structure = {scene::Multipliers::embedded, 1}, .count = 1}};
   }
-  return {.name = "engine",  // not the scene's: equal hardware has equal names
-          .inputs = scene.graph.inputs(),
-          .lanes = {lanes},
-          .second_tier = std::move(second_tier),
-          .reference = reference_graph(scene.graph, scene.reference),
-          .references = std::move(references),
-          .system = scene.system,
-          .operand_formats = scene.operand_formats};
+  design::Design design{.name = "engine",  // not the scene's: equal hardware has equal names
+                        .inputs = scene.graph.inputs(),
+                        .lanes = {lanes},
+                        .second_tier = std::move(second_tier),
+                        .reference = reference_graph(scene.graph, scene.reference),
+                        .references = std::move(references),
+                        .system = scene.system,
+                        .operand_formats = scene.operand_formats};
+  if (scene.reference_fixed_point) {
+    auto reference = scene::reference_model(scene).value();  // the scene was checked
+    design.fixed_reference = std::get<fixed::FixedLane>(std::move(reference));
+  }
+  return design;
 }
 
 }  // namespace

@@ -153,6 +153,7 @@ NodeId FixedGraphBuilder::coefficient(Function function, const function::Piecewi
   if (is_read && are_equal(table.words)) {
     FixedNode constant{.operation = Operation::constant, .constant = table.words[0]};
     constant.format = table.format;
+    constant.function = function;
     constant.value = {table.words[0] * unit, table.words[0] * unit};
     return add(std::move(constant));
   }
