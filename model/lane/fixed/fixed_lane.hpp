@@ -70,8 +70,8 @@ struct FixedNode {
   int dropped_bits = 0;  ///< low bits of the exact result that are dropped: it is rounded down
   int most_dropped = 0;  ///< for Conversion::common_cut: the most bits that it drops
   function::Words words = {};  ///< for Operation::look_up
-  /// For Operation::look_up, the conversions `floating`, `place` and `function_value`, and constants
-  /// in their place.
+  /// For Operation::look_up, the conversions `floating`, `place` and `function_value`, and
+  /// constants in their place.
   std::optional<Function> function = {};
   int power = 0;  ///< for Operation::look_up: of t, whose coefficient it is
   Range value;    ///< encloses the computed number: the result times its unit
