@@ -35,7 +35,7 @@ module fixed_floating #(
   fp_leading_zeros #(
     .COUNT_BITS(EXPONENT_BITS),
     .REGISTERED(0)
-  ) count (
+  ) leading_zeros (
     .aclk (aclk),
     .value(s0_padded[WIDE+A_WIDTH-1:A_WIDTH]),
     .count(s0_zeros),
