@@ -492,7 +492,6 @@ std::vector<SummaryLines> lines_of(const Summary& summary) {
     for (const auto& [key, value] : scene.plan->values) add(plan, {{key, value}});
   }
   for (const DatapathSummary& datapath : summary.datapaths) {
-    if (datapath.name == "reference" && scene.reference_fixed_point) continue;
     all.push_back(operators_section(scene, datapath));
   }
   all.push_back(ranges_section(summary));

@@ -318,7 +318,7 @@ private:
     return !is_limit || (value >= node.low && value <= node.high);
   }
 
-  /// As function::FloatingCode::of.
+  /// Computes what function::FloatingCode::of does.
   static Wide floating_code(const Node& node, Wide number) {
     const function::FloatingCode code{node.argument_bits};
     int exponent = 0;

@@ -32,7 +32,7 @@ struct Separation {
   std::optional<std::int64_t> least_exponent() const;
 };
 
-/// Of values that are not algebraic: none is known.
+/// The separation of a value that is not algebraic: none is known.
 Separation no_separation();
 /// The separation of a finite number from zero.
 Separation separation_of(const BigFloat& number);

@@ -81,7 +81,8 @@ struct FixedNode {
 };
 
 bool is_floating_code(const FixedNode& node);
-/// Whether hardware computes the node by wires alone, a check of its operand aside.
+/// Tells whether hardware computes the node by wires alone. A check of its operand may stand beside
+/// them.
 bool is_wires(const FixedNode& node);
 /// The operand's low bits that are no part of a look-up's address.
 int piece_bits(const std::vector<FixedNode>& nodes, const FixedNode& look_up);

@@ -131,7 +131,10 @@ Result<NodeId> FixedGraphBuilder::argument_of(NodeId id) {
       limits.low > limits.high ? std::nullopt : moved_by(function, limits, argument.error);
   if (!limited) {
     return refused(id, "the argument's range holds numbers at which the function has no bound",
-                   "a narrower range of the inputs, or within(x, low, high) around the argument");
+                   options_.is_reference
+                       ? "a narrower range of the inputs (references do not read limits)"
+                       : "a narrower range of the inputs, or within(x, low, high) around the "
+                         "argument");
   }
   const auto unlimited = moved_by(function, argument.value, argument.error);
   if (unlimited && absolute(*unlimited).high <= worth_a_limit * absolute(*limited).high) {

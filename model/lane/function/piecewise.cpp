@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <mutex>
 #include <string>
 #include <tuple>
 #include <utility>
 
 #include "model/base/common/check.hpp"
+#include "model/base/common/memo.hpp"
 #include "model/base/number/dyadic.hpp"
 #include "model/lane/function/taylor.hpp"
 
@@ -111,7 +110,7 @@ private:
   }
 };
 
-/// Where a piece's arguments are: x = start + slope t.
+/// The line on which a piece's arguments lie: x = start + slope t.
 struct Line {
   mpq_class start, slope;
 
@@ -186,7 +185,7 @@ std::optional<Range> difference_around(Function function, const Polynomial& poly
   return Range{(middle - most).range().low, (middle + most).range().high};
 }
 
-/// The same for all real t of the places.
+/// Encloses that difference for all real t of the places.
 std::optional<Range> difference_on_piece(Function function, const Polynomial& polynomial,
                                          const Line& line, const Range& places) {
   const mpq_class span = places.high - places.low, radius = span / (2 * parts);
@@ -345,7 +344,7 @@ private:
   std::vector<mpz_class> least_, greatest_;                            ///< [k]: words
 };
 
-/// What is looked for.
+/// What a search is given: a function, its arguments, and the unit of its values.
 struct Wanted {
   Function function;
   FixedFormat argument;
@@ -450,12 +449,8 @@ std::optional<Piecewise> approximate(Function function, const FixedFormat& argum
                                      const mpz_class& least, const mpz_class& greatest,
                                      int unit_exponent) {
   const Wanted wanted{function, argument, least, greatest, unit_exponent};
-  static std::mutex mutex;
-  static std::map<Wanted, std::optional<Piecewise>> known;
-  const std::scoped_lock lock(mutex);
-  const auto found = known.find(wanted);
-  if (found != known.end()) return found->second;
-  return known[wanted] = search(wanted);
+  static Memo<Wanted, std::optional<Piecewise>> known;
+  return *known.of(wanted, [&] { return search(wanted); });
 }
 
 }  // namespace mixcmp::function

@@ -1,7 +1,5 @@
 #include "model/lane/function/taylor.hpp"
 
-#include <utility>
-
 #include "model/base/common/check.hpp"
 
 namespace mixcmp::function {
@@ -16,14 +14,15 @@ Interval coefficient(const Series& a, const Series& b, std::size_t k) {
   return sum;
 }
 
-/// Of y with y' = rate y.
+/// The series of y, where y' = rate y.
 Series exponential(const Interval& first, const Interval& rate, int count) {
   Series y = {first};
   for (int k = 1; k < count; ++k) y.push_back(rate * y.back() / Interval(k));
   return y;
 }
 
-/// Of y with y' = scale / x. Where x has no logarithm, scale / x may have a bound.
+/// The series of y, where y' = scale / x. It has no bound where x has no logarithm; scale / x may
+/// have one there.
 Series logarithm(const Interval& first, const Interval& x, const Interval& scale, int count) {
   if (!first.is_bounded()) return Series(static_cast<std::size_t>(count), first);
   Series y = {first};
@@ -35,7 +34,7 @@ Series logarithm(const Interval& first, const Interval& x, const Interval& scale
   return y;
 }
 
-/// Of y with y'' = sign y.
+/// The series of y, where y'' = sign y.
 Series oscillation(const Interval& first, const Interval& slope, int sign, int count) {
   Series y = {first, slope};
   for (int k = 2; k < count; ++k) {
@@ -45,7 +44,7 @@ Series oscillation(const Interval& first, const Interval& slope, int sign, int c
   return y;
 }
 
-/// Of y with y' = 1 + sign y^2.
+/// The series of y, where y' = 1 + sign y^2.
 Series tangent(const Interval& first, int sign, int count) {
   Series y = {first};
   for (int k = 1; k < count; ++k) {
@@ -55,7 +54,7 @@ Series tangent(const Interval& first, int sign, int count) {
   return y;
 }
 
-/// Of atan: y' = 1 / (1 + x^2).
+/// The series of atan, where y' = 1 / (1 + x^2).
 Series arc_tangent(const Interval& first, const Interval& x, int count) {
   Interval square;
   mpfi_sqr(square.get(), x.get());

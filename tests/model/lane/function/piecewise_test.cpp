@@ -62,7 +62,7 @@ void expect_right(Function function, const Piecewise& piecewise, const mpz_class
       << ", " << piecewise.error.high.get_d() << "]";
 }
 
-/// Where the function has values: arguments between both numbers.
+/// The arguments that are tried lie between both numbers, where the function has values.
 struct Arguments {
   FixedFormat format;
   mpz_class least, greatest;

@@ -125,7 +125,7 @@ TEST(Taylor, OfIntervalsInsideTheDomainIsBounded) {
   }
 }
 
-/// Where a coefficient has no bound, none has: callers look at one of them.
+/// Either all coefficients have a bound or none has, since callers look at only one of them.
 TEST(Taylor, OfIntervalsBeyondTheDomainIsUnbounded) {
   const auto expect_unbounded = [](Function function, const Range& range) {
     for (const int terms : {1, 2, count}) {
