@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "generator/present/report/trade_report.hpp"
+#include "model/cost/estimated/table_luts.hpp"
 #include "model/lane/error/profiled_lane.hpp"
 #include "model/plan/profile/schemes.hpp"
 #include "tests/model/plan/profile/profile_cases.hpp"
@@ -177,6 +178,27 @@ TEST(CostModel, CountsTheBlocksOfSquaresInMemory) {
     EXPECT_LT(estimated::lane_luts(lane, Products::squares_in_memory),
               estimated::lane_luts(lane, Products::in_luts));
   }
+}
+
+/// A look-up table has six inputs; equal ones are shared, and constants cost nothing.
+TEST(TableLuts, AreTheDifferentPartsOfAllBits) {
+  const auto luts = [](int address_bits, int width, auto word_at) {
+    std::vector<Bits> words;
+    for (unsigned address = 0; address < 1U << address_bits; ++address) {
+      words.push_back(word_at(address));
+    }
+    return estimated::table_luts(words, width);
+  };
+  EXPECT_EQ(luts(6, 4, [](unsigned) { return Bits{10}; }), 0);
+  EXPECT_EQ(luts(6, 3, [](unsigned address) { return Bits{address >> 3}; }), 3);
+  EXPECT_EQ(luts(6, 2, [](unsigned address) { return Bits{(address & 1) * 3}; }), 1);
+  // Bit 0 has one part in both halves, bit 1 one part and a constant.
+  EXPECT_EQ(luts(7, 1, [](unsigned address) { return Bits{address & 1}; }), 1);
+  EXPECT_EQ(luts(7, 2, [](unsigned address) { return Bits{(address >> 6) * (address & 2)}; }), 1);
+  // Four different parts; multiplexers of more than four parts are look-up tables themselves.
+  const auto scattered = [](unsigned address) { return Bits{(address * 2654435761U >> 20) & 1}; };
+  EXPECT_EQ(luts(8, 1, scattered), 4);
+  EXPECT_EQ(luts(9, 1, scattered), 8 + 2);
 }
 
 }  // namespace
